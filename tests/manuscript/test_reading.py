@@ -419,7 +419,7 @@ PHYSICS = {
     r"\[ x' = \frac{x - vt}{\sqrt{1-v^2}}, \qquad t' = \frac{t - vx}{\sqrt{1-v^2}} \]"
     r" \[ t'^2 - x'^2 = t^2 - x^2 \]": "PROVED t_primed**2 - x_primed**2 == t**2 - x**2",
     r"\[ x' = -y, \quad y' = x \] \[ x'^2 + y'^2 = x^2 + y^2 \]": (
-        "EQUATION x_prime**2 + y_prime**2 == x**2 + y**2"
+        "PROVED x_prime**2 + y_prime**2 == x**2 + y**2"
     ),
     r"\[ \int_0^x t'^2\,dt' = \frac{x^3}{3} \]": (
         "PROVED integral(t_primed**2, t_primed, 0, x) == x**3/3"

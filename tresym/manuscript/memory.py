@@ -64,7 +64,7 @@ _DERIVATIVES = (
 )
 """How derivatives of symbols are written."""
 _PRIMED_TIME = re.compile(r"(?<![a-zA-Z\\])t'(?!')")
-_TIME_WITHIN = re.compile(r"d\s*\}?\s*\{?t'|''")
+_TIME_WITHIN = re.compile(r"(?<![a-zA-Z\\])d\s*\}?\s*\{?t'|''")
 """Where t' is a variable of integration, or derivatives are marked by primes."""
 _INDICES = frozenset("ijklmnpqrsIJKLMN")
 """Letters of integers: in passing, of others it is said of one display."""
