@@ -20,9 +20,14 @@ HOLD = [
     "sum(sin(k*x), k, 1, n) == sin(n*x/2)*sin((n + 1)*x/2)/sin(x/2)",
     "sum(1/k**2, k, 1, n) <= 2 - 1/n given n >= 1",
     "sum(k, k, 1, n) > 0 given n >= 1",
+    "sum(k, k, 1, n) > 0 given n > 0",
+    "sum(1/k, k, 1, n) == 2*sum(1/k, k, 1, n) - sum(1/k, k, 1, n)",
     "sum(a*k + b, k, 1, n) == a*n*(n + 1)/2 + b*n",
     "sum(2**k, k, 0, n - 1) == 2**n - 1",
     "product(2, k, 1, n) == 2**n",
+    "sum(k*factorial(k), k, 1, n) == factorial(n + 1) - 1",
+    "sum(k/factorial(k + 1), k, 1, n) == 1 - 1/factorial(n + 1)",
+    "product(2*k - 1, k, 1, n) == factorial(2*n)/(2**n*factorial(n))",
     "sum(k, k, 1, 10) == 55",
     "sum(k, k, 1, 0) == 0",
     "product(k, k, 1, 0) == 1",
@@ -38,6 +43,8 @@ FAIL = [
     "sum(x**k, k, 0, n) == (1 - x**n)/(1 - x) given x != 1",
     "sum(k, k, 1, n) == n*(n + 1)/2 + (n - 1)*(n - 2)*(n - 3)*(n - 4) given n >= 1",
     "product(k + 1, k, 1, n) == n*(n + 1)",
+    "sum(k*factorial(k), k, 1, n) == factorial(n + 1)",
+    "sum(k/factorial(k + 1), k, 1, n) == 1 - 1/factorial(n)",
     "sum(k, k, 1, 10) == 56",
     "sum(x**k, k, 1, oo) == 1/(1 - x) given abs(x) < 1",
     "sum(1/(k*(k + 1)), k, 1, oo) == 2",
@@ -53,6 +60,18 @@ OPEN = [
     "sum(k, k, 1, n/2) == 1",
     "sum(1/(k - 3), k, 1, n) == 1 given n >= 3",  # a term is not defined
 ]
+LATER = "2*sum(1/k, k, 1, n + 1) - 2/(n + 1) == 2*sum(1/k, k, 1, n) + 1 + sign(n - 41/2)"
+"""True up to n = 20 and false from 21 on."""
+GAPS = [
+    f"{LATER} + {gap} - {gap}"
+    for gap in (
+        "sqrt((n - 199/10)*(n - 211/10))",
+        "log((n - 199/10)*(n - 211/10))",
+        "((n - 199/10)*(n - 211/10))**n",
+        "1/sqrt((n - 199/10)*(n - 211/10))",
+        "x**sqrt((n - 199/10)*(n - 211/10))",
+    )
+]
 
 
 @pytest.mark.parametrize("claim", HOLD)
@@ -65,6 +84,12 @@ def test_what_fails_is_refuted_at_some_n(claim: str) -> None:
     answer = tresym.check(claim)
     assert answer.verdict is Verdict.REFUTED
     assert answer.witness is not None
+
+
+@pytest.mark.parametrize("claim", GAPS)
+def test_an_induction_has_no_gap(claim: str) -> None:
+    """At 20 and 21 nothing is said, so from 22 on nothing follows."""
+    assert tresym.check(claim, given="n >= 1").verdict is Verdict.UNDECIDED
 
 
 @pytest.mark.parametrize("claim", OPEN)

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import pytest
 
+from tresym.reals.decisions.reading import read
 from tresym.reals.language.parsing import parse
 from tresym.reals.places.conditions import Given
-from tresym.reals.signs.defined import continuous_on, undefined
+from tresym.reals.signs.defined import continuous_on, is_lasting, undefined
 from tresym.reals.signs.sign import proof
 
 # an expression, conditions that show it defined, and weaker ones that do not
@@ -86,3 +87,31 @@ def test_every_method_may_be_asked() -> None:
 )
 def test_smooth_is_more_than_defined(text: str, conditions: str, smooth: bool) -> None:
     assert (continuous_on(parse(text), Given.parse(conditions)) is None) is smooth
+
+
+@pytest.mark.parametrize(
+    ("e", "lasting"),
+    [
+        ("1/(n + 1)", True),
+        ("1/(n - 5)", False),
+        ("1/(x - 5)", True),  # for all n, or for none
+        ("x**n/(1 - x)", True),
+        ("(n - 5)**n", False),
+        ("(-1)**n", True),
+        ("1/S", False),
+        ("sqrt(n - x)", False),
+        ("log(factorial(n))", True),
+        ("1/(factorial(n) - 1)", False),
+        ("factorial(n + 1)/(n + 1)", True),
+        ("factorial(n - 2)", False),
+        ("1/(factorial(n + 1) - factorial(n))", False),
+        ("f(n)", False),
+        ("f(x)", True),
+        ("integral(t**n, t, 0, 1)", False),
+        ("integral(t*x, t, 0, 1)", True),
+    ],
+)
+def test_whether_something_is_said_of_every_n(e: str, lasting: bool) -> None:
+    given = Given(((parse("n"), ">=", parse("0")),))
+    (claim,) = read(f"{e} == 0").comparisons
+    assert is_lasting((claim.left,), given, "n", "S") is lasting

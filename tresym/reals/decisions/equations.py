@@ -28,6 +28,7 @@ from tresym.reals.language.expression import (
     add,
     apply,
     differentiate,
+    integer,
     multiply,
     number,
     power,
@@ -42,6 +43,7 @@ from tresym.reals.numbers.exact import InputError
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.domain import needs
 from tresym.reals.places.values import evaluate, stands
+from tresym.reals.signs.defined import undefined
 from tresym.reals.signs.inside import PROVING, is_zero
 from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
@@ -93,7 +95,7 @@ def decide_under_equations(claim: Comparison, statement: Statement, decided: Dec
             value = evaluate(e, {}) if not symbols(e) else None
         if value is not None and value != 0:
             return Answer(Verdict.UNDECIDED, _EMPTY)
-        if is_zero(e, Given()) and _is_defined(e, statement.given):
+        if is_zero(e, Given()) and undefined(e, statement.given) is None:
             return decided(claim, rest)
         return Answer(Verdict.UNDECIDED, f"{left} == {right} is not shown to have a point")
     for name in _candidates(claim, statement, e):
@@ -117,14 +119,10 @@ def among_integers(statement: Statement) -> Statement | None:
     """The statement, an equation between integers alone in front; None without such a one."""
     for pair in statement.equations:
         e = pair[0] - pair[1]
-        if symbols(e) <= {*statement.integers} and _is_whole(e, statement.integers):
+        if symbols(e) <= {*statement.integers} and is_whole(e, statement.integers):
             others = tuple(other for other in statement.equations if other is not pair)
             return replace(statement, equations=(pair, *others))
     return None
-
-
-def _is_defined(e: Expr, given: Given) -> bool:
-    return all(sign(part, given, relation) in PROVING[relation] for part, relation in needs((e,)))
 
 
 def _candidates(claim: Comparison, statement: Statement, e: Expr) -> list[str]:
@@ -144,7 +142,7 @@ def _whole(cases: list[Case], integers: tuple[str, ...]) -> list[Case] | None:
     kept = []
     for case in cases:
         value = case.value
-        if value is None or not _is_whole(value, integers):
+        if value is None or not is_whole(value, integers):
             if value is None or value.op != "number":
                 return None
             continue
@@ -152,15 +150,15 @@ def _whole(cases: list[Case], integers: tuple[str, ...]) -> list[Case] | None:
     return kept
 
 
-def _is_whole(e: Expr, integers: tuple[str, ...]) -> bool:
+def is_whole(e: Expr, integers: tuple[str, ...]) -> bool:
+    """Whether it is an integer for all integers."""
     if e.op == "number":
-        return bool(e.args[0].q == 1)
+        return integer(e) is not None
     if e.op == "symbol":
         return e.args[0] in integers
     if e.op == "^":
-        natural = e.args[1].op == "number" and e.args[1].args[0].q == 1 and e.args[1].args[0] > 0
-        return natural and _is_whole(e.args[0], integers)
-    return e.op in ("+", "*") and all(_is_whole(arg, integers) for arg in e.args)
+        return (integer(e.args[1]) or 0) > 0 and is_whole(e.args[0], integers)
+    return e.op in ("+", "*") and all(is_whole(arg, integers) for arg in e.args)
 
 
 # Solving

@@ -24,6 +24,7 @@ from tresym.reals.language.expression import (
     Expr,
     differentiate,
     fresh,
+    integer,
     multiply,
     number,
     replaced,
@@ -83,8 +84,8 @@ def _integers(arguments: list[Expr]) -> list[str]:
             new = sorted(symbols(e) - {*found})
             slopes = [differentiate(e, name) for name in sorted(symbols(e))]
             linear = all(slope in (ONE, -ONE) for slope in slopes)
-            rest = substitute(e, dict.fromkeys(symbols(e), ZERO))
-            if linear and len(new) == 1 and rest.op == "number" and rest.args[0].q == 1:
+            rest = integer(substitute(e, dict.fromkeys(symbols(e), ZERO)))
+            if linear and len(new) == 1 and rest is not None:
                 found += new
     return found
 
@@ -125,9 +126,8 @@ def _small(names: list[str]) -> Iterator[dict[str, Expr]]:
 
 def _value(e: Expr) -> Expr | None:
     """The factorial of a number, None where it has none."""
-    if e.op != "number" or e.args[0].q != 1 or e.args[0] < 0:
-        return None
-    return number(factorial(int(e.args[0].p)))
+    n = integer(e)
+    return None if n is None or n < 0 else number(factorial(n))
 
 
 def _by_least(
@@ -164,7 +164,7 @@ def _by_least(
 def _apart(one: Expr, other: Expr) -> int | None:
     """The integer that is the difference of two arguments, if it is one."""
     gap = one - other
-    at = substitute(gap, dict.fromkeys(symbols(gap), ZERO))
-    if at.op != "number" or at.args[0].q != 1 or abs(at.args[0]) > FAR:
+    apart = integer(substitute(gap, dict.fromkeys(symbols(gap), ZERO)))
+    if apart is None or abs(apart) > FAR:
         return None
-    return int(at.args[0].p) if decide(gap, at).verdict is Verdict.PROVED else None
+    return apart if decide(gap, number(apart)).verdict is Verdict.PROVED else None

@@ -20,6 +20,7 @@ from tresym.reals.language.expression import (
     Expr,
     apply,
     differentiate,
+    integer,
     multiply,
     number,
     opened,
@@ -92,12 +93,12 @@ def _lead(p: fmpq_poly) -> fmpq:
 
 def series_of(node: Expr, avoid: frozenset[str] = frozenset()) -> Series | None:
     """The series that a sum to oo is, None where it is none of this kind."""
-    low = node.args[1]
-    if node.op != "sum" or node.args[2] != INFINITY or low.op != "number" or low.args[0].q != 1:
+    low = integer(node.args[1])
+    if node.op != "sum" or node.args[2] != INFINITY or low is None:
         return None
     (n,), body = opened(node, avoid)
     try:
-        return _series(body, n, int(low.args[0].p))
+        return _series(body, n, low)
     except (OpenError, ZeroDivisionError, InputError):
         return None
 
@@ -233,10 +234,8 @@ def folded(e: Expr) -> Expr | None:
     if e.op in LEAVES:
         return e
     if e.op == "unknown":
-        of = e.args[1] if e.args[0].args == (FACTORIAL, (0,)) else ZERO
-        if of.op != "number" or of.args[0].q != 1 or not 0 <= of.args[0] <= 1000:
-            return None
-        return number(factorial(int(of.args[0].p)))
+        n = integer(e.args[1]) if e.args[0].args == (FACTORIAL, (0,)) else None
+        return None if n is None or not 0 <= n <= 1000 else number(factorial(n))
     args = [folded(arg) for arg in e.args]
     found = [arg for arg in args if arg is not None]
     return rebuild(e, tuple(found)) if len(found) == len(args) else None

@@ -10,10 +10,13 @@ from __future__ import annotations
 from dataclasses import replace
 
 from tresym.reals.decisions.answer import Answer, Decide
+from tresym.reals.decisions.equations import is_whole
 from tresym.reals.decisions.hypergeometric import folded
 from tresym.reals.decisions.reading import Comparison, Statement
+from tresym.reals.decisions.totals import from_on
 from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.expression import (
+    ZERO,
     Expr,
     differentiate,
     instantiate,
@@ -23,10 +26,14 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.places.conditions import Given
+from tresym.reals.places.domain import operations, singularities
+from tresym.reals.signs.defined import is_lasting
+from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
 
 LOOKED_AT = 4
 """Values of n at which a claim is looked at."""
+_SMOOTH = frozenset(("+", "*", "^", "exp", "sin", "cos", "sinh", "cosh", "atan", "tanh"))
 
 
 def decide_repeated(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
@@ -44,12 +51,9 @@ def decide_repeated(claim: Comparison, statement: Statement, decided: Decide) ->
     if order.op != "symbol" or not elementary(f) or str(order) in symbols(f):
         return Answer(Verdict.UNDECIDED, f"the order of a derivative is n, here {order}")
     n = str(order)
-    least = _least(statement.given, n)
-    fixed = replace(
-        statement,
-        given=Given(tuple(c for c in statement.given.comparisons if not _speaks(c, n))),
-        integers=tuple(name for name in statement.integers if name != n),
-    )
+    given, least = from_on(statement.given, n, 0)
+    others = tuple(name for name in statement.integers if name != n)
+    fixed = replace(statement, given=given, integers=others)
     first = Answer(Verdict.UNDECIDED, f"it is shown at no {n}")
     for k in range(least, least + LOOKED_AT):
         value = folded(substitute(g, {n: number(k)}))
@@ -67,6 +71,9 @@ def decide_repeated(claim: Comparison, statement: Statement, decided: Decide) ->
         return replace(first, why=f"induction has no base at {n} = {least}: {first.why}")
     beyond = statement.given & Given(((order, ">=", number(least)),))
     whole = tuple(dict.fromkeys((*statement.integers, n)))
+    if not is_lasting((g,), beyond, n) or not _is_smooth(g, f, x, beyond, whole):
+        why = f"it is not shown to be smooth, and spoken of at every {n} from {least} on"
+        return Answer(Verdict.UNDECIDED, why)
     later = substitute(g, {n: symbol(n) + 1})
     step = decided(
         Comparison(differentiate(g, x), "==", later),
@@ -79,14 +86,12 @@ def decide_repeated(claim: Comparison, statement: Statement, decided: Decide) ->
     return replace(step, why=why, region=None)
 
 
-def _speaks(link: tuple[Expr, str, Expr], n: str) -> bool:
-    return n in symbols(link[0]) | symbols(link[2])
-
-
-def _least(given: Given, n: str) -> int:
-    """The least order that the conditions allow."""
-    low = given.box[n].low if n in given.box else None
-    if low is None or low < 0:
-        return 0
-    whole = -(-int(low.p) // int(low.q))
-    return whole + (1 if given.box[n].low_open and low.q == 1 else 0)
+def _is_smooth(g: Expr, f: Expr, x: str, given: Given, integers: tuple[str, ...]) -> bool:
+    """Whether ``g`` has a derivative by ``x`` wherever it is defined and ``f`` is smooth."""
+    there = ((e, ">" if positive else "!=", ZERO) for e, positive in singularities(f))
+    given = given & Given(tuple(there))
+    moving = [node for node in operations((g,)) if x in symbols(node)]
+    powers = [node.args for node in moving if node.op == "^"]
+    return {node.op for node in moving} <= _SMOOTH and all(
+        is_whole(exponent, integers) or sign(base, given) == "+" for base, exponent in powers
+    )

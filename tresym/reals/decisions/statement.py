@@ -120,6 +120,10 @@ def _door(comparison: Comparison, statement: Statement) -> Door | None:
         from tresym.reals.decisions.repeated import decide_repeated
 
         return decide_repeated
+    if nodes & {"sum", "product"} and unknown <= {FACTORIAL}:
+        from tresym.reals.decisions.totals import decide_totals
+
+        return decide_totals
     if FACTORIAL in unknown:
         from tresym.reals.decisions.factorials import decide_factorials
 
@@ -128,10 +132,6 @@ def _door(comparison: Comparison, statement: Statement) -> Door | None:
         from tresym.reals.decisions.unknowns import decide_unknown
 
         return decide_unknown
-    if nodes & {"sum", "product"}:
-        from tresym.reals.decisions.totals import decide_totals
-
-        return decide_totals
     if statement.equations:
         from tresym.reals.decisions.equations import among_integers, decide_under_equations
 

@@ -11,7 +11,6 @@ series, a sum to ∞, is the limit of such a closed form, and nothing where it h
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
 
@@ -20,7 +19,7 @@ from tresym.reals.decisions.approach import limit_of
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.quoted import quoted_product
 from tresym.reals.decisions.reading import Comparison, Statement
-from tresym.reals.decisions.simple import tidied
+from tresym.reals.decisions.simple import constants_hold, tidied
 from tresym.reals.language.binders import outermost, total
 from tresym.reals.language.expression import (
     LEAVES,
@@ -30,6 +29,7 @@ from tresym.reals.language.expression import (
     add,
     differentiate,
     fresh,
+    integer,
     multiply,
     number,
     opened,
@@ -42,6 +42,8 @@ from tresym.reals.language.expression import (
 from tresym.reals.language.parsing import INFINITY
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.places.conditions import Given
+from tresym.reals.places.domain import operations
+from tresym.reals.signs.defined import is_lasting
 from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
 
@@ -81,7 +83,8 @@ def decide_totals(claim: Comparison, statement: Statement, decided: Decide) -> A
             "a sum in it",
         )
     (n,) = names
-    given, least = _from(n, statement.given, ends)
+    least = max(end[2] - 1 - end[1] for end in ends.values() if end is not None)
+    given, least = from_on(statement.given, n, least)
     whole = tuple(dict.fromkeys((*statement.integers, n)))
     statement = replace(statement, integers=whole)
     found = _looked_at(claim, statement, n, least, decided)
@@ -105,7 +108,7 @@ def first_terms(claim: Comparison, statement: Statement, decided: Decide) -> Ans
     n = fresh("n", taken)
     for node in nodes:
         (k,), body = opened(node)
-        low = _integer(node.args[1])
+        low = integer(node.args[1])
         if node.op != "sum" or node.args[2] != INFINITY or low is None:
             return Answer(Verdict.UNDECIDED, "a series is a sum from an integer to oo")
         first = total(node.op, body, k, node.args[1], symbol(n))
@@ -129,9 +132,8 @@ def first_terms(claim: Comparison, statement: Statement, decided: Decide) -> Ans
 
 def _tends(form: Expr, n: str, given: Given) -> Expr | None:
     """The limit as n → ∞, finite: a power b^(n + c) with |b| < 1 beats each power of n."""
-    powers = {
-        e for e in _inside(form) if e.op == "^" and n in symbols(e.args[1]) - symbols(e.args[0])
-    }
+    raised = (e for e in operations((form,)) if e.op == "^")
+    powers = {e for e in raised if n in symbols(e.args[1]) - symbols(e.args[0])}
     small = symbol(fresh("z", symbols(form)))
     put: dict[Expr, Expr] = {}
     for e in powers:
@@ -153,13 +155,6 @@ def _tends(form: Expr, n: str, given: Given) -> Expr | None:
     return None if value in (INFINITY, -INFINITY) else value
 
 
-def _inside(e: Expr) -> Iterator[Expr]:
-    yield e
-    if e.op not in LEAVES:
-        for arg in e.args:
-            yield from _inside(arg)
-
-
 def _nodes(claim: Comparison) -> list[Expr]:
     return [node for node in outermost(claim.left, claim.right) if node.op in INSIDE]
 
@@ -176,7 +171,7 @@ def written_out(e: Expr) -> Expr:
         if e.names:
             return e
         return rebuild(e, tuple(map(written_out, e.args)))
-    low, high = (_integer(written_out(end)) for end in e.args[1:])
+    low, high = (integer(written_out(end)) for end in e.args[1:])
     if low is None or high is None:
         return e
     if not -1 <= high - low < TERMS:
@@ -186,20 +181,14 @@ def written_out(e: Expr) -> Expr:
     return add(ZERO, *terms) if e.op == "sum" else multiply(ONE, *terms)
 
 
-def _integer(e: Expr) -> int | None:
-    if e.op != "number" or e.args[0].q != 1:
-        return None
-    return int(e.args[0].p)
-
-
 def _end(node: Expr) -> tuple[str, int, int] | None:
     """n, c and the lower end a, where the sum goes from a to n + c; None for others."""
-    low, high = _integer(node.args[1]), node.args[2]
+    low, high = integer(node.args[1]), node.args[2]
     names = symbols(high)
     if low is None or len(names) != 1 or INFINITY.args[0] in names:
         return None
     (n,) = names
-    start = _integer(substitute(high, {n: ZERO}))
+    start = integer(substitute(high, {n: ZERO}))
     inner = opened(node)[1]
     if n in symbols(node.args[0]):  # each of its terms changes with n
         return None
@@ -212,18 +201,14 @@ def _end(node: Expr) -> tuple[str, int, int] | None:
     return n, start, low
 
 
-def _from(n: str, given: Given, ends: dict[Expr, tuple[str, int, int] | None]) -> tuple[Given, int]:
-    """The conditions without those on n, and the least n at which the claim speaks."""
-    kept = Given(
-        tuple(link for link in given.comparisons if n not in symbols(link[0]) | symbols(link[2]))
-    )
-    least = max(end[2] - 1 - end[1] for end in ends.values() if end is not None)
+def from_on(given: Given, n: str, least: int) -> tuple[Given, int]:
+    """The conditions without those on an integer, and the first from ``least`` that they allow."""
+    links = (link for link in given.comparisons if n not in symbols(link[0]) | symbols(link[2]))
     low = given.box[n].low if n in given.box else None
     if low is not None:
-        floor = int(low.p) // int(low.q)
-        strict = given.box[n].low_open and low.q == 1
-        least = max(least, floor + (1 if low.q != 1 or strict else 0))
-    return kept, least
+        first = -int(-low.p // low.q)
+        least = max(least, first + (given.box[n].low_open and low.q == 1))
+    return Given(tuple(links)), least
 
 
 def _at(claim: Comparison, n: str, value: Expr) -> Comparison:
@@ -269,8 +254,6 @@ def _has_no_term(claim: Comparison, n: str, value: int) -> bool:
 
 def _decided_at(claim: Comparison, statement: Statement, decided: Decide) -> Answer | None:
     """The answer under conditions of which some are between numbers; None where one fails."""
-    from tresym.reals.decisions.simple import constants_hold
-
     given = constants_hold(statement.given.comparisons)
     return None if given is None else decided(claim, replace(statement, given=given))
 
@@ -305,10 +288,16 @@ def _induction(
     first, second = (substitute(side, put) for side in sides)
     after = Comparison(first, claim.relation, second)
     beyond = statement.given & Given(((symbol(n), ">=", number(least)),))
-    if claim.relation == "==":
-        under = replace(statement, given=beyond, equations=(*statement.equations, (left, right)))
+    under = replace(statement, given=beyond)
+    if not is_lasting((left, right), beyond, n, *map(str, now.values())):
+        why = f"it is not shown to be spoken of at every {n} from {least} on"
+        return Answer(Verdict.UNDECIDED, why)
+    if claim.relation != "==":
+        under = replace(under, given=beyond & Given(((left, claim.relation, right),)))
+    elif left.op == "symbol":
+        after = after.mapped(partial(substitute, mapping={str(left): right}))
     else:
-        under = replace(statement, given=beyond & Given(((left, claim.relation, right),)))
+        under = replace(under, equations=(*statement.equations, (left, right)))
     step = decided(after, under)
     if not step:
         why = f"the step of the induction from {n} to {n} + 1 is open: {step.why}"

@@ -41,6 +41,7 @@ from tresym.reals.language.expression import (
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.places.conditions import Given
+from tresym.reals.places.domain import operations
 from tresym.reals.places.values import evaluate
 from tresym.reals.signs.inside import is_zero
 from tresym.reals.signs.sign import sign
@@ -151,7 +152,7 @@ def _residue(e: Expr, at: dict[str, Expr], names: list[str], given: Given) -> Ex
 def _period(trees: Iterable[Expr], name: str, given: Given) -> int | None:
     """M such that n = M m + r leaves no angle and no exponent of what may be negative."""
     found = 1
-    for node in _nodes(trees):
+    for node in operations(trees):
         if node.op in PERIODIC and name in symbols(node):
             turns = _ratio(differentiate(node.args[0], name), PI)
         elif _is_alternating(node, name, given):
@@ -162,13 +163,6 @@ def _period(trees: Iterable[Expr], name: str, given: Given) -> int | None:
             continue  # it is left as it is
         found = lcm(found, int(turns.q) * (1 if int(turns.p) % 2 == 0 else 2))
     return found if found <= MOST_RESIDUES else None
-
-
-def _nodes(trees: Iterable[Expr]) -> Iterator[Expr]:
-    for e in trees:
-        if e.op not in LEAVES:
-            yield e
-            yield from _nodes(e.args)
 
 
 def _is_alternating(node: Expr, name: str, given: Given) -> bool:
@@ -190,7 +184,7 @@ def alternates(claim: Comparison, statement: Statement) -> bool:
     trees += statement.said
     return any(
         _is_alternating(node, name, Given())
-        for node in _nodes(trees)
+        for node in operations(trees)
         for name in statement.integers
     )
 

@@ -510,6 +510,11 @@ def opened(node: Expr, avoid: Iterable[str] = ()) -> tuple[tuple[str, ...], Expr
     return tuple(names), instantiate(node.args[0], tuple(map(symbol, names)))
 
 
+def integer(e: Expr) -> int | None:
+    """The integer that ``e`` is, None for anything else."""
+    return int(e.args[0].p) if e.op == "number" and e.args[0].q == 1 else None
+
+
 def fresh(name: str, taken: Container[str]) -> str:
     """``name``, or the first of ``name_1``, ``name_2``, … that is not taken."""
     return next(found for n in count() if (found := f"{name}_{n}" if n else name) not in taken)

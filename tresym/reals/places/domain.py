@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from tresym.reals.language.expression import (
+    LEAVES,
     ZERO,
     Expr,
     apply,
@@ -38,7 +39,7 @@ def needs(expressions: Iterable[Expr], powers: bool = True) -> list[tuple[Expr, 
     Args:
         powers: whether powers with a variable as exponent ask for a positive base.
     """
-    nodes = (e for e in _operations(expressions) if powers or e.op != "^" or not symbols(e.args[1]))
+    nodes = (e for e in operations(expressions) if powers or e.op != "^" or not symbols(e.args[1]))
     return list(dict.fromkeys(part for node in nodes for part in needs_of(node)))
 
 
@@ -49,17 +50,17 @@ def denominators(e: Expr) -> list[Expr]:
 
 def singularities(e: Expr) -> list[tuple[Expr, bool]]:
     """Expressions off whose zeros ``e`` is analytic; True where they must be positive."""
-    parts = dict.fromkeys(part for node in _operations((e,)) for part in analytic_of(node))
+    parts = dict.fromkeys(part for node in operations((e,)) for part in analytic_of(node))
     return [(part, relation == ">") for part, relation in parts]
 
 
-def _operations(expressions: Iterable[Expr]) -> Iterator[Expr]:
+def operations(expressions: Iterable[Expr]) -> Iterator[Expr]:
     """Every operation in the expressions, once."""
     seen: set[Expr] = set()
     stack = list(expressions)
     while stack:
         node = stack.pop()
-        if node in seen or node.op in ("number", "symbol", "pi"):
+        if node in seen or node.op in LEAVES:
             continue
         seen.add(node)
         stack.extend(node.args)

@@ -8,12 +8,24 @@ at a point is looked at in place, and so is a derivative, whose function must be
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
-from tresym.reals.language.binders import generalised
-from tresym.reals.language.expression import LEAVES, UNWORKED, Expr, opened, substitute
+from tresym.reals.language.binders import generalised, outermost
+from tresym.reals.language.expression import (
+    LEAVES,
+    ONE,
+    UNWORKED,
+    ZERO,
+    Expr,
+    opened,
+    replaced,
+    substitute,
+    symbol,
+    symbols,
+)
+from tresym.reals.language.parsing import FACTORIAL
 from tresym.reals.places.conditions import Given
-from tresym.reals.places.domain import analytic_of, needs_of
+from tresym.reals.places.domain import analytic_of, needs, needs_of
 from tresym.reals.signs.inside import PROVING
 from tresym.reals.signs.sign import Prover, sign_by
 
@@ -34,6 +46,27 @@ def undefined(e: Expr, given: Given, prover: Prover | None = None) -> Expr | Non
 def continuous_on(e: Expr, given: Given, prover: Prover | None = None) -> Expr | None:
     """As :func:`undefined`, but off every singularity, so that ``e`` is smooth there."""
     return _missing(e, given, analytic_of, prover)
+
+
+def is_lasting(sides: Sequence[Expr], given: Given, *moving: str) -> bool:
+    """Whether the sides are defined for all values of some variables if they are for one.
+
+    An induction needs it: what it is said of at n = 20 alone says nothing at 22 where 21 is left
+    out. So each part with ``moving`` variables must be shown, under the others.
+    """
+    nodes = [node for node in outermost(*sides) if not symbols(node).isdisjoint(moving)]
+    if any(node.args[0].args != (FACTORIAL, (0,)) for node in nodes):
+        return False
+    put = {node: symbol(f"[{i}]") for i, node in enumerate(nodes)}  # no name of anybody's
+    names = {*moving, *(str(mark) for mark in put.values())}
+    sides = [replaced(side, put) for side in sides]
+    plain = needs(sides, powers=False)
+    raised = [part for part in needs(sides) if part not in plain and symbols(part[0]) & names]
+    fixed = [(e, relation, ZERO) for e, relation in plain if not symbols(e) & names]
+    inside = given & Given((*fixed, *((mark, ">=", ONE) for mark in put.values())))
+    parts = [(node.args[1], ">=") for node in nodes] + raised
+    parts += [part for part in plain if symbols(part[0]) & names]
+    return all(_holds(e, relation, inside, None) for e, relation in parts)
 
 
 def _differentiable_of(node: Expr) -> list[tuple[Expr, str]]:
