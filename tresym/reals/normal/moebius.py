@@ -6,7 +6,7 @@ from flint import fmpq, fmpz_mpoly
 
 from tresym.reals.numbers.factoring import TooLargeError
 
-MAX_DEGREE = 1_000
+MAX_DEGREE = 300
 
 
 def on_orthant(p: fmpz_mpoly, i: int, low: fmpq | None, high: fmpq | None) -> fmpz_mpoly:
