@@ -39,6 +39,8 @@ NEVER = [
     "diff(exp(x), x, n) == exp(x) + (abs(n - 10) + n - 10)*(1 - sign(x)) + asin(x - 1)"
     " - asin(x - 1)",
     "diff(exp(x), x, n) == exp(x) + x**(n/2) - x**(n/2)",
+    # what is said of n is another thing at n + 1
+    "diff(exp(x), x, n) == exp(x) + n*(n - 1)*(n - 2)*(n - 3)*(n - 4)*(m - 2*n + 2) given m == 2*n",
     "diff(sin(x), x, n)**2 == sin(x)**2",
 ]
 
@@ -56,6 +58,13 @@ def test_derivatives_of_order_n_that_are_false(claim: str) -> None:
     assert answer.verdict is Verdict.REFUTED
     assert answer.witness
     assert "n" in answer.witness
+
+
+def test_what_is_true_of_an_order_is_never_refuted() -> None:
+    answer = tresym.check("diff(exp(x), x, n) == exp(x)*(m - 2*n + 1)", given="m == 2*n")
+    assert answer.verdict is Verdict.UNDECIDED
+    answer = tresym.check("diff(exp(x), x, n) == exp(x) + abs(x - n) - x + n", given="x > n")
+    assert answer.verdict is Verdict.UNDECIDED
 
 
 @pytest.mark.parametrize("claim", NEVER)

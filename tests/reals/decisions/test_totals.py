@@ -92,6 +92,27 @@ def test_an_induction_has_no_gap(claim: str) -> None:
     assert tresym.check(claim, given="n >= 1").verdict is Verdict.UNDECIDED
 
 
+def test_what_is_said_of_n_is_another_thing_at_n_plus_one() -> None:
+    product = "*".join(f"(n - {k})" for k in range(9))
+    false = f"2*sum(1/k, k, 1, n) == 2*sum(1/k, k, 1, n) + {product}*(m - 2*n + 2)"
+    assert not tresym.check(false, given="m == 2*n")
+    true = "sum(1/k, k, 1, n) == sum(1/k, k, 1, n)*(m - 2*n + 1)"
+    assert tresym.check(true, given="m == 2*n").verdict is not Verdict.REFUTED
+    assert tresym.check("sum(m, k, 1, n) == 2*n**2", given="m == 2*n")
+    one = "2*sum(1/k, k, 1, n + 1) - 2/(n + 1) == 2*sum(1/k, k, 1, n)"
+    false = f"{one} + (1 + sign(x - 9))*(1 + sign(n - x))"
+    assert not tresym.check(false, given="x < n")
+
+
+@pytest.mark.parametrize(
+    ("zero", "given"),
+    [("abs(x - n) - x + n", "x > n"), ("abs(n - 4) + abs(n - 6) - 2*abs(n - 5)", "n != 5")],
+)
+def test_what_is_true_where_it_is_claimed_is_never_refuted(zero: str, given: str) -> None:
+    claim = f"2*sum(1/k, k, 1, n) == 2*sum(1/k, k, 1, n) + {zero}"
+    assert tresym.check(claim, given=given).verdict is not Verdict.REFUTED
+
+
 @pytest.mark.parametrize("claim", OPEN)
 def test_what_is_not_spoken_of_is_not_decided(claim: str) -> None:
     assert tresym.check(claim).verdict is Verdict.UNDECIDED

@@ -13,7 +13,7 @@ from tresym.reals.decisions.answer import Answer, Decide
 from tresym.reals.decisions.equations import is_whole
 from tresym.reals.decisions.hypergeometric import folded
 from tresym.reals.decisions.reading import Comparison, Statement
-from tresym.reals.decisions.totals import from_on
+from tresym.reals.decisions.totals import decided_at, from_on
 from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.expression import (
     ZERO,
@@ -51,9 +51,7 @@ def decide_repeated(claim: Comparison, statement: Statement, decided: Decide) ->
     if order.op != "symbol" or not elementary(f) or str(order) in symbols(f):
         return Answer(Verdict.UNDECIDED, f"the order of a derivative is n, here {order}")
     n = str(order)
-    given, least = from_on(statement.given, n, 0)
-    others = tuple(name for name in statement.integers if name != n)
-    fixed = replace(statement, given=given, integers=others)
+    plain, least = from_on(statement, n, 0)
     first = Answer(Verdict.UNDECIDED, f"it is shown at no {n}")
     for k in range(least, least + LOOKED_AT):
         value = folded(substitute(g, {n: number(k)}))
@@ -62,14 +60,16 @@ def decide_repeated(claim: Comparison, statement: Statement, decided: Decide) ->
             derivative = differentiate(derivative, x)
         if value is None:
             break
-        found = decided(Comparison(derivative, "==", value), fixed)
-        if found.verdict is Verdict.REFUTED:
+        same = Comparison(derivative, "==", value)
+        found = decided_at(same, statement, n, k, decided)
+        if found is not None and found.verdict is Verdict.REFUTED:
             witness = {n: str(k)} | dict(found.witness or {})
             return replace(found, why=f"at {n} = {k}: {found.why}", witness=witness)
-        first = found if k == least else first
+        first = decided(same, plain) if k == least else first
     if not first:
-        return replace(first, why=f"induction has no base at {n} = {least}: {first.why}")
-    beyond = statement.given & Given(((order, ">=", number(least)),))
+        why = f"induction has no base at {n} = {least}: {first.why}"
+        return Answer(Verdict.UNDECIDED, why)
+    beyond = plain.given & Given(((order, ">=", number(least)),))
     whole = tuple(dict.fromkeys((*statement.integers, n)))
     if not is_lasting((g,), beyond, n) or not _is_smooth(g, f, x, beyond, whole):
         why = f"it is not shown to be smooth, and spoken of at every {n} from {least} on"
@@ -77,7 +77,7 @@ def decide_repeated(claim: Comparison, statement: Statement, decided: Decide) ->
     later = substitute(g, {n: symbol(n) + 1})
     step = decided(
         Comparison(differentiate(g, x), "==", later),
-        replace(statement, given=beyond, integers=whole),
+        replace(plain, given=beyond, integers=whole),
     )
     if not step:
         why = f"the step of the induction from {n} to {n} + 1 is open: {step.why}"

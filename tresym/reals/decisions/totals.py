@@ -84,13 +84,11 @@ def decide_totals(claim: Comparison, statement: Statement, decided: Decide) -> A
         )
     (n,) = names
     least = max(end[2] - 1 - end[1] for end in ends.values() if end is not None)
-    given, least = from_on(statement.given, n, least)
-    whole = tuple(dict.fromkeys((*statement.integers, n)))
-    statement = replace(statement, integers=whole)
+    statement = replace(statement, integers=tuple(dict.fromkeys((*statement.integers, n))))
+    plain, least = from_on(statement, n, least)
     found = _looked_at(claim, statement, n, least, decided)
     if found is not None:
         return found
-    plain = replace(statement, given=given)
     answer = _induction(claim, plain, n, least, ends, decided)
     if answer:
         return answer
@@ -201,14 +199,19 @@ def _end(node: Expr) -> tuple[str, int, int] | None:
     return n, start, low
 
 
-def from_on(given: Given, n: str, least: int) -> tuple[Given, int]:
-    """The conditions without those on an integer, and the first from ``least`` that they allow."""
-    links = (link for link in given.comparisons if n not in symbols(link[0]) | symbols(link[2]))
+def from_on(statement: Statement, n: str, least: int) -> tuple[Statement, int]:
+    """Without all that is said of an integer, and the first from ``least`` that it allows.
+
+    An induction needs what is said to be the same at n + 1.
+    """
+    given = statement.given
     low = given.box[n].low if n in given.box else None
     if low is not None:
         first = -int(-low.p // low.q)
         least = max(least, first + (given.box[n].low_open and low.q == 1))
-    return Given(tuple(links)), least
+    links = (link for link in given.comparisons if n not in symbols(link[0]) | symbols(link[2]))
+    others = (pair for pair in statement.equations if n not in symbols(pair[0]) | symbols(pair[1]))
+    return replace(statement, given=Given(tuple(links)), equations=tuple(others)), least
 
 
 def _at(claim: Comparison, n: str, value: Expr) -> Comparison:
@@ -221,12 +224,8 @@ def _looked_at(
     """A refutation at small n, or that the claim holds at none; None where it may be true."""
     seen = empty = False
     for value in range(least, least + FIRST):
-        fixed = replace(
-            statement.mapped(partial(substitute, mapping={n: number(value)})),
-            integers=tuple(name for name in statement.integers if name != n),
-        )
         try:
-            found = _decided_at(_at(claim, n, number(value)), fixed, decided)
+            found = decided_at(_at(claim, n, number(value)), statement, n, value, decided)
         except InputError:
             break
         if found is None:
@@ -252,10 +251,16 @@ def _has_no_term(claim: Comparison, n: str, value: int) -> bool:
     return any(end is not None and value + end[1] < end[2] for end in ends)
 
 
-def _decided_at(claim: Comparison, statement: Statement, decided: Decide) -> Answer | None:
-    """The answer under conditions of which some are between numbers; None where one fails."""
-    given = constants_hold(statement.given.comparisons)
-    return None if given is None else decided(claim, replace(statement, given=given))
+def decided_at(
+    claim: Comparison, statement: Statement, n: str, value: int, decided: Decide
+) -> Answer | None:
+    """The answer under what is said of ``n`` at this value; None where that fails."""
+    there = statement.mapped(partial(substitute, mapping={n: number(value)}))
+    given = constants_hold(there.given.comparisons)
+    others = tuple(name for name in statement.integers if name != n)
+    if given is None:
+        return None
+    return decided(claim, replace(there, given=given, integers=others))
 
 
 def _induction(
@@ -269,7 +274,8 @@ def _induction(
     fixed = replace(statement, integers=tuple(m for m in statement.integers if m != n))
     base = decided(_at(claim, n, number(least)), fixed)
     if not base:
-        return replace(base, why=f"induction has no base at {n} = {least}: {base.why}")
+        why = f"induction has no base at {n} = {least}: {base.why}"
+        return Answer(Verdict.UNDECIDED, why)
     taken = {*symbols(claim.left), *symbols(claim.right), *statement.given.names}
     now: dict[Expr, Expr] = {}
     later: dict[Expr, Expr] = {}
