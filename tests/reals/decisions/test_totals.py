@@ -7,7 +7,9 @@ import pytest
 import tresym
 from tresym.reals.decisions.reading import read
 from tresym.reals.decisions.statement import _bounded
-from tresym.reals.decisions.totals import _end, _induction
+from tresym.reals.decisions.totals import _end, _induction, _tends
+from tresym.reals.language.parsing import parse
+from tresym.reals.places.conditions import Given
 from tresym.reals.verdict import Verdict
 
 HOLD = [
@@ -157,3 +159,24 @@ def test_from_where_a_sum_is_spoken_of_is_told(least: int, told: bool) -> None:
     answer = tresym.check(f"sum(1, k, 1, n) == n given n integer, n >= {least}")
     assert answer.verdict is Verdict.PROVED
     assert ("below which none is spoken of" in answer.why) is told
+
+
+@pytest.mark.parametrize(
+    ("form", "limit"),
+    [
+        ("1 - (1/2)**n", "1"),
+        ("2 - (n + 2)*(1/2)**n", "2"),
+        ("exp(n)*(1/2)**n", None),
+        ("1/(1 + exp(n)*(1/2)**n)", None),
+        ("1/(1 + exp(n)*(1/2)**n) + n**3*(1/2)**n", None),
+        ("sin((1/2)**n*exp(n))", None),
+        ("2**n", None),
+        ("(-1)**n", None),
+        ("n", None),
+        ("(1/2)**n + (1/3)**n", None),
+        ("n**n", None),
+    ],
+)
+def test_a_power_beats_powers_of_n_and_nothing_else(form: str, limit: str | None) -> None:
+    found = _tends(parse(form), "n", Given())
+    assert found == (None if limit is None else parse(limit))
