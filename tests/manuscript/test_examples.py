@@ -2,6 +2,8 @@
 
 import json
 import re
+import shutil
+import subprocess
 from html.parser import HTMLParser
 from pathlib import Path
 
@@ -67,6 +69,41 @@ def test_page_and_marks_show_every_display(
     assert [int(number) for number, _ in lines] == list(range(1, 12))
     assert ("5", "REFUTED") in lines
     assert "\\ProvidesPackage{tresym}" in (tmp_path / "tresym.sty").read_text()
+
+
+MARKED = r"""\documentclass{article}
+\usepackage{amsmath,tresym}
+\newtheorem{lemma}{Lemma}
+\tresymmarks{m.marks}
+\renewcommand{\tresymshown}{\typeout{mark \arabic{tresymdisplay}, line \the\inputlineno}}
+\begin{document}
+\[ 1 = 1 \]
+\begin{lemma} $$ 2 = 2 $$ \end{lemma}
+\begin{equation} \begin{aligned} 3 &= 3 \\ 4 &= 4 \end{aligned} \end{equation}
+\begin{displaymath} 4 = 4 \end{displaymath}
+\begin{align*} 5 &= 5 \\ 5 &= 5 \end{align*}
+\begin{eqnarray} 6 & = & 6 \end{eqnarray}
+\begin{multline} 7 \\ = 7 \end{multline}
+\begin{gather} 8 = 8 \\ 8 = 8 \text{ if $x = x$} \end{gather}
+\begin{subequations} \begin{alignat}{2} 9 &= 9 & 1 &= 1 \end{alignat} \end{subequations}
+$$ 10 = 10 $$
+\end{document}
+"""
+
+
+def test_each_mark_stands_at_its_display(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    if shutil.which("pdflatex") is None:
+        pytest.skip("pdflatex is not installed (Debian: texlive-latex-extra)")
+    (tmp_path / "m.tex").write_text(MARKED)
+    _, found = rows(tmp_path / "m.tex", capsys, "--marks", str(tmp_path / "m.marks"))
+    words = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "m.tex"]
+    done = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, check=True)
+    marks = re.findall(r"^mark (\d+), line (\d+)", done.stdout, re.MULTILINE)
+    assert [*map(tuple, marks)] == [
+        *dict.fromkeys((str(row["display"]), str(row["line"])) for row in found)
+    ]
 
 
 @pytest.mark.skipif(not PAPERS, reason="the paper's LaTeX is not at hand")

@@ -362,6 +362,13 @@ ROWS = {
     r"\[ |x| = x, \quad \sqrt{x^2} = x, \quad x > 0 \]": (
         "PROVED abs(x) == x given x > 0, PROVED sqrt(x**2) == x given x > 0"
     ),
+    r"\[ |x| = x \text{ for } x > 0, \qquad \sqrt{v^2} = |v| \]": (
+        "PROVED abs(x) == x given x > 0, PROVED sqrt(v**2) == abs(v)"
+    ),
+    r"\[ |x| = x \text{ for } x > 0, \quad \sqrt{x^2} = x \]": (
+        "PROVED abs(x) == x given x > 0, REFUTED sqrt(x**2) == x"
+    ),
+    r"\[ x^2 = x \quad \text{for all } x \]": "REFUTED x**2 == x",
     r"\[ v \ge 0, \quad v \ge 1 \text{ or } v \le 0 \] and so \[ |v - 1| = v - 1 \]": (
         "UNDECIDED v >= 0, UNREAD v >= 1, UNREAD v <= 0, EQUATION abs(v - 1) == v - 1"
     ),

@@ -95,17 +95,19 @@ STYLE = r"""\NeedsTeXFormat{LaTeX2e}
 \definecolor{tresymDEFINED}{gray}{.5}
 \definecolor{tresymASSUMED}{gray}{.5}
 \definecolor{tresymEQUATION}{gray}{.5}
-\newcommand{\tresymmark}{%
-  \stepcounter{tresymdisplay}%
+\newcommand{\tresymmark}{\stepcounter{tresymdisplay}\tresymshown}
+\newcommand{\tresymshown}{%
   \ifcsdef{tresym@\arabic{tresymdisplay}}{%
     \edef\tresym@now{\csuse{tresym@\arabic{tresymdisplay}}}%
     \marginpar{\scriptsize\textcolor{tresym\tresym@now}{\tresym@now}}}{}}
-\newcommand{\tresym@before}[1]{\BeforeBeginEnvironment{#1}{\tresymmark}%
-  \BeforeBeginEnvironment{#1*}{\tresymmark}}
+\newcommand{\tresym@of}[1]{\csdef{tresym@of@#1}{}\BeforeBeginEnvironment{#1}{\tresymmark}}
+\newcommand{\tresym@before}[1]{\tresym@of{#1}\tresym@of{#1*}}
 \forcsvlist{\tresym@before}{equation,align,gather,multline,eqnarray,flalign,alignat}
-\BeforeBeginEnvironment{displaymath}{\tresymmark}
-\let\tresym@open\[
-\def\[{\tresymmark\tresym@open}
+\forcsvlist{\tresym@before}{dmath,xalignat,math}
+% \[ and displaymath are equation* by amsmath; $$ is no environment, and has its mark behind it.
+\newcommand{\tresym@dollars}{\ifcsdef{tresym@of@\@currenvir}{}{%
+  \stepcounter{tresymdisplay}\aftergroup\tresymshown}}
+\AtBeginDocument{\everydisplay\expandafter{\the\everydisplay\tresym@dollars}}
 \endinput
 """
 """The LaTeX package that sets the marks."""

@@ -435,6 +435,8 @@ def _parts(tokens: list[str]) -> list[tuple[str, list[str]]]:
             before, here = parts[-1]
             if here or token not in (GAP, ","):
                 parts.append((token if here or token != GAP else before, []))
+            elif token == GAP and before == ",":
+                parts[-1] = (Spaced(","), [])
         elif token == GAP:
             spaced = True
         else:
@@ -474,6 +476,9 @@ def _chains(tokens: list[str]) -> list[Said]:
                 ahead += behind
                 continue
         chain = _chain(part)
+        apart = stop == GAP or isinstance(stop, Spaced)
+        if apart and "=" in chain.ops and all(len(term) > 2 for term in chain.terms):
+            under = False  # an equality apart is one more
         if not chain.ops:
             if colon:
                 continue
@@ -504,6 +509,8 @@ def _chains(tokens: list[str]) -> list[Said]:
             else:
                 before = stop if stop in ARROWS or stop == OR else ""
                 found.append(replace(one, before=before, conditions=tuple(ahead)))
+    if found and found[-1].universal and under:  # "for all x"
+        pending = [part for part in pending if len(part) > 1]
     found += [Said((tuple(part),)) for part in pending]
     for n, behind in told.items():
         if n < len(found):
