@@ -365,8 +365,8 @@ ROWS = {
     r"\[ |x| = x \text{ for } x > 0, \qquad \sqrt{v^2} = |v| \]": (
         "PROVED abs(x) == x given x > 0, PROVED sqrt(v**2) == abs(v)"
     ),
-    r"\[ |x| = x \text{ for } x > 0, \quad \sqrt{x^2} = x \]": (
-        "PROVED abs(x) == x given x > 0, REFUTED sqrt(x**2) == x"
+    r"\[ |x| = x \text{ for } x > 0, \quad \sqrt{x^2} = 2x - x \]": (
+        "PROVED abs(x) == x given x > 0, REFUTED sqrt(x**2) == 2*x - x"
     ),
     r"\[ x^2 = x \quad \text{for all } x \]": "REFUTED x**2 == x",
     r"\[ v \ge 0, \quad v \ge 1 \text{ or } v \le 0 \] and so \[ |v - 1| = v - 1 \]": (
