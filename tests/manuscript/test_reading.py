@@ -457,6 +457,30 @@ def test_what_physicists_write(text: str, tmp_path: Path) -> None:
     assert f"{row.status} {row.link.read_as}" == PHYSICS[text]
 
 
+@pytest.mark.parametrize(
+    ("text", "statuses"),
+    [
+        # on which range x = 3 sin t is taken is not said
+        (
+            r"Set $x = 3\sin t$. \[ \int \sqrt{9-x^2}\,dx = \int 3\sqrt{9\cos^2 t}\cos t\,dt"
+            r" = \int 9\cos^2 t\,dt \]",
+            "PROVED UNDECIDED",
+        ),
+        (
+            r"Set $u = \sin t$. \[ \int \cos t\,dt = \int 1\,du = \int 2 du \]",
+            "PROVED REFUTED",
+        ),
+        # one constant is not the other
+        (r"\[ \int \frac{dx}{x} = \ln|x| + C = \ln|2x| + C \]", "PROVED UNDECIDED"),
+        # a second value, and a word that is not read
+        (r"Let $x = 3\sin t$. We use $x = 2\sin t$. \[ 1 + x = 1 + 2\sin t \]", "EQUATION"),
+        (r"Let $x = 3\sin t$. We use $x = 3\sin t$. \[ 1 + x = 1 + 3\sin t \]", "PROVED"),
+    ],
+)
+def test_what_is_left_unsaid_is_no_falsehood(text: str, statuses: str, tmp_path: Path) -> None:
+    assert " ".join(row.status for row in read(tmp_path, text)) == statuses
+
+
 def test_macros_open_and_close_displays_before_environments(tmp_path: Path) -> None:
     text = r"\documentclass{article}\def\be{\begin{equation}}\newcommand\ee{\end{equation}}"
     text += r"\begin{document} \be 1 + 1 = 2 \ee \begin{proof}\be 2 = 2 \ee\end{proof}"

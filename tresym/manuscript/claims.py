@@ -13,7 +13,7 @@ from tresym.manuscript import prose
 from tresym.manuscript.memory import DEPTH, Memory, Under, about, names_in
 from tresym.manuscript.rows import Said
 from tresym.manuscript.surface import Display
-from tresym.manuscript.terms import Head, base_of, unknown_in
+from tresym.manuscript.terms import Head, base_of, unknown_in, variables_of_integrals
 from tresym.reals.decisions.reading import chained
 from tresym.reals.language.binders import antiderivative, is_infinite, outermost
 from tresym.reals.language.expression import (
@@ -151,6 +151,7 @@ def claim(
         firm
         and not said.remarks
         and not changed
+        and not _is_up_to(n, said, known)
         and not (under.noted and under.kind == prose.SOLVE and n == 0)
     )
     link = replace(link, sides=(left, relation, right), read_as=attempts[0].read_as)
@@ -167,6 +168,13 @@ def claim(
     if fallback[0] == EQUATION and unknown_in(left, right):
         link = replace(link, same=False, unknown=True)
     return replace(link, otherwise=undecided if keep and fallback[0] != DEFINED else fallback)
+
+
+def _is_up_to(n: int, said: Said, known: Mapping[str, Expr]) -> bool:
+    """Whether a link holds up to what is not said: another constant ``+ C`` on both sides, or the
+    range of a substitution x = φ(θ), where a chain begins with an integral by x."""
+    constants = all(term[-2:] == ("+", "C") for term in said.terms[n : n + 2])
+    return constants or not known.keys().isdisjoint(variables_of_integrals(said.terms[0]))
 
 
 def _is_general(left: Expr, right: Expr, under: Under, head: Head | None, signed: bool) -> bool:

@@ -268,7 +268,9 @@ class Memory:
             return
         if surely or head.parameters:
             self.define(head, value)
-        elif told and symbols(value) and value.op != "symbol":
+        elif head.name in self.functions and self.functions[head.name].body != value:
+            del self.functions[head.name]  # it is another now, and how is not read
+        if told and not surely and symbols(value) and value.op != "symbol":
             self.told[head.name] = value
             for name in symbols(value) if kind else ():
                 self.lasting += whole(symbol(name), kind)
