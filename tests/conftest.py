@@ -6,6 +6,7 @@ a failure is the same failure tomorrow.
 
 import os
 import pickle
+import shutil
 import time
 from dataclasses import replace
 from pathlib import Path
@@ -52,6 +53,16 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 def pytest_runtest_logreport(report: pytest.TestReport) -> None:
     if report.when == "call":
         chunks.record(report.nodeid, report.outcome, report.duration)
+
+
+@pytest.fixture
+def pdflatex() -> str:
+    """LaTeX, which is there in CI."""
+    found = shutil.which("pdflatex")
+    if found is None:
+        assert not os.environ.get("CI"), "TeX Live must be there in CI"
+        pytest.skip("pdflatex is not installed (Debian: texlive-latex-extra)")
+    return found
 
 
 @pytest.fixture(scope="session")

@@ -2,7 +2,6 @@
 
 import json
 import re
-import shutil
 import subprocess
 from html.parser import HTMLParser
 from pathlib import Path
@@ -92,13 +91,11 @@ $$ 10 = 10 $$
 
 
 def test_each_mark_stands_at_its_display(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    pdflatex: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    if shutil.which("pdflatex") is None:
-        pytest.skip("pdflatex is not installed (Debian: texlive-latex-extra)")
     (tmp_path / "m.tex").write_text(MARKED)
     _, found = rows(tmp_path / "m.tex", capsys, "--marks", str(tmp_path / "m.marks"))
-    words = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "m.tex"]
+    words = [pdflatex, "-interaction=nonstopmode", "-halt-on-error", "m.tex"]
     done = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, check=True)
     marks = re.findall(r"^mark (\d+), line (\d+)", done.stdout, re.MULTILINE)
     assert [*map(tuple, marks)] == [

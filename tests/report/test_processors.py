@@ -13,7 +13,6 @@ import subprocess
 import sys
 from typing import Any
 
-import chunks
 import numpy as np
 import pytest
 from hangs import HANGS
@@ -134,7 +133,7 @@ STALE = (
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("registers", ["none", "first"] if chunks.DEEP else ["none"])
+@pytest.mark.parametrize("registers", ["none", "first"])
 def test_the_documents_are_the_same_on_a_lesser_processor(registers: str) -> None:
     """The pictures and tables; nothing else in the documents has been through a float array."""
     setting = settings()[registers]

@@ -261,20 +261,22 @@ def _forms(
         where = [c for name in put for c in memory.where.get(name, ())]
         if where:
             yield one, other, [*conditions, *where], f"{WHERE} {_spoken(put)} put in"
+    if not memory.told or under.noted:
+        return
     told = {name: value for name, value in known.items() if name not in memory.told} | memory.told
     for one, other, conditions, put in [*_put_in(told, left, right, given)][-1:]:
-        if not put.keys().isdisjoint(memory.told) and not under.noted:
+        if not put.keys().isdisjoint(memory.told):
             yield one, other, conditions, f"{TOLD} {_spoken(put)} put in"
 
 
 def _put_in(
-    known: Mapping[str, Expr], left: Expr, right: Expr, given: Sequence[Compared]
+    known: dict[str, Expr], left: Expr, right: Expr, given: Sequence[Compared]
 ) -> Iterator[tuple[Expr, Expr, Sequence[Compared], dict[str, Expr]]]:
     """Both sides, the conditions and what was put in, one definition after the other."""
     put: dict[str, Expr] = {}
     for _ in range(DEPTH):
         names = symbols(left) | symbols(right)
-        name = next((n for n in reversed([*known]) if n in names), "")
+        name = next((n for n in reversed(known) if n in names), "")
         if not name:
             return
         value = {name: known[name]}

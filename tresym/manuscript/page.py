@@ -9,6 +9,7 @@ from itertools import groupby
 
 from tresym.manuscript.deciding import STATUSES, Row
 from tresym.manuscript.mathml import relation
+from tresym.manuscript.surface import DISPLAYS
 
 _WORST = ("REFUTED", "UNREAD", "UNDECIDED", "EQUATION", "ASSUMED", "ENCLOSED", "PROVED", "DEFINED")
 _STYLE = """
@@ -101,13 +102,11 @@ STYLE = r"""\NeedsTeXFormat{LaTeX2e}
     \edef\tresym@now{\csuse{tresym@\arabic{tresymdisplay}}}%
     \marginpar{\scriptsize\textcolor{tresym\tresym@now}{\tresym@now}}}{}}
 \newcommand{\tresym@of}[1]{\csdef{tresym@of@#1}{}\BeforeBeginEnvironment{#1}{\tresymmark}}
-\newcommand{\tresym@before}[1]{\tresym@of{#1}\tresym@of{#1*}}
-\forcsvlist{\tresym@before}{equation,align,gather,multline,eqnarray,flalign,alignat}
-\forcsvlist{\tresym@before}{dmath,xalignat,math}
+\forcsvlist{\tresym@of}{DISPLAYS}
 % \[ and displaymath are equation* by amsmath; $$ is no environment, and has its mark behind it.
 \newcommand{\tresym@dollars}{\ifcsdef{tresym@of@\@currenvir}{}{%
   \stepcounter{tresymdisplay}\aftergroup\tresymshown}}
 \AtBeginDocument{\everydisplay\expandafter{\the\everydisplay\tresym@dollars}}
 \endinput
-"""
+""".replace("DISPLAYS", ",".join(sorted(DISPLAYS - {"displaymath", "displaymath*"})))
 """The LaTeX package that sets the marks."""

@@ -28,7 +28,7 @@ _TOLD = re.compile(
 _NAMED = re.compile(
     r"\bthe (?:(?!(?:cases?|conditions?|equations?|equalit\w+|relations?|limits?|lines?|curves?"
     r"|planes?|points?|assumptions?|hypothes\w+|identit\w+|values?|choices?|constraints?|claims?"
-    r"|requirements?|possibilit\w+|exceptions?|statements?|ansatz|case|inequalit\w+)\b)"
+    r"|requirements?|possibilit\w+|exceptions?|statements?|ansatz|inequalit\w+)\b)"
     r"[\w-]+[\s~]+){1,3}\Z",
     re.IGNORECASE,
 )

@@ -99,9 +99,9 @@ class _Reading:
             else:
                 for note in event.notes:
                     self.note(note)
-                follows, *further = *self.events[n + 1 : n + 3], None, None
+                follows, beyond, *_ = (*self.events[n + 1 : n + 3], None, None)
                 after = follows.text if isinstance(follows, Prose) else ""
-                if isinstance(further[0], Display) and prose.is_of_next(after):
+                if isinstance(beyond, Display) and prose.is_of_next(after):
                     after = ""
                 found = list(self.display(event, before, after))
                 for label in (*event.labels, str(event.number)):
@@ -173,8 +173,10 @@ class _Reading:
             if len(said.ops) != 1 or RELATIONS.get(said.ops[0]) not in BOUNDS or said.before:
                 continue
             head = self.memory.head(said.terms[0])
+            if not head or head.name not in self.memory.functions:
+                continue
             left, right = (self.piece(term, said) for term in said.terms)
-            if not head or head.name not in self.memory.functions or isinstance(right, str):
+            if isinstance(right, str):
                 continue
             left = Piece(symbol(head.name)) if isinstance(left, str) else left
             shown = " ".join((*said.terms[0], said.ops[0], *said.terms[1]))
@@ -349,13 +351,13 @@ class _Reading:
             return replace(read_so(link, compared), status=DEFINED, why="a definition")
         if relation == "in" or relation.startswith("->"):
             return self.interval_or_limit(link, said, under)
-        bound = relation in NEGATED and relation != "==" and said.before in ("", OR, EITHER)
-        if bound and said.before and all(map(is_plain, said.terms)):
+        bound = relation in NEGATED and relation != "=="
+        lone = bound and all(map(is_plain, said.terms))
+        if lone and said.before in (OR, EITHER):
             why = "which of several holds is not said"
             return replace(read_so(link, compared), status=UNREAD, why=why)
-        bound = bound and not said.before
         assumed = n == 0 and under.kind == prose.ASSUME
-        if bound and (assumed or all(map(is_plain, said.terms))):
+        if bound and not said.before and (assumed or lone):
             defined = not assumed and self.is_of_defined(said)
             asked = claim(self.memory, link, n, said, compared, (left, right), under, head, signed)
             if under.told or (under.universal and not assumed):
@@ -520,6 +522,5 @@ def _is_condition(said: Said, before: Said, others: Sequence[Said]) -> bool:
             return False
         if not short and not any(map(is_plain, said.terms)):
             return False
-    return (
-        short or any("|" in term[0] for term in said.terms) or (all(map(is_plain, said.terms[::2])))
-    )
+    bars = any("|" in term[0] for term in said.terms)
+    return short or bars or all(map(is_plain, said.terms[::2]))

@@ -423,7 +423,10 @@ def _split(tokens: list[str], separator: str) -> list[list[str]]:
 
 
 def _parts(tokens: list[str]) -> list[tuple[str, list[str]]]:
-    """What lies between stops, each with the stop before it; gaps inside brackets are spaces."""
+    """What lies between stops, each with the stop before it; gaps inside brackets are spaces.
+
+    A comma with a gap behind it is :class:`Spaced`.
+    """
     parts: list[tuple[str, list[str]]] = [("", [])]
     spaced = False
     for n, token, depth in _levels(tokens):

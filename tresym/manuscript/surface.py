@@ -37,6 +37,7 @@ SCOPES = frozenset(("proof", "example", "exercise", "problem", "solution"))
 """What is put in one of these is not said beyond it."""
 STATEMENTS = frozenset(("theorem", "lemma", "proposition", "corollary"))
 """What one of these defines is not said beyond the section."""
+_SCOPED = SCOPES | STATEMENTS
 _TITLE = re.compile(r"\*?\s*(?:\[[^\[\]]*\])?\s*\{(?:[^{}]|\{[^{}]*\})*\}")
 _HIDDEN = re.compile(
     r"""(?P<verbatim>\\begin\{(?P<name>verbatim\*?|lstlisting|minted|comment|filecontents\*?)\}
@@ -317,7 +318,7 @@ class _Scanner:
                 display, at = self.display(kind, mark.start(), at, stop)
                 prose = at
                 yield display
-            elif (kind := (kind or mark["end"] or "").rstrip("*").lower()) in SCOPES | STATEMENTS:
+            elif (kind := (kind or mark["end"] or "").rstrip("*").lower()) in _SCOPED:
                 yield self.prose(prose, mark.start())
                 prose = at
                 yield Scope(mark["end"] is None, kind in STATEMENTS)

@@ -1,8 +1,6 @@
 """The article compiles: no error, no undefined reference, no box that sticks out by 5 pt."""
 
-import os
 import re
-import shutil
 import subprocess
 from pathlib import Path
 
@@ -104,20 +102,17 @@ def test_the_article_marks_what_is_refuted(report: Report, text: str) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("pdflatex")
 def test_the_article_compiles(text: str, tmp_path: Path) -> None:
-    if shutil.which("pdflatex") is None:
-        assert not os.environ.get("CI"), "TeX Live must be there in CI"
-        pytest.skip("pdflatex is not installed (Debian: texlive-latex-extra)")
     log = compiled(text, tmp_path, times=2)
     assert "undefined" not in log
     assert "tresym: a display is shrunk" not in log
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("pdflatex")
 def test_statements_to_paste_fit_an_article_as_latex_sets_it(tmp_path: Path) -> None:
     """Short and long chains; no margin is set, and each is referred to."""
-    if shutil.which("pdflatex") is None:
-        pytest.skip("pdflatex is not installed (Debian: texlive-latex-extra)")
     labels = ["d37", "eq_gamma", "eq_Euler", "stable_equation", "logarithmic_equation"]
     report = verify(labels)
     body = "".join(fragment(report[label]) + rf"\eqref{{tresym:{label}}}" for label in labels)
@@ -125,10 +120,8 @@ def test_statements_to_paste_fit_an_article_as_latex_sets_it(tmp_path: Path) -> 
     assert "undefined" not in compiled(head + body + r"\end{document}", tmp_path, times=2)
 
 
+@pytest.mark.usefixtures("pdflatex")
 def test_tables_for_a_paper_compile(tmp_path: Path) -> None:
-    if shutil.which("pdflatex") is None:
-        assert not os.environ.get("CI"), "TeX Live must be there in CI"
-        pytest.skip("pdflatex is not installed (Debian: texlive-latex-extra)")
     tables = Path(__file__).parents[3] / "docs" / "generated" / "tables"
     head = r"""\documentclass{article}
 \usepackage[T1]{fontenc}\usepackage[utf8]{inputenc}

@@ -34,6 +34,7 @@ from tresym.reals.verdict import Verdict
 LOOKED_AT = 4
 """Values of n at which a claim is looked at."""
 _SMOOTH = frozenset(("+", "*", "^", "exp", "sin", "cos", "sinh", "cosh", "atan", "tanh"))
+"""Operations that have a derivative wherever they are defined; of powers it is asked apart."""
 
 
 def decide_repeated(claim: Comparison, statement: Statement, decided: Decide) -> Answer:

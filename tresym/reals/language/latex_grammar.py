@@ -279,8 +279,7 @@ class Reader(Cursor):
         if not names:
             names = symbols(e).difference(*map(symbols, ends.values()))
             own = self.author.variable if self.author else ""
-            sure = own in names or not (self.author and self.author.strict)
-            names = frozenset((own,)) if own and sure else names
+            names = frozenset((own,)) & names or names
         if len(names) != 1 or "_" not in ends:
             self.refuse("a bar or bracket with limits needs its variable: write the values out,")
         (name,) = names

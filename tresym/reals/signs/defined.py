@@ -61,11 +61,10 @@ def is_lasting(sides: Sequence[Expr], given: Given, *moving: str) -> bool:
     names = {*moving, *(str(mark) for mark in put.values())}
     sides = [replaced(side, put) for side in sides]
     plain = needs(sides, powers=False)
-    raised = [part for part in needs(sides) if part not in plain and symbols(part[0]) & names]
     fixed = [(e, relation, ZERO) for e, relation in plain if not symbols(e) & names]
     inside = given & Given((*fixed, *((mark, ">=", ONE) for mark in put.values())))
-    parts = [(node.args[1], ">=") for node in nodes] + raised
-    parts += [part for part in plain if symbols(part[0]) & names]
+    parts = [part for part in needs(sides) if symbols(part[0]) & names]
+    parts += [(node.args[1], ">=") for node in nodes]
     return all(_holds(e, relation, inside, None) for e, relation in parts)
 
 
