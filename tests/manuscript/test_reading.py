@@ -431,6 +431,10 @@ PHYSICS = {
     r"\[ \int_0^x t'^2\,dt' = \frac{x^3}{3} \]": (
         "PROVED integral(t_primed**2, t_primed, 0, x) == x**3/3"
     ),
+    r"Let $f(x) = x^2$. \[ \int_0^x t'\,dt' = \frac{x^2}{2} \] \[ f'(x) = 2x \]": (
+        "PROVED diff(x**2, x) == 2*x"
+    ),
+    r"\[ (-1)^x = 1 \quad \text{for all } x \text{ even} \]": "UNREAD ",
     r"\[ \int_0^1 ax\,dx = \Bigl[\frac{ax^2}{2}\Bigr]_0^1 \]": (
         "PROVED integral(a*x, x, 0, 1) == at(a*x**2/2, x, 1) - at(a*x**2/2, x, 0)"
     ),
@@ -474,6 +478,7 @@ def test_what_physicists_write(text: str, tmp_path: Path) -> None:
         (r"\[ \int \frac{dx}{x} = \ln|x| + C = \ln|2x| + C \]", "PROVED UNDECIDED"),
         # a second value, and a word that is not read
         (r"Let $x = 3\sin t$. We use $x = 2\sin t$. \[ 1 + x = 1 + 2\sin t \]", "EQUATION"),
+        (r"Let $x = 3\sin t$. We use $x = 2\sin t$. \[ 1 + x = 1 + 3\sin t \]", "EQUATION"),
         (r"Let $x = 3\sin t$. We use $x = 3\sin t$. \[ 1 + x = 1 + 3\sin t \]", "PROVED"),
     ],
 )

@@ -96,6 +96,7 @@ def test_smooth_is_more_than_defined(text: str, conditions: str, smooth: bool) -
         ("1/(n - 5)", False),
         ("1/(x - 5)", True),  # for all n, or for none
         ("x**n/(1 - x)", True),
+        ("x**n/(n + x + 1)", False),  # x may be negative
         ("(n - 5)**n", False),
         ("(-1)**n", True),
         ("1/S", False),
