@@ -88,9 +88,9 @@ def _verify_claims(args: argparse.Namespace) -> int:
         report = verification.verify(labels, workers=workers)
         deliver(json.dumps(report_json(report), ensure_ascii=False, indent=1) + "\n", args.path)
     else:
-        from rich.console import Console
+        from tresym.output import terminal
 
-        report = show_verification(labels, Console(highlight=False), workers)
+        report = show_verification(labels, terminal(), workers)
     if args.save_certificates:
         verification.save_certificates(report)
     return 0 if report.as_expected else UNEXPECTED
@@ -105,9 +105,9 @@ def _verify_mutants(labels: tuple[str, ...], args: argparse.Namespace, workers: 
         report = verify_mutants(labels, workers=workers)
         deliver(json.dumps(report.as_json(), ensure_ascii=False, indent=1) + "\n", args.path)
     else:
-        from rich.console import Console
+        from tresym.output import terminal
 
-        report = show_mutants(labels, Console(highlight=False), workers)
+        report = show_mutants(labels, terminal(), workers)
     return UNEXPECTED if report.survivors or report.stopped else 0
 
 

@@ -191,12 +191,12 @@ class Report:
 
 
 def verify(
-    labels: str | Iterable[str] = (), on_row: Callable[[Row], None] | None = None, workers: int = 1
+    *labels: str | Iterable[str], on_row: Callable[[Row], None] | None = None, workers: int = 1
 ) -> Report:
     """Judge every claim, or those named by ``labels`` with all that they rest on.
 
     Args:
-        labels: a label, or several; none means all.
+        labels: labels, or lists of them; none means all.
         on_row: called with each row as it is found, for progress.
         workers: processes to look at the evidence in; with 1, this very process.
 
@@ -224,12 +224,12 @@ def verify(
     return Report(tuple(rows))
 
 
-def _labels(asked: Any) -> tuple[str, ...]:
-    """One label, or several, as they are asked for; InputError for anything else."""
+def _labels(asked: tuple[Any, ...]) -> tuple[Any, ...]:
+    """The labels asked for, one by one or in lists; InputError for anything else."""
     try:
-        found = (asked,) if isinstance(asked, str) else tuple(asked)
+        found = tuple(x for each in asked for x in ((each,) if isinstance(each, str) else each))
     except TypeError:
-        found = (asked,)
+        found = asked
     if not all(isinstance(label, str) for label in found):
         raise InputError("verify: labels are text, such as eq_gamma")
     return found
