@@ -164,7 +164,7 @@ def _is_alive(process: int) -> bool:
 
 
 def terminal() -> Console:
-    """A console of rich that raises BrokenPipeError, as print does, when the reader of a pipe leaves.
+    """A console of rich that raises BrokenPipeError, as print does, when a reader leaves.
 
     rich itself would end the command with exit status 1, which stands for a refuted statement.
     """

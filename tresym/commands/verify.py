@@ -252,10 +252,23 @@ def _stated(claim: Claim) -> Iterator[str]:
 
 def _summary(report: Report) -> Table:
     table = _counts(report.counts)
+    kinds = report.refuted
+    if any(kinds.values()):
+        table.add_row(
+            "",
+            f"refuted: {kinds['paper']} statements of the paper, {kinds['stricter']} readings "
+            f"stricter than its words, {kinds['sharpness']} checks that a bound of ours is sharp",
+        )
     unexpected = sum(not row.as_expected for row in report.rows)
     outcome = "every verdict is as expected" if not unexpected else f"{unexpected} not as expected"
     table.add_row("", Text(outcome, style="green" if not unexpected else "bold red"))
     resting = sum(bool(row.claim.axioms) for row in report.rows)
-    theorems = len(report.axioms)
-    table.add_row("", f"{resting} of them rest on {theorems} quoted theorems")
+    if resting:
+        claims = "1 claim rests" if resting == 1 else f"{resting} claims rest"
+        theorems = (
+            "1 quoted theorem"
+            if len(report.axioms) == 1
+            else (f"{len(report.axioms)} quoted theorems")
+        )
+        table.add_row("", f"{claims} on {theorems}")
     return table

@@ -99,6 +99,26 @@ class Report:
         return in_one_line(f"Report({self._said})")
 
     @property
+    def refuted(self) -> dict[str, int]:
+        """How many refuted claims are of each kind.
+
+        ``paper``: statements of the paper that do not hold as printed. ``stricter``: readings
+        that are stricter than the paper's words. ``sharpness``: claims of our own that are meant
+        to fail, which show that a bound cannot be improved.
+
+        Example:
+            >>> import tresym
+            >>> tresym.verify("d24").refuted["paper"]
+            1
+        """
+        kinds = Counter(
+            "stricter" if row.claim.paper_says else "paper" if row.claim.where else "sharpness"
+            for row in self.rows
+            if row.finding.verdict is Verdict.REFUTED
+        )
+        return {kind: kinds[kind] for kind in ("paper", "stricter", "sharpness")}
+
+    @property
     def _said(self) -> str:
         counts = ", ".join(f"{count} {verdict}" for verdict, count in self.counts.items() if count)
         outcome = "as expected" if self.as_expected else "not as expected"
