@@ -26,6 +26,7 @@ from tresym.report.pages.article import article
 from tresym.report.pages.call_paths import call_paths
 from tresym.report.pages.check_tables import by_kind, by_source, measured
 from tresym.report.pages.corrections import corrections
+from tresym.report.pages.messages import messages
 from tresym.report.pages.methods import methods
 from tresym.report.pages.numbers import numbers
 from tresym.report.pages.site_data import record
@@ -48,6 +49,7 @@ def documents() -> Iterator[tuple[str, str]]:
     yield "methods.md", methods()
     yield "coq_proofs.md", coq_page.page()
     yield "call_paths.md", call_paths()
+    yield "messages.md", messages()
     measured_tests = [*map(saved.load, ("guards", "hunts", "mutants"))]
     yield "trust.md", trust(report, *measured_tests)
     yield "trust-details.md", trust_details(*measured_tests)
