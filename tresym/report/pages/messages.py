@@ -22,8 +22,8 @@ _WORD = re.compile(r"(?<![\w\\{])[A-Za-z][a-z]+(?![\w}(=])")
 def messages() -> str:
     """Write the page of messages in Markdown."""
     lines = [
-        "What tresym prints: errors, the reasons of verdicts, hints and help texts, by module. A gap "
-        "… stands for a value. The list is taken from the sources.",
+        "What tresym prints: errors, the reasons of verdicts, hints and help texts, by module. A "
+        "gap … stands for a value. The list is taken from the sources.",
     ]
     for path in _files():
         found = list(dict.fromkeys(_messages(path)))
