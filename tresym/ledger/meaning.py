@@ -119,8 +119,8 @@ def definitions(claims: Iterable[Claim]) -> Rules:
     """The equations that the claims say, as replacements of left sides, entry by entry."""
     rules: Rules = {}
     for claim in claims:
-        if not isinstance(claim.says, str):
-            for part in conjuncts(formula(claim.says)):
+        if claim.in_formulas:
+            for part in conjuncts(formula(claim.decided)):
                 if isinstance(part, Relation) and part.sign == "==" and part.left.op != "number":
                     rules[part.left] = part.right
     return rules
@@ -135,6 +135,42 @@ def defined(claim: Claim) -> frozenset[str]:
     roots = (c.proof.symbol.name for c in claims if isinstance(c.proof, Root))
     behind = (c for c in claims if isinstance(c.proof, DEFINING))
     return frozenset(roots).union(*(symbols(left) for c in behind for left in definitions((c,))))
+
+
+def dependencies(claim: Claim) -> Behind:
+    """What each defined symbol depends on, directly or by way of others.
+
+    A symbol of an equation that is assumed for an integral depends on all others in it.
+    """
+    found: dict[str, frozenset[str]] = {}
+    for one in (*claim.rests_on, claim):
+        if isinstance(one.proof, Root):
+            asked = one.proof.unique.statement
+            entries = [({one.proof.symbol.name}, {s.name for s in asked.free_symbols})] if asked else []
+        elif isinstance(one.proof, DEFINING):
+            entries = [
+                (symbols(p) if p.op == "symbol" else symbols(p) | symbols(q), symbols(p) | symbols(q))
+                for p, q in definitions((one,)).items()
+            ]
+        else:
+            continue
+        given = {s.name for condition in one.given for s in condition.free_symbols}
+        for names, behind in entries:
+            for name in names:
+                found[name] = found.get(name, frozenset()) | (behind | given) - {name}
+    for _ in found:
+        found = {n: of.union(*(found.get(k, frozenset()) for k in of)) for n, of in found.items()}
+    return found
+
+
+def dependent(claim: Claim, written: Iterable[str], replaced: Iterable[str]) -> str | None:
+    """A symbol among those written that is defined by one that is replaced, and would keep its name.
+
+    To put values into a claim is to put them into all that depends on its variables.
+    """
+    behind, changed = dependencies(claim), frozenset(replaced)
+    found = (n for n in sorted(written) if not changed.isdisjoint(behind.get(n, ())))
+    return next(found, None)
 
 
 def put_in(e: Expr, rules: Rules) -> Expr:
