@@ -305,7 +305,9 @@ class Instance:
         general = self.claim.says
         if not isinstance(general, Basic):
             raise InputError(f"{self.claim.label} is said in words: it has no instance")
-        return Tuple(*map(self.put, general.args)) if isinstance(general, Tuple) else self.put(general)
+        return (
+            Tuple(*map(self.put, general.args)) if isinstance(general, Tuple) else self.put(general)
+        )
 
 
 Evidence = (

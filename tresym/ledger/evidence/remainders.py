@@ -14,9 +14,9 @@ from sympy import Abs, Basic, Eq, Expr, Integer, Le, Symbol
 from sympy.core.function import AppliedUndef
 
 from tresym.ledger.claim import Claim
+from tresym.ledger.conversion import Conditions, conditions, defined, known, tree
 from tresym.ledger.evidence.asymptotics import ordered
-from tresym.ledger.evidence.manifest import is_manifest
-from tresym.ledger.meaning import Conditions, conditions, defined, known, tree
+from tresym.ledger.evidence.sign_prover import is_manifest
 from tresym.ledger.statements import As
 from tresym.reals.decisions.identity import decide_continuous
 from tresym.reals.language.expression import ZERO, substitute, symbol, symbols
@@ -106,7 +106,9 @@ def _no_bound(says: Eq, means: Le, remainder: Remainder, claim: Claim) -> str | 
     x, (size, gauge) = remainder.tends, (means.lhs.args[0], means.rhs)
     said = says.xreplace(dict(remainder.reading))
     stated = ordered(said)
-    rest = (said.lhs - said.rhs).xreplace({HOT: Integer(0)}) if stated is None else stated.difference
+    rest = (
+        (said.lhs - said.rhs).xreplace({HOT: Integer(0)}) if stated is None else stated.difference
+    )
     if not (_equal(rest, size, given) or _equal(rest, -size, given)):
         return "the bound is not one of what the formula leaves out"
     why = unreached(x.name, given)
@@ -144,6 +146,4 @@ def unreached(x: str, given: Conditions, both: bool = False) -> str | None:
 
 def _equal(left: Expr, right: Expr, given: Conditions) -> bool:
     one, other = tree(left), tree(right)
-    return one == other or (
-        decide_continuous(one, other, known(given)).verdict is Verdict.PROVED
-    )
+    return one == other or (decide_continuous(one, other, known(given)).verdict is Verdict.PROVED)
