@@ -305,9 +305,8 @@ class Instance:
         general = self.claim.says
         if not isinstance(general, Basic):
             raise InputError(f"{self.claim.label} is said in words: it has no instance")
-        return (
-            Tuple(*map(self.put, general.args)) if isinstance(general, Tuple) else self.put(general)
-        )
+        parts = tuple(map(self.put, parts_of(general)))
+        return Tuple(*parts) if isinstance(general, Tuple) else parts[0]
 
 
 Evidence = (
@@ -442,8 +441,8 @@ class Claim:
 
     @property
     def in_formulas(self) -> bool:
-        """Whether what others may put in or cite is a formula."""
-        return isinstance(self.decided, Basic)
+        """Whether what others may put in or cite consists of relations."""
+        return isinstance(self.decided, Basic) and not isinstance(self.decided, Statement)
 
     @cached_property
     def symbols(self) -> frozenset[Symbol]:

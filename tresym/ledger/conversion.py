@@ -137,43 +137,38 @@ def defined(claim: Claim) -> frozenset[str]:
     return frozenset(roots).union(*(symbols(left) for c in behind for left in definitions((c,))))
 
 
-def dependencies(claim: Claim) -> Behind:
-    """What each defined symbol depends on, directly or by way of others.
+def dependencies(claims: Iterable[Claim]) -> Behind:
+    """What each symbol that the claims define depends on, directly or by way of others.
 
     A symbol of an equation that is assumed for an integral depends on all others in it.
     """
     found: dict[str, frozenset[str]] = {}
-    for one in (*claim.rests_on, claim):
-        if isinstance(one.proof, Root):
-            asked = one.proof.unique.statement
-            entries = (
-                [({one.proof.symbol.name}, {s.name for s in asked.free_symbols})] if asked else []
-            )
-        elif isinstance(one.proof, DEFINING):
-            entries = [
-                (
-                    symbols(p) if p.op == "symbol" else symbols(p) | symbols(q),
-                    symbols(p) | symbols(q),
-                )
-                for p, q in definitions((one,)).items()
-            ]
-        else:
-            continue
-        given = {s.name for condition in one.given for s in condition.free_symbols}
-        for names, behind in entries:
-            for name in names:
+    for claim in claims:
+        given = frozenset(str(s) for condition in claim.given for s in condition.free_symbols)
+        for left, behind in _dependencies(claim):
+            for name in symbols(left) if left.op == "symbol" else behind:
                 found[name] = found.get(name, frozenset()) | (behind | given) - {name}
     for _ in found:
         found = {n: of.union(*(found.get(k, frozenset()) for k in of)) for n, of in found.items()}
     return found
 
 
-def dependent(claim: Claim, written: Iterable[str], replaced: Iterable[str]) -> str | None:
-    """A symbol among those written that is defined by one that is replaced, and would keep its name.
+def _dependencies(claim: Claim) -> Iterator[tuple[Expr, frozenset[str]]]:
+    """What a claim defines, and the symbols by which it does."""
+    if isinstance(claim.proof, Root):
+        unique = claim.proof.unique.statement
+        yield tree(claim.proof.symbol), frozenset(map(str, unique.free_symbols if unique else ()))
+    elif isinstance(claim.proof, DEFINING):
+        for left, right in definitions((claim,)).items():
+            yield left, symbols(left) | symbols(right)
+
+
+def dependent(written: Iterable[str], replaced: Iterable[str], behind: Behind) -> str | None:
+    """A symbol among those written that is defined by one that is replaced, and keeps its name.
 
     To put values into a claim is to put them into all that depends on its variables.
     """
-    behind, changed = dependencies(claim), frozenset(replaced)
+    changed = frozenset(replaced)
     found = (n for n in sorted(written) if not changed.isdisjoint(behind.get(n, ())))
     return next(found, None)
 

@@ -181,7 +181,7 @@ def _is_stated(means: Basic, proof: Boxes) -> bool:
 
 
 def _elsewhere(claim: Claim, proof: Boxes, meant: Meant) -> str | None:
-    """Why the boxes do not hold the region, or not the point at which the order is said, or None."""
+    """Why the boxes do not hold the region, or not the point at which the order is, or None."""
     given, x = conditions(claim.given), meant.remainder.tends.name
     coordinates = tuple(map(tree, meant.coordinates))
     why = unreached(x, given, both=True)

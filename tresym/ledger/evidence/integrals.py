@@ -22,6 +22,7 @@ from tresym.ledger.conversion import (
     conditions,
     conjuncts,
     defined,
+    dependencies,
     dependent,
     formula,
     known,
@@ -98,7 +99,8 @@ def with_bounds(
             for part in conjuncts(formula(claim.decided)) if claim.in_formulas else ():
                 if isinstance(part, Relation) and part.sign != "==":
                     spoken_of = symbols(part.left) | symbols(part.right)
-                    if put and dependent(claim, spoken_of, put) is not None:
+                    behind = dependencies((*claim.rests_on, claim)) if put else {}
+                    if dependent(spoken_of, put, behind) is not None:
                         continue  # what is defined by the variable would stay what it was
                     bound = _put(part, put)
                     bounds.setdefault(_in_order(bound), bound)
