@@ -553,7 +553,6 @@ def _judge_implicit_function(claim: Claim, proof: ImplicitFunction) -> Finding:
     left, right = equation.left, equation.right
     fixed = u != p and not {u, p} & (symbols(right) | symbols(at))
     need(fixed, "the right side depends on what varies")
-    _need_held(proof, u, p)
     new = says.left.op == "symbol" and says.left not in definitions(claim.rests_on)
     need(new and not symbols(says.left) & symbols(left), f"{says.left} is not a new symbol")
     outside = without(p, conditions(claim.given))
@@ -578,22 +577,6 @@ def _judge_implicit_function(claim: Claim, proof: ImplicitFunction) -> Finding:
     need(satisfiable(written, on_curve), "no point is found that satisfies the equation", steps)
     why = f"the equation is smooth and its derivative by {u} is not zero"
     return Finding(PROVED, why, steps=steps)
-
-
-def _need_held(proof: ImplicitFunction, u: str, p: str) -> None:
-    """That nothing else in the equation varies with the unknown and the parameter.
-
-    One equation that is assumed for an integral may define the unknown.
-    """
-    behind = proof.equation.rests_on
-    own = [e for e in table(behind) if e.symbol.op != "symbol" and u in e.names]
-    explicit = {name for e in table(behind) if e.symbol.op == "symbol" for name in symbols(e.symbol)}
-    alone = len({e.written for e in own}) <= 1 and p not in explicit
-    need(alone, f"what defines {u}, or {p}, is not the equation alone")
-    others = tuple(c for c in behind if all(c is not e.claim for e in own))
-    spoken_of = {str(s) for s in proof.equation.decided.free_symbols} - {u, p}
-    name = dependent(spoken_of, (u, p), dependencies(others))
-    need(name is None, f"{name} is defined by what varies, and would be held")
 
 
 def _refuted_slope(claim: Claim, proof: ImplicitFunction) -> Finding | None:

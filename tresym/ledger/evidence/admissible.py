@@ -40,6 +40,7 @@ from tresym.ledger.evidence.remainders import (
     Remainder,
     as_printed,
     is_open,
+    unfit_to_tend,
     unreached,
     untied,
 )
@@ -184,7 +185,10 @@ def _elsewhere(claim: Claim, proof: Boxes, meant: Meant) -> str | None:
     """Why the boxes do not hold the region, or not the point at which the order is, or None."""
     given, x = conditions(claim.given), meant.remainder.tends.name
     coordinates = tuple(map(tree, meant.coordinates))
-    why = unreached(x, given, both=True)
+    orders = [node.args[0] for node in claim.says.atoms(AppliedUndef)] or [meant.gauge]
+    tends = meant.remainder.tends
+    why = next(filter(None, (unfit_to_tend(tends, e, claim.says) for e in orders)), None)
+    why = why or unreached(x, given, both=True)
     if why is not None:
         return why
     near = tuple(c for c in given if x not in symbols(c.left) | symbols(c.right))

@@ -120,10 +120,19 @@ def _no_bound(says: Eq, means: Le, remainder: Remainder, claim: Claim) -> str | 
         return None if small else "what is left out is not shown to be of higher order"
     if stated.kind == "o":
         return "a bound shows O, and no o"
+    if why := unfit_to_tend(x, stated.gauge, said):
+        return why
     factor = (gauge / stated.gauge).free_symbols
     if x in remainder.held or not factor <= {*remainder.held}:
         return "the gauge is not the order that the formula names"
     return None
+
+
+def unfit_to_tend(x: Symbol, order: Expr, says: Basic) -> str | None:
+    """Why ``x`` is not what tends in a printed order, or None."""
+    if order.free_symbols <= {x} and x in says.free_symbols:
+        return None
+    return f"{x} is not what tends in the order that is printed"
 
 
 def unreached(x: str, given: Conditions, both: bool = False) -> str | None:
