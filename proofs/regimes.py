@@ -339,7 +339,10 @@ angles_rest_at_e1 = Claim(
     paper_says="“The two equilibrium points, given by γ = a and γ = −b, correspond to the points "
     "p₊ and p₋.” Read as: M rests there.",
     given=shape_of_a_body,
-    means=equations(printed.planar_rates(Integer(0), psi, a, b, sympy), (0, 0)),
+    means=equations(
+        tuple(at(rate, {theta: 0}) for rate in printed.planar_rates(theta, psi, a, b, sympy)),
+        (0, 0),
+    ),
     proof=Counterexample({"a": fmpq(1), "b": fmpq(1, 2), "psi": fmpq(0)}),
     where=line(140),
     amended_by=(ends_of_gamma,),
