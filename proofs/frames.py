@@ -41,6 +41,8 @@ no_external_moment = Claim(
     says="Without external moment the length of M does not change.",
     proof=all_of(momentum_conserved),
     where=line(56),
+    note="That the vector M is fixed in space is what `torque_free` assumes; seen from the body "
+    "it moves, and keeps its length.",
 )
 
 cross_product = Claim(
