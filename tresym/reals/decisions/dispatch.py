@@ -74,6 +74,10 @@ def _bounded(comparison: Comparison, statement: Statement) -> Answer:
         answer = _decide(comparison, statement)
     except InputError as error:
         return Answer(Verdict.UNDECIDED, f"an expression on the way grew too large: {error}")
+    if answer.verdict is Verdict.REFUTED and statement.path is not None:
+        from tresym.reals.decisions.asymptotics.refutation_check import checked
+
+        return checked(answer, comparison, statement)
     if not answer:
         return answer
     against = attack(comparison, statement, answer, time.perf_counter() - start)
