@@ -50,6 +50,12 @@ HOLD = [
     "x*(2 + sin(x)) > 500 as x -> oo",  # not from the first place on
     "x*(2 + sin(x)) < -500 as x -> -oo",
     "x*(2 + cos(1/x)) < 1/50 as x -> 0+",
+    "sqrt(x) -> 0 as x -> 0",  # from below it is not real
+    "x*log(x) -> 0 as x -> 0",
+    "log(1 - x) -> -oo as x -> 1",
+    "sqrt(a*x) -> 0 given a < 0 as x -> 0",
+    "x*sqrt(x) == o(x) as x -> 0",
+    "log(x) < 0 as x -> 0",
 ]
 FAIL = [
     "limit(sin(x)/x, x, 0) == 2",
@@ -80,11 +86,12 @@ FAIL = [
     "x**a*log(x) -> 0 given a >= 0 as x -> 0+",  # at the end alone
     "sin(a*x)/sin(b*x) -> -abs(a)/b given b != 0 as x -> 0",  # not of a > 0
     "log(x)**a == o(x**b) given b >= 0 as x -> oo",
+    "sqrt(x) -> 1 as x -> 0",
+    "sqrt(x) > x**2 + 1/10 as x -> 0",
     "x**a/x -> oo given 0 <= a <= 1 as x -> 0+",
 ]
 OPEN = [
     "a**2*x + sqrt(a**2*(a - 2)) -> oo given a >= 0 as x -> oo",  # a = 0 is alone
-    "sqrt(x) -> 0 as x -> 0",  # from below it is not real
     "log(-1 - x**2) -> 0 as x -> 0",
     "a*x -> 0 given a > 1, a < 0 as x -> 0",  # no such parameter
     "a*x == O(x) given a > 1, a < 0 as x -> 0",

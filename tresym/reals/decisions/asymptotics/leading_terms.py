@@ -141,6 +141,20 @@ def sign_towards(e: Expr, name: str, point: Expr | None, side: int) -> tuple[int
     return sign_near(substitute(e, {name: side / t if point is None else point + side * t}))
 
 
+def leading_sign(e: Expr, name: str, point: Expr | None, side: int, given: Given) -> int | None:
+    """The sign of ``e`` beside the end of a path, for each value of the parameters by itself."""
+    t = symbol(T)
+    along = substitute(e, {name: side / t if point is None else point + side * t})
+    found = Rewritten(T, given)
+    try:
+        with ball_precision():
+            (f,) = found.all_of(along)
+            first = found.expansions.leading(f)
+            return 0 if first is None else found.scale.sign(first.coefficient)
+    except _FAILS:
+        return None
+
+
 def sign_near(e: Expr) -> tuple[int, fmpq] | None:
     """The sign of ``e`` for 0 < t ≤ r, and r."""
     found = Rewritten(T)
