@@ -13,15 +13,16 @@ from tresym.reals.decisions.asymptotics.numerical_evidence import Ray, fails
 from tresym.reals.decisions.asymptotics.refutation_check import parameters
 from tresym.reals.decisions.claim_parsing import Comparison, Path, Statement
 from tresym.reals.decisions.claim_parsing import functions as unknown
+from tresym.reals.decisions.readable_witnesses import tidied
 from tresym.reals.language.binders import is_infinite, outermost
-from tresym.reals.language.expression import DOTS, Expr, substitute, symbols
+from tresym.reals.language.expression import DOTS, ZERO, Expr, differentiate, substitute, symbols
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import parse_number
 
 BITS, NEAR_BITS = 512, 12_000
-ASSIGNMENTS, TRIES = 3, 60
+ASSIGNMENTS, TRIES = 5, 60
 """Values of the parameters that are attacked, and tried for that."""
-VALUES = (*map(arb, (1, 2, -2, 0, 3, -1)), arb(1) / 2, arb(5) / 3, arb(-5) / 4, arb(7))
+VALUES = (*map(arb, (1, -2, 0, 2, 3, -1)), arb(1) / 2, arb(5) / 3, arb(-3) / 4, arb(7))
 HALVINGS = (0, 1, 2, 3, 5, 8, 13, 21, 34, 55)
 """How often the range of an order is halved on the way to its end."""
 
@@ -118,11 +119,13 @@ def _solved(statement: Statement) -> dict[str, Expr] | None:
     """The variables that the equations give in terms of others; None where that is not seen."""
     found: dict[str, Expr] = {}
     for left, right in statement.equations:
-        left, right = (substitute(side, found) for side in (left, right))
-        for side, value in ((left, right), (right, left)):
-            if side.op == "symbol" and side.args[0] not in symbols(value):
-                put_in = {side.args[0]: value}
-                found = {name: substitute(e, put_in) for name, e in found.items()} | put_in
+        e = substitute(left - right, found)
+        for name in sorted(symbols(e)):
+            slope = tidied(differentiate(e, name))
+            rest = substitute(e, {name: ZERO})
+            if slope.op == "number" and slope != ZERO:
+                put_in = {name: -rest / slope}
+                found = {n: substitute(value, put_in) for n, value in found.items()} | put_in
                 break
         else:
             return None

@@ -148,6 +148,10 @@ def _door(comparison: Comparison, statement: Statement) -> Door | None:
             return decide_whole
     if statement.equations:
         return decide_under_equations
+    if "integral" in nodes and statement.path is not None:
+        from tresym.reals.decisions.asymptotics.integral_limits import decide_integral_limits
+
+        return decide_integral_limits
     if "integral" in nodes:
         from tresym.reals.decisions.integrals import decide_integrals
 

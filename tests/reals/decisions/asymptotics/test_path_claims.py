@@ -7,11 +7,11 @@ import pytest
 import tresym
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.asymptotics.path_claims import (
-    _allows,
     _by_exact_limit,
     _by_signs,
     _from_somewhere_on,
     _periodic_failure,
+    allows,
 )
 from tresym.reals.decisions.claim_parsing import LIMIT, Comparison, Path, Statement, read
 from tresym.reals.domain.conditions import Given
@@ -144,14 +144,14 @@ def test_what_holds_on_one_side_does_not_on_both(claim: str) -> None:
         ("!=", "", ("1", "-a", "oo", "-oo"), ("0", "a - 1")),
     ],
 )
-def test_what_a_limit_allows(
+def test_what_a_limitallows(
     relation: str, value: str, allowed: tuple[str, ...], forbidden: tuple[str, ...]
 ) -> None:
     """A limit of 0 shows no inequality, and an infinite one no order."""
     given, right = Given.parse("a > 0"), parse(value or "1")
     for text, expected in [*((e, True) for e in allowed), *((e, False) for e in forbidden)]:
         limit = {"oo": INFINITY, "-oo": -INFINITY}.get(text) or parse(text)
-        assert _allows(LIMIT if value else relation, limit, right, given) is expected, text
+        assert allows(LIMIT if value else relation, limit, right, given) is expected, text
 
 
 SIDES = {"oo": Path("x", None, (1,)), "-oo": Path("x", None, (-1,)), "0": Path("x", ZERO, (1, -1))}

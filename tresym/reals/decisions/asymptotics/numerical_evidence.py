@@ -12,16 +12,15 @@ The meaning of operations is that of the independent check alone.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import islice, pairwise
 from typing import NamedTuple
 
 from flint import arb
 
-from tresym.reals.cross_check import FALSE, Program, program
+from tresym.reals.cross_check import FALSE, Program, has_meaning, program
 from tresym.reals.decisions.claim_parsing import LIMIT, Comparison, Path
-from tresym.reals.language.binders import outermost
 from tresym.reals.language.expression import LEAVES, Expr, symbols
 from tresym.reals.language.parsing import INFINITY
 from tresym.reals.numbers.arithmetic import ball_precision
@@ -34,12 +33,12 @@ WHOLE = (14, 9, 6)
 """The orders for a path through the integers."""
 MOST_BITS = 12_000
 WAVES = frozenset(("sin", "cos", "tan", "cot", "sec", "csc"))
-SPREAD, STEPS = 28, 16
+SPREAD, STEPS = 28, 26
 """Points over the periods of a wave, and how often the best of them is improved."""
 TINY = arb((1, -40))
 SLOWEST = arb("0.1")
-POLE = 100
-"""By what a value grows in the last seven of the steps, each a third of the last, beside a pole."""
+LAST, POLE = 12, 1000
+"""By what a value grows in the last of the steps, each a third of the one before, beside a pole."""
 SHRINKS, GROWS = arb("0.9"), arb("1.05")
 """By what a quantity that tends to 0 shrinks, or one that is unbounded grows, between distances."""
 PERIODIC_GROWS = arb("1.3")
@@ -75,7 +74,7 @@ class Ray:
 
 def fails(ray: Ray) -> bool | None:
     """Whether the numbers show the claim to fail, or to hold; None if they show neither."""
-    if any(node.op not in ("integral", "sum", "product") for node in _outermost(ray)):
+    if not all(map(has_meaning, _sides(ray.claim))):
         return None
     waves = oscillating(ray)
     distances = WHOLE if ray.path.name in ray.integers else DISTANCES
@@ -95,11 +94,7 @@ def fails(ray: Ray) -> bool | None:
         return False if now.high < grows * before.low and now.high < grows * before.high else None
     if now.low > 0 and now.low > SHRINKS * before.high:
         return True
-    return False if now.high < SHRINKS * before.low and now.high < TINY else None
-
-
-def _outermost(ray: Ray) -> Iterator[Expr]:
-    return outermost(*(e for e in _sides(ray.claim) if e not in (INFINITY, -INFINITY)))
+    return False if now.high < TINY else None
 
 
 def _sides(claim: Comparison) -> tuple[Expr, ...]:
@@ -192,16 +187,19 @@ class _Distance:
         """A larger value close by, and whether it grows without bound as the steps shrink."""
         values = [best]
         for _ in range(STEPS):
+            moved = 0
             for k in (-4, -3, -2, -1, 1, 2, 3, 4):
                 u = (where + width * k / 4).mid()
                 size = self.size(u)
                 if size is not None and _least(size) > _least(best):
-                    best, where = size, u
+                    best, place, moved = size, u, k
             if not best.is_finite():
                 return best, True
-            values.append(best)
-            width /= 3
-        return best, bool(_least(best) > _least(values[-8]) * POLE)
+            where = place if moved else where
+            if abs(moved) < 4:
+                width /= 3
+                values.append(best)
+        return best, len(values) > LAST and bool(_least(best) > _least(values[-LAST]) * POLE)
 
     def _places(self) -> tuple[list[arb], arb | None]:
         """Points to look at, and the distance between them where something oscillates."""
@@ -241,7 +239,9 @@ def quantity(claim: Comparison, values: Sequence[arb]) -> arb | None:
         if claim.right not in (INFINITY, -INFINITY):
             return abs(f - values[1])
         f = f if claim.right == INFINITY else -f
-        return arb.pos_inf() if f < 0 else 1 / f if f > 0 else None
+        if f < 0 or abs(f) < TINY:
+            return arb.pos_inf()
+        return 1 / f if f > 0 else None
     g = values[1]
     above, below = (g, f) if relation == "omega" else (f, g)
     if below.contains(0):

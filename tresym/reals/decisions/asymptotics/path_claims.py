@@ -294,6 +294,18 @@ def _at_ends(
             yield at
 
 
+def compared_of(claim: Comparison) -> tuple[Expr, str]:
+    """What has a limit that decides the claim, and what it is."""
+    left, right = claim.left, claim.right
+    if claim.relation == LIMIT:
+        return left, "left side"
+    if claim.relation == "omega":
+        return right / left, "ratio of right and left"
+    if claim.relation in ("O", "o", "~", "Theta"):
+        return left / right, "ratio"
+    return left - right, "difference"
+
+
 def _by_exact_limit(
     claim: Comparison, path: Path, given: Given, same: Same | None = None
 ) -> Answer | None:
@@ -302,18 +314,13 @@ def _by_exact_limit(
     Args:
         same: decides whether two constants are equal; by the conditions alone unless told.
     """
-    left, right, relation = claim.left, claim.right, claim.relation
-    kinds = {
-        LIMIT: (left, "left side"),
-        "omega": (right / left, "ratio of right and left"),
-        **dict.fromkeys(("O", "o", "~", "Theta"), (left / right, "ratio")),
-    }
-    compared, what = kinds.get(relation, (left - right, "difference"))
+    compared, what = compared_of(claim)
+    right, relation = claim.right, claim.relation
     found = [limit_of(compared, path.name, path.point, side, given) for side in path.sides]
     values = [value for value in found if value is not None]
     if len(values) < len(found):
         return None
-    if not all(_allows(relation, v, right, given, same) for v in values):
+    if not all(allows(relation, v, right, given, same) for v in values):
         return None
     return Answer(Verdict.PROVED, f"the {what} tends to {values[0]}: {_EXACT}")
 
@@ -335,9 +342,7 @@ def _by_signs(claim: Comparison, path: Path, given: Given) -> Answer | None:
     return None
 
 
-def _allows(
-    relation: str, value: Expr, right: Expr, given: Given, same: Same | None = None
-) -> bool:
+def allows(relation: str, value: Expr, right: Expr, given: Given, same: Same | None = None) -> bool:
     """Whether the claim holds where what is compared has this limit."""
     infinite = value in (INFINITY, -INFINITY)
     if relation == LIMIT:
