@@ -72,8 +72,10 @@ class Judgement(NamedTuple):
 
     def root(self) -> Judgement:
         """What was found of squares, of the functions themselves."""
-        c = self.constant
-        return self._replace(constant=None if c is None else c.max(arb(0)).sqrt(), ratio=None)
+        if self.constant is None:
+            return self._replace(ratio=None)
+        low, high = self.constant.abs_lower(), self.constant.abs_upper()
+        return self._replace(constant=arb(low).sqrt().union(arb(high).sqrt()), ratio=None)
 
 
 _OPEN = Judgement(Verdict.UNDECIDED)

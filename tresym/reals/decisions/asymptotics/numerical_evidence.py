@@ -35,6 +35,8 @@ MOST_BITS = 12_000
 WAVES = frozenset(("sin", "cos", "tan", "cot", "sec", "csc"))
 SPREAD, STEPS = 28, 26
 """Points over the periods of a wave, and how often the best of them is improved."""
+STARTS = 3
+"""From how many of the largest values smaller steps are taken."""
 TINY = arb((1, -40))
 SLOWEST = arb("0.1")
 LAST, POLE = 12, 1000
@@ -150,7 +152,7 @@ class _Distance:
 
     def size(self, u: arb) -> arb | None:
         """A ball of the quantity at a point; infinite where it fails outright, None if unknown."""
-        x = self._x(u)
+        x = self._x(u) if u >= self.start.floor() else None
         found = None if x is None else self.values([*self.fixed, x])
         return None if found is None else quantity(self.ray.claim, found)
 
@@ -171,10 +173,13 @@ class _Distance:
         known = [(size, u) for u in places for size in [self.size(u)] if size is not None]
         if not known:
             return None
-        best, where = max(known, key=lambda item: _least(item[0]))
-        pole = not best.is_finite()
-        if width is not None and not pole:
-            best, pole = self._improved(best, where, width)
+        known.sort(key=lambda item: _least(item[0]), reverse=True)
+        best, pole = known[0][0], not known[0][0].is_finite()
+        for size, where in _apart(known, width) if width is not None and not pole else []:
+            found, pole = self._improved(size, where, width)
+            best = found if pole or _least(found) > _least(best) else best
+            if pole:
+                break
         high = best.upper()
         for size, _ in known:
             high = high.max(size.upper())
@@ -227,6 +232,15 @@ class _Distance:
 def _least(size: arb) -> arb:
     """A lower bound of a quantity, which is not negative."""
     return arb(size.abs_lower()) if size.is_finite() else size
+
+
+def _apart(known: list[tuple[arb, arb]], width: arb) -> list[tuple[arb, arb]]:
+    """The first few of the values whose places are not neighbours."""
+    kept: list[tuple[arb, arb]] = []
+    for size, u in known:
+        if len(kept) < STARTS and all(abs(u - other) > 2 * width for _, other in kept):
+            kept.append((size, u))
+    return kept
 
 
 def quantity(claim: Comparison, values: Sequence[arb]) -> arb | None:
