@@ -118,6 +118,18 @@ def decide_integrals(claim: Comparison, statement: Statement, decided: Decide) -
     return replace(answer, why=f"{said}; {answer.why}")
 
 
+def without_integrals(
+    sides: Iterable[Expr], given: Given, primitives: tuple[Expr, ...]
+) -> tuple[list[Expr], str] | None:
+    """The sides with the values of their integrals, and what was shown; None where that is open."""
+    work = _Work([], primitives)
+    try:
+        found = [_without(side, given, work) for side in sides]
+    except (_OpenError, InputError):
+        return None
+    return found, "; ".join(dict.fromkeys(work.notes))
+
+
 def _where_defined(claim: Comparison, given: Given) -> Given:
     """The conditions, and that what stands beside the integrals is defined."""
     marks = {node: symbol(f"[{node}]") for node in outermost(claim.left, claim.right)}
