@@ -64,7 +64,9 @@ def decide_claim(claim: Any, given: Any = "", path: str | None = None) -> Answer
 
 def _everywhere(comparison: Comparison, statement: Statement) -> Answer:
     answer = _bounded(comparison, statement)
-    return beyond_positive_bases(answer, comparison, statement) if answer else answer
+    return (
+        beyond_positive_bases(answer, comparison, statement, _bounded) if answer else answer
+    )
 
 
 def _bounded(comparison: Comparison, statement: Statement) -> Answer:
