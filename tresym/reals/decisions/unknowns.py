@@ -29,7 +29,7 @@ from tresym.reals.language.expression import (
 )
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.places.conditions import Given
-from tresym.reals.places.domain import needs
+from tresym.reals.places.domain import bound, needs
 from tresym.reals.places.values import evaluate
 from tresym.reals.verdict import Verdict
 
@@ -62,7 +62,9 @@ def decide_unknown(claim: Comparison, statement: Statement, decided: Decide) -> 
     left, right = variable(claim.left), variable(claim.right)
     plain = statement.mapped(variable)
     real = needs(variable(f) for f in claim.differentiated)
+    places = needs(arg for node in atoms for arg in replaced_inside(node, atoms))
     given = plain.given & Given(tuple((e, r.replace(">=", ">"), ZERO) for e, r in real))
+    given = given & Given(tuple(bound(*part) for part in places))
     answer = decided(Comparison(left, claim.relation, right), replace(plain, given=given))
     if answer.verdict is Verdict.REFUTED:
         answer = _realised(atoms, answer)
