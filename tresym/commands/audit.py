@@ -52,9 +52,9 @@ def run(args: argparse.Namespace) -> int:
 
         deliver(json.dumps(found.as_json(), ensure_ascii=False, indent=1) + "\n", args.path)
     else:
-        from rich.console import Console
+        from tresym.output import terminal
 
-        show_audit(found, Console(highlight=False))
+        show_audit(found, terminal())
     return 0 if found.complete else UNEXPECTED
 
 
