@@ -22,6 +22,7 @@ from tresym.reals.decisions.readable_witnesses import constants_hold, exact_witn
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate, stands
 from tresym.reals.domain.operation_domains import needs
+from tresym.reals.language.binders import elementary
 from tresym.reals.language.expression import (
     HALF,
     ONE,
@@ -289,7 +290,7 @@ def _by_cases(
             sides, inside = _put_in(claim, rest, case, known)
         except InputError as error:
             return Answer(Verdict.UNDECIDED, f"an expression on the way grew too large: {error}")
-        if _is_empty(inside.given):
+        if is_empty(inside.given):
             continue
         found = decided(sides, inside)
         if found.verdict is Verdict.REFUTED and known:
@@ -325,10 +326,11 @@ def _put_in(
     return sides, replace(rest, given=Given(links) if given is None else given, equations=equations)
 
 
-def _is_empty(given: Given) -> bool:
+def is_empty(given: Given) -> bool:
     """Whether a condition is shown to fail wherever the others hold."""
-    for n, (left, relation, right) in enumerate(given.comparisons):
-        others = Given(given.comparisons[:n] + given.comparisons[n + 1 :])
+    links = [link for link in given.comparisons if elementary(*link[::2])]
+    for n, (left, relation, right) in enumerate(links):
+        others = Given((*links[:n], *links[n + 1 :]))
         if symbols(left) | symbols(right):
             against = NEGATED[relation]
             wanted = {"==": "0"}.get(against)
