@@ -78,7 +78,8 @@ def decided(
 
 def _row(link: Link, answers: list[Answer | InputError]) -> Row:
     if not answers:
-        return Row(link, link.status, link.why)
+        status, why = (link.status, link.why) if link.status else link.otherwise
+        return Row(link, status, why)
     read = [answer for answer in answers if isinstance(answer, Answer)]
     if not read:
         return Row(link, UNREAD, str(answers[0]))

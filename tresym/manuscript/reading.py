@@ -25,10 +25,11 @@ from tresym.manuscript.claims import (
     claim,
     read_so,
 )
+from tresym.manuscript.files import Note
 from tresym.manuscript.memory import Conditions, Memory, Under, names_in
 from tresym.manuscript.notes import Orders, orders_of
 from tresym.manuscript.rows import OR, STRANGE, WORDS, Said, between, statements
-from tresym.manuscript.surface import Display, Event, Missing, Note, Prose, Scope, Section
+from tresym.manuscript.surface import Display, Event, Missing, Prose, Scope, Section
 from tresym.manuscript.terms import (
     SIGNS,
     Head,

@@ -69,6 +69,11 @@ _DROPPED = re.compile(
     r"|\\(?:hspace|vspace|vphantom|hphantom|phantom|tag|label|cite|footnote|eqref|ref|color|raisebox"
     r"|smash)\*?\s*(?:\[[^\[\]]*\]\s*)?\{[^{}]*\}|\\hskip\s*-?[\d.]+\s*[a-z]{2}|\\hline"
 )
+_SET = re.compile(r"(?<![_^}\]\s])\s*\{\s*(\\mathbb\s*(?:\{\s*[A-Z]\s*\}|[A-Z]))\s*\}")
+_THOUSANDS = re.compile(
+    r"(?<![\d.,}])\d{1,3}(?:(?:(?:,|\{,\}|\\,)\d{3}){2,}|(?:\{,\}|\\,)\d{3})(?!,?\d)"
+)
+"""Digits in groups: 36,000,000. One group alone after a bare comma, 1,000, may be a decimal."""
 _BRACE = re.compile(r"\\(?:under|over)brace(?![a-zA-Z])")
 _BETWEEN = re.compile(r"\\(?:short)?intertext\s*\{((?:[^{}]|\{[^{}]*\})*)\}")
 _INTEGER = re.compile(
@@ -180,6 +185,8 @@ def _with_words(found: list[Said], words: list[str]) -> Iterator[Said]:
 def _prepared(text: str, words: list[str]) -> str:
     """With marks for gaps and upright text; what only sets the page is dropped."""
     text = _DROPPED.sub(" ", text)
+    text = _SET.sub(r" \1 ", text)
+    text = _THOUSANDS.sub(lambda m: re.sub(r"\{?,\}?|\\,", "", m[0]), text)
     text = re.sub(r"\\boxed(?![a-zA-Z])", " ", text)
     text = _without_braces_under(text)
     text = _INTEGER.sub(lambda m: rf"\text{{for }} {m[2]} \in \mathbb{{{_SETS[m[1]]}}}", text)
@@ -503,6 +510,8 @@ def _chains(tokens: list[str]) -> list[Said]:
                 found[-1] = _extended(found[-1], chain.terms, chain.ops)
                 continue
         several = [replace(chain, terms=(tuple(p), *chain.terms[1:])) for p in pending]
+        if any(p[0][0].isdigit() for p in pending):  # a number with a comma, or a list
+            several, chain = [], replace(chain, values=tuple(map(tuple, pending)))
         pending = []
         for one in (*several, chain):
             if under and found:
