@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from tresym.commands import main
-from tresym.manuscript.surface import Display, Missing, read_manuscript
+from tresym.manuscript.source import Display, Missing, read_manuscript
 from tresym.reals.numbers.exact import InputError
 
 
