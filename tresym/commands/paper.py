@@ -73,16 +73,16 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _check_places(args: argparse.Namespace) -> None:
-    """See, before any work, that the page and the marks replace nothing of others."""
+    """See, before any work, that the page and the marks replace no file of the user's."""
     from pathlib import Path
 
-    from tresym.manuscript import html
-    from tresym.output import own_folder
+    from tresym.output import check_replaceable, make_folder
 
     if args.html is not None:
-        own_folder(args.html, ["index.html"], html.MARK)
+        make_folder(args.html)
+        check_replaceable([str(Path(args.html) / "index.html")], args.force)
     if args.marks is not None:
-        own_folder(str(Path(args.marks).parent), ["tresym.sty"], r"\ProvidesPackage{tresym}")
+        check_replaceable([str(Path(args.marks).with_name("tresym.sty"))], args.force)
 
 
 def _write_pages(args: argparse.Namespace, rows: list[Row]) -> None:
