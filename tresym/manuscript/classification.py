@@ -161,7 +161,10 @@ def claim(
     if under.noted and n == 0 and under.kind == prose.SOLVE:
         return replace(link, status=fallback[0], why=fallback[1])
     if head is not None and fallback[0] == DEFINED and symbols(right):
-        memory.define(head, right)
+        if said.conditions or under.put_in:
+            memory.undefine(head.name)
+        else:
+            memory.define(head, right)
     undecided = "UNDECIDED", ""
     keep = firm or (same and relation == "==" and n > 0) or as_path or relation != "=="
     link = replace(link, claims=attempts, firm=firm, same=same)

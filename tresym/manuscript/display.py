@@ -77,9 +77,19 @@ _THOUSANDS = re.compile(
 _BRACE = re.compile(r"\\(?:under|over)brace(?![a-zA-Z])")
 _BETWEEN = re.compile(r"\\(?:short)?intertext\s*\{((?:[^{}]|\{[^{}]*\})*)\}")
 _INTEGER = re.compile(
-    r"\\text\s*\{\s*(?:for |with )?(?:all |any |every |each |some |an? )?"
-    r"(positive |non-?negative )?integers?\s*\}[\s~]*(?:\\[,;: ])*\s*\$?([a-zA-Z])(?![a-zA-Z])\$?"
+    r"\\text\s*\{\s*(?:for |with |if |when )?(?:all |any |every |each |some |an? )?"
+    r"(?:(positive |non-?negative |odd |even )?(?:integers?|numbers?)|(odd|even))"
+    r"(?: values of)?\s*\}[\s~]*(?:\\[,;: ])*\s*\$?([a-zA-Z])(?![a-zA-Z])\$?"
 )
+_ARE_INTEGERS = re.compile(
+    r"(?:is |are |an? )*(?:(odd|even|positive|non-?negative) integers?|(?=odd|even)(\w+)|integers?)"
+)
+_WHEN = re.compile(
+    r"\(?(?:and |but |only |valid |holds? |true |or |the last \w+ |this |is |are )*"
+    r"(?:for|if|iff|when|whenever|where|provided|with|unless|as long as|as soon as|on|in"
+    r"|at|assuming|given|except|near|while|until|under|because of|over|outside|inside)\b"
+)
+"""What a condition begins with."""
 _TEXT = re.compile(
     r"\\(text|textrm|textnormal|mbox|textit|hbox|intertext|shortintertext|textup|mathrm"
     r"|operatorname\*?)\s*\{((?:[^{}]|\{[^{}]*\})*)\}"
@@ -189,7 +199,7 @@ def _prepared(text: str, words: list[str]) -> str:
     text = _THOUSANDS.sub(lambda m: re.sub(r"\{?,\}?|\\,", "", m[0]), text)
     text = re.sub(r"\\boxed(?![a-zA-Z])", " ", text)
     text = _without_braces_under(text)
-    text = _INTEGER.sub(lambda m: rf"\text{{for }} {m[2]} \in \mathbb{{{_SETS[m[1]]}}}", text)
+    text = _INTEGER.sub(lambda m: rf"\text{{for }} {m[3]} \in {_set(m[1] or m[2] or '')}", text)
     text = re.sub(r"\\\\\s*\*?\s*(?:\[\s*-?[\d.]+\s*[a-z]{2}\s*\])?", r"\\\\ ", text)
     text = re.sub(
         r"\\q?quad(?![a-zA-Z])|\\enspace(?![a-zA-Z])", f" {GAP} ".replace("\\", r"\\"), text
@@ -204,7 +214,13 @@ def _prepared(text: str, words: list[str]) -> str:
     return _TEXT.sub(lambda m: _spoken(m, words), text)
 
 
-_SETS = {None: "Z", "positive ": "N", "nonnegative ": "N0", "non-negative ": "N0"}
+_SETS = {"": "Z", "positive": "N", "nonnegative": "N0", "non-negative": "N0"}
+_SETS |= {"odd": "O", "even": "E"}
+
+
+def _set(words: str) -> str:
+    """The integers that words such as "odd" and "positive" name."""
+    return rf"\mathbb{{{_SETS[words.strip()]}}}"
 
 
 def between(text: str) -> tuple[str, list[str]]:
@@ -260,11 +276,16 @@ def _spoken(found: re.Match[str], words: list[str]) -> str:
             result += found[0]
         elif not re.search(r"[^\W\d_]{2}", word):
             result += found[0] if len(pieces) == 1 else f" {piece} "
-        elif re.fullmatch(r"(?:is |are |an? )*integers?", word):
-            result += r" \in \mathbb{Z} "
+        elif one := re.fullmatch(
+            r"(?:is |are |an? )*(?:(odd|even|positive|non-?negative)(?: integers?)?|integers?)",
+            word,
+        ):
+            result += rf" \in \mathbb{{{_SETS[one[1] or '']}}} "
         else:
             words.append(" ".join(piece.split()))
-            result += f" {GAP if piece.lstrip().startswith('(') else ''} {WORDS} "
+            apart = CONDITION if _WHEN.match(word) else ""
+            apart = apart or (GAP if piece.lstrip().startswith("(") else "")
+            result += f" {apart} {WORDS} "
     return result
 
 
@@ -487,14 +508,14 @@ def _chains(tokens: list[str]) -> list[Said]:
                 continue
         chain = _chain(part)
         apart = stop == GAP or isinstance(stop, Spaced)
-        if apart and "=" in chain.ops and all(len(term) > 2 for term in chain.terms):
+        if apart and "=" in chain.ops and len(chain.terms[0]) > 2:
             under = False  # an equality apart is one more
         if not chain.ops:
             if colon:
                 continue
             if part == [FORALL]:
                 found = [replace(one, universal=True) for one in found]
-            elif part == [OTHERWISE] and found:
+            elif found and under and (part == [OTHERWISE] or WORDS in part):
                 found[-1] = replace(found[-1], conditions=(*found[-1].conditions, chain))
             elif stop in (GAP, "") and found and part[0] in _OPERATORS:
                 found[-1] = _extended(found[-1], [part])

@@ -29,11 +29,28 @@ DISPLAYS = frozenset(
     )
     for star in ("", "*")
 )
-SCOPES = frozenset(("proof", "example", "exercise", "problem", "solution"))
-"""What is put in one of these is not said beyond it."""
-STATEMENTS = frozenset(("theorem", "lemma", "proposition", "corollary"))
-"""What one of these defines is not said beyond the section."""
-_SCOPED = SCOPES | STATEMENTS
+STATEMENT, PROOF, EXAMPLE, LIST, ITEM, CASE = (
+    "statement",
+    "proof",
+    "example",
+    "list",
+    "item",
+    "case",
+)
+_SCOPES = {
+    STATEMENT: r"theorem|thm|lem(?:ma)?|prop(?:osition)?|cor(?:ollary)?|conj(?:ecture)?|claim|fact",
+    PROOF: r"proof|pf|solutions?|soln?|answer|hint",
+    EXAMPLE: r"ex|exam|exam?ples?|exer|exercises?|problems?|prob|questions?|remarks?|rem|rmk",
+    LIST: r"enumerate|itemize|description|parts|tasks|[a-z]*(?:list|enum|item)",
+    CASE: r"case",
+}
+_SCOPE = {
+    kind: re.compile(rf"(?:n|my|the)?(?:{words})(?:wrap|box|env|s|\d+)?")
+    for kind, words in _SCOPES.items()
+}
+_NEWTHEOREM = re.compile(
+    r"\\newtheorem\*?\s*\{([^{}]*)\}\s*(?:\[[^\[\]]*\])?\s*\{\s*(?:\\\w+\s*)?(\w+)"
+)
 _TITLE = re.compile(r"\*?\s*(?:\[[^\[\]]*\])?\s*\{(?:[^{}]|\{[^{}]*\})*\}")
 _MARKED = re.compile(r"\x01(\d+)\x02")
 _MARKS = re.compile(
@@ -43,6 +60,13 @@ _MARKS = re.compile(
       | (?P<dollars>\$\$)
       | (?P<section>\\(?:chapter|section|subsection|part|appendix)(?![a-zA-Z]))
       | \x01(?P<note>\d+)\x02
+      | (?P<item>\\item(?![a-zA-Z]))
+      | (?<![^\n])[ \t]*(?:\\noindent\s*)?(?P<styled>
+          \\(?:textbf|emph|textit|textsc|underline|paragraph|subsubsection)\*?\s*\{\s*(?:\\\w+\s*)?
+          |\{\s*\\(?:bf|it|em|sc|bfseries|itshape|scshape)\s+|\\(?=[a-z]+\s*\{))?
+        (?P<heading>(?i:example|exercise|problem|question|solution|answer|theorem|lemma|proposition
+          |corollary|proof|definition|remark|case))(?![a-zA-Z])
+        (?(styled)(?=[^\n]{0,60}[}.:]|\s*\{)|(?=\s*\(?[\d.ivxIVX]{0,5}\)?[.:]))
       | (?P<command>\\(?:[a-zA-Z]+|.))
       | (?P<inline>\$)""",
     re.VERBOSE | re.DOTALL,
@@ -53,20 +77,23 @@ _ENVIRONMENT = re.compile(r"\\(begin|end)\s*\{([^{}]*)\}")
 
 
 class Section(NamedTuple):
-    """A heading: conditions of the section before it are forgotten."""
+    """A heading: conditions of the section before it end; of a chapter, definitions too."""
 
     line: int
+    chapter: bool = False
 
 
 class Scope(NamedTuple):
-    """Where a proof or an example opens or ends: what is said in it is forgotten after it.
+    """Where a theorem, a proof, an example, a list, an item or a case opens or ends.
 
     Attributes:
-        stated: it is a theorem: what is defined in it is forgotten after the section.
+        kind: which of these.
+        name: the environment, or "heading" where only a heading opens it.
     """
 
     opens: bool
-    stated: bool = False
+    kind: str
+    name: str
 
 
 class Prose(NamedTuple):
@@ -141,6 +168,7 @@ class _Scanner:
     def __init__(self, source: Files) -> None:
         self.source, self.text = source, source.text
         self.macros: dict[str, Macro] = {}
+        self.titles = {m[1]: m[2] for m in _NEWTHEOREM.finditer(self.text)}
         self.count = 0
 
     def events(self) -> Iterator[Event]:
@@ -169,7 +197,8 @@ class _Scanner:
                 if mark["note"]:
                     yield self.source.notes[int(mark["note"])]
                     continue
-                yield Section(self.source.place(at)[1])
+                chapter = mark["section"] in ("\\chapter", "\\part")
+                yield Section(self.source.place(at)[1], chapter)
                 if (title := _TITLE.match(self.text, at, stop)) is not None:
                     prose = at = title.end()
             elif kind in DISPLAYS or kind in ("brackets", "dollars"):
@@ -177,13 +206,33 @@ class _Scanner:
                 display, at = self.display(kind, mark.start(), at, stop)
                 prose = at
                 yield display
-            elif (kind := (kind or mark["end"] or "").rstrip("*").lower()) in _SCOPED:
+            elif scope := self.scope(mark):
                 yield self.prose(prose, mark.start())
                 prose = at
-                yield Scope(mark["end"] is None, kind in STATEMENTS)
+                yield scope
             elif mark["end"] in DISPLAYS:
                 self.fail(mark.start(), f"\\end{{{mark['end']}}} closes nothing")
         yield self.prose(prose, stop)
+
+    def scope(self, mark: re.Match[str]) -> Scope | None:
+        """The scope that opens or ends at a mark, if one does."""
+        if mark["item"]:
+            return Scope(True, ITEM, ITEM)
+        if word := mark["heading"]:
+            kind = self.kind_of(word.lower())
+            return Scope(bool(kind), kind, "heading")
+        name = mark["begin"] or mark["end"] or ""
+        kind = self.kind_of(name)
+        return Scope(mark["end"] is None, kind, name) if kind else None
+
+    def kind_of(self, name: str) -> str:
+        """Which kind of scope an environment is, by its name or by the title it declares."""
+        for word in (name, self.titles.get(name, "")):
+            word = word.rstrip("*").lower()
+            for kind, pattern in _SCOPE.items():
+                if pattern.fullmatch(word):
+                    return kind
+        return ""
 
     def define(self, start: int, stop: int) -> None:
         """The macros that are defined there."""
