@@ -90,6 +90,10 @@ class Under:
     """Whether the sentence says that it holds: "Then", "we have"."""
     passing: tuple[Compared, ...] = ()
     """What its own sentence says, of all that is given."""
+    row: tuple[Compared, ...] = ()
+    """The conditions that a word such as "for" ties to its own formula."""
+    anew: frozenset[str] = frozenset()
+    """The symbols of which its sentence speaks anew, as "for all real $x$" does."""
     unread: str = ""
     """A condition in its sentence that is not read."""
     stated: str = ""
@@ -337,6 +341,7 @@ class Memory:
         """What the sentence around a display says of its conditions."""
         given: list[Compared] = []
         put_in: list[tuple[str, Expr]] = []
+        anew: set[str] = set()
         path = unread = ""
         for text in (prose.last_sentence(before), prose.first_sentence(after)):
             if prose.is_of_signs(text):
@@ -347,6 +352,7 @@ class Memory:
                 for said in quietly(found.tex):
                     if found.tends and (name := self.lone(said)):
                         path = f"{name} -> {found.tends}"
+                    anew |= {self.lone(said)} if found.anew else set()
                     if found.whole and (name := self.lone(said)):
                         given += whole(symbol(name), found.whole)
                     if self.is_defined_function(said):
@@ -370,6 +376,7 @@ class Memory:
         return Under(
             *(tuple(given), tuple(put_in), path, kind),
             universal=universal,
+            anew=frozenset(anew),
             unread=unread,
             stated=stated,
         )

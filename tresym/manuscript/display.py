@@ -276,11 +276,8 @@ def _spoken(found: re.Match[str], words: list[str]) -> str:
             result += found[0]
         elif not re.search(r"[^\W\d_]{2}", word):
             result += found[0] if len(pieces) == 1 else f" {piece} "
-        elif one := re.fullmatch(
-            r"(?:is |are |an? )*(?:(odd|even|positive|non-?negative)(?: integers?)?|integers?)",
-            word,
-        ):
-            result += rf" \in \mathbb{{{_SETS[one[1] or '']}}} "
+        elif one := _ARE_INTEGERS.fullmatch(word):
+            result += rf" \in {_set(one[1] or one[2] or '')} "
         else:
             words.append(" ".join(piece.split()))
             apart = CONDITION if _WHEN.match(word) else ""

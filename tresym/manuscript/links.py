@@ -286,6 +286,7 @@ class _Reading:
     def under(self, said: Said, extra: Sequence[Said], around: Under) -> tuple[Under, str]:
         """What a chain is said under, and what of it is not read."""
         given: list[Compared] = []
+        row: tuple[Compared, ...] = ()
         put_in = list(around.put_in)
         path, problem, own = around.path, "", bool(said.conditions or extra)
         for condition in (*said.conditions, *extra):
@@ -300,6 +301,8 @@ class _Reading:
                 given += found[0]
                 put_in += found[1]
                 path = found[2] or path
+            if condition in said.conditions or all(map(is_plain, condition.terms)):
+                row = tuple(given)
         if said.conditions:
             self.cases.append((said.terms[0], tuple(given)))
         spoken = [names_in((c,)) for c in (*given, *around.given)]
@@ -311,6 +314,7 @@ class _Reading:
         return replace(
             around,
             passing=around.given,
+            row=row,
             given=everything,
             put_in=tuple(put_in),
             path=path,

@@ -241,12 +241,13 @@ def inline(text: str) -> Iterator[Inline]:
     sentences = _SENTENCE.split(text)
     for number, sentence in enumerate(sentences):
         start, carried, anew = 0, (False, False, False, False), False
+        conditional = False
         for found in _INLINE.finditer(sentence):
             words = sentence[start : found.start()]
             if start and re.fullmatch(r"[\s,~]*(?:and|or)?[\s,~]*", words):
                 marks = carried
             else:
-                anew = bool(_ANEW_BEFORE.search(words))
+                anew, conditional = bool(_ANEW_BEFORE.search(words)), is_conditional(words)
                 marks = (
                     bool(_LASTING.search(words)),
                     bool(_PASSING.search(words)),
@@ -275,7 +276,7 @@ def inline(text: str) -> Iterator[Inline]:
                 *(tex, *marks, whole, told, tends),
                 binds=binding(ahead, rest),
                 hypothesis=is_hypothesis(ahead, rest),
-                conditional=is_conditional(words),
+                conditional=conditional,
                 piece=bool(_PIECE.match(rest[:120])),
                 last=number == len(sentences) - 1,
             )

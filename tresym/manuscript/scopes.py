@@ -87,12 +87,19 @@ class Scopes:
         self.now = Reach()
         self._paragraphs = 0
         self._open: list[tuple[Scope, Reach]] = []
+        self._entered: list[int] = []
+        self._section = 0
         self._statement = Reach()
 
     @property
     def before(self) -> Reach:
         """What was said before the innermost scope."""
         return self._open[-1][1] if self._open else Reach()
+
+    @property
+    def path(self) -> tuple[int, ...]:
+        """The section and the scopes in it that are open, outermost first."""
+        return (self._section, *self._entered)
 
     def mark(self, scope: Scope) -> None:
         """A scope opens or ends."""
@@ -126,6 +133,7 @@ class Scopes:
         now.recent.clear()
         self._statement = Reach()
         self.paragraph()
+        self._section = self._paragraphs
 
     def paragraph(self) -> None:
         """A paragraph begins."""
@@ -135,6 +143,7 @@ class Scopes:
     def _enter(self, scope: Scope) -> None:
         self._open.append((scope, self.now.copied()))
         self.paragraph()
+        self._entered.append(self._paragraphs)
         if scope.kind == PROOF:
             self.now.add(self._statement)
         elif scope.kind in (STATEMENT, EXAMPLE):
@@ -146,6 +155,7 @@ class Scopes:
 
     def _close(self) -> None:
         scope, before = self._open.pop()
+        self._entered.pop()
         added, self.now = self.now.since(before), before
         if scope.kind in (STATEMENT, EXAMPLE):
             self._statement = added
