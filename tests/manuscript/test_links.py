@@ -490,5 +490,5 @@ def test_what_is_left_unsaid_is_no_falsehood(text: str, statuses: str, tmp_path:
 
 def test_macros_open_and_close_displays_before_environments(tmp_path: Path) -> None:
     text = r"\documentclass{article}\def\be{\begin{equation}}\newcommand\ee{\end{equation}}"
-    text += r"\begin{document} \be 1 + 1 = 2 \ee \begin{proof}\be 2 = 2 \ee\end{proof}"
+    text += r"\begin{document} \be 1 + 1 = 2 \ee \begin{proof}\be 2 = 3 - 1 \ee\end{proof}"
     assert [r.status for r in read(tmp_path, text + r"\end{document}")] == ["PROVED"] * 2

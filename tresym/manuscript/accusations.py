@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from flint import fmpq
 
@@ -41,12 +41,16 @@ class Ground:
         explicit: the sentence says for which values of all its symbols it is claimed.
         universal: it is called an identity, or said "for all".
         reach: the scopes in which the link stands, outermost first.
+        alike: both sides are read as the same expression.
+        places: in which lines the symbols of a side of its own are defined, 0 in the running text.
     """
 
     doubts: tuple[str, ...] = ()
     explicit: bool = False
     universal: bool = False
     reach: tuple[int, ...] = ()
+    alike: bool = False
+    places: dict[str, int] = field(default_factory=dict)
 
 
 def ground(
@@ -56,8 +60,10 @@ def ground(
     now = memory.scopes.now
     left, relation, right = compared
     reach = memory.scopes.path
+    lone = (str(side) for side in (left, right) if side.op == "symbol")
+    places = {name: memory.lines.get(name, 0) for name in lone if name in memory.functions}
     if under.noted and under.kind == prose.CLAIM:
-        return Ground(explicit=True, universal=True, reach=reach)
+        return Ground((), True, True, reach, left == right, places)
     names = (symbols(left) | symbols(right)) - NO_VARIABLES
     unknown = unknown_in(left, right)
     own = [c for c in (*under.passing, *under.row) if symbols(c[0]) | symbols(c[2])]
@@ -75,7 +81,7 @@ def ground(
         doubts.append("for which values the bound is claimed is not said")
     if not names and _within_print(memory, compared, said.terms[n : n + 2]):
         doubts.append("the decimals may be rounded")
-    return Ground(tuple(doubts), explicit, universal, reach)
+    return Ground(tuple(doubts), explicit, universal, reach, left == right, places)
 
 
 def far_definitions(memory: Memory, put_in: Iterable[str], under: Under) -> tuple[str, ...]:

@@ -122,7 +122,7 @@ def claim(
         left, right = substitute(left, values), substitute(right, values)
         put = [(substitute(a, values), r, substitute(b, values)) for a, r, b in under.given]
         under = replace(under, given=tuple(put))
-    compared = left, relation, right
+    printed, compared = compared, (left, relation, right)
     link = replace(link, ground=accusations.ground(memory, compared, said, n, under, head))
     orders = any(node.op in ("O", "o") for node in outermost(left, right))
     as_path = ""
@@ -152,7 +152,7 @@ def claim(
     constants = not (symbols(left) | symbols(right)) - NO_VARIABLES
     constants = constants and not unknown_in(left, right)  # y(0) = 1 is asked of y
     worked = not unknown_in(left, right) and any(
-        node.op in _WORKED or is_infinite(node) for node in outermost(compared[0], compared[2])
+        node.op in _WORKED or is_infinite(node) for node in outermost(printed[0], printed[2])
     )
     worked = worked or DOTS.args[0] in symbols(left) | symbols(right)
     firm = not said.before and (sure or goes_on or constants) and (under.noted or not as_path)

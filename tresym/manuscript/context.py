@@ -114,6 +114,8 @@ class Memory:
         where: conditions of the sentences that define symbols, by the symbol.
         told: values that the lines before the display tell, without defining by them.
         own: what the sentence of the next display defines.
+        line: where the display stands that is read, 0 in the running text.
+        lines: where symbols were defined.
     """
 
     def __init__(self, text: str) -> None:
@@ -121,6 +123,8 @@ class Memory:
         self.letter_delta = bool(_LETTER_DELTA.search(text))
         self.scopes = Scopes()
         self.own: set[str] = set()
+        self.line = 0
+        self.lines: dict[str, int] = {}
         self.noted: list[Compared] = []
         self.labels: dict[str, list[Compared]] = {}
         self.shorter = self.longer = False
@@ -191,6 +195,7 @@ class Memory:
             now.ambiguous.add(name)
         now.recent.add(name)
         now.places[name] = now.paragraph
+        self.lines[name] = self.line
         self.where[name] = () if head.parameters else tuple(where)
         now.functions[name] = found
 

@@ -12,6 +12,7 @@ from tresym.manuscript.context import names_in
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.time_limited import Task, check_all, check_within
 from tresym.reals.language.binders import elementary
+from tresym.reals.language.expression import ONE, ZERO, symbols
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
@@ -79,6 +80,21 @@ def decided(
     return [_row(link, answers.get(n, []), limit) for n, link in enumerate(links)]
 
 
+def _restates(link: Link, asked: Attempt) -> str:
+    """Why nothing was shown by an equality whose sides are the same, where it is no more."""
+    one, _, other = asked.sides or (ZERO, "", ONE)
+    if one != other:
+        return ""
+    if not asked.how:
+        left, equal, right = link.shown.partition(" = ")
+        bare = bool(equal) and left.split() == right.split()
+        why = "both sides are read as the same expression, so there is nothing to check"
+        return why if bare or (symbols(one) and link.ground.alike) else ""
+    lone = next((s for s in (link.sides or ())[::2] if str(s) in link.ground.places), None)
+    place = link.ground.places[str(lone)] if lone is not None else 0
+    return f"restates {f'line {place}' if place else f'what {lone} stands for'}" if lone else ""
+
+
 def _refuted(link: Link, answers: list[Answer | InputError]) -> tuple[Attempt, Answer] | None:
     """The last way to ask that rests on nothing said elsewhere, if all are refuted."""
     found = None
@@ -136,7 +152,8 @@ def _row(link: Link, answers: list[Answer | InputError], limit: float) -> Row:
     witness = dict(last.witness) if last.witness is not None else None
     row = Row(link, last.verdict.value, why, witness, last.given, seconds)
     if last:
-        return row
+        same = _restates(link, asked)
+        return replace(row, status="DEFINED", why=same) if same else row
     status, fallback = link.otherwise
     if last.verdict is Verdict.REFUTED and link.firm:
         failed = _refuted(link, answers)

@@ -105,7 +105,9 @@ class _Reading:
                 after = follows.text if isinstance(follows, Prose) else ""
                 if isinstance(beyond, Display) and prose.is_of_next(after):
                     after = ""
+                self.memory.line = event.line
                 found = list(self.display(event, before, after))
+                self.memory.line = 0
                 for label in (*event.labels, str(event.number)):
                     self.memory.labels[label] = [x.sides for x in found if x.sides]
                 yield from found
