@@ -70,7 +70,8 @@ def ground(
     explicit = bool(names) and names <= names_in(own) | under.anew
     universal = said.universal or under.universal or under.kind == prose.CLAIM
     tied = names | unknown | names_in(c for c in own if names & names_in((c,)))
-    doubts = [f"{x} is not free: {now.restricted[x]}" for x in sorted(tied & now.restricted.keys())]
+    restricted = {name: now.restricted[name] for name in sorted(tied & now.restricted.keys())}
+    doubts = [f"{x} is not free: {r.why}" for x, r in restricted.items() if not r.by or r.by & tied]
     if under.stated:
         doubts.append(f"it stands under '{under.stated}'")
     doubts += [f"nothing is said of the function {name}" for name in sorted(unknown)]

@@ -10,7 +10,7 @@ from typing import TypeAlias
 from tresym.manuscript import prose, restrictions
 from tresym.manuscript.directives import Orders
 from tresym.manuscript.display import STRANGE, Said, statements
-from tresym.manuscript.scopes import Scopes
+from tresym.manuscript.scopes import Restriction, Scopes
 from tresym.manuscript.terms import Head, head_of, is_plain, read_term, unknown_in
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.binders import elementary
@@ -202,7 +202,7 @@ class Memory:
     def undefine(self, name: str) -> None:
         """A symbol is another from here on, and how is not read."""
         self.functions.pop(name, None)
-        self.scopes.now.restricted.setdefault(name, "it is defined in a way that is not read")
+        self.restrict({name}, "it is defined in a way that is not read")
 
     def section(self, chapter: bool) -> None:
         """A section begins: conditions end, and what is said in scopes."""
@@ -270,18 +270,25 @@ class Memory:
         if len(said.ops) == 1 and said.ops[0] in ("=", ":="):
             if self.defined_in_line(said, found):
                 return
-        elif found.lasting and not restrictions.is_absurd(found.binds):
+        elif said.ops and found.lasting and not restrictions.is_absurd(found.binds):
             conditions = self.condition(said)
             self.lasting += conditions[0] if conditions else ()
             understood = conditions is not None and not conditions[1]
-        if found.binds or not understood:
-            why = f"'{found.binds}'" if found.binds else f"${' '.join(found.tex.split())[:60]}$"
-            self.restrict(self.spoken_of(said), f"the text says {why} of it")
+        why = f"'{found.binds}'" if found.binds else f"${' '.join(found.tex.split())[:60]}$"
+        why = f"the text says {why} of it"
+        head = self.head(said.terms[0]) if said.ops in (("=",), (":=",)) else None
+        if found.binds:
+            self.restrict(self.spoken_of(said), why)
+        elif not understood and head is not None and not head.derived:
+            others = self.spoken_of(replace(said, terms=said.terms[1:])) - {*head.parameters}
+            self.restrict({head.name}, why, others - {head.name})
+        elif not understood:
+            self.restrict(self.spoken_of(said), why)
 
-    def restrict(self, names: Iterable[str], why: str) -> None:
-        """Symbols are not free for a counterexample from here on."""
+    def restrict(self, names: Iterable[str], why: str, by: Iterable[str] = ()) -> None:
+        """Symbols are not free for a counterexample from here on, where ``by`` is spoken of too."""
         for name in names:
-            self.scopes.now.restricted.setdefault(name, why)
+            self.scopes.now.restricted.setdefault(name, Restriction(why, frozenset(by)))
 
     def spoken_of(self, said: Said) -> set[str]:
         """The symbols and functions in a formula, by their letters where it is not read."""

@@ -82,7 +82,7 @@ _INTEGER = re.compile(
     r"(?: values of)?\s*\}[\s~]*(?:\\[,;: ])*\s*\$?([a-zA-Z])(?![a-zA-Z])\$?"
 )
 _ARE_INTEGERS = re.compile(
-    r"(?:is |are |an? )*(?:(odd|even|positive|non-?negative) integers?|(?=odd|even)(\w+)|integers?)"
+    r"(?:is |are |an? )*(?:(odd|even|positive|non-?negative) integers?|(odd|even)|integers?)"
 )
 _WHEN = re.compile(
     r"\(?(?:and |but |only |valid |holds? |true |or |the last \w+ |this |is |are )*"

@@ -34,7 +34,9 @@ _NOUN_AFTER = re.compile(
 _NOUN_BEFORE = re.compile(
     rf"\b{_WHAT}(?:[\s~]+(?:of the form|with|at|in|to|of))?[\s~]*\Z", re.IGNORECASE
 )
-_BINDING = re.compile(f"{_EXISTS}|{_CHOSEN}|{_ABSURD}", re.IGNORECASE)
+_BINDING = re.compile(
+    rf"{_EXISTS}|{_ABSURD}|{_CHOSEN}(?=[^$.;]{{0,60}}(?:\$(?:[\s~,]|and|or)*)*\Z)", re.IGNORECASE
+)
 _STATED = re.compile(f"{_EXISTS}|{_ABSURD}", re.IGNORECASE)
 _HYPOTHETICAL = re.compile(_ABSURD, re.IGNORECASE)
 _SUPPOSED = re.compile(

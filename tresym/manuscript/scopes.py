@@ -9,11 +9,19 @@ from __future__ import annotations
 
 from copy import copy
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 from tresym.manuscript.source import CASE, EXAMPLE, ITEM, LIST, PROOF, STATEMENT, Scope
 from tresym.reals.language.expression import symbols
 from tresym.reals.language.latex_cursor import Function
 from tresym.reals.language.parsing import Compared
+
+
+class Restriction(NamedTuple):
+    """Why a symbol is not free for a counterexample, and by which others it is tied, if by some."""
+
+    why: str
+    by: frozenset[str] = frozenset()
 
 
 @dataclass
@@ -37,7 +45,7 @@ class Reach:
     recent: set[str] = field(default_factory=set)
     ambiguous: set[str] = field(default_factory=set)
     places: dict[str, int] = field(default_factory=dict)
-    restricted: dict[str, str] = field(default_factory=dict)
+    restricted: dict[str, Restriction] = field(default_factory=dict)
     paragraph: int = 0
 
     def copied(self) -> Reach:
@@ -160,5 +168,5 @@ class Scopes:
         if scope.kind in (STATEMENT, EXAMPLE):
             self._statement = added
         elif scope.kind in (LIST, ITEM):
-            why = "an item of a list before speaks of it"
+            why = Restriction("an item of a list before speaks of it")
             before.restricted |= {n: why for n in added.names() if n not in before.restricted}
