@@ -40,7 +40,7 @@ def test_files_of_the_project_are_read(tmp_path: Path, marker: str) -> None:
 
 def test_what_lies_outside_is_left_out(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Else any file of the machine could be shown by a manuscript of somebody else's."""
-    write(tmp_path, {"shared/header.tex": r"\[ 1 = 2 \]", "notes/m.tex": MAIN})
+    write(tmp_path, {"shared/header.tex": r"\[ 1 + 1 = 3 \]", "notes/m.tex": MAIN})
     write(tmp_path, {"notes/parts/one.tex": r"\input{/etc/hostname} \[ c = y \]"})
     (tmp_path / "notes/link.tex").symlink_to(tmp_path / "shared/header.tex")
     path = tmp_path / "notes/m.tex"

@@ -9,6 +9,8 @@ holds at other points, so that a condition is missing rather than the equality w
 from __future__ import annotations
 
 import random
+import re
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
@@ -29,6 +31,7 @@ NO_VARIABLES = symbols(INFINITY) | symbols(DOTS)
 _RANGES = ((0, 1), (1, 4), (-3, 0), (3, 20))
 _POINTS = 120
 _INDICES = frozenset("ijklmnpqrsKLMN")
+_SUBSCRIPT = re.compile(r"[A-Za-z]+?_?(\d*[i-s][i-s\d]{0,3})")
 _BOUNDS = frozenset(("<", ">", "<=", ">=", "!="))
 
 
@@ -80,8 +83,12 @@ def ground(
         doubts.append(f"it may define {head.name}")
     if relation in _BOUNDS and names and not explicit:
         doubts.append("for which values the bound is claimed is not said")
-    if not names and _within_print(memory, compared, said.terms[n : n + 2]):
-        doubts.append("the decimals may be rounded")
+    terms = said.terms[n : n + 2]
+    if not names and _within_print(memory, compared, terms):
+        doubts.append("the numbers may be rounded")
+    if not names and n == 0 and all(_is_number(term) for term in terms):
+        doubts.append("a contradiction may be meant")
+    doubts += [f"the index {letter} may be summed over" for letter in sorted(_repeated(names))]
     return Ground(tuple(doubts), explicit, universal, reach, left == right, places)
 
 
@@ -94,6 +101,18 @@ def far_definitions(memory: Memory, put_in: Iterable[str], under: Under) -> tupl
     )
 
 
+def _is_number(term: Sequence[str]) -> bool:
+    digits = [t for t in term if t != "-"]
+    return len(digits) == 1 and digits[0][0].isdigit()
+
+
+def _repeated(names: Iterable[str]) -> set[str]:
+    """The index letters in the subscripts of several symbols, as in ``R_{1p} T_{pq}``."""
+    found = (m[1] for name in names if (m := _SUBSCRIPT.fullmatch(name)))
+    counts = Counter(letter for letters in found for letter in {*letters} if letter.isalpha())
+    return {letter for letter, count in counts.items() if count > 1}
+
+
 def _within_print(memory: Memory, compared: Compared, terms: Sequence[Sequence[str]]) -> bool:
     """Whether two constants differ by no more than decimals in them may be rounded."""
     slack = fmpq(0)
@@ -103,9 +122,11 @@ def _within_print(memory: Memory, compared: Compared, terms: Sequence[Sequence[s
             for term in terms:
                 value = evaluate(read_term(term, memory.author).tree, {})
                 for n, token in enumerate(term):
-                    if not (token[0].isdigit() and "." in token[:-1]):
+                    whole = len(term) == 1 and token.isdigit() and len(token) > 2
+                    if not whole and not (token[0].isdigit() and "." in token[:-1]):
                         continue
-                    more = [*term[:n], f"{token}5", *term[n + 1 :]]  # half a unit more
+                    half = f"{token}.5" if whole else f"{token}5"
+                    more = [*term[:n], half, *term[n + 1 :]]
                     other = evaluate(read_term(more, memory.author).tree, {})
                     slack += abs(other - value).upper().fmpq()
             return bool(slack) and bool(gap <= slack * fmpq(101, 100))
