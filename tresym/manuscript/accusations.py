@@ -21,8 +21,8 @@ from tresym.manuscript.context import Memory, Under, names_in
 from tresym.manuscript.display import Said
 from tresym.manuscript.terms import Head, base_of, read_term, unknown_in
 from tresym.reals.domain.evaluation import evaluate, stands
-from tresym.reals.language.binders import elementary
-from tresym.reals.language.expression import DOTS, symbols
+from tresym.reals.language.binders import elementary, outermost
+from tresym.reals.language.expression import DOTS, Expr, symbols
 from tresym.reals.language.parsing import INFINITY, INTEGERS, Compared
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
@@ -32,6 +32,7 @@ _RANGES = ((0, 1), (1, 4), (-3, 0), (3, 20))
 _POINTS = 120
 _INDICES = frozenset("ijklmnpqrsKLMN")
 _SUBSCRIPT = re.compile(r"[A-Za-z]+?_?(\d*[i-s][i-s\d]{0,3})")
+_WAVES = re.compile(r"\b(?:sin|cos|tan|cot|sec|csc)\(|\(-1\)\*\*")
 _BOUNDS = frozenset(("<", ">", "<=", ">=", "!="))
 
 
@@ -88,6 +89,12 @@ def ground(
         doubts.append("the numbers may be rounded")
     if not names and n == 0 and all(_is_number(term) for term in terms):
         doubts.append("a contradiction may be meant")
+    if not names and "\\approx" in said.ops[n : n + 1] and _is_near(compared):
+        doubts.append("how near is not said")
+    if any(node.op == "limit" and _may_be_sequence(node) for node in outermost(left, right)):
+        doubts.append("the limit may be that of a sequence")
+    far = _far_functions(memory, terms)
+    doubts += [f"{x} is defined in another paragraph" for x in sorted(far)]
     doubts += [f"the index {letter} may be summed over" for letter in sorted(_repeated(names))]
     return Ground(tuple(doubts), explicit, universal, reach, left == right, places)
 
@@ -99,6 +106,32 @@ def far_definitions(memory: Memory, put_in: Iterable[str], under: Under) -> tupl
     return tuple(
         name for name in put_in if name not in near and now.places.get(name) != now.paragraph
     )
+
+
+def _far_functions(memory: Memory, terms: Iterable[Sequence[str]]) -> set[str]:
+    """The functions in terms whose definition was read in another paragraph, and put in."""
+    now = memory.scopes.now
+    heads = (memory.head([token]) for term in terms for token in term if token[-1:].isalpha())
+    names = {head.name for head in heads if head}
+    return {
+        name
+        for name, function in now.functions.items()
+        if function.parameters
+        and now.places.get(name) != now.paragraph
+        and name.partition("_")[0].rstrip("0123456789") in names
+    }
+
+
+def _is_near(compared: Compared) -> bool:
+    """Whether two constants differ by no more than one part in fifty."""
+    with ball_precision():
+        left, right = (evaluate(side, {}) for side in compared[::2])
+        return bool(abs(left - right) * 50 <= abs(left))
+
+
+def _may_be_sequence(node: Expr) -> bool:
+    """Whether a limit by an index oscillates for numbers that are no integers: sin(pi*n)."""
+    return node.names[0][0] in _INDICES and bool(_WAVES.search(str(node)))
 
 
 def _is_number(term: Sequence[str]) -> bool:

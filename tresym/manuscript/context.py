@@ -266,6 +266,10 @@ class Memory:
             self.forget(name)
         if name and found.whole and (name[:1] in _INDICES or not found.passing):
             self.lasting += whole(symbol(name), found.whole)
+        one = self.head(said.terms[0]) if found.introduced else None
+        known = self.functions.get(one.name) if one else None
+        if one and known and (one.parameters or known.parameters):
+            self.undefine(one.name)
         understood = not said.ops or found.conditional
         if len(said.ops) == 1 and said.ops[0] in ("=", ":="):
             if self.defined_in_line(said, found):

@@ -43,7 +43,7 @@ STRANGE = frozenset(
     (
         *("\\propto", "\\cong", "\\subset", "\\subseteq", "\\gtrsim", "\\lesssim", "\\asymp"),
         *("\\perp", "\\parallel", "\\notin", "\\longrightarrow", "\\xrightarrow"),
-        *("\\mapsto", "\\longmapsto"),
+        *("\\mapsto", "\\longmapsto", "\\questioned"),
     )
 )
 """Relations that are told apart, and not read."""
@@ -71,8 +71,17 @@ _DROPPED = re.compile(
 )
 _SET = re.compile(r"(?<![_^}\]\s])\s*\{\s*(\\mathbb\s*(?:\{\s*[A-Z]\s*\}|[A-Z]))\s*\}")
 _THOUSANDS = re.compile(
-    r"(?<![\d.,}])\d{1,3}(?:(?:(?:,|\{,\}|\\,)\d{3}){2,}|(?:\{,\}|\\,)\d{3})(?!,?\d)"
+    r"(?<![\d.,}])\d{1,3}(?:(?:(?:,|\{,\}|\\,)\d{3}){2,}|(?:\{,\}|\\,)\d{3}|,\d{3}(?=\.\d))"
+    r"(?!,?\d)"
 )
+_ONE_COMMA = re.compile(r"(?<![\d.,}_{])(\d{1,3}),(\d{3})(?![\d,.]*\d)")
+_REPEATING = re.compile(r"(?<![\d.])(\d+)\.(\d*)\\(?:overline|bar)\s*\{?(\d+)\}?")
+_BRACED_ARRAY = re.compile(
+    r"(?<==)\s*\\left\s*\\\{\s*\\begin\{array\}\s*\{[^{}]*\}((?:(?!\\begin).)*?)\\end\{array\}"
+    r"\s*\\right\s*\.",
+    re.DOTALL,
+)
+"""Cases that are set as an array behind a brace."""
 """Digits in groups: 36,000,000. One group alone after a bare comma, 1,000, may be a decimal."""
 _BRACE = re.compile(r"\\(?:under|over)brace(?![a-zA-Z])")
 _BETWEEN = re.compile(r"\\(?:short)?intertext\s*\{((?:[^{}]|\{[^{}]*\})*)\}")
@@ -197,6 +206,9 @@ def _prepared(text: str, words: list[str]) -> str:
     text = _DROPPED.sub(" ", text)
     text = _SET.sub(r" \1 ", text)
     text = _THOUSANDS.sub(lambda m: re.sub(r"\{?,\}?|\\,", "", m[0]), text)
+    text = _ONE_COMMA.sub(r"{\1{,}\2}", text)
+    text = _REPEATING.sub(_repeating, text)
+    text = _BRACED_ARRAY.sub(r"\\begin{cases} \1 \\end{cases}", text)
     text = re.sub(r"\\boxed(?![a-zA-Z])", " ", text)
     text = _without_braces_under(text)
     text = _INTEGER.sub(lambda m: rf"\text{{for }} {m[3]} \in {_set(m[1] or m[2] or '')}", text)
@@ -205,13 +217,28 @@ def _prepared(text: str, words: list[str]) -> str:
         r"\\q?quad(?![a-zA-Z])|\\enspace(?![a-zA-Z])", f" {GAP} ".replace("\\", r"\\"), text
     )
     text = re.sub(r"\\(?:triangleq|coloneq|doteq|eqdef|defeq)(?![a-zA-Z])|:\s*=", ":=", text)
-    text = _DEFINED.sub(lambda m: ":=" if re.search("def|triangle|Delta", m[1]) else "=", text)
+    text = _DEFINED.sub(_relation_under, text)
     text = re.sub(
         r"\\forall(?![a-zA-Z])", rf"{AND} {FORALL} {CONDITION} ".replace("\\", r"\\"), text
     )
     text = re.sub(r"\\colon(?![a-zA-Z])", " ", text)
     text = re.sub(r"\\(?:dots|dotsc|cdots|dotsb)(?![a-zA-Z])", r"\\ldots ", text)
     return _TEXT.sub(lambda m: _spoken(m, words), text)
+
+
+def _repeating(found: re.Match[str]) -> str:
+    """A decimal whose last digits repeat, as a fraction."""
+    places, period = found[2], found[3]
+    nines = 10 ** len(places) * (10 ** len(period) - 1)
+    above = int(found[1] + places + period) - int(found[1] + places)
+    return rf"\frac{{{above}}}{{{nines}}}"
+
+
+def _relation_under(found: re.Match[str]) -> str:
+    """An equality sign with something over it: a definition, a question, or the sign alone."""
+    if re.search(r"[?!]", found[1]):
+        return r" \questioned "
+    return ":=" if re.search("def|triangle|Delta", found[1]) else "="
 
 
 _SETS = {"": "Z", "positive": "N", "nonnegative": "N0", "non-negative": "N0"}

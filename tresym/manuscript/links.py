@@ -468,6 +468,8 @@ class _Reading:
         """A term, or why it is not read."""
         if "hot" in tokens:
             return "how small the terms of higher order are is not said"
+        if any(tuple(tokens[n : n + 3]) == ("{", ",", "}") for n in range(len(tokens))):
+            return "a number with one comma, as 1,000, may be a decimal or a list"
         if WORDS in tokens:
             return f"the words {(said.words or ('in it',))[0]!a} are not read"
         try:

@@ -93,6 +93,12 @@ _PIECE = re.compile(
     r"|(?:only )?(?:for|if|when|whenever|on|in)\b[^.;$]{0,40}"
     r"\$[^$]*(?:[<>=,\[]|\\(?:[lg]eq?|neq?)(?![a-z])))"
 )
+_INTRODUCED = re.compile(
+    r"\b(?:let|consider|given|suppose(?: that)?|for|an?|any|every|each|two|some|another"
+    r"|(?:let|consider|given|suppose|for) the)(?:[\s~]+(?:\w+[\s~]+){0,2}(?:functions?|curves?"
+    r"|sequences?|series))?[\s~]*\Z",
+    re.IGNORECASE,
+)
 _NEITHER = re.compile(r"\b(?:neither|nor|not|no)[\s~]*\Z", re.IGNORECASE)
 _SYMBOL = r"(?:\\[a-zA-Z]+|[a-zA-Z])(?:_\w)?"
 _SYMBOLS = re.compile(rf"\s*{_SYMBOL}(?:\s*,\s*{_SYMBOL})*\s*")
@@ -155,6 +161,7 @@ class Inline(NamedTuple):
         conditional: it says when something else holds ("if $a = b$").
         piece: it is said of some arguments alone ("$f(t) = t$ for $t < 0$").
         last: it stands in the last sentence.
+        introduced: it names what is spoken of from here on ("Let $f(x)$ be").
     """
 
     tex: str
@@ -170,6 +177,7 @@ class Inline(NamedTuple):
     conditional: bool = False
     piece: bool = False
     last: bool = False
+    introduced: bool = False
 
 
 def kind_of(before: str) -> str:
@@ -279,6 +287,7 @@ def inline(text: str) -> Iterator[Inline]:
                 conditional=conditional,
                 piece=bool(_PIECE.match(rest[:120])),
                 last=number == len(sentences) - 1,
+                introduced=alone and bool(_INTRODUCED.search(words)),
             )
             start, carried = found.end(), marks
 
