@@ -25,9 +25,9 @@ from tresym.reals.language.expression import LEAVES, Expr, symbols
 from tresym.reals.language.parsing import INFINITY
 from tresym.reals.numbers.arithmetic import ball_precision
 
-DISTANCES = (10**3000, 10**300, 10**30, 4000, 1000, 250, 60, 14, 5, 3, 2)
+DISTANCES = (10**3000, 10**300, 10**30, 4000, 1500, 500, 250, 60, 14, 5, 3, 2)
 """Binary orders of the distances from the end (of x at infinity), the farthest first."""
-FINE = 250
+FINE = 500
 """Up to this order the phases of waves are looked at."""
 WHOLE = (14, 9, 6)
 """The orders for a path through the integers."""
@@ -38,7 +38,7 @@ SPREAD, STEPS = 28, 26
 STARTS = 3
 """From how many of the largest values smaller steps are taken."""
 TINY = arb((1, -40))
-SLOWEST = arb("0.1")
+SLOWEST, SLOW = arb("0.1"), 20
 LAST, POLE = 12, 1000
 """By what a value grows in the last of the steps, each a third of the one before, beside a pole."""
 SHRINKS, GROWS = arb("0.9"), arb("1.05")
@@ -135,7 +135,7 @@ class _Distance:
         self.ray, self.names, self.waves = ray, sorted(ray.at), waves
         self.bits = min(8 * order + 400, MOST_BITS)
         self.fixed = [arb(ray.at[name]) for name in self.names]
-        self.start = arb((149, order - 7))  # no special phase
+        self.start = (arb((149, order - 7)) + arb(61) / 257).mid()  # no special phase
         sides = [e for e in _sides(ray.claim) if e not in (INFINITY, -INFINITY)]
         with ball_precision(self.bits):
             self.values = self._program(sides)
@@ -176,7 +176,9 @@ class _Distance:
         known.sort(key=lambda item: _least(item[0]), reverse=True)
         best, pole = known[0][0], not known[0][0].is_finite()
         for size, where in _apart(known, width) if width is not None and not pole else []:
-            found, pole = self._improved(size, where, width)
+            near = width * (where / self.start).max(arb(1))
+            found, pole = self._improved(size, where, near)
+            pole = pole and bool(_least(found) > _least(known[0][0]) * POLE)
             best = found if pole or _least(found) > _least(best) else best
             if pole:
                 break
@@ -224,6 +226,9 @@ class _Distance:
             period = 2 * arb.pi() / slope
             places += [(u + period * arb(k) / SPREAD).mid() for k in range(1, SPREAD)]
             places += [(u + period * k * arb("1.379")).mid() for k in range(1, SPREAD)]
+            if slope * u < SLOW:  # of a logarithm: it oscillates in log u
+                turn = 2 * arb.pi() / (slope * u)
+                places += [(u * (turn * k / SPREAD).exp()).mid() for k in range(1, SPREAD + 1)]
             width = period / SPREAD
             least = width if least is None or width < least else least
         return places, least

@@ -19,14 +19,13 @@ from flint import arb, fmpq
 
 from tresym.reals.decisions.answer import Answer, Decide, exact_text, worst
 from tresym.reals.decisions.asymptotics.leading_terms import leading_sign, sign_towards
-from tresym.reals.decisions.asymptotics.limit_values import limit_of
+from tresym.reals.decisions.asymptotics.limit_values import limit_of, stays_bounded
 from tresym.reals.decisions.asymptotics.order_claims import decide_order, region
 from tresym.reals.decisions.claim_parsing import LIMIT, Comparison, Path, Statement
 from tresym.reals.decisions.derivative_domains import where_real
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.inequalities_on_regions import is_isolated
 from tresym.reals.decisions.integer_variables import (
-    alternates,
     decide_whole,
     period_of,
     residue_of,
@@ -223,15 +222,38 @@ def _among_integers(claim: Comparison, path: Path, statement: Statement, decided
     given = with_integer_bounds(statement.given, statement.integers)
     statement = replace(statement, given=given)
     names = sorted({*_parameters(claim, path), *given.names})
-    if not alternates(claim, statement) and simple_points(names, given, 1, statement.integers):
-
-        def same(left: Expr, right: Expr) -> bool:
-            return bool(decided(Comparison(left, "==", right), replace(statement, path=None)))
-
-        exact = _by_exact_limit(claim, path, given, same)
+    if simple_points(names, given, 1, statement.integers):
+        exact = _by_residues(claim, statement, decided)
         if exact is not None:
             return exact
     return decide_whole(claim, statement, decided)
+
+
+def _by_residues(claim: Comparison, statement: Statement, decided: Decide) -> Answer | None:
+    """The claim by exact limits, for every residue of the parameters that are integers."""
+    trees = [e for e in (claim.left, claim.right) if e not in (INFINITY, -INFINITY)]
+    trees += [*claim.differentiated, *statement.said]
+    names = [n for n in statement.integers if any(n in symbols(e) for e in trees)]
+    periods = [period_of(trees, name, statement.given) for name in names]
+    if None in periods:
+        return None
+    whole = [period for period in periods if period is not None]
+    found = None
+    for rest in islice(product(*map(range, whole)), MOST_ENDS + 1):
+        parts = zip(names, whole, rest, strict=True)
+        at = {n: number(p) * symbol(n) + number(r) for n, p, r in parts if p > 1}
+        given = statement.given.mapped(partial(substitute, mapping=at))
+        change = partial(residue_of, at=at, names=names, given=given)
+        inside = replace(statement.mapped(change), given=given)
+        assert inside.path is not None
+
+        def same(left: Expr, right: Expr, there: Statement = inside) -> bool:
+            return bool(decided(Comparison(left, "==", right), replace(there, path=None)))
+
+        found = _by_exact_limit(claim.mapped(change), inside.path, given, same)
+        if found is None:
+            return None
+    return found
 
 
 def _through_integers(
@@ -319,6 +341,9 @@ def _by_exact_limit(
     found = [limit_of(compared, path.name, path.point, side, given) for side in path.sides]
     values = [value for value in found if value is not None]
     if len(values) < len(found):
+        ends = ((compared, path.name, path.point, side, given) for side in path.sides)
+        if relation == "O" and all(stays_bounded(*end) for end in ends):
+            return Answer(Verdict.PROVED, "the ratio is bounded by that of its waves")
         return None
     if not all(allows(relation, v, right, given, same) for v in values):
         return None
