@@ -224,6 +224,8 @@ def _reduced(
         if squared:
             yield kind, raised(f, fmpq(2)), raised(g, fmpq(2)), ratio**2, True
         above, below = _polynomials_in_waves(f**2 / g**2 if squared else f / g, found)
+        if any(found.scale.elements(node) for e in (above, below) for node in _nodes(e, "tan")):
+            continue  # it is expanded as sine and cosine alone
         yield kind, above, below, ratio**2 if squared else ratio, squared
 
 

@@ -26,6 +26,7 @@ from tresym.reals.decisions.derivative_domains import where_real
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.inequalities_on_regions import is_isolated
 from tresym.reals.decisions.integer_variables import (
+    PERIODIC,
     decide_whole,
     period_of,
     residue_of,
@@ -34,7 +35,7 @@ from tresym.reals.decisions.integer_variables import (
 from tresym.reals.decisions.readable_witnesses import simple_points
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate, stands
-from tresym.reals.domain.operation_domains import needs
+from tresym.reals.domain.operation_domains import needs, operations
 from tresym.reals.domain.sample_points import corners
 from tresym.reals.language.expression import (
     LEAVES,
@@ -63,7 +64,7 @@ PARAMETERS = 6
 """Values of the parameters at which a refutation is looked for."""
 FAR = (1, 10, 1000)
 """From where on an inequality is asked."""
-PERIODIC = 12
+PERIOD_POINTS = 12
 MOST_ENDS = 40
 """Corners of the parameters' ranges that are looked at."""
 MOST_SPLIT = 2
@@ -288,7 +289,7 @@ def _through_integers(
 
 def _at_integers(found: Answer, claim: Comparison, path: Path, period: int, rest: int) -> Answer:
     """The refutation of a residue as one at integers; UNDECIDED if it is one at a phase."""
-    if _waves(claim.left, path.name) or _waves(claim.right, path.name):
+    if any(node.op in PERIODIC for node in operations((claim.left, claim.right))):
         return Answer(Verdict.UNDECIDED, f"open for integers; of real values, {found.why}")
     witness = dict(found.witness or {})
     value = witness.get(path.name, "")
@@ -461,7 +462,7 @@ def _periodic_failure(difference: Expr, relation: str, path: Path) -> Answer | N
             return None
         if decide(e, substitute(e, {"_u": u + 2 * PI})).verdict is not Verdict.PROVED:
             continue
-        for at in (fmpq(2 * n + 1, 4) for n in range(PERIODIC)):
+        for at in (fmpq(2 * n + 1, 4) for n in range(PERIOD_POINTS)):
             with ball_precision(PATH_BITS):
                 value = evaluate(e, {"_u": at})
                 if value.is_finite() and stands(value, NEGATED[relation]):
