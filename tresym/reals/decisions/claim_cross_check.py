@@ -9,16 +9,32 @@ from flint import arb
 
 from tresym.reals.cross_check import conditions, contradiction, program, said, where
 from tresym.reals.decisions.answer import Answer
-from tresym.reals.decisions.claim_parsing import LIMIT, Comparison, Path, Statement
-from tresym.reals.decisions.claim_parsing import functions as unknown
+from tresym.reals.decisions.claim_parsing import (
+    LIMIT,
+    Comparison,
+    Path,
+    Statement,
+    implied_integers,
+)
 from tresym.reals.language.binders import is_infinite, outermost
-from tresym.reals.language.expression import DOTS, symbols
+from tresym.reals.language.expression import (
+    DOTS,
+    Expr,
+    differentiate,
+    instantiate,
+    integer,
+    number,
+    replaced,
+    substitute,
+    symbols,
+)
 from tresym.reals.language.parsing import INFINITY
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import parse_number
 from tresym.reals.verdict import Verdict
 
 BITS, NEAR_BITS = 512, 12_000
+ORDERS_TRIED = 4
 SMALL, LESS = arb((1, -4)), arb("0.9")
 NEARER = (100, 4000, 10**300)
 HALVINGS = (0, 1, 2, 3, 5, 8, 13, 21, 34, 55)
@@ -26,12 +42,17 @@ HALVINGS = (0, 1, 2, 3, 5, 8, 13, 21, 34, 55)
 
 
 def attack(
-    comparison: Comparison, statement: Statement, answer: Answer, spent: float
+    comparison: Comparison,
+    statement: Statement,
+    answer: Answer,
+    spent: float,
+    anywhere: bool = False,
 ) -> str | None:
     """What contradicts a comparison that is about to pass, in words, or None.
 
     Args:
         spent: seconds that its decision took.
+        anywhere: whether bases of powers need not be positive where an exponent is a variable.
     """
     functions, derivatives = comparison.differentiated, comparison.derivatives
     if any(map(is_infinite, outermost(comparison.left, comparison.right))):
@@ -41,17 +62,38 @@ def attack(
         ranged = answer.verdict is Verdict.ENCLOSED
         return against or _attack_limit(comparison, statement, statement.path, ranged)
     claim = (comparison.left, comparison.relation, comparison.right)
-    said = (*claim[::2], *(side for link in statement.given.comparisons for side in link[::2]))
-    dotted = any(DOTS.args[0] in symbols(e) for e in claim[::2])
-    if any(node.op == "nth" for node in outermost(*claim[::2])):
-        return None  # its induction was attacked itself
-    if dotted or statement.equations or any(next(unknown(e), None) is not None for e in said):
-        return None  # its cases, without equations and such functions, were attacked themselves
-    totals = [node for node in outermost(*claim[::2]) if node.op in ("sum", "product")]
-    counted = {*statement.integers}.union(*(symbols(node.args[2]) for node in totals))
-    return contradiction(
-        claim, statement.given.comparisons, functions, derivatives, spent, sorted(counted)
-    )
+    if any(DOTS.args[0] in symbols(e) for e in claim[::2]):
+        return None  # its cases were attacked themselves
+    equations = tuple((x, "==", y) for x, y in statement.equations)
+    given = (*statement.given.comparisons, *equations)
+    trees = (*claim[::2], *statement.said)
+    integers = implied_integers(trees, statement.integers)
+    orders = {
+        node.args[2] for node in outermost(comparison.left, comparison.right) if node.op == "nth"
+    }
+    if not orders:
+        return contradiction(claim, given, functions, derivatives, spent, integers, anywhere)
+    for k in range(ORDERS_TRIED):
+        put = {str(order): number(k) for order in orders}
+        left, right = (_with_orders(e, put) for e in claim[::2])
+        there = [(substitute(x, put), r, substitute(y, put)) for x, r, y in given]
+        against = contradiction((left, claim[1], right), there, spent=spent, integers=integers)
+        if against is not None:
+            return f"{against}, where {', '.join(put)} = {k}"
+    return None
+
+
+def _with_orders(e: Expr, put: dict[str, Expr]) -> Expr:
+    """``e`` with derivatives whose orders are numbers worked out."""
+    e = substitute(e, put)
+    known = {}
+    for node in outermost(e):
+        order = integer(node.args[2]) if node.op == "nth" else None
+        if order is not None:
+            known[node] = instantiate(node.args[0], (node.args[1],))
+            for _ in range(order):
+                known[node] = differentiate(known[node], str(node.args[1]))
+    return replaced(e, known)
 
 
 def _attack_order(claim: Comparison, path: Path | None, answer: Answer) -> str | None:
@@ -90,7 +132,8 @@ def _attack_limit(claim: Comparison, statement: Statement, path: Path, ranged: b
     names = sorted(set().union(*map(symbols, needed)) - {path.name})
     with ball_precision(NEAR_BITS):
         value = program(needed, [*names, path.name])
-        holds = conditions(names, statement.given.comparisons)
+        equations = tuple((x, "==", y) for x, y in statement.equations)
+        holds = conditions(names, (*statement.given.comparisons, *equations))
         for at in ([arb(k + n) for n in range(len(names))] for k in (1, -2, 3)):
             if not holds(at):
                 continue
