@@ -1,4 +1,4 @@
-"""The ``tresym`` command: one file a command, with its parser, what it runs and what it prints.
+"""The ``tresym`` command line: each command has a module with its parser, action and output.
 
 Exit status: 0 as expected; 1 a verdict unexpected or undecided; 2 bad input, with one line on
 standard error; 130 interrupted; 141 the reader of a pipe left before the answer was known.

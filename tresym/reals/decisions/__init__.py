@@ -1,4 +1,4 @@
-"""A user's own claims: identities, inequalities and orders, decided soundly.
+"""Decide a user's claims: one decision method for each kind of statement.
 
 :func:`check` decides one claim in this process; :mod:`tresym.reals.decisions.time_limited`
 many, each within a limit of time.

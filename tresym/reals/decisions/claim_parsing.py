@@ -660,7 +660,10 @@ def _checked(statement: Statement) -> Statement:
         raise InputError(
             "a path belongs to O, o, ~, -> and inequalities; of an equation write its conditions"
         )
-    said = [*statement.given.names, *statement.integers]
+    whole = path.name in statement.integers and path.point is not None
+    if whole:
+        raise InputError(f"an integer {path.name} tends to oo or -oo alone")
+    said = [*statement.given.names]
     said += [name for sides in statement.equations for e in sides for name in symbols(e)]
     if path.name in said:
         raise InputError(f"no condition speaks of {path.name}: the path says where the claim holds")

@@ -102,6 +102,10 @@ def _bounded(comparison: Comparison, statement: Statement) -> Answer:
         answer = _decide(comparison, statement)
     except InputError as error:
         return Answer(Verdict.UNDECIDED, f"an expression on the way grew too large: {error}")
+    if answer.verdict is Verdict.REFUTED and statement.path is not None:
+        from tresym.reals.decisions.asymptotics.refutation_check import checked
+
+        return checked(answer, comparison, statement)
     if not answer:
         return answer
     spent = time.perf_counter() - start
@@ -176,6 +180,10 @@ def _door(comparison: Comparison, statement: Statement) -> Door | None:
             return decide_whole
     if statement.equations:
         return decide_under_equations
+    if "integral" in nodes and statement.path is not None:
+        from tresym.reals.decisions.asymptotics.integral_limits import decide_integral_limits
+
+        return decide_integral_limits
     if "integral" in nodes:
         from tresym.reals.decisions.integrals import decide_integrals
 

@@ -54,6 +54,7 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
+from tresym.reals.language.formula import NEGATED
 from tresym.reals.language.like_terms import collected
 from tresym.reals.language.parsing import INFINITY
 from tresym.reals.language.solve import solutions
@@ -119,6 +120,18 @@ def decide_integrals(claim: Comparison, statement: Statement, decided: Decide) -
     return replace(answer, why=f"{said}; {answer.why}")
 
 
+def without_integrals(
+    sides: Iterable[Expr], given: Given, primitives: tuple[Expr, ...]
+) -> tuple[list[Expr], str] | None:
+    """The sides with the values of their integrals, and what was shown; None where that is open."""
+    work = _Work([], primitives)
+    try:
+        found = [_without(side, given, work) for side in sides]
+    except (_OpenError, InputError):
+        return None
+    return found, "; ".join(dict.fromkeys(work.notes))
+
+
 def _where_defined(claim: Comparison, given: Given) -> Given:
     """The conditions, and that what stands beside the integrals is defined."""
     marks = {node: symbol(f"[{node}]") for node in outermost(claim.left, claim.right)}
@@ -145,8 +158,8 @@ def _infinite(relation: str, sides: list[Expr], said: str, points: list[dict[str
 def _at_parameters(claim: Comparison, statement: Statement, decided: Decide) -> Answer | None:
     """A refutation at simple values of the parameters, each integral worked out there."""
     names = _parameters(claim)
-    if not names or claim.derivatives:
-        return None
+    if not names or claim.derivatives or claim.relation not in NEGATED:
+        return None  # the variable of a path is no parameter
     for at in simple_points(names, statement.given, PARAMETERS, statement.integers):
         put_in = partial(substitute, mapping={name: number(value) for name, value in at.items()})
         fixed = replace(statement.mapped(put_in), given=Given(), integers=())
@@ -264,6 +277,8 @@ def _between(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Wor
     """∫ f from ``low`` to ``high``, which is greater under ``given``."""
     inside = given & _inside(name, low, high)
     f = _without(f, inside, work)
+    if not elementary(f):
+        raise _OpenError(f"integral of {f}: a sum or a limit in it is not worked out")
     for root, size in _roots_of_squares(f, inside):
         f = replaced(f, {root: size})
         work.notes.append(f"{root} is {size}")
@@ -508,6 +523,7 @@ def _by_quadrature(claim: Comparison, statement: Statement) -> Answer | None:
     if (
         any(INFINITY.args[0] in symbols(side) for side in sides)
         or claim.derivatives
+        or claim.relation not in NEGATED
         or not all(elementary(*n.args) for n in nodes)
     ):
         return None
