@@ -235,7 +235,7 @@ def _looked_at(
                 continue
             witness = {n: str(value)} | dict(found.witness or {})
             return replace(found, why=f"at {n} = {value}: {found.why}", witness=witness)
-        seen = seen or bool(found)
+        seen = seen or (bool(found) and not _has_no_term(claim, n, value))
     if empty:
         why = f"it fails of a sum without a term: say from which {n} on it is claimed"
         return Answer(Verdict.UNDECIDED, why)
