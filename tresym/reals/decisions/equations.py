@@ -29,6 +29,7 @@ from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate, stands
 from tresym.reals.domain.newton import points_on
 from tresym.reals.domain.operation_domains import bound, needs, operations
+from tresym.reals.language.binders import elementary
 from tresym.reals.language.expression import (
     ONE,
     ZERO,
@@ -287,7 +288,7 @@ def _by_cases(
             sides, inside = _put_in(claim, rest, case, known)
         except InputError as error:
             return Answer(Verdict.UNDECIDED, f"an expression on the way grew too large: {error}")
-        if _is_empty(inside.given):
+        if is_empty(inside.given):
             continue
         found = decided(sides, inside)
         if found == NO_POINT:
@@ -328,10 +329,11 @@ def _put_in(
     )
 
 
-def _is_empty(given: Given) -> bool:
+def is_empty(given: Given) -> bool:
     """Whether a condition is shown to fail wherever the others hold."""
-    for n, (left, relation, right) in enumerate(given.comparisons):
-        others = Given(given.comparisons[:n] + given.comparisons[n + 1 :])
+    links = [link for link in given.comparisons if elementary(*link[::2])]
+    for n, (left, relation, right) in enumerate(links):
+        others = Given((*links[:n], *links[n + 1 :]))
         if symbols(left) | symbols(right):
             against = NEGATED[relation]
             wanted = {"==": "0"}.get(against)
