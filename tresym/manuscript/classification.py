@@ -64,6 +64,7 @@ class Link:
         firm: whether a refutation counts; else the link is then ``otherwise``.
         same: whether the same variables stand on both sides.
         unknown: whether there is a function in it that is left unknown.
+        second: the same link in the other of two readings.
     """
 
     display: Display
@@ -78,6 +79,7 @@ class Link:
     same: bool = False
     unknown: bool = False
     shown: str = field(default="", repr=False)
+    second: Link | None = None
 
 
 def claim(

@@ -10,6 +10,7 @@ from typing import TypeAlias
 from tresym.manuscript import prose
 from tresym.manuscript.directives import Orders
 from tresym.manuscript.display import STRANGE, Said, statements
+from tresym.manuscript.kinds import Uses
 from tresym.manuscript.source import Scope
 from tresym.manuscript.terms import Head, head_of, is_plain, read_term
 from tresym.reals.domain.evaluation import evaluate
@@ -101,6 +102,7 @@ class Memory:
         labels: what displays say, by their labels and numbers.
         ahead: what is defined further on in the display.
         by: the one variable by which a chain integrates, if it is one.
+        uses: what the names of the display are elsewhere.
         seen: names that stood in a display before.
         recent: what was defined in this section; before it a letter may have been another.
         primes: whether primes make other symbols, as where there is a time t', and no derivatives.
@@ -127,6 +129,7 @@ class Memory:
         self.called = frozenset(
             head.name for m in _CALLED.finditer(text) if (head := self.head(tokenize(m[1])))
         )
+        self.uses = Uses()
         self.seen: set[str] = set()
         self.told: dict[str, Expr] = {}
         self.where: dict[str, tuple[Compared, ...]] = {}
@@ -145,7 +148,11 @@ class Memory:
             longer=self.longer,
             letter_e=self.letter_e,
             letter_delta=self.letter_delta,
-            called=self.called,
+            called=self.called | self.uses.functions,
+            applied=self.uses.applied,
+            bare=self.uses.bare,
+            numbers=self.uses.numbers,
+            sequences=self.uses.sequences,
             variable=self.by,
         )
 

@@ -55,7 +55,9 @@ def decided(
     progress: Callable[[int, int], None] = lambda done, total: None,
 ) -> list[Row]:
     """A row for each link; each claim is asked for at most ``limit`` seconds."""
+    asked = [*links, *(link.second for link in links if link.second is not None)]
     answers: dict[int, list[Answer | InputError]] = {}
+    links, given = asked, links
     open_ = [n for n, link in enumerate(links) if link.claims]
     total, done, attempt = len(open_), 0, 0
     while open_:
@@ -73,7 +75,37 @@ def decided(
                 done += 1
             progress(done, total)
         open_, attempt = again, attempt + 1
-    return [_row(link, answers.get(n, [])) for n, link in enumerate(links)]
+    rows = [_row(link, answers.get(n, [])) for n, link in enumerate(links)]
+    others = iter(
+        zip(rows[len(given) :], list(answers.get(n, []) for n in range(len(given), len(links))))
+    )
+    return [
+        row if link.second is None else _of_both((row, answers.get(n, [])), next(others))
+        for n, (link, row) in enumerate(zip(given, rows[: len(given)], strict=True))
+    ]
+
+
+def _of_both(
+    first: tuple[Row, list[Answer | InputError]], second: tuple[Row, list[Answer | InputError]]
+) -> Row:
+    """The row of a link that can be read in two ways: a status where both have it, else UNREAD."""
+    (one, _), (other, _) = first, second
+    passes = (Verdict.PROVED.value, Verdict.ENCLOSED.value)
+    if one.status in passes and other.status in passes:
+        weaker = max((one, other), key=lambda row: passes.index(row.status))
+        both = f"in both readings of print, {one.link.read_as} and {other.link.read_as}"
+        return replace(weaker, why=f"{weaker.why}; {both}")
+    told = " and ".join(
+        f"{row.link.read_as} is {_verdict(found)}" for row, found in (first, second)
+    )
+    return replace(one, status=UNREAD, why=f"two readings remain: {told}", witness=None)
+
+
+def _verdict(answers: list[Answer | InputError]) -> str:
+    """The best verdict of several attempts at one reading."""
+    read = [answer for answer in answers if isinstance(answer, Answer)]
+    best = next((answer for answer in read if answer), read[0] if read else None)
+    return best.verdict.value if best is not None else "not read"
 
 
 def _row(link: Link, answers: list[Answer | InputError]) -> Row:

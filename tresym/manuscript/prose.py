@@ -33,7 +33,7 @@ _NAMED = re.compile(
     re.IGNORECASE,
 )
 """What a formula behind it is the value of: "the energy $E = mc^2$"."""
-_INLINE = re.compile(r"(?<!\\)\$([^$]+)\$|\\\((.+?)\\\)", re.DOTALL)
+INLINE = re.compile(r"(?<!\\)\$([^$]+)\$|\\\((.+?)\\\)", re.DOTALL)
 _SENTENCE = re.compile(r"(?<=[a-z)}$])[.!?](?=\s+[A-Z\\$])|\n\s*\n|\\par(?![a-zA-Z])")
 _LASTING = re.compile(
     r"\b(?:let|suppose|assume|assuming|throughout|consider|restrict\w*|take)\b[^.$]*$",
@@ -144,7 +144,7 @@ class Inline(NamedTuple):
 
 def kind_of(before: str) -> str:
     """What the sentence before a display calls it: the word that stands last decides."""
-    words = _BY.sub(" ", _INLINE.sub(" ", last_sentence(before)).lower())
+    words = _BY.sub(" ", INLINE.sub(" ", last_sentence(before)).lower())
     found = [(m.end(), kind) for kind, pattern in _KIND for m in pattern.finditer(words)]
     return max(found)[1] if found else ""
 
@@ -179,7 +179,7 @@ def is_universal(before: str, after: str) -> bool:
     """Whether the sentence before a display says for which values it is claimed, and nothing else:
     "If $x > 0$, then", "For real $a$ and $b$". It may end in a condition behind the display, and in
     nothing else: what "has a root" is an equation."""
-    words = _INLINE.sub(" ", last_sentence(before)).lower()
+    words = INLINE.sub(" ", last_sentence(before)).lower()
     rest = first_sentence(after)
     return (not rest or bool(_CONDITION.match(rest))) and bool(
         _SAID_OF.fullmatch(words) and re.search(r"\b(?:for|if|when|whenever)\b", words)
@@ -205,7 +205,7 @@ def inline(text: str) -> Iterator[Inline]:
     """The formulas in the lines of a text, sentence by sentence."""
     for sentence in _SENTENCE.split(text):
         start, carried, anew = 0, (False, False, False, False), False
-        for found in _INLINE.finditer(sentence):
+        for found in INLINE.finditer(sentence):
             words = sentence[start : found.start()]
             if start and re.fullmatch(r"[\s,~]*(?:and|or)?[\s,~]*", words):
                 marks = carried

@@ -78,9 +78,14 @@ class Note(NamedTuple):
 
 
 class Section(NamedTuple):
-    """A heading: conditions of the section before it are forgotten."""
+    """A heading: conditions of the section before it are forgotten.
+
+    Attributes:
+        level: ``chapter``, ``section`` and so on.
+    """
 
     line: int
+    level: str = ""
 
 
 class Scope(NamedTuple):
@@ -95,9 +100,11 @@ class Scope(NamedTuple):
 
 
 class Prose(NamedTuple):
-    """What stands between displays."""
+    """What stands between displays, and where it begins."""
 
     text: str
+    file: str = ""
+    line: int = 0
 
 
 @dataclass(frozen=True)
@@ -310,7 +317,7 @@ class _Scanner:
                 if mark["note"]:
                     yield self.source.notes[int(mark["note"])]
                     continue
-                yield Section(self.source.place(at)[1])
+                yield Section(self.source.place(at)[1], mark["section"].lstrip("\\"))
                 if (title := _TITLE.match(self.text, at, stop)) is not None:
                     prose = at = title.end()
             elif kind in DISPLAYS or kind in ("brackets", "dollars"):
@@ -346,11 +353,14 @@ class _Scanner:
         return end + 1 if 0 <= end < at + MAX_DISPLAY else at
 
     def prose(self, start: int, stop: int) -> Prose:
-        text = self.text[max(start, stop - MAX_DISPLAY) : stop]
+        start = max(start, stop - MAX_DISPLAY)
+        text = self.text[start:stop]
+        file, line = self.source.place(min(start, len(self.text) - 1)) if self.text else ("", 0)
         try:
-            return Prose(written_out(text, self.macros) if len(text) < MAX_DISPLAY else text)
+            text = written_out(text, self.macros) if len(text) < MAX_DISPLAY else text
         except InputError:
-            return Prose(text)
+            pass
+        return Prose(text, file, line)
 
     def display(self, kind: str, start: int, at: int, stop: int) -> tuple[Display, int]:
         """The display whose text begins at ``at``, and where to go on."""
