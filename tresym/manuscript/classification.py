@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
@@ -28,7 +28,7 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.language.latex_operands import Piece
-from tresym.reals.language.parsing import INFINITY, Compared
+from tresym.reals.language.parsing import INFINITY, UNKNOWN, Compared
 from tresym.reals.numbers.exact import InputError, parse_number
 
 DEFINED, ASSUMED, EQUATION, UNREAD = "DEFINED", "ASSUMED", "EQUATION", "UNREAD"
@@ -97,7 +97,9 @@ def claim(
     left, relation, right = compared
     try:
         known = memory.known(under)
-        left, right = memory.under_binders(left, known), memory.under_binders(right, known)
+        constants = memory.uses.numbers | names_in(under.given)
+        left = memory.under_binders(left, known, constants)
+        right = memory.under_binders(right, known, constants)
     except InputError as error:
         return replace(read_so(link, compared), status=UNREAD, why=str(error))
     if signed and said.either and relation != "==":
@@ -208,12 +210,22 @@ def _attempts(
             given = [c for c in given if end not in names_in((c,))]  # where it holds, the path says
             shown = chained(about(symbols(one) | symbols(other), given))
             text = f"{one} {relation} {other}" + (f" given {shown}" if shown else "") + as_path
+            text = _with_functions_named(text, unknown_in(one, other))
             how = "; ".join(filter(None, (how, EARLIER if more else "")))
             may_fail = not how.startswith((TOLD, WHERE))
             said = f"{left} {relation} {right} given {shown}" if how.startswith(WHERE) else said_so
             attempts.setdefault(text, Attempt(text, how, said, may_fail))
             same = same or (may_fail and not (symbols(one) ^ symbols(other)) - free)
     return tuple(sorted(attempts.values(), key=lambda attempt: not attempt.may_fail)), same
+
+
+def _with_functions_named(text: str, names: Iterable[str]) -> str:
+    """The claim with names for unknown functions by which the grammar of text knows them."""
+    for name in names:
+        alone = re.search(rf"\b{name}\b(?!\s*\()", text)
+        if alone or not UNKNOWN.fullmatch(name):
+            text = re.sub(rf"\b{name}\s*\(", f"fn_{name}(", text)
+    return text
 
 
 def _by_one_variable(left: Expr, right: Expr, known: Mapping[str, Expr]) -> tuple[Expr, Expr]:

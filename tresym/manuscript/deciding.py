@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -120,8 +121,10 @@ def _row(link: Link, answers: list[Answer | InputError]) -> Row:
     how = asked.how
     if last:
         link = replace(link, read_as=asked.read_as)
-    why = f"{last.why}; {how}" if how else last.why
-    witness = dict(last.witness) if last.witness is not None else None
+    why = re.sub(r"\bfn_", "", f"{last.why}; {how}" if how else last.why)
+    witness = None
+    if last.witness is not None:
+        witness = {name.removeprefix("fn_"): value for name, value in last.witness.items()}
     row = Row(link, last.verdict.value, why, witness, last.given, seconds)
     if last:
         return row

@@ -18,7 +18,9 @@ from tresym.manuscript.kinds_in_prose import (
     COMPLEX,
     FUNCTION,
     INTEGER,
+    INVERSES,
     MATRIX,
+    OF_BARS,
     REAL,
     SEQUENCE,
     SPEAKERS,
@@ -77,6 +79,7 @@ class Uses(NamedTuple):
         applied: those before a bracket that holds an argument.
         bare: those without a bracket behind them.
         sequences: letters whose subscripts number terms.
+        inverses: whether ``\\sin^{-1}`` is the inverse function.
     """
 
     functions: frozenset[str] = frozenset()
@@ -84,6 +87,7 @@ class Uses(NamedTuple):
     applied: frozenset[str] = frozenset()
     bare: frozenset[str] = frozenset()
     sequences: frozenset[str] = frozenset()
+    inverses: bool = False
 
 
 @dataclass
@@ -94,12 +98,14 @@ class Chapter:
         found: evidence, by the symbol.
         applied: names before a bracket that holds an argument; bare: names without one.
         sequences: letters whose subscripts number terms.
+        inverses: it speaks of inverse trigonometric functions.
     """
 
     found: dict[Key, list[Evidence]] = field(default_factory=dict)
     applied: dict[str, int] = field(default_factory=dict)
     bare: set[str] = field(default_factory=set)
     sequences: dict[str, Evidence] = field(default_factory=dict)
+    inverses: bool = False
 
 
 class Kinds:
@@ -130,6 +136,7 @@ class Kinds:
 
     def _words(self, text: str, file: str, line: int, place: int) -> None:
         """The evidence in words."""
+        self.chapters[-1].inverses |= bool(INVERSES.search(text))
         for found in declared(text):
             at = line + text.count("\n", 0, found.at)
             for tex in found.formulas:
@@ -248,7 +255,7 @@ class Kinds:
             if evidence is not None and evidence.kind not in READ:
                 line = f" ({evidence.where})" if evidence.words else ""
                 return f"{one.shown} is {evidence.kind}{line}; {ONLY}"
-        for one, kind, word in _spoken_of(found, words):
+        for one, kind, word in _spoken_of(found, words, tokens):
             own = self.at(one, place)
             if own is None or own.section != self.section_of[place] or not own.said:
                 return f"{one.shown} is {kind} ('{word}'); {ONLY}"
@@ -268,6 +275,7 @@ class Kinds:
             frozenset(chapter.applied),
             frozenset(chapter.bare),
             frozenset(numbered & self.sequences(place)),
+            chapter.inverses,
         )
 
     def sequences(self, place: int) -> set[str]:
@@ -320,7 +328,9 @@ def _named(tex: str, kind: str) -> Iterator[Key]:
     yield from dict.fromkeys(map(_key, chosen))
 
 
-def _spoken_of(found: Sequence[Mention], words: str) -> Iterator[tuple[Mention, str, str]]:
+def _spoken_of(
+    found: Sequence[Mention], words: str, tokens: Sequence[str]
+) -> Iterator[tuple[Mention, str, str]]:
     """Symbols of which a sentence speaks without naming them, with their kinds and its words."""
     named = {
         letter for d in declared(words) for tex in d.formulas for letter, *_ in _named(tex, d.kind)
@@ -332,6 +342,10 @@ def _spoken_of(found: Sequence[Mention], words: str) -> Iterator[tuple[Mention, 
             if one.letter not in named:
                 yield one, kind, word
     spoken = prose.INLINE.sub(" ", words)
+    if any("|" in token for token in tokens) and (match := OF_BARS.search(spoken)):
+        for one in found:
+            if one.letter[0].isupper():
+                yield one, UNKNOWN, match[0]
     for pattern, letter in SPEAKERS:
         for one in found:
             if one.letter == letter and (match := pattern.search(spoken)):

@@ -263,8 +263,10 @@ def doubts(
             return f"{near} may be a vector product or a product of sets"
         if token == "\\cdot" and letters and bars:
             return f"{near} beside a bar may be a scalar product of vectors"
-        numbers = [t for t in tokens[max(at - 1, 0) : at + 2] if is_plain_number(t)]
-        if token == "*" and at and not numbers:
+        around = tokens[max(at - 1, 0) : at + 2]
+        numbers = is_plain_number(around[0])
+        starred = at and tokens[at - 1] not in ("_", "^", "{")
+        if token == "*" and starred and not numbers:
             return f"{near} may be a convolution: write a product without the star"
         if token == "^" and _plain(tokens, at + 1)[:2] == ["-", "1"] and at:
             inside = [one] if one is not None else []

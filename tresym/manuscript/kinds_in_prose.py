@@ -66,7 +66,7 @@ _BEFORE = re.compile(
 )
 _AFTER = re.compile(
     rf"{_LIST}[\s~]*,?[\s~]*(?:(?:is|are|be|being|denotes?|represents?|stands? for|as|was|were)\b"
-    rf"|(?=\(?(?:an?|the|two|any)\b)|\()[\s~]*{_WORDS}(?:,[\s~]+an?[\s~]+{_WORDS})?(?:{_ANY})"
+    rf"|(?=\(?(?:an?|the|two|any)\b)|\()[\s~]*{_WORDS}(?:[\w-]+,[\s~]+an?[\s~]+{_WORDS})?(?:{_ANY})"
     rf"{_OTHER_NOUN}(?![\s~]+\x02)",
     re.IGNORECASE,
 )
@@ -99,6 +99,16 @@ _PLURAL = (
     (COMPLEX, r"complex numbers|complex variables|complex plane|complex conjugates?"),
     (SET, r"sets|subsets|in the group|in a group|group law|subgroups|modules|cardinality|rings"),
 )
+OF_BARS = re.compile(
+    r"\b(?:determinants?|cardinalit\w+|number of elements|norms?)\b", re.IGNORECASE
+)
+"""Words by which a bar is no absolute value."""
+INVERSES = re.compile(
+    r"\binverse (?:trig\w*|circular|hyperbolic|sine|cosine|tangent|cotangent|secant|functions? of sin)"
+    r"|\b(?:arc|inverse )(?:sine|cosine|tangent)s?\b|\\arc(?:sin|cos|tan)(?![a-zA-Z])",
+    re.IGNORECASE,
+)
+"""Words by which ``\\sin^{-1}`` is the inverse function."""
 _OF_SENTENCE = re.compile(
     "|".join(rf"(?P<p{k}>\b(?:{p})\b)" for k, (_, p) in enumerate(_PLURAL)), re.IGNORECASE
 )

@@ -229,6 +229,7 @@ class _Reading:
             return
         under, problem = self.under(said, extra, around)
         self.memory.uses = self.kinds.uses(said.tokens, self.place)
+        self.memory.partial = "\\partial" in said.tokens
         by = variables_of_integrals(said.tokens)
         self.memory.by = by.pop() if len(by) == 1 else ""
         pieces = [self.piece(term, said) for term in said.terms]

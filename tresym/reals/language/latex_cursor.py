@@ -85,6 +85,7 @@ class Author:
         bare: names that stand without a bracket elsewhere.
         numbers: names that are said to be numbers.
         sequences: letters whose subscripts number terms: ``a_k`` is a(k).
+        inverses: ``\\sin^{-1}`` is the inverse function, as words of his say.
     """
 
     functions: Mapping[str, Function] = field(default_factory=dict)
@@ -99,6 +100,7 @@ class Author:
     bare: frozenset[str] = frozenset()
     numbers: frozenset[str] = frozenset()
     sequences: frozenset[str] = frozenset()
+    inverses: bool = False
 
     def derivative(self, name: str, by: str, times: int) -> Expr | None:
         """The derivative of one of his functions, ``by`` its variable if that is not named."""

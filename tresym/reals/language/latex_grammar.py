@@ -140,7 +140,9 @@ class Reader(Cursor):
             self.refuse("two numbers side by side: one with spaces, or a product?")
         opening = self.peek(1) if self.peek() == "{" else self.peek()
         name = "pi" if last.tree == PI else last.symbol
-        if name and opening in OPENING_ARGUMENTS and not self.guesses:
+        bracket = self.at + (self.peek() == "{")
+        limits = opening == "[" and self.tokens[self.partner(bracket) + 1 :][:1] == ["_"]
+        if name and opening in OPENING_ARGUMENTS and not limits and not self.guesses:
             value = self.factor_in_brackets(last, name)
             if value is None:
                 factors[-1] = self.applied_to_bracket(name)
@@ -416,7 +418,8 @@ class Reader(Cursor):
             return
         before = self.tokens[start - 1] if start else ""
         free = before in ("", "+", *OPENING, *RELATIONS, *STOPS) and not self.continues()
-        lone = len(inside) == 1 or 1 < inner.strength < 4 or (free and inner.strength < 2)
+        factor = 1 < inner.strength < 4 and before != "}"
+        lone = len(inside) == 1 or factor or (free and inner.strength < 2)
         if opening == "\\{" or (lone and self.peek() != "^") or len(inside) == 1:
             what = {"\\{": "a fractional part or a set", "[": "an integer part"}[opening]
             close = BRACKETS[opening].removeprefix("\\")
@@ -629,7 +632,8 @@ class Reader(Cursor):
             tree = call(name, [argument.tree, *more])
             if exponent is None:
                 return Piece(tree)
-            if exponent == MINUS_ONE and self.author and self.author.longer:
+            inverse = self.author and (self.author.longer or self.author.inverses)
+            if exponent == MINUS_ONE and inverse:
                 return Piece(call(_inverse(name), [argument.tree]))
             if exponent == MINUS_ONE and not (self.author and self.author.shorter):
                 self.two_readings(f"{_inverse(name)}({argument.tree})", f"1/{tree}")
