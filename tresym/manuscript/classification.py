@@ -65,6 +65,7 @@ class Link:
         same: whether the same variables stand on both sides.
         unknown: whether there is a function in it that is left unknown.
         second: the same link in the other of two readings.
+        counted: symbols that number something elsewhere, and so are positive integers.
     """
 
     display: Display
@@ -80,6 +81,7 @@ class Link:
     unknown: bool = False
     shown: str = field(default="", repr=False)
     second: Link | None = None
+    counted: frozenset[str] = frozenset()
 
 
 def claim(
@@ -157,6 +159,7 @@ def claim(
         and not changed
         and not _is_up_to(n, said, known)
         and not (under.noted and under.kind == prose.SOLVE and n == 0)
+        and (under.noted or not unknown_in(left, right))
     )
     link = replace(link, sides=(left, relation, right), read_as=attempts[0].read_as)
     fallback = _fallback(memory, left, relation, right, None if as_path else head)
@@ -168,7 +171,8 @@ def claim(
         memory.define(head, right)
     undecided = "UNDECIDED", ""
     keep = firm or (same and relation == "==" and n > 0) or as_path or relation != "=="
-    link = replace(link, claims=attempts, firm=firm, same=same)
+    counted = memory.uses.indices - memory.uses.numbers
+    link = replace(link, claims=attempts, firm=firm, same=same, counted=counted)
     if fallback[0] == EQUATION and unknown_in(left, right):
         link = replace(link, same=False, unknown=True)
     return replace(link, otherwise=undecided if keep and fallback[0] != DEFINED else fallback)

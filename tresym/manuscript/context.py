@@ -151,7 +151,7 @@ class Memory:
             longer=self.longer,
             letter_e=self.letter_e,
             letter_delta=self.letter_delta,
-            called=self.called | self.uses.functions,
+            called=self.called,
             applied=self.uses.applied,
             bare=self.uses.bare,
             numbers=self.uses.numbers,

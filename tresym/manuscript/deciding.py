@@ -128,9 +128,14 @@ def _row(link: Link, answers: list[Answer | InputError]) -> Row:
     row = Row(link, last.verdict.value, why, witness, last.given, seconds)
     if last:
         return row
-    if last.verdict is Verdict.REFUTED and link.firm:
+    uncounted = [n for n in sorted(link.counted) if not (witness or {}).get(n, "1").isdecimal()]
+    if last.verdict is Verdict.REFUTED and link.firm and not uncounted:
         return row
     status, fallback = link.otherwise
+    if last.verdict is Verdict.REFUTED and link.firm:
+        at = ", ".join(f"{name} = {(witness or {})[name]}" for name in uncounted)
+        why = f"it fails at {at}, but {', '.join(uncounted)} numbers things elsewhere"
+        return replace(row, status="UNDECIDED", why=why, witness=None)
     if last.verdict is Verdict.REFUTED:
         if (not link.same and status != "UNDECIDED") or status == "DEFINED":
             return replace(row, status=status, why=fallback, witness=None)

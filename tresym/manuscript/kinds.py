@@ -13,7 +13,13 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from tresym.manuscript import prose
-from tresym.manuscript.kinds_in_notation import applied_and_bare, doubts, noted, sequences
+from tresym.manuscript.kinds_in_notation import (
+    applied_and_bare,
+    doubts,
+    indices,
+    noted,
+    sequences,
+)
 from tresym.manuscript.kinds_in_prose import (
     COMPLEX,
     FUNCTION,
@@ -30,7 +36,7 @@ from tresym.manuscript.kinds_in_prose import (
     of_sentence,
 )
 from tresym.manuscript.source import Display, Event, Prose, Section
-from tresym.manuscript.symbols import Mention, mentions, without_upright
+from tresym.manuscript.symbols import STYLES, Mention, mentions, without_upright
 from tresym.reals.language.latex_tokens import RELATIONS, tokenize
 from tresym.reals.numbers.exact import InputError
 
@@ -75,18 +81,19 @@ class Uses(NamedTuple):
     """What the names of a formula are, and how they stand elsewhere in its chapter.
 
     Attributes:
-        functions: those that are said to be functions; numbers: those said to be numbers.
-        applied: those before a bracket that holds an argument.
+        numbers: those that are said to be numbers.
+        applied: those before a bracket that holds an argument, or said to be functions.
         bare: those without a bracket behind them.
         sequences: letters whose subscripts number terms.
+        indices: letters that number terms or are bound by sums elsewhere.
         inverses: whether ``\\sin^{-1}`` is the inverse function.
     """
 
-    functions: frozenset[str] = frozenset()
     numbers: frozenset[str] = frozenset()
     applied: frozenset[str] = frozenset()
     bare: frozenset[str] = frozenset()
     sequences: frozenset[str] = frozenset()
+    indices: frozenset[str] = frozenset()
     inverses: bool = False
 
 
@@ -98,6 +105,7 @@ class Chapter:
         found: evidence, by the symbol.
         applied: names before a bracket that holds an argument; bare: names without one.
         sequences: letters whose subscripts number terms.
+        indices: letters that number terms, or that a sum or a product binds.
         inverses: it speaks of inverse trigonometric functions.
     """
 
@@ -105,6 +113,7 @@ class Chapter:
     applied: dict[str, int] = field(default_factory=dict)
     bare: set[str] = field(default_factory=set)
     sequences: dict[str, Evidence] = field(default_factory=dict)
+    indices: set[str] = field(default_factory=set)
     inverses: bool = False
 
 
@@ -158,6 +167,7 @@ class Kinds:
         for letter, words in sequences(tokens, found):
             evidence = self._evidence(SEQUENCE, words, file, line, place, False)
             chapter.sequences.setdefault(letter, evidence)
+        chapter.indices |= indices(tokens, found)
         applied, bare = applied_and_bare(tokens, found)
         for name in applied:
             chapter.applied.setdefault(name, line)
@@ -225,9 +235,9 @@ class Kinds:
             return latest
         against = [e for e in found if e.kind not in (REAL, INTEGER)]
         if against:
-            own = [e for e in against if e.section == section]
-            strange = [e for e in own or against if e.kind not in READ]
-            return (strange or own or against)[0]
+            strange = [e for e in against if e.kind not in READ]
+            near = [e for e in strange or against if e.section == section]
+            return (near or strange or against)[0]
         return latest or here[0] if here else _weak(one) or found[0]
 
     def against_link(
@@ -266,15 +276,14 @@ class Kinds:
         tokens = list(tokens)
         found, chapter = list(mentions(tokens)), self.chapters[self.chapter_of[place]]
         kinds = {one.name: self.at(one, place) for one in found}
+        said = {n for n, e in kinds.items() if e is not None and e.kind == FUNCTION and e.said}
         numbered = {one.letter for one in found if one.is_index and not one.accent}
         return Uses(
-            frozenset(
-                n for n, e in kinds.items() if e is not None and e.kind == FUNCTION and e.said
-            ),
             frozenset(n for n, e in kinds.items() if e is not None and e.kind in (REAL, INTEGER)),
-            frozenset(chapter.applied),
+            frozenset(chapter.applied.keys() | said),
             frozenset(chapter.bare),
             frozenset(numbered & self.sequences(place)),
+            frozenset(chapter.indices & kinds.keys()),
             chapter.inverses,
         )
 
@@ -318,13 +327,19 @@ def _named(tex: str, kind: str) -> Iterator[Key]:
     stop = next((n for n, t in enumerate(tokens) if t in RELATIONS or t in (":", "\\colon")), None)
     head = tokens[: len(tokens) if stop is None else stop]
     found = list(mentions(head))
-    if "," in head and head[:1] != ["("]:
-        chosen = found
-    elif kind == SEQUENCE or "(" in head or stop is not None:
+    first = next((n for n, t in enumerate(head) if t not in STYLES and t != "{"), 0)
+    opens = bool(found) and found[0].start == first
+    if kind == SEQUENCE:
         chosen = found[:1]
+    elif opens and "," in head and "(" not in head:
+        chosen = found
+    elif opens and (stop is not None or kind in (REAL, INTEGER) or "(" in head):
+        chosen = found[:1]
+    elif {*head} & {"(", "[", "\\{", "|"}:
+        chosen = []
     else:
         capitals = [one for one in found if one.letter[0].isupper() or one.accent]
-        chosen = (capitals or found[:1]) if kind not in (REAL, INTEGER) else found[:1]
+        chosen = capitals or (found[:1] if opens else [])
     yield from dict.fromkeys(map(_key, chosen))
 
 

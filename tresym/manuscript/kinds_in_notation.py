@@ -17,6 +17,7 @@ from tresym.manuscript.kinds_in_prose import (
     VECTOR,
 )
 from tresym.manuscript.symbols import (
+    INDICES,
     OPENING,
     Mention,
     factors,
@@ -213,13 +214,25 @@ def _both_orders(tokens: Sequence[str], found: Sequence[Mention]) -> Noted:
                 yield f"{UNKNOWN}, as both {one} {other} and {other} {one} stand there", m, ""
 
 
-def sequences(tokens: Sequence[str], found: Sequence[Mention]) -> Iterator[tuple[str, str]]:
-    """Letters whose subscripts number terms, and by which print."""
+def indices(tokens: Sequence[str], found: Sequence[Mention]) -> set[str]:
+    """The letters that sums, products and limits bind, or that number terms."""
+    below = {t for one in found if one.is_index for t in one.subscript if t in INDICES}
+    return (_bound(tokens) | below) & INDICES
+
+
+def _bound(tokens: Sequence[str]) -> set[str]:
+    """The letters under sums, products and limits."""
     bound: set[str] = set()
     for at, token in enumerate(tokens):
         if token in _TOTALS and tokens[at + 1 : at + 2] == ["_"]:
             under = tokens[at + 2 : group_end(tokens, at + 2) + 1]
             bound |= {t for t in under[:4] if len(t) == 1 and t.isalpha()}
+    return bound
+
+
+def sequences(tokens: Sequence[str], found: Sequence[Mention]) -> Iterator[tuple[str, str]]:
+    """Letters whose subscripts number terms, and by which print."""
+    bound = _bound(tokens)
     numbered = {one.letter for one in found if one.subscript and one.subscript[0].isdigit()}
     dots = any(t in ("\\ldots", "\\dots", "\\cdots") for t in tokens)
     for one in found:
@@ -227,11 +240,8 @@ def sequences(tokens: Sequence[str], found: Sequence[Mention]) -> Iterator[tuple
             continue
         under = bound & {*one.subscript}
         moved = any(t in ("+", "-") or t.isdigit() for t in one.subscript)
-        around = (
-            tuple(tokens[max(one.start - 1, 0) : one.start]),
-            tuple(tokens[one.end : one.end + 1]),
-        )
-        listed = around in ((("\\{",), ("\\}",)), (("(",), (")",)))
+        around = tokens[max(one.start - 1, 0) : one.start], tokens[one.end : one.end + 1]
+        listed = around in ((["\\{"], ["\\}"]), (["("], [")"]))
         if under or moved or listed or (dots and one.letter in numbered):
             yield one.letter, _shown(tokens, one.start - 2, one.end + 2)
 

@@ -27,16 +27,16 @@ _NOUNS = (
     ),
     (MATRIX, r"matri(?:x|ces)|tensors?|quaternions?|spinors?|bivectors?|multivectors?|octonions?"),
     (OPERATOR, r"operators?|projections?|projectors?|(?:linear )?transformations?|functionals?"),
-    (OPERATOR, r"(?:(?:Laplace|Fourier|Hilbert|integral) )?transforms?|derivations?|linear maps?"),
+    (OPERATOR, r"derivations?|linear maps?|(?:Laplace|Fourier|integral) transform operators?"),
     (OPERATOR, r"(?:homo|endo|auto|iso)morphisms?|observables?|permutations?|commutators?"),
     (VECTOR, r"(?:eigen|co|bi)?vectors?|vector fields?|(?:electric|magnetic|velocity) fields?"),
-    (VECTOR, r"(?:differential )?(?:1-|2-|k-|one-|two-)?forms?"),
+    (VECTOR, r"(?:differential |1-|2-|k-|one-|two-|bilinear |multilinear )forms?"),
     (SEQUENCE, r"(?:sub)?sequences?"),
     (SET, rf"(?:sub|super)sets?|sets|{_KIND_OF_SET}set|(?:sub)?groups?|(?:sub)?rings?|modules?"),
     (SET, rf"(?:sub)?{_SPACES}spaces?|ideals?|(?:sub)?fields?|(?:sub)?algebras?|manifolds?"),
     (
         SET,
-        r"graphs?|events?|categor(?:y|ies)|domains?|neighbou?rhoods?|collections?|famil(?:y|ies)",
+        r"events?|categor(?:y|ies)|domains?|neighbou?rhoods?|collections?|famil(?:y|ies)",
     ),
     (FUNCTION, r"(?:eigen)?functions?|polynomials?|maps?|mappings?|distributions?"),
     (INTEGER, r"integers?|natural numbers?|primes?|prime numbers?|indices|index|whole numbers?"),
@@ -65,7 +65,7 @@ _BEFORE = re.compile(
     re.IGNORECASE,
 )
 _AFTER = re.compile(
-    rf"{_LIST}[\s~]*,?[\s~]*(?:(?:is|are|be|being|denotes?|represents?|stands? for|as|was|were)\b"
+    rf"{_LIST}[\s~]*,?[\s~]*(?:(?:is|are|be|being|denotes?|represents?|stands? for|was|were)\b"
     rf"|(?=\(?(?:an?|the|two|any)\b)|\()[\s~]*{_WORDS}(?:[\w-]+,[\s~]+an?[\s~]+{_WORDS})?(?:{_ANY})"
     rf"{_OTHER_NOUN}(?![\s~]+\x02)",
     re.IGNORECASE,
