@@ -43,12 +43,19 @@ to be solved."""
 
 
 class Attempt(NamedTuple):
-    """What is asked, what was put in for it, what is thereby said, and whether a no counts."""
+    """What is asked, what was put in for it, what is thereby said, and whether a no counts.
+
+    Attributes:
+        sides: both sides and the relation of what is asked.
+        under: its conditions or its path, in words.
+    """
 
     text: str
     how: str
     read_as: str
     may_fail: bool = True
+    sides: Compared | None = None
+    under: str = ""
 
 
 @dataclass(frozen=True)
@@ -65,6 +72,8 @@ class Link:
         same: whether the same variables stand on both sides.
         unknown: whether there is a function in it that is left unknown.
         second: the same link in the other of two readings.
+        symbols: those of its chain, each with its kind and what speaks for that.
+        constants: symbols that are said to be numbers.
         counted: symbols that number something elsewhere, and so are positive integers.
     """
 
@@ -81,6 +90,8 @@ class Link:
     unknown: bool = False
     shown: str = field(default="", repr=False)
     second: Link | None = None
+    symbols: tuple[tuple[str, str, str], ...] = ()
+    constants: frozenset[str] = frozenset()
     counted: frozenset[str] = frozenset()
 
 
@@ -172,7 +183,8 @@ def claim(
     undecided = "UNDECIDED", ""
     keep = firm or (same and relation == "==" and n > 0) or as_path or relation != "=="
     counted = memory.uses.indices - memory.uses.numbers
-    link = replace(link, claims=attempts, firm=firm, same=same, counted=counted)
+    link = replace(link, claims=attempts, firm=firm, same=same)
+    link = replace(link, counted=counted, constants=memory.uses.numbers | names_in(under.given))
     if fallback[0] == EQUATION and unknown_in(left, right):
         link = replace(link, same=False, unknown=True)
     return replace(link, otherwise=undecided if keep and fallback[0] != DEFINED else fallback)
@@ -213,12 +225,13 @@ def _attempts(
         for one, other, given, how in _forms(memory, left, right, conditions, under):
             given = [c for c in given if end not in names_in((c,))]  # where it holds, the path says
             shown = chained(about(symbols(one) | symbols(other), given))
-            text = f"{one} {relation} {other}" + (f" given {shown}" if shown else "") + as_path
-            text = _with_functions_named(text, unknown_in(one, other))
+            told = (f" given {shown}" if shown else "") + as_path
+            text = _with_functions_named(f"{one} {relation} {other}{told}", unknown_in(one, other))
             how = "; ".join(filter(None, (how, EARLIER if more else "")))
             may_fail = not how.startswith((TOLD, WHERE))
             said = f"{left} {relation} {right} given {shown}" if how.startswith(WHERE) else said_so
-            attempts.setdefault(text, Attempt(text, how, said, may_fail))
+            attempt = Attempt(text, how, said, may_fail, (one, relation, other), told)
+            attempts.setdefault(text, attempt)
             same = same or (may_fail and not (symbols(one) ^ symbols(other)) - free)
     return tuple(sorted(attempts.values(), key=lambda attempt: not attempt.may_fail)), same
 

@@ -8,11 +8,13 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from tresym.manuscript.classification import EQUATION, UNREAD, Link
+from tresym.manuscript.instances import instances
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.time_limited import Task, check_all
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
+PASSES = (Verdict.PROVED.value, Verdict.ENCLOSED.value)
 STATUSES = (*(v.value for v in Verdict), "DEFINED", "ASSUMED", EQUATION, UNREAD)
 
 
@@ -57,8 +59,25 @@ def decided(
 ) -> list[Row]:
     """A row for each link; each claim is asked for at most ``limit`` seconds."""
     asked = [*links, *(link.second for link in links if link.second is not None)]
+    answers = _answers(asked, limit, processes, progress)
+    rows = [_row(link, answers.get(n, [])) for n, link in enumerate(asked)]
+    rows = _varied(rows, answers, limit, processes)
+    found = [(row, answers.get(n, [])) for n, row in enumerate(rows)]
+    seconds = iter(found[len(links) :])
+    return [
+        row if link.second is None else _of_both((row, own), next(seconds))
+        for link, (row, own) in zip(links, found[: len(links)], strict=True)
+    ]
+
+
+def _answers(
+    links: Sequence[Link],
+    limit: float,
+    processes: int | None,
+    progress: Callable[[int, int], None],
+) -> dict[int, list[Answer | InputError]]:
+    """The answers to the attempts at each link, up to the first that passes."""
     answers: dict[int, list[Answer | InputError]] = {}
-    links, given = asked, links
     open_ = [n for n, link in enumerate(links) if link.claims]
     total, done, attempt = len(open_), 0, 0
     while open_:
@@ -76,14 +95,34 @@ def decided(
                 done += 1
             progress(done, total)
         open_, attempt = again, attempt + 1
-    rows = [_row(link, answers.get(n, [])) for n, link in enumerate(links)]
-    others = iter(
-        zip(rows[len(given) :], list(answers.get(n, []) for n in range(len(given), len(links))))
-    )
-    return [
-        row if link.second is None else _of_both((row, answers.get(n, [])), next(others))
-        for n, (link, row) in enumerate(zip(given, rows[: len(given)], strict=True))
-    ]
+    return answers
+
+
+def _varied(
+    rows: list[Row],
+    answers: dict[int, list[Answer | InputError]],
+    limit: float,
+    processes: int | None,
+) -> list[Row]:
+    """The rows, but for passes of which an instance is refuted."""
+    tasks: list[Task] = []
+    told: list[tuple[int, str]] = []
+    for n, row in enumerate(rows):
+        passed = len(answers.get(n, [])) - 1
+        if row.status not in PASSES or passed < 0:
+            continue
+        attempt = row.link.claims[passed]
+        if attempt.sides is None or "(" in attempt.under:
+            continue
+        for text, values in instances(attempt.sides, row.link.constants):
+            told.append((n, values))
+            tasks.append(Task(text + attempt.under, line=n))
+    if tasks:
+        for (n, values), (_, found) in zip(told, check_all(tasks, limit, processes), strict=True):
+            if isinstance(found, Answer) and found.verdict is Verdict.REFUTED:
+                why = f"it was taken to be proved, but fails with {values}: please report it"
+                rows[n] = replace(rows[n], status=Verdict.UNDECIDED.value, why=why)
+    return rows
 
 
 def _of_both(
@@ -91,9 +130,8 @@ def _of_both(
 ) -> Row:
     """The row of a link that can be read in two ways: a status where both have it, else UNREAD."""
     (one, _), (other, _) = first, second
-    passes = (Verdict.PROVED.value, Verdict.ENCLOSED.value)
-    if one.status in passes and other.status in passes:
-        weaker = max((one, other), key=lambda row: passes.index(row.status))
+    if one.status in PASSES and other.status in PASSES:
+        weaker = max((one, other), key=lambda row: PASSES.index(row.status))
         both = f"in both readings of print, {one.link.read_as} and {other.link.read_as}"
         return replace(weaker, why=f"{weaker.why}; {both}")
     told = " and ".join(

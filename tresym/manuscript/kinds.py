@@ -183,14 +183,10 @@ class Kinds:
     def _add(self, key: Key, evidence: Evidence, chapter: int = -1) -> None:
         self.chapters[chapter].found.setdefault(key, []).append(evidence)
 
-    def settle(self, name: str, kind: str, words: str, line: int, place: int) -> None:
-        """What a directive says a symbol is, from there to the end of the chapter."""
-        try:
-            found = list(mentions(tokenize(name)))
-        except InputError:
-            found = []
-        for one in found[:1]:
-            evidence = Evidence(kind, words, line, "", place, -1, True)
+    def settle(self, names: str, kind: str, words: str, line: int, place: int) -> None:
+        """What a directive says some symbols are, from there to the end of the chapter."""
+        evidence = Evidence(kind, words, line, "", place, -1, True)
+        for one in mentions(tokenize(names)):
             self._add(_key(one), evidence, self.chapter_of[place])
 
     def spread(self, left: Sequence[str], right: Sequence[str], place: int, line: int) -> None:
@@ -270,6 +266,23 @@ class Kinds:
             if own is None or own.section != self.section_of[place] or not own.said:
                 return f"{one.shown} is {kind} ('{word}'); {ONLY}"
         return doubts(tokens, found, lambda one: self.is_real(one, place))
+
+    def known(self, tokens: Sequence[str], place: int) -> tuple[tuple[str, str, str], ...]:
+        """The symbols of a formula, each with its kind and what speaks for that."""
+        found: dict[str, tuple[str, str, str]] = {}
+        chapter = self.chapters[self.chapter_of[place]]
+        for one in mentions(list(tokens)):
+            evidence = self.at(one, place)
+            if evidence is None and one.is_index and not one.accent:
+                evidence = chapter.sequences.get(one.letter)
+            if evidence is None and one.name in chapter.applied:
+                line = f"line {chapter.applied[one.name]}: '{one.shown}(...)'"
+                found[one.name] = (one.shown, f"{REAL} or {FUNCTION}", line)
+                continue
+            kind = REAL if evidence is None else evidence.kind
+            words = evidence.where if evidence is not None and evidence.words else ""
+            found[one.name] = (one.shown, kind, words)
+        return tuple(found.values())
 
     def uses(self, tokens: Sequence[str], place: int) -> Uses:
         """What the names of a formula are, for the reader of LaTeX."""

@@ -11,6 +11,12 @@ from tresym.manuscript.prose import INLINE
 REAL, INTEGER, COMPLEX = "a real number", "an integer", "a complex number"
 FUNCTION, SEQUENCE, VECTOR, MATRIX = "a function", "a sequence", "a vector", "a matrix"
 OPERATOR, SET, RANDOM, UNKNOWN = "an operator", "a set", "a random variable", "of unknown kind"
+BY_NAME = {
+    **{"real": REAL, "integer": INTEGER, "complex": COMPLEX, "function": FUNCTION},
+    **{"sequence": SEQUENCE, "vector": VECTOR, "matrix": MATRIX, "operator": OPERATOR},
+    **{"set": SET, "random": RANDOM, "unknown": UNKNOWN},
+}
+"""The kinds by the words of a directive."""
 
 _SPACES = r"(?:(?:vector|linear|Banach|Hilbert|metric|topological|normed|measure|probability) )?"
 _KIND_OF_SET = (

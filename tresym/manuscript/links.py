@@ -118,6 +118,8 @@ class _Reading:
         if orders.forget:
             self.memory.noted, self.memory.lasting = [], []
         self.memory.noted += parse_given(orders.given) if orders.given else []
+        for names, kind in orders.lets:
+            self.kinds.settle(names, kind, note.text, note.line, self.place)
         self.orders = self.orders.with_(orders)
 
     def display(self, display: Display, before: str, after: str) -> Iterator[Link]:
@@ -163,7 +165,9 @@ class _Reading:
                 one = said.signed(sign) if sign != " " else said
                 two = one.terms[0] != said.terms[0] and self.memory.head(one.terms[0]) is not None
                 several = sign != " " and not two  # x_\pm are two symbols
-                for link in self.chain(replace(blank, shown=""), one, under, around, several):
+                known = self.kinds.known(one.tokens, self.place)
+                start = replace(blank, shown="", symbols=known)
+                for link in self.chain(start, one, under, around, several):
                     count += 1
                     firm = link.firm and not alone  # the condition of a later row may be meant
                     yield replace(link, number=count, firm=firm)
