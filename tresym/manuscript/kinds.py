@@ -363,9 +363,9 @@ def _spoken_of(
     named = {
         letter for d in declared(words) for tex in d.formulas for letter, *_ in _named(tex, d.kind)
     }
-    for kind, word in of_sentence(words):
+    for kind, word, several in of_sentence(words):
         capitals = [one for one in found if one.letter[0].isupper() or one.accent]
-        every = kind in (VECTOR, COMPLEX) or not capitals
+        every = several and (kind in (VECTOR, COMPLEX) or not capitals)
         for one in found if every else capitals:
             if one.letter not in named:
                 yield one, kind, word

@@ -38,6 +38,14 @@ _NOUNS = (
     (VECTOR, r"(?:eigen|co|bi)?vectors?|vector fields?|(?:electric|magnetic|velocity) fields?"),
     (VECTOR, r"(?:differential |1-|2-|k-|one-|two-|bilinear |multilinear )forms?"),
     (SEQUENCE, r"(?:sub)?sequences?"),
+    (
+        UNKNOWN,
+        r"propositions?|predicates?|(?:Boolean|logical) variables?|strings?|knots?|functors?",
+    ),
+    (
+        UNKNOWN,
+        r"sheaf|sheaves|bundles?|connections?|curvature forms?|morphisms?|vertices|simplices",
+    ),
     (SET, rf"(?:sub|super)sets?|sets|{_KIND_OF_SET}set|(?:sub)?groups?|(?:sub)?rings?|modules?"),
     (SET, rf"(?:sub)?{_SPACES}spaces?|ideals?|(?:sub)?fields?|(?:sub)?algebras?|manifolds?"),
     (
@@ -118,6 +126,7 @@ INVERSES = re.compile(
 _OF_SENTENCE = re.compile(
     "|".join(rf"(?P<p{k}>\b(?:{p})\b)" for k, (_, p) in enumerate(_PLURAL)), re.IGNORECASE
 )
+_SINGULAR = re.compile(r"\b(?:(operator)|(matrix|tensor)|(random variable))\b", re.IGNORECASE)
 SPEAKERS = (
     (re.compile(r"\b(?:expectations?|expected values?|mean of|moments?)\b", re.IGNORECASE), "E"),
     (re.compile(r"\bprobabilit\w+", re.IGNORECASE), "P"),
@@ -181,8 +190,17 @@ def declared(text: str) -> Iterator[Declared]:
             yield made(COMPLEX, found)
 
 
-def of_sentence(sentence: str) -> Iterator[tuple[str, str]]:
-    """The kinds of which a sentence speaks without a name: "the matrices satisfy"."""
-    for found in _OF_SENTENCE.finditer(INLINE.sub(" ", sentence)):
+def of_sentence(sentence: str) -> Iterator[tuple[str, str, bool]]:
+    """The kinds of which a sentence speaks without a name, as in "the matrices satisfy".
+
+    Each comes with its word, and with whether there are several of them.
+    """
+    words = INLINE.sub(" ", sentence)
+    for found in _OF_SENTENCE.finditer(words):
         kind = next(k for k in range(len(_PLURAL)) if found[f"p{k}"] is not None)
-        yield _PLURAL[kind][0], found[0]
+        yield _PLURAL[kind][0], found[0], True
+    kinds = {d.kind for d in declared(sentence)}
+    for found in _SINGULAR.finditer(words):
+        kind = OPERATOR if found[1] else MATRIX if found[2] else RANDOM
+        if kind not in kinds:
+            yield kind, found[0], False
