@@ -226,6 +226,7 @@ class Memory:
                 return e
             return rebuild(e, tuple(self.under_binders(arg, known, constants) for arg in e.args))
         args = tuple(self.under_binders(arg, known, constants) for arg in e.args[1:])
+        constants = constants.union(*map(symbols, args))  # an end is not moved by the variable
         body = instantiate(e.args[0], tuple(map(symbol, e.names)))
         for _ in range(DEPTH):
             values = {

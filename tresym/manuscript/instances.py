@@ -29,7 +29,7 @@ from tresym.reals.language.expression import (
 from tresym.reals.language.parsing import FACTORIAL, Compared
 
 _TERM = re.compile(r"(?:[a-zA-Z]|[a-z]{2,7})_([a-zA-Z]\w*)")
-_FUNCTIONS = re.compile(r"(?:[fghuvwFGHUV]|phi|psi|varphi|Phi|Psi)[1-9]?")
+_FUNCTIONS = re.compile(r"[fghuvwFGHUV][1-9]?")
 _FUNCTIONS_UNDER = ("integral", "antiderivative", "derivative", "limit")
 VARIANTS = 2
 
@@ -71,7 +71,8 @@ def _varying(sides: tuple[Expr, Expr], constants: frozenset[str]) -> Iterator[tu
     """The symbols that vary with a variable that is bound, and that variable."""
     binders = [node for e in sides for node in _nodes(e) if node.op in BINDERS and node.names]
     for node in binders:
-        inside = symbols(node.args[0]) - constants
+        ends = frozenset().union(*map(symbols, node.args[1:]))
+        inside = symbols(node.args[0]) - constants - ends
         for name in sorted(inside | {s for e in sides for s in symbols(e)} - constants):
             term = _TERM.fullmatch(name)
             if (term and node.names[0] in re.sub(r"plus|minus", "", term[1])) or (

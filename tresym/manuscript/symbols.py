@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from tresym.reals.language.latex_cursor import is_letter, is_number
+from tresym.reals.language.latex_cursor import allowed, is_letter, is_number
 from tresym.reals.language.latex_tokens import RELATIONS
 
 _ACCENTS = (
@@ -57,7 +57,7 @@ class Mention(NamedTuple):
         """The name by which the reader of LaTeX calls it."""
         below = "".join(t.removeprefix("\\") for t in self.subscript) + self.accent
         if not below:
-            return self.letter
+            return allowed(self.letter)
         return self.letter + (below if below[0].isdigit() else f"_{below}")
 
     @property

@@ -82,6 +82,8 @@ from tresym.reals.numbers.exact import InputError
 
 MAX_FACTORIAL = 100
 OPENING_ARGUMENTS = ("(", "[", "\\{")
+FORCES = frozenset(("F", "G"))
+"""Letters of functions that are also usual for numbers."""
 VARIABLES = frozenset(("x", "t", "s", "theta"))
 """Letters of what is differentiated by, where a prime behind a bracket does not say by what."""
 TOTALS = {"\\sum": "sum", "\\prod": "product"}
@@ -185,7 +187,7 @@ class Reader(Cursor):
     def is_product(self, name: str, inner: Piece) -> bool:
         """Whether a bracket behind a symbol can be nothing but a factor."""
         raised = self.peek() == "^" and 1 < inner.strength < 4
-        if name in LETTERS_OF_FUNCTIONS or not self.author:
+        if name in LETTERS_OF_FUNCTIONS - FORCES or not self.author:
             return name not in LETTERS_OF_FUNCTIONS and (inner.strength == 0 or raised)
         lower = len(name) == 1 and name.islower()
         if name in self.author.numbers:
@@ -196,7 +198,7 @@ class Reader(Cursor):
             return False
         if lower:
             return inner.strength < 2 or raised
-        return (inner.strength == 0 or raised) and name in self.author.bare
+        return (inner.strength == 0 or raised) and (name == "pi" or name in self.author.bare)
 
     def applied_to_bracket(self, name: str) -> Piece:
         """The value of a function that is left unknown at what the bracket here holds."""
@@ -836,6 +838,8 @@ class Reader(Cursor):
         known = self.author and self.author.functions.get(name)
         if self.author and self.author.strict and (known or name in self.author.called):
             return name in self.author.called or bool(known and known.parameters)
+        if self.author and name in FORCES & self.author.bare - self.author.applied:
+            return False
         if name in LETTERS_OF_FUNCTIONS or known:
             return True
         if not self.guesses:
