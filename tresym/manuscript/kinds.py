@@ -128,7 +128,7 @@ class Kinds:
         for place, event in enumerate(events):
             if isinstance(event, Section):
                 section += 1
-                if event.level in ("chapter", "part") and place:
+                if event.chapter and place:
                     self.chapters.append(Chapter())
             self.chapter_of.append(len(self.chapters) - 1)
             self.section_of.append(section)
