@@ -11,7 +11,7 @@ from tresym.manuscript import prose, restrictions
 from tresym.manuscript.directives import Orders
 from tresym.manuscript.display import STRANGE, Said, statements
 from tresym.manuscript.scopes import Restriction, Scopes
-from tresym.manuscript.terms import Head, head_of, is_plain, read_term, unknown_in
+from tresym.manuscript.terms import Head, base_of, head_of, is_plain, read_term, unknown_in
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.expression import (
@@ -246,6 +246,7 @@ class Memory:
             body = substitute(body, values)
         for name in sorted(symbols(body) - {*e.names}):
             on = self.dependent.get(name, frozenset()) | ({""} if name in self.called else set())
+            on |= {""} if base_of(name) != name else set()
             if on & {"", *e.names}:
                 raise InputError(f"whether {name} is a function of {e.names[0]} is not said")
         return Expr(e.op, (bind(self.under_binders(body, known), e.names), *args), e.names)
