@@ -34,11 +34,12 @@ settings.register_profile(
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "dev"))
 
 
-# Under nohup, or in the background of a script, some signals are ignored, and a child process
-# would inherit that. A handler of our own is reset to the default when a program is started.
-for _name in ("SIGINT", "SIGHUP"):
-    if signal.getsignal(getattr(signal, _name)) == signal.SIG_IGN:
-        signal.signal(getattr(signal, _name), lambda *_: None)
+# In the background of a script SIGINT is ignored, under nohup SIGHUP, and a child process would
+# inherit that. A handler, unlike SIG_IGN, is reset to the default when a program is started.
+if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+if signal.getsignal(signal.SIGHUP) == signal.SIG_IGN:
+    signal.signal(signal.SIGHUP, lambda *_: None)
 
 
 @pytest.fixture(scope="session", autouse=True)

@@ -6,8 +6,12 @@ import os
 import sys
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, suppress
+from typing import TYPE_CHECKING
 
 from tresym.reals.numbers.exact import InputError
+
+if TYPE_CHECKING:
+    from rich.console import Console
 
 RECORDED = 20_000
 """How many checksums of written files are remembered: 65 bytes each."""
@@ -157,6 +161,20 @@ def _is_alive(process: int) -> bool:
     except OSError:
         return True
     return True
+
+
+def terminal() -> Console:
+    """A console of rich that raises BrokenPipeError, as print does, when a reader leaves.
+
+    rich itself would end the command with exit status 1, which stands for a refuted statement.
+    """
+    from rich.console import Console
+
+    class Terminal(Console):
+        def on_broken_pipe(self) -> None:
+            raise BrokenPipeError
+
+    return Terminal(highlight=False)
 
 
 def colour_wanted() -> bool:

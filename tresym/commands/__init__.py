@@ -1,7 +1,7 @@
-"""The ``tresym`` command: one file a command, with its parser, what it runs and what it prints.
+"""The ``tresym`` command line: each command has a module with its parser, action and output.
 
 Exit status: 0 as expected; 1 a verdict unexpected or undecided; 2 bad input, with one line on
-standard error; 130 interrupted.
+standard error; 130 interrupted; 141 the reader of a pipe left before the answer was known.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 import tresym
-from tresym.commands.parser import BAD_INPUT, INTERRUPTED, Parser, one_line
+from tresym.commands.parser import BAD_INPUT, CLOSED_PIPE, INTERRUPTED, Parser, one_line
 from tresym.output import check_replaceable
 from tresym.reals.numbers.exact import InputError
 
@@ -120,8 +120,11 @@ def main(arguments: list[str] | None = None) -> int:
         args = build_parser(next(iter(words), None)).parse_args(_keep_negative_values(words))
         _keep_inputs(args)
         status: int = args.run(args)
-        if sys.stdout is not None:
-            sys.stdout.flush()
+        try:
+            if sys.stdout is not None:
+                sys.stdout.flush()
+        except BrokenPipeError:  # the answer is known, whether or not anybody reads it
+            _forget_output()
         return status
     except InputError as error:
         print(f"tresym: {one_line(str(error), 2000)}", file=sys.stderr)
@@ -130,9 +133,9 @@ def main(arguments: list[str] | None = None) -> int:
         print("tresym: interrupted", file=sys.stderr)
         return INTERRUPTED
     except BrokenPipeError:
-        # The reader has left: nothing to say, and nothing must be said while Python shuts down.
+        # The reader left before the answer was known; say nothing, not even while Python exits.
         _forget_output()
-        return 0
+        return CLOSED_PIPE
     except OSError as error:
         name = one_line(str(error.filename or "output"), 400)
         print(f"tresym: {name}: {error.strerror}", file=sys.stderr)

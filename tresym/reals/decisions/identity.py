@@ -30,7 +30,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import islice
 from typing import Any
 
@@ -53,6 +53,7 @@ from tresym.reals.numbers.arithmetic import WORKING, ball_precision
 from tresym.reals.numbers.exact import fraction_text
 from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.signs.closure import ONLY_INSIDE, is_regular
+from tresym.reals.signs.definedness import at_domain_ends
 from tresym.reals.signs.discontinuities import cases_at_jumps
 from tresym.reals.signs.interior import jumps
 from tresym.reals.verdict import Verdict
@@ -108,6 +109,10 @@ def decide(
     if not elementary(left, right):
         return Decision(Verdict.UNDECIDED, "a sum, an integral or a limit in it is not worked out")
     found = _almost_everywhere(left, right, given, theories, _by_constants)
+    if found.verdict is Verdict.UNDECIDED and (moved := at_domain_ends((left, right), given)):
+        (left, right), inside = moved
+        found = decide(left, right, inside, theories, given if stated is None else stated)
+        return replace(found, why=f"as {left} = {right}: {found.why}")
     if found.verdict is not Verdict.PROVED:
         return found
     unproved = _at_jumps((left, right), given, theories)
