@@ -123,7 +123,9 @@ def _far_functions(memory: Memory, terms: Iterable[Sequence[str]]) -> set[str]:
 
 
 def _is_near(compared: Compared) -> bool:
-    """Whether two constants differ by no more than one part in fifty."""
+    """Whether two constants differ by no more than one part in fifty, or may do so."""
+    if not elementary(compared[0], compared[2]):
+        return True
     with ball_precision():
         left, right = (evaluate(side, {}) for side in compared[::2])
         return bool(abs(left - right) * 50 <= abs(left))
