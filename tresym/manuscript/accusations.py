@@ -22,7 +22,7 @@ from tresym.manuscript.display import Said
 from tresym.manuscript.terms import Head, base_of, read_term, unknown_in
 from tresym.reals.domain.evaluation import evaluate, stands
 from tresym.reals.language.binders import elementary, outermost
-from tresym.reals.language.expression import DOTS, Expr, symbols
+from tresym.reals.language.expression import DOTS, Expr, number, substitute, symbols
 from tresym.reals.language.parsing import INFINITY, INTEGERS, Compared
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
@@ -189,7 +189,8 @@ def holds_elsewhere(sides: Compared, given: Sequence[Compared]) -> dict[str, str
             point = {name: _value(r, whole and name in integers, k) for name in names}
             if not all(_given_holds(c, point) for c in given):
                 continue
-            gap = evaluate(one - other, point)
+            exact = {name: number(value) for name, value in point.items()}
+            gap = evaluate(substitute(one - other, exact), {})
             if not gap.is_finite():
                 continue
             tried[whole] += 1

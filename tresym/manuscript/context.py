@@ -68,6 +68,7 @@ _TIME_WITHIN = re.compile(r"(?<![a-zA-Z\\])d\s*\}?\s*\{?t'|''")
 """Where t' is a variable of integration, or derivatives are marked by primes."""
 _INDICES = frozenset("ijklmnpqrsIJKLMN")
 """Letters of integers: in passing, of others it is said of one display."""
+_ENDED = re.compile(r"[.!?][\s})~]*\Z")
 _PARAGRAPH = re.compile(r"\n\s*\n|\\par(?![a-zA-Z])")
 DEPTH = 10
 _OFF = (("\\ne",), ("\\neq",), ("\\notin",))
@@ -389,7 +390,8 @@ class Memory:
         universal = prose.is_universal(before, after)
         kind = prose.kind_of(before)
         kind = "" if kind == prose.CLAIM and prose.is_narrowed(before) else kind
-        stated = restrictions.stated_under(prose.without_formulas(prose.last_sentence(before)))
+        leading = "" if _ENDED.search(before) else prose.last_sentence(before)
+        stated = restrictions.stated_under(prose.without_formulas(leading))
         return Under(
             *(tuple(given), tuple(put_in), path, kind),
             universal=universal,
