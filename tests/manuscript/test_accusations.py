@@ -41,6 +41,7 @@ FREE = (
     r"For all real $x$ and $r$, \[ (x - r)^2 = x^2 - r^2 \]",
     r"There is an $M$ such that $M > 0$. \[ y = \sin 2u = 2\sin u \]",
     r"\begin{proof} Choose $u > 0$. \end{proof} \[ y = \sin 2u = 2\sin u \]",
+    r"We see $u > 0$. Put $dx = 2u\,du$. \[ y = \sin 2u = 2\sin u \]",
     r"The ratio $w = \frac{a}{b}$ counts. \[ y = (w+1)^2 = w^2 + 1 \]",
 )
 

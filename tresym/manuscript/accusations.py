@@ -47,6 +47,7 @@ class Ground:
         reach: the scopes in which the link stands, outermost first.
         alike: both sides are read as the same expression.
         places: in which lines the symbols of a side of its own are defined, 0 in the running text.
+        bounds: bounds in the text that may be meant for its symbols.
     """
 
     doubts: tuple[str, ...] = ()
@@ -55,6 +56,7 @@ class Ground:
     reach: tuple[int, ...] = ()
     alike: bool = False
     places: dict[str, int] = field(default_factory=dict)
+    bounds: tuple[Compared, ...] = ()
 
 
 def ground(
@@ -75,7 +77,12 @@ def ground(
     universal = said.universal or under.universal or under.kind == prose.CLAIM
     tied = names | unknown | names_in(c for c in own if names & names_in((c,)))
     restricted = {name: now.restricted[name] for name in sorted(tied & now.restricted.keys())}
-    doubts = [f"{x} is not free: {r.why}" for x, r in restricted.items() if not r.by or r.by & tied]
+    bounds = tuple(dict.fromkeys(c for r in restricted.values() for c in r.bounds))
+    doubts = [
+        f"{x} is not free: {r.why}"
+        for x, r in restricted.items()
+        if not r.bounds and (not r.by or r.by & tied)
+    ]
     if under.stated:
         doubts.append(f"it stands under '{under.stated}'")
     doubts += [f"nothing is said of the function {name}" for name in sorted(unknown)]
@@ -96,7 +103,7 @@ def ground(
     far = _far_functions(memory, terms)
     doubts += [f"{x} is defined in another paragraph" for x in sorted(far)]
     doubts += [f"the index {letter} may be summed over" for letter in sorted(_repeated(names))]
-    return Ground(tuple(doubts), explicit, universal, reach, left == right, places)
+    return Ground(tuple(doubts), explicit, universal, reach, left == right, places, bounds)
 
 
 def far_definitions(memory: Memory, put_in: Iterable[str], under: Under) -> tuple[str, ...]:

@@ -71,6 +71,9 @@ _INDICES = frozenset("ijklmnpqrsIJKLMN")
 _ENDED = re.compile(r"[.!?][\s})~]*\Z")
 _PARAGRAPH = re.compile(r"\n\s*\n|\\par(?![a-zA-Z])")
 DEPTH = 10
+_ORDER = frozenset(("<", ">", "\\le", "\\leq", "\\ge", "\\geq", "\\leqslant", "\\geqslant"))
+_DIFFERENTIAL = re.compile(r"\s*d\s*[a-zA-Z\\]+\s*=")
+"""An equation of differentials, du = 2x dx, which restricts no value."""
 _OFF = (("\\ne",), ("\\neq",), ("\\notin",))
 Conditions: TypeAlias = tuple[tuple[Compared, ...], tuple[tuple[str, Expr], ...], str]
 """What conditions state: comparisons, values that are put in, and a path."""
@@ -288,13 +291,27 @@ class Memory:
         elif not understood and head is not None and not head.derived:
             others = self.spoken_of(replace(said, terms=said.terms[1:])) - {*head.parameters}
             self.restrict({head.name}, why, others - {head.name})
-        elif not understood:
-            self.restrict(self.spoken_of(said), why)
+        elif not understood and not _DIFFERENTIAL.match(found.tex):
+            conditions = self.condition(said) if {*said.ops} <= _ORDER else None
+            bounds = conditions[0] if conditions else ()
+            self.restrict(self.spoken_of(said), why, bounds=bounds)
 
-    def restrict(self, names: Iterable[str], why: str, by: Iterable[str] = ()) -> None:
+    def restrict(
+        self,
+        names: Iterable[str],
+        why: str,
+        by: Iterable[str] = (),
+        bounds: tuple[Compared, ...] = (),
+    ) -> None:
         """Symbols are not free for a counterexample from here on, where ``by`` is spoken of too."""
         for name in names:
-            self.scopes.now.restricted.setdefault(name, Restriction(why, frozenset(by)))
+            before = self.scopes.now.restricted.get(name)
+            if before is None:
+                self.scopes.now.restricted[name] = Restriction(why, frozenset(by), bounds)
+            elif before.bounds and not bounds:
+                self.scopes.now.restricted[name] = Restriction(why, frozenset(by))
+            elif before.bounds:
+                self.scopes.now.restricted[name] = before._replace(bounds=before.bounds + bounds)
 
     def spoken_of(self, said: Said) -> set[str]:
         """The symbols and functions in a formula, by their letters where it is not read."""
