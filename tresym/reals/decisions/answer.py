@@ -1,4 +1,4 @@
-"""What a check came to: a value of plain text and numbers."""
+"""The answer to a claim, as plain text and numbers."""
 
 from __future__ import annotations
 

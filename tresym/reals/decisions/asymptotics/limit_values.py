@@ -1,4 +1,4 @@
-"""The limit of an expression with parameters, exactly: by growth, whose coefficients are exact.
+"""Compute the exact limit of an expression with parameters.
 
 A parameter is a constant: its sign, where that matters, is one that
 :func:`tresym.reals.signs.sign.sign` proves under the conditions, and what is free of the variable
