@@ -183,6 +183,7 @@ def _is_stated(means: Basic, proof: Boxes) -> bool:
 
 def _elsewhere(claim: Claim, proof: Boxes, meant: Meant) -> str | None:
     """Why the boxes do not hold the region, or not the point at which the order is, or None."""
+    assert isinstance(claim.says, Basic)
     given, x = conditions(claim.given), meant.remainder.tends.name
     coordinates = tuple(map(tree, meant.coordinates))
     orders = [node.args[0] for node in claim.says.atoms(AppliedUndef)] or [meant.gauge]
