@@ -38,6 +38,8 @@ def limit_of(e: Expr, name: str, point: Expr | None, side: int, given: Given) ->
         side: +1 from above or to +∞, −1 from below or to −∞.
         given: conditions on the parameters, which are fixed.
     """
+    if e.hidden:
+        return None
     t = symbol(T)
     found = Rewritten(T, given)
     try:
