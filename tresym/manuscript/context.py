@@ -13,7 +13,7 @@ from tresym.manuscript.directives import Orders
 from tresym.manuscript.display import STRANGE, Said, statements
 from tresym.manuscript.kinds import Uses
 from tresym.manuscript.scopes import Restriction, Scopes
-from tresym.manuscript.terms import Head, head_of, is_plain, read_term, unknown_in
+from tresym.manuscript.terms import Head, base_of, head_of, is_plain, read_term, unknown_in
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.expression import (
@@ -70,8 +70,12 @@ _TIME_WITHIN = re.compile(r"(?<![a-zA-Z\\])d\s*\}?\s*\{?t'|''")
 """Where t' is a variable of integration, or derivatives are marked by primes."""
 _INDICES = frozenset("ijklmnpqrsIJKLMN")
 """Letters of integers: in passing, of others it is said of one display."""
+_ENDED = re.compile(r"[.!?][\s})~]*\Z")
 _PARAGRAPH = re.compile(r"\n\s*\n|\\par(?![a-zA-Z])")
 DEPTH = 10
+_ORDER = frozenset(("<", ">", "\\le", "\\leq", "\\ge", "\\geq", "\\leqslant", "\\geqslant"))
+_DIFFERENTIAL = re.compile(r"\s*d\s*[a-zA-Z\\]+\s*=")
+"""An equation of differentials, du = 2x dx, which restricts no value."""
 _OFF = (("\\ne",), ("\\neq",), ("\\notin",))
 Conditions: TypeAlias = tuple[tuple[Compared, ...], tuple[tuple[str, Expr], ...], str]
 """What conditions state: comparisons, values that are put in, and a path."""
@@ -263,6 +267,7 @@ class Memory:
             body = substitute(body, values)
         for name in sorted(symbols(body) - {*e.names}):
             on = self.dependent.get(name, frozenset()) | ({""} if name in self.called else set())
+            on |= {""} if base_of(name) != name else set()
             free = name not in constants and name not in known
             varies = name in self.uses.functions or may_depend(name, e, body, self.partial)
             if on & {"", *e.names} or (free and varies):
@@ -309,13 +314,27 @@ class Memory:
         elif not understood and head is not None and not head.derived:
             others = self.spoken_of(replace(said, terms=said.terms[1:])) - {*head.parameters}
             self.restrict({head.name}, why, others - {head.name})
-        elif not understood:
-            self.restrict(self.spoken_of(said), why)
+        elif not understood and not _DIFFERENTIAL.match(found.tex):
+            conditions = self.condition(said) if {*said.ops} <= _ORDER else None
+            bounds = conditions[0] if conditions else ()
+            self.restrict(self.spoken_of(said), why, bounds=bounds)
 
-    def restrict(self, names: Iterable[str], why: str, by: Iterable[str] = ()) -> None:
+    def restrict(
+        self,
+        names: Iterable[str],
+        why: str,
+        by: Iterable[str] = (),
+        bounds: tuple[Compared, ...] = (),
+    ) -> None:
         """Symbols are not free for a counterexample from here on, where ``by`` is spoken of too."""
         for name in names:
-            self.scopes.now.restricted.setdefault(name, Restriction(why, frozenset(by)))
+            before = self.scopes.now.restricted.get(name)
+            if before is None:
+                self.scopes.now.restricted[name] = Restriction(why, frozenset(by), bounds)
+            elif before.bounds and not bounds:
+                self.scopes.now.restricted[name] = Restriction(why, frozenset(by))
+            elif before.bounds:
+                self.scopes.now.restricted[name] = before._replace(bounds=before.bounds + bounds)
 
     def spoken_of(self, said: Said) -> set[str]:
         """The symbols and functions in a formula, by their letters where it is not read."""
@@ -411,7 +430,8 @@ class Memory:
         universal = prose.is_universal(before, after)
         kind = prose.kind_of(before)
         kind = "" if kind == prose.CLAIM and prose.is_narrowed(before) else kind
-        stated = restrictions.stated_under(prose.without_formulas(prose.last_sentence(before)))
+        leading = "" if _ENDED.search(before) else prose.last_sentence(before)
+        stated = restrictions.stated_under(prose.without_formulas(leading))
         return Under(
             *(tuple(given), tuple(put_in), path, kind),
             universal=universal,

@@ -12,6 +12,7 @@ from tresym.manuscript.classification import EQUATION, UNREAD, Attempt, Link
 from tresym.manuscript.context import names_in
 from tresym.manuscript.instances import instances
 from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.claim_parsing import chained
 from tresym.reals.decisions.time_limited import Task, check_all, check_within
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.expression import ONE, ZERO, symbols
@@ -196,13 +197,14 @@ def _doubt(link: Link, asked: Attempt, limit: float) -> str:
     if point is not None:
         at = ", ".join(f"{name} = {value}" for name, value in point.items())
         return f"it holds at {at}: a condition may be missing"
-    bound = names_in(asked.given) | names_in([asked.sides]) & {*"ABC"}
-    free = sorted(names_in([asked.sides]) - bound - accusations.NO_VARIABLES)
-    if free and not elementary(asked.sides[0], asked.sides[2]):
-        signs = ", ".join(f"{name} > 0" for name in free)
-        text = f"{asked.text}, {signs}" if asked.given else f"{asked.text} given {signs}"
+    known = names_in(asked.given) | names_in(link.ground.bounds)
+    free = sorted(names_in([asked.sides]) - known - {*"ABC"} - accusations.NO_VARIABLES)
+    signs = [f"{name} > 0" for name in free]
+    more = ", ".join(filter(None, (chained(link.ground.bounds), *signs)))
+    if more and (link.ground.bounds or not elementary(asked.sides[0], asked.sides[2])):
+        text = f"{asked.text}, {more}" if " given " in asked.text else f"{asked.text} given {more}"
         if check_within(Task(text), limit).verdict is not Verdict.REFUTED:
-            return f"it is not refuted where {signs}: a condition may be missing"
+            return f"it is not refuted where {more}: a condition may be missing"
     return ""
 
 

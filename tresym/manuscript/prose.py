@@ -325,7 +325,7 @@ def conditions_behind(after: str) -> Iterator[Inline]:
     paragraph = re.split(r"\n\s*\n", after[:MAX_AFTER].lstrip(" \t\n.,;"))[0]
     for sentence in _SENTENCE.split(paragraph)[:3]:
         for found in inline(sentence):
-            ahead = sentence[: sentence.find(found.tex.partition(" \\in ")[0])]
+            ahead = sentence[: sentence.find(found.tex.partition(" \\in ")[0])].rstrip("$")
             if is_of_display_before(INLINE.sub("$", ahead)):
                 yield found
 

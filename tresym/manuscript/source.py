@@ -40,7 +40,7 @@ STATEMENT, PROOF, EXAMPLE, LIST, ITEM, CASE = (
 _SCOPES = {
     STATEMENT: r"theorem|thm|lem(?:ma)?|prop(?:osition)?|cor(?:ollary)?|conj(?:ecture)?|claim|fact",
     PROOF: r"proof|pf|solutions?|soln?|answer|hint",
-    EXAMPLE: r"ex|exam|exam?ples?|exer|exercises?|problems?|prob|questions?|remarks?|rem|rmk",
+    EXAMPLE: r"ex|eg|exam|exam?ples?|exer|exercises?|problems?|prob|questions?|remarks?|rem|rmk",
     LIST: r"enumerate|itemize|description|parts|tasks|[a-z]*(?:list|enum|item)",
     CASE: r"case",
 }
