@@ -8,8 +8,10 @@ from dataclasses import dataclass, replace
 from typing import TypeAlias
 
 from tresym.manuscript import prose, restrictions
+from tresym.manuscript.dependence import may_depend
 from tresym.manuscript.directives import Orders
 from tresym.manuscript.display import STRANGE, Said, statements
+from tresym.manuscript.kinds import Uses
 from tresym.manuscript.scopes import Restriction, Scopes
 from tresym.manuscript.terms import Head, base_of, head_of, is_plain, read_term, unknown_in
 from tresym.reals.domain.evaluation import evaluate
@@ -112,7 +114,9 @@ class Memory:
         scopes: what the text says, as far as that reaches.
         labels: what displays say, by their labels and numbers.
         ahead: what is defined further on in the display.
+        partial: whether derivatives in a chain are written with ∂.
         by: the one variable by which a chain integrates, if it is one.
+        uses: what the names of the display are elsewhere.
         seen: names that stood in a display before.
         primes: whether primes make other symbols, as where there is a time t', and no derivatives.
         where: conditions of the sentences that define symbols, by the symbol.
@@ -134,11 +138,13 @@ class Memory:
         self.shorter = self.longer = False
         self.ahead: dict[str, Expr] = {}
         self.by = ""
+        self.partial = False
         self.primes = bool(_PRIMED_TIME.search(text)) and not _TIME_WITHIN.search(text)
         self.dependent = _dependent(text)
         self.called = frozenset(
             head.name for m in _CALLED.finditer(text) if (head := self.head(tokenize(m[1])))
         )
+        self.uses = Uses()
         self.seen: set[str] = set()
         self.told: dict[str, Expr] = {}
         self.where: dict[str, tuple[Compared, ...]] = {}
@@ -179,6 +185,11 @@ class Memory:
             letter_e=self.letter_e,
             letter_delta=self.letter_delta,
             called=self.called,
+            applied=self.uses.applied,
+            bare=self.uses.bare,
+            numbers=self.uses.numbers,
+            sequences=self.uses.sequences,
+            inverses=self.uses.inverses,
             variable=self.by,
         )
 
@@ -223,10 +234,15 @@ class Memory:
             known[name] = body
         return known
 
-    def under_binders(self, e: Expr, known: Mapping[str, Expr]) -> Expr:
+    def under_binders(
+        self, e: Expr, known: Mapping[str, Expr], constants: frozenset[str] = frozenset()
+    ) -> Expr:
         """With what is a function of the variable of a derivative or an integral put in there.
 
         In print ``y`` under ``d/dx`` is what it stands for, where that has x in it.
+
+        Args:
+            constants: what is bound around it, or said to be a number.
 
         Raises:
             InputError: it is not known whether a symbol is a function of the variable.
@@ -236,8 +252,9 @@ class Memory:
         if e.op not in BINDERS or not symbols(e.args[0]).isdisjoint(e.names):
             if e.op in UNWORKED or e.op == "unknown":
                 return e
-            return rebuild(e, tuple(self.under_binders(arg, known) for arg in e.args))
-        args = tuple(self.under_binders(arg, known) for arg in e.args[1:])
+            return rebuild(e, tuple(self.under_binders(arg, known, constants) for arg in e.args))
+        args = tuple(self.under_binders(arg, known, constants) for arg in e.args[1:])
+        constants = constants.union(*map(symbols, args))  # an end is not moved by the variable
         body = instantiate(e.args[0], tuple(map(symbol, e.names)))
         for _ in range(DEPTH):
             values = {
@@ -251,9 +268,14 @@ class Memory:
         for name in sorted(symbols(body) - {*e.names}):
             on = self.dependent.get(name, frozenset()) | ({""} if name in self.called else set())
             on |= {""} if base_of(name) != name else set()
-            if on & {"", *e.names}:
-                raise InputError(f"whether {name} is a function of {e.names[0]} is not said")
-        return Expr(e.op, (bind(self.under_binders(body, known), e.names), *args), e.names)
+            free = name not in constants and name not in known
+            if on & {"", *e.names} or (free and may_depend(name, e, body, self.partial)):
+                advice = f"write {name}({e.names[0]}), or % tresym: let {name} real"
+                raise InputError(
+                    f"whether {name} is a function of {e.names[0]} is not said: {advice}"
+                )
+        inner = self.under_binders(body, known, constants | {*e.names})
+        return Expr(e.op, (bind(inner, e.names), *args), e.names)
 
     def remember(self, text: str) -> None:
         """Definitions, lasting conditions and what restricts symbols in the lines of a text."""

@@ -138,7 +138,8 @@ def _door(comparison: Comparison, statement: Statement) -> Door | None:
         from tresym.reals.decisions.nth_derivatives import decide_repeated
 
         return decide_repeated
-    if nodes & {"sum", "product"} and unknown <= {FACTORIAL}:
+    finite = nodes <= {"sum", "product", "unknown"} and statement.path is None
+    if nodes & {"sum", "product"} and (unknown <= {FACTORIAL} or finite):
         from tresym.reals.decisions.finite_sums import decide_totals
 
         return decide_totals
