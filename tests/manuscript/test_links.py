@@ -387,7 +387,10 @@ def test_a_condition_is_of_its_own_row(text: str, tmp_path: Path) -> None:
         (r"Let $t \ge 1$ or $t \le 0$. Then \[ t \ge 1 \]", "UNDECIDED t >= 1"),
         (r"Assume $x > 0$ or not. We get \[ |x| = x \]", "EQUATION abs(x) == x"),
         (r"\[ |x| = x \] and for $x > 0$, \[ x > 0 \]", "EQUATION abs(x) == x, PROVED x > 0"),
-        (r"For all real $x$, \[ w(x) > 0 \] Then \[ |w(x)| = w(x) \]", "UNREAD w(x) > 0, UNREAD abs(w(x)) == w(x)"),
+        (
+            r"For all real $x$, \[ w(x) > 0 \] Then \[ |w(x)| = w(x) \]",
+            "UNREAD w(x) > 0, UNREAD abs(w(x)) == w(x)",
+        ),
     ],
 )
 def test_what_is_claimed_is_not_assumed(text: str, found: str, tmp_path: Path) -> None:

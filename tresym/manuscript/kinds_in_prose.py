@@ -73,8 +73,11 @@ _OTHER_NOUN = (
     r"|strength|order|dimensions?|rank|density|constants?|magnitude|eigenvalues?|parameters?|angles?"
     r"|product|spectrum|radius|of degree|whose|functions?)\b|['’]s\b|\w)"
 )
+_ADJECTIVE_BEFORE = (
+    r"(?:(?!(?:the|an?|for|of|in|on|to|and|or|let|by|with|that|this|is|are|be)\b)[a-z-]+[\s~]+)??"
+)
 _BEFORE = re.compile(
-    rf"\b(?:{_ANY}){_OTHER_NOUN}[\s~]*,?[\s~]*(?:(?:say|called|named|denoted(?: by)?|given by)[\s~]+)?"
+    rf"\b{_ADJECTIVE_BEFORE}(?:{_ANY}){_OTHER_NOUN}[\s~]*,?[\s~]*(?:(?:say|called|named|denoted(?: by)?|given by)[\s~]+)?"
     rf"{_LIST}",
     re.IGNORECASE,
 )
