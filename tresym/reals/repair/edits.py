@@ -1,0 +1,289 @@
+"""All statements one edit away from a given one: the misprints of its operations and leaves.
+
+An edit changes one place of one side: a sign, a number, an exponent, a function, a variable, a
+factor. Its rank says how usual it is as a misprint, 0 first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+from flint import fmpq
+
+from tresym.reals.language.expression import (
+    BINDERS,
+    HALF,
+    LEAVES,
+    MINUS_ONE,
+    ONE,
+    PI,
+    Expr,
+    add,
+    apply,
+    bind,
+    multiply,
+    number,
+    opened,
+    power,
+    rebuild,
+    symbol,
+    symbols,
+)
+from tresym.reals.language.parsing import INFINITY, Compared
+from tresym.reals.numbers.exact import InputError
+
+SIGN, NUMBER, FUNCTION, VARIABLE, FACTOR, WRAPPED, OTHER = range(7)
+"""The ranks of edits."""
+MAX_DIGITS = 6
+"""Digits of a number whose digits are changed one by one."""
+
+_FAMILIES = (
+    ("sin", "cos", "tan", "cot", "sec", "csc"),
+    ("sinh", "cosh", "tanh", "coth", "sech", "csch"),
+    ("asin", "acos", "atan"),
+    ("asinh", "acosh", "atanh"),
+    ("exp", "log"),
+)
+_PARTNERS = (
+    *(("sin", "cos"), ("tan", "cot"), ("sec", "csc"), ("asin", "acos"), ("asinh", "acosh")),
+    *(("sinh", "cosh"), ("tanh", "coth"), ("sech", "csch"), ("acos", "acosh")),
+    *((name, f"{name}h") for name in (*_FAMILIES[0], "asin", "atan")),
+)
+"""Functions that are confused most often, in pairs."""
+RELATIONS = {"<": ("<=", ">"), "<=": ("<", ">="), ">": (">=", "<"), ">=": (">", "<=")}
+"""The relations that stand for another one by a misprint."""
+RELATIONS |= {"O": ("o",), "o": ("O",), "!=": ("==",)}
+
+
+class Change(NamedTuple):
+    """A tree with one place changed: how usual that is, what stood there and what stands now."""
+
+    rank: int
+    old: str
+    new: str
+    tree: Expr
+
+
+class Edit(NamedTuple):
+    """A comparison with one place changed, as :class:`Change`."""
+
+    rank: int
+    side: int
+    old: str
+    new: str
+    comparison: Compared
+
+    @property
+    def says(self) -> str:
+        """The edit in words."""
+        return f"{self.new or 'nothing'} in place of {self.old or 'nothing'}"
+
+
+def edits(comparison: Compared, indices: Sequence[str] = ()) -> Iterator[Edit]:
+    """Every comparison one edit away, each once, those of the same rank from right to left.
+
+    Args:
+        indices: variables that are integers, which may be confused with their neighbours.
+    """
+    left, relation, right = comparison
+    names = sorted((symbols(left) | symbols(right)) - symbols(INFINITY))
+    found = [
+        Edit(NUMBER, 1, relation, other, (left, other, right))
+        for other in RELATIONS.get(relation, ())
+    ]
+    for place, side in ((1, right), (0, left)):
+        for rank, old, new, tree in changes(side, names, indices):
+            sides = (left, relation, tree) if place else (tree, relation, right)
+            found.append(Edit(rank, place, old, new, sides))
+    seen = {comparison}
+    for edit in sorted(found, key=lambda edit: edit.rank):
+        if edit.comparison not in seen:
+            seen.add(edit.comparison)
+            yield edit
+
+
+def changes(e: Expr, names: Sequence[str], indices: Sequence[str] = ()) -> Iterator[Change]:
+    """Every tree one edit away from ``e``; some may come twice."""
+    yield from _numbers(e)
+    if e.op == "number":
+        return
+    yield from _wrapped(e)
+    yield from _here(e, names, indices)
+    if e.op in LEAVES:
+        return
+    if e.op in BINDERS:
+        yield from _inside(e, names, indices)
+        return
+    signed = e.op == "*" and e.args[0].op == "number"
+    for n, arg in enumerate(e.args):
+        if not isinstance(arg, Expr) or (signed and n == 0) or arg.op == "function":
+            continue
+        if e.op == "^" and n == 1:
+            yield from _exponents(e, names, indices)
+            continue
+        for change in changes(arg, names, indices):
+            yield from _built(change, e, n)
+
+
+def _built(change: Change, e: Expr, n: int) -> Iterator[Change]:
+    try:
+        tree = rebuild(e, (*e.args[:n], change.tree, *e.args[n + 1 :]))
+    except InputError:
+        return
+    yield change._replace(tree=tree)
+
+
+def _try(rank: int, old: str, new: str, make: object, *args: Expr) -> Iterator[Change]:
+    """A change, none where the tree would be too large."""
+    try:
+        yield Change(rank, old, new, make(*args))  # type: ignore[operator]
+    except InputError:
+        return
+
+
+def _inside(e: Expr, names: Sequence[str], indices: Sequence[str]) -> Iterator[Change]:
+    """Changes of the body and of the ends of what binds a variable."""
+    bound, body = opened(e, names)
+    counted = (*indices, *bound) if e.op in ("sum", "product") else indices
+    for change in changes(body, (*names, *bound), counted):
+        tree = Expr(e.op, (bind(change.tree, bound), *e.args[1:]), e.names)
+        yield change._replace(tree=tree)
+    if e.op in ("antiderivative", "derivative", "nth"):
+        return
+    ends = e.args[1:3] if e.op != "limit" else e.args[1:2]
+    for n, end in enumerate(ends, 1):
+        if end in (INFINITY, -INFINITY):
+            continue
+        for change in changes(end, names, symbols(end) and tuple(symbols(end))):  # type: ignore[arg-type]
+            tree = Expr(e.op, (*e.args[:n], change.tree, *e.args[n + 1 :]), e.names)
+            yield change._replace(tree=tree)
+
+
+def _here(e: Expr, names: Sequence[str], indices: Sequence[str]) -> Iterator[Change]:
+    """Other functions, variables, terms and factors at the root of ``e``."""
+    if e.op == "symbol":
+        name = str(e.args[0])
+        for other in names:
+            if other != name:
+                yield Change(VARIABLE, name, other, symbol(other))
+        for step in (1, -1) if name in indices else ():
+            yield Change(VARIABLE, name, str(e + step), e + step)
+    for pairs, rank in ((_PARTNERS, FUNCTION), (_FAMILIES, WRAPPED)):
+        for family in pairs:
+            if e.op in family:
+                for other in family:
+                    if other != e.op:
+                        yield Change(rank, e.op, other, apply(other, e.args[0]))
+    if e.op == "+":
+        yield from _terms(e)
+    if e.op == "*":
+        yield from _factors(e)
+    if e.op == "^" and e.args[1].op != "number":
+        yield from _try(OTHER, str(e), str(power(*e.args[::-1])), power, *e.args[::-1])
+    if e.op == "abs":
+        yield Change(WRAPPED, str(e), str(e.args[0]), e.args[0])
+
+
+def _terms(e: Expr) -> Iterator[Change]:
+    """The sign of one term changed, or one left out."""
+    for n, term in enumerate(e.args):
+        rest = (*e.args[:n], *e.args[n + 1 :])
+        other = multiply(MINUS_ONE, term)
+        yield Change(SIGN, _signed(term), _signed(other), add(*e.args[:n], other, *e.args[n + 1 :]))
+        yield Change(OTHER, _signed(term), "", add(*rest))
+
+
+def _signed(term: Expr) -> str:
+    """A term with its sign: ``- x`` or ``+ x``."""
+    text = str(term)
+    return f"- {text[1:]}" if text.startswith("-") else f"+ {text}"
+
+
+def _factors(e: Expr) -> Iterator[Change]:
+    """One factor divided by in place of multiplied with, or left out."""
+    for n, factor in enumerate(e.args):
+        rest = (*e.args[:n], *e.args[n + 1 :])
+        if factor.op == "number":
+            if factor != MINUS_ONE:
+                rank = OTHER if abs(factor.args[0]) not in (2, fmpq(1, 2)) else FACTOR
+                yield Change(rank, str(factor), "", multiply(*rest))
+            continue
+        yield Change(OTHER, str(factor), "", multiply(*rest))
+
+
+def _wrapped(e: Expr) -> Iterator[Change]:
+    """A sign, a factor, a power or bars put around ``e``."""
+    old, negative = str(e), multiply(MINUS_ONE, e)
+    yield Change(SIGN, old, str(negative), negative)
+    for factor, rank in (
+        (number(2), FACTOR),
+        (HALF, FACTOR),
+        (PI, OTHER),
+        (power(PI, MINUS_ONE), OTHER),
+    ):
+        tree = multiply(factor, e)
+        yield Change(rank, old, str(tree), tree)
+    if e.op == "^" and e.args[1].op == "number":
+        return
+    for exponent, rank in ((number(2), NUMBER), (HALF, WRAPPED), (MINUS_ONE, WRAPPED)):
+        tree = power(e, exponent)
+        yield Change(rank, old, str(tree), tree)
+    yield Change(NUMBER + 3, old, str(power(e, number(3))), power(e, number(3)))
+    if e.op != "abs":
+        yield Change(WRAPPED, old, f"abs({old})", apply("abs", e))
+
+
+def _exponents(e: Expr, names: Sequence[str], indices: Sequence[str]) -> Iterator[Change]:
+    base, exponent = e.args
+    if exponent.op != "number":
+        for change in changes(exponent, names, indices):
+            yield from _built(change, e, 1)
+        return
+    r = exponent.args[0]
+    for value in _near(r, beside=True):
+        rank = WRAPPED if {r, value} & {fmpq(-1), fmpq(1, 2)} else NUMBER
+        for change in _try(rank, str(e), "", power, base, number(value)):
+            yield change._replace(new=str(change.tree))
+
+
+def _numbers(e: Expr) -> Iterator[Change]:
+    """A number changed, alone, as the factor in front of a product, or the 1 of a quotient."""
+    if e.op == "number":
+        own, rest = e.args[0], ()
+    elif e.op == "*" and e.args[0].op == "number":
+        own, rest = e.args[0].args[0], e.args[1:]
+    elif e.op == "*" and any(f.op == "^" and f.args[1] == MINUS_ONE for f in e.args):
+        own, rest = fmpq(1), e.args
+    else:
+        return
+    for value in _near(own, beside=False):
+        yield Change(NUMBER, str(number(own)), str(number(value)), multiply(number(value), *rest))
+    sign = multiply(number(-own), *rest)
+    yield Change(SIGN, str(number(own)), str(number(-own)), sign)
+
+
+def _near(r: fmpq, beside: bool) -> list[fmpq]:
+    """Numbers that a misprint of ``r`` may be, the nearest first; an exponent changes its sign."""
+    p, q = int(r.p), int(r.q)
+    values = [fmpq(n, q) for n in _misprints(p)]
+    values += [fmpq(p, n) for n in _misprints(q) if n] if q > 1 else []
+    values += [fmpq(p, n) for n in (2, 3, 4)] if q == 1 and p else []
+    values += [-r] if beside else []
+    found = dict.fromkeys(v for v in values if v != r)
+    return list(found)
+
+
+def _misprints(n: int) -> list[int]:
+    sign, size = (-1 if n < 0 else 1), abs(n)
+    found = [size + 1, size - 1, size + 2, size - 2, 2 * size]
+    found += [size // 2] if size % 2 == 0 else []
+    text = str(size)
+    if len(text) <= MAX_DIGITS:
+        for k, digit in enumerate(text):
+            found += [int(f"{text[:k]}{other}{text[k + 1 :]}") for other in "0123456789"]
+            if k + 1 < len(text):
+                found.append(int(f"{text[:k]}{text[k + 1]}{digit}{text[k + 2 :]}"))
+    near = sorted({m for m in found if m != size}, key=lambda m: (abs(m - size), m))
+    return [sign * m for m in near]
+
