@@ -16,7 +16,6 @@ from tresym.reals.language.expression import (
     HALF,
     LEAVES,
     MINUS_ONE,
-    ONE,
     PI,
     Expr,
     add,
@@ -286,4 +285,3 @@ def _misprints(n: int) -> list[int]:
                 found.append(int(f"{text[:k]}{text[k + 1]}{digit}{text[k + 2 :]}"))
     near = sorted({m for m in found if m != size}, key=lambda m: (abs(m - size), m))
     return [sign * m for m in near]
-

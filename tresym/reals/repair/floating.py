@@ -169,9 +169,7 @@ def _product(body: Expr, name: str, low: float, high: float, here: Mapping[str, 
     return NAN if terms is None else math.prod(terms)
 
 
-def _terms(
-    body: Expr, name: str, low: float, high: float, here: Mapping[str, float]
-) -> Row | None:
+def _terms(body: Expr, name: str, low: float, high: float, here: Mapping[str, float]) -> Row | None:
     whole = math.isfinite(low) and math.isfinite(high) and {low % 1, high % 1} == {0.0}
     if not whole or not -1 <= high - low <= MOST_TERMS:
         return None

@@ -39,7 +39,7 @@ def is_trivial(old: Compared, new: Compared) -> bool:
         gap, share = collected(left - right), collected(left / right)
     except InputError:
         return False
-    return not symbols(gap) and bool(names) or not symbols(share) and bool(names)
+    return (not symbols(gap) and bool(names)) or (not symbols(share) and bool(names))
 
 
 @cache

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 
+from tresym.reals.domain.conditions import Given
 from tresym.reals.language.expression import Expr, substitute, symbols
 from tresym.reals.language.parsing import INFINITY, Compared
-from tresym.reals.places.conditions import Given
 from tresym.reals.repair.floating import Points, Row, UnsupportedError
 
 _LINE = (0.37, 1.71, -0.62, 2.43, -1.31, 0.83, 3.19, -2.77, 0.14, 5.9, -0.21, 1.13)
@@ -152,5 +152,3 @@ def near_end(points: Points, name: str, end: Expr, side: int, step: float) -> Po
     else:
         places = [x + (side or 1) * step for x in points.values(end)]
     return Points({**at, name: places})
-
-
