@@ -3,8 +3,8 @@
 - `flip_defect` (in `separatrix`) defines ε₀; `phase` its phase P = T/√(ab), `leading_term` ε*,
   `exponent_of_defect` Q = log(ε₀/ε*), `first_coefficient` c₁, `second_coefficient` c₂;
 - `phase_equation`, `defect_by_phase`, `leading_by_defect`: how they hang together;
-- the readings say what a step of a formula in `tresym.racket.bounds` is in these symbols, in the two
-  charts (b, κ), κ = 1/√(ab), and (b, k), k = √(ab).
+- the readings say what a step of a formula in `tresym.racket.bounds` is in these symbols, in the
+  two charts (b, κ), κ = 1/√(ab), and (b, k), k = √(ab).
 """
 
 from collections.abc import Callable

@@ -27,11 +27,10 @@ FLOORS = (
 INSIDE = {
     "reals": (
         ("numbers", "notebook", "verdict"),
-        ("language", "limit", "processes"),
-        ("places", "corpus", "advocate"),
+        ("language", "resource_limits", "processes"),
+        ("domain", "corpus", "cross_check"),
         ("normal",),
         ("signs", "balls"),
-        ("growth",),
         ("decisions",),
     ),
     "racket": (
@@ -40,9 +39,9 @@ INSIDE = {
         ("angle", "result", "floats"),
         ("motion",),
         ("flip",),
-        ("near", "compared"),
+        ("bounds", "comparison"),
     ),
-    "report": (("words",), ("figures",), ("charts",), ("pages",)),
+    "report": (("typesetting",), ("figures",), ("charts",), ("pages",)),
 }
 """The same for the rooms inside a room."""
 

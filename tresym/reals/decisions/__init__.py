@@ -1,7 +1,7 @@
 """A user's own claims: identities, inequalities and orders, decided soundly.
 
-:func:`check` decides one claim in this process; :mod:`tresym.reals.decisions.time_limited` many, each
-within a limit of time.
+:func:`check` decides one claim in this process; :mod:`tresym.reals.decisions.time_limited`
+many, each within a limit of time.
 """
 
 from __future__ import annotations

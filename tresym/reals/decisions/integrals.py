@@ -7,8 +7,8 @@ may be singular, and each piece is looked at by itself. Where the order of the e
 order is. How F is found plays no part: it may be given in the claim, by values of it that are
 written ``at(F, x, b) - at(F, x, a)``; else SymPy suggests one.
 
-Some integrals are theorems, which are quoted (:mod:`tresym.reals.decisions.known_integrals`). Another of
-which no antiderivative is known is enclosed by certified quadrature
+Some integrals are theorems, which are quoted (:mod:`tresym.reals.decisions.known_integrals`).
+Another of which no antiderivative is known is enclosed by certified quadrature
 (:mod:`tresym.reals.domain.binder_values`), which refutes an equation, and bounds.
 """
 
