@@ -6,13 +6,14 @@ factor. Its rank says how usual it is as a misprint, 0 first.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple
 
 from flint import fmpq
 
 from tresym.reals.language.expression import (
     BINDERS,
+    FUNCTIONS,
     HALF,
     LEAVES,
     MINUS_ONE,
@@ -58,48 +59,60 @@ RELATIONS |= {"O": ("o",), "o": ("O",), "!=": ("==",)}
 class Change(NamedTuple):
     """A tree with one place changed: how usual that is, what stood there and what stands now."""
 
-    rank: int
+    rank: float
     old: str
     new: str
     tree: Expr
 
 
 class Edit(NamedTuple):
-    """A comparison with one place changed, as :class:`Change`."""
+    """A chain of comparisons with one place changed.
 
-    rank: int
-    side: int
+    Attributes:
+        rank: how usual such a misprint is, 0 first.
+        old, new: what stood there and what stands now.
+        terms, relations: the chain with the change.
+    """
+
+    rank: float
     old: str
     new: str
-    comparison: Compared
+    terms: tuple[Expr, ...]
+    relations: tuple[str, ...]
 
     @property
     def says(self) -> str:
         """The edit in words."""
         return f"{self.new or 'nothing'} in place of {self.old or 'nothing'}"
 
+    @property
+    def links(self) -> list[Compared]:
+        """The comparisons of the chain."""
+        return [*zip(self.terms, self.relations, self.terms[1:], strict=False)]
 
-def edits(comparison: Compared, indices: Sequence[str] = ()) -> Iterator[Edit]:
-    """Every comparison one edit away, each once, those of the same rank from right to left.
+
+def edits(
+    terms: tuple[Expr, ...], relations: tuple[str, ...], indices: Sequence[str] = ()
+) -> list[Edit]:
+    """Every chain one edit away, each once: by rank, changes at the right end first.
 
     Args:
         indices: variables that are integers, which may be confused with their neighbours.
     """
-    left, relation, right = comparison
-    names = sorted((symbols(left) | symbols(right)) - symbols(INFINITY))
+    names = sorted(frozenset().union(*map(symbols, terms)) - symbols(INFINITY))
     found = [
-        Edit(NUMBER, 1, relation, other, (left, other, right))
+        Edit(NUMBER, relation, other, terms, (*relations[:n], other, *relations[n + 1 :]))
+        for n, relation in enumerate(relations)
         for other in RELATIONS.get(relation, ())
     ]
-    for place, side in ((1, right), (0, left)):
-        for rank, old, new, tree in changes(side, names, indices):
-            sides = (left, relation, tree) if place else (tree, relation, right)
-            found.append(Edit(rank, place, old, new, sides))
-    seen = {comparison}
+    for n in reversed(range(len(terms))):
+        for rank, old, new, tree in changes(terms[n], names, indices):
+            chain = (*terms[:n], tree, *terms[n + 1 :])
+            found.append(Edit(rank, old, new, chain, relations))
+    unique = {(terms, relations): found[0]} if found else {}
     for edit in sorted(found, key=lambda edit: edit.rank):
-        if edit.comparison not in seen:
-            seen.add(edit.comparison)
-            yield edit
+        unique.setdefault((edit.terms, edit.relations), edit)
+    return list(unique.values())[1:]
 
 
 def changes(e: Expr, names: Sequence[str], indices: Sequence[str] = ()) -> Iterator[Change]:
@@ -133,10 +146,10 @@ def _built(change: Change, e: Expr, n: int) -> Iterator[Change]:
     yield change._replace(tree=tree)
 
 
-def _try(rank: int, old: str, new: str, make: object, *args: Expr) -> Iterator[Change]:
+def _try(rank: int, old: str, new: str, make: Callable[..., Expr], *args: Expr) -> Iterator[Change]:
     """A change, none where the tree would be too large."""
     try:
-        yield Change(rank, old, new, make(*args))  # type: ignore[operator]
+        yield Change(rank, old, new, make(*args))
     except InputError:
         return
 
@@ -154,7 +167,7 @@ def _inside(e: Expr, names: Sequence[str], indices: Sequence[str]) -> Iterator[C
     for n, end in enumerate(ends, 1):
         if end in (INFINITY, -INFINITY):
             continue
-        for change in changes(end, names, symbols(end) and tuple(symbols(end))):  # type: ignore[arg-type]
+        for change in changes(end, names, sorted(symbols(end))):
             tree = Expr(e.op, (*e.args[:n], change.tree, *e.args[n + 1 :]), e.names)
             yield change._replace(tree=tree)
 
@@ -191,6 +204,8 @@ def _terms(e: Expr) -> Iterator[Change]:
         other = multiply(MINUS_ONE, term)
         yield Change(SIGN, _signed(term), _signed(other), add(*e.args[:n], other, *e.args[n + 1 :]))
         yield Change(OTHER, _signed(term), "", add(*rest))
+    product = multiply(*e.args)
+    yield Change(OTHER, str(e), str(product), product)
 
 
 def _signed(term: Expr) -> str:
@@ -209,6 +224,8 @@ def _factors(e: Expr) -> Iterator[Change]:
                 yield Change(rank, str(factor), "", multiply(*rest))
             continue
         yield Change(OTHER, str(factor), "", multiply(*rest))
+    total = add(*e.args)
+    yield Change(OTHER, str(e), str(total), total)
 
 
 def _wrapped(e: Expr) -> Iterator[Change]:
@@ -225,10 +242,12 @@ def _wrapped(e: Expr) -> Iterator[Change]:
         yield Change(rank, old, str(tree), tree)
     if e.op == "^" and e.args[1].op == "number":
         return
-    for exponent, rank in ((number(2), NUMBER), (HALF, WRAPPED), (MINUS_ONE, WRAPPED)):
+    plain = e.op == "symbol" or e.op in FUNCTIONS
+    square = NUMBER + 0.5 if plain else WRAPPED
+    for exponent, rank in ((number(2), square), (HALF, WRAPPED), (MINUS_ONE, WRAPPED)):
         tree = power(e, exponent)
         yield Change(rank, old, str(tree), tree)
-    yield Change(NUMBER + 3, old, str(power(e, number(3))), power(e, number(3)))
+    yield Change(square + 0.4, old, str(power(e, number(3))), power(e, number(3)))
     if e.op != "abs":
         yield Change(WRAPPED, old, f"abs({old})", apply("abs", e))
 
@@ -240,8 +259,8 @@ def _exponents(e: Expr, names: Sequence[str], indices: Sequence[str]) -> Iterato
             yield from _built(change, e, 1)
         return
     r = exponent.args[0]
-    for value in _near(r, beside=True):
-        rank = WRAPPED if {r, value} & {fmpq(-1), fmpq(1, 2)} else NUMBER
+    for n, value in enumerate(v for v in _near(r, beside=True) if v != 0):
+        rank = WRAPPED if value == -r or fmpq(1, 2) in (r, value) else _later(n)
         for change in _try(rank, str(e), "", power, base, number(value)):
             yield change._replace(new=str(change.tree))
 
@@ -256,10 +275,17 @@ def _numbers(e: Expr) -> Iterator[Change]:
         own, rest = fmpq(1), e.args
     else:
         return
-    for value in _near(own, beside=False):
-        yield Change(NUMBER, str(number(own)), str(number(value)), multiply(number(value), *rest))
+    for n, value in enumerate(v for v in _near(own, beside=False) if v != 0 or not rest):
+        yield Change(
+            _later(n), str(number(own)), str(number(value)), multiply(number(value), *rest)
+        )
     sign = multiply(number(-own), *rest)
     yield Change(SIGN, str(number(own)), str(number(-own)), sign)
+
+
+def _later(n: int) -> float:
+    """The rank of the n-th of several numbers."""
+    return NUMBER + min(n, 40) / 50
 
 
 def _near(r: fmpq, beside: bool) -> list[fmpq]:

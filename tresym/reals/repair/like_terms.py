@@ -53,7 +53,7 @@ def collected(e: Expr) -> Expr:
     if e.op == "*":
         return _product(args)
     if e.op == "^":
-        return _product((power(*args),))
+        return ONE if args[0] == ONE else _product((power(*args),))
     return rebuild(e, args)
 
 

@@ -1,0 +1,322 @@
+"""Look for what is true instead of a claim that fails.
+
+Three places are searched: parts of the line and of the plane on which the claim holds, all claims
+one edit away, and other values of an integral, a sum, a limit or a constant. Candidates are
+filtered in floating point at several points of the conditions and then decided exactly, each like
+any claim; those that say nothing are dropped. The order is that of how usual the misprint is.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+from tresym.reals.decisions.answer import Alternative
+from tresym.reals.decisions.claim_parsing import Path, chained, read_path
+from tresym.reals.decisions.dispatch import decide_claim
+from tresym.reals.language.binders import outermost
+from tresym.reals.language.expression import (
+    Expr,
+    differentiate,
+    instantiate,
+    number,
+    opened,
+    replaced,
+    substitute,
+    symbol,
+    symbols,
+)
+from tresym.reals.language.parsing import INFINITY, Compared, parse_claim, parse_given
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.repair.edits import FACTOR, FUNCTION, Edit, edits
+from tresym.reals.repair.floating import Points, UnsupportedError
+from tresym.reals.repair.like_terms import is_trivial
+from tresym.reals.repair.regions import holding
+from tresym.reals.repair.samples import held, near_end, sampled
+from tresym.reals.repair.values import values, worked_side
+from tresym.reals.resource_limits import TimeUp, time_limit
+
+SECONDS = 0.5
+MOST = 3
+GRID, FEW = 70, 9
+"""Points at which conditions are tried, and those at which edits are."""
+SHARE = 0.3
+"""Of the time: what the decision of one candidate may take."""
+MOST_REGIONS = 4
+MOST_SIZE = 400
+"""Terms and operations of a claim, beyond which no edit is tried."""
+NEARER = (3e-3, 3e-4)
+ORDER_STEPS = (0.1, 0.03)
+"""How far from the end of a path limits and orders are looked at."""
+
+
+class _Claim(NamedTuple):
+    """A claim in parts: a chain, its conditions, its path."""
+
+    terms: tuple[Expr, ...]
+    relations: tuple[str, ...]
+    given: tuple[Compared, ...]
+    path: Path | None
+
+    @property
+    def links(self) -> list[Compared]:
+        return [*zip(self.terms, self.relations, self.terms[1:], strict=False)]
+
+    @property
+    def integers(self) -> list[str]:
+        return [str(left) for left, relation, _ in self.given if relation == "in"]
+
+    def says(self) -> str:
+        """The chain in the grammar of text."""
+        rest = (f" {r} {t}" for r, t in zip(self.relations, self.terms[1:], strict=True))
+        return str(self.terms[0]) + "".join(rest)
+
+    def text(self, more: str = "") -> str:
+        """The claim in the grammar of text, perhaps under one more condition."""
+        under = ", ".join(filter(None, (chained(self.given), more)))
+        text = self.says() + (f" given {under}" if under else "")
+        return text + (f" as {self.path}" if self.path is not None else "")
+
+
+def alternatives(text: str, seconds: float = SECONDS, most: int = MOST) -> tuple[Alternative, ...]:
+    """What is true instead of a claim that is refuted, the likeliest first.
+
+    Args:
+        text: the claim with its conditions and its path, in the grammar of text.
+        seconds: processor time that the search may take.
+        most: how many are looked for.
+
+    Example:
+        >>> [found.claim for found in alternatives("cos(2*x) == 2*cos(x)**2 + 1", most=1)]
+        ['cos(2*x) == 2*cos(x)**2 - 1']
+    """
+    try:
+        claim = _parsed(text)
+    except InputError:
+        return ()
+    hard = any(node.op in ("integral", "sum") for term in claim.terms for node in outermost(term))
+    if hard and seconds:
+        import sympy  # noqa: F401 - that deciding may need it is not counted
+    end = time.process_time() + seconds
+    found: list[Alternative] = []
+    for candidate, more, edit in _candidates(claim, time.process_time() + seconds / 2):
+        left = end - time.process_time()
+        if left <= 0 or len(found) >= most:
+            break
+        if more and found:
+            continue  # a narrower part of what was found
+        verdict = _decided(candidate.text(more), left if hard else min(left, SHARE * seconds))
+        if verdict:
+            under = ", ".join(filter(None, (chained(claim.given), more)))
+            if more:
+                edit = f"given {more}"
+            found.append(Alternative(candidate.says(), under, edit, verdict))
+    return tuple(found)
+
+
+def _parsed(text: str) -> _Claim:
+    """The parts of a claim.
+
+    Raises:
+        InputError: it is not in the grammar of text.
+    """
+    claim, _, end = text.partition(" as ")
+    claim, _, under = claim.partition(" given ")
+    links = parse_claim(claim)
+    terms = (links[0][0], *(link[2] for link in links))
+    relations = tuple(link[1] for link in links)
+    return _Claim(terms, relations, tuple(parse_given(under)), read_path(end) if end else None)
+
+
+def _decided(text: str, seconds: float) -> str:
+    """PROVED or ENCLOSED; empty for a claim that is not shown in time."""
+    try:
+        with time_limit(seconds):
+            answer = decide_claim(text)
+    except (InputError, TimeUp):
+        return ""
+    except Exception:  # a candidate at which a procedure fails is no suggestion
+        return ""
+    return answer.verdict.value if answer else ""
+
+
+def _candidates(claim: _Claim, until: float) -> Iterator[tuple[_Claim, str, str]]:
+    """Claims to be decided, one more condition and the edit that makes them."""
+    names = sorted(frozenset().union(*map(symbols, claim.terms)) - symbols(INFINITY))
+    try:
+        hard = any(node.op == "integral" for term in claim.terms for node in outermost(term))
+        grid = sampled(names, claim.given, FEW if hard else GRID)
+    except (UnsupportedError, InputError):
+        grid = None
+    if grid is not None and claim.path is None:
+        try:
+            links = [_without_integrals(link) for link in claim.links]
+            for more in holding(links, grid, claim.integers)[:MOST_REGIONS]:
+                yield claim, more, ""
+        except (UnsupportedError, InputError):
+            pass
+    yield from _ranked(claim, grid, until)
+
+
+def _ranked(claim: _Claim, grid: Points | None, until: float) -> Iterator[tuple[_Claim, str, str]]:
+    """Other values and edits, the likelier ones first."""
+    seen: set[tuple[Expr, ...]] = set()
+    valued = [(FUNCTION - 0.5, *found) for found in _valued(claim)]
+    for edit in _surviving(claim, grid, until):
+        while valued and valued[0][0] < edit.rank:
+            _, other, says = valued.pop(0)
+            if other.terms not in seen:
+                seen.add(other.terms)
+                yield other, "", says
+        if edit.terms not in seen or edit.relations != claim.relations:
+            seen.add(edit.terms)
+            yield claim._replace(terms=edit.terms, relations=edit.relations), "", edit.says
+    for _, other, says in valued:
+        if other.terms not in seen:
+            yield other, "", says
+
+
+def _valued(claim: _Claim) -> Iterator[tuple[_Claim, str]]:
+    """The claim with another value."""
+    if len(claim.terms) != 2:
+        return
+    side = worked_side(claim.links[0])
+    for value in values(claim.links[0], claim.given):
+        terms = (claim.terms[0], value) if side == 0 else (value, claim.terms[1])
+        what = {"integral": "integral", "sum": "sum", "product": "product"}
+        node = next(iter(outermost(claim.terms[0 if side == 0 else 1])), None)
+        name = what.get(node.op, "value") if node is not None else "value"
+        yield claim._replace(terms=terms), f"the {name} is {value}"
+
+
+def _surviving(claim: _Claim, grid: Points | None, until: float) -> Iterator[Edit]:
+    """The edits that hold in floating point and are not trivial."""
+    if sum(term.size for term in claim.terms) > MOST_SIZE:
+        return
+    points = None if grid is None else _telling(claim, grid)
+    slack: list[Edit] = []
+    for edit in edits(claim.terms, claim.relations, claim.integers):
+        if time.process_time() > until:
+            return
+        try:
+            links = edit.links
+            survives = edit.rank <= FACTOR if points is None else _survives(claim, links, points)
+        except (UnsupportedError, InputError, OverflowError, ValueError):
+            survives = edit.rank <= FACTOR
+        changed = zip(claim.links, links, strict=True)
+        if survives and not any(is_trivial(a, b) for a, b in changed if a != b):
+            if grid is None or edit.relations != claim.relations or _is_sharp(links, grid):
+                yield edit
+            else:
+                slack.append(edit)
+    yield from slack
+
+
+def _survives(claim: _Claim, links: Sequence[Compared], points: Points) -> bool:
+    return all(_agrees(claim, link, points) for link in links)
+
+
+def _is_sharp(links: Sequence[Compared], grid: Points) -> bool:
+    """Whether the sides of inequalities come together somewhere, as those in print mostly do."""
+    for left, relation, right in links:
+        if relation not in ("<", "<=", ">", ">=") or not grid.at:
+            continue
+        try:
+            rows = grid.values(left), grid.values(right)
+        except UnsupportedError:
+            continue
+        gaps = [abs(x - y) / (abs(x) + abs(y) or 1.0) for x, y in zip(*rows, strict=True)]
+        if not any(gap < 1e-6 for gap in gaps):
+            return False
+    return True
+
+
+def _telling(claim: _Claim, grid: Points) -> Points | None:
+    """A few points, at most of which the sides of the claim have values."""
+    if not grid.at:
+        try:
+            return grid if all(held(grid, link) != [None] for link in claim.links) else None
+        except (UnsupportedError, InputError):
+            return grid
+    few = FEW if grid.count > FEW else FEW // 2
+    try:
+        rows = [held(grid, _without_integrals(link)) for link in claim.links]
+        defined = [n for n in range(grid.count) if all(row[n] is not None for row in rows)]
+    except (UnsupportedError, InputError):
+        defined = []
+    chosen = defined[:few] if len(defined) >= 3 else []
+    chosen += [n for n in range(grid.count) if n not in chosen][
+        : few // 3 if len(chosen) >= 3 else few
+    ]
+    return Points({name: [row[n] for n in chosen] for name, row in grid.at.items()})
+
+
+def _agrees(claim: _Claim, link: Compared, points: Points) -> bool:
+    """Whether a comparison holds at two points or more, and fails at one at most."""
+    left, _, right = link
+    path = claim.path
+    if left.op == "limit" or right.op == "limit":
+        node, value = (left, right) if left.op == "limit" else (right, left)
+        (name,), body = opened(node, symbols(value))
+        end = node.args[1]
+        return _tends(points, name, end, int(node.args[2].args[0].p), (body, "->", value))
+    if path is not None:
+        end = path.point if path.point is not None else number(path.sides[0]) * INFINITY
+        return _tends(points, path.name, end, path.sides[0], link)
+    found = held(points, _without_integrals(link))
+    fails = found.count(False)
+    if points.count == 1:
+        return found == [True]
+    return found.count(True) >= 2 and fails <= (1 if found.count(True) > 4 else 0)
+
+
+def _tends(points: Points, name: str, end: Expr, side: int, link: Compared) -> bool:
+    """Whether a limit or an order is seen to hold near the end of its path."""
+    left, relation, right = link
+    orders = [node for node in outermost(right) if node.op in ("O", "o")]
+    if relation == "==" and len(orders) == 1:
+        rest = replaced(right, {orders[0]: number(0)})
+        left, relation, right = left - rest, orders[0].op, orders[0].args[0]
+    if relation not in ("->", "~", "O", "o"):
+        raise UnsupportedError(relation)
+    gaps = []
+    for step in NEARER if relation in ("->", "~") else ORDER_STEPS:
+        near = near_end(points, name, end, side, step)
+        if right in (INFINITY, -INFINITY):
+            sign = 1 if right == INFINITY else -1
+            gaps.append([1 / (sign * x) if x * sign > 0 else math.nan for x in near.values(left)])
+            continue
+        rows = near.values(left), near.values(right)
+        if relation == "->":
+            gaps.append([abs(x - y) / max(1.0, abs(y)) for x, y in zip(*rows, strict=True)])
+        else:
+            shift = 1 if relation == "~" else 0
+            gaps.append([abs(x / y - shift) if y else math.nan for x, y in zip(*rows, strict=True)])
+    most = {"O": 1.8, "o": 0.9, "->": 0.8, "~": 0.8}[relation]
+    pairs = [(x, y) for x, y in zip(*gaps, strict=True) if math.isfinite(x + y)]
+    holds = [y <= most * x or y < 1e-6 for x, y in pairs]
+    return holds.count(True) >= 1 and holds.count(False) <= len(holds) // 3
+
+
+def _without_integrals(link: Compared) -> Compared:
+    """An equation of integrals without ends as one of its derivatives."""
+    left, relation, right = link
+    nodes = [node for node in outermost(left, right) if node.op == "antiderivative"]
+    if not nodes:
+        return link
+    by = str(nodes[0].args[1])
+    return _slope(left, by), relation, _slope(right, by)
+
+
+def _slope(e: Expr, by: str) -> Expr:
+    """The derivative by a variable, that of an integral without ends being its integrand."""
+    nodes = [node for node in dict.fromkeys(outermost(e)) if node.op == "antiderivative"]
+    marks = {node: symbol(f"[{n}]") for n, node in enumerate(nodes)}
+    plain = replaced(e, marks)
+    slope = differentiate(plain, by)
+    for node, mark in marks.items():
+        inner = instantiate(node.args[0], (node.args[1],))
+        slope = slope + differentiate(plain, str(mark)) * inner
+    return substitute(slope, {str(mark): number(0) for mark in marks.values()})
