@@ -22,9 +22,9 @@ def add(commands: Commands) -> None:
         "paper",
         help="the displays of a manuscript of your own",
         description="Read every display of a manuscript's LaTeX and give each link of its chains a "
-        "status: PROVED, ENCLOSED, REFUTED, UNDECIDED, DEFINED, ASSUMED, EQUATION or UNREAD. "
+        "status: PROVED, ENCLOSED, REFUTED, SUSPECT, UNDECIDED, DEFINED, ASSUMED, EQUATION or UNREAD. "
         "Comments such as '% tresym: given a > 0' steer it.",
-        epilog="Exit status 1 when something is REFUTED, with --strict also when something is "
+        epilog="Exit status 1 when something is REFUTED or SUSPECT, with --strict also when something is "
         "UNDECIDED or UNREAD; 2 when the file cannot be read.",
         allow_abbrev=False,
     )
@@ -33,6 +33,15 @@ def add(commands: Commands) -> None:
     parser.add_argument("--html", metavar="DIR", help="write a page with every display as read")
     parser.add_argument(
         "--marks", metavar="FILE", help="write marks for the margin, and tresym.sty beside them"
+    )
+    parser.add_argument(
+        "--suspect-ok", action="store_true", help="let what is SUSPECT not count as a failure"
+    )
+    parser.add_argument(
+        "--no-suggest",
+        dest="suggest",
+        action="store_false",
+        help="do not look for misprints and for what is true instead",
     )
     parser.add_argument("--strict", action="store_true", help="let nothing be open")
     parser.add_argument("--limit", default="5", metavar="SECONDS", help="for each claim (5)")
@@ -48,6 +57,7 @@ def run(args: argparse.Namespace) -> int:
     from tresym.manuscript.directives import with_notes
     from tresym.manuscript.links import read_links
     from tresym.manuscript.source import Missing, read_manuscript
+    from tresym.manuscript.suspects import proofread
 
     limit = parse_seconds(args.limit)
     events = read_manuscript(Path(args.paper))
@@ -59,6 +69,7 @@ def run(args: argparse.Namespace) -> int:
     links = read_links(events)
     _check_places(args)
     rows = decided(links, limit, progress=_progress)
+    rows = proofread(rows) if args.suggest else rows
     if args.json:
         lines = (json.dumps(row.as_json(), ensure_ascii=False) for row in rows)
         deliver("".join(f"{line}\n" for line in lines), args.path)
@@ -66,7 +77,8 @@ def run(args: argparse.Namespace) -> int:
         deliver(as_text(rows, colour_wanted() and args.path is None), args.path)
     _write_pages(args, rows)
     print(summary(rows), file=sys.stderr)
-    bad = {"REFUTED"} | ({"UNDECIDED", "UNREAD"} if args.strict else set())
+    bad = {"REFUTED"} | (set() if args.suspect_ok else {"SUSPECT"})
+    bad |= {"UNDECIDED", "UNREAD"} if args.strict else set()
     return UNEXPECTED if any(row.status in bad for row in rows) else 0
 
 

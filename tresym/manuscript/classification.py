@@ -64,6 +64,8 @@ class Link:
         firm: whether a refutation counts; else the link is then ``otherwise``.
         same: whether the same variables stand on both sides.
         unknown: whether there is a function in it that is left unknown.
+        around: the text before and behind its display, and the number of its scope.
+        noted: the kind that a note of the author's gives its display.
     """
 
     display: Display
@@ -78,6 +80,8 @@ class Link:
     same: bool = False
     unknown: bool = False
     shown: str = field(default="", repr=False)
+    around: tuple[str, str, int] = field(default=("", "", 0), repr=False)
+    noted: str = ""
 
 
 def claim(

@@ -7,12 +7,12 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from tresym.manuscript.classification import EQUATION, UNREAD, Link
-from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.answer import Alternative, Answer
 from tresym.reals.decisions.time_limited import Task, check_all
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
-STATUSES = (*(v.value for v in Verdict), "DEFINED", "ASSUMED", EQUATION, UNREAD)
+STATUSES = (*(v.value for v in Verdict), "SUSPECT", "DEFINED", "ASSUMED", EQUATION, UNREAD)
 
 
 @dataclass(frozen=True)
@@ -20,7 +20,10 @@ class Row:
     """A link and its status.
 
     Attributes:
-        witness: for REFUTED, names to exact numbers.
+        witness: for REFUTED and SUSPECT, names to exact numbers.
+        instead: for these, claims close to it that hold.
+        refuted: what fails, in the grammar of text; empty where nothing does.
+        fails_at: where, whatever the status.
     """
 
     link: Link
@@ -29,6 +32,9 @@ class Row:
     witness: dict[str, str] | None = None
     given: str = ""
     seconds: float = 0.0
+    instead: tuple[Alternative, ...] = ()
+    refuted: str = ""
+    fails_at: dict[str, str] | None = None
 
     def as_json(self) -> dict[str, Any]:
         """A JSON value; every key is always there."""
@@ -43,6 +49,7 @@ class Row:
             "status": self.status,
             "why": self.why,
             "witness": self.witness,
+            "instead": [found._asdict() for found in self.instead],
             "latex": self.link.shown,
             "seconds": round(self.seconds, 6),
         }
@@ -93,6 +100,8 @@ def _row(link: Link, answers: list[Answer | InputError]) -> Row:
     row = Row(link, last.verdict.value, why, witness, last.given, seconds)
     if last:
         return row
+    if last.verdict is Verdict.REFUTED:
+        row = replace(row, refuted=last.read_as, fails_at=witness)
     if last.verdict is Verdict.REFUTED and link.firm:
         return row
     status, fallback = link.otherwise

@@ -81,8 +81,9 @@ class _Reading:
 
     def links(self) -> Iterator[Link]:
         """The links of all displays."""
-        before = ""
+        before, scope = "", 0
         for n, event in enumerate(self.events):
+            scope += isinstance(event, Section | Scope)
             if isinstance(event, Note):
                 self.note(event)
             elif isinstance(event, Section):
@@ -103,7 +104,12 @@ class _Reading:
                 after = follows.text if isinstance(follows, Prose) else ""
                 if isinstance(beyond, Display) and prose.is_of_next(after):
                     after = ""
-                found = list(self.display(event, before, after))
+                text = before, after, scope
+                noted = self.orders.kind
+                found = [
+                    replace(link, around=text, noted=noted)
+                    for link in self.display(event, before, after)
+                ]
                 for label in (*event.labels, str(event.number)):
                     self.memory.labels[label] = [x.sides for x in found if x.sides]
                 yield from found

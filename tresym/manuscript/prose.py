@@ -149,6 +149,11 @@ def kind_of(before: str) -> str:
     return max(found)[1] if found else ""
 
 
+def without_formulas(text: str) -> str:
+    """The words of a text."""
+    return _INLINE.sub(" ", text)
+
+
 _CONDITION = re.compile(r"(?:and\s+)?(?:for|where|when|whenever|if|provided|with|since|because)\b")
 
 

@@ -115,6 +115,14 @@ def edits(
     return list(unique.values())[1:]
 
 
+def is_one_edit(first: Expr, second: Expr) -> bool:
+    """Whether two trees differ in one place, as by a misprint."""
+    names = sorted(symbols(first) | symbols(second))
+    return first != second and any(
+        change.tree == second and change.rank < OTHER for change in changes(first, names)
+    )
+
+
 def changes(e: Expr, names: Sequence[str], indices: Sequence[str] = ()) -> Iterator[Change]:
     """Every tree one edit away from ``e``; some may come twice."""
     yield from _numbers(e)
