@@ -26,7 +26,7 @@ from tresym.reals.decisions.answer import Alternative
 from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.repair import suggestions
 from tresym.reals.repair.edits import is_one_edit
-from tresym.reals.repair.search import SECONDS
+from tresym.reals.repair.search import GIVEN, SECONDS, differs, touches
 
 SUSPECT = "SUSPECT"
 
@@ -63,6 +63,8 @@ _ANEW = re.compile(
     re.IGNORECASE,
 )
 """Words by which a second definition is another one on purpose."""
+_RELATIONS = frozenset(("==", "<", "<=", ">", ">="))
+_NO_POINT = "no real point was found where both sides are defined"
 _HOLD = frozenset(("PROVED", "ENCLOSED"))
 
 
@@ -76,7 +78,7 @@ def proofread(
         processes: how many at once; all cores unless given.
     """
     asked = {n: row for n, row in enumerate(rows) if row.status == "REFUTED" or may_be(row)}
-    texts = [row.refuted for row in asked.values()]
+    texts = [row.refuted or row.link.claims[0].text for row in asked.values()]
     found = dict(zip(asked, suggestions(texts, processes, seconds), strict=True)) if texts else {}
     blocks = _blocks(rows)
     result = list(rows)
@@ -93,12 +95,21 @@ def proofread(
 
 
 def may_be(row: Row) -> bool:
-    """Whether a row is an equality that fails, and that nothing introduces as something else."""
+    """Whether a row is a comparison that fails, and that nothing introduces as something else."""
     link = row.link
-    if not row.refuted or row.status not in (EQUATION, "UNDECIDED") or link.sides is None:
+    if row.status not in (EQUATION, "UNDECIDED") or link.sides is None:
         return False
     left, relation, right = link.sides
-    return relation == "==" and not is_introduced(link) and not _stands_alone(left, right)
+    if relation not in _RELATIONS or is_introduced(link) or _stands_alone(left, right):
+        return False
+    return bool(row.refuted) or (relation == "==" and _is_doubtful(row))
+
+
+def _is_doubtful(row: Row) -> bool:
+    """Whether an equality that is not decided has no point, or sides that are seen to differ."""
+    if row.status != "UNDECIDED" or not row.link.claims:
+        return False
+    return _NO_POINT in row.why or differs(row.link.claims[0].text)
 
 
 def is_introduced(link: Link) -> bool:
@@ -141,11 +152,16 @@ def _stands_alone(left: Expr, right: Expr) -> bool:
 def reason(row: Row, instead: Sequence[Alternative], others: Sequence[str]) -> str:
     """Why an equality that fails is a misprint, as far as can be seen; empty where it is not."""
     at = ", ".join(f"{name} = {value}" for name, value in (row.fails_at or {}).items())
-    fails = f"it fails at {at}" if at else "it fails"
+    fails = f"it fails at {at}" if at else "it fails" if row.refuted else row.why
+    relation = row.link.sides[1] if row.link.sides else ""
+    if relation != "==":  # an inequality is often a condition, and holds on some part nearly always
+        instead = [one for one in instead if not one.edit.startswith(GIVEN) and touches(_text(one))]
     if instead:
-        what = "holds" if instead[0].claim == _claim_of(row) else "a claim close to it holds"
-        given = f" given {instead[0].given}" if what == "holds" else ""
-        return f"{fails}; {what}{given}"
+        first = instead[0]
+        condition = first.edit.startswith(GIVEN)
+        return f"{fails}; it holds {first.edit}" if condition else f"{fails}; a claim near it holds"
+    if relation != "==" or not row.refuted:
+        return ""
     link = row.link
     sides = link.sides[::2] if link.sides else ()
     if not link.same or any(not symbols(side) for side in sides):
@@ -158,8 +174,8 @@ def reason(row: Row, instead: Sequence[Alternative], others: Sequence[str]) -> s
     return ""
 
 
-def _claim_of(row: Row) -> str:
-    return row.refuted.partition(" given ")[0]
+def _text(found: Alternative) -> str:
+    return f"{found.claim} given {found.given}" if found.given else found.claim
 
 
 def _blocks(rows: Sequence[Row]) -> dict[int, list[str]]:

@@ -22,6 +22,7 @@ from tresym.reals.language.expression import (
     add,
     apply,
     bind,
+    instantiate,
     multiply,
     number,
     opened,
@@ -164,7 +165,10 @@ def _try(rank: int, old: str, new: str, make: Callable[..., Expr], *args: Expr) 
 
 def _inside(e: Expr, names: Sequence[str], indices: Sequence[str]) -> Iterator[Change]:
     """Changes of the body and of the ends of what binds a variable."""
-    bound, body = opened(e, names)
+    if e.op in ("antiderivative", "derivative", "nth") and e.args[1].op == "symbol":
+        bound, body = (str(e.args[1]),), instantiate(e.args[0], (e.args[1],))
+    else:
+        bound, body = opened(e, names)
     counted = (*indices, *bound) if e.op in ("sum", "product") else indices
     for change in changes(body, (*names, *bound), counted):
         tree = Expr(e.op, (bind(change.tree, bound), *e.args[1:]), e.names)
@@ -210,7 +214,8 @@ def _terms(e: Expr) -> Iterator[Change]:
     for n, term in enumerate(e.args):
         rest = (*e.args[:n], *e.args[n + 1 :])
         other = multiply(MINUS_ONE, term)
-        yield Change(SIGN, _signed(term), _signed(other), add(*e.args[:n], other, *e.args[n + 1 :]))
+        rank = SIGN + (0.1 if n == 0 else 0)
+        yield Change(rank, _signed(term), _signed(other), add(*e.args[:n], other, *e.args[n + 1 :]))
         yield Change(OTHER, _signed(term), "", add(*rest))
     product = multiply(*e.args)
     yield Change(OTHER, str(e), str(product), product)
@@ -239,7 +244,7 @@ def _factors(e: Expr) -> Iterator[Change]:
 def _wrapped(e: Expr) -> Iterator[Change]:
     """A sign, a factor, a power or bars put around ``e``."""
     old, negative = str(e), multiply(MINUS_ONE, e)
-    yield Change(SIGN, old, str(negative), negative)
+    yield Change(SIGN + (0.3 if old.startswith("-") else 0.6), old, str(negative), negative)
     for factor, rank in (
         (number(2), FACTOR),
         (HALF, FACTOR),
@@ -288,7 +293,7 @@ def _numbers(e: Expr) -> Iterator[Change]:
             _later(n), str(number(own)), str(number(value)), multiply(number(value), *rest)
         )
     sign = multiply(number(-own), *rest)
-    yield Change(SIGN, str(number(own)), str(number(-own)), sign)
+    yield Change(SIGN + (0.3 if own < 0 else 0.6), str(number(own)), str(number(-own)), sign)
 
 
 def _later(n: int) -> float:

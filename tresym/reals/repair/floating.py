@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
+from typing import NamedTuple
 
 from tresym.reals.language.binders import worked_out
 from tresym.reals.language.expression import Expr, opened, symbols
@@ -20,10 +21,12 @@ NAN = math.nan
 Row = list[float]
 MOST_TERMS = 400
 LEVIN_TERMS = 22
-STEP, REACH = 0.08, 4.2
-"""Of the quadrature: the distance of its nodes, and how far they go."""
-_OUTER = 4
-"""Nodes at each end of a quadrature at which an integrand may have no value."""
+STEP = 0.05
+"""The distance of the nodes of a quadrature."""
+CUT = 1e-11
+"""What may be missing at the end of a ray."""
+NEGLIGIBLE = 1e-9
+"""So near to an end, or to infinity by its inverse, an integrand may have no value."""
 
 
 class UnsupportedError(Exception):
@@ -135,27 +138,57 @@ def _quadrature(
     body: Expr, name: str, low: float, high: float, mirrored: bool, here: Mapping[str, float]
 ) -> float:
     """An integral over a finite range, a ray or the line; ``mirrored`` by −x."""
-    places, weights = [], []
-    for k in range(-round(REACH / STEP), round(REACH / STEP) + 1):
-        t = k * STEP
-        u, slope = math.pi / 2 * math.sinh(t), math.pi / 2 * math.cosh(t)
-        if math.inf not in (high, -low):
-            if abs(u) > 18:
-                continue
-            x = low + (high - low) / (1 + math.exp(-2 * u))
-            w = (high - low) / 2 * slope / math.cosh(u) ** 2
-        elif low == -math.inf:
-            x, w = math.sinh(u), slope * math.cosh(u)
-        else:
-            x, w = low + math.exp(u), slope * math.exp(u)
-        places.append(-x if mirrored else x)
-        weights.append(w * STEP)
-    values = _along(body, name, places, here)
-    for n in (*range(_OUTER), *range(-_OUTER, 0)):
-        values[n] = values[n] if math.isfinite(values[n]) else 0.0
-    parts = [w * value for w, value in zip(weights, values, strict=True)]
-    fine, coarse = math.fsum(parts), 2 * math.fsum(parts[::2])
-    return fine if abs(fine - coarse) <= 1e-6 * max(1e-6, abs(fine)) else NAN  # else it wavers
+    for substitution in _SUBSTITUTIONS[math.isfinite(low), math.isfinite(high)]:
+        steps = range(round(substitution.first / STEP), round(substitution.last / STEP) + 1)
+        nodes = [substitution.node(k * STEP, low, high) for k in steps]
+        places = [-x if mirrored else x for x, _ in nodes]
+        values = _along(body, name, places, here)
+        parts = []
+        for (x, slope), value in zip(nodes, values, strict=True):
+            near = min(abs(x - low), abs(x - high)) < NEGLIGIBLE or abs(x) > 1 / NEGLIGIBLE
+            parts.append(0.0 if near and not math.isfinite(value) else value * slope * STEP)
+        fine, coarse = math.fsum(parts), 2 * math.fsum(parts[::2])
+        cut_off = math.inf in (high, -low) and abs(parts[-1]) > CUT * max(1e-6, abs(fine))
+        if not cut_off and abs(fine - coarse) <= 1e-6 * max(1e-6, abs(fine)):
+            return fine
+    return NAN
+
+
+class _Substitution(NamedTuple):
+    """A variable of integration by another one: its range, and the node and its weight there."""
+
+    first: float
+    last: float
+    node: Callable[[float, float, float], tuple[float, float]]
+
+
+def _between(t: float, low: float, high: float) -> tuple[float, float]:
+    u, slope = math.pi / 2 * math.sinh(t), math.pi / 2 * math.cosh(t)
+    x = low + (high - low) / (1 + math.exp(-2 * u))
+    return x, (high - low) / 2 * slope / math.cosh(u) ** 2
+
+
+def _decaying(t: float, low: float, high: float) -> tuple[float, float]:
+    """For integrands that decay as exponentials."""
+    x = math.exp(t - math.exp(-t))
+    return low + x, x * (1 + math.exp(-t))
+
+
+def _beyond(t: float, low: float, high: float) -> tuple[float, float]:
+    x = math.exp(math.pi / 2 * math.sinh(t))
+    return low + x, x * math.pi / 2 * math.cosh(t)
+
+
+def _everywhere(t: float, low: float, high: float) -> tuple[float, float]:
+    u = math.pi / 2 * math.sinh(t)
+    return math.sinh(u), math.cosh(u) * math.pi / 2 * math.cosh(t)
+
+
+_SUBSTITUTIONS = {
+    (True, True): [_Substitution(-3.1, 3.1, _between)],
+    (True, False): [_Substitution(-6.0, 7.0, _decaying), _Substitution(-4.2, 4.2, _beyond)],
+    (False, False): [_Substitution(-4.2, 4.2, _everywhere)],
+}
 
 
 def _sum(body: Expr, name: str, low: float, high: float, here: Mapping[str, float]) -> float:
@@ -237,6 +270,14 @@ def _exp(x: float) -> float:
     return math.exp(x) if x < 700 else (math.inf if x == x else NAN)
 
 
+def _cosh(x: float) -> float:
+    return math.cosh(x) if abs(x) < 700 else (math.inf if x == x else NAN)
+
+
+def _sinh(x: float) -> float:
+    return math.sinh(x) if abs(x) < 700 else math.copysign(math.inf, x) if x == x else NAN
+
+
 def _sign(x: float) -> float:
     return x if x != x else float((x > 0) - (x < 0))
 
@@ -258,8 +299,10 @@ _OPERATIONS: dict[str, Callable[..., float]] = {
     "sec": lambda x: 1 / math.cos(x),
     "csc": lambda x: 1 / math.sin(x),
     "coth": lambda x: 1 / math.tanh(x),
-    "sech": lambda x: 1 / math.cosh(x),
-    "csch": lambda x: 1 / math.sinh(x),
+    "sech": lambda x: 1 / _cosh(x),
+    "csch": lambda x: 1 / _sinh(x),
+    "cosh": _cosh,
+    "sinh": _sinh,
     **{name: getattr(math, name) for name in ("log", "sin", "cos", "tan", "asin", "acos", "atan")},
-    **{name: getattr(math, name) for name in ("sinh", "cosh", "tanh", "asinh", "acosh", "atanh")},
+    **{name: getattr(math, name) for name in ("tanh", "asinh", "acosh", "atanh")},
 }

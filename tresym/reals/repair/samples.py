@@ -20,8 +20,13 @@ TRIES = 240
 CLOSE = 1e-8
 
 
-def sampled(names: Sequence[str], given: Sequence[Compared], most: int) -> Points | None:
+def sampled(
+    names: Sequence[str], given: Sequence[Compared], most: int, largest: float = math.inf
+) -> Points | None:
     """At most ``most`` points that satisfy the conditions; None where none is found.
+
+    Args:
+        largest: how large values are where no condition asks for more.
 
     Raises:
         UnsupportedError: a condition has no value in floating point.
@@ -33,6 +38,7 @@ def sampled(names: Sequence[str], given: Sequence[Compared], most: int) -> Point
     if not free and not values:
         return Points({})
     pools = [_pool(bounds, name, name in integers) for name in free]
+    pools = [[x for x in pool if abs(x) <= largest] or pool for pool in pools]
     rows: list[Mapping[str, float]] = []
     for k in range(TRIES):
         at = {

@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Iterator, Sequence
+from itertools import takewhile
 from typing import NamedTuple
 
 from tresym.reals.decisions.answer import Alternative
@@ -30,9 +31,9 @@ from tresym.reals.language.expression import (
 )
 from tresym.reals.language.parsing import INFINITY, Compared, parse_claim, parse_given
 from tresym.reals.numbers.exact import InputError
-from tresym.reals.repair.edits import FACTOR, FUNCTION, Edit, edits
+from tresym.reals.repair.edits import FACTOR, FUNCTION, OTHER, WRAPPED, Edit, edits
 from tresym.reals.repair.floating import Points, UnsupportedError
-from tresym.reals.repair.like_terms import is_trivial
+from tresym.reals.repair.like_terms import collected, is_trivial
 from tresym.reals.repair.regions import holding
 from tresym.reals.repair.samples import held, near_end, sampled
 from tresym.reals.repair.values import values, worked_side
@@ -47,6 +48,18 @@ SHARE = 0.3
 MOST_REGIONS = 4
 MOST_SIZE = 400
 """Terms and operations of a claim, beyond which no edit is tried."""
+SMALL = 3.0
+"""How large the variables of integrals are."""
+VALUE = FUNCTION - 0.5
+"""Where other values stand among the edits."""
+TOUCHING = 1e-6
+"""Sides of an inequality that come so near, relatively, are taken to touch."""
+APART = 1e-3
+"""Sides of an equality so far apart, relatively, are taken to differ."""
+GIVEN = "given"
+"""How an edit begins that is one more condition."""
+_BOUNDS = frozenset(("<", "<=", ">", ">="))
+_CLOSED = {"<": "<=", ">": ">="}
 NEARER = (3e-3, 3e-4)
 ORDER_STEPS = (0.1, 0.03)
 """How far from the end of a path limits and orders are looked at."""
@@ -105,13 +118,13 @@ def alternatives(text: str, seconds: float = SECONDS, most: int = MOST) -> tuple
         left = end - time.process_time()
         if left <= 0 or len(found) >= most:
             break
-        if more and found:
+        if more and any(one.edit.startswith(GIVEN) for one in found):
             continue  # a narrower part of what was found
         verdict = _decided(candidate.text(more), left if hard else min(left, SHARE * seconds))
         if verdict:
             under = ", ".join(filter(None, (chained(claim.given), more)))
             if more:
-                edit = f"given {more}"
+                edit = f"{GIVEN} {more}"
             found.append(Alternative(candidate.says(), under, edit, verdict))
     return tuple(found)
 
@@ -144,38 +157,81 @@ def _decided(text: str, seconds: float) -> str:
 
 def _candidates(claim: _Claim, until: float) -> Iterator[tuple[_Claim, str, str]]:
     """Claims to be decided, one more condition and the edit that makes them."""
+    grid = _grid(claim)
+    under = _regions(claim, grid)
+    if _is_inequality(claim):  # which holds on some part nearly always
+        usual = list(takewhile(lambda found: found[0] <= FUNCTION, _ranked(claim, grid, until)))
+        yield from (found[1:] for found in usual)
+        yield from under
+        return
+    yield from under
+    yield from (found[1:] for found in _ranked(claim, grid, until))
+
+
+def _grid(claim: _Claim) -> Points | None:
+    """Points at which conditions hold; None where none are found, or not in floating point."""
     names = sorted(frozenset().union(*map(symbols, claim.terms)) - symbols(INFINITY))
     try:
-        hard = any(node.op == "integral" for term in claim.terms for node in outermost(term))
-        grid = sampled(names, claim.given, FEW if hard else GRID)
+        if any(node.op == "integral" for term in claim.terms for node in outermost(term)):
+            return sampled(names, claim.given, FEW, SMALL)
+        return sampled(names, claim.given, GRID)
     except (UnsupportedError, InputError):
-        grid = None
-    if grid is not None and claim.path is None:
-        try:
-            links = [_without_integrals(link) for link in claim.links]
-            for more in holding(links, grid, claim.integers)[:MOST_REGIONS]:
-                yield claim, more, ""
-        except (UnsupportedError, InputError):
-            pass
-    yield from _ranked(claim, grid, until)
+        return None
 
 
-def _ranked(claim: _Claim, grid: Points | None, until: float) -> Iterator[tuple[_Claim, str, str]]:
-    """Other values and edits, the likelier ones first."""
-    seen: set[tuple[Expr, ...]] = set()
-    valued = [(FUNCTION - 0.5, *found) for found in _valued(claim)]
-    for edit in _surviving(claim, grid, until):
+def _is_inequality(claim: _Claim) -> bool:
+    return any(relation in _BOUNDS for relation in claim.relations)
+
+
+def _regions(claim: _Claim, grid: Points | None) -> Iterator[tuple[_Claim, str, str]]:
+    """The claim under natural conditions."""
+    if grid is None or claim.path is not None:
+        return
+    try:
+        links = [_without_integrals(link) for link in claim.links]
+        for more in holding(links, grid, claim.integers)[:MOST_REGIONS]:
+            yield claim, more, ""
+    except (UnsupportedError, InputError):
+        return
+
+
+def _ranked(
+    claim: _Claim, grid: Points | None, until: float
+) -> Iterator[tuple[float, _Claim, str, str]]:
+    """Other values and edits, the likelier ones first, each with its rank."""
+    seen = {_key(claim.terms)}
+    valued = [(VALUE, *found, "") for found in _valued(claim)]
+    edited = _surviving(claim, grid, until)
+    if _is_inequality(claim):
+        edited = iter(_sharp_first(claim, edited))
+    for edit in edited:
         while valued and valued[0][0] < edit.rank:
-            _, other, says = valued.pop(0)
-            if other.terms not in seen:
-                seen.add(other.terms)
-                yield other, "", says
-        if edit.terms not in seen or edit.relations != claim.relations:
-            seen.add(edit.terms)
-            yield claim._replace(terms=edit.terms, relations=edit.relations), "", edit.says
-    for _, other, says in valued:
-        if other.terms not in seen:
-            yield other, "", says
+            yield from _new(seen, valued.pop(0))
+        other = claim._replace(terms=edit.terms, relations=edit.relations)
+        if edit.relations != claim.relations:
+            yield edit.rank, other, "", edit.says
+        else:
+            yield from _new(seen, (edit.rank, other, edit.says, ""))
+    for value in valued:
+        yield from _new(seen, value)
+
+
+def _new(
+    seen: set[object], found: tuple[float, _Claim, str, str]
+) -> Iterator[tuple[float, _Claim, str, str]]:
+    """A candidate, unless it differs from one before in the order of terms and factors alone."""
+    rank, claim, says, more = found
+    key = _key(claim.terms)
+    if key not in seen:
+        seen.add(key)
+        yield rank, claim, more, says
+
+
+def _key(terms: Sequence[Expr]) -> object:
+    try:
+        return tuple(map(collected, terms))
+    except InputError:
+        return tuple(terms)
 
 
 def _valued(claim: _Claim) -> Iterator[tuple[_Claim, str]]:
@@ -192,45 +248,102 @@ def _valued(claim: _Claim) -> Iterator[tuple[_Claim, str]]:
 
 
 def _surviving(claim: _Claim, grid: Points | None, until: float) -> Iterator[Edit]:
-    """The edits that hold in floating point and are not trivial."""
+    """The edits that hold in floating point and are not trivial, by rank.
+
+    What leaves integrals as they are costs little, and comes first but for unusual edits.
+    """
     if sum(term.size for term in claim.terms) > MOST_SIZE:
         return
     points = None if grid is None else _telling(claim, grid)
-    slack: list[Edit] = []
+    known = {node for term in claim.terms for node in outermost(term) if node.op == "integral"}
+    waiting: list[Edit] = []
     for edit in edits(claim.terms, claim.relations, claim.integers):
-        if time.process_time() > until:
-            return
+        if edit.rank >= WRAPPED and waiting:
+            yield from (e for e in waiting if _stands(claim, e, points, until))
+            waiting = []
+        nodes = {node for term in edit.terms for node in outermost(term) if node.op == "integral"}
+        if edit.rank < WRAPPED and not nodes <= known:
+            waiting.append(edit)
+        elif _stands(claim, edit, points, until):
+            yield edit
+    yield from (e for e in waiting if _stands(claim, e, points, until))
+
+
+def _stands(claim: _Claim, edit: Edit, points: Points | None, until: float) -> bool:
+    """Whether an edit holds in floating point, as far as that can be seen, and says something."""
+    if time.process_time() > until:
+        return False
+    links = edit.links
+    try:
+        survives = edit.rank <= FACTOR if points is None else _survives(claim, links, points)
+    except (UnsupportedError, InputError, OverflowError, ValueError):
+        survives = edit.rank <= FACTOR
+    changed = zip(claim.links, links, strict=True)
+    return survives and not any(is_trivial(a, b) for a, b in changed if a != b)
+
+
+def _sharp_first(claim: _Claim, found: Iterator[Edit]) -> list[Edit]:
+    """Inequalities whose sides come near to each other, as they do in print, before others."""
+    names = sorted(frozenset().union(*map(symbols, claim.terms)) - symbols(INFINITY))
+    closed = [(a, _CLOSED.get(r, r), b) for a, r, b in claim.given if r != "!="]
+    try:
+        grid = sampled(names, closed, GRID)
+    except (UnsupportedError, InputError):
+        grid = None
+    if grid is None:
+        return list(found)
+    gaps = [(_gap(edit.links, grid), edit) for edit in found]
+    sharp = [(edit.rank, gap, edit) for gap, edit in gaps if gap < TOUCHING]
+    rest = [edit._replace(rank=max(edit.rank, OTHER)) for gap, edit in gaps if gap >= TOUCHING]
+    slack = [(_gap(edit.links, grid), edit.rank, edit) for edit in rest]
+    order = [*sorted(sharp, key=lambda s: s[:2]), *sorted(slack, key=lambda s: s[:2])]
+    return [edit for _, _, edit in order]
+
+
+def touches(text: str) -> bool:
+    """Whether the sides of an inequality are seen to come together somewhere."""
+    try:
+        claim = _parsed(text)
+        closed = [(a, _CLOSED.get(r, r), b) for a, r, b in claim.given if r != "!="]
+        names = sorted(frozenset().union(*map(symbols, claim.terms)) - symbols(INFINITY))
+        grid = sampled(names, closed, GRID)
+    except (UnsupportedError, InputError):
+        return False
+    return grid is not None and _gap(claim.links, grid) < TOUCHING
+
+
+def differs(text: str) -> bool:
+    """Whether the sides of an equality are seen to be far apart at all of several points.
+
+    Nothing is refuted by that: it is for claims that are not decided.
+    """
+    try:
+        claim = _parsed(text)
+        grid = _grid(claim)
+        rows = [held(grid, _without_integrals(x), APART) for x in claim.links] if grid else []
+    except (UnsupportedError, InputError, OverflowError):
+        return False
+    seen = [value for row in rows for value in row if value is not None]
+    return bool(seen) and not any(seen)
+
+
+def _gap(links: Sequence[Compared], grid: Points) -> float:
+    """How near to each other the sides of inequalities come, at most."""
+    found = 0.0
+    for left, relation, right in links:
+        if relation not in _BOUNDS:
+            continue
         try:
-            links = edit.links
-            survives = edit.rank <= FACTOR if points is None else _survives(claim, links, points)
-        except (UnsupportedError, InputError, OverflowError, ValueError):
-            survives = edit.rank <= FACTOR
-        changed = zip(claim.links, links, strict=True)
-        if survives and not any(is_trivial(a, b) for a, b in changed if a != b):
-            if grid is None or edit.relations != claim.relations or _is_sharp(links, grid):
-                yield edit
-            else:
-                slack.append(edit)
-    yield from slack
+            rows = grid.values(left), grid.values(right)
+        except (UnsupportedError, OverflowError):
+            continue
+        gaps = [abs(x - y) / (abs(x) + abs(y) or 1.0) for x, y in zip(*rows, strict=True)]
+        found = max(found, min((gap for gap in gaps if gap == gap), default=1.0))
+    return found
 
 
 def _survives(claim: _Claim, links: Sequence[Compared], points: Points) -> bool:
     return all(_agrees(claim, link, points) for link in links)
-
-
-def _is_sharp(links: Sequence[Compared], grid: Points) -> bool:
-    """Whether the sides of inequalities come together somewhere, as those in print mostly do."""
-    for left, relation, right in links:
-        if relation not in ("<", "<=", ">", ">=") or not grid.at:
-            continue
-        try:
-            rows = grid.values(left), grid.values(right)
-        except UnsupportedError:
-            continue
-        gaps = [abs(x - y) / (abs(x) + abs(y) or 1.0) for x, y in zip(*rows, strict=True)]
-        if not any(gap < 1e-6 for gap in gaps):
-            return False
-    return True
 
 
 def _telling(claim: _Claim, grid: Points) -> Points | None:

@@ -15,6 +15,7 @@ from flint import fmpq, fmpq_mat, fmpz_poly
 
 from tresym.reals.language.binders import is_infinite, outermost
 from tresym.reals.language.expression import (
+    FUNCTIONS,
     HALF,
     PI,
     ZERO,
@@ -118,7 +119,15 @@ def worked_side(comparison: Compared) -> int | None:
         return 0 if hard[0] else 2
     if hard[0] or symbols(left) | symbols(right):
         return None
-    return 0 if left.size >= right.size else 2
+    heights = [sum(op in FUNCTIONS for op in _operations(side)) for side in (left, right)]
+    return 0 if heights[0] >= heights[1] else 2
+
+
+def _operations(e: Expr) -> Iterator[str]:
+    yield e.op
+    for arg in e.args:
+        if isinstance(arg, Expr):
+            yield from _operations(arg)
 
 
 def values(comparison: Compared, given: Sequence[Compared]) -> Iterator[Expr]:
