@@ -109,6 +109,8 @@ def edits(
     for n in reversed(range(len(terms))):
         for rank, old, new, tree in changes(terms[n], names, indices):
             chain = (*terms[:n], tree, *terms[n + 1 :])
+            if n == 0 and tree == multiply(MINUS_ONE, terms[0]):
+                rank = FACTOR  # a sign in front of what the statement is about
             found.append(Edit(rank, old, new, chain, relations))
     unique = {(terms, relations): found[0]} if found else {}
     for edit in sorted(found, key=lambda edit: edit.rank):
@@ -214,11 +216,18 @@ def _terms(e: Expr) -> Iterator[Change]:
     for n, term in enumerate(e.args):
         rest = (*e.args[:n], *e.args[n + 1 :])
         other = multiply(MINUS_ONE, term)
-        rank = SIGN + (0.1 if n == 0 else 0)
-        yield Change(rank, _signed(term), _signed(other), add(*e.args[:n], other, *e.args[n + 1 :]))
+        tree = add(*e.args[:n], other, *e.args[n + 1 :])
+        yield Change(_signs(e, tree), _signed(term), _signed(other), tree)
         yield Change(OTHER, _signed(term), "", add(*rest))
     product = multiply(*e.args)
     yield Change(OTHER, str(e), str(product), product)
+
+
+def _signs(old: Expr, new: Expr) -> float:
+    """The rank of another sign: one put in front is less usual, around a sum still less."""
+    if old.op == "+" and new.op != "+":
+        return FACTOR
+    return SIGN + (0.6 if str(new).startswith("-") and not str(old).startswith("-") else 0)
 
 
 def _signed(term: Expr) -> str:
@@ -244,7 +253,7 @@ def _factors(e: Expr) -> Iterator[Change]:
 def _wrapped(e: Expr) -> Iterator[Change]:
     """A sign, a factor, a power or bars put around ``e``."""
     old, negative = str(e), multiply(MINUS_ONE, e)
-    yield Change(SIGN + (0.3 if old.startswith("-") else 0.6), old, str(negative), negative)
+    yield Change(_signs(e, negative), old, str(negative), negative)
     for factor, rank in (
         (number(2), FACTOR),
         (HALF, FACTOR),
@@ -286,6 +295,8 @@ def _numbers(e: Expr) -> Iterator[Change]:
         own, rest = e.args[0].args[0], e.args[1:]
     elif e.op == "*" and any(f.op == "^" and f.args[1] == MINUS_ONE for f in e.args):
         own, rest = fmpq(1), e.args
+    elif e.op == "^" and e.args[1] == MINUS_ONE:
+        own, rest = fmpq(1), (e,)
     else:
         return
     for n, value in enumerate(v for v in _near(own, beside=False) if v != 0 or not rest):
@@ -293,7 +304,7 @@ def _numbers(e: Expr) -> Iterator[Change]:
             _later(n), str(number(own)), str(number(value)), multiply(number(value), *rest)
         )
     sign = multiply(number(-own), *rest)
-    yield Change(SIGN + (0.3 if own < 0 else 0.6), str(number(own)), str(number(-own)), sign)
+    yield Change(_signs(e, sign), str(number(own)), str(number(-own)), sign)
 
 
 def _later(n: int) -> float:

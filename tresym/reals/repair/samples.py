@@ -17,7 +17,7 @@ _SPECIAL = (0.0, 1.0, -1.0)
 _SHARES = (0.37, 0.71, 0.13, 0.55, 0.91, 0.24, 0.83, 0.04, 0.62, 0.47)
 _WHOLE = (1, 2, 3, -1, 4, 0, -2, 5, 6, -3, 7)
 TRIES = 240
-CLOSE = 1e-8
+CLOSE, TINY = 1e-8, 1e-12
 
 
 def sampled(
@@ -101,13 +101,19 @@ def _pool(given: Given, name: str, whole: bool) -> list[float]:
             return [float(n) for n in _WHOLE]
         return [float(least + n) for n in range(7)]
     ends = [None if end is None else int(end.p) / int(end.q) for end in (low, high)]
+    found = [*_LINE]
     if ends[0] is not None and ends[1] is not None:
-        return [ends[0] + (ends[1] - ends[0]) * share for share in (*_SHARES, 0.0, 1.0)]
-    if ends[0] is not None:
-        return [*(ends[0] + abs(x) for x in _LINE), ends[0], 1.0]
-    if ends[1] is not None:
-        return [*(ends[1] - abs(x) for x in _LINE), ends[1], -1.0]
-    return [*_LINE, *_SPECIAL]
+        found = [ends[0] + (ends[1] - ends[0]) * share for share in (*_SHARES, 0.0, 1.0)]
+    elif ends[0] is not None:
+        found = [*(ends[0] + abs(x) for x in _LINE), ends[0]]
+    elif ends[1] is not None:
+        found = [*(ends[1] - abs(x) for x in _LINE), ends[1]]
+    return [*found, *(x for x in _SPECIAL if x not in found and _within(x, ends))]
+
+
+def _within(x: float, ends: Sequence[float | None]) -> bool:
+    low, high = ends
+    return (low is None or low <= x) and (high is None or x <= high)
 
 
 def satisfied(points: Points, given: Sequence[Compared]) -> list[bool]:
@@ -135,7 +141,7 @@ def held(points: Points, link: Compared, close: float = CLOSE) -> list[bool | No
 def _holds(x: float, relation: str, y: float, close: float) -> bool | None:
     if not (math.isfinite(x) and math.isfinite(y)):
         return None
-    gap, near = x - y, close * max(abs(x), abs(y)) + close * close
+    gap, near = x - y, close * max(abs(x), abs(y)) + TINY
     if close > CLOSE:
         near += close
     if relation in ("==", "~"):

@@ -258,7 +258,7 @@ def _surviving(claim: _Claim, grid: Points | None, until: float) -> Iterator[Edi
     known = {node for term in claim.terms for node in outermost(term) if node.op == "integral"}
     waiting: list[Edit] = []
     for edit in edits(claim.terms, claim.relations, claim.integers):
-        if edit.rank >= WRAPPED and waiting:
+        if (waiting and waiting[-1].rank <= FUNCTION < edit.rank) or edit.rank >= WRAPPED:
             yield from (e for e in waiting if _stands(claim, e, points, until))
             waiting = []
         nodes = {node for term in edit.terms for node in outermost(term) if node.op == "integral"}
@@ -346,13 +346,10 @@ def _survives(claim: _Claim, links: Sequence[Compared], points: Points) -> bool:
     return all(_agrees(claim, link, points) for link in links)
 
 
-def _telling(claim: _Claim, grid: Points) -> Points | None:
+def _telling(claim: _Claim, grid: Points) -> Points:
     """A few points, at most of which the sides of the claim have values."""
     if not grid.at:
-        try:
-            return grid if all(held(grid, link) != [None] for link in claim.links) else None
-        except (UnsupportedError, InputError):
-            return grid
+        return grid
     few = FEW if grid.count > FEW else FEW // 2
     try:
         rows = [held(grid, _without_integrals(link)) for link in claim.links]
