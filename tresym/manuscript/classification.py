@@ -43,12 +43,17 @@ to be solved."""
 
 
 class Attempt(NamedTuple):
-    """What is asked, what was put in for it, what is thereby said, and whether a no counts."""
+    """What is asked, what was put in for it, what is thereby said, and whether a no counts.
+
+    ``put`` has the values of symbols that were put in, in order, and ``plain`` what was asked before.
+    """
 
     text: str
     how: str
     read_as: str
     may_fail: bool = True
+    put: tuple[tuple[str, Expr], ...] = ()
+    plain: str = ""
 
 
 @dataclass(frozen=True)
@@ -206,14 +211,16 @@ def _attempts(
         conditions = tuple(c for c in conditions if end not in names_in((c,)))
         spoken = chained(about(symbols(left) | symbols(right), conditions))
         said_so = f"{left} {relation} {right}" + (f" given {spoken}" if spoken else "") + as_path
-        for one, other, given, how in _forms(memory, left, right, conditions, under):
+        for one, other, given, how, put in _forms(memory, left, right, conditions, under):
             given = [c for c in given if end not in names_in((c,))]  # where it holds, the path says
             shown = chained(about(symbols(one) | symbols(other), given))
             text = f"{one} {relation} {other}" + (f" given {shown}" if shown else "") + as_path
             how = "; ".join(filter(None, (how, EARLIER if more else "")))
             may_fail = not how.startswith((TOLD, WHERE))
             said = f"{left} {relation} {right} given {shown}" if how.startswith(WHERE) else said_so
-            attempts.setdefault(text, Attempt(text, how, said, may_fail))
+            plain = f"{left} {relation} {right}" + (f" given {shown}" if shown else "") + as_path
+            asked = Attempt(text, how, said, may_fail, tuple(put.items()), plain)
+            attempts.setdefault(text, asked)
             same = same or (may_fail and not (symbols(one) ^ symbols(other)) - free)
     return tuple(sorted(attempts.values(), key=lambda attempt: not attempt.may_fail)), same
 
@@ -248,29 +255,29 @@ def _forms(
     right: Expr,
     given: Sequence[Compared],
     under: Under,
-) -> Iterator[tuple[Expr, Expr, Sequence[Compared], str]]:
+) -> Iterator[tuple[Expr, Expr, Sequence[Compared], str, dict[str, Expr]]]:
     """Both sides and the conditions as they stand, and with definitions put in.
 
     What was defined last is put in first, by itself, then all of what the claim is said to
     follow from; in the end everything is.
     """
-    yield left, right, given, ""
+    yield left, right, given, "", {}
     known, equal = memory.known(under), {name for name, _ in under.sources}
     given = [c for c in given if c[1] != "==" or str(c[0]) not in equal]
     steps = [*_put_in(known, left, right, given)]
-    found = [(*step[:3], f"with {_spoken(step[3])} put in") for step in steps]
+    found = [(*step[:3], f"with {_spoken(step[3])} put in", step[3]) for step in steps]
     named = [f for f in found if (symbols(f[0]) | symbols(f[1])).isdisjoint(equal)]
     yield from (*found[:1], *(named[:1] if equal else ()), *found[1:][-1:])
     for one, other, conditions, put in steps[-1:]:
         where = [c for name in put for c in memory.where.get(name, ())]
         if where:
-            yield one, other, [*conditions, *where], f"{WHERE} {_spoken(put)} put in"
+            yield one, other, [*conditions, *where], f"{WHERE} {_spoken(put)} put in", put
     if not memory.told or under.noted:
         return
     told = {name: value for name, value in known.items() if name not in memory.told} | memory.told
     for one, other, conditions, put in [*_put_in(told, left, right, given)][-1:]:
         if not put.keys().isdisjoint(memory.told):
-            yield one, other, conditions, f"{TOLD} {_spoken(put)} put in"
+            yield one, other, conditions, f"{TOLD} {_spoken(put)} put in", put
 
 
 def _put_in(

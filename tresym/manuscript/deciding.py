@@ -9,6 +9,7 @@ from typing import Any
 from tresym.manuscript.classification import EQUATION, UNREAD, Link
 from tresym.reals.decisions.answer import Alternative, Answer
 from tresym.reals.decisions.time_limited import Task, check_all
+from tresym.reals.language.expression import Expr
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
@@ -23,6 +24,7 @@ class Row:
         witness: for REFUTED and SUSPECT, names to exact numbers.
         instead: for these, claims close to it that hold.
         refuted: what fails, in the grammar of text; empty where nothing does.
+        put: the values of its symbols that were put in.
         fails_at: where, whatever the status.
     """
 
@@ -34,6 +36,7 @@ class Row:
     seconds: float = 0.0
     instead: tuple[Alternative, ...] = ()
     refuted: str = ""
+    put: tuple[tuple[str, Expr], ...] = ()
     fails_at: dict[str, str] | None = None
 
     def as_json(self) -> dict[str, Any]:
@@ -101,7 +104,7 @@ def _row(link: Link, answers: list[Answer | InputError]) -> Row:
     if last:
         return row
     if last.verdict is Verdict.REFUTED:
-        row = replace(row, refuted=last.read_as, fails_at=witness)
+        row = replace(row, refuted=asked.plain or last.read_as, put=asked.put, fails_at=witness)
     if last.verdict is Verdict.REFUTED and link.firm:
         return row
     status, fallback = link.otherwise

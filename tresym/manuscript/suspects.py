@@ -78,7 +78,7 @@ def proofread(
         processes: how many at once; all cores unless given.
     """
     asked = {n: row for n, row in enumerate(rows) if row.status == "REFUTED" or may_be(row)}
-    texts = [row.refuted or row.link.claims[0].text for row in asked.values()]
+    texts = [(row.refuted or row.link.claims[0].text, row.put) for row in asked.values()]
     found = dict(zip(asked, suggestions(texts, processes, seconds), strict=True)) if texts else {}
     blocks = _blocks(rows)
     result = list(rows)
@@ -102,7 +102,9 @@ def may_be(row: Row) -> bool:
     left, relation, right = link.sides
     if relation not in _RELATIONS or is_introduced(link) or _stands_alone(left, right):
         return False
-    return bool(row.refuted) or (relation == "==" and _is_doubtful(row))
+    if relation != "==":
+        return bool(row.refuted) and not row.put
+    return bool(row.refuted) or _is_doubtful(row)
 
 
 def _is_doubtful(row: Row) -> bool:
@@ -144,9 +146,13 @@ _METHODS = re.compile(
 
 
 def _stands_alone(left: Expr, right: Expr) -> bool:
-    """Whether a side is a symbol that the other one does not have: a definition or a law."""
-    pairs = ((left, right), (right, left))
-    return any(a.op == "symbol" and symbols(b).isdisjoint(symbols(a)) for a, b in pairs)
+    """Whether a side is a symbol that the other one does not have, or the sides share no symbol: a
+    definition or a law."""
+    own, others = symbols(left), symbols(right)
+    if own and others and own.isdisjoint(others):
+        return True
+    pairs = ((left, others), (right, own))
+    return any(side.op == "symbol" and symbols(side).isdisjoint(rest) for side, rest in pairs)
 
 
 def reason(row: Row, instead: Sequence[Alternative], others: Sequence[str]) -> str:
@@ -169,7 +175,8 @@ def reason(row: Row, instead: Sequence[Alternative], others: Sequence[str]) -> s
     if others and all(status in _HOLD for status in others):
         return f"{fails}; the other links of its display are identities"
     lead = _words(link.around[0])
-    if _TOLD.search(lead[-60:]) and not _INTRODUCED.search(lead):
+    several = len(symbols(sides[0])) > 1  # of one variable it may be an equation on the way
+    if several and _TOLD.search(lead[-60:]) and not _INTRODUCED.search(lead):
         return f"{fails}; the words before it say that it holds"
     return ""
 

@@ -8,14 +8,13 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterable, Iterator
-from concurrent.futures import BrokenExecutor
 from dataclasses import replace
 from typing import Any
 
 from tresym.reals.decisions import check as decided
 from tresym.reals.decisions.answer import Alternative, Answer
 from tresym.reals.processes import Processes, cores
-from tresym.reals.repair.search import SECONDS, alternatives
+from tresym.reals.repair.search import MOST, SECONDS, Definitions, alternatives
 from tresym.reals.verdict import Verdict
 
 __all__ = ["Alternative", "check", "suggested", "suggestions"]
@@ -62,24 +61,28 @@ def check(
         return answer
     if limit is None:
         return replace(answer, instead=alternatives(answer.read_as))
-    return replace(answer, instead=next(suggestions([answer.read_as], 1)))
+    return replace(answer, instead=next(suggestions([(answer.read_as, ())], 1)))
 
 
 def suggestions(
-    claims: Iterable[str], processes: int | None = None, seconds: float = SECONDS
+    claims: Iterable[tuple[str, Definitions]],
+    processes: int | None = None,
+    seconds: float = SECONDS,
 ) -> Iterator[tuple[Alternative, ...]]:
     """What is true instead of each of several refuted claims, in their order.
 
     Args:
-        claims: in the grammar of text, with their conditions and paths.
+        claims: in the grammar of text, with their conditions and paths, and what symbols in them
+            stand for.
         processes: how many at once; all cores unless given.
         seconds: processor time for each.
     """
     with _pool(processes or cores(), seconds) as pool:
-        for future in pool.in_order(alternatives, ((claim, seconds) for claim in claims)):
+        asked = ((claim, seconds, MOST, put) for claim, put in claims)
+        for future in pool.in_order(alternatives, asked):
             try:
                 yield future.result()
-            except (TimeoutError, BrokenExecutor):
+            except Exception:  # a search that fails, or is stopped, finds nothing
                 yield ()
 
 
@@ -95,7 +98,7 @@ def suggested(answers: Iterable[tuple[Any, Any]]) -> Iterator[tuple[Any, Any]]:
                 seconds = min(left, SECONDS)
                 try:
                     found = pool.submit(alternatives, answer.read_as, seconds).result()
-                except (TimeoutError, BrokenExecutor):
+                except Exception:
                     found = ()
                 answer = replace(answer, instead=found)
                 spent += time.perf_counter() - now

@@ -6,13 +6,17 @@ factor. Its rank says how usual it is as a misprint, 0 first.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
+from itertools import permutations
 from typing import NamedTuple
 
 from flint import fmpq
 
+from tresym.reals.language.binders import elementary
 from tresym.reals.language.expression import (
     BINDERS,
+    DOTS,
     FUNCTIONS,
     HALF,
     LEAVES,
@@ -93,12 +97,16 @@ class Edit(NamedTuple):
 
 
 def edits(
-    terms: tuple[Expr, ...], relations: tuple[str, ...], indices: Sequence[str] = ()
+    terms: tuple[Expr, ...],
+    relations: tuple[str, ...],
+    indices: Sequence[str] = (),
+    free: bool = True,
 ) -> list[Edit]:
     """Every chain one edit away, each once: by rank, changes at the right end first.
 
     Args:
         indices: variables that are integers, which may be confused with their neighbours.
+        free: whether the symbols are free variables, and stand for nothing else.
     """
     names = sorted(frozenset().union(*map(symbols, terms)) - symbols(INFINITY))
     found = [
@@ -106,9 +114,13 @@ def edits(
         for n, relation in enumerate(relations)
         for other in RELATIONS.get(relation, ())
     ]
+    plain = free and {*relations} == {"=="} and elementary(*terms)
+    lone = plain and _has_lone(terms, indices)
     for n in reversed(range(len(terms))):
         for rank, old, new, tree in changes(terms[n], names, indices):
             chain = (*terms[:n], tree, *terms[n + 1 :])
+            if lone and rank != VARIABLE:
+                continue
             if n == 0 and tree == multiply(MINUS_ONE, terms[0]):
                 rank = FACTOR  # a sign in front of what the statement is about
             found.append(Edit(rank, old, new, chain, relations))
@@ -116,6 +128,23 @@ def edits(
     for edit in sorted(found, key=lambda edit: edit.rank):
         unique.setdefault((edit.terms, edit.relations), edit)
     return list(unique.values())[1:]
+
+
+def _has_lone(terms: Sequence[Expr], indices: Sequence[str]) -> bool:
+    """Whether a variable stands in an equality but once: then it is no identity, and an edit that
+    makes it one is of variables."""
+    counts = Counter(name for term in terms for name in _leaves(term))
+    apart = {*indices, *symbols(INFINITY), *symbols(DOTS)}
+    return any(n == 1 for name, n in counts.items() if name not in apart)
+
+
+def _leaves(e: Expr) -> Iterator[str]:
+    """The variables of a tree, as often as they stand in it."""
+    if e.op == "symbol":
+        yield str(e.args[0])
+    elif e.op not in LEAVES:
+        for arg in e.args:
+            yield from _leaves(arg)
 
 
 def is_one_edit(first: Expr, second: Expr) -> bool:
@@ -248,6 +277,15 @@ def _factors(e: Expr) -> Iterator[Change]:
         yield Change(OTHER, str(factor), "", multiply(*rest))
     total = add(*e.args)
     yield Change(OTHER, str(e), str(total), total)
+    for n, m in permutations(range(len(e.args)), 2):
+        above, below = e.args[n], e.args[m]
+        if below.op == "^" and below.args[1] == MINUS_ONE and above.op != "number":
+            rest = [factor for k, factor in enumerate(e.args) if k not in (n, m)]
+            try:
+                turned = multiply(below.args[0], power(above, MINUS_ONE))
+                yield Change(WRAPPED, str(above * below), str(turned), multiply(*rest, turned))
+            except InputError:
+                continue
 
 
 def _wrapped(e: Expr) -> Iterator[Change]:

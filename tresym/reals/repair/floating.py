@@ -147,7 +147,7 @@ def _quadrature(
         for (x, slope), value in zip(nodes, values, strict=True):
             near = min(abs(x - low), abs(x - high)) < NEGLIGIBLE or abs(x) > 1 / NEGLIGIBLE
             parts.append(0.0 if near and not math.isfinite(value) else value * slope * STEP)
-        fine, coarse = math.fsum(parts), 2 * math.fsum(parts[::2])
+        fine, coarse = _total(parts), 2 * _total(parts[::2])
         cut_off = math.inf in (high, -low) and abs(parts[-1]) > CUT * max(1e-6, abs(fine))
         if not cut_off and abs(fine - coarse) <= 1e-6 * max(1e-6, abs(fine)):
             return fine
@@ -196,7 +196,7 @@ def _sum(body: Expr, name: str, low: float, high: float, here: Mapping[str, floa
         places = [low + k for k in range(LEVIN_TERMS)]
         return _levin(_along(body, name, places, here))
     terms = _terms(body, name, low, high, here)
-    return NAN if terms is None else math.fsum(terms)
+    return NAN if terms is None else _total(terms)
 
 
 def _product(body: Expr, name: str, low: float, high: float, here: Mapping[str, float]) -> float:
@@ -217,7 +217,7 @@ def _levin(terms: Row) -> float:
     while terms and terms[-1] == 0:
         terms = terms[:-1]
     if not all(map(math.isfinite, terms)) or 0 in terms[1:]:
-        return math.fsum(terms[::1]) if 0 in terms else NAN
+        return _total(terms) if 0 in terms else NAN
     found = [_transformed(terms, n) for n in range(len(terms) - 8, len(terms) - 2)]
     steps = [(abs(y - x), y) for x, y in pairwise(found)]
     gap, value = min(steps, default=(math.inf, NAN))
@@ -239,6 +239,13 @@ _VALUES: dict[str, Callable[..., float]] = {
     "product": _product,
     "sum": _sum,
 }
+
+
+def _total(terms: Row) -> float:
+    try:
+        return math.fsum(terms)
+    except (OverflowError, ValueError):  # of infinite terms
+        return NAN
 
 
 def _quotient(p: int, q: int) -> float:

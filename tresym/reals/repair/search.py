@@ -12,7 +12,7 @@ import math
 import time
 from collections.abc import Iterator, Sequence
 from itertools import takewhile
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 from tresym.reals.decisions.answer import Alternative
 from tresym.reals.decisions.claim_parsing import Path, chained, read_path
@@ -65,13 +65,18 @@ ORDER_STEPS = (0.1, 0.03)
 """How far from the end of a path limits and orders are looked at."""
 
 
+Definitions: TypeAlias = tuple[tuple[str, Expr], ...]
+"""Symbols and what they stand for, in the order in which they are put in."""
+
+
 class _Claim(NamedTuple):
-    """A claim in parts: a chain, its conditions, its path."""
+    """A claim in parts: a chain, its conditions, its path, and what symbols in it stand for."""
 
     terms: tuple[Expr, ...]
     relations: tuple[str, ...]
     given: tuple[Compared, ...]
     path: Path | None
+    put: Definitions = ()
 
     @property
     def links(self) -> list[Compared]:
@@ -81,6 +86,13 @@ class _Claim(NamedTuple):
     def integers(self) -> list[str]:
         return [str(left) for left, relation, _ in self.given if relation == "in"]
 
+    def defined(self) -> _Claim:
+        """The claim with what its symbols stand for put in."""
+        terms = self.terms
+        for name, value in self.put:
+            terms = tuple(substitute(term, {name: value}) for term in terms)
+        return self._replace(terms=terms, put=())
+
     def says(self) -> str:
         """The chain in the grammar of text."""
         rest = (f" {r} {t}" for r, t in zip(self.relations, self.terms[1:], strict=True))
@@ -89,24 +101,27 @@ class _Claim(NamedTuple):
     def text(self, more: str = "") -> str:
         """The claim in the grammar of text, perhaps under one more condition."""
         under = ", ".join(filter(None, (chained(self.given), more)))
-        text = self.says() + (f" given {under}" if under else "")
+        text = self.defined().says() + (f" given {under}" if under else "")
         return text + (f" as {self.path}" if self.path is not None else "")
 
 
-def alternatives(text: str, seconds: float = SECONDS, most: int = MOST) -> tuple[Alternative, ...]:
+def alternatives(
+    text: str, seconds: float = SECONDS, most: int = MOST, put: Definitions = ()
+) -> tuple[Alternative, ...]:
     """What is true instead of a claim that is refuted, the likeliest first.
 
     Args:
         text: the claim with its conditions and its path, in the grammar of text.
         seconds: processor time that the search may take.
         most: how many are looked for.
+        put: what symbols in it stand for; they are kept in what is found.
 
     Example:
         >>> [found.claim for found in alternatives("cos(2*x) == 2*cos(x)**2 + 1", most=1)]
         ['cos(2*x) == 2*cos(x)**2 - 1']
     """
     try:
-        claim = _parsed(text)
+        claim = _parsed(text)._replace(put=put)
     except InputError:
         return ()
     hard = any(node.op in ("integral", "sum") for term in claim.terms for node in outermost(term))
@@ -170,13 +185,21 @@ def _candidates(claim: _Claim, until: float) -> Iterator[tuple[_Claim, str, str]
 
 def _grid(claim: _Claim) -> Points | None:
     """Points at which conditions hold; None where none are found, or not in floating point."""
-    names = sorted(frozenset().union(*map(symbols, claim.terms)) - symbols(INFINITY))
+    terms = claim.defined().terms
+    names = sorted(frozenset().union(*map(symbols, terms)) - symbols(INFINITY))
+    hard = any(node.op == "integral" for term in terms for node in outermost(term))
     try:
-        if any(node.op == "integral" for term in claim.terms for node in outermost(term)):
-            return sampled(names, claim.given, FEW, SMALL)
-        return sampled(names, claim.given, GRID)
+        found = sampled(names, claim.given, *((FEW, SMALL) if hard else (GRID,)))
+        return None if found is None else _with_values(found, claim.put)
     except (UnsupportedError, InputError):
         return None
+
+
+def _with_values(points: Points, put: Definitions) -> Points:
+    """The points with the values of what symbols stand for."""
+    for name, value in reversed(put):
+        points = Points({**points.at, name: points.values(value)}, points.count)
+    return points
 
 
 def _is_inequality(claim: _Claim) -> bool:
@@ -257,7 +280,7 @@ def _surviving(claim: _Claim, grid: Points | None, until: float) -> Iterator[Edi
     points = None if grid is None else _telling(claim, grid)
     known = {node for term in claim.terms for node in outermost(term) if node.op == "integral"}
     waiting: list[Edit] = []
-    for edit in edits(claim.terms, claim.relations, claim.integers):
+    for edit in edits(claim.terms, claim.relations, claim.integers, not claim.put):
         if (waiting and waiting[-1].rank <= FUNCTION < edit.rank) or edit.rank >= WRAPPED:
             yield from (e for e in waiting if _stands(claim, e, points, until))
             waiting = []
@@ -275,11 +298,28 @@ def _stands(claim: _Claim, edit: Edit, points: Points | None, until: float) -> b
         return False
     links = edit.links
     try:
+        if (
+            points is not None
+            and points.at
+            and claim.path is None
+            and _fails_at_first(links, points)
+        ):
+            return False
         survives = edit.rank <= FACTOR if points is None else _survives(claim, links, points)
-    except (UnsupportedError, InputError, OverflowError, ValueError):
+    except UnsupportedError:
         survives = edit.rank <= FACTOR
+    except (InputError, OverflowError, ValueError):
+        return False
     changed = zip(claim.links, links, strict=True)
     return survives and not any(is_trivial(a, b) for a, b in changed if a != b)
+
+
+def _fails_at_first(links: Sequence[Compared], points: Points) -> bool:
+    """Whether an integral shows at the first point that an equality fails: the others are spared."""
+    if not any(node.op == "integral" for link in links for node in outermost(*link[::2])):
+        return False
+    one = Points({name: row[:1] for name, row in points.at.items()})
+    return any(held(one, link) == [False] for link in links)
 
 
 def _sharp_first(claim: _Claim, found: Iterator[Edit]) -> list[Edit]:
