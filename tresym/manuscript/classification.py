@@ -45,7 +45,7 @@ to be solved."""
 class Attempt(NamedTuple):
     """What is asked, what was put in for it, what is thereby said, and whether a no counts.
 
-    ``put`` has the values of symbols that were put in, in order, and ``plain`` what was asked before.
+    ``put`` has the values of symbols that were put in, in order; ``plain`` is what was asked before.
     """
 
     text: str

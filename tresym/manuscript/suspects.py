@@ -7,8 +7,9 @@ or a misprint. It is SUSPECT when nothing around it introduces it as one of the 
 - the other links of its display are identities, or a word such as "hence" leads to it, and the same
   variables stand on both sides.
 
-A symbol that is defined again in the same scope, one edit away from its first definition and without
-a word such as "now", is SUSPECT as well. What is REFUTED keeps its status and gets the suggestions.
+A symbol that is defined again in the same scope, one edit away from its first definition and
+without a word such as "now", is SUSPECT as well. What is REFUTED keeps its status and gets the
+suggestions.
 """
 
 from __future__ import annotations
@@ -44,15 +45,17 @@ _INTRODUCED = re.compile(
 )
 """Words before a display by which it is no claim for all values."""
 _AFTER = re.compile(
-    r"\b(?:solutions?|roots?|solv\w+|satisf\w+|if and only if|holds? (?:only )?(?:if|when)|unknowns?"
-    r"|is (?:called|false|wrong|not)|does not hold|equation|zeros?|cannot|contradict\w*|absurd"
+    r"\b(?:solutions?|roots?|solv\w+|satisf\w+|if and only if|holds? (?:only )?(?:if|when)"
+    r"|unknowns?|is (?:called|false|wrong|not)|does not hold|equation|zeros?|cannot"
+    r"|contradict\w*|absurd"
     r"|impossible|fails)\b",
     re.IGNORECASE,
 )
 """Words behind a display by which it is no claim for all values."""
 _TOLD = re.compile(
-    r"\b(?:hence|therefore|thus|identit\w+|it follows|consequently|then|we (?:\w+ )?(?:get|obtain|find"
-    r"|have|see|prove|show|compute|deduce)|gives?|yields?|shows?|implies|becomes?|know that)\b",
+    r"\b(?:hence|therefore|thus|identit\w+|it follows|consequently|then"
+    r"|we (?:\w+ )?(?:get|obtain|find|have|see|prove|show|compute|deduce)|gives?|yields?|shows?"
+    r"|implies|becomes?|know that)\b",
     re.IGNORECASE,
 )
 """Words by which what follows holds for all values."""

@@ -315,7 +315,7 @@ def _stands(claim: _Claim, edit: Edit, points: Points | None, until: float) -> b
 
 
 def _fails_at_first(links: Sequence[Compared], points: Points) -> bool:
-    """Whether an integral shows at the first point that an equality fails: the others are spared."""
+    """Whether a link with an integral fails at the first point, so that the others are spared."""
     if not any(node.op == "integral" for link in links for node in outermost(*link[::2])):
         return False
     one = Points({name: row[:1] for name, row in points.at.items()})
