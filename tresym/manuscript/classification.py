@@ -9,7 +9,8 @@ from typing import NamedTuple
 
 from flint import fmpq
 
-from tresym.manuscript import prose
+from tresym.manuscript import accusations, prose
+from tresym.manuscript.accusations import NO_VARIABLES, Ground
 from tresym.manuscript.context import DEPTH, Memory, Under, about, names_in
 from tresym.manuscript.display import Said
 from tresym.manuscript.source import Display
@@ -28,12 +29,11 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.language.latex_operands import Piece
-from tresym.reals.language.parsing import INFINITY, Compared
+from tresym.reals.language.parsing import Compared
 from tresym.reals.numbers.exact import InputError, parse_number
 
 DEFINED, ASSUMED, EQUATION, UNREAD = "DEFINED", "ASSUMED", "EQUATION", "UNREAD"
 CONSTANTS = re.compile(r"[CcAB]_?\d*|[CcA]_\w")
-NO_VARIABLES = symbols(INFINITY) | symbols(DOTS)
 TOLD = "as the text before it says, with"
 WHERE = "under what is said where that is defined, with"
 EARLIER = "under what sections before it say"
@@ -45,7 +45,11 @@ to be solved."""
 class Attempt(NamedTuple):
     """What is asked, what was put in for it, what is thereby said, and whether a no counts.
 
-    ``put`` has the values of symbols that were put in, in order; ``plain`` is what was asked before.
+    Attributes:
+        sides, given: what is asked, taken apart.
+        put: the values of symbols that were put in, in order; ``plain`` is what was asked before.
+        far: symbols that are put in and were defined in another paragraph.
+        same: whether the same variables stand on both sides.
     """
 
     text: str
@@ -54,6 +58,10 @@ class Attempt(NamedTuple):
     may_fail: bool = True
     put: tuple[tuple[str, Expr], ...] = ()
     plain: str = ""
+    sides: Compared | None = None
+    given: tuple[Compared, ...] = ()
+    far: tuple[str, ...] = ()
+    same: bool = False
 
 
 @dataclass(frozen=True)
@@ -71,6 +79,7 @@ class Link:
         unknown: whether there is a function in it that is left unknown.
         around: the text before and behind its display, and the number of its scope.
         noted: the kind that a note of the author's gives its display.
+        ground: on what a refutation of it stands.
     """
 
     display: Display
@@ -84,6 +93,7 @@ class Link:
     otherwise: tuple[str, str] = ("UNDECIDED", "")
     same: bool = False
     unknown: bool = False
+    ground: Ground = field(default_factory=Ground)
     shown: str = field(default="", repr=False)
     around: tuple[str, str, int] = field(default=("", "", 0), repr=False)
     noted: str = ""
@@ -117,6 +127,10 @@ def claim(
     if under.put_in:
         values = dict(under.put_in)
         left, right = substitute(left, values), substitute(right, values)
+        put = [(substitute(a, values), r, substitute(b, values)) for a, r, b in under.given]
+        under = replace(under, given=tuple(put))
+    printed, compared = compared, (left, relation, right)
+    link = replace(link, ground=accusations.ground(memory, compared, said, n, under, head))
     orders = any(node.op in ("O", "o") for node in outermost(left, right))
     as_path = ""
     if relation == "~" or orders:
@@ -145,7 +159,7 @@ def claim(
     constants = not (symbols(left) | symbols(right)) - NO_VARIABLES
     constants = constants and not unknown_in(left, right)  # y(0) = 1 is asked of y
     worked = not unknown_in(left, right) and any(
-        node.op in _WORKED or is_infinite(node) for node in outermost(compared[0], compared[2])
+        node.op in _WORKED or is_infinite(node) for node in outermost(printed[0], printed[2])
     )
     worked = worked or DOTS.args[0] in symbols(left) | symbols(right)
     firm = not said.before and (sure or goes_on or constants) and (under.noted or not as_path)
@@ -170,12 +184,18 @@ def claim(
     if under.noted and n == 0 and under.kind == prose.SOLVE:
         return replace(link, status=fallback[0], why=fallback[1])
     if head is not None and fallback[0] == DEFINED and symbols(right):
-        memory.define(head, right)
+        if said.conditions or under.put_in:
+            memory.undefine(head.name)
+        else:
+            memory.define(head, right)
     undecided = "UNDECIDED", ""
     keep = firm or (same and relation == "==" and n > 0) or as_path or relation != "=="
     link = replace(link, claims=attempts, firm=firm, same=same)
     if fallback[0] == EQUATION and unknown_in(left, right):
         link = replace(link, same=False, unknown=True)
+    if under.unread and not under.noted:
+        unread = UNREAD, f"its condition is not read: {under.unread}"
+        return replace(link, firm=False, unknown=True, otherwise=unread)
     return replace(link, otherwise=undecided if keep and fallback[0] != DEFINED else fallback)
 
 
@@ -219,9 +239,13 @@ def _attempts(
             may_fail = not how.startswith((TOLD, WHERE))
             said = f"{left} {relation} {right} given {shown}" if how.startswith(WHERE) else said_so
             plain = f"{left} {relation} {right}" + (f" given {shown}" if shown else "") + as_path
-            asked = Attempt(text, how, said, may_fail, tuple(put.items()), plain)
-            attempts.setdefault(text, asked)
-            same = same or (may_fail and not (symbols(one) ^ symbols(other)) - free)
+            pairs = tuple(put.items())
+            asked = Attempt(text, how, said, may_fail, pairs, plain, (one, relation, other))
+            asked = asked._replace(given=tuple(given))
+            far = accusations.far_definitions(memory, put, under)
+            alike = not (symbols(one) ^ symbols(other)) - free
+            attempts.setdefault(text, asked._replace(far=far, same=alike))
+            same = same or (may_fail and alike)
     return tuple(sorted(attempts.values(), key=lambda attempt: not attempt.may_fail)), same
 
 
@@ -255,7 +279,7 @@ def _forms(
     right: Expr,
     given: Sequence[Compared],
     under: Under,
-) -> Iterator[tuple[Expr, Expr, Sequence[Compared], str, dict[str, Expr]]]:
+) -> Iterator[tuple[Expr, Expr, Sequence[Compared], str, Mapping[str, Expr]]]:
     """Both sides and the conditions as they stand, and with definitions put in.
 
     What was defined last is put in first, by itself, then all of what the claim is said to

@@ -7,7 +7,8 @@ from dataclasses import dataclass, fields, replace
 from pathlib import Path
 
 from tresym.ledger.audit.source import read_text
-from tresym.manuscript.source import Display, Event, Note
+from tresym.manuscript.files import Note
+from tresym.manuscript.source import Display, Event
 from tresym.reals.language.parsing import parse_given
 from tresym.reals.numbers.exact import InputError
 

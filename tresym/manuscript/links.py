@@ -27,8 +27,9 @@ from tresym.manuscript.classification import (
 )
 from tresym.manuscript.context import Conditions, Memory, Under, names_in
 from tresym.manuscript.directives import Orders, orders_of
-from tresym.manuscript.display import OR, STRANGE, WORDS, Said, between, statements
-from tresym.manuscript.source import Display, Event, Missing, Note, Prose, Scope, Section
+from tresym.manuscript.display import OR, OTHERWISE, STRANGE, WORDS, Said, between, statements
+from tresym.manuscript.files import Note
+from tresym.manuscript.source import Display, Event, Missing, Prose, Scope, Section
 from tresym.manuscript.terms import (
     SIGNS,
     Head,
@@ -87,14 +88,15 @@ class _Reading:
             if isinstance(event, Note):
                 self.note(event)
             elif isinstance(event, Section):
-                self.memory.section()
+                self.memory.section(event.chapter)
                 before = ""
             elif isinstance(event, Scope):
-                self.memory.scope(event)
+                self.memory.scopes.mark(event)
                 before = ""
             elif isinstance(event, Missing):
                 continue
             elif isinstance(event, Prose):
+                self.memory.own.clear()
                 self.memory.remember(event.text)
                 before = event.text
             else:
@@ -106,10 +108,12 @@ class _Reading:
                     after = ""
                 text = before, after, scope
                 noted = self.orders.kind
+                self.memory.line = event.line
                 found = [
                     replace(link, around=text, noted=noted)
                     for link in self.display(event, before, after)
                 ]
+                self.memory.line = 0
                 for label in (*event.labels, str(event.number)):
                     self.memory.labels[label] = [x.sides for x in found if x.sides]
                 yield from found
@@ -153,10 +157,11 @@ class _Reading:
         if not found:
             yield replace(blank, status=UNREAD, why="it is empty")
             return
-        self.memory.remember(after[: prose.MAX_AFTER] if prose.first_sentence(after) else "")
+        self.memory.remember(prose.first_sentence(after))
         count, self.cases = 0, []
         groups = _with_conditions_behind(_grouped(found))
-        self.memory.ahead = dict(self.defined_in(said for said, _ in groups))
+        plainly = (said for said, under in groups if not (said.conditions or under))
+        self.memory.ahead = dict(self.defined_in(plainly))
         last = max((said.row for said, under in groups if said.conditions or under), default=0)
         for said, under in groups:
             alone = said.row < last and not (said.conditions or under)
@@ -199,7 +204,7 @@ class _Reading:
             if not said.ops or said.ops[0] not in ("=", ":=") or {"\\pm", "\\mp"} & {*said.tokens}:
                 continue
             head, value = self.memory.head(said.terms[0]), self.piece(said.terms[1], said)
-            if head and not head.derived and not isinstance(value, str) and not said.conditions:
+            if head and not head.derived and not isinstance(value, str):
                 names = symbols(value.tree)
                 if DOTS.args[0] in names:
                     continue
@@ -289,16 +294,23 @@ class _Reading:
     def under(self, said: Said, extra: Sequence[Said], around: Under) -> tuple[Under, str]:
         """What a chain is said under, and what of it is not read."""
         given: list[Compared] = []
+        row: tuple[Compared, ...] = ()
         put_in = list(around.put_in)
         path, problem, own = around.path, "", bool(said.conditions or extra)
         for condition in (*said.conditions, *extra):
-            found = self.memory.condition(condition) if condition.ops else self.other_cases(said)
+            found = (
+                self.memory.condition(condition)
+                if condition.ops
+                else self.other_cases(said, condition)
+            )
             if found is None:
                 problem = problem or f"its condition is not read: {' '.join(condition.tokens)}"
             else:
                 given += found[0]
                 put_in += found[1]
                 path = found[2] or path
+            if condition in said.conditions or all(map(is_plain, condition.terms)):
+                row = tuple(given)
         if said.conditions:
             self.cases.append((said.terms[0], tuple(given)))
         spoken = [names_in((c,)) for c in (*given, *around.given)]
@@ -310,14 +322,17 @@ class _Reading:
         return replace(
             around,
             passing=around.given,
+            row=row,
             given=everything,
             put_in=tuple(put_in),
             path=path,
             kind=kind,
         ), problem
 
-    def other_cases(self, said: Said) -> Conditions | None:
-        """Of "otherwise" what it says: that no case before it is."""
+    def other_cases(self, said: Said, condition: Said) -> Conditions | None:
+        """Of "otherwise" what it says: that no case before it is; of other words nothing."""
+        if condition.tokens != (OTHERWISE,):
+            return None
         cases = [given for head, given in self.cases if head == said.terms[0]]
         if not cases or any(len(given) != 1 for given in cases):
             return None
@@ -434,7 +449,10 @@ class _Reading:
             for name in symbols(value) - self.memory.seen - {*head.parameters}
             if CONSTANTS.fullmatch(name)
         )
-        if not several and (symbols(value) or under.noted):
+        of_some = not names_in(under.passing).isdisjoint(head.parameters)
+        if several or of_some:  # no value of all arguments
+            self.memory.undefine(head.name)
+        elif symbols(value) or under.noted:
             self.memory.define(head, value, under.passing)
         self.memory.seen |= symbols(value) | {head.name}
         if constants and head.parameters and not under.noted:
@@ -456,6 +474,8 @@ class _Reading:
         """A term, or why it is not read."""
         if "hot" in tokens:
             return "how small the terms of higher order are is not said"
+        if any(tuple(tokens[n : n + 3]) == ("{", ",", "}") for n in range(len(tokens))):
+            return "a number with one comma, as 1,000, may be a decimal or a list"
         if WORDS in tokens:
             return f"the words {(said.words or ('in it',))[0]!a} are not read"
         try:

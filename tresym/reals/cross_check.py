@@ -21,7 +21,7 @@ from typing import Any
 
 from flint import arb, fmpq
 
-from tresym.reals.language.expression import Expr, opened, symbols
+from tresym.reals.language.expression import LEAVES, Expr, opened, symbols
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import fraction_text
 
@@ -270,9 +270,12 @@ def _general(x: arb, y: arb) -> arb:
 def _to_integer(x: arb, y: arb) -> arb:
     """A power whose exponent takes the values of integers alone."""
     n = y.unique_fmpz()
-    if n is None or x.contains(0) or abs(n) > LONGEST_POWER:
+    if n is None or x.contains(0):
         raise _UndefinedError
-    return x ** int(n)
+    if abs(n) <= LONGEST_POWER:
+        return x ** int(n)
+    size = (n * abs(x).log()).exp()
+    return -size if x < 0 and n % 2 else size
 
 
 def _integrated(body: Callable[[arb], arb], low: arb, high: arb) -> arb:
@@ -324,6 +327,13 @@ _BY_NAME: dict[str, Callable[..., arb]] = (
     | {"+": operator.add, "*": operator.mul, "abs": abs}
     | {"sign": _sign, "cbrt": _cbrt, "atan2": _atan2, "^": _general}
 )
+
+
+def has_meaning(e: Expr) -> bool:
+    """Whether every operation in ``e`` has a meaning here: a function left unknown has none."""
+    known = e.op in LEAVES or e.op in _BOUND or e.op in _BY_NAME
+    return known and (e.op in LEAVES or all(map(has_meaning, e.args)))
+
 
 Program = Callable[[Tried], "list[arb] | None"]
 

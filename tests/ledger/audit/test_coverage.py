@@ -19,6 +19,7 @@ from tresym.ledger.audit.coverage import (
     Transcription,
     audit,
     load_index,
+    load_words,
 )
 from tresym.ledger.audit.source import read_source, scan
 from tresym.ledger.audit.transcription import Reading, functions_of, unmet
@@ -90,7 +91,19 @@ def index_of(path: Path = PENDULUM) -> tuple[Entry, ...]:
     entries = [Entry(p.kind, p.label, p.line, p.end, p.sha256, p.number or None) for p in pieces]
     reading = Reading(sentence="≃ is no relation", again=("T ~ 2*pi/w",))
     entries[6] = replace(entries[6], reading=reading)
-    return tuple(entries)
+    lines = [
+        Entry(
+            p.kind,
+            p.label,
+            p.line,
+            p.end,
+            p.sha256,
+            answers=("w_printed",) if "w=1" in p.text else (),
+            no_claim="" if "w=1" in p.text else "it tells of the price",
+        )
+        for p in source.text
+    ]
+    return (*entries, *lines)
 
 
 def altered(tmp_path: Path, old: str, new: str) -> Path:
@@ -169,6 +182,46 @@ def test_an_uncovered_piece_is_named(label: str) -> None:
     (row,) = [row for row in result.rows if not row.good]
     assert row.claims == ()
     assert row.note == "no claim answers it"
+
+
+def test_a_line_of_the_text_has_its_claims_or_a_reason_for_none() -> None:
+    rows = {row.label: row for row in audit(PENDULUM, claims(), index_of()).rows}
+    assert rows["line10"].no_claim == "it tells of the price"
+    assert rows["line10"].good
+    assert rows["line44"].claims == ("w_printed",)
+    assert set(rows) >= {"line10", "line44"}
+
+
+def test_a_line_of_the_text_fails_without_its_claim() -> None:
+    kept = [c for c in claims() if c.label != "w_printed"]
+    (row,) = [r for r in audit(PENDULUM, kept, index_of()).rows if r.kind == "text" and not r.good]
+    assert (row.label, row.note) == ("line44", "the claim w_printed on it is missing")
+
+
+def test_a_line_of_the_text_that_nobody_answered_fails(tmp_path: Path) -> None:
+    said = altered(tmp_path, "The derivative is\n", "The derivative at $q=0$ is\n")
+    assert list(bad(audit(said, claims(), index_of())).values()) == [Text.ADDED]
+    moving = audit(PENDULUM, claims(), index_of(), words=("the speed",))
+    (row,) = [row for row in moving.rows if not row.good]
+    assert row.note.startswith("no claim answers it")
+    assert row.line == 15
+
+
+def test_an_altered_line_of_the_text_is_named(tmp_path: Path) -> None:
+    said = altered(tmp_path, "For $w=1$ the", "For $w=2$ the")
+    assert bad(audit(said, claims(), index_of())) == {"line44": Text.ALTERED}
+
+
+@pytest.mark.skipif(not PAPERS, reason="the paper does not lie beside the checkout")
+def test_every_line_on_the_motion_or_with_a_formula_is_answered() -> None:
+    index, words = load_index(INDEX), load_words(INDEX)
+    result = audit(PAPERS[0], all_claims(), index, words=words)
+    good, total = result.count("text")
+    assert good == total >= 90
+    lines = [entry for entry in index if entry.kind == "text"]
+    assert sum(not entry.answers for entry in lines) <= 2
+    less = tuple(c for c in all_claims() if c.label != "stable_e1")
+    assert not audit(PAPERS[0], less, index, words=words).complete
 
 
 def reading_of(label: str, reads: dict[str, str]) -> tuple[Entry, ...]:

@@ -10,7 +10,13 @@ from typing import Any
 from tresym.reals.cross_check import STOPPED
 from tresym.reals.decisions.answer import Answer, Decide, exact_text, refuted, worst
 from tresym.reals.decisions.claim_cross_check import attack
-from tresym.reals.decisions.claim_parsing import Comparison, Statement, functions, read
+from tresym.reals.decisions.claim_parsing import (
+    Comparison,
+    Statement,
+    functions,
+    implied_integers,
+    read,
+)
 from tresym.reals.decisions.equalities import decide_equality
 from tresym.reals.decisions.identity import JUMP
 from tresym.reals.decisions.variable_exponents import beyond_positive_bases
@@ -63,17 +69,29 @@ def decide_claim(claim: Any, given: Any = "", path: str | None = None) -> Answer
 
 
 def _everywhere(comparison: Comparison, statement: Statement) -> Answer:
+    statement = _with_integers(comparison, statement)
     answer = _bounded(comparison, statement)
-    return beyond_positive_bases(answer, comparison, statement) if answer else answer
+    return beyond_positive_bases(answer, comparison, statement, _bounded) if answer else answer
+
+
+def _with_integers(comparison: Comparison, statement: Statement) -> Statement:
+    """The statement, which says what must be an integer for the comparison to have a meaning."""
+    trees = (comparison.left, comparison.right, *statement.said)
+    return replace(statement, integers=implied_integers(trees, statement.integers))
 
 
 def _bounded(comparison: Comparison, statement: Statement) -> Answer:
     """The answer, UNDECIDED where what was read well grows beyond the bounds of expressions."""
     start = time.perf_counter()
+    statement = _with_integers(comparison, statement)
     try:
         answer = _decide(comparison, statement)
     except InputError as error:
         return Answer(Verdict.UNDECIDED, f"an expression on the way grew too large: {error}")
+    if answer.verdict is Verdict.REFUTED and statement.path is not None:
+        from tresym.reals.decisions.asymptotics.refutation_check import checked
+
+        return checked(answer, comparison, statement)
     if not answer:
         return answer
     against = attack(comparison, statement, answer, time.perf_counter() - start)
@@ -128,6 +146,10 @@ def _door(comparison: Comparison, statement: Statement) -> Door | None:
         from tresym.reals.decisions.factorials import decide_factorials
 
         return decide_factorials
+    if unknown and statement.integers and statement.path is None:
+        from tresym.reals.decisions.integer_variables import decide_whole
+
+        return decide_whole
     if unknown:
         from tresym.reals.decisions.unknown_functions import decide_unknown
 
@@ -144,6 +166,10 @@ def _door(comparison: Comparison, statement: Statement) -> Door | None:
             return decide_whole
     if statement.equations:
         return decide_under_equations
+    if "integral" in nodes and statement.path is not None:
+        from tresym.reals.decisions.asymptotics.integral_limits import decide_integral_limits
+
+        return decide_integral_limits
     if "integral" in nodes:
         from tresym.reals.decisions.integrals import decide_integrals
 

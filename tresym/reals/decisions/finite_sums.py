@@ -84,7 +84,6 @@ def decide_totals(claim: Comparison, statement: Statement, decided: Decide) -> A
         )
     (n,) = names
     least = max(end[2] - 1 - end[1] for end in ends.values() if end is not None)
-    statement = replace(statement, integers=tuple(dict.fromkeys((*statement.integers, n))))
     plain, least = from_on(statement, n, least)
     found = _looked_at(claim, statement, n, least, decided)
     if found is not None:

@@ -11,7 +11,7 @@ A refutation is one at integers.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 from itertools import islice, product
@@ -42,7 +42,7 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.exact import InputError
+from tresym.reals.numbers.exact import InputError, Interval
 from tresym.reals.signs.interior import is_zero
 from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
@@ -61,7 +61,9 @@ def decide_whole(claim: Comparison, statement: Statement, decided: Decide) -> An
     Args:
         decided: decides what holds for real values.
     """
-    sides = claim.left, claim.right, *statement.said
+    sides = [claim.left, claim.right, *statement.said]
+    if statement.path is not None and statement.path.point is not None:
+        sides.append(statement.path.point)
     spoken_of = frozenset().union(*map(symbols, sides))
     names = [name for name in statement.integers if name in spoken_of]
     plain = replace(statement, integers=())
@@ -97,6 +99,22 @@ def decide_whole(claim: Comparison, statement: Statement, decided: Decide) -> An
     return replace(found, why=f"for integers {', '.join(names)}: {found.why}", region=None)
 
 
+def with_integer_bounds(given: Given, integers: Iterable[str]) -> Given:
+    """The conditions, and the bounds of the integers by integers: n > 1/2 is n >= 1."""
+    links = []
+    for name in integers:
+        low, high = given.box.get(name, Interval())[:2]
+        strict = {c.expression for c in given.conditions if c.relation == ">"}
+        n = symbol(name)
+        if low is not None:
+            end = int(low.ceil())
+            links.append((n, ">=", number(end + (n - number(low) in strict and end == low))))
+        if high is not None:
+            end = int(high.floor())
+            links.append((n, "<=", number(end - (number(high) - n in strict and end == high))))
+    return given & Given(tuple(links))
+
+
 def _small(names: list[str], given: Given) -> Iterator[dict[str, Expr]]:
     """Small integers that the conditions on them alone allow."""
     count = 0
@@ -122,7 +140,7 @@ def _by_residues(
 ) -> Answer:
     """The claim for every residue of every integer, for real values of what remains."""
     trees = (claim.left, claim.right, *claim.differentiated, *statement.said)
-    periods = [_period(trees, name, statement.given) for name in names]
+    periods = [period_of(trees, name, statement.given) for name in names]
     if None in periods:
         return Answer(Verdict.UNDECIDED, "an angle or an exponent has no period in the integers")
     whole = [period for period in periods if period is not None]
@@ -137,7 +155,7 @@ def _by_residues(
             for name, period, r in zip(names, whole, rest, strict=True)
         }
         given = statement.given.mapped(partial(substitute, mapping=at))
-        change = partial(_residue, at=at, names=names, given=given)
+        change = partial(residue_of, at=at, names=names, given=given)
         inside = replace(statement.mapped(change), integers=tuple(names) if holds_integrals else ())
         answers.append(decided(claim.mapped(change), inside))
         if not answers[-1]:
@@ -145,11 +163,12 @@ def _by_residues(
     return worst(answers)
 
 
-def _residue(e: Expr, at: dict[str, Expr], names: list[str], given: Given) -> Expr:
+def residue_of(e: Expr, at: dict[str, Expr], names: Sequence[str], given: Given) -> Expr:
+    """``e`` at integers of a residue: see :func:`reduced_in`."""
     return reduced_in(substitute(e, at), names, given)
 
 
-def _period(trees: Iterable[Expr], name: str, given: Given) -> int | None:
+def period_of(trees: Iterable[Expr], name: str, given: Given) -> int | None:
     """M such that n = M m + r leaves no angle and no exponent of what may be negative."""
     found = 1
     for node in operations(trees):

@@ -45,7 +45,7 @@ def limit_of(e: Expr, name: str, point: Expr | None, side: int, given: Given) ->
         if any(undefined(part, given) is not None for part in _fixed(along)):
             return None
         with ball_precision():
-            f = found.of(along)
+            (f,) = found.all_of(along)
             value = found.expansions.limit(f) if found.real else None
     except UnresolvedError:
         value = None
