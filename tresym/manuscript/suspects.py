@@ -27,7 +27,7 @@ from tresym.reals.decisions.answer import Alternative
 from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.repair import suggestions
 from tresym.reals.repair.edits import is_one_edit
-from tresym.reals.repair.search import GIVEN, SECONDS, differs, touches
+from tresym.reals.repair.search import GIVEN, SECONDS, Definitions
 
 SUSPECT = "SUSPECT"
 
@@ -66,8 +66,20 @@ _ANEW = re.compile(
     re.IGNORECASE,
 )
 """Words by which a second definition is another one on purpose."""
+_REAL = re.compile(r"[xyztuvw]\d*|theta|phi|alpha|beta|psi")
+"""Letters that take all real values in most texts."""
+_SIGNED = re.compile(
+    r"\b(?:positive|negative|non-?negative|integers?|natural|whole|acute|distances?|lengths?|radius"
+    r"|quadrant|angles?|large|small|greater|less|between|least|most)\b|[<>]|\\[gl]e|\\in\b",
+    re.IGNORECASE,
+)
+"""What says of variables that they do not take all real values."""
+_DOUBTED = re.compile(
+    r"nothing is said of|depends on what is not read|may be summed|may be rounded|contradiction"
+    r"|how near|of a sequence|stands under|another paragraph"
+)
+"""Reasons for which what fails is no misprint either."""
 _RELATIONS = frozenset(("==", "<", "<=", ">", ">="))
-_NO_POINT = "no real point was found where both sides are defined"
 _HOLD = frozenset(("PROVED", "ENCLOSED"))
 
 
@@ -81,7 +93,7 @@ def proofread(
         processes: how many at once; all cores unless given.
     """
     asked = {n: row for n, row in enumerate(rows) if row.status == "REFUTED" or may_be(row)}
-    texts = [(row.refuted or row.link.claims[0].text, row.put) for row in asked.values()]
+    texts = [_question(row) for row in asked.values()]
     found = dict(zip(asked, suggestions(texts, processes, seconds), strict=True)) if texts else {}
     blocks = _blocks(rows)
     result = list(rows)
@@ -105,16 +117,20 @@ def may_be(row: Row) -> bool:
     left, relation, right = link.sides
     if relation not in _RELATIONS or is_introduced(link) or _stands_alone(left, right):
         return False
+    if any(_DOUBTED.search(doubt) for doubt in link.ground.doubts):
+        return False
     if relation != "==":
         return bool(row.refuted) and not row.put
-    return bool(row.refuted) or _is_doubtful(row)
+    undecided = row.status == "UNDECIDED" and bool(link.claims) and "refuted" not in row.why
+    return bool(row.refuted) or undecided
 
 
-def _is_doubtful(row: Row) -> bool:
-    """Whether an equality that is not decided has no point, or sides that are seen to differ."""
-    if row.status != "UNDECIDED" or not row.link.claims:
-        return False
-    return _NO_POINT in row.why or differs(row.link.claims[0].text)
+def _question(row: Row) -> tuple[str, Definitions, bool]:
+    """What is looked for instead of, and whether it is not refuted or an inequality."""
+    relation = row.link.sides[1] if row.link.sides else ""
+    if row.refuted:
+        return row.refuted, row.put, relation != "==" and row.status != "REFUTED"
+    return row.link.claims[0].text, (), True
 
 
 def is_introduced(link: Link) -> bool:
@@ -163,8 +179,8 @@ def reason(row: Row, instead: Sequence[Alternative], others: Sequence[str]) -> s
     at = ", ".join(f"{name} = {value}" for name, value in (row.fails_at or {}).items())
     fails = f"it fails at {at}" if at else "it fails" if row.refuted else row.why
     relation = row.link.sides[1] if row.link.sides else ""
-    if relation != "==":  # an inequality is often a condition, and holds on some part nearly always
-        instead = [one for one in instead if not one.edit.startswith(GIVEN) and touches(_text(one))]
+    if not _is_free(row):  # what is not read may well be the condition
+        instead = [one for one in instead if not one.edit.startswith(GIVEN)]
     if instead:
         first = instead[0]
         condition = first.edit.startswith(GIVEN)
@@ -184,8 +200,13 @@ def reason(row: Row, instead: Sequence[Alternative], others: Sequence[str]) -> s
     return ""
 
 
-def _text(found: Alternative) -> str:
-    return f"{found.claim} given {found.given}" if found.given else found.claim
+def _is_free(row: Row) -> bool:
+    """Whether the variables are ones that take all real values in most texts, and no word says
+    otherwise."""
+    names = symbols(row.link.sides[0]) | symbols(row.link.sides[2]) if row.link.sides else set()
+    text = row.link.around[0] + row.link.around[1][: prose.MAX_AFTER]
+    plain = all(_REAL.fullmatch(name) for name in names)
+    return plain and not row.put and not row.link.ground.doubts and not _SIGNED.search(text)
 
 
 def _blocks(rows: Sequence[Row]) -> dict[int, list[str]]:

@@ -61,24 +61,24 @@ def check(
         return answer
     if limit is None:
         return replace(answer, instead=alternatives(answer.read_as))
-    return replace(answer, instead=next(suggestions([(answer.read_as, ())], 1)))
+    return replace(answer, instead=next(suggestions([(answer.read_as, (), False)], 1)))
 
 
 def suggestions(
-    claims: Iterable[tuple[str, Definitions]],
+    claims: Iterable[tuple[str, Definitions, bool]],
     processes: int | None = None,
     seconds: float = SECONDS,
 ) -> Iterator[tuple[Alternative, ...]]:
     """What is true instead of each of several refuted claims, in their order.
 
     Args:
-        claims: in the grammar of text, with their conditions and paths, and what symbols in them
-            stand for.
+        claims: in the grammar of text, with their conditions and paths, what symbols in them stand
+            for, and whether to be cautious, see :func:`tresym.reals.repair.search.alternatives`.
         processes: how many at once; all cores unless given.
         seconds: processor time for each.
     """
     with _pool(processes or cores(), seconds) as pool:
-        asked = ((claim, seconds, MOST, put) for claim, put in claims)
+        asked = ((claim, seconds, MOST, *rest) for claim, *rest in claims)
         for future in pool.in_order(alternatives, asked):
             try:
                 yield future.result()

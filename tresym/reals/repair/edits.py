@@ -157,6 +157,8 @@ def is_one_edit(first: Expr, second: Expr) -> bool:
 
 def changes(e: Expr, names: Sequence[str], indices: Sequence[str] = ()) -> Iterator[Change]:
     """Every tree one edit away from ``e``; some may come twice."""
+    if e in (INFINITY, DOTS):
+        return
     yield from _numbers(e)
     if e.op == "number":
         return

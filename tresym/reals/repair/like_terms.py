@@ -11,6 +11,7 @@ from functools import cache
 
 from flint import fmpq
 
+from tresym.reals.decisions.claim_parsing import functions
 from tresym.reals.language.binders import ordered
 from tresym.reals.language.expression import (
     LEAVES,
@@ -30,8 +31,8 @@ from tresym.reals.numbers.exact import InputError
 def is_trivial(old: Compared, new: Compared) -> bool:
     """Whether a repaired comparison says nothing, or nothing of some variable of the old one."""
     left, right = collected(new[0]), collected(new[2])
-    names = symbols(old[0]) | symbols(old[2])
-    if not names <= symbols(left) | symbols(right):
+    names = _named(old[0]) | _named(old[2])
+    if left == right or not names <= _named(left) | _named(right):
         return True
     if new[1] not in ("==", "<=", ">=", "<", ">"):
         return False
@@ -40,6 +41,11 @@ def is_trivial(old: Compared, new: Compared) -> bool:
     except InputError:
         return False
     return (not symbols(gap) and bool(names)) or (not symbols(share) and bool(names))
+
+
+def _named(e: Expr) -> frozenset[str]:
+    """The variables and the unknown functions in an expression."""
+    return symbols(e) | {str(node.args[0].args[0]) for node in functions(e)}
 
 
 @cache

@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Iterator, Sequence
-from itertools import takewhile
+from itertools import islice, takewhile
 from typing import NamedTuple, TypeAlias
 
 from tresym.reals.decisions.answer import Alternative
@@ -106,7 +106,11 @@ class _Claim(NamedTuple):
 
 
 def alternatives(
-    text: str, seconds: float = SECONDS, most: int = MOST, put: Definitions = ()
+    text: str,
+    seconds: float = SECONDS,
+    most: int = MOST,
+    put: Definitions = (),
+    cautious: bool = False,
 ) -> tuple[Alternative, ...]:
     """What is true instead of a claim that is refuted, the likeliest first.
 
@@ -115,6 +119,9 @@ def alternatives(
         seconds: processor time that the search may take.
         most: how many are looked for.
         put: what symbols in it stand for; they are kept in what is found.
+        cautious: whether nothing is to be found beside what may be true or meant otherwise: of
+            inequalities only those whose sides touch, and none for an equality whose sides are not
+            seen to differ.
 
     Example:
         >>> [found.claim for found in alternatives("cos(2*x) == 2*cos(x)**2 + 1", most=1)]
@@ -127,12 +134,16 @@ def alternatives(
     hard = any(node.op in ("integral", "sum") for term in claim.terms for node in outermost(term))
     if hard and seconds:
         import sympy  # noqa: F401 - that deciding may need it is not counted
+    if cautious and not _is_inequality(claim) and not _differs(claim):
+        return ()
     end = time.process_time() + seconds
     found: list[Alternative] = []
     for candidate, more, edit in _candidates(claim, time.process_time() + seconds / 2):
         left = end - time.process_time()
         if left <= 0 or len(found) >= most:
             break
+        if cautious and _is_inequality(claim) and (more or not _touches(candidate)):
+            continue
         if more and any(one.edit.startswith(GIVEN) for one in found):
             continue  # a narrower part of what was found
         verdict = _decided(candidate.text(more), left if hard else min(left, SHARE * seconds))
@@ -212,10 +223,23 @@ def _regions(claim: _Claim, grid: Points | None) -> Iterator[tuple[_Claim, str, 
         return
     try:
         links = [_without_integrals(link) for link in claim.links]
-        for more in holding(links, grid, claim.integers)[:MOST_REGIONS]:
+        usual = (more for more in holding(links, grid, claim.integers) if _is_apart(claim, more))
+        for more in islice(usual, MOST_REGIONS):
             yield claim, more, ""
     except (UnsupportedError, InputError):
         return
+
+
+def _is_apart(claim: _Claim, more: str) -> bool:
+    """Whether a condition says neither the claim itself nor anything of the ends of a sum."""
+    nodes = [n for n in outermost(*claim.terms) if n.op in ("sum", "product")]
+    ends = frozenset().union(*(symbols(end) for node in nodes for end in node.args[1:]))
+    gaps = {collected(a - b) for a, _, b in claim.links} | {
+        collected(b - a) for a, _, b in claim.links
+    }
+    conditions = parse_given(more)
+    names = frozenset().union(*(symbols(a) | symbols(b) for a, _, b in conditions))
+    return names.isdisjoint(ends) and all(collected(a - b) not in gaps for a, _, b in conditions)
 
 
 def _ranked(
@@ -324,12 +348,7 @@ def _fails_at_first(links: Sequence[Compared], points: Points) -> bool:
 
 def _sharp_first(claim: _Claim, found: Iterator[Edit]) -> list[Edit]:
     """Inequalities whose sides come near to each other, as they do in print, before others."""
-    names = sorted(frozenset().union(*map(symbols, claim.terms)) - symbols(INFINITY))
-    closed = [(a, _CLOSED.get(r, r), b) for a, r, b in claim.given if r != "!="]
-    try:
-        grid = sampled(names, closed, GRID)
-    except (UnsupportedError, InputError):
-        grid = None
+    grid = _closed_grid(claim)
     if grid is None:
         return list(found)
     gaps = [(_gap(edit.links, grid), edit) for edit in found]
@@ -340,31 +359,34 @@ def _sharp_first(claim: _Claim, found: Iterator[Edit]) -> list[Edit]:
     return [edit for _, _, edit in order]
 
 
-def touches(text: str) -> bool:
+def _touches(claim: _Claim) -> bool:
     """Whether the sides of an inequality are seen to come together somewhere."""
-    try:
-        claim = _parsed(text)
-        closed = [(a, _CLOSED.get(r, r), b) for a, r, b in claim.given if r != "!="]
-        names = sorted(frozenset().union(*map(symbols, claim.terms)) - symbols(INFINITY))
-        grid = sampled(names, closed, GRID)
-    except (UnsupportedError, InputError):
-        return False
+    grid = _closed_grid(claim)
     return grid is not None and _gap(claim.links, grid) < TOUCHING
 
 
-def differs(text: str) -> bool:
-    """Whether the sides of an equality are seen to be far apart at all of several points.
+def _closed_grid(claim: _Claim) -> Points | None:
+    """Points at which the conditions hold, ends included."""
+    names = sorted(frozenset().union(*map(symbols, claim.terms)) - symbols(INFINITY))
+    closed = [(a, _CLOSED.get(r, r), b) for a, r, b in claim.given if r != "!="]
+    try:
+        return sampled(names, closed, GRID)
+    except (UnsupportedError, InputError):
+        return None
+
+
+def _differs(claim: _Claim) -> bool:
+    """Whether the sides of an equality are seen to be apart somewhere, or to have no values.
 
     Nothing is refuted by that: it is for claims that are not decided.
     """
+    grid = _grid(claim)
     try:
-        claim = _parsed(text)
-        grid = _grid(claim)
         rows = [held(grid, _without_integrals(x), APART) for x in claim.links] if grid else []
     except (UnsupportedError, InputError, OverflowError):
         return False
-    seen = [value for row in rows for value in row if value is not None]
-    return bool(seen) and not any(seen)
+    seen = [value for row in rows for value in row]
+    return bool(seen) and True not in seen
 
 
 def _gap(links: Sequence[Compared], grid: Points) -> float:

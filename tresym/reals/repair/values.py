@@ -13,7 +13,7 @@ from fractions import Fraction
 
 from flint import fmpq, fmpq_mat, fmpz_poly
 
-from tresym.reals.language.binders import is_infinite, outermost
+from tresym.reals.language.binders import elementary, is_infinite, outermost
 from tresym.reals.language.expression import (
     FUNCTIONS,
     HALF,
@@ -117,7 +117,7 @@ def worked_side(comparison: Compared) -> int | None:
     hard = [any(node.op in _WORKED for node in outermost(side)) for side in (left, right)]
     if hard[0] != hard[1]:
         return 0 if hard[0] else 2
-    if hard[0] or symbols(left) | symbols(right):
+    if hard[0] or symbols(left) | symbols(right) or not elementary(left, right):
         return None
     heights = [sum(op in FUNCTIONS for op in _operations(side)) for side in (left, right)]
     return 0 if heights[0] >= heights[1] else 2
