@@ -124,6 +124,8 @@ def _far_functions(memory: Memory, terms: Iterable[Sequence[str]]) -> set[str]:
 
 def _is_near(compared: Compared) -> bool:
     """Whether two constants differ by no more than one part in fifty."""
+    if not elementary(compared[0], compared[2]):
+        return False
     with ball_precision():
         left, right = (evaluate(side, {}) for side in compared[::2])
         return bool(abs(left - right) * 50 <= abs(left))

@@ -154,7 +154,8 @@ def _doubt(link: Link, asked: Attempt, limit: float) -> str:
     free = sorted(names_in([asked.sides]) - bound - accusations.NO_VARIABLES)
     if free and not elementary(asked.sides[0], asked.sides[2]):
         signs = ", ".join(f"{name} > 0" for name in free)
-        text = f"{asked.text}, {signs}" if asked.given else f"{asked.text} given {signs}"
+        joint = ", " if " given " in asked.text else " given "
+        text = f"{asked.text}{joint}{signs}"
         if check_within(Task(text), limit).verdict is not Verdict.REFUTED:
             return f"it is not refuted where {signs}: a condition may be missing"
     return ""

@@ -79,6 +79,8 @@ _DOUBTED = re.compile(
     r"|how near|of a sequence|stands under|another paragraph"
 )
 """Reasons for which what fails is no misprint either."""
+_OPEN = re.compile(r"no real point was found where both sides|no antiderivative was found")
+"""Why an equality is not decided that may be a misprint."""
 _RELATIONS = frozenset(("==", "<", "<=", ">", ">="))
 _HOLD = frozenset(("PROVED", "ENCLOSED"))
 
@@ -121,8 +123,7 @@ def may_be(row: Row) -> bool:
         return False
     if relation != "==":
         return bool(row.refuted) and not row.put
-    undecided = row.status == "UNDECIDED" and bool(link.claims) and "refuted" not in row.why
-    return bool(row.refuted) or undecided
+    return bool(row.refuted) or (bool(link.claims) and _OPEN.search(row.why) is not None)
 
 
 def _question(row: Row) -> tuple[str, Definitions, bool]:
@@ -179,8 +180,8 @@ def reason(row: Row, instead: Sequence[Alternative], others: Sequence[str]) -> s
     at = ", ".join(f"{name} = {value}" for name, value in (row.fails_at or {}).items())
     fails = f"it fails at {at}" if at else "it fails" if row.refuted else row.why
     relation = row.link.sides[1] if row.link.sides else ""
-    if not _is_free(row):  # what is not read may well be the condition
-        instead = [one for one in instead if not one.edit.startswith(GIVEN)]
+    if any(one.edit.startswith(GIVEN) for one in instead) and not _is_free(row):
+        return ""  # what is not read may well be the condition
     if instead:
         first = instead[0]
         condition = first.edit.startswith(GIVEN)
