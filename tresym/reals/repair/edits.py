@@ -302,7 +302,9 @@ def _wrapped(e: Expr) -> Iterator[Change]:
     ):
         tree = multiply(factor, e)
         yield Change(rank, old, str(tree), tree)
-    if e.op == "^" and e.args[1].op == "number":
+    if e.op == "^" and e.args[1].op == "number":  # its exponent is changed elsewhere
+        if e.args[1] != HALF:
+            yield from _try(WRAPPED, old, f"sqrt({old})", power, e, HALF)
         return
     plain = e.op == "symbol" or e.op in FUNCTIONS
     square = NUMBER + 0.5 if plain else WRAPPED
