@@ -8,6 +8,8 @@ from tresym.reals.language.parsing import parse_claim, parse_given
 from tresym.reals.repair.floating import Points
 from tresym.reals.repair.samples import held, sampled
 
+Holds = Callable[[dict[str, float]], bool]
+
 
 @pytest.mark.parametrize(
     ("given", "holds"),

@@ -3,6 +3,7 @@
 import pytest
 
 import tresym
+from tresym.reals.language.parsing import parse
 from tresym.reals.repair import check, suggestions
 from tresym.reals.repair.search import alternatives
 
