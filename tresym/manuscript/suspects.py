@@ -21,10 +21,12 @@ from dataclasses import replace
 from itertools import groupby
 
 from tresym.manuscript import prose
-from tresym.manuscript.classification import DEFINED, EQUATION, Link
+from tresym.manuscript.classification import CONSTANTS, DEFINED, EQUATION, Link
 from tresym.manuscript.deciding import Row
+from tresym.manuscript.terms import base_of
 from tresym.reals.decisions.answer import Alternative
-from tresym.reals.language.expression import Expr, symbols
+from tresym.reals.language.binders import elementary
+from tresym.reals.language.expression import Expr, differentiate, symbols
 from tresym.reals.repair import suggestions
 from tresym.reals.repair.edits import is_one_edit
 from tresym.reals.repair.search import GIVEN, SECONDS, Definitions
@@ -62,7 +64,7 @@ _TOLD = re.compile(
 _ANEW = re.compile(
     r"\b(?:now|instead|redefin\w+|new|another|other|replac\w+|becom\w+|alternativ\w+|else|second"
     r"|case|cases|chang\w+|example|consider|let|set|put|suppose|take|choos\w+|if|when|for|similarly"
-    r"|again|next|also|with|where)\b",
+    r"|again|next|also|with|where|right|left|above|below|inside|outside|upper|lower|other(?:wise)?)\b",
     re.IGNORECASE,
 )
 """Words by which a second definition is another one on purpose."""
@@ -119,11 +121,21 @@ def may_be(row: Row) -> bool:
     left, relation, right = link.sides
     if relation not in _RELATIONS or is_introduced(link) or _stands_alone(left, right):
         return False
-    if any(_DOUBTED.search(doubt) for doubt in link.ground.doubts):
+    if any(_DOUBTED.search(doubt) for doubt in link.ground.doubts) or _has_constants(left, right):
         return False
     if relation != "==":
         return bool(row.refuted) and not row.put
     return bool(row.refuted) or (bool(link.claims) and _OPEN.search(row.why) is not None)
+
+
+def _has_constants(*sides: Expr) -> bool:
+    """Whether a constant that is to be determined stands in both sides, each linear in it."""
+    if not elementary(*sides):
+        return False
+    names = [name for name in symbols(sides[0]) & symbols(sides[1]) if CONSTANTS.fullmatch(name)]
+    return any(
+        all(name not in symbols(differentiate(side, name)) for side in sides) for name in names
+    )
 
 
 def _question(row: Row) -> tuple[str, Definitions, bool]:
@@ -231,7 +243,8 @@ def _defined_twice(rows: list[Row]) -> list[Row]:
         first = next((one for one in before if _differ(one.link, link)), None)
         before.append(row)
         words = _words(prose.last_sentence(link.around[0]))
-        if first is None or not row.refuted or _ANEW.search(words):
+        derived = any(base_of(name) != name for name in symbols(link.sides[2]))
+        if first is None or not row.refuted or row.given or derived or _ANEW.search(words):
             continue
         value = first.link.read_as
         why = f"it is defined otherwise in display {first.link.display.number}: {value}"

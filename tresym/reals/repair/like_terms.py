@@ -12,7 +12,7 @@ from functools import cache
 from flint import fmpq
 
 from tresym.reals.decisions.claim_parsing import functions
-from tresym.reals.language.binders import ordered
+from tresym.reals.language.binders import ordered, worked_out
 from tresym.reals.language.expression import (
     LEAVES,
     ONE,
@@ -30,8 +30,8 @@ from tresym.reals.numbers.exact import InputError
 
 def is_trivial(old: Compared, new: Compared) -> bool:
     """Whether a repaired comparison says nothing, or nothing of some variable of the old one."""
-    left, right = collected(new[0]), collected(new[2])
-    names = _named(old[0]) | _named(old[2])
+    left, right = (collected(worked_out(side)) for side in new[::2])
+    names = _named(worked_out(old[0])) | _named(worked_out(old[2]))
     if left == right or not names <= _named(left) | _named(right):
         return True
     if new[1] not in ("==", "<=", ">=", "<", ">"):
