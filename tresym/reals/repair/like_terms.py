@@ -30,9 +30,10 @@ from tresym.reals.numbers.exact import InputError
 
 def is_trivial(old: Compared, new: Compared) -> bool:
     """Whether a repaired comparison says nothing, or nothing of some variable of the old one."""
-    left, right = (collected(worked_out(side)) for side in new[::2])
+    left, right = collected(new[0]), collected(new[2])
     names = _named(worked_out(old[0])) | _named(worked_out(old[2]))
-    if left == right or not names <= _named(left) | _named(right):
+    values = [collected(worked_out(side)) for side in new[::2]]
+    if left == right or not names <= _named(values[0]) | _named(values[1]):
         return True
     if new[1] not in ("==", "<=", ">=", "<", ">"):
         return False
