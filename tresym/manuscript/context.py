@@ -8,10 +8,12 @@ from dataclasses import dataclass, replace
 from typing import TypeAlias
 
 from tresym.manuscript import prose, restrictions
+from tresym.manuscript.dependence import may_depend
 from tresym.manuscript.directives import Orders
 from tresym.manuscript.display import STRANGE, Said, statements
+from tresym.manuscript.kinds import Uses
 from tresym.manuscript.scopes import Restriction, Scopes
-from tresym.manuscript.terms import Head, head_of, is_plain, read_term, unknown_in
+from tresym.manuscript.terms import Head, base_of, head_of, is_plain, read_term, unknown_in
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.expression import (
@@ -68,8 +70,12 @@ _TIME_WITHIN = re.compile(r"(?<![a-zA-Z\\])d\s*\}?\s*\{?t'|''")
 """Where t' is a variable of integration, or derivatives are marked by primes."""
 _INDICES = frozenset("ijklmnpqrsIJKLMN")
 """Letters of integers: in passing, of others it is said of one display."""
+_ENDED = re.compile(r"[.!?][\s})~]*\Z")
 _PARAGRAPH = re.compile(r"\n\s*\n|\\par(?![a-zA-Z])")
 DEPTH = 10
+_ORDER = frozenset(("<", ">", "\\le", "\\leq", "\\ge", "\\geq", "\\leqslant", "\\geqslant"))
+_DIFFERENTIAL = re.compile(r"\s*d\s*[a-zA-Z\\]+\s*=")
+"""An equation of differentials, du = 2x dx, which restricts no value."""
 _OFF = (("\\ne",), ("\\neq",), ("\\notin",))
 Conditions: TypeAlias = tuple[tuple[Compared, ...], tuple[tuple[str, Expr], ...], str]
 """What conditions state: comparisons, values that are put in, and a path."""
@@ -108,7 +114,9 @@ class Memory:
         scopes: what the text says, as far as that reaches.
         labels: what displays say, by their labels and numbers.
         ahead: what is defined further on in the display.
+        partial: whether derivatives in a chain are written with ∂.
         by: the one variable by which a chain integrates, if it is one.
+        uses: what the names of the display are elsewhere.
         seen: names that stood in a display before.
         primes: whether primes make other symbols, as where there is a time t', and no derivatives.
         where: conditions of the sentences that define symbols, by the symbol.
@@ -130,11 +138,13 @@ class Memory:
         self.shorter = self.longer = False
         self.ahead: dict[str, Expr] = {}
         self.by = ""
+        self.partial = False
         self.primes = bool(_PRIMED_TIME.search(text)) and not _TIME_WITHIN.search(text)
         self.dependent = _dependent(text)
         self.called = frozenset(
             head.name for m in _CALLED.finditer(text) if (head := self.head(tokenize(m[1])))
         )
+        self.uses = Uses()
         self.seen: set[str] = set()
         self.told: dict[str, Expr] = {}
         self.where: dict[str, tuple[Compared, ...]] = {}
@@ -175,6 +185,11 @@ class Memory:
             letter_e=self.letter_e,
             letter_delta=self.letter_delta,
             called=self.called,
+            applied=self.uses.applied,
+            bare=self.uses.bare,
+            numbers=self.uses.numbers,
+            sequences=self.uses.sequences,
+            inverses=self.uses.inverses,
             variable=self.by,
         )
 
@@ -219,10 +234,15 @@ class Memory:
             known[name] = body
         return known
 
-    def under_binders(self, e: Expr, known: Mapping[str, Expr]) -> Expr:
+    def under_binders(
+        self, e: Expr, known: Mapping[str, Expr], constants: frozenset[str] = frozenset()
+    ) -> Expr:
         """With what is a function of the variable of a derivative or an integral put in there.
 
         In print ``y`` under ``d/dx`` is what it stands for, where that has x in it.
+
+        Args:
+            constants: what is bound around it, or said to be a number.
 
         Raises:
             InputError: it is not known whether a symbol is a function of the variable.
@@ -232,8 +252,9 @@ class Memory:
         if e.op not in BINDERS or not symbols(e.args[0]).isdisjoint(e.names):
             if e.op in UNWORKED or e.op == "unknown":
                 return e
-            return rebuild(e, tuple(self.under_binders(arg, known) for arg in e.args))
-        args = tuple(self.under_binders(arg, known) for arg in e.args[1:])
+            return rebuild(e, tuple(self.under_binders(arg, known, constants) for arg in e.args))
+        args = tuple(self.under_binders(arg, known, constants) for arg in e.args[1:])
+        constants = constants.union(*map(symbols, args))  # an end is not moved by the variable
         body = instantiate(e.args[0], tuple(map(symbol, e.names)))
         for _ in range(DEPTH):
             values = {
@@ -246,9 +267,15 @@ class Memory:
             body = substitute(body, values)
         for name in sorted(symbols(body) - {*e.names}):
             on = self.dependent.get(name, frozenset()) | ({""} if name in self.called else set())
-            if on & {"", *e.names}:
-                raise InputError(f"whether {name} is a function of {e.names[0]} is not said")
-        return Expr(e.op, (bind(self.under_binders(body, known), e.names), *args), e.names)
+            on |= {""} if base_of(name) != name else set()
+            free = name not in constants and name not in known
+            if on & {"", *e.names} or (free and may_depend(name, e, body, self.partial)):
+                advice = f"write {name}({e.names[0]}), or % tresym: let {name} real"
+                raise InputError(
+                    f"whether {name} is a function of {e.names[0]} is not said: {advice}"
+                )
+        inner = self.under_binders(body, known, constants | {*e.names})
+        return Expr(e.op, (bind(inner, e.names), *args), e.names)
 
     def remember(self, text: str) -> None:
         """Definitions, lasting conditions and what restricts symbols in the lines of a text."""
@@ -286,13 +313,27 @@ class Memory:
         elif not understood and head is not None and not head.derived:
             others = self.spoken_of(replace(said, terms=said.terms[1:])) - {*head.parameters}
             self.restrict({head.name}, why, others - {head.name})
-        elif not understood:
-            self.restrict(self.spoken_of(said), why)
+        elif not understood and not _DIFFERENTIAL.match(found.tex):
+            conditions = self.condition(said) if {*said.ops} <= _ORDER else None
+            bounds = conditions[0] if conditions else ()
+            self.restrict(self.spoken_of(said), why, bounds=bounds)
 
-    def restrict(self, names: Iterable[str], why: str, by: Iterable[str] = ()) -> None:
+    def restrict(
+        self,
+        names: Iterable[str],
+        why: str,
+        by: Iterable[str] = (),
+        bounds: tuple[Compared, ...] = (),
+    ) -> None:
         """Symbols are not free for a counterexample from here on, where ``by`` is spoken of too."""
         for name in names:
-            self.scopes.now.restricted.setdefault(name, Restriction(why, frozenset(by)))
+            before = self.scopes.now.restricted.get(name)
+            if before is None:
+                self.scopes.now.restricted[name] = Restriction(why, frozenset(by), bounds)
+            elif before.bounds and not bounds:
+                self.scopes.now.restricted[name] = Restriction(why, frozenset(by))
+            elif before.bounds:
+                self.scopes.now.restricted[name] = before._replace(bounds=before.bounds + bounds)
 
     def spoken_of(self, said: Said) -> set[str]:
         """The symbols and functions in a formula, by their letters where it is not read."""
@@ -388,7 +429,8 @@ class Memory:
         universal = prose.is_universal(before, after)
         kind = prose.kind_of(before)
         kind = "" if kind == prose.CLAIM and prose.is_narrowed(before) else kind
-        stated = restrictions.stated_under(prose.without_formulas(prose.last_sentence(before)))
+        leading = "" if _ENDED.search(before) else prose.last_sentence(before)
+        stated = restrictions.stated_under(prose.without_formulas(leading))
         return Under(
             *(tuple(given), tuple(put_in), path, kind),
             universal=universal,

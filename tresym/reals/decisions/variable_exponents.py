@@ -156,6 +156,11 @@ def _at_zero(
             yield claim.mapped(change), replace(inside, given=inside.given & positive)
 
 
+def holds_powers(e: Expr) -> bool:
+    """Whether a power with a variable as exponent is in it."""
+    return next(_powers((e,)), None) is not None
+
+
 def _powers(trees: Iterable[Expr]) -> Iterator[tuple[Expr, Expr]]:
     """Base and exponent of every power in the trees with a variable as exponent."""
     seen: set[Expr] = set()
