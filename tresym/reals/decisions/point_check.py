@@ -50,7 +50,7 @@ from tresym.reals.verdict import Verdict
 PRECISIONS = (128, 1000, 5000)
 STEPS = ((4, 12), (7, 40), (10, 120), (14, 380))
 """How near to a singular end (in powers of 2) an integral is computed, and how many terms."""
-SHRINKS = arb("0.6")
+SHRINKS = arb("0.1")
 """What gets smaller than this part of itself from step to step may vanish in the limit."""
 TINY = arb((1, -15))
 MOST_CORNERS = 6
@@ -310,7 +310,7 @@ def _in_box(witness: Mapping[str, str], claim: Comparison, statement: Statement)
 
 
 def _vanishes_in(difference: Expr, box: Mapping[str, tuple[fmpq, fmpq]]) -> bool:
-    """Whether a rational function of one variable has a zero between the ends, even a double one."""
+    """Whether a rational function of one variable has a zero there, perhaps a double one."""
     if len(box) != 1:
         return False
     ((name, (low, high)),) = box.items()
