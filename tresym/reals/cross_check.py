@@ -230,7 +230,6 @@ class Points:
             point[n] = root
         return point
 
-
     def _integer(self, name: str, away: int) -> arb:
         """An integer near an end of its range, or near 0."""
         low, high = _range(name, self.bounds)

@@ -56,8 +56,16 @@ def unspoken(claim: Comparison, statement: Statement) -> str | None:
     own = [node for node in nodes if node.op != "unknown"]
     terms = [(n.args[2], ">=", n.args[1]) for n in own if symbols(n.args[2]) | symbols(n.args[1])]
     equations = [(x, "==", y) for x, y in statement.equations]
-    given = (*statement.given.comparisons, *equations, *terms)
-    if somewhere((*sides, *claim.differentiated), given, statement.integers):
+    links = [*statement.given.comparisons, *equations, *terms]
+    if not any(symbols(e) for e in (*sides, *statement.said)):
+        return None  # the decider has shown what is to be shown of constants
+    free = [n for e in (*sides, *statement.said) for n in functions(e) if not n.loose]
+    free = [n for n in free if n.args[0].args[0] != FACTORIAL]
+    put = {n: symbol(f"[{i}]") for i, n in enumerate(dict.fromkeys(free))}
+    given = [(replaced(x, put), relation, replaced(y, put)) for x, relation, y in links]
+    places = (arg for n in put for arg in n.args[1:])
+    trees = [replaced(e, put) for e in (*sides, *claim.differentiated, *places)]
+    if somewhere(trees, given, statement.integers):
         return None
     return "no point was found at which all conditions hold and both sides are defined"
 

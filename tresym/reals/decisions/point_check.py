@@ -256,8 +256,9 @@ def _cut(node: Expr, near: int, terms: int) -> Expr:
         return rebuild(node, (body, low, low + terms)) if high == INFINITY else node
     small = number(fmpq(1, 2 ** (3 * near)))
     far = number(2 ** (near // 2 + 1))
-    start = -far if low == -INFINITY else far if low == INFINITY else low
-    stop = far if high == INFINITY else -far if high == -INFINITY else high
+    far, less = 3 * far, -far  # not the same on both sides: a principal value is none
+    start = less if low == -INFINITY else far if low == INFINITY else low
+    stop = far if high == INFINITY else less if high == -INFINITY else high
     gap = (stop - start) * small
     return rebuild(node, (body, start + gap, stop - gap))
 
@@ -278,7 +279,7 @@ def _in_box(witness: Mapping[str, str], claim: Comparison, statement: Statement)
     if (
         claim.relation not in (">", "<", "!=")
         or statement.equations
-        or box.keys() & {*statement.integers}
+        or any(box[n][0] != box[n][1] or box[n][0].q != 1 for n in statement.integers if n in box)
         or not frozenset().union(*map(symbols, (*sides, *said))) <= box.keys()
         or any(map(jumps, sides))
     ):
