@@ -1,4 +1,4 @@
-"""The advocate: attacks a statement at points that its prover did not choose, before it passes.
+"""Independent check: try to falsify a statement numerically before it passes.
 
 It shares the tree of expressions with the provers and nothing else: the meaning of every operation
 stands here once more, in balls, and so does the choice of points. They lie past the first period

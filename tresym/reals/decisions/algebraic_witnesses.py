@@ -1,4 +1,4 @@
-"""Places where the two sides of a claim are equal, though no rational point shows it.
+"""Counterexamples at algebraic points, where both sides of a strict inequality are equal.
 
 - A zero of a polynomial in one variable: an irreducible factor of the difference changes its sign
   between two rational numbers, and divides it.

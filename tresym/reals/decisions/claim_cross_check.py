@@ -1,4 +1,4 @@
-"""The advocate before a user's claim: what is about to be called proved is attacked at points."""
+"""Run the independent check on a user's claim before it passes."""
 
 from __future__ import annotations
 

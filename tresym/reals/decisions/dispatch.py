@@ -1,4 +1,4 @@
-"""One statement to one answer: every comparison in it is decided by the procedure of its kind."""
+"""Dispatch: decide every comparison of a statement by the method for its kind."""
 
 from __future__ import annotations
 
