@@ -1,4 +1,4 @@
-"""Whether evidence is of a kind that can stand for what a claim says.
+"""Decide which kinds of evidence may support which kinds of statement.
 
 A formula is proved by evidence that is about that formula; what is said in words is compared with
 its evidence by the reader, and is marked as such (``formal: false``).

@@ -120,7 +120,7 @@ class System:
             elif atom.op == "abs":
                 top, bottom = self.quotient(atom.args[0])
                 found.append(x**2 * bottom**2 - top**2)
-            elif atom.op == "^":
+            elif atom.op == "^" and atom.args[1].op == "number":
                 top, bottom = self.quotient(atom.args[0])
                 found.append(x ** int(atom.args[1].args[0].q) * bottom - top)
         return found

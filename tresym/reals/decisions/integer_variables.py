@@ -1,4 +1,4 @@
-"""Variables that take the values of integers alone.
+"""Integer variables: cases modulo M, and counterexamples among small integers.
 
 For n = M m + r with r = 0, …, M − 1, where M makes whole turns of the angles in which n stands and
 even numbers of the exponents of what may be negative, an expression loses these angles, and
@@ -15,11 +15,11 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 from itertools import islice, product
-from math import lcm
+from math import lcm, prod
 
-from flint import fmpq
+from flint import arb, fmpq
 
-from tresym.reals.decisions.answer import Answer, Decide, worst
+from tresym.reals.decisions.answer import Answer, Decide, exactly, refuted, worst
 from tresym.reals.decisions.claim_parsing import Comparison, Statement
 from tresym.reals.decisions.readable_witnesses import constants_hold
 from tresym.reals.domain.conditions import Given
@@ -32,6 +32,7 @@ from tresym.reals.language.expression import (
     PI,
     ZERO,
     Expr,
+    add,
     differentiate,
     multiply,
     number,
@@ -41,6 +42,7 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
+from tresym.reals.normal.polynomials import Monomial, as_expression, polynomial
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError, Interval
 from tresym.reals.signs.interior import is_zero
@@ -53,6 +55,8 @@ SMALL = 3
 """Up to where, on both sides of 0, integers are looked at one by one."""
 LOOKED_AT = (1, 2, 0, 3, -1, 4, -2, 5, 7, -3, 10, 20, 100)
 MOST_POINTS, SHOWN = 120, 14
+MODULI = (2, 3, 4, 5, 7, 8, 9, 11, 13, 16, 25, 27)
+MOST_TRIED, MOST_SIZE = 5000, 200
 
 
 def decide_whole(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
@@ -90,6 +94,9 @@ def decide_whole(claim: Comparison, statement: Statement, decided: Decide) -> An
     if not seen:
         why = f"it was shown at no integer {', '.join(names)}, and nothing is proved vacuously"
         return Answer(Verdict.UNDECIDED, why)
+    exact = _by_divisors(claim, statement, names)
+    if exact is not None:
+        return exact
     found = _by_residues(claim, plain, names, decided)
     if not found and len(names) == 1:
         beyond = _beyond(claim, statement, names[0], decided)
@@ -132,6 +139,49 @@ def _given_at(given: Given, at: dict[str, Expr]) -> Given | None:
     return constants_hold(given.mapped(partial(substitute, mapping=at)).comparisons)
 
 
+# Polynomials
+
+
+def _by_divisors(claim: Comparison, statement: Statement, names: list[str]) -> Answer | None:
+    """The answer where it is claimed that a polynomial in integers has no zero; else None.
+
+    It has none where it has none modulo some number; a zero is looked for among small integers.
+    """
+    given, left, right = statement.given, claim.left, claim.right
+    terms = _terms(left - right, ONE) if claim.relation == "!=" and not claim.derivatives else {}
+    if not terms or symbols(left) | symbols(right) != {*names} or statement.equations:
+        return None
+    scale = lcm(*(int(c.q) for c in terms.values()))
+    whole = [(int((c * scale).p), [dict(m).get(n, 0) for n in names]) for m, c in terms.items()]
+
+    def value(at: tuple[int, ...], m: int) -> int:
+        powers = (c * prod(pow(x, k, m) for x, k in zip(at, ks, strict=True)) for c, ks in whole)
+        return sum(powers) % m
+
+    for m in MODULI:
+        if m ** len(names) <= MOST_TRIED and all(
+            value(at, m) for at in product(range(m), repeat=len(names))
+        ):
+            return Answer(
+                Verdict.PROVED, f"for integers {', '.join(names)}: it is not 0 modulo {m}"
+            )
+    size = max(k for k in range(MOST_SIZE) if (2 * k + 1) ** len(names) <= MOST_TRIED)
+    for at in sorted(product(range(-size, size + 1), repeat=len(names)), key=_size):
+        exact = dict(zip(names, map(number, at), strict=True))
+        if sum(c * prod(x**k for x, k in zip(at, ks, strict=True)) for c, ks in whole) == 0 and (
+            _given_at(given, exact) is not None
+        ):
+            point = {name: fmpq(x) for name, x in zip(names, at, strict=True)}
+            balls = [arb(evaluate(side, point)) for side in (left, right)]
+            return refuted(f"both sides are equal at {exactly(point)}", point, *balls)
+    return None
+
+
+def _size(at: tuple[int, ...]) -> tuple[int, int, tuple[int, ...]]:
+    """Small integers first, positive ones among them."""
+    return max(map(abs, at)), sum(x < 0 for x in at), at
+
+
 # By residues
 
 
@@ -148,7 +198,8 @@ def _by_residues(
     if len(residues) > MOST_RESIDUES:
         return Answer(Verdict.UNDECIDED, f"more than {MOST_RESIDUES} residues of the integers")
     answers = []
-    holds_integrals = next(outermost(claim.left, claim.right), None) is not None
+    trees = outermost(claim.left, claim.right)
+    holds_integrals = any(node.op != "unknown" for node in trees)
     for rest in residues:
         at = {
             name: number(period) * symbol(name) + number(r) if period > 1 else symbol(name)
@@ -173,14 +224,17 @@ def period_of(trees: Iterable[Expr], name: str, given: Given) -> int | None:
     found = 1
     for node in operations(trees):
         if node.op in PERIODIC and name in symbols(node):
-            turns = _ratio(differentiate(node.args[0], name), PI)
+            inner, unit = node.args[0], PI
         elif _is_alternating(node, name, given):
-            turns = _ratio(differentiate(node.args[1], name), ONE)
+            inner, unit = node.args[1], ONE
         else:
             continue
-        if turns is None:
-            continue  # it is left as it is
-        found = lcm(found, int(turns.q) * (1 if int(turns.p) % 2 == 0 else 2))
+        turns = _ratio(differentiate(inner, name), unit)
+        if turns is not None:
+            found = lcm(found, int(turns.q) * (1 if int(turns.p) % 2 == 0 else 2))
+        else:  # (2 q m + r)^k - r^k is a multiple of 2 q; what is no polynomial is left as it is
+            terms = _terms(inner, unit)
+            found = lcm(found, *(2 * int(c.q) for m, c in terms.items() if name in dict(m)))
     return found if found <= MOST_RESIDUES else None
 
 
@@ -240,6 +294,9 @@ def _reduced(e: Expr, name: str, names: list[str], given: Given) -> Expr:
         turns = _ratio(differentiate(args[0], name), 2 * PI)
         if turns is not None and turns.q == 1:
             return rebuild(e, (substitute(args[0], {name: ZERO}),))
+        parts = _without_even(args[0], PI, names) if turns is None else None
+        if parts is not None:
+            return rebuild(e, (PI * parts[1],))
     if e.op == "^" and _is_alternating(rebuild(e, args), name, given):
         base, exponent = args
         slope = _ratio(differentiate(exponent, name), ONE)
@@ -249,7 +306,31 @@ def _reduced(e: Expr, name: str, names: list[str], given: Given) -> Expr:
             even = power(square, multiply(number(slope / 2), symbol(name)))
             even = ONE if square == ONE else even
             return multiply(even, power(base, _as_number(start)))
+        parts = _without_even(exponent, ONE, names) if slope is None else None
+        if parts is not None:
+            square = power(base, number(2))
+            return multiply(
+                ONE if square == ONE else power(square, parts[0]), power(base, parts[1])
+            )
     return rebuild(e, args)
+
+
+def _terms(e: Expr, unit: Expr) -> dict[Monomial, fmpq]:
+    """The terms of ``e`` over the unit, a polynomial in symbols; nothing of what is none."""
+    return {} if e.loose or e.hidden else polynomial(e / unit) or {}
+
+
+def _without_even(e: Expr, unit: Expr, names: list[str]) -> tuple[Expr, Expr] | None:
+    """Half of the terms that are even for all integers, and the others; None without such ones."""
+    terms = _terms(e, unit)
+    even = {
+        m: c for m, c in terms.items() if m and (c / 2).q == 1 and {n for n, _ in m} <= {*names}
+    }
+    if not even:
+        return None
+    half = add(ZERO, *(number(c / 2) * as_expression(m) for m, c in even.items()))
+    others = (number(c) * as_expression(m) for m, c in terms.items() if m not in even)
+    return half, add(ZERO, *others)
 
 
 def _as_number(e: Expr) -> Expr:

@@ -1,4 +1,4 @@
-"""Definite integrals: by an antiderivative that is checked, or enclosed by quadrature.
+"""Definite integrals: by a checked antiderivative, or enclosed by quadrature.
 
 ∫ f from a to b, a < b, is F(b−) − F(a+) where F and f are analytic on the open interval, F′ = f
 there by the normal form, and F has these limits at its ends: so the integral converges, improper or
@@ -25,6 +25,7 @@ from flint import arb, fmpq
 from tresym.reals.decisions.answer import Answer, Decide, refuted
 from tresym.reals.decisions.asymptotics.limit_values import limit_of
 from tresym.reals.decisions.claim_parsing import Comparison, Statement, functions
+from tresym.reals.decisions.divergence import has_no_limit
 from tresym.reals.decisions.identity import decide, shown
 from tresym.reals.decisions.known_integrals import standard
 from tresym.reals.decisions.readable_witnesses import constants_hold, simple_points
@@ -87,6 +88,14 @@ class _OpenError(Exception):
     """Nothing is shown; the text says of what."""
 
 
+class _DivergentError(_OpenError):
+    """An integral is shown to have no value, infinite or not, wherever ``given`` holds."""
+
+    def __init__(self, f: Expr, why: str, given: Given) -> None:
+        super().__init__(f"the integral of {f} {why}, and so it has no value")
+        self.given = given
+
+
 def decide_integrals(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
     """PROVED, ENCLOSED, REFUTED or UNDECIDED for a claim with definite integrals.
 
@@ -105,7 +114,8 @@ def decide_integrals(claim: Comparison, statement: Statement, decided: Decide) -
     try:
         sides = [_without(side, given, work) for side in (claim.left, claim.right)]
     except _OpenError as error:
-        found = _at_parameters(claim, statement, decided)
+        found = _without_value(claim, error)
+        found = _at_parameters(claim, statement, decided) if found is None else found
         return Answer(Verdict.UNDECIDED, str(error)) if found is None else found
     except InputError as error:
         return Answer(Verdict.UNDECIDED, f"an expression on the way grew too large: {error}")
@@ -153,6 +163,28 @@ def _infinite(relation: str, sides: list[Expr], said: str, points: list[dict[str
             if all(evaluate(side, at).is_finite() for side in finite):
                 return refuted(said, at)
     return Answer(Verdict.UNDECIDED, f"{said}; the other side was found to be defined nowhere")
+
+
+def _without_value(claim: Comparison, error: _OpenError) -> Answer | None:
+    """A refutation of an equation that gives a value to an integral that has none."""
+    nodes = list(outermost(claim.left, claim.right))
+    if not isinstance(error, _DivergentError) or claim.relation != "==" or claim.derivatives:
+        return None
+    if len(nodes) != 1 or not elementary(*nodes[0].args):
+        return None
+    value = claim.solved(nodes[0])
+    names = _parameters(claim)
+    if (
+        value is None
+        or (INFINITY.args[0] in symbols(value) and not _ends(value))
+        or error.given.names - {*names}
+    ):
+        return None
+    for at in simple_points(names, error.given, PARAMETERS):
+        with ball_precision():
+            if _ends(value) or evaluate(value, at).is_finite():
+                return refuted(str(error), at)
+    return None
 
 
 def _at_parameters(claim: Comparison, statement: Statement, decided: Decide) -> Answer | None:
@@ -293,7 +325,7 @@ def _between(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Wor
     values = [_piece(name, f, start, end, given, work) for start, end in pieces]
     infinite = {value for value in values if _ends(value)}
     if len(infinite) > 1:
-        raise _OpenError(f"the integral of {f} has parts that are oo and -oo, and no value")
+        raise _DivergentError(f, "has parts that are oo and -oo", given)
     return infinite.pop() if infinite else add(*values)
 
 
@@ -435,10 +467,11 @@ def _piece(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Work)
         else:
             shown = [value for value in values if value is not None]
             infinite = {value for value in shown if _ends(value)}
-            if len(infinite) < 2:
-                where = f" for {inside}" if inside.comparisons else ""
-                work.notes.append(f"{candidate} is an antiderivative of {f}{where}")
-                return infinite.pop() if infinite else add(*shown)
+            if len(infinite) > 1:
+                raise _DivergentError(f, "has parts that are oo and -oo", given)
+            where = f" for {inside}" if inside.comparisons else ""
+            work.notes.append(f"{candidate} is an antiderivative of {f}{where}")
+            return infinite.pop() if infinite else add(*shown)
     raise _OpenError(f"integral of {f}: {_OPEN}")
 
 
@@ -482,13 +515,15 @@ def _difference(
         value = None if point is None else _at_end(function, name, point, given)
         if value is None:
             value = limit_of(function, name, point, toward, given)
+        if value is None and point is None and has_no_limit(function, name, toward, given):
+            raise _DivergentError(f, f"oscillates, as {function} does towards {end}", given)
         if value is None:
             return None
         ends.append(value)
     above, below = ends
     if _ends(above) or _ends(below):
         if above == below:
-            return None
+            raise _DivergentError(f, "has parts that are oo and -oo", given)
         return above if _ends(above) else -below
     return above - below
 
