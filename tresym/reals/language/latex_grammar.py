@@ -1,4 +1,4 @@
-"""The grammar of LaTeX expressions: recursive descent from tokens to trees."""
+"""The grammar of LaTeX expressions: a recursive-descent parser."""
 
 from __future__ import annotations
 
