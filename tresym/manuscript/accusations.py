@@ -76,7 +76,8 @@ def ground(
     explicit = bool(names) and names <= names_in(own) | under.anew
     universal = said.universal or under.universal or under.kind == prose.CLAIM
     tied = names | unknown | names_in(c for c in own if names & names_in((c,)))
-    restricted = {name: now.restricted[name] for name in sorted(tied & now.restricted.keys())}
+    here = {n: r for n, r in now.restricted.items() if r.within in (0, now.paragraph)}
+    restricted = {name: here[name] for name in sorted(tied & here.keys())}
     bounds = tuple(dict.fromkeys(c for r in restricted.values() for c in r.bounds))
     doubts = [
         f"{x} is not free: {r.why}"
@@ -84,7 +85,7 @@ def ground(
         if not r.bounds and (not r.by or r.by & tied)
     ]
     if under.stated:
-        doubts.append(f"it stands under '{under.stated}'")
+        doubts.append(f"the text says '{under.stated}' of it")
     doubts += [f"nothing is said of the function {name}" for name in sorted(unknown)]
     doubts += [f"{x} depends on what is not read" for x in sorted(names) if base_of(x) != x]
     if n == 0 and head is not None and not explicit:
