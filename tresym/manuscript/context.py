@@ -249,7 +249,8 @@ class Memory(ConditionReader):
             on = self.dependent.get(name, frozenset()) | ({""} if name in self.called else set())
             on |= {""} if base_of(name) != name else set()
             free = name not in constants and name not in known
-            if on & {"", *e.names} or (free and may_depend(name, e, body, self.partial)):
+            varies = name in self.uses.functions or may_depend(name, e, body, self.partial)
+            if on & {"", *e.names} or (free and varies):
                 advice = f"write {name}({e.names[0]}), or % tresym: let {name} real"
                 raise InputError(
                     f"whether {name} is a function of {e.names[0]} is not said: {advice}"
