@@ -85,7 +85,7 @@ def ground(
         if not r.bounds and (not r.by or r.by & tied)
     ]
     if under.stated:
-        doubts.append(f"the text says '{under.stated}' of it")
+        doubts.append(f"it stands under '{under.stated}'")
     doubts += [f"nothing is said of the function {name}" for name in sorted(unknown)]
     doubts += [f"{x} depends on what is not read" for x in sorted(names) if base_of(x) != x]
     if n == 0 and head is not None and not explicit:
