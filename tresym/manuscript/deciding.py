@@ -1,4 +1,4 @@
-"""The status of every link: what is left open by reading is decided, many at once."""
+"""Decide what reading leaves open, many links at once, and give each link a status."""
 
 from __future__ import annotations
 

@@ -25,9 +25,11 @@ from tresym.manuscript.classification import (
     claim,
     read_so,
 )
-from tresym.manuscript.context import Conditions, Memory, Under, names_in
+from tresym.manuscript.conditions import Conditions
+from tresym.manuscript.context import Memory, Under, names_in
 from tresym.manuscript.directives import Orders, orders_of
-from tresym.manuscript.display import OR, OTHERWISE, STRANGE, WORDS, Said, between, statements
+from tresym.manuscript.display import STRANGE, Said, statements
+from tresym.manuscript.display_text import OR, OTHERWISE, WORDS, between
 from tresym.manuscript.files import Note
 from tresym.manuscript.kinds import Kinds
 from tresym.manuscript.source import Display, Event, Missing, Prose, Scope, Section

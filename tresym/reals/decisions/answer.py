@@ -1,4 +1,4 @@
-"""What a check came to: a value of plain text and numbers."""
+"""The answer to a claim, as plain text and numbers."""
 
 from __future__ import annotations
 
@@ -26,6 +26,15 @@ from tresym.reals.verdict import Verdict
 
 DIGITS = (12, 40, 220, 1250)
 _WORST = (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED, Verdict.PROVED)
+
+
+class Root(NamedTuple):
+    """The root of a polynomial in t between two numbers, and coordinates that are polynomials."""
+
+    polynomial: str
+    low: str
+    high: str
+    at: Mapping[str, str]
 
 
 class Alternative(NamedTuple):
@@ -64,6 +73,7 @@ class Answer:
         seconds: computing time.
         line: of the file it was read from.
         read_as: the claim with its conditions and path in the grammar of expressions.
+        root: where the witness is known by intervals, what it is exactly.
         instead: for REFUTED, claims close to it that hold, where they were looked for.
 
     Example:
@@ -86,6 +96,7 @@ class Answer:
     seconds: float = field(default=0.0, compare=False)
     line: int | None = None
     read_as: str = ""
+    root: Root | None = field(default=None, repr=False, compare=False)
     instead: tuple[Alternative, ...] = field(default=(), compare=False)
 
     def __bool__(self) -> bool:
@@ -134,6 +145,7 @@ class Answer:
             'x/2 + x/2 == x'
         """
         value = asdict(self) | {"verdict": self.verdict.value}
+        value["root"] = None if self.root is None else self.root._asdict()
         value["witness"] = None if self.witness is None else dict(self.witness)
         value["constant"] = None if self.constant is None else self.constant._asdict()
         value["values"] = None if self.values is None else [ball._asdict() for ball in self.values]
