@@ -257,7 +257,7 @@ def _terms(e: Expr) -> Iterator[Change]:
         yield Change(_signs(e, tree), _signed(term), _signed(other), tree)
         yield Change(OTHER, _signed(term), "", add(*rest))
     product = multiply(*e.args)
-    yield Change(OTHER, str(e), str(product), product)
+    yield Change(WRAPPED if len(e.args) == 2 else OTHER, str(e), str(product), product)
 
 
 def _signs(old: Expr, new: Expr) -> float:
