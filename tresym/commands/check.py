@@ -116,7 +116,7 @@ def one(
     if suggest and answer.verdict is Verdict.REFUTED:
         from tresym.reals.repair import suggestions
 
-        answer = replace(answer, instead=next(suggestions([(answer.read_as, (), False)], 1)))
+        answer = replace(answer, instead=next(suggestions([(answer.read_as, (), False, True)], 1)))
     colour = colour_wanted() and target is None
     said = None if coq is None else _in_coq(claim.strip(), given, path, answer, coq)
     if as_json:

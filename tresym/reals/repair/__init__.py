@@ -61,11 +61,11 @@ def check(
         return answer
     if limit is None:
         return replace(answer, instead=alternatives(answer.read_as))
-    return replace(answer, instead=next(suggestions([(answer.read_as, (), False)], 1)))
+    return replace(answer, instead=next(suggestions([(answer.read_as, (), False, True)], 1)))
 
 
 def suggestions(
-    claims: Iterable[tuple[str, Definitions, bool]],
+    claims: Iterable[tuple[str, Definitions, bool, bool]],
     processes: int | None = None,
     seconds: float = SECONDS,
 ) -> Iterator[tuple[Alternative, ...]]:
@@ -73,7 +73,8 @@ def suggestions(
 
     Args:
         claims: in the grammar of text, with their conditions and paths, what symbols in them stand
-            for, and whether to be cautious, see :func:`tresym.reals.repair.search.alternatives`.
+            for, whether to be cautious, and whether unusual edits count, see
+            :func:`tresym.reals.repair.search.alternatives`.
         processes: how many at once; all cores unless given.
         seconds: processor time for each.
     """
