@@ -162,7 +162,7 @@ class _Sentence(Speller):
                 self.path = f"{name} -> {self.source[start:end].strip()}"
                 for word in ("infinity", "Infinity", "inf"):
                     self.path = self.path.replace(f" {word}", " oo").replace(f"-{word}", "-oo")
-            elif self.peek().text in _IF or self.peek().text == "(" and self.peek(1).text in _IF:
+            elif self.peek().text in _IF or (self.peek().text == "(" and self.peek(1).text in _IF):
                 closing = self.take("(")
                 self.next()
                 self.conditions()

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from itertools import pairwise
 from typing import NamedTuple
 
 from tresym.reals.language.expression import ORDERS
@@ -93,7 +94,7 @@ class Speller:
         names = [token.text for token in found if token.kind == "name"]
         self.brackets = any(
             token.text in FUNCTIONS or token.text in _BIG or token.text == "D"
-            for token, after in zip(found, found[1:], strict=False)
+            for token, after in pairwise(found)
             if after.text == "[" and not after.spaced
         )
         self.alone = {
@@ -198,10 +199,10 @@ class Speller:
         after, closed = self.peek(), first.text == "("
         last = self.tokens[self.at - 1]
         plain = last.kind in ("number", "name") and not closed
-        if plain and not after.spaced and self.starts_factor():
-            if after.kind == "name" or last.kind == "name":
-                factor = self.power()
-                raise two(f"{base}**{exponent}*{factor}", f"{base}**({exponent}*{factor})")
+        glued = not after.spaced and "name" in (after.kind, last.kind)
+        if plain and glued and self.starts_factor():
+            factor = self.power()
+            raise two(f"{base}**{exponent}*{factor}", f"{base}**({exponent}*{factor})")
         return f"{base}**{exponent}"
 
     def behind(self, text: str) -> str:
@@ -305,12 +306,12 @@ class Speller:
         if name == "I":
             raise InputError("complex numbers are not read: all variables are real")
         letters = set(name)
-        if 1 < len(name) < 4 and name.isalpha() and name not in KNOWN | {"pi"}:
-            if letters <= self.alone:
-                raise InputError(
-                    f"two readings remain: write {'*'.join(name)}, or the variable {name} by "
-                    "another name"
-                )
+        short = 1 < len(name) < 4 and name.isalpha() and name not in KNOWN | {"pi"}
+        if short and letters <= self.alone:
+            raise InputError(
+                f"two readings remain: write {'*'.join(name)}, or the variable {name} by another "
+                "name"
+            )
         return name
 
     def letter(self, name: str, token: Token) -> str:
@@ -400,12 +401,12 @@ class Speller:
             self.next()
             k = self.unary()
             raise two(f"{name}({text}**{k}){power}", f"{name}({text})**{k}")
-        if after in ("*", "/") and not self.is_function(self.peek(1)):
-            if name not in ("sqrt", "cbrt"):
-                self.next()
-                factor = self.unary()
-                inner = f"{name}({text}{after}{factor}){power}"
-                raise two(f"{name}({text}){power}{after}{factor}", inner)
+        ended = name in ("sqrt", "cbrt") or self.is_function(self.peek(1))
+        if after in ("*", "/") and not ended:
+            self.next()
+            factor = self.unary()
+            inner = f"{name}({text}{after}{factor}){power}"
+            raise two(f"{name}({text}){power}{after}{factor}", inner)
         return text
 
     def factor(self) -> str:

@@ -34,7 +34,7 @@ _TOKEN = re.compile(
 
 
 class Token(NamedTuple):
-    """One token; ``at`` is where it begins in the text, ``spaced`` whether a space stands before."""
+    """One token; ``at`` is where it begins, ``spaced`` whether a space stands before it."""
 
     kind: str
     text: str
@@ -61,8 +61,9 @@ def tokens(text: str) -> tuple[str, list[Token]]:
     for token in found:
         depth += (token.text in ("(", "[", "{")) - (token.text in (")", "]", "}"))
         deepest = max(deepest, depth)
-    signed = re.search(r"(?:[-+^√]\s*|\*\*\s*|\b[a-z]{2,}\s+){40}", text)
-    if deepest > MAX_NESTING or signed:
+    signed = re.search(r"(?:[-+^√∫∑∏]\s*|\*\*\s*|\b[a-z]{2,}\s+){40}", text)
+    bars = sum(token.text == "|" for token in found)
+    if deepest > MAX_NESTING or signed or bars > MAX_NESTING:
         return "", []
     return text, found
 
