@@ -62,9 +62,9 @@ from tresym.proofs.sweeps import newton_4, newton_pi, sweep_from_pi
 
 from tresym.ledger.evidence.asymptotics import t
 from tresym.ledger.vocabulary import *
+from tresym.racket.bounds import charts
 from tresym.racket.flip.series import majorant
 from tresym.racket.formulas import printed
-from tresym.racket.near import charts
 from tresym.racket.notation import *
 from tresym.reals.numbers.exact import as_rational
 

@@ -29,8 +29,8 @@ from tresym.proofs.separatrix import flip_defect
 
 from tresym.ledger.evidence.asymptotics import t
 from tresym.ledger.vocabulary import *
-from tresym.racket.compared.constants import CONSTANTS
-from tresym.racket.near import charts
+from tresym.racket.bounds import charts
+from tresym.racket.comparison.constants import CONSTANTS
 from tresym.racket.notation import a, b, c1, epsilon0, epsilon_star
 from tresym.reals.numbers.exact import as_rational
 

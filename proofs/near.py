@@ -3,7 +3,7 @@
 - `flip_defect` (in `separatrix`) defines ε₀; `phase` its phase P = T/√(ab), `leading_term` ε*,
   `exponent_of_defect` Q = log(ε₀/ε*), `first_coefficient` c₁, `second_coefficient` c₂;
 - `phase_equation`, `defect_by_phase`, `leading_by_defect`: how they hang together;
-- the readings say what a step of a formula in `tresym.racket.near` is in these symbols, in the two
+- the readings say what a step of a formula in `tresym.racket.bounds` is in these symbols, in the two
   charts (b, κ), κ = 1/√(ab), and (b, k), k = √(ab).
 """
 
@@ -16,10 +16,10 @@ from tresym.proofs.conditions import shape
 from tresym.proofs.separatrix import defect_range, flip_defect
 from tresym.proofs.sweeps import newton_from_four, newton_from_pi, sweep_from_four, sweep_from_pi
 
-from tresym.ledger.evidence.charted import Reading
+from tresym.ledger.evidence.chart_bounds import Reading
 from tresym.ledger.vocabulary import *
+from tresym.racket.bounds import charts
 from tresym.racket.flip.series import coefficients_sympy
-from tresym.racket.near import charts
 from tresym.racket.notation import *
 from tresym.reals.numbers.exact import as_rational
 

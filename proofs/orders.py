@@ -48,10 +48,10 @@ from tresym.proofs.separatrix import flip_defect, one_flip_defect
 from tresym.proofs.slope import d55
 
 from tresym.ledger.vocabulary import *
+from tresym.racket.bounds import charts
+from tresym.racket.bounds.bending import curvature
+from tresym.racket.bounds.samples import in_bent_chart
 from tresym.racket.formulas import printed, stable
-from tresym.racket.near import charts
-from tresym.racket.near.bending import curvature
-from tresym.racket.near.samples import in_bent_chart
 from tresym.racket.notation import *
 from tresym.reals.numbers.exact import as_rational
 

@@ -23,7 +23,7 @@ from tresym.proofs.monotonicity import monotonicity
 from tresym.proofs.separatrix import one_flip_defect
 
 from tresym.ledger.vocabulary import *
-from tresym.racket.near.charts import arcsine_over
+from tresym.racket.bounds.charts import arcsine_over
 from tresym.racket.notation import *
 
 realizable = Claim(

@@ -7,12 +7,12 @@ from typing import NamedTuple
 
 from flint import ctx
 
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.language.parsing import parse, parse_claim
 from tresym.reals.normal.at_point import equal_at, satisfies
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.places.conditions import Given
-from tresym.reals.places.values import evaluate
 
 
 class Inequality(NamedTuple):

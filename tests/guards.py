@@ -29,9 +29,14 @@ from hypothesis import Phase, settings
 from mutations import ROOT, Mutant, apply, mutants
 
 CHECKERS = (
-    *("ledger/judge.py", "ledger/definitions.py", "ledger/meaning.py", "ledger/evidence/*.py"),
-    *("reals/normal/*.py", "reals/signs/*.py", "reals/advocate.py", "reals/places/unworked.py"),
-    *("reals/balls/boxes.py", "reals/balls/contact.py", "reals/growth/*.py"),
+    *("ledger/judge.py", "ledger/definitions.py", "ledger/conversion.py", "ledger/evidence/*.py"),
+    *(
+        "reals/normal/*.py",
+        "reals/signs/*.py",
+        "reals/cross_check.py",
+        "reals/domain/binder_values.py",
+    ),
+    *("reals/balls/branch_and_bound.py", "reals/balls/simplest_constants.py", "reals/growth/*.py"),
     *(f"reals/decisions/{name}.py" for name in ("identity", "inequalities", "equalities")),
     *(f"reals/decisions/{name}.py" for name in ("region", "orders", "statement", "growth")),
     *(f"reals/decisions/{name}.py" for name in ("branches", "reduced", "zeros", "tending")),
@@ -40,7 +45,7 @@ CHECKERS = (
     *(f"reals/decisions/{name}.py" for name in ("dotted", "hypergeometric", "power_series")),
     *(f"reals/decisions/{name}.py" for name in ("quoted", "standard", "factorials", "repeated")),
     *(f"reals/decisions/{name}.py" for name in ("germs", "infinite", "derivatives")),
-    "reals/places/integrands.py",
+    "reals/domain/integrands.py",
 )
 RECORD, REACHED = ROOT / "build" / "guards.jsonl", ROOT / "build" / "guards-reached.json"
 EQUIVALENT = ROOT / "tests" / "data" / "equivalent.json"

@@ -15,8 +15,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from tresym.manuscript.deciding import Row, decided
-from tresym.manuscript.reading import read_links
-from tresym.manuscript.surface import read_manuscript
+from tresym.manuscript.links import read_links
+from tresym.manuscript.source import read_manuscript
 
 LIST = Path(__file__).parent / "data" / "handbook.tex"
 LIMIT = 150.0

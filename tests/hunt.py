@@ -15,7 +15,7 @@ from collections.abc import Callable
 
 import chunks
 
-from tresym.reals.decisions.limits import Task, check_all
+from tresym.reals.decisions.time_limited import Task, check_all
 from tresym.reals.language.expression import differentiate
 from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.exact import InputError

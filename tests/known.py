@@ -28,8 +28,7 @@ from typing import Any, NamedTuple
 
 import chunks
 
-from tresym.reals.decisions import inequalities, orders  # noqa: F401 - loaded before the clock
-from tresym.reals.decisions.statement import decide_claim
+from tresym.reals.decisions.dispatch import decide_claim
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.processes import Processes
 

@@ -8,9 +8,9 @@ import known
 import pytest
 from flint import arb, fmpq
 
+from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.places.values import evaluate
 
 
 def ball(q: Fraction) -> arb:

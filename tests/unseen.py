@@ -15,9 +15,8 @@ from pathlib import Path
 from statistics import median, quantiles
 from typing import Any
 
-from tresym.reals.decisions import inequalities, orders  # noqa: F401 - loaded before the clock runs
 from tresym.reals.decisions.answer import Answer
-from tresym.reals.decisions.statement import decide_claim
+from tresym.reals.decisions.dispatch import decide_claim
 from tresym.reals.processes import Processes
 
 HOME = Path(__file__).parent

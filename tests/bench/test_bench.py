@@ -38,12 +38,12 @@ from tresym.bench.truth import by_digits, true_digits
 from tresym.commands import bench as show
 from tresym.commands import main
 from tresym.racket.flip import asymptotic
-from tresym.racket.flip.ladder import climb
+from tresym.racket.flip.model_selection import climb
 from tresym.racket.flip.separatrix import solve
 from tresym.racket.floats.shapes import defects
-from tresym.reals.limit import TimeUp
 from tresym.reals.numbers.arithmetic import ball_precision, mp_precision
 from tresym.reals.numbers.exact import InputError
+from tresym.reals.resource_limits import TimeUp
 from tresym.reals.verdict import Verdict
 from tresym.report.charts import CHARTS
 

@@ -263,5 +263,5 @@ def test_ctrl_c_ends_with_130(monkeypatch: pytest.MonkeyPatch) -> None:
     def interrupted(*_: object) -> None:
         signal.raise_signal(signal.SIGINT)
 
-    monkeypatch.setattr("tresym.racket.flip.ladder.climb", interrupted)
+    monkeypatch.setattr("tresym.racket.flip.model_selection.climb", interrupted)
     assert main(["flip", "--body", "str"]) == 130

@@ -16,14 +16,14 @@ from pathlib import Path
 from random import Random
 
 import tresym
-from tresym.coq.asked import theorems
-from tresym.coq.dialogue import Dialogue
-from tresym.coq.search import found_by
+from tresym.coq.candidate_search import found_by
+from tresym.coq.claim_export import theorems
+from tresym.coq.coqtop import Dialogue
 from tresym.coq.statement import NotExportedError
 from tresym.output import write_text
 from tresym.reals.corpus.lists import known, pairs
 from tresym.reals.corpus.rewriting import true_identity
-from tresym.reals.decisions.reading import read
+from tresym.reals.decisions.claim_parsing import read
 
 STORE = Path(__file__).with_name("coverage.json")
 SEED, EACH, SECONDS = 2027, 60, 60.0

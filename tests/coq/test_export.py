@@ -17,18 +17,18 @@ from flint import arb
 
 from tresym.commands import main
 from tresym.coq import export
-from tresym.coq.dialogue import accepted
-from tresym.coq.ledger import conditions_of, stamp, theorem_of
-from tresym.coq.proving import candidates, plans
+from tresym.coq.coqtop import accepted
+from tresym.coq.ledger_statements import conditions_of, stamp, theorem_of
+from tresym.coq.lemma_proofs import candidates, plans
 from tresym.coq.statement import NotExportedError, Theorem, comparison, variable
 from tresym.ledger.paper import all_claims
 from tresym.reals.corpus.rewriting import changed
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.language.formula import Relation
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
-from tresym.reals.places.conditions import Given
-from tresym.reals.places.values import evaluate
 
 BEYOND = re.compile(r"\b(Admitted|Axiom|Axioms|Parameter|Parameters|Conjecture|admit|Abort)\b")
 STORE = export.stored()

@@ -6,12 +6,12 @@ import shutil
 
 import pytest
 
-from tresym.coq.asked import theorems
+from tresym.coq.candidate_search import export
+from tresym.coq.claim_export import theorems
 from tresym.coq.inequalities import inequality_proofs
 from tresym.coq.reductions import reductions
-from tresym.coq.search import export
 from tresym.coq.statement import formula
-from tresym.reals.decisions.reading import read
+from tresym.reals.decisions.claim_parsing import read
 
 needs_coq = pytest.mark.skipif(shutil.which("coqc") is None, reason="coqc is not installed")
 

@@ -8,8 +8,8 @@ import shutil
 import pytest
 from mpmath import atan, findroot, mp, mpf, pi, sinh, sqrt, tanh
 
+from tresym.coq.candidate_search import prelude, run
 from tresym.coq.numbers import DIGITS, numbers
-from tresym.coq.search import prelude, run
 from tresym.racket.body import NAMED_BODIES
 
 needs_coq = pytest.mark.skipif(shutil.which("coqc") is None, reason="coqc is not installed")

@@ -17,15 +17,15 @@ from typing import Any
 from coq_terms import Terms
 from flint import arb
 
-from tresym.coq.formulas import Every, Fails, Formula, One, Some, Wherever, values_of
-from tresym.coq.ledger import Joint, theorem_of
+from tresym.coq.ledger_statements import Joint, theorem_of
 from tresym.coq.statement import NotExportedError, Theorem, variable
+from tresym.coq.theorem_trees import Every, Fails, Formula, One, Some, Wherever, values_of
 from tresym.ledger.paper import all_claims
+from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.binders import outermost
 from tresym.reals.language.expression import Expr, instantiate, replaced, symbol, symbols
 from tresym.reals.language.formula import Conjunction, Equivalence
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.places.values import evaluate
 
 SIGNS = {"=": "==", "<>": "!="}
 BINDERS = {"RInt": "integral", "Derive": "derivative"}

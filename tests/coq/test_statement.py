@@ -11,21 +11,21 @@ import pytest
 from coq_terms import COMMENT, Terms
 from flint import arb
 
-from tresym.coq.asked import theorem, theorems
-from tresym.coq.ledger import Joint, theorem_of
+from tresym.coq.claim_export import theorem, theorems
+from tresym.coq.ledger_statements import Joint, theorem_of
 from tresym.coq.statement import NotExportedError, Theorem, formula, variable
 from tresym.ledger.paper import all_claims
 from tresym.reals.corpus.lists import known, pairs
 from tresym.reals.corpus.rewriting import changed, true_identity
-from tresym.reals.decisions.reading import Comparison, read
+from tresym.reals.decisions.claim_parsing import Comparison, read
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.language.formula import Relation
 from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
-from tresym.reals.places.conditions import Given
-from tresym.reals.places.values import evaluate
 
 BITS, POINTS = 200, 4
 

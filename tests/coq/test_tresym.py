@@ -6,7 +6,7 @@ import shutil
 
 import pytest
 
-from tresym.coq.search import prelude, run
+from tresym.coq.candidate_search import prelude, run
 
 needs_coq = pytest.mark.skipif(shutil.which("coqc") is None, reason="coqc is not installed")
 

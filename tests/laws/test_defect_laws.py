@@ -24,9 +24,9 @@ from strategies import (
 from tresym import InputError, flip_defect
 from tresym.racket.body import Body, Shape
 from tresym.racket.flip import separatrix
-from tresym.racket.flip.fold import float_defect
-from tresym.racket.flip.ladder import RUNGS
 from tresym.racket.flip.levels import turning_level
+from tresym.racket.flip.model_selection import RUNGS
+from tresym.racket.flip.phase_folding import float_defect
 from tresym.racket.formulas import stable
 from tresym.racket.motion.quadrature import rigorous
 from tresym.reals.numbers.arithmetic import ball_precision, balls, mp_precision, to_mp

@@ -16,9 +16,9 @@ from strategies import law, rational
 from sympy import Rational
 
 from tresym.reals.decisions.identity import decide
+from tresym.reals.domain.conditions import Given
 from tresym.reals.language.sympy import from_sympy
 from tresym.reals.numbers.arithmetic import balls, mp_precision
-from tresym.reals.places.conditions import Given
 from tresym.reals.verdict import Verdict
 
 NAMES = ("theta", "psi", "a", "b", "M", "I1", "I2", "I3", "c", "S")

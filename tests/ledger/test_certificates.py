@@ -11,7 +11,7 @@ import pytest
 from tresym.ledger import certificates
 from tresym.ledger.certificates import FILE, certificate, checkout_file, save
 from tresym.ledger.paper import all_claims
-from tresym.reals.balls.boxes import BoxProof
+from tresym.reals.balls.branch_and_bound import BoxProof
 from tresym.reals.numbers.exact import InputError
 
 

@@ -30,8 +30,8 @@ from tresym.ledger.claim import (
     together,
 )
 from tresym.ledger.evidence.asymptotics import Asymptotics, Squeezed
-from tresym.ledger.evidence.balls import Boxes
-from tresym.ledger.evidence.denial import Denied
+from tresym.ledger.evidence.box_bounds import Boxes
+from tresym.ledger.evidence.refutation import Denied
 from tresym.ledger.finding import Premise
 from tresym.ledger.judge import judge
 from tresym.ledger.reasons import algebra, citing, substituting

@@ -39,6 +39,7 @@ from tresym.ledger.claim import (
     parts_of,
     step,
 )
+from tresym.ledger.counterexamples import scalars
 from tresym.ledger.definitions import captured, conflict, restrictions, table
 from tresym.ledger.finding import Finding, Premise
 from tresym.ledger.judge import judge
@@ -51,7 +52,6 @@ from tresym.ledger.reasons import (
     integrating,
     substituting,
 )
-from tresym.ledger.second_look import scalars
 from tresym.ledger.statements import ExactlyOne, TheRoot
 from tresym.ledger.verification import verify
 from tresym.reals.numbers.exact import InputError

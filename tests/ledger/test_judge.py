@@ -701,8 +701,8 @@ def test_the_name_of_a_variable_of_integration_does_not_matter() -> None:
 
 
 def test_a_stored_proof_that_does_not_hold_leaves_its_claim_undecided() -> None:
-    from tresym.ledger.evidence.balls import Boxes
-    from tresym.reals.balls.boxes import Bound, BoxProof, box
+    from tresym.ledger.evidence.box_bounds import Boxes
+    from tresym.reals.balls.branch_and_bound import Bound, BoxProof, box
 
     bound = Bound(lambda x, m: x - arb("0.5"), box(("0", "1")))
     for proofs in ((BoxProof("b"),), (BoxProof("?"),), (BoxProof("xb"),), ()):

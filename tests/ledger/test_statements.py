@@ -7,7 +7,7 @@ from sympy import Function, Gt, Symbol, Tuple, cos
 
 from tresym.ledger.claim import equal
 from tresym.ledger.statements import ExactlyOne, Under, order, together_under
-from tresym.report.words.latex import says_latex
+from tresym.report.typesetting.latex import says_latex
 
 pytestmark = pytest.mark.quick
 

@@ -27,17 +27,17 @@ from tresym.ledger.claim import (
     equal,
     parts_of,
 )
+from tresym.ledger.conversion import Conditions, formula, tree
+from tresym.ledger.conversion import conditions as relations
+from tresym.ledger.counterexamples import put_in, rules_of
 from tresym.ledger.evidence.chain import check_chain
-from tresym.ledger.meaning import Conditions, formula, tree
-from tresym.ledger.meaning import conditions as relations
 from tresym.ledger.paper import all_claims
-from tresym.ledger.second_look import put_in, rules_of
 from tresym.ledger.verification import Report, graph, verify
+from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import derivative
 from tresym.reals.language.expression import substitute
 from tresym.reals.language.formula import Relation
 from tresym.reals.numbers.exact import InputError
-from tresym.reals.places.conditions import Given
 from tresym.reals.verdict import Verdict
 
 CLAIMS = all_claims()

@@ -11,18 +11,18 @@ from tresym.proofs import asymptotics, constants, exponent, monotonicity, orders
 from tresym.commands import main
 from tresym.ledger import certificates, verification
 from tresym.ledger.claim import Claim
-from tresym.ledger.evidence.balls import Boxes, finding_anew
-from tresym.ledger.evidence.charted import Charted
+from tresym.ledger.evidence.box_bounds import Boxes, finding_anew
+from tresym.ledger.evidence.chart_bounds import Charted
 from tresym.ledger.finding import Finding
 from tresym.ledger.judge import judge
-from tresym.racket.compared.constants import CONSTANTS, excesses
-from tresym.racket.compared.errors import slope_at
+from tresym.racket.bounds import bending, charts
+from tresym.racket.comparison.constants import CONSTANTS, excesses
+from tresym.racket.comparison.errors import slope_at
 from tresym.racket.flip import defect, series, uniform
 from tresym.racket.flip.separatrix import solve
 from tresym.racket.formulas import printed, stable
 from tresym.racket.motion.quadrature import rigorous
-from tresym.racket.near import bending, charts
-from tresym.reals.balls.boxes import (
+from tresym.reals.balls.branch_and_bound import (
     Bound,
     BoxProof,
     CertificateError,
@@ -32,7 +32,7 @@ from tresym.reals.balls.boxes import (
     recheck,
     value_at,
 )
-from tresym.reals.balls.traced import traced
+from tresym.reals.balls.tracing import traced
 from tresym.reals.numbers.arithmetic import ball_precision, balls
 from tresym.reals.numbers.exact import InputError, as_rational
 from tresym.reals.verdict import Verdict

@@ -6,12 +6,12 @@ import pytest
 from flint import fmpq
 from tresym.proofs.levels import flip_defect_on_level, one_time
 
+from tresym.ledger.conversion import tree
 from tresym.ledger.evidence.at_point import unique_by
-from tresym.ledger.meaning import tree
 from tresym.racket.flip.defect import defect_on
 from tresym.racket.motion.orbit import exact_level
+from tresym.reals.domain.binder_values import value
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.places.unworked import value
 
 LONG = fmpq(10), fmpq(1, 2)
 """A shape of no rigid body, whose motions turn several times."""

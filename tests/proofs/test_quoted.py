@@ -16,7 +16,7 @@ from tresym.ledger.paper import all_claims
 ROOT = Path(__file__).resolve().parent.parent.parent
 FILES = (
     *(path for path in ROOT.glob("proofs/*.py") if path.name != "axioms.py"),
-    *ROOT.glob("tresym/racket/near/*.py"),
+    *ROOT.glob("tresym/racket/bounds/*.py"),
     *ROOT.glob("tresym/racket/flip/*.py"),
 )
 CLAIMS = {claim.label: claim for claim in all_claims()}

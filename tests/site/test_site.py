@@ -11,9 +11,9 @@ import pytest
 from tresym.ledger.verification import Report, verify
 from tresym.report.pages.numbers import numbers
 from tresym.report.pages.site_data import record
-from tresym.report.words.markdown import finding, sentence
-from tresym.report.words.said import display
-from tresym.report.words.wording import readable
+from tresym.report.typesetting.finding_text import readable
+from tresym.report.typesetting.markdown import finding, sentence
+from tresym.report.typesetting.statements import display
 from tresym.site import claims, commands, graph, links
 from tresym.site.docstrings import restructured
 

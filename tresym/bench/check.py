@@ -31,9 +31,9 @@ from tresym.reals.corpus.rewriting import (
     true_identity,
 )
 from tresym.reals.decisions import check
-from tresym.reals.decisions.limits import Task, check_all
-from tresym.reals.decisions.reading import read
-from tresym.reals.decisions.statement import decide_claim
+from tresym.reals.decisions.claim_parsing import read
+from tresym.reals.decisions.dispatch import decide_claim
+from tresym.reals.decisions.time_limited import Task, check_all
 from tresym.reals.language.expression import Expr, differentiate, symbols
 from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.exact import InputError

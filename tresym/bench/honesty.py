@@ -24,11 +24,11 @@ from tresym.bench.truth import true_digits
 from tresym.bench.turn import flint_turn, mp_quad
 from tresym.racket.body import Shape, named_body
 from tresym.racket.flip import defect, separatrix
-from tresym.racket.flip.ladder import climb
+from tresym.racket.flip.model_selection import climb
 from tresym.racket.floats import flipmap
 from tresym.racket.motion import quadrature
-from tresym.reals.limit import TimeUp, time_limit
 from tresym.reals.numbers.exact import parse_number
+from tresym.reals.resource_limits import TimeUp, time_limit
 
 WIDTHS = tuple(fmpq(*x) for x in ((1, 1), (1, 2), (1, 10), (1, 100), (1, 1000)))
 SHAPES = tuple(

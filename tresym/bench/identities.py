@@ -19,11 +19,11 @@ import sympy
 from tresym.bench.run import FAILED, RIGHT, WRONG, Contender, Judged, Pace, Timing, Workload, tally
 from tresym.ledger import paper
 from tresym.ledger.claim import Chain, Claim, Together, chains_of
-from tresym.ledger.evidence.manifest import manifest_sign
-from tresym.ledger.meaning import conditions, known, tree
-from tresym.ledger.mutants.changes import mutations
+from tresym.ledger.conversion import conditions, known, tree
+from tresym.ledger.counterexamples import put_in, rules_of
+from tresym.ledger.evidence.sign_prover import manifest_sign
+from tresym.ledger.mutants.mutations import mutations
 from tresym.ledger.paper import all_claims
-from tresym.ledger.second_look import put_in, rules_of
 from tresym.reals.decisions import check
 from tresym.reals.decisions.identity import decide
 from tresym.reals.numbers.exact import InputError

@@ -20,7 +20,7 @@ from tresym.bench.run import Contender, Judge, Judged, Pace, Rising, Workload, r
 from tresym.bench.truth import by_digits
 from tresym.racket.body import Shape, named_body
 from tresym.racket.flip import defect, flip_defect, separatrix
-from tresym.racket.flip.ladder import RUNGS, climb
+from tresym.racket.flip.model_selection import RUNGS, climb
 from tresym.racket.floats.flipmap import flip_map
 from tresym.racket.floats.shapes import defects
 from tresym.reals.numbers.exact import InputError, fraction_text, parse_number

@@ -20,7 +20,7 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any, NamedTuple, Protocol
 
-from tresym.reals.limit import TimeUp, time_limit
+from tresym.reals.resource_limits import TimeUp, time_limit
 
 SAMPLE_SECONDS = 0.004
 """A sample of quick work is as many calls as take this long."""

@@ -23,7 +23,7 @@ from tresym.reals.verdict import Verdict
 
 if TYPE_CHECKING:
     from tresym.reals.decisions.answer import Answer
-    from tresym.reals.decisions.limits import Task
+    from tresym.reals.decisions.time_limited import Task
 
 
 def add(commands: Commands) -> None:
@@ -98,7 +98,7 @@ def one(
     coq: str | None = None,
 ) -> int:
     """Decide one claim and show the answer; returns the exit status."""
-    from tresym.reals.decisions.limits import Task, check_within
+    from tresym.reals.decisions.time_limited import Task, check_within
 
     answer = check_within(Task(claim.strip(), given, path), parse_seconds(limit))
     colour = colour_wanted() and target is None
@@ -117,11 +117,11 @@ def _in_coq(
     claim: str, given: str, path: str | None, answer: Answer, target: str
 ) -> dict[str, object]:
     """What came of the claim in Coq; the file is written where there is a proof."""
-    from tresym.coq.asked import theorems
-    from tresym.coq.search import export
+    from tresym.coq.candidate_search import export
+    from tresym.coq.claim_export import theorems
     from tresym.coq.statement import NotExportedError
     from tresym.output import write_text
-    from tresym.reals.decisions.reading import read
+    from tresym.reals.decisions.claim_parsing import read
 
     if not answer:
         return {"accepted": None, "says": "only what is PROVED or ENCLOSED is exported to Coq"}
@@ -174,7 +174,7 @@ def _answers(
     tasks: Iterator[Task], limit: float, scheduler: str | None
 ) -> Iterator[tuple[Task, Answer | InputError]]:
     """Every task with its answer: by the cores of this machine, or by a scheduler's workers."""
-    from tresym.reals.decisions.limits import check_all, check_by
+    from tresym.reals.decisions.time_limited import check_all, check_by
 
     if scheduler is None:
         yield from check_all(tasks, limit)
@@ -199,7 +199,7 @@ def read_tasks(file: str, given: str, path: str | None) -> Iterator[Task]:
     Raises:
         InputError: the file cannot be read, or holds no claim.
     """
-    from tresym.reals.decisions.limits import Task
+    from tresym.reals.decisions.time_limited import Task
 
     tasks = (
         Task(claim, given, path, number)

@@ -62,9 +62,9 @@ def run(args: argparse.Namespace) -> int:
 
 def _search(folder: Path, labels: Sequence[str]) -> dict[str, Any]:
     """Find the proofs that are missing, or those of the labels, and keep each when it is found."""
+    from tresym.coq.candidate_search import version
     from tresym.coq.export import open_claims, save, stored
-    from tresym.coq.finding import Memory, search, witnesses
-    from tresym.coq.search import version
+    from tresym.coq.ledger_proofs import Memory, search, witnesses
     from tresym.ledger.paper import all_claims
 
     def keep(label: str, row: dict[str, Any]) -> None:
@@ -88,7 +88,7 @@ def _search(folder: Path, labels: Sequence[str]) -> dict[str, Any]:
 def _check(folder: Path, store: dict[str, Any]) -> int:
     """Compare what the theorems rest on with what is stored, or store it where nothing is."""
     from tresym.coq.export import assumed, save
-    from tresym.coq.ledger import name_of
+    from tresym.coq.ledger_statements import name_of
 
     path = folder / "said.txt"
     if not path.is_file():

@@ -67,7 +67,7 @@ def add(commands: Commands) -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Run it; returns the exit status."""
-    from tresym.racket.flip.ladder import parse_digits
+    from tresym.racket.flip.model_selection import parse_digits
 
     digits, colour = parse_digits(args.digits), colour_wanted() and args.path is None
     if args.limit is None and _is_short(args, digits):
@@ -155,7 +155,7 @@ def _told(args: argparse.Namespace, digits: int, colour: bool) -> str:
 
 def _flip(args: argparse.Namespace, shape: Shape, digits: int) -> Flip:
     """The symmetric trajectory."""
-    from tresym.racket.flip.ladder import climb
+    from tresym.racket.flip.model_selection import climb
     from tresym.reals.numbers.exact import parse_number
 
     if args.rate is not None or args.theta0 is not None or args.precession is not None:

@@ -45,9 +45,9 @@ def run(args: argparse.Namespace) -> int:
     from pathlib import Path
 
     from tresym.manuscript.deciding import decided
-    from tresym.manuscript.notes import with_notes
-    from tresym.manuscript.reading import read_links
-    from tresym.manuscript.surface import Missing, read_manuscript
+    from tresym.manuscript.directives import with_notes
+    from tresym.manuscript.links import read_links
+    from tresym.manuscript.source import Missing, read_manuscript
 
     limit = parse_seconds(args.limit)
     events = read_manuscript(Path(args.paper))
@@ -74,11 +74,11 @@ def _check_places(args: argparse.Namespace) -> None:
     """See, before any work, that the page and the marks replace nothing of others."""
     from pathlib import Path
 
-    from tresym.manuscript import page
+    from tresym.manuscript import html
     from tresym.output import own_folder
 
     if args.html is not None:
-        own_folder(args.html, ["index.html"], page.MARK)
+        own_folder(args.html, ["index.html"], html.MARK)
     if args.marks is not None:
         own_folder(str(Path(args.marks).parent), ["tresym.sty"], r"\ProvidesPackage{tresym}")
 
@@ -87,14 +87,14 @@ def _write_pages(args: argparse.Namespace, rows: list[Row]) -> None:
     """The page and the marks, where they are asked for."""
     from pathlib import Path
 
-    from tresym.manuscript import page
+    from tresym.manuscript import html
     from tresym.output import write_text
 
     if args.html is not None:
-        write_text(str(Path(args.html) / "index.html"), page.page(rows, Path(args.paper).name))
+        write_text(str(Path(args.html) / "index.html"), html.page(rows, Path(args.paper).name))
     if args.marks is not None:
-        write_text(args.marks, page.marks(rows))
-        write_text(str(Path(args.marks).with_name("tresym.sty")), page.STYLE)
+        write_text(args.marks, html.marks(rows))
+        write_text(str(Path(args.marks).with_name("tresym.sty")), html.STYLE)
 
 
 def as_text(rows: list[Row], colour: bool = False) -> str:

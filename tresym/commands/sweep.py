@@ -47,7 +47,7 @@ def add(commands: Commands) -> None:
 def run(args: argparse.Namespace) -> int:
     """Run it; returns the exit status."""
     from tresym import sweep
-    from tresym.racket.flip.ladder import parse_digits
+    from tresym.racket.flip.model_selection import parse_digits
     from tresym.reals.processes import parse_workers
     from tresym.sweep.run import summary_text, to_stderr
 

@@ -60,7 +60,7 @@ def run(args: argparse.Namespace) -> int:
         raise InputError("--save-certificates stores what --full finds: give both")
     if not args.full:
         return _verify_claims(args)
-    from tresym.ledger.evidence.balls import finding_anew
+    from tresym.ledger.evidence.box_bounds import finding_anew
 
     if args.save_certificates:
         from tresym.ledger.certificates import checkout_file
@@ -83,7 +83,7 @@ def _verify_claims(args: argparse.Namespace) -> int:
     if args.json or args.path is not None:
         import json
 
-        from tresym.report.pages.rows import report_json
+        from tresym.report.pages.ledger_rows import report_json
 
         report = verification.verify(labels, workers=workers)
         deliver(json.dumps(report_json(report), ensure_ascii=False, indent=1) + "\n", args.path)
@@ -212,9 +212,9 @@ def _headings() -> Text:
 
 
 def _row_lines(row: Row, named: bool, width: int) -> list[Text]:
-    from tresym.report.words.place import place_text
-    from tresym.report.words.plain import in_lines
-    from tresym.report.words.said import in_letters
+    from tresym.report.typesetting.paper_location import place_text
+    from tresym.report.typesetting.plain_text import in_lines
+    from tresym.report.typesetting.statements import in_letters
 
     claim, finding = row.claim, row.finding
     verdict = Text(finding.verdict.value, style=STYLES[finding.verdict])
@@ -242,8 +242,8 @@ def _row_lines(row: Row, named: bool, width: int) -> list[Text]:
 
 def _stated(claim: Claim) -> Iterator[str]:
     """What the claim says, under which conditions, and which formula is decided."""
-    from tresym.report.words.plain import plain
-    from tresym.report.words.said import in_plain_text, said
+    from tresym.report.typesetting.plain_text import plain
+    from tresym.report.typesetting.statements import in_plain_text, said
 
     found = said(claim)
     yield in_plain_text(found)

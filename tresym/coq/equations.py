@@ -14,8 +14,10 @@ from math import lcm
 
 from flint import Ordering, fmpq, fmpq_mpoly_ctx
 
-from tresym.coq.linear import as_expression, expanded, whole_basis, without_squares
+from tresym.coq.linear_dependence import as_expression, expanded, whole_basis, without_squares
 from tresym.coq.statement import Theorem, term
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.operation_domains import bound
 from tresym.reals.language.expression import (
     HALF,
     ONE,
@@ -28,8 +30,6 @@ from tresym.reals.language.expression import (
     power,
     symbols,
 )
-from tresym.reals.places.conditions import Given
-from tresym.reals.places.domain import bound
 from tresym.reals.signs.sign import sign
 
 LEAVES = ("number", "symbol", "pi")

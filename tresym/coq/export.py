@@ -15,10 +15,10 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from tresym.coq.dialogue import HEAD, prelude
-from tresym.coq.ledger import Joint, lemmas, name_of, stamp, stem, theorem_of
+from tresym.coq.candidate_search import assumptions
+from tresym.coq.coqtop import HEAD, prelude
+from tresym.coq.ledger_statements import Joint, lemmas, name_of, stamp, stem, theorem_of
 from tresym.coq.numbers import numbers
-from tresym.coq.search import assumptions
 from tresym.coq.statement import NotExportedError, Theorem
 from tresym.ledger.claim import AllOf, Claim
 from tresym.ledger.paper import PAPER, all_claims, file_of, sections

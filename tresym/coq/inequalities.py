@@ -8,7 +8,6 @@ from fractions import Fraction
 from itertools import combinations, islice, product
 from math import lcm
 
-from tresym.coq.cones import Span, cone_lines
 from tresym.coq.equations import (
     LEAVES,
     Script,
@@ -19,10 +18,13 @@ from tresym.coq.equations import (
     quotient,
     unfolded,
 )
-from tresym.coq.linear import as_expression, expanded
+from tresym.coq.linear_dependence import as_expression, expanded
+from tresym.coq.orthant_cones import Span, cone_lines
 from tresym.coq.reductions import Reduction, known, reductions
-from tresym.coq.squares import square_proofs
 from tresym.coq.statement import Theorem, formula, term, variable
+from tresym.coq.sums_of_squares import square_proofs
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.sample_points import Range
 from tresym.reals.language.expression import (
     ONE,
     ZERO,
@@ -37,11 +39,9 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.language.formula import Relation
-from tresym.reals.language.inverted import solutions
-from tresym.reals.normal.written import numerator
-from tresym.reals.places.conditions import Given
-from tresym.reals.places.points import Range
-from tresym.reals.signs.inside import sign_inside
+from tresym.reals.language.solve import solutions
+from tresym.reals.normal.to_expression import numerator
+from tresym.reals.signs.interior import sign_inside
 from tresym.reals.signs.sign import directly, sign
 from tresym.reals.signs.taylor import opened
 

@@ -10,8 +10,10 @@ from dataclasses import dataclass, replace
 from math import lcm
 
 from tresym.coq.equations import exchanged, nodes, primes, quotient, unfolded
-from tresym.coq.linear import expanded
+from tresym.coq.linear_dependence import expanded
 from tresym.coq.statement import Theorem, term
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.operation_domains import with_domain
 from tresym.reals.language.expression import (
     ONE,
     PI,
@@ -26,8 +28,6 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.language.formula import Relation
-from tresym.reals.places.conditions import Given
-from tresym.reals.places.domain import with_domain
 from tresym.reals.signs.sign import directly, sign
 
 

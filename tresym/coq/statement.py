@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 from flint import fmpq
 
-from tresym.coq.formulas import (
+from tresym.coq.theorem_trees import (
     Condition,
     Every,
     Fails,

@@ -8,7 +8,7 @@ from functools import lru_cache
 from pathlib import Path
 
 from tresym.ledger.paper import file_of
-from tresym.reals.balls.boxes import BoxProof, CertificateError
+from tresym.reals.balls.branch_and_bound import BoxProof, CertificateError
 from tresym.reals.numbers.exact import InputError
 
 FILE = "certificates.json"

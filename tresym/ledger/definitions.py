@@ -16,11 +16,7 @@ from typing import NamedTuple
 from sympy import Basic, Derivative, Eq, Integral, Subs, Symbol
 
 from tresym.ledger.claim import Claim, Definition, Root, UniqueRoot, equal, expressions, parts_of
-from tresym.ledger.evidence.integrals import NotShownError, need_value
-from tresym.ledger.evidence.manifest import is_manifest
-from tresym.ledger.evidence.satisfied import satisfiable
-from tresym.ledger.finding import Finding
-from tresym.ledger.meaning import (
+from tresym.ledger.conversion import (
     DEFINING,
     Behind,
     CircularError,
@@ -31,7 +27,11 @@ from tresym.ledger.meaning import (
     sides,
     tree,
 )
-from tresym.ledger.second_look import scalars
+from tresym.ledger.counterexamples import scalars
+from tresym.ledger.evidence.integrals import NotShownError, need_value
+from tresym.ledger.evidence.satisfiability import satisfiable
+from tresym.ledger.evidence.sign_prover import is_manifest
+from tresym.ledger.finding import Finding
 from tresym.ledger.statements import Binding, ExactlyOne
 from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.language.formula import names

@@ -37,39 +37,7 @@ from tresym.ledger.claim import (
     equal,
     parts_of,
 )
-from tresym.ledger.definitions import (
-    captured,
-    conflict,
-    judge_definition,
-    restrictions,
-    table,
-)
-from tresym.ledger.evidence.asymptotics import (
-    Asymptotics,
-    Squeezed,
-    failing_order,
-    judge_squeezed,
-)
-from tresym.ledger.evidence.balls import Boxes
-from tresym.ledger.evidence.chain import check_chain, instantiated, unmet_condition
-from tresym.ledger.evidence.charted import Charted, judge_charted
-from tresym.ledger.evidence.denial import Denied, denied_somewhere, judge_counterexample
-from tresym.ledger.evidence.evaluated import Evaluated, judge_evaluated
-from tresym.ledger.evidence.facts import by_facts, facts_of
-from tresym.ledger.evidence.integrals import (
-    NotShownError,
-    need,
-    need_integrals,
-    need_smooth,
-    under_binder,
-    with_bounds,
-)
-from tresym.ledger.evidence.manifest import continuous_on, is_manifest, manifest_sign, undefined
-from tresym.ledger.evidence.meant import unfit
-from tresym.ledger.evidence.printed import judge_printed
-from tresym.ledger.evidence.satisfied import satisfiable
-from tresym.ledger.finding import WEAKEST_FIRST, Finding, StepFinding
-from tresym.ledger.meaning import (
+from tresym.ledger.conversion import (
     CircularError,
     Conditions,
     conditions,
@@ -81,16 +49,48 @@ from tresym.ledger.meaning import (
     put_into,
     tree,
 )
-from tresym.ledger.reasons import citing, substituting
-from tresym.ledger.second_look import (
+from tresym.ledger.counterexamples import (
     contradiction,
     rootless,
     scalars,
     violation,
 )
+from tresym.ledger.definitions import (
+    captured,
+    conflict,
+    judge_definition,
+    restrictions,
+    table,
+)
+from tresym.ledger.evidence.admissible import unfit
+from tresym.ledger.evidence.asymptotics import (
+    Asymptotics,
+    Squeezed,
+    failing_order,
+    judge_squeezed,
+)
+from tresym.ledger.evidence.box_bounds import Boxes
+from tresym.ledger.evidence.chain import check_chain, instantiated, unmet_condition
+from tresym.ledger.evidence.chart_bounds import Charted, judge_charted
+from tresym.ledger.evidence.integrals import (
+    NotShownError,
+    need,
+    need_integrals,
+    need_smooth,
+    under_binder,
+    with_bounds,
+)
+from tresym.ledger.evidence.interval_evaluation import Evaluated, judge_evaluated
+from tresym.ledger.evidence.local_facts import by_facts, facts_of
+from tresym.ledger.evidence.printed_numbers import judge_printed
+from tresym.ledger.evidence.refutation import Denied, denied_somewhere, judge_counterexample
+from tresym.ledger.evidence.satisfiability import satisfiable
+from tresym.ledger.evidence.sign_prover import continuous_on, is_manifest, manifest_sign, undefined
+from tresym.ledger.finding import WEAKEST_FIRST, Finding, StepFinding
+from tresym.ledger.reasons import citing, substituting
 from tresym.ledger.statements import AtMostOne, ExactlyOne, ForSome
-from tresym.reals.advocate import STOPPED
-from tresym.reals.balls.boxes import CertificateError
+from tresym.reals.balls.branch_and_bound import CertificateError
+from tresym.reals.cross_check import STOPPED
 from tresym.reals.decisions.identity import decide_continuous
 from tresym.reals.language.binders import derivative, elementary, generalised
 from tresym.reals.language.expression import ZERO, Expr, differentiate, substitute, symbols

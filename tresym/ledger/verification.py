@@ -14,15 +14,15 @@ from tresym.ledger import paper
 from tresym.ledger.axioms import Axiom
 from tresym.ledger.claim import Claim
 from tresym.ledger.definitions import conflict
-from tresym.ledger.evidence.balls import Boxes, finding_anew, searching_anew
-from tresym.ledger.evidence.charted import Charted
-from tresym.ledger.evidence.evaluated import Evaluated
+from tresym.ledger.evidence.box_bounds import Boxes, finding_anew, searching_anew
+from tresym.ledger.evidence.chart_bounds import Charted
+from tresym.ledger.evidence.interval_evaluation import Evaluated
 from tresym.ledger.finding import RULINGS, Finding, Ruling
 from tresym.ledger.judge import judge, judge_evidence
-from tresym.reals.limit import collecting_seldom
 from tresym.reals.notebook import html_table, in_one_line
 from tresym.reals.numbers.exact import InputError, quoted
 from tresym.reals.processes import Processes, checked_workers
+from tresym.reals.resource_limits import collecting_seldom
 from tresym.reals.verdict import Verdict
 
 JSON_VERSION = 1

@@ -23,11 +23,11 @@ from tresym.ledger.claim import (
     line, manifest, parts_of, step, together,
 )
 from tresym.ledger.evidence.asymptotics import Asymptotics, Squeezed
-from tresym.ledger.evidence.balls import Boxes
-from tresym.ledger.evidence.charted import Charted, On, Reading, Shown
-from tresym.ledger.evidence.denial import Denied
-from tresym.ledger.evidence.evaluated import Evaluated
-from tresym.ledger.evidence.meant import Meant
+from tresym.ledger.evidence.box_bounds import Boxes
+from tresym.ledger.evidence.chart_bounds import Charted, On, Reading, Shown
+from tresym.ledger.evidence.refutation import Denied
+from tresym.ledger.evidence.interval_evaluation import Evaluated
+from tresym.ledger.evidence.admissible import Meant
 from tresym.ledger.reasons import (
     adding, algebra, applying, changing_variable, citing, collecting, cutting,
     differentiating_integral, differentiation, evaluating, exponentials, integrating, inverses,
@@ -36,7 +36,7 @@ from tresym.ledger.reasons import (
 from tresym.ledger.statements import (
     AtMostOne, ExactlyOne, ForSome, Rounds, TheRoot, Under, order,
 )
-from tresym.reals.balls.boxes import Bound, box
+from tresym.reals.balls.branch_and_bound import Bound, box
 from tresym.reals.verdict import Verdict
 
 __all__ = [

@@ -6,9 +6,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from tresym.manuscript.claims import EQUATION, UNREAD, Link
+from tresym.manuscript.classification import EQUATION, UNREAD, Link
 from tresym.reals.decisions.answer import Answer
-from tresym.reals.decisions.limits import Task, check_all
+from tresym.reals.decisions.time_limited import Task, check_all
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 

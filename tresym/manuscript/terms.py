@@ -7,11 +7,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from tresym.reals.decisions.reading import functions
+from tresym.reals.decisions.claim_parsing import functions
 from tresym.reals.language.expression import Expr
 from tresym.reals.language.latex_cursor import Author
 from tresym.reals.language.latex_grammar import Reader
-from tresym.reals.language.latex_reach import Piece
+from tresym.reals.language.latex_operands import Piece
 from tresym.reals.language.parsing import FACTORIAL
 from tresym.reals.numbers.exact import InputError
 

@@ -9,8 +9,8 @@ from html import escape
 from typing import Any
 
 import tresym
-from tresym.report.words.markdown import escaped, finding, sentence
-from tresym.report.words.said import conditions, display, in_dollars, of_record, stated
+from tresym.report.typesetting.markdown import escaped, finding, sentence
+from tresym.report.typesetting.statements import conditions, display, in_dollars, of_record, stated
 from tresym.site import graph
 from tresym.site.markdown import badge, chain, inline, link, statement, titled
 

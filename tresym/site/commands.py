@@ -9,7 +9,7 @@ import re
 import shlex
 from collections.abc import Iterator
 
-from tresym.report.words.markdown import escaped
+from tresym.report.typesetting.markdown import escaped
 
 _TIME = re.compile(r"\b\d[\d.e-]*( ?)(ms|s|µs)\b")
 

@@ -18,7 +18,7 @@ from sphinx.util.docutils import SphinxDirective
 from sphinx.writers.html5 import HTML5Translator
 
 from tresym.report.charts import CHARTS
-from tresym.report.words.formulas import Piece, pieces
+from tresym.report.typesetting.formulas import Piece, pieces
 from tresym.site import claims, commands, docstrings, mathematics
 from tresym.site.markdown import badge, inline, link, statement, titled
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from tresym.report.words.chains import EQUIVALENT
-from tresym.report.words.markdown import sentence
-from tresym.report.words.said import display, in_line, of_record, on_lines
+from tresym.report.typesetting.chains import EQUIVALENT
+from tresym.report.typesetting.markdown import sentence
+from tresym.report.typesetting.statements import display, in_line, of_record, on_lines
 
 
 def badge(verdict: str) -> str:

@@ -16,8 +16,8 @@ from flint import arb, fmpq
 from tresym.racket.body import Shape
 from tresym.racket.flip import uniform
 from tresym.racket.flip.defect import checked_gamma
-from tresym.racket.flip.fold import float_defect
-from tresym.racket.flip.ladder import climb
+from tresym.racket.flip.model_selection import climb
+from tresym.racket.flip.phase_folding import float_defect
 from tresym.racket.formulas import printed, stable
 from tresym.reals.numbers.arithmetic import ball_precision, balls, bits
 from tresym.reals.numbers.exact import InputError, decimal_ball, fraction_text

@@ -15,7 +15,7 @@ from concurrent.futures import BrokenExecutor
 from contextlib import AbstractContextManager
 from typing import Any, NamedTuple
 
-from tresym.racket.flip.ladder import checked_digits
+from tresym.racket.flip.model_selection import checked_digits
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.processes import cores
 from tresym.sweep.rows import compute

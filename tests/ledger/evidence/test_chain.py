@@ -28,9 +28,9 @@ from sympy import (
 )
 
 from tresym.ledger.claim import Chain, Claim, Definition, Reason, by, equal, manifest, step
+from tresym.ledger.conversion import conditions, definitions, formula
 from tresym.ledger.evidence.chain import check_chain, instantiated, unmet_condition
 from tresym.ledger.evidence.integrals import NotShownError
-from tresym.ledger.meaning import conditions, definitions, formula
 from tresym.ledger.reasons import (
     adding,
     algebra,

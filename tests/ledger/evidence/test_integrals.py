@@ -24,6 +24,7 @@ from sympy import (
     sqrt,
 )
 
+from tresym.ledger.ball_evaluation import value
 from tresym.ledger.claim import (
     Chain,
     Claim,
@@ -35,6 +36,7 @@ from tresym.ledger.claim import (
     equal,
     step,
 )
+from tresym.ledger.conversion import known, tree
 from tresym.ledger.evidence.integrals import (
     NotShownError,
     need_value,
@@ -43,7 +45,6 @@ from tresym.ledger.evidence.integrals import (
 )
 from tresym.ledger.finding import Finding, Premise
 from tresym.ledger.judge import judge
-from tresym.ledger.meaning import known, tree
 from tresym.ledger.reasons import (
     changing_variable,
     citing,
@@ -57,7 +58,6 @@ from tresym.ledger.reasons import (
     substituting,
 )
 from tresym.ledger.statements import ExactlyOne
-from tresym.ledger.walked import value
 from tresym.reals.decisions.identity import decide_continuous
 from tresym.reals.language.binders import generalised
 from tresym.reals.language.parsing import parse

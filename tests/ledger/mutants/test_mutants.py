@@ -7,6 +7,7 @@ from flint import arb, fmpq
 from sympy import Function, Ge, Integer, Integral, Le, Symbol, Tuple, cos, exp, sin, sqrt, tan
 
 from tresym.commands import main
+from tresym.ledger.ball_evaluation import value
 from tresym.ledger.claim import (
     AllOf,
     Claim,
@@ -17,18 +18,17 @@ from tresym.ledger.claim import (
     equal,
     formally,
 )
+from tresym.ledger.counterexamples import violation
 from tresym.ledger.evidence.asymptotics import Squeezed
-from tresym.ledger.evidence.denial import Denied
+from tresym.ledger.evidence.refutation import Denied
 from tresym.ledger.finding import Finding, Premise
 from tresym.ledger.judge import judge
-from tresym.ledger.mutants.changes import mutations
 from tresym.ledger.mutants.mutants import mutants, why_few
+from tresym.ledger.mutants.mutations import mutations
 from tresym.ledger.mutants.report import MutantReport, verify_mutants
 from tresym.ledger.paper import all_claims
 from tresym.ledger.reasons import roots, substituting, trigonometry
-from tresym.ledger.second_look import violation
 from tresym.ledger.statements import ForSome, Rounds, order
-from tresym.ledger.walked import value
 from tresym.racket.notation import a, b
 from tresym.reals.verdict import Verdict
 

@@ -9,7 +9,7 @@ import pytest
 from sympy import Symbol
 
 from tresym.ledger.claim import Claim, Definition, by, equal
-from tresym.ledger.evidence.denial import Denied
+from tresym.ledger.evidence.refutation import Denied
 from tresym.ledger.finding import RULINGS
 from tresym.ledger.mutants.mutants import Mutant
 from tresym.ledger.mutants.report import (

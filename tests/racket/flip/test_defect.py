@@ -12,11 +12,11 @@ from hypothesis import strategies as st
 
 from tresym.racket.angle import parse_angle
 from tresym.racket.body import named_body
-from tresym.racket.compared import routes
+from tresym.racket.comparison import routes
 from tresym.racket.flip import defect, flip_defect
 from tresym.racket.flip.defect import corrected, defect_on, inverted, quick, solve, unfolded
-from tresym.racket.flip.fold import Fold, folded
 from tresym.racket.flip.levels import level_of, turning_level
+from tresym.racket.flip.phase_folding import Fold, folded
 from tresym.racket.flip.slopes import slopes
 from tresym.racket.motion import quadrature
 from tresym.racket.motion.jacobi import functions

@@ -19,7 +19,7 @@ from tresym.bench.flipmap import ball_flip
 from tresym.bench.truth import true_digits
 from tresym.racket.body import Shape, named_body
 from tresym.racket.flip import separatrix
-from tresym.racket.flip.ladder import RUNGS, climb
+from tresym.racket.flip.model_selection import RUNGS, climb
 from tresym.racket.floats.flipmap import flip_map, flip_uncertainty
 from tresym.racket.floats.shapes import defects
 from tresym.reals.numbers.exact import parse_number

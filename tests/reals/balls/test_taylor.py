@@ -4,9 +4,9 @@ import pytest
 from flint import arb, ctx, fmpq
 
 from tresym.reals.balls.taylor import taylor_value
+from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.places.values import evaluate
 
 pytestmark = pytest.mark.quick
 

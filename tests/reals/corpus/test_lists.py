@@ -12,14 +12,14 @@ from hypothesis import strategies as st
 
 import tresym
 from tresym.reals.corpus.lists import Known, known
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import evaluate
+from tresym.reals.domain.operation_domains import with_domain
 from tresym.reals.language.expression import Expr, differentiate
-from tresym.reals.language.inverted import solutions
 from tresym.reals.language.parsing import parse
-from tresym.reals.places.conditions import Given
-from tresym.reals.places.domain import with_domain
-from tresym.reals.places.values import evaluate
-from tresym.reals.signs.cones import sign_on_cones
-from tresym.reals.signs.homogeneous import sign_by_homogeneity
+from tresym.reals.language.solve import solutions
+from tresym.reals.signs.homogenisation import sign_by_homogeneity
+from tresym.reals.signs.orthant_cones import sign_on_cones
 from tresym.reals.verdict import Verdict
 
 SAVED = Path(__file__).resolve().parents[3] / "docs" / "measurements"

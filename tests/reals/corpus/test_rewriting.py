@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from tresym.reals.corpus.rewriting import false_identity, true_identity
 from tresym.reals.decisions.identity import decide
+from tresym.reals.domain.conditions import Given
 from tresym.reals.language.expression import (
     Expr,
     add,
@@ -24,7 +25,6 @@ from tresym.reals.language.expression import (
     symbol,
 )
 from tresym.reals.language.parsing import parse
-from tresym.reals.places.conditions import Given
 from tresym.reals.verdict import Verdict
 
 X, Y, A = symbol("x"), symbol("y"), symbol("a")
@@ -119,9 +119,9 @@ def test_unrelated_expressions_are_proved_only_when_equal(
     """A proof is contradicted by no point: balls of 300 bits overlap wherever both are defined."""
     from flint import arb
 
+    from tresym.reals.domain.evaluation import evaluate
     from tresym.reals.language.expression import symbols
     from tresym.reals.numbers.arithmetic import ball_precision
-    from tresym.reals.places.values import evaluate
 
     if decide(left, right, given).verdict is Verdict.PROVED:
         for point in given.points(symbols(left) | symbols(right), 40, start=200):
@@ -137,9 +137,9 @@ def test_derivatives_agree_with_a_difference_quotient(e: Expr) -> None:
     """The formal derivative lies where the mean value theorem's quotient over a ball says."""
     from flint import arb, fmpq
 
+    from tresym.reals.domain.evaluation import evaluate
     from tresym.reals.language.expression import symbols
     from tresym.reals.numbers.arithmetic import ball_precision
-    from tresym.reals.places.values import evaluate
 
     slope = differentiate(e, "x")
     for point in Given().points(symbols(e) | {"x"}, 2):

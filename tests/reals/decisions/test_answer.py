@@ -59,7 +59,7 @@ def test_an_irrational_witness_is_written_exactly() -> None:
 
 @pytest.mark.parametrize("text", ["pi", "1/3", "10**30*sqrt(2)", "exp(-70)"])
 def test_a_constant_is_contained_in_its_decimal(text: str) -> None:
-    from tresym.reals.places.values import evaluate
+    from tresym.reals.domain.evaluation import evaluate
 
     with ball_precision(300):
         x = evaluate(parse(text), {})

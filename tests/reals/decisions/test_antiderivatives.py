@@ -7,7 +7,7 @@ import pytest
 from tresym.reals.decisions import antiderivatives
 from tresym.reals.decisions.antiderivatives import suggested
 from tresym.reals.language.parsing import parse
-from tresym.reals.limit import time_limit
+from tresym.reals.resource_limits import time_limit
 
 
 def test_suggestions_are_trees() -> None:

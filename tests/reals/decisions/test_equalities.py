@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 from flint import fmpq
 
+from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.decisions.equalities import FORMAL, NOWHERE, _is_real, decide_equality
 from tresym.reals.decisions.identity import Decision
-from tresym.reals.decisions.reading import read
 from tresym.reals.language.parsing import parse
 from tresym.reals.verdict import Verdict
 

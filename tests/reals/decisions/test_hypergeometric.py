@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.decisions.hypergeometric import (
     Series,
     folded,
@@ -11,8 +12,7 @@ from tresym.reals.decisions.hypergeometric import (
     radius_of,
     series_of,
 )
-from tresym.reals.decisions.reading import read
-from tresym.reals.places.conditions import Given
+from tresym.reals.domain.conditions import Given
 
 NONE = [
     "sin(n)*x**n",

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 from tresym.reals.decisions.identity import decide, decide_continuous
+from tresym.reals.domain.conditions import Given
 from tresym.reals.language.parsing import parse
 from tresym.reals.normal.field import Field
-from tresym.reals.places.conditions import Given
 from tresym.reals.verdict import Verdict
 
 TRUE = [

@@ -9,8 +9,8 @@ from __future__ import annotations
 import pytest
 
 from tresym.reals.decisions.identity import decide
+from tresym.reals.domain.conditions import Given
 from tresym.reals.language.parsing import parse
-from tresym.reals.places.conditions import Given
 from tresym.reals.verdict import Verdict
 
 CHAIN = {

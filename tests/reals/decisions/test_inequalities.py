@@ -8,11 +8,11 @@ from flint import arb
 import tresym
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.inequalities import _one_period, decide_inequality
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import evaluate
+from tresym.reals.domain.operation_domains import with_domain
 from tresym.reals.language.parsing import parse, parse_claim
 from tresym.reals.numbers.exact import parse_number
-from tresym.reals.places.conditions import Given
-from tresym.reals.places.domain import with_domain
-from tresym.reals.places.values import evaluate
 from tresym.reals.verdict import Verdict
 
 PROVED, ENCLOSED = Verdict.PROVED, Verdict.ENCLOSED

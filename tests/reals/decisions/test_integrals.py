@@ -6,8 +6,8 @@ import pytest
 
 import tresym
 from tresym.reals.decisions import antiderivatives, integrals
+from tresym.reals.domain.conditions import Given
 from tresym.reals.language.parsing import parse
-from tresym.reals.places.conditions import Given
 from tresym.reals.verdict import Verdict
 
 PROVED = [

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 import tresym
+from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.decisions.power_series import decide_power_series
-from tresym.reals.decisions.reading import read
 from tresym.reals.verdict import Verdict
 
 HOLD = [

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 import tresym
+from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.parsing import parse
-from tresym.reals.places.values import evaluate
 from tresym.reals.verdict import Verdict
 
 FAIL = [

@@ -12,6 +12,7 @@ from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.expression import (
     FUNCTIONS,
     MAX_BITS,
@@ -39,7 +40,6 @@ from tresym.reals.language.expression import (
 from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.arithmetic import ball_precision, mp_precision
 from tresym.reals.numbers.exact import InputError
-from tresym.reals.places.values import evaluate
 
 x, y = symbol("x"), symbol("y")
 fractions = st.fractions(-9, 9, max_denominator=9)

@@ -7,6 +7,8 @@ from hypothesis import strategies as st
 from in_sympy import to_sympy
 from sympy import I, latex, nan, zoo
 
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.binders import at, derivative, integral, limit, order
 from tresym.reals.language.expression import (
     FUNCTIONS,
@@ -23,12 +25,10 @@ from tresym.reals.language.expression import (
 )
 from tresym.reals.language.latex import read_expression, read_latex
 from tresym.reals.language.latex_cursor import Author
+from tresym.reals.language.latex_output import typeset
 from tresym.reals.language.parsing import as_written
-from tresym.reals.language.typeset import typeset
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
-from tresym.reals.places.conditions import Given
-from tresym.reals.places.values import evaluate
 
 EXPRESSIONS = {
     r"\bar x+\hat{\theta}_0-\tilde{y_1}": "x_bar + theta0hat - y1tilde",

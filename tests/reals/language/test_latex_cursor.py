@@ -13,7 +13,7 @@ from tresym.reals.language.latex_cursor import (
     is_letter,
     is_number,
 )
-from tresym.reals.language.latex_reach import Piece
+from tresym.reals.language.latex_operands import Piece
 from tresym.reals.language.latex_tokens import tokenize
 from tresym.reals.numbers.exact import InputError
 

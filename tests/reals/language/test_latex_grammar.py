@@ -5,12 +5,12 @@ from __future__ import annotations
 import pytest
 from flint import arb, fmpq
 
+from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.binders import worked_out
 from tresym.reals.language.latex_grammar import Reader
 from tresym.reals.language.latex_tokens import tokenize
 from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.exact import InputError
-from tresym.reals.places.values import evaluate
 
 AT = {"x": arb(fmpq(3, 5)), "y": arb(fmpq(-7, 4)), "a1": arb(2)}
 

@@ -10,6 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from in_sympy import to_sympy
 
+from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import at, derivative, integral, limit, order
 from tresym.reals.language.expression import (
     FUNCTIONS,
@@ -27,7 +28,6 @@ from tresym.reals.language.expression import (
 from tresym.reals.language.parsing import as_written, parse
 from tresym.reals.language.sympy import from_sympy
 from tresym.reals.numbers.exact import InputError
-from tresym.reals.places.conditions import Given
 
 HOSTILE = [
     "",

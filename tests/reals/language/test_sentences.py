@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 import tresym
-from tresym.reals.decisions.reading import read
+from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.language.sentences import spelled, spelled_conditions
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict

@@ -7,13 +7,13 @@ from flint import arb, fmpq, fmpz_poly
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tresym.reals.domain.conditions import Given
 from tresym.reals.language.parsing import parse
 from tresym.reals.normal import angles
 from tresym.reals.normal.angles import MAX_HALF_TURN, MAX_MULTIPLE
 from tresym.reals.normal.field import Field
 from tresym.reals.normal.sign_equations import AgainError
 from tresym.reals.numbers.factoring import TooLargeError
-from tresym.reals.places.conditions import Given
 
 
 def equal(left: str, right: str, under: str = "") -> bool:

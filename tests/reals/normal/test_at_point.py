@@ -5,11 +5,11 @@ from __future__ import annotations
 import pytest
 from flint import arb, fmpq
 
+from tresym.reals.domain.conditions import Condition, Given
+from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.expression import Expr
 from tresym.reals.language.parsing import parse
 from tresym.reals.normal.at_point import equal_at, satisfies
-from tresym.reals.places.conditions import Condition, Given
-from tresym.reals.places.values import evaluate
 
 EQUAL = [
     ("x^2", "2", {"x": "sqrt(2)"}),

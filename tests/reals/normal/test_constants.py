@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 from flint import arb, fmpq
 
+from tresym.reals.domain.conditions import Given
 from tresym.reals.language.parsing import parse
 from tresym.reals.normal.constants import (
     algebraic_zero,
@@ -16,7 +17,6 @@ from tresym.reals.normal.constants import (
 from tresym.reals.normal.field import Field
 from tresym.reals.normal.ring import Fraction
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.places.conditions import Given
 
 ZERO = {
     "nested cube roots": "cbrt(2 + sqrt(5)) + cbrt(2 - sqrt(5)) - 1",

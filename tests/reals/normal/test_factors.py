@@ -7,13 +7,13 @@ from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tresym.reals.domain.conditions import Given
 from tresym.reals.language.parsing import parse
 from tresym.reals.normal.factors import MAX_FACTOR_TERMS
 from tresym.reals.normal.field import Field
 from tresym.reals.normal.ring import Fraction, UndefinedError
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.factoring import TooLargeError
-from tresym.reals.places.conditions import Given
 
 POSITIVE = "x > 0, y > 0"
 

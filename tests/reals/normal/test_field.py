@@ -9,14 +9,14 @@ from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.expression import Expr, add, apply, multiply, number, symbol
 from tresym.reals.language.parsing import parse
 from tresym.reals.normal.field import ALL_THEORIES, Field
 from tresym.reals.normal.ring import UndefinedError
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.factoring import TooLargeError
-from tresym.reals.places.conditions import Given
-from tresym.reals.places.values import evaluate
 
 EQUAL = [
     # equal, with a near falsehood

@@ -5,11 +5,11 @@ from __future__ import annotations
 import pytest
 from flint import arb, fmpq
 
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.parsing import parse
 from tresym.reals.normal.field import Field
 from tresym.reals.normal.ring import Fraction
-from tresym.reals.places.conditions import Given
-from tresym.reals.places.values import evaluate
 
 KINDS = {
     "symbol": ("x", "x*y - x/y"),

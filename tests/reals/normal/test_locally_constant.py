@@ -6,6 +6,7 @@ import pytest
 from flint import Ordering, arb, fmpq, fmpz_mpoly_ctx
 
 from tresym.reals.decisions.identity import decide
+from tresym.reals.domain.conditions import Given
 from tresym.reals.language.expression import number
 from tresym.reals.language.parsing import parse
 from tresym.reals.normal import locally_constant
@@ -18,7 +19,6 @@ from tresym.reals.normal.locally_constant import (
     equal_by_derivative,
 )
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.places.conditions import Given
 from tresym.reals.verdict import Verdict
 
 PAIRS = [

@@ -5,12 +5,12 @@ from __future__ import annotations
 import pytest
 from flint import arb, fmpq
 
+from tresym.reals.domain.conditions import Given
 from tresym.reals.language.parsing import parse
 from tresym.reals.normal.field import Field
 from tresym.reals.normal.monotone import MAX_MULTIPLE, same_sign
 from tresym.reals.normal.ring import Poly
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.places.conditions import Given
 
 POSITIVE = "x > 0, y > 0"
 SAME = [

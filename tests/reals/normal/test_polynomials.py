@@ -7,6 +7,7 @@ from flint import fmpq
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tresym.reals.domain.conditions import Given
 from tresym.reals.language.expression import Expr, number, substitute, symbol
 from tresym.reals.language.parsing import parse
 from tresym.reals.normal.field import Field
@@ -17,7 +18,6 @@ from tresym.reals.normal.polynomials import (
     polynomial,
     terms_in_symbols,
 )
-from tresym.reals.places.conditions import Given
 
 READ = [
     ("(x - y)^2", {(("x", 2),): 1, (("x", 1), ("y", 1)): -2, (("y", 2),): 1}),

@@ -9,13 +9,13 @@ from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tresym.reals.domain.conditions import Given
 from tresym.reals.language.parsing import parse
 from tresym.reals.normal.angles import AngleRing
 from tresym.reals.normal.field import Field
 from tresym.reals.normal.powers import PowerRing
 from tresym.reals.normal.ring import Fraction, UndefinedError
 from tresym.reals.numbers.factoring import TooLargeError
-from tresym.reals.places.conditions import Given
 
 EQUAL = [
     # equal, with a near falsehood

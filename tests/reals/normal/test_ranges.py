@@ -9,11 +9,11 @@ from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tresym.reals.domain.conditions import Given
 from tresym.reals.language.parsing import parse
 from tresym.reals.normal.field import Field
 from tresym.reals.normal.ranges import ProvingRing
 from tresym.reals.normal.ring import Poly
-from tresym.reals.places.conditions import Given
 
 
 def numerator(text: str, under: str) -> tuple[Field, Poly]:

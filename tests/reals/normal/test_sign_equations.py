@@ -10,11 +10,11 @@ from flint import arb, fmpq
 from hypothesis import example, given
 from hypothesis import strategies as st
 
+from tresym.reals.domain.conditions import Given
 from tresym.reals.language.parsing import parse
 from tresym.reals.normal.field import Field
 from tresym.reals.normal.ring import Poly
 from tresym.reals.normal.sign_equations import AgainError, SignedRing
-from tresym.reals.places.conditions import Given
 
 N = 5
 

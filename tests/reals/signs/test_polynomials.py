@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 from flint import fmpq
 
-from tresym.reals.decisions.reading import read
+from tresym.reals.decisions.claim_parsing import read
+from tresym.reals.domain.conditions import Given
 from tresym.reals.language.expression import Expr
-from tresym.reals.places.conditions import Given
 from tresym.reals.signs import polynomials
 from tresym.reals.signs.polynomials import cells, sign_of_polynomial
 

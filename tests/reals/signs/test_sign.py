@@ -10,10 +10,10 @@ from flint import arb
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.places.conditions import Given
-from tresym.reals.places.values import evaluate
 from tresym.reals.signs.sign import sign
 
 SIGNS = [

@@ -14,7 +14,7 @@ from tresym.ledger.verification import Report, verify
 from tresym.reals.verdict import Verdict
 from tresym.report.pages.corrections import FAULTS, corrections, is_correction
 from tresym.report.pages.documents import ledger
-from tresym.report.words.markdown import sentence
+from tresym.report.typesetting.markdown import sentence
 
 
 @pytest.fixture(scope="module")

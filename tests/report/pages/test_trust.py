@@ -2,7 +2,7 @@
 
 from tresym.ledger.verification import verify
 from tresym.report.pages.trust import trust
-from tresym.report.pages.trusted import CHECK, LEDGER, trusted
+from tresym.report.pages.trusted_code import CHECK, LEDGER, trusted
 
 GUARDS = {
     "files": {

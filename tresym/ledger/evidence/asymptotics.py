@@ -20,20 +20,20 @@ from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 
 from tresym.ledger.claim import Claim, Root
+from tresym.ledger.conversion import conditions, defined, definitions, tree
 from tresym.ledger.evidence.integrals import NotShownError, need
-from tresym.ledger.evidence.manifest import is_manifest, undefined
+from tresym.ledger.evidence.sign_prover import is_manifest, undefined
 from tresym.ledger.finding import Finding, Ruling
-from tresym.ledger.meaning import conditions, defined, definitions, tree
 from tresym.ledger.statements import As, ExactlyOne
-from tresym.reals.decisions.growth import sign_towards
-from tresym.reals.decisions.orders import decide_order
-from tresym.reals.decisions.reading import Comparison, Path
+from tresym.reals.decisions.asymptotics.leading_terms import sign_towards
+from tresym.reals.decisions.asymptotics.order_claims import decide_order
+from tresym.reals.decisions.claim_parsing import Comparison, Path
 from tresym.reals.language.binders import elementary, worked_out
 from tresym.reals.language.expression import ONE, ZERO, substitute, symbols
 from tresym.reals.language.expression import Expr as Tree
 from tresym.reals.language.formula import Relation
 from tresym.reals.numbers.exact import parse_number
-from tresym.reals.signs.inside import PROVING
+from tresym.reals.signs.interior import PROVING
 from tresym.reals.verdict import Verdict
 
 t = Symbol("t", real=True)

@@ -9,15 +9,15 @@ from flint import arb, ctx, fmpq
 from sympy import Basic
 
 from tresym.ledger.claim import Claim, Root
+from tresym.ledger.conversion import Conditions, conditions, tree
 from tresym.ledger.definitions import Entry, table
-from tresym.ledger.meaning import Conditions, conditions, tree
 from tresym.ledger.statements import AtMostOne, ExactlyOne, TheRoot
+from tresym.reals.domain.binder_values import At, Unique, bracket, value
+from tresym.reals.domain.evaluation import UndefinedError, evaluate, stands
 from tresym.reals.language.binders import ordered
 from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.language.formula import names
 from tresym.reals.numbers.arithmetic import side
-from tresym.reals.places.unworked import At, Unique, bracket, value
-from tresym.reals.places.values import UndefinedError, evaluate, stands
 
 Values = Mapping[str, fmpq | arb]
 

@@ -7,17 +7,7 @@ from collections.abc import Callable
 from typing import Any
 
 from tresym.ledger.claim import Chain, Claim, Reason
-from tresym.ledger.evidence.integrals import (
-    NotShownError,
-    need,
-    need_integrals,
-    sign_of_integral,
-    with_bounds,
-    without_integrals,
-)
-from tresym.ledger.evidence.manifest import NON_NEGATIVE, is_manifest, manifest_sign, undefined
-from tresym.ledger.finding import StepFinding
-from tresym.ledger.meaning import (
+from tresym.ledger.conversion import (
     Conditions,
     Rules,
     Stage,
@@ -29,6 +19,16 @@ from tresym.ledger.meaning import (
     stage,
     tree,
 )
+from tresym.ledger.evidence.integrals import (
+    NotShownError,
+    need,
+    need_integrals,
+    sign_of_integral,
+    with_bounds,
+    without_integrals,
+)
+from tresym.ledger.evidence.sign_prover import NON_NEGATIVE, is_manifest, manifest_sign, undefined
+from tresym.ledger.finding import StepFinding
 from tresym.reals.decisions.identity import Decision, decide_continuous
 from tresym.reals.language.binders import generalised, outermost, worked_out
 from tresym.reals.language.expression import HALF, PI, ZERO, Expr, apply, replaced, sqrt, symbol

@@ -16,15 +16,7 @@ from typing import NamedTuple
 from sympy import Basic
 
 from tresym.ledger.claim import Claim, Reason
-from tresym.ledger.evidence.manifest import (
-    NON_NEGATIVE,
-    continuous_on,
-    is_stated,
-    manifest_sign,
-    undefined,
-)
-from tresym.ledger.finding import StepFinding
-from tresym.ledger.meaning import (
+from tresym.ledger.conversion import (
     REMEMBERED,
     Conditions,
     conditions,
@@ -34,6 +26,14 @@ from tresym.ledger.meaning import (
     known,
     tree,
 )
+from tresym.ledger.evidence.sign_prover import (
+    NON_NEGATIVE,
+    continuous_on,
+    is_stated,
+    manifest_sign,
+    undefined,
+)
+from tresym.ledger.finding import StepFinding
 from tresym.reals.decisions.identity import decide_continuous
 from tresym.reals.language.binders import (
     elementary,

@@ -1,8 +1,8 @@
 """Mutants: false variants of claims, made mechanically, that no evidence may prove.
 
 What a claim says is changed (the ends of its chains follow), and each step of its chains alone; see
-`tresym.ledger.mutants.changes` and, for numbers, bounds and orders,
-`tresym.ledger.mutants.changed_numbers`. What a claim says is also put to the judge without its
+`tresym.ledger.mutants.mutations` and, for numbers, bounds and orders,
+`tresym.ledger.mutants.number_mutations`. What a claim says is also put to the judge without its
 chain. A definition cannot be false, so what is changed is what others prove by it, and of a
 function that it defines the slope; a conjunction has its parts changed. What is denied at a point
 has its conditions changed too, and what claims deny has those claims changed: then nothing may be
@@ -46,13 +46,15 @@ from tresym.ledger.claim import (
     saying,
     with_reasons,
 )
+from tresym.ledger.counterexamples import rootless
 from tresym.ledger.evidence.asymptotics import Asymptotics, Squeezed
-from tresym.ledger.evidence.balls import Boxes
-from tresym.ledger.evidence.charted import Charted, Reading
-from tresym.ledger.evidence.denial import Denied, denied_somewhere
-from tresym.ledger.evidence.evaluated import Evaluated, fails_at_once
+from tresym.ledger.evidence.box_bounds import Boxes
+from tresym.ledger.evidence.chart_bounds import Charted, Reading
+from tresym.ledger.evidence.interval_evaluation import Evaluated, fails_at_once
+from tresym.ledger.evidence.refutation import Denied, denied_somewhere
 from tresym.ledger.judge import judge_evidence, refute
-from tresym.ledger.mutants.changed_numbers import (
+from tresym.ledger.mutants.mutations import mutations, of_relations, scattered
+from tresym.ledger.mutants.number_mutations import (
     Named,
     bound_changes,
     bounds_fail,
@@ -62,8 +64,6 @@ from tresym.ledger.mutants.changed_numbers import (
     order_fails,
     printed_changes,
 )
-from tresym.ledger.mutants.changes import mutations, of_relations, scattered
-from tresym.ledger.second_look import rootless
 from tresym.ledger.statements import AtMostOne, ExactlyOne, ForSome
 from tresym.reals.verdict import Verdict
 

@@ -12,16 +12,16 @@ from typing import Any, NamedTuple
 
 from tresym.ledger import paper
 from tresym.ledger.claim import AllOf, Claim, Counterexample
-from tresym.ledger.evidence.denial import Denied
+from tresym.ledger.evidence.refutation import Denied
 from tresym.ledger.finding import RULINGS, Finding, Ruling
 from tresym.ledger.judge import judge, judge_evidence, seen_false
-from tresym.ledger.kept import Kept
+from tresym.ledger.lazy import Kept
 from tresym.ledger.mutants.mutants import Mutant, mutants, why_few
-from tresym.ledger.mutants.planted import planted
+from tresym.ledger.mutants.seeded_faults import planted
 from tresym.ledger.verification import JSON_VERSION, choose
-from tresym.reals.limit import time_limit
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.processes import Processes
+from tresym.reals.resource_limits import time_limit
 from tresym.reals.verdict import Verdict
 
 SECONDS = 0.5

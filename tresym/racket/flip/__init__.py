@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from tresym.racket.angle import Angle, as_angle
 from tresym.racket.body import Body, Exact, NamedBody, Shape, as_shape
-from tresym.racket.flip.ladder import checked_digits, climb, follow
+from tresym.racket.flip.model_selection import checked_digits, climb, follow
 from tresym.racket.motion.trajectory import Start
 from tresym.racket.result import Flip, Journey
 from tresym.reals.numbers.exact import InputError, as_rational

@@ -3,7 +3,7 @@
 ε(γ) is read on the symmetric trajectory through ψ = π/2 at φ = 0, half a turn before: with the
 phase φ(u) of :mod:`tresym.racket.motion.orbit`, ε = ψ(u) where φ(u) = −π. It exists and is unique,
 as φ(u) increases strictly. Where the trajectory has not turned this is the paper's F(ε, γ) = π,
-elsewhere it is folded to that (:mod:`tresym.racket.flip.fold`), and one evaluation of F or two are
+elsewhere it is folded to that (:mod:`tresym.racket.flip.phase_folding`), and one evaluation of F or two are
 enough (:func:`quick`). Where that does not do, at γ* and at the ends of the range, φ is inverted.
 """
 
@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 from flint import arb, fmpq
 
-from tresym.racket.flip.fold import Fold, folded
+from tresym.racket.flip.phase_folding import Fold, folded
 from tresym.racket.motion.carlson import amplitude, by_flint, turn
 from tresym.racket.motion.gauss import ball_ending, turn_by_gauss
 from tresym.racket.motion.orbit import Level, angle_at, exact_level, orbit, time_of

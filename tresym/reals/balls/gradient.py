@@ -2,7 +2,7 @@
 
 A formula that runs in balls runs here unchanged (last argument ``gradients``) and returns its
 value together with enclosures of all partial derivatives on the box. That is what the mean-value
-form and the monotonicity test of :mod:`tresym.reals.balls.boxes` need. Where a derivative does not
+form and the monotonicity test of :mod:`tresym.reals.balls.branch_and_bound` need. Where a derivative does not
 exist on the box (a square root at 0, say) its enclosure is not finite, and nothing is concluded.
 """
 
@@ -15,7 +15,7 @@ from typing import Any
 
 from flint import arb, arb_series, ctx, fmpq_series
 
-from tresym.reals.balls.traced import Traced, program
+from tresym.reals.balls.tracing import Traced, program
 from tresym.reals.language.expression import ZERO, Expr, number, trees
 from tresym.reals.numbers.arithmetic import balls
 

@@ -13,8 +13,8 @@ from typing import Any
 from flint import arb, arb_series, ctx, fmpq
 
 from tresym.reals.balls.gradient import horner
+from tresym.reals.domain.evaluation import Walker
 from tresym.reals.language.expression import Expr, off_the_cut
-from tresym.reals.places.values import Walker
 
 TERMS = 8
 

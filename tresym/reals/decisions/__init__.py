@@ -1,6 +1,6 @@
 """A user's own claims: identities, inequalities and orders, decided soundly.
 
-:func:`check` decides one claim in this process; :mod:`tresym.reals.decisions.limits` many, each
+:func:`check` decides one claim in this process; :mod:`tresym.reals.decisions.time_limited` many, each
 within a limit of time.
 """
 
@@ -10,8 +10,8 @@ from numbers import Real
 from typing import Any
 
 from tresym.reals.decisions.answer import Answer
-from tresym.reals.decisions.reading import read
-from tresym.reals.decisions.statement import decide_claim
+from tresym.reals.decisions.claim_parsing import read
+from tresym.reals.decisions.dispatch import decide_claim
 from tresym.reals.numbers.exact import InputError
 
 MAX_SECONDS = 100_000
@@ -51,7 +51,7 @@ def check(
         claim, given, path = read(claim, given, path), "", None  # SymPy evaluates what it copies
     if limit is None:
         return decide_claim(claim, given, path)
-    from tresym.reals.decisions.limits import Task, check_within
+    from tresym.reals.decisions.time_limited import Task, check_within
 
     return check_within(Task(claim, given, path), float(limit))
 

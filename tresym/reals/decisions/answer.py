@@ -8,10 +8,11 @@ from typing import Any
 
 from flint import arb, fmpq
 
+from tresym.reals.decisions.claim_parsing import Comparison, Statement, in_latex
 from tresym.reals.decisions.identity import shown
-from tresym.reals.decisions.reading import Comparison, Statement, in_latex
+from tresym.reals.domain.conditions import Given
 from tresym.reals.language.expression import Expr
-from tresym.reals.normal.written import normal_form
+from tresym.reals.normal.to_expression import normal_form
 from tresym.reals.notebook import html_table, in_one_line
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import (
@@ -21,7 +22,6 @@ from tresym.reals.numbers.exact import (
     fraction_text,
     parse_number,
 )
-from tresym.reals.places.conditions import Given
 from tresym.reals.verdict import Verdict
 
 DIGITS = (12, 40, 220, 1250)

@@ -8,11 +8,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any
 
+from tresym.reals.domain.evaluation import Walker
 from tresym.reals.language.expression import LEAVES, Expr, apply, rebuild, symbols
 from tresym.reals.language.sympy import from_sympy
-from tresym.reals.limit import time_limit
 from tresym.reals.numbers.exact import InputError
-from tresym.reals.places.values import Walker
+from tresym.reals.resource_limits import time_limit
 
 SECONDS = 1.5
 """Of computing time that each of SymPy's procedures may take, where it can be stopped."""

@@ -15,12 +15,12 @@ from itertools import chain
 from flint import arb, ctx, fmpq
 
 from tresym.reals.decisions.answer import exactly
-from tresym.reals.decisions.derivatives import real_nowhere, where_real
+from tresym.reals.decisions.derivative_domains import real_nowhere, where_real
 from tresym.reals.decisions.identity import Decision, decide, no_point, sampled_values
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.numbers.arithmetic import decided
-from tresym.reals.places.conditions import Given
-from tresym.reals.places.values import evaluate
 from tresym.reals.verdict import Verdict
 
 LOOKS = 10

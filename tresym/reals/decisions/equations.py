@@ -17,8 +17,11 @@ from typing import Any, NamedTuple
 from flint import fmpq
 
 from tresym.reals.decisions.answer import Answer, Decide, exact_text, worst
-from tresym.reals.decisions.reading import Comparison, Statement
-from tresym.reals.decisions.simple import constants_hold, exact_witness, tidied
+from tresym.reals.decisions.claim_parsing import Comparison, Statement
+from tresym.reals.decisions.readable_witnesses import constants_hold, exact_witness, tidied
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import evaluate, stands
+from tresym.reals.domain.operation_domains import needs
 from tresym.reals.language.expression import (
     HALF,
     ONE,
@@ -40,11 +43,8 @@ from tresym.reals.language.formula import NEGATED
 from tresym.reals.language.parsing import Compared
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
-from tresym.reals.places.conditions import Given
-from tresym.reals.places.domain import needs
-from tresym.reals.places.values import evaluate, stands
-from tresym.reals.signs.defined import undefined
-from tresym.reals.signs.inside import PROVING, is_zero
+from tresym.reals.signs.definedness import undefined
+from tresym.reals.signs.interior import PROVING, is_zero
 from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
 

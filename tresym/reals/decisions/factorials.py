@@ -14,9 +14,10 @@ from itertools import islice, product
 from math import factorial
 
 from tresym.reals.decisions.answer import Answer, Decide
+from tresym.reals.decisions.claim_parsing import Comparison, Statement, functions
 from tresym.reals.decisions.identity import decide
-from tresym.reals.decisions.reading import Comparison, Statement, functions
-from tresym.reals.decisions.simple import constants_hold
+from tresym.reals.decisions.readable_witnesses import constants_hold
+from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import outermost
 from tresym.reals.language.expression import (
     ONE,
@@ -33,7 +34,6 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.language.parsing import FACTORIAL
-from tresym.reals.places.conditions import Given
 from tresym.reals.verdict import Verdict
 
 MOST, FAR, LOOKED_AT = 600, 50, 6

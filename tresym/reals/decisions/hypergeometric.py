@@ -13,6 +13,8 @@ from math import factorial, gcd
 
 from flint import arb, fmpq, fmpq_poly, fmpz, fmpz_poly
 
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.expression import (
     LEAVES,
     ONE,
@@ -33,8 +35,6 @@ from tresym.reals.language.parsing import FACTORIAL, INFINITY
 from tresym.reals.normal.at_point import equal_at
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
-from tresym.reals.places.conditions import Given
-from tresym.reals.places.values import evaluate
 from tresym.reals.signs.sign import sign
 
 HIGHEST = 6

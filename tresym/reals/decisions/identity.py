@@ -36,7 +36,10 @@ from typing import Any
 
 from flint import arb, fmpq
 
-from tresym.reals.decisions.branches import without_inverse
+from tresym.reals.decisions.inverse_branches import without_inverse
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import evaluate, undefined_parts, values_or_broken
+from tresym.reals.domain.operation_domains import needs
 from tresym.reals.language.expression import ZERO, Expr, apply, number, symbols
 from tresym.reals.normal.at_point import equal_at
 from tresym.reals.normal.constants import settled, vanishes
@@ -44,16 +47,13 @@ from tresym.reals.normal.field import ALL_THEORIES, Field
 from tresym.reals.normal.locally_constant import equal_by_derivative
 from tresym.reals.normal.polynomials import as_expression, terms_in_symbols
 from tresym.reals.normal.ring import Fraction, UndefinedError
-from tresym.reals.normal.written import written
+from tresym.reals.normal.to_expression import written
 from tresym.reals.numbers.arithmetic import WORKING, ball_precision
 from tresym.reals.numbers.exact import fraction_text
 from tresym.reals.numbers.factoring import TooLargeError
-from tresym.reals.places.conditions import Given
-from tresym.reals.places.domain import needs
-from tresym.reals.places.values import evaluate, undefined_parts, values_or_broken
-from tresym.reals.signs.inside import jumps
-from tresym.reals.signs.jumps import cases_at_jumps
-from tresym.reals.signs.regular import ONLY_INSIDE, is_regular
+from tresym.reals.signs.closure import ONLY_INSIDE, is_regular
+from tresym.reals.signs.discontinuities import cases_at_jumps
+from tresym.reals.signs.interior import jumps
 from tresym.reals.verdict import Verdict
 
 Points = Callable[[Given], Iterable[Mapping[str, fmpq]]]

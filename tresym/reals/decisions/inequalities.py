@@ -14,31 +14,31 @@ from operator import itemgetter
 
 from flint import arb, fmpq
 
-from tresym.reals.decisions.answer import Answer, exactly, refuted
-from tresym.reals.decisions.derivatives import where_real
-from tresym.reals.decisions.identity import decide, no_point, sampled_values
-from tresym.reals.decisions.reduced import by_one_variable
-from tresym.reals.decisions.region import is_isolated, search
-from tresym.reals.decisions.zeros import (
+from tresym.reals.decisions.algebraic_witnesses import (
     equal_at_algebraic,
     equal_at_lowest,
     equal_at_simple,
     equal_at_turns,
 )
+from tresym.reals.decisions.answer import Answer, exactly, refuted
+from tresym.reals.decisions.derivative_domains import where_real
+from tresym.reals.decisions.identity import decide, no_point, sampled_values
+from tresym.reals.decisions.inequalities_on_regions import is_isolated, search
+from tresym.reals.decisions.variable_reduction import by_one_variable
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import evaluate
+from tresym.reals.domain.local_search import low_points
+from tresym.reals.domain.operation_domains import with_domain
+from tresym.reals.domain.sample_points import corners
 from tresym.reals.language.expression import PI, Expr, number, substitute, symbol, symbols
 from tresym.reals.language.parsing import parse
 from tresym.reals.normal.at_point import equal_at, satisfies
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import fraction_text
 from tresym.reals.numbers.factoring import TooLargeError
-from tresym.reals.places.conditions import Given
-from tresym.reals.places.descent import low_points
-from tresym.reals.places.domain import with_domain
-from tresym.reals.places.points import corners
-from tresym.reals.places.values import evaluate
-from tresym.reals.signs.inside import PROVING
+from tresym.reals.signs.closure import ONLY_INSIDE, is_regular
+from tresym.reals.signs.interior import PROVING
 from tresym.reals.signs.polynomials import cells
-from tresym.reals.signs.regular import ONLY_INSIDE, is_regular
 from tresym.reals.signs.sign import proof, sign
 from tresym.reals.verdict import Verdict
 

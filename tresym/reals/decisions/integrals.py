@@ -7,9 +7,9 @@ may be singular, and each piece is looked at by itself. Where the order of the e
 order is. How F is found plays no part: it may be given in the claim, by values of it that are
 written ``at(F, x, b) - at(F, x, a)``; else SymPy suggests one.
 
-Some integrals are theorems, which are quoted (:mod:`tresym.reals.decisions.standard`). Another of
+Some integrals are theorems, which are quoted (:mod:`tresym.reals.decisions.known_integrals`). Another of
 which no antiderivative is known is enclosed by certified quadrature
-(:mod:`tresym.reals.places.unworked`), which refutes an equation, and bounds.
+(:mod:`tresym.reals.domain.binder_values`), which refutes an equation, and bounds.
 """
 
 from __future__ import annotations
@@ -23,13 +23,16 @@ from typing import NamedTuple
 from flint import arb, fmpq
 
 from tresym.reals.decisions.answer import Answer, Decide, refuted
-from tresym.reals.decisions.approach import limit_of
+from tresym.reals.decisions.asymptotics.limit_values import limit_of
+from tresym.reals.decisions.claim_parsing import Comparison, Statement, functions
 from tresym.reals.decisions.identity import decide, shown
-from tresym.reals.decisions.reading import Comparison, Statement, functions
-from tresym.reals.decisions.simple import simple_points
-from tresym.reals.decisions.standard import standard
+from tresym.reals.decisions.known_integrals import standard
+from tresym.reals.decisions.readable_witnesses import simple_points
+from tresym.reals.domain import binder_values
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import evaluate, stands
+from tresym.reals.domain.operation_domains import bound, needs, singularities
 from tresym.reals.language.binders import elementary, outermost
-from tresym.reals.language.cancellation import collected
 from tresym.reals.language.expression import (
     HALF,
     LEAVES,
@@ -51,16 +54,13 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.inverted import solutions
+from tresym.reals.language.like_terms import collected
 from tresym.reals.language.parsing import INFINITY
-from tresym.reals.normal.written import normal_form
+from tresym.reals.language.solve import solutions
+from tresym.reals.normal.to_expression import normal_form
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
-from tresym.reals.places import unworked
-from tresym.reals.places.conditions import Given
-from tresym.reals.places.domain import bound, needs, singularities
-from tresym.reals.places.values import evaluate, stands
-from tresym.reals.signs.defined import continuous_on, undefined
+from tresym.reals.signs.definedness import continuous_on, undefined
 from tresym.reals.signs.sign import proof, sign
 from tresym.reals.verdict import Verdict
 
@@ -444,7 +444,7 @@ def _difference(
 def _at_end(function: Expr, name: str, point: Expr, given: Given) -> Expr | None:
     """Its value there, which is its limit from where it is defined: only sign and atan2 jump."""
     value = substitute(function, {name: point})
-    return None if unworked.jumps(function) or undefined(value, given) is not None else value
+    return None if binder_values.jumps(function) or undefined(value, given) is not None else value
 
 
 def _without_corners(e: Expr, given: Given) -> Expr:
@@ -479,7 +479,7 @@ def _by_quadrature(claim: Comparison, statement: Statement) -> Answer | None:
         for bits in BITS:
             with ball_precision(bits):
                 balls = {name: arb(value) for name, value in at.items()}
-                left, right = (unworked.value(e, balls, _never) for e in sides)
+                left, right = (binder_values.value(e, balls, _never) for e in sides)
                 if not (left.is_finite() and right.is_finite()):
                     break
                 if _fails(left - right, claim.relation):

@@ -24,6 +24,7 @@ from math import factorial
 from flint import fmpq, fmpq_poly
 
 from tresym.reals.decisions.answer import Answer, exactly, refuted
+from tresym.reals.decisions.claim_parsing import functions
 from tresym.reals.decisions.hypergeometric import (
     HIGHEST,
     K,
@@ -38,7 +39,9 @@ from tresym.reals.decisions.hypergeometric import (
     whole_roots,
 )
 from tresym.reals.decisions.identity import decide
-from tresym.reals.decisions.reading import functions
+from tresym.reals.domain.binder_values import jumps
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.expression import (
     LEAVES,
@@ -55,15 +58,12 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.inverted import solutions
+from tresym.reals.language.solve import solutions
 from tresym.reals.normal.at_point import equal_at
-from tresym.reals.normal.written import in_lowest_terms, normal_form
+from tresym.reals.normal.to_expression import in_lowest_terms, normal_form
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
-from tresym.reals.places.conditions import Given
-from tresym.reals.places.unworked import jumps
-from tresym.reals.places.values import evaluate
-from tresym.reals.signs.defined import continuous_on
+from tresym.reals.signs.definedness import continuous_on
 from tresym.reals.signs.sign import proof
 from tresym.reals.verdict import Verdict
 

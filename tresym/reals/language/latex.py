@@ -11,7 +11,7 @@ interval among them.
 Symbols become names: ``\\psi_0`` is ``psi0``, ``\\theta_{\\min}`` is ``theta_min``,
 ``\\Delta\\psi`` is ``Delta_psi``; names that the grammar of text reserves get an underscore
 (``lambda_``). How far a function's argument goes is told in
-:mod:`tresym.reals.language.latex_reach`.
+:mod:`tresym.reals.language.latex_operands`.
 
 For an author ``\\frac{d\\psi}{d\\phi}`` and ``\\dot\\theta`` are the symbols ``dpsi_dphi`` and
 ``dtheta_dt``; anybody else's symbols are real variables.
@@ -25,7 +25,7 @@ from dataclasses import dataclass, replace
 from tresym.reals.language.expression import Expr
 from tresym.reals.language.latex_cursor import Author
 from tresym.reals.language.latex_grammar import Reader
-from tresym.reals.language.latex_reach import Piece
+from tresym.reals.language.latex_operands import Piece
 from tresym.reals.language.latex_tokens import (
     ARRAYS,
     CONDITION,

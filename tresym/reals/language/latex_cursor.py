@@ -12,7 +12,7 @@ from typing import NoReturn
 
 from tresym.reals.language.binders import derivative
 from tresym.reals.language.expression import Expr, symbol, symbols
-from tresym.reals.language.latex_reach import Ahead, Piece
+from tresym.reals.language.latex_operands import Ahead, Piece
 from tresym.reals.language.latex_tokens import (
     CLOSING,
     EXTREMES,

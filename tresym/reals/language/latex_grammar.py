@@ -55,7 +55,7 @@ from tresym.reals.language.latex_cursor import (
     is_letter,
     is_number,
 )
-from tresym.reals.language.latex_reach import (
+from tresym.reals.language.latex_operands import (
     Piece,
     Reach,
     Rule,

@@ -52,7 +52,7 @@ from tresym.reals.language.expression import (
     symbols,
     unknown,
 )
-from tresym.reals.language.hints import about_function, about_name, hint
+from tresym.reals.language.suggestions import about_function, about_name, hint
 from tresym.reals.numbers.exact import InputError, parse_number
 
 MAX_CHARACTERS = 30_000
@@ -341,7 +341,7 @@ def sum_of(*terms: Expr) -> Expr:
     """
     if DOTS not in terms and -DOTS not in terms:
         return add(*terms)
-    from tresym.reals.language.dots import meant
+    from tresym.reals.language.ellipsis import meant
 
     return meant([DOTS if term == -DOTS else term for term in terms])
 

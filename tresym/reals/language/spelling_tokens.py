@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import NamedTuple
 
-from tresym.reals.language.typography import signs
+from tresym.reals.language.unicode_input import signs
 
 MAX_TEXT = 3000
 MAX_NESTING = 60

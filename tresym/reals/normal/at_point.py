@@ -6,6 +6,8 @@ from collections.abc import Mapping
 
 from flint import arb, fmpq
 
+from tresym.reals.domain.conditions import Condition
+from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.expression import (
     ZERO,
     Expr,
@@ -15,8 +17,6 @@ from tresym.reals.language.expression import (
 from tresym.reals.normal.field import ALL_THEORIES
 from tresym.reals.normal.locally_constant import equal_constants
 from tresym.reals.numbers.exact import InputError
-from tresym.reals.places.conditions import Condition
-from tresym.reals.places.values import evaluate
 
 
 def equal_at(left: Expr, right: Expr, point: Mapping[str, fmpq | Expr]) -> bool:

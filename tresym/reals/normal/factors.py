@@ -10,7 +10,7 @@ from typing import Any
 
 from flint import fmpq, fmpz
 
-from tresym.reals.normal.denested import canonical
+from tresym.reals.normal.denesting import canonical
 from tresym.reals.normal.monotone import same_sign
 from tresym.reals.normal.ranges import MAX_DEPTH
 from tresym.reals.normal.ring import Fraction, Poly, UndefinedError, small_factor

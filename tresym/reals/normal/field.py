@@ -21,12 +21,12 @@ from math import prod
 
 from flint import arb, fmpq
 
+from tresym.reals.domain.conditions import Given
 from tresym.reals.language.expression import Expr
 from tresym.reals.normal.angles import AngleRing
 from tresym.reals.normal.ring import Fraction, UndefinedError
 from tresym.reals.normal.sign_equations import AgainError
 from tresym.reals.numbers.factoring import TooLargeError
-from tresym.reals.places.conditions import Given
 
 ALL_THEORIES = frozenset({"roots", "trigonometry", "exponentials", "inverses"})
 

@@ -31,6 +31,10 @@ from collections.abc import Iterator
 
 from flint import Ordering, arb, fmpq, fmpz_mpoly, fmpz_mpoly_ctx
 
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.cylindrical_decomposition import sample_points
+from tresym.reals.domain.evaluation import evaluate
+from tresym.reals.domain.operation_domains import singularities
 from tresym.reals.language.expression import (
     PI,
     Expr,
@@ -46,10 +50,6 @@ from tresym.reals.normal.ring import Fraction, Poly, UndefinedError
 from tresym.reals.numbers.arithmetic import WORKING, ball_precision
 from tresym.reals.numbers.exact import Interval, near, rational_ends
 from tresym.reals.numbers.factoring import TooLargeError
-from tresym.reals.places.cells import sample_points
-from tresym.reals.places.conditions import Given
-from tresym.reals.places.domain import singularities
-from tresym.reals.places.values import evaluate
 
 MAX_POINTS = 400
 MAX_SYMBOLS = 4

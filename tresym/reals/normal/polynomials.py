@@ -6,12 +6,12 @@ from math import prod
 
 from flint import fmpq
 
+from tresym.reals.domain.conditions import Given
 from tresym.reals.language.expression import ONE, Expr, symbol
 from tresym.reals.normal.field import Field
 from tresym.reals.normal.generators import ValuedRing
 from tresym.reals.normal.ring import Poly, UndefinedError
 from tresym.reals.numbers.factoring import TooLargeError
-from tresym.reals.places.conditions import Given
 
 Monomial = tuple[tuple[str, int], ...]
 """Symbols and their powers, none of which is 0."""

@@ -10,13 +10,13 @@ from contextlib import contextmanager
 
 from flint import arb, fmpq, fmpz
 
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.sample_points import Range
 from tresym.reals.normal.box import coefficient_sign, quadratic_sign
 from tresym.reals.normal.generators import SIGN_BITS, ValuedRing
 from tresym.reals.normal.ring import Fraction, Generator, Poly, small_factor
 from tresym.reals.numbers.arithmetic import ball_precision, decided, side
 from tresym.reals.numbers.exact import Interval, rational_ends
-from tresym.reals.places.conditions import Given
-from tresym.reals.places.points import Range
 
 MAX_SIGN_TERMS = 60
 MAX_DEPTH = 4

@@ -14,6 +14,10 @@ from typing import NamedTuple
 
 from flint import Ordering, arb, fmpq, fmpz_mpoly, fmpz_mpoly_ctx
 
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.cylindrical_decomposition import sample_points
+from tresym.reals.domain.evaluation import evaluate
+from tresym.reals.domain.local_search import low_points
 from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.language.expression import number as constant
 from tresym.reals.normal.field import Field
@@ -22,11 +26,7 @@ from tresym.reals.normal.ring import UndefinedError
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import near, rational_ends
 from tresym.reals.numbers.factoring import TooLargeError
-from tresym.reals.places.cells import sample_points
-from tresym.reals.places.conditions import Given
-from tresym.reals.places.descent import low_points
-from tresym.reals.places.values import evaluate
-from tresym.reals.signs.inside import REMEMBERED, Ask
+from tresym.reals.signs.interior import REMEMBERED, Ask
 
 MAX_VARIABLES = 4
 MAX_CELLS = 3000

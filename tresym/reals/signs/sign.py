@@ -13,14 +13,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import lru_cache, partial
 
+from tresym.reals.domain.conditions import Given
 from tresym.reals.language.expression import Expr
-from tresym.reals.places.conditions import Given
-from tresym.reals.signs.cases import MAX_CASES, by_cases
-from tresym.reals.signs.concave import sign_by_concavity
-from tresym.reals.signs.cones import sign_on_cones
-from tresym.reals.signs.equivalents import by_equivalents
-from tresym.reals.signs.homogeneous import sign_by_homogeneity
-from tresym.reals.signs.inside import (
+from tresym.reals.signs.absolute_value_cases import MAX_CASES, by_cases
+from tresym.reals.signs.closure import has_inside, is_regular
+from tresym.reals.signs.concavity import sign_by_concavity
+from tresym.reals.signs.homogenisation import sign_by_homogeneity
+from tresym.reals.signs.interior import (
     PROVING,
     REMEMBERED,
     by_signs_of_parts,
@@ -28,10 +27,11 @@ from tresym.reals.signs.inside import (
     sign_inside,
     strict_by_conditions,
 )
-from tresym.reals.signs.parts import FLIP, Parts
+from tresym.reals.signs.orthant_cones import sign_on_cones
 from tresym.reals.signs.polynomials import sign_of_polynomial
-from tresym.reals.signs.regular import has_inside, is_regular
+from tresym.reals.signs.structural import FLIP, Parts
 from tresym.reals.signs.taylor import sign_by_taylor
+from tresym.reals.signs.transformations import by_equivalents
 
 METHODS: tuple[Callable[..., str | None], ...] = (
     by_signs_of_parts,

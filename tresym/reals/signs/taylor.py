@@ -13,6 +13,10 @@ from functools import lru_cache
 
 from flint import fmpq
 
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import evaluate
+from tresym.reals.domain.operation_domains import singularities
+from tresym.reals.domain.sample_points import Range
 from tresym.reals.language.expression import (
     ONE,
     ZERO,
@@ -23,16 +27,12 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.inverted import solutions
-from tresym.reals.normal.written import numerator
+from tresym.reals.language.solve import solutions
+from tresym.reals.normal.to_expression import numerator
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.places.conditions import Given
-from tresym.reals.places.domain import singularities
-from tresym.reals.places.points import Range
-from tresym.reals.places.values import evaluate
-from tresym.reals.signs.inside import REMEMBERED, Ask
-from tresym.reals.signs.inside import sign_inside as sign
-from tresym.reals.signs.parts import FLIP, WEAK
+from tresym.reals.signs.interior import REMEMBERED, Ask
+from tresym.reals.signs.interior import sign_inside as sign
+from tresym.reals.signs.structural import FLIP, WEAK
 
 MAX_ORDER = 5
 MAX_SIZE = 500

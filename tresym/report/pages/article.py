@@ -29,10 +29,10 @@ from tresym.report.pages.derivation import (
 from tresym.report.pages.numbers import numbers
 from tresym.report.pages.symbols import rows as table_of_symbols
 from tresym.report.pages.tables import table, written
-from tresym.report.words.place import place_text
-from tresym.report.words.said import said
-from tresym.report.words.titles import title
-from tresym.report.words.width import width
+from tresym.report.typesetting.formula_width import width
+from tresym.report.typesetting.paper_location import place_text
+from tresym.report.typesetting.statements import said
+from tresym.report.typesetting.titles import title
 
 _DIRECTIVE = re.compile(r"^@(\w+)(?: ((?:.+\n?)+?))?(?=\n@|\n\n|\n\Z|^@)", re.MULTILINE)
 """A line that begins with @, to the next of its kind or the end of its paragraph."""

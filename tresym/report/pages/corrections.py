@@ -10,10 +10,10 @@ from tresym.ledger.paper import corrections as all_corrections
 from tresym.ledger.verification import Report, Row
 from tresym.reals.numbers.exact import fraction_text
 from tresym.reals.verdict import Verdict
-from tresym.report.words.markdown import finding as found_text
-from tresym.report.words.markdown import sentence
-from tresym.report.words.place import place_text
-from tresym.report.words.said import quoted
+from tresym.report.typesetting.markdown import finding as found_text
+from tresym.report.typesetting.markdown import sentence
+from tresym.report.typesetting.paper_location import place_text
+from tresym.report.typesetting.statements import quoted
 
 LONGEST = 320
 OPENING = 4

@@ -11,15 +11,15 @@ from tresym.ledger.claim import Claim
 from tresym.ledger.verification import Row
 from tresym.reals.numbers.exact import fraction_text
 from tresym.reals.verdict import Verdict
-from tresym.report.words.breaking import broken
-from tresym.report.words.chains import EQUIVALENT, Because, Display, Line, displays
-from tresym.report.words.formulas import pieces
-from tresym.report.words.markdown import scripted
-from tresym.report.words.place import place_text
-from tresym.report.words.said import conditions, said
-from tresym.report.words.titles import title
-from tresym.report.words.width import width
-from tresym.report.words.wording import readable
+from tresym.report.typesetting.chains import EQUIVALENT, Because, Display, Line, displays
+from tresym.report.typesetting.finding_text import readable
+from tresym.report.typesetting.formula_width import width
+from tresym.report.typesetting.formulas import pieces
+from tresym.report.typesetting.line_breaking import broken
+from tresym.report.typesetting.markdown import scripted
+from tresym.report.typesetting.paper_location import place_text
+from tresym.report.typesetting.statements import conditions, said
+from tresym.report.typesetting.titles import title
 
 WIDEST = 62
 """Letters of a formula with its reason that fit a line of the article."""

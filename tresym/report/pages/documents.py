@@ -21,8 +21,9 @@ from tresym.reals.processes import cores
 from tresym.report import charts, figures
 from tresym.report.charts import saved
 from tresym.report.figures.grid import shown
-from tresym.report.pages import checked_twice
+from tresym.report.pages import coq_page
 from tresym.report.pages.article import article
+from tresym.report.pages.call_paths import walks
 from tresym.report.pages.check_tables import by_kind, by_source, measured
 from tresym.report.pages.corrections import corrections
 from tresym.report.pages.methods import methods
@@ -31,9 +32,8 @@ from tresym.report.pages.site_data import record
 from tresym.report.pages.symbols import symbols
 from tresym.report.pages.tables import TABLES, table, written
 from tresym.report.pages.trust import trust
-from tresym.report.pages.walks import walks
-from tresym.report.words.place import place_text
-from tresym.report.words.said import quoted
+from tresym.report.typesetting.paper_location import place_text
+from tresym.report.typesetting.statements import quoted
 
 
 def documents() -> Iterator[tuple[str, str]]:
@@ -46,7 +46,7 @@ def documents() -> Iterator[tuple[str, str]]:
     yield "corrections.md", corrections(report)
     yield "symbols.md", symbols(report)
     yield "methods.md", methods()
-    yield "checked_twice.md", checked_twice.page()
+    yield "checked_twice.md", coq_page.page()
     yield "walks.md", walks()
     yield "trust.md", trust(report, *map(saved.load, ("guards", "hunts", "mutants")))
     yield from drawn()

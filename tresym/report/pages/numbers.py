@@ -38,7 +38,7 @@ def numbers(report: Report) -> dict[str, str]:
     }
     for name in NAMED_BODIES:
         found |= _of_body(name)
-    from tresym.racket.compared.calls import map_operations, turn_calls
+    from tresym.racket.comparison.operation_counts import map_operations, turn_calls
 
     found["calls_near"], found["calls_far"] = (str(turn_calls(g)) for g in (fmpq(0), fmpq(1, 100)))
     found["map_operations"] = str(map_operations())

@@ -11,16 +11,16 @@ from typing import Any
 
 from tresym.ledger.axioms import RULES, Axiom
 from tresym.ledger.claim import AllOf, Claim
-from tresym.ledger.evidence.meant import is_formal
+from tresym.ledger.evidence.admissible import is_formal
 from tresym.ledger.paper import corrections, display_lines, sections
 from tresym.ledger.verification import Report, Row
-from tresym.report.pages import checked_twice
-from tresym.report.pages.rows import common, line_of
+from tresym.report.pages import coq_page
+from tresym.report.pages.ledger_rows import common, line_of
 from tresym.report.pages.symbols import as_used
-from tresym.report.words.chains import displays
-from tresym.report.words.place import place_text
-from tresym.report.words.said import said
-from tresym.report.words.titles import title
+from tresym.report.typesetting.chains import displays
+from tresym.report.typesetting.paper_location import place_text
+from tresym.report.typesetting.statements import said
+from tresym.report.typesetting.titles import title
 
 RECORD_VERSION = 1
 
@@ -60,7 +60,7 @@ def record(report: Report) -> dict[str, Any]:
     used_by = _inverse(claims, lambda claim: claim.uses)
     amends = _inverse(claims, lambda claim: claim.amended_by)
     lines = display_lines()
-    twice = checked_twice.found()
+    twice = coq_page.found()
     quotes = {label: found.quote for found in corrections() for label in found.labels}
     return {
         "version": RECORD_VERSION,
@@ -73,7 +73,7 @@ def record(report: Report) -> dict[str, Any]:
         "rules": {axiom.name: _axiom(axiom) | {"rule": axiom.rule} for axiom in RULES},
         "claims": {
             row.claim.label: _claim(row, lines, quotes)
-            | {"coq": checked_twice.shown(row.claim.label, twice)}
+            | {"coq": coq_page.shown(row.claim.label, twice)}
             | {"used_by": used_by[row.claim.label], "amends": amends[row.claim.label]}
             for row in report.rows
         },

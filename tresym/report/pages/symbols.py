@@ -13,13 +13,13 @@ from tresym.ledger.finding import Premise
 from tresym.ledger.paper import all_claims
 from tresym.ledger.verification import Report
 from tresym.racket.notation import WORDS, WORDS_OF_PROOFS
-from tresym.report.words.breaking import broken
-from tresym.report.words.conditions import gathered
-from tresym.report.words.latex import expression_latex, says_latex
-from tresym.report.words.markdown import sentence
-from tresym.report.words.place import place_text
-from tresym.report.words.plain import plain
-from tresym.report.words.said import said
+from tresym.report.typesetting.conditions import gathered
+from tresym.report.typesetting.latex import expression_latex, says_latex
+from tresym.report.typesetting.line_breaking import broken
+from tresym.report.typesetting.markdown import sentence
+from tresym.report.typesetting.paper_location import place_text
+from tresym.report.typesetting.plain_text import plain
+from tresym.report.typesetting.statements import said
 
 WIDEST = 30
 """Letters of a formula that fit a line of its column."""

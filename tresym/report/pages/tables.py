@@ -18,7 +18,7 @@ from flint import arb, fmpq
 from tresym.racket.body import NAMED_BODIES, Shape
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError, as_rational, fraction_text, quoted
-from tresym.report.words.markdown import escaped
+from tresym.report.typesetting.markdown import escaped
 
 FORMATS = ("text", "markdown", "latex")
 LONGEST = 22
@@ -82,7 +82,7 @@ def objects() -> Table:
 
 def _shapes(widths: tuple[fmpq, ...]) -> list[tuple[str, Shape]]:
     """The shapes of the tables: ab from 10⁻³ to 10⁴ for each b in ``widths``, and the bodies."""
-    from tresym.racket.compared.errors import PRODUCTS
+    from tresym.racket.comparison.errors import PRODUCTS
 
     grid = [
         (f"ab = {_power(p)}, b = {fraction_text(b)}", Shape(p / b, b))
@@ -94,7 +94,7 @@ def _shapes(widths: tuple[fmpq, ...]) -> list[tuple[str, Shape]]:
 
 def errors() -> Table:
     """Relative error of each formula for ε₀, against the exact equation."""
-    from tresym.racket.compared.errors import FORMULAS, WIDTHS, errors_at
+    from tresym.racket.comparison.errors import FORMULAS, WIDTHS, errors_at
 
     rows = []
     for name, shape in _shapes(WIDTHS):
@@ -110,7 +110,7 @@ def errors() -> Table:
 
 def constants() -> Table:
     """The constants of ε₀/ε* on a ≥ a₀, beside what is found at the corner a = a₀, b = 1."""
-    from tresym.racket.compared.constants import CONSTANTS, excesses
+    from tresym.racket.comparison.constants import CONSTANTS, excesses
 
     rows = []
     for row in CONSTANTS:
@@ -131,7 +131,7 @@ def constants() -> Table:
 
 def slope() -> Table:
     """dε/dγ at γ = 0 exactly and by its leading term."""
-    from tresym.racket.compared.errors import WIDTHS, slope_with_error
+    from tresym.racket.comparison.errors import WIDTHS, slope_with_error
 
     rows = []
     for name, shape in _shapes(WIDTHS):
@@ -148,7 +148,7 @@ def slope() -> Table:
 def thresholds() -> Table:
     """The γ at which the flip is off by π/6: exactly, and by the paper's linear formula."""
     from tresym.racket.angle import parse_angle
-    from tresym.racket.compared.errors import linear_thresholds
+    from tresym.racket.comparison.errors import linear_thresholds
     from tresym.racket.flip.levels import level_of, turning_level
 
     ends = {"-pi/12": 0, "pi/12": 1}
@@ -175,7 +175,7 @@ def thresholds() -> Table:
 
 def routes() -> Table:
     """ε(γ) by routes that share no formula: how many of its digits agree with the ball."""
-    from tresym.racket.compared.routes import ROUTES, compare
+    from tresym.racket.comparison.routes import ROUTES, compare
 
     rows = tuple(
         (row.body, row.gamma, digits_of(row.ball, 20), *map(str, row.digits)) for row in compare()

@@ -8,16 +8,16 @@ from inspect import signature
 from typing import Any
 
 from tresym.ledger.axioms import RULES
-from tresym.ledger.evidence.balls import Boxes
-from tresym.ledger.evidence.meant import is_formal
+from tresym.ledger.evidence.admissible import is_formal
+from tresym.ledger.evidence.box_bounds import Boxes
 from tresym.ledger.mutants.report import MUTANTS
 from tresym.ledger.verification import Report
-from tresym.racket.near import charts
+from tresym.racket.bounds import charts
 from tresym.reals.balls.gradient import Divided
-from tresym.reals.balls.traced import Named
+from tresym.reals.balls.tracing import Named
 from tresym.reals.language.expression import symbol
 from tresym.reals.verdict import Verdict
-from tresym.report.pages.trusted import CHECK, LEDGER, RECHECKED, Count, trusted
+from tresym.report.pages.trusted_code import CHECK, LEDGER, RECHECKED, Count, trusted
 
 CALLED = {
     Boxes: "bounds on boxes: the margin, and its slopes",

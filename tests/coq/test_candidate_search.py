@@ -1,0 +1,70 @@
+"""Proofs that Coq accepts, and falsehoods of which it accepts none."""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+from pathlib import Path
+
+import pytest
+
+from tresym.commands import main
+from tresym.coq.candidate_search import assumptions, export, file_of, prelude, proofs
+from tresym.coq.claim_export import theorems
+from tresym.reals.corpus.lists import known, pairs
+from tresym.reals.decisions.claim_parsing import read
+
+needs_coq = pytest.mark.skipif(shutil.which("coqc") is None, reason="coqc is not installed")
+BEYOND = re.compile(r"\b(Admitted|Axiom|Axioms|Parameter|Parameters|Conjecture|admit|Abort)\b")
+
+
+def test_nothing_is_assumed_in_what_is_exported() -> None:
+    assert not BEYOND.search(prelude())
+    for claim in [*(k.claim for k in known("inequalities")[::9]), *(p.claim for p in pairs()[::9])]:
+        found = theorems(read(claim))
+        text = file_of(found, [next(proofs(t), None) for t in found])
+        assert not BEYOND.search(text)
+
+
+def test_what_is_assumed_is_said() -> None:
+    reals = "ClassicalDedekindReals.sig_not_dec : forall P"
+    assert assumptions(reals) == "it rests on the classical reals alone"
+    assert "machine" in assumptions(f"{reals}\nPrimFloat.add : float -> float")
+    assert "Claim.mine" in assumptions(f"{reals}\nClaim.mine : 0 = 1")
+
+
+@needs_coq
+@pytest.mark.slow
+def test_true_claims_are_accepted(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for claim in ("sin(2*x) == 2*sin(x)*cos(x)", "diff(sqrt(a + x), x) == 1/(2*sqrt(a + x))"):
+        target = tmp_path / "proof.v"
+        assert main(["check", claim, "--coq", str(target), "--json"]) == 0
+        answer = json.loads(capsys.readouterr().out)
+        assert answer["coq"]["accepted"] is True
+        assert "Print Assumptions claim." in target.read_text()
+
+
+@needs_coq
+@pytest.mark.slow
+def test_a_falsehood_is_not_accepted() -> None:
+    outcome = export(theorems(read("sin(2*x) == 2*sin(x)*cos(x) + x/10**9")))
+    assert outcome.accepted is False
+
+
+@pytest.mark.parametrize(
+    ("claim", "says"),
+    [
+        ("x == x + 1", "only what is PROVED"),
+        ("sin(x) == O(x) as x -> 0", "orders and limits are not exported"),
+    ],
+)
+def test_what_is_not_exported_is_said(
+    claim: str, says: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    target = tmp_path / "proof.v"
+    main(["check", claim, "--coq", str(target), "--json"])
+    answer = json.loads(capsys.readouterr().out)
+    assert answer["coq"]["accepted"] is None
+    assert says in answer["coq"]["says"]
+    assert not target.exists()

@@ -1,0 +1,43 @@
+"""A search: what is stored is not asked again, and what takes too long is given up."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import suppress
+from pathlib import Path
+
+import pytest
+
+from tresym.coq import ledger_proofs
+from tresym.coq.ledger_proofs import Memory, lemma_proof
+from tresym.coq.statement import Theorem
+from tresym.reals.language.expression import symbol
+from tresym.reals.language.formula import Relation
+
+X = symbol("x")
+LEMMA = Theorem("lemma", ("x",), (), (), (), Relation(X, "==", X))
+
+
+def test_a_stored_proof_of_a_lemma_is_not_asked_again() -> None:
+    row = {"lemmas": f"{LEMMA.text}\nProof.\nreflexivity.\nQed."}
+    memory = Memory(None, {"claims": {"some": row}})
+    assert lemma_proof(LEMMA, memory) == "reflexivity."
+    assert memory.coq is None
+
+
+def test_what_is_known_of_a_text_is_kept(tmp_path: Path) -> None:
+    memory = Memory(tmp_path / "search.json")
+    memory.known["lemma of old"] = "lra."
+    memory.keep()
+    assert Memory(tmp_path / "search.json").known == {"lemma of old": "lra."}
+
+
+def test_what_takes_too_long_is_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
+    def endless() -> Iterator[str]:
+        yield "lra."
+        while True:
+            with suppress(Exception):  # as provers do that find terms too large
+                sum(range(1000))
+
+    monkeypatch.setattr(ledger_proofs, "WRITING_SECONDS", 0.05)
+    assert list(ledger_proofs._found_soon(endless())) == ["lra."]

@@ -1,0 +1,91 @@
+"""The advocate before a user's claim: what is false and called proved is contradicted."""
+
+from __future__ import annotations
+
+import pytest
+
+from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.claim_cross_check import attack
+from tresym.reals.decisions.claim_parsing import read
+from tresym.reals.numbers.exact import Decimal
+from tresym.reals.verdict import Verdict
+
+
+def against(claim: str, constant: str | None = None, region: str | None = None) -> str | None:
+    statement = read(claim)
+    ball = None if constant is None else Decimal(constant, "1e-9")
+    answer = Answer(Verdict.PROVED, "so it is said", constant=ball, region=region)
+    (comparison,) = statement.comparisons
+    return attack(comparison, statement, answer, 0.1)
+
+
+@pytest.mark.parametrize(
+    ("true", "false"),
+    [
+        ("sqrt(x**2) == abs(x)", "sqrt(x**2) == x"),
+        ("sqrt(x**2) == x given x > 0", "sqrt(x**2) == x given x > -1"),
+        ("x**2 + 1 > 2*x - 1", "x**2 + 1 > 2*x + 1"),
+        ("x**2 + 1 != 0", "x**2 - 1 != 0"),
+        ("diff(sin(x), x) == cos(x)", "diff(sin(x), x) == -cos(x)"),
+        ("diff(log(x), x) == 1/abs(x)", "diff(log(-x), x) == 1/abs(x)"),
+        ("atan(x) + atan(1/x) == pi/2 given x > 0", "atan(x) + atan(1/x) == pi/2"),
+        ("sum(k, k, 1, n) == n*(n + 1)/2", "sum(k, k, 1, n) == n**2"),
+        ("product(2, k, 1, n) == 2**n", "product(k, k, 1, n) == n"),
+        ("integral(x, x, 0, 1) == 1/2", "integral(x, x, 0, 1) == 2"),
+        ("integral(a*x, x, 0, 1) == a/2", "integral(a*x, x, 0, 1) == a**2"),
+        (
+            "integral(x, x, 0, oo) == 1",
+            "integral(x, x, 0, 1) > 1",
+        ),  # of an end at oo nothing is said
+        ("cos(n*pi)**2 == 1 given n integer", "(-1)**n == 1 given n integer"),
+        ("sin(n*pi) == 0 given n integer", "sin(n*pi/2) == 0 given n integer"),
+    ],
+)
+def test_a_claim_and_a_false_one(true: str, false: str) -> None:
+    assert against(true) is None
+    assert "its sides are" in (against(false) or "")
+
+
+@pytest.mark.parametrize(
+    ("claim", "region", "enough", "less"),
+    [
+        ("2*x + x**2 == O(x) as x -> 0+", "0 < x <= 1", "3", "2.9"),
+        ("x - 3 == O(1) as x -> 3", "0 < |x - 3| <= 1/2", "0.5", "0.4"),
+        ("x == O(1) as x -> 0-", "0 < -x <= 1", "1", "0.9"),
+        ("exp(x) == O(1) as x -> 0", "0 < |x| <= 1", "2.72", "2.71"),
+        ("x + 1 == O(x) as x -> oo", "x >= 10", "1.1", "1.09"),
+        ("x - 1 == O(x) as x -> -oo", "x <= -10", "1.1", "1.09"),
+    ],
+)
+def test_a_constant_and_one_too_small(claim: str, region: str, enough: str, less: str) -> None:
+    assert against(claim, enough, region) is None
+    assert "beyond the constant" in (against(claim, less, region) or "")
+
+
+def test_an_order_without_constant_or_region_says_nothing_of_a_point() -> None:
+    assert against("x == O(x**2) as x -> 0", constant="1") is None
+    assert against("x == O(x**2) as x -> 0", region="0 < x <= 1") is None
+
+
+def test_points_at_which_a_side_is_not_real_are_left_out() -> None:
+    assert against("sqrt(x) == O(1) as x -> 0", "1", "0 < |x| <= 1") is None
+    assert against("sqrt(x) == O(1) as x -> 0", "0.9", "0 < |x| <= 1") is not None
+
+
+@pytest.mark.parametrize(
+    ("true", "false"),
+    [
+        ("sin(x)/x -> 1 as x -> 0", "sin(x)/x -> 2 as x -> 0"),
+        ("1/x**2 -> oo as x -> 0", "1/x -> oo as x -> 0"),
+        ("a*x -> 0 given a > 0 as x -> 0", "a*x -> 1 given a > 0 as x -> 0"),
+        ("1/log(log(x)) -> 0 as x -> oo", "log(x) -> 5 as x -> oo"),
+        ("log(x)**100/x -> 0 as x -> oo", "x ~ 2*x as x -> oo"),
+        ("exp(-exp(x)) -> 0 as x -> oo", "x -> -oo as x -> oo"),
+        ("x**2 == o(sin(x)) as x -> 0", "x == o(sin(x)) as x -> 0"),
+        ("x**3 == omega(x) as x -> oo", "x**2 == omega(x**3) as x -> oo"),
+        ("exp(-a*x) -> 0 given a > 0 as x -> oo", "exp(-a*x) -> 0 as x -> oo"),
+    ],
+)
+def test_a_limit_and_a_false_one(true: str, false: str) -> None:
+    assert against(true) is None
+    assert "does not vanish" in (against(false) or "")

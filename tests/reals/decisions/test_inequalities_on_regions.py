@@ -1,0 +1,161 @@
+"""Branch and bound with contacts apart: regions closed in balls, and falsehoods that stay open."""
+
+from __future__ import annotations
+
+import pytest
+from flint import arb
+
+import tresym
+from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.inequalities_on_regions import search
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import evaluate
+from tresym.reals.domain.operation_domains import with_domain
+from tresym.reals.language.parsing import parse
+from tresym.reals.numbers.exact import parse_number
+from tresym.reals.verdict import Verdict
+
+ENCLOSED, REFUTED = Verdict.ENCLOSED, Verdict.REFUTED
+
+
+def searched(left: str, right: str, strict: bool, under: str) -> Answer:
+    given = Given.parse(under)
+    sides = parse(left), parse(right)
+    return search(*sides, strict, with_domain(given, *sides), given)
+
+
+# left, right, whether >, conditions; then a right side or strictness with which it fails
+CLOSED = [
+    # boxes and the mean value theorem
+    ("x**4 + 1", "x", True, "-2 <= x <= 2", "x + 1"),
+    ("exp(x) + exp(-x)", "2 - 1/1000", True, "-1 <= x <= 1", "2 + 1/1000"),
+    ("2.01", "x**2 + y**2", False, "-1 <= x <= 1, -1 <= y <= 1", "x**2 + y**2 + 1/50"),
+    ("x*y + 1.01", "0", False, "0 <= x <= 1, -1 <= y <= 1", "y + 1/2"),
+    # points of contact, at a rational, at an irrational, and at both ends
+    ("exp(x)", "1 + x", False, "-2 <= x <= 3", "1 + x + x**2/2"),
+    ("exp(x)", "E*x", False, "-2 <= x <= 3", "E*x + 10**(-9)"),
+    ("(x**2 - 2)**2", "0", False, "0 <= x <= 2", "10**(-12)"),
+    ("sin(x) + cos(x)", "1", False, "0 <= x <= pi/2", "1 + 10**(-9)"),
+    ("x*(1 - x)", "0", False, "0 <= x <= 1", "x*10**(-6)"),
+    ("sin(x)", "2*x/pi", False, "0 <= x <= pi/2", "2*x/3"),
+    # infinite ends
+    ("x**2 + 1", "sin(x)", True, "", "sin(x) + 1"),
+    ("atan(x)", "-11/7", True, "", "-3/2"),
+    ("exp(x)", "x", True, "", "x + 1 + x**3/100"),
+    ("1/(1 + x**2)", "0", True, "", "10**(-6)"),
+    ("x*log(x)", "-3679/10000", True, "", "-3678/10000"),
+    # a condition or the domain keeps away from where it fails
+    ("x", "0", True, "x**2 >= 1/100, -1/20 <= x <= 2", "1/9"),
+    ("1 - x*y", "0", True, "x**2 + y**2 <= 1, -1 <= x <= 1, -1 <= y <= 1", "3/5"),
+    ("sqrt(1 - x**2)", "-1/100", True, "", "1/100"),
+    ("log(x - 1)", "-x", True, "x >= 3/2", "x/2"),
+]
+
+
+@pytest.mark.parametrize(("left", "right", "strict", "under", "_"), CLOSED)
+def test_a_region_is_closed(left: str, right: str, strict: bool, under: str, _: str) -> None:
+    found = searched(left, right, strict, under)
+    assert found.verdict is ENCLOSED
+
+
+@pytest.mark.parametrize(("left", "_", "strict", "under", "right"), CLOSED)
+def test_a_near_falsehood_is_not(left: str, right: str, strict: bool, under: str, _: str) -> None:
+    found = searched(left, right, strict, under)
+    assert not found
+    if found.witness is not None:
+        at = {name: arb(parse_number(text)) for name, text in found.witness.items()}
+        assert all(c.holds_exactly(at) for c in Given.parse(under).conditions)
+        assert not evaluate(parse(left), at) > evaluate(parse(right), at)
+
+
+CONTACTS = [
+    ("exp(x)", "1 + x", "-2 <= x <= 3"),
+    ("exp(x)", "E*x", "-2 <= x <= 3"),
+    ("x**2", "0", ""),
+    ("(x**2 - 2)**2", "0", "0 <= x <= 2"),
+    ("sin(x) + cos(x)", "1", "0 <= x <= pi/2"),
+    ("1", "x", "x <= 1"),
+    ("1", "sin(x)", "0 <= x <= 2"),
+    ("sqrt(x)", "0", ""),
+    ("2", "x**2 + y**2", "-1 <= x <= 1, -1 <= y <= 1"),
+]
+
+
+@pytest.mark.parametrize(("left", "right", "under"), CONTACTS)
+def test_a_contact_is_no_strict_inequality(left: str, right: str, under: str) -> None:
+    assert not searched(left, right, True, under)
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "under"),
+    [
+        ("exp(x)", "1 + x", "-2 <= x <= 3, x != 0"),
+        ("1", "x", "0 <= x < 1"),
+        ("sin(x) + cos(x)", "1", "0 < x < pi/2"),
+        ("x**2", "0", "-1 <= x <= 1, x != 0"),
+    ],
+)
+def test_a_contact_that_is_excluded_does_not_count(left: str, right: str, under: str) -> None:
+    assert searched(left, right, True, under).verdict is ENCLOSED
+
+
+FALSE = [
+    ("x**3", "0", False, "-1 <= x <= 1"),  # changes its sign at the contact
+    ("x**2*(x + 1/10**6)", "0", False, "-1 <= x <= 1"),  # fails just beside it
+    ("(x - 1/3)**2", "10**(-20)", False, "0 <= x <= 1"),
+    ("x", "x**2*10**6", False, "0 <= x <= 1/10"),
+    ("1/x", "1", False, "x >= 1/2"),  # fails far out
+    ("exp(-x)", "10**(-300)", False, ""),
+    ("log(x)", "-10**6", False, "0 < x <= 1"),  # fails at an end of the domain
+    ("x*y", "0", False, "-1/10 <= x <= 1, 0 <= y <= 1"),
+    ("x + y", "-1", True, "x**2 + y**2 <= 1, -1 <= x <= 1, -1 <= y <= 1"),
+    ("a*b", "1", True, "a > 0, b > 0"),  # no bounds
+]
+
+
+@pytest.mark.parametrize(("left", "right", "strict", "under"), FALSE)
+def test_planted_falsehoods_do_not_hold(left: str, right: str, strict: bool, under: str) -> None:
+    assert not searched(left, right, strict, under)
+
+
+def test_where_bounds_are_missing_they_are_named() -> None:
+    assert "bounds on a, b may help" in searched("a*b", "1", True, "a > 0, b > 0").why
+
+
+def test_conditions_on_other_variables_are_left_aside() -> None:
+    found = searched("x**4 + 1", "x", True, "-2 <= x <= 2, a > 0, b > a")
+    assert found.verdict is ENCLOSED
+
+
+def test_neighbourhoods_of_both_infinities_may_meet() -> None:
+    assert searched("x**2 + 5", "atan(x)", True, "").verdict is ENCLOSED
+
+
+@pytest.mark.parametrize(
+    ("left", "under"),
+    [
+        ("x**2", "x != 1, -2 <= x <= 2"),
+        ("x**2", "x != -1, -2 <= x <= 2"),
+        ("(x**2 - 2)**2", "x != 5, 0 <= x <= 2"),
+        ("(x**2 - 2)**2", "x**2 != 3, 0 <= x <= 3"),
+        ("1 - sin(x)", "x != 2, 0 <= x <= 2"),
+    ],
+)
+def test_a_contact_where_an_inequation_holds_counts(left: str, under: str) -> None:
+    assert not searched(left, "0", True, under)
+
+
+@pytest.mark.parametrize(
+    ("claim", "under", "verdict"),
+    [
+        ("log(x) <= 10/E*x**(1/10)", "x >= 1", Verdict.UNDECIDED),
+        ("x < exp(exp(exp(5)))", "0 < x, x < 10", Verdict.PROVED),
+        ("x > exp(-exp(exp(6)))", "x > 1", Verdict.PROVED),
+        ("x > exp(exp(30))", "x > 0", REFUTED),
+        ("abs(x - exp(exp(40))) >= 0", "", Verdict.PROVED),
+    ],
+)
+def test_what_no_memory_holds_as_a_fraction_ends_no_process(
+    claim: str, under: str, verdict: Verdict
+) -> None:
+    assert tresym.check(claim, given=under).verdict is verdict

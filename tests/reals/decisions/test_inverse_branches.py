@@ -1,0 +1,151 @@
+"""Inverse functions by their branches: on the branch, and one step beside it."""
+
+import pytest
+
+import tresym
+from tresym.reals.decisions.identity import decide, decide_continuous
+from tresym.reals.decisions.inverse_branches import _holds, without_inverse
+from tresym.reals.domain.conditions import Given
+from tresym.reals.language.expression import Expr
+from tresym.reals.language.parsing import parse, parse_claim
+from tresym.reals.normal.field import ALL_THEORIES
+from tresym.reals.verdict import Verdict
+
+pytestmark = pytest.mark.quick
+
+
+def _pairs(claim: str) -> list[tuple[Expr, Expr]]:
+    body, _, given = claim.partition(" given ")
+    ((left, _, right),) = parse_claim(body)
+    return list(without_inverse(left, right, Given.parse(given), ALL_THEORIES))
+
+
+@pytest.mark.parametrize(
+    ("claim", "pair"),
+    [
+        ("asin(sin(7/2)) == pi - 7/2", ("sin(-7/2 + pi)", "sin(7/2)")),
+        ("pi/8 == atan(sqrt(2) - 1)", ("tan(pi/8)", "sqrt(2) - 1")),
+        ("2*acos(x) == 1 given x > 0", ("cos(1/2)", "x")),
+        ("acos(cos(x)) == 2*pi - x given pi <= x <= 2*pi", ("cos(2*pi - x)", "cos(x)")),
+        ("2*log(x) == y + 1", ("exp(y/2 + 1/2)", "x")),
+        ("y == asinh(x)", ("sinh(y)", "x")),
+        ("y == 3*asin(x) given -1/2 <= x <= 1/2, 0 <= y <= 3*pi/2", ("sin(y/3)", "x")),
+    ],
+)
+def test_the_inverse_function_is_taken_away(claim: str, pair: tuple[str, str]) -> None:
+    assert tuple(map(parse, pair)) in _pairs(claim)
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        "asin(sin(7/2)) == 7/2",
+        "acos(cos(4)) == -4",
+        "atan(x) == pi/2",  # the end is no value of atan
+        "acos(x) == 2*pi - y given pi < y < 2.01*pi",
+        "asin(sin(x)) == pi - x given pi/2 <= x <= 1.51*pi",
+        "asin(sin(x)) == pi - x given x >= pi/2",
+        "2*x == y",
+    ],
+)
+def test_it_is_not_beyond_its_range(claim: str) -> None:
+    assert _pairs(claim) == []
+
+
+@pytest.mark.parametrize(
+    ("end", "relation", "given", "holds"),
+    [
+        ("pi/2 - 2*asin(x)", ">=", "x <= 1/sqrt(2)", True),
+        ("pi/2 - 2*asin(x)", ">", "x <= 1/sqrt(2)", False),
+        ("pi/2 - 2*asin(x)", ">", "x < 1/sqrt(2)", True),
+        ("pi/2 - 2*asin(x)", ">=", "x <= 3/4", False),
+        ("pi/2 + 2*asin(x)", ">=", "x >= -1/sqrt(2)", True),
+        ("pi/2 + 2*asin(x)", ">=", "x <= 1/sqrt(2)", False),
+        ("2*acos(x) - pi/2", ">=", "x <= 1/sqrt(2)", True),
+        ("2*acos(x) - pi/2", ">=", "x >= 1/sqrt(2)", False),
+        ("pi/2 - 2*acos(x)", ">=", "x >= 1/sqrt(2)", True),
+        ("pi/3 - atan(x)", ">", "x < sqrt(3)", True),
+        ("pi/3 - atan(x)", ">", "x < sqrt(3) + 1/10**9", False),
+        ("2 - atan(x)", ">=", "x < 0", True),
+        ("4*pi/3 - 2*asin(x)*1", ">=", "x <= 1", True),
+        ("4*pi/3 - 4*asin(x)", ">=", "x <= 0.9", False),
+    ],
+)
+def test_bounds_of_an_inverse_by_those_of_its_argument(
+    end: str, relation: str, given: str, holds: bool
+) -> None:
+    assert _holds(parse(end), relation, Given.parse(given)) is holds
+
+
+def test_it_is_used_where_its_theories_are() -> None:
+    sides = parse("acos((1 + sqrt(5))/4)"), parse("pi/5")
+    assert decide(*sides).verdict is Verdict.PROVED
+    for left_out in ("trigonometry", "inverses"):
+        found = decide(*sides, theories=ALL_THEORIES - {left_out})
+        assert found.verdict is Verdict.UNDECIDED
+
+
+def test_a_logarithm_is_taken_away_by_exponentials() -> None:
+    sides = parse("asinh(2)"), parse("log(2 + sqrt(5)) + log(x**2)/2 - log(x)")
+    plain = decide_continuous(*sides, Given.parse("x > 0"))
+    assert plain.verdict is Verdict.PROVED
+    assert len([*without_inverse(*sides, Given(), ALL_THEORIES)]) == 4
+    for left_out in ("exponentials", "inverses"):
+        assert not [*without_inverse(*sides, Given(), ALL_THEORIES - {left_out})]
+
+
+@pytest.mark.parametrize(
+    "claim", ["log(x) == asinh(x)", "log(-x)/2 == log(x**2)", "log(x) == 1 - x"]
+)
+def test_what_is_no_logarithm_of_it_is_not_proved(claim: str) -> None:
+    ((left, _, right),) = parse_claim(claim)
+    assert decide_continuous(left, right).verdict is not Verdict.PROVED
+
+
+@pytest.mark.parametrize(
+    ("claim", "part"),
+    [
+        ("tan(pi/2) == 1", "tan(pi/2)"),
+        ("1/sin(pi) == 2", "1/sin(pi)"),
+        ("cot(0) > 1", "cot(0)"),
+        ("log(1 - sqrt(2)) < 0", "log(1 - sqrt(2))"),
+        ("sqrt(-2) == 3", "sqrt(-2)"),
+    ],
+)
+def test_what_is_not_defined_is_named(claim: str, part: str) -> None:
+    answer = tresym.check(claim)
+    assert answer.verdict is Verdict.UNDECIDED
+    assert answer.why.startswith(f"{part} is not defined")
+
+
+@pytest.mark.parametrize(
+    ("claim", "verdict"),
+    [
+        ("atan(x) + atan(y) == atan2(x + y, 1 - x*y)", Verdict.PROVED),
+        ("atan(x) + atan(y) == atan2(x + y, -1 - x*y)", Verdict.REFUTED),
+        ("atan2(x + y, x*y - 1) == atan2(x + y, -1 + x*y)", Verdict.PROVED),
+    ],
+)
+def test_jumps_that_nothing_reaches(claim: str, verdict: Verdict) -> None:
+    assert tresym.check(claim).verdict is verdict
+
+
+@pytest.mark.parametrize("n", [180, 360, 17, 97])
+def test_angles_of_small_parts_of_a_turn(n: int) -> None:
+    true = f"sin(7*pi/{n})*cos(5*pi/{n}) + cos(7*pi/{n})*sin(5*pi/{n}) == sin(12*pi/{n})"
+    assert tresym.check(true).verdict is Verdict.PROVED
+    assert tresym.check(f"{true} + 1/10**100").verdict is Verdict.REFUTED
+
+
+def test_roots_and_cosines_of_one_field_do_not_stand_beside_each_other() -> None:
+    claim = "tan(17*pi/180)*tan(43*pi/180) + (tan(17*pi/180) + tan(43*pi/180))*tan(pi/6)"
+    assert tresym.check(f"tan(pi/6)**2*0 + {claim} == 1").verdict is Verdict.PROVED
+    assert tresym.check(f"{claim} == 1").verdict is Verdict.PROVED
+    assert tresym.check(f"{claim} == sqrt(3)/2").verdict is Verdict.REFUTED
+
+
+def test_a_range_that_an_inverse_never_reaches_is_not_read_off_its_argument() -> None:
+    """asin x lies below 3π/2, though x is above sin(3π/2)."""
+    given = Given.parse("0 <= x, x <= 1")
+    sides = parse("asin(-x)"), parse("2*pi - asin(x)")
+    assert not list(without_inverse(*sides, given, ALL_THEORIES))

@@ -1,0 +1,241 @@
+"""Several variables by one: what is reduced, and falsehoods that a wrong reduction would pass."""
+
+from typing import Any
+
+import pytest
+
+import tresym
+from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.claim_parsing import read
+from tresym.reals.decisions.inequalities import decide_inequality
+from tresym.reals.decisions.variable_reduction import (
+    _by_sizes,
+    _is_homogeneous,
+    _monotone,
+    _multiplied,
+    _of_one_part,
+    _scaled,
+    _separated,
+    by_one_variable,
+)
+from tresym.reals.domain.conditions import Given
+from tresym.reals.language.parsing import parse, parse_claim
+from tresym.reals.verdict import Verdict
+
+HOLD = [
+    ("sqrt(x*y) <= (x - y)/(log(x) - log(y)) given 0 < x, x < y", "it is homogeneous"),
+    ("(x - y)/(log(x) - log(y)) <= (x + y)/2 given 0 < x, x < y", "it is homogeneous"),
+    ("tan(x)/x < tan(y)/y given 0 < x, x < y, y < pi/2", "it compares"),
+    ("log(x)/x >= log(y)/y given E <= x, x < y", "it compares"),
+    ("sin(x)/x >= sin(y)/y given 0 < x, x < y, y < pi", "it compares"),
+    ("x**3 <= y**3 given x < y, -2*x <= 3, 2*y < 7", "it compares"),
+    ("exp(x) + exp(y) >= 2 + x + y", "each variable by itself"),
+    ("exp(x) - log(y) >= x + 2 - y given y > 0", "each variable by itself"),
+    ("sin(x)/sin(y) <= pi/2*x/y given 0 < x, x < y, y < pi/2", "each factor by itself"),
+    ("sin(x)/sin(y) < pi/2*x/y given 0 < x, x < y, y < pi/2", "each factor by itself"),
+    ("(exp(x) - 1)*(exp(y) - 1) > x*y given x > 0, y > 0", "each factor by itself"),
+    ("tan(x)/tan(y) < x/y given 0 < x, x < y, y < pi/2", "it compares"),
+    ("log(1 + x)/log(1 + y) > x/y given 0 < x, x < y", "it compares"),
+    ("sin(x)*sin(y) <= x*y given x >= 0, y >= 0", "each factor by its size"),
+    ("2*tanh(x)*atan(y) >= -2*x*y given x >= 0, y >= 0", "each factor by its size"),
+]
+FAIL = [
+    "(x - y)/(log(x) - log(y)) <= (x + y)/2.0001 given 0 < x, x < y",
+    "sqrt(x*y) < (x - y)/(log(x) - log(y)) - (x - y)**2/10**6/y given 0 < x, x < y",
+    "tan(x)/x < tan(y)/y given 0 < x, x < y, y < pi",  # a pole is between
+    "1/x > 1/y given x < y",
+    "sin(x)/x >= sin(y)/y given 0 < x, x < y, y < 5",
+    "x**2 <= y**2 given x < y, -2*x <= 3, 2*y < 7",
+    "log(x)/x >= log(y)/y given 2.7 <= x, x < y",
+    "exp(x) + exp(y) >= 2.0001 + x + y",
+    "1.0001*sin(x)*sin(y) <= x*y given x >= 0, y >= 0",
+    "sin(x)*sin(y) <= x*y given x >= -1/10**3, y >= 0",  # of one sign only where both are
+    "exp(x) - log(y) > x + 2 - y given y > 0",
+    "sin(x)/sin(y) <= 1.57*x/y given 0 < x, x < y, y < pi/2",
+    "sin(x)/sin(y) <= pi/2*x/y given 0 < x, x < y, y < 8/5",
+    "(exp(x) - 1)*(exp(y) - 1) >= x*y given x > -1, y > 0",  # a factor changes its sign
+    "(1 + x**2)*(1 + y**2) > 1",
+    "x/1000 >= y given x > y, y > 0",  # two functions at two places
+    "x**2 <= y**2 given x < y, x < 0, y < 3",  # what bounds x from above is no bound from below
+    "x*y >= 0 given x >= 1, -1 <= y <= 0",  # a product is no difference
+    "x*y >= 0 given x >= 2, -1 <= y <= -1/2",
+    "x*exp(y) >= x given y >= 0",  # a factor of both sides, of no sign
+    "x*y >= 1 given -2 <= x <= -1/10, -2 <= y <= -1/10",  # both factors are negative
+    "1 >= sqrt(x*y) given x >= 1, y >= 1",  # a root is not the reciprocal
+    "(x + y)**2 >= y/10**60",  # seen by no ball
+    "tan(x)/tan(y) > x/y given 0 < x, x < y, y < pi/2",
+]
+
+
+TRUE = [
+    "x**2 >= y**2 given x > y, x + y > 0",
+    "x**2 + y**2 >= 2*x*y",
+    "x**3 + y**3 >= 0 given x + y >= 0",
+    "x*y <= 1 given x > 0, y > 0, x + y <= 2",
+    "x**2*y**2 >= x*y - 1/4",
+    "x + y >= 1 given x**2 + y**2 == 1, x >= 0, y >= 0",
+]
+METHODS = (_scaled, _of_one_part, _monotone, _separated, _multiplied, _by_sizes)
+
+
+def asked(claim: str) -> tuple[Any, ...]:
+    """A claim as the methods are asked of it."""
+    statement = read(claim)
+    (found,) = statement.comparisons
+    sides = (found.left, found.right) if ">" in found.relation else (found.right, found.left)
+    return sides[0], found.relation.replace("<", ">"), sides[1], statement.given
+
+
+@pytest.mark.parametrize(("claim", "why"), HOLD)
+def test_what_is_said_of_one_variable_holds_of_several(claim: str, why: str) -> None:
+    body, _, given = claim.partition(" given ")
+    ((left, relation, right),) = parse_claim(body)
+    if relation in ("<", "<="):
+        left, relation, right = right, relation.replace("<", ">"), left
+    answer = by_one_variable(left, relation, right, Given.parse(given), decide_inequality)
+    assert answer is not None
+    assert answer
+    assert answer.why.startswith(why)
+
+
+@pytest.mark.parametrize("claim", FAIL)
+def test_what_fails_is_not_reduced_to_what_holds(claim: str) -> None:
+    assert tresym.check(claim).verdict in (Verdict.REFUTED, Verdict.UNDECIDED)
+    for method in METHODS:
+        assert not method(*asked(claim), decide_inequality)
+
+
+@pytest.mark.parametrize("claim", [*(claim for claim, _ in HOLD), *TRUE])
+def test_what_holds_is_not_refuted_by_what_is_stronger(claim: str) -> None:
+    for method in METHODS:
+        found = method(*asked(claim), decide_inequality)
+        assert found is None or found.verdict is not Verdict.REFUTED
+
+
+@pytest.mark.parametrize("verdict", [Verdict.UNDECIDED, Verdict.REFUTED])
+@pytest.mark.parametrize("claim", [claim for claim, _ in HOLD])
+def test_nothing_is_shown_by_what_is_not(claim: str, verdict: Verdict) -> None:
+    for method in METHODS:
+        assert not method(*asked(claim), lambda *_: Answer(verdict, ""))
+
+
+@pytest.mark.parametrize("claim", [claim for claim, why in HOLD if why.startswith("each")])
+def test_several_are_as_sure_as_the_least_sure(claim: str) -> None:
+    one = [Answer(Verdict.PROVED, ""), *[Answer(Verdict.UNDECIDED, "")] * 9]
+    assert not any(method(*asked(claim), _told(one)) for method in METHODS)
+    found = [Answer(Verdict.PROVED, ""), *[Answer(Verdict.ENCLOSED, "")] * 9]
+    for order in (found, found[1::-1]):
+        answers = (method(*asked(claim), _told(order)) for method in METHODS[3:])
+        assert {answer.verdict for answer in answers if answer} <= {Verdict.ENCLOSED}
+
+
+def _told(answers: list[Answer]) -> Any:
+    left = iter(answers * 20)
+    return lambda *_: next(left)
+
+
+@pytest.mark.parametrize(
+    ("text", "given", "homogeneous"),
+    [
+        ("x*y + y**2", "y > 0", True),
+        ("log(x) - log(y)", "x > 0, y > 0", True),
+        ("sqrt(x*y)/(x + y)**2", "x > 0, y > 0", True),
+        ("x*y + y", "y > 0", False),
+        ("x - 2", "y > 0", False),
+        ("log(x)", "x > 0, y > 0", False),
+        ("x*y + y**2 + 1/10**50", "y > 0", False),
+    ],
+)
+def test_what_scales(text: str, given: str, homogeneous: bool) -> None:
+    assert _is_homogeneous(parse(text), "x", "y", Given.parse(given)) is homogeneous
+
+
+def test_a_condition_or_a_domain_that_does_not_scale_is_kept() -> None:
+    for claim in (
+        "x >= y given x > 0, y > 0, x >= 2, y <= 1",
+        "x + 0*sqrt(x - 2) >= y + 0*sqrt(1 - y) given x > 0, y > 0",
+    ):
+        body, _, given = claim.partition(" given ")
+        ((left, relation, right),) = parse_claim(body)
+        asked: list[tuple[Any, ...]] = []
+
+        def ask(*question: Any) -> Answer:
+            asked.append(question)  # noqa: B023
+            return Answer(Verdict.UNDECIDED, "")
+
+        by_one_variable(left, relation, right, Given.parse(given), ask)
+        scaled = (parse("x"), ">=", parse("1"))
+        assert all(question[:3] != scaled for question in asked)
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        "atan2(x, -1) >= atan2(y, -1) given x < y",  # each falls where it does not jump
+        "atan2(x, -y) <= atan2(x, y) + 4 given y > 0",
+        "x - 2*sign(x) >= y - 2*sign(y) - 1 given x > y",
+    ],
+)
+def test_what_jumps_is_not_reduced(claim: str) -> None:
+    body, _, given = claim.partition(" given ")
+    ((left, _, right),) = parse_claim(body)
+    asked = by_one_variable(left, ">=", right, Given.parse(given), decide_inequality)
+    assert asked is None
+
+
+def test_a_refutation_names_a_point_of_both_variables() -> None:
+    body, given = "(x - y)/(log(x) - log(y)) <= (x + y)/3", Given.parse("0 < x, x < y")
+    ((left, _, right),) = parse_claim(body)
+    answer = by_one_variable(right, ">=", left, given, decide_inequality)
+    assert answer is not None
+    assert answer.verdict is Verdict.REFUTED
+    assert answer.witness is not None
+    assert sorted(answer.witness) == ["x", "y"]
+
+
+@pytest.mark.parametrize(
+    "under", ["x < 0, y > 0", "x != 0, y != 0, x < y", "x**3 < y**3, x < y, x*y < 0"]
+)
+def test_a_pole_between_two_places_is_not_passed_over(under: str) -> None:
+    """1/x − x falls on both sides of 0, and not from one to the other."""
+    given = Given.parse(under)
+    left, right = parse("1/x - x"), parse("1/y - y")
+    found = by_one_variable(left, ">=", right, given, decide_inequality)
+    assert found is None or not found
+
+
+OF_ONE_PART = [
+    "log(x + y) <= x + y - 1 given x > 0, y > 0",
+    "exp(x*y) <= 1 + 1.72*x*y given 0 <= x <= 1, 0 <= y <= 1",
+    "atan(x - y) <= x - y given x > 0, y < 0",
+    "log(1 + x*y) < x*y given x > 0, y > 0",
+]
+BESIDE = [  # each passes where one guard or one end is left out
+    "x**2 + y >= 0",
+    "x + y + 1 + 0*sqrt(x) >= 0",
+    "x*y >= sin(x)*sin(y)",  # the sizes alone
+    "2*x*y >= 3*sin(x)*sin(y) given x >= 0, y >= 0",
+    "3*x*y >= 4*sin(x)*sin(y) given x >= 0, y >= 0",
+    "x*y > sin(x)*sin(y) given x >= 0, y >= 0",
+    "exp(x*y) > 1 given x >= 0, y > 0",
+    "x + y > 0 given x >= 0, y >= 0",
+    "x - y > 0 given x >= 0, y <= 0",
+    "x*y >= 1 given x >= -1, y >= -1",
+    "x + y < 2 given x <= 1, y <= 1",
+    "x*y < 2 given 0 < x <= 1, 0 < y <= 2",
+]
+
+
+@pytest.mark.parametrize("claim", OF_ONE_PART)
+def test_a_function_of_a_sum_or_a_product_is_one_of_one_variable(claim: str) -> None:
+    assert tresym.check(claim)
+
+
+@pytest.mark.parametrize("claim", BESIDE)
+def test_what_is_false_is_no_function_of_one_part(claim: str) -> None:
+    statement = read(claim)
+    (asked,) = statement.comparisons
+    turned = asked.relation.startswith("<")
+    left, right = (asked.right, asked.left) if turned else (asked.left, asked.right)
+    relation = asked.relation.replace("<", ">")
+    assert not by_one_variable(left, relation, right, statement.given, decide_inequality)

@@ -1,0 +1,103 @@
+"""What has to be trusted: the count reaches what decides, and leaves out only what it names."""
+
+from pathlib import Path
+
+import pytest
+
+import tresym
+from tresym.report.pages.trusted_code import (
+    ENCLOSING,
+    LEDGER,
+    RECHECKED,
+    ROOTS,
+    Count,
+    counted,
+    piece_of,
+    reached,
+    trusted,
+)
+
+HOME = Path(tresym.__file__).parent
+
+
+@pytest.fixture(scope="module")
+def counts() -> tuple[Count, Count]:
+    return trusted()
+
+
+@pytest.mark.parametrize(
+    "name", [*ROOTS, *ENCLOSING, *(n for names in RECHECKED.values() for n in names)]
+)
+def test_what_is_named_is_there(name: str) -> None:
+    path = HOME.joinpath(*name.split("."))
+    if not (path.is_dir() or path.with_suffix(".py").is_file()):
+        assert counted({piece_of(name)}).total > 0
+
+
+def test_the_normal_form_is_trusted_and_the_advocate_is_not(counts: tuple[Count, Count]) -> None:
+    proved, enclosed = counts
+    assert {"reals.normal.ring", "reals.signs.sign", "ledger.judge"} <= {*proved.lines}
+    assert {"reals.balls.branch_and_bound", "reals.decisions.asymptotics.expansions"} <= {
+        *enclosed.lines
+    }
+    assert not {"reals.cross_check", "reals.language.latex"} & {*proved.lines, *enclosed.lines}
+    assert not any(name.startswith("reals.balls.") for name in proved.lines)
+
+
+def test_lines_are_of_code_alone() -> None:
+    found = counted({("reals.verdict", "Verdict")})
+    assert found.lines == {"reals.verdict": 5}
+
+
+def test_a_method_is_reached_with_its_class_where_its_name_is_used() -> None:
+    found = reached(())
+    assert {("reals.normal.ring", "Ring"), ("reals.normal.ring", "Ring.reduce")} <= found
+    assert ("reals.normal.ring", "Fraction.__rsub__") in found
+    assert ("reals.decisions.answer", "Answer.as_json") not in found
+    assert reached({"reals.normal.ring.Ring.reduce"}) < found
+
+
+def test_libraries_are_named(counts: tuple[Count, Count]) -> None:
+    proved, _ = counts
+    assert {"arb", "fmpz_mpoly", ".factor"} <= {*proved.flint}
+    assert "Integral" in proved.sympy
+
+
+def test_the_count_stays_within_what_was_reached(counts: tuple[Count, Count]) -> None:
+    proved, enclosed = counts
+    print(f"PROVED {proved.total}, ENCLOSED {enclosed.total} more")
+    assert proved.total <= 10_970
+    assert enclosed.total <= 2300
+    proved, enclosed = trusted(LEDGER)
+    print(f"the ledger alone: PROVED {proved.total}, ENCLOSED {enclosed.total} more")
+    assert proved.total <= 5300
+    assert enclosed.total <= 1320
+
+
+def test_the_ledger_does_without_the_deciders_of_other_claims() -> None:
+    proved, enclosed = trusted(LEDGER)
+    assert "reals.decisions.identity" in proved.lines  # the normal form
+    assert not {"reals.normal.locally_constant", "reals.normal.constants"} & {*proved.lines}
+    assert not {
+        "reals.signs.orthant_cones",
+        "reals.signs.polynomials",
+        "reals.domain.cylindrical_decomposition",
+    } & {*proved.lines}
+    assert not any(name.startswith("reals.growth") for name in (*proved.lines, *enclosed.lines))
+    assert not {"reals.decisions.finite_sums", "reals.decisions.integer_variables"} & {
+        *proved.lines
+    }
+
+
+def test_methods_that_are_picked_by_a_name_that_is_made_are_reached() -> None:
+    found = reached(())
+    assert ("reals.decisions.asymptotics.gruntz", "Rewritten._asinh") in found
+    assert ("reals.decisions.asymptotics.expansions", "Expansions._sin") in found
+
+
+def test_exact_limits_prove_and_their_bounds_enclose(counts: tuple[Count, Count]) -> None:
+    proved, enclosed = counts
+    assert {"reals.decisions.asymptotics.expansions", "reals.decisions.asymptotics.gruntz"} <= {
+        *proved.lines
+    }
+    assert "reals.decisions.asymptotics.expansions" in enclosed.lines

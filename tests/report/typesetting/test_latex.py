@@ -1,0 +1,123 @@
+"""LaTeX as a mathematician writes it: golden forms of hard expressions."""
+
+import pytest
+import sympy
+from sympy import Derivative, Integral, Rational, Subs, exp, pi, sqrt
+
+from tresym.racket.formulas import printed
+from tresym.racket.notation import (
+    I1,
+    I2,
+    I3,
+    M1,
+    M2,
+    M3,
+    E,
+    M,
+    S,
+    T,
+    a,
+    b,
+    epsilon,
+    gamma,
+    psi,
+    r,
+    theta,
+)
+from tresym.racket.notation import x as x_
+from tresym.report.typesetting.conditions import gathered
+from tresym.report.typesetting.formula_width import width
+from tresym.report.typesetting.latex import expression_latex, says_latex
+
+GOLDEN = {
+    r"a-\sin^2\theta(a+b\sin^2\psi)": printed.depth(theta, psi, a, b, sympy),
+    r"-\frac{b\sin\theta\sin\psi\cos\psi}{1-b\sin^2\psi}": printed.planar_rates(
+        theta, psi, a, b, sympy
+    )[0],
+    r"\frac{(a+b\sin^2\psi)\cos\theta}{1-b\sin^2\psi}": printed.planar_rates(
+        theta, psi, a, b, sympy
+    )[1],
+    r"S\sqrt{\frac{\gamma+b\sin^2\psi}{a+b\sin^2\psi}}": printed.cos_theta(
+        psi, a, b, gamma, S, sympy
+    ),
+    r"\frac{S\sqrt{a+b\sin^2\psi}\sqrt{\gamma+b\sin^2\psi}}{1-b\sin^2\psi}": printed.psi_rate(
+        psi, a, b, gamma, S, sympy
+    ),
+    r"\frac{2I_2E}{M^2}-1": printed.depth_from_energy(E, M, I2),
+    r"\frac{1}{2}\left(\frac{M_1^2}{I_1}+\frac{M_2^2}{I_2}\right)": sympy.Mul(
+        Rational(1, 2), M1**2 / I1 + M2**2 / I2, evaluate=False
+    ),
+    r"M_2M_3\left(\frac{1}{I_3}-\frac{1}{I_2}\right)": M2 * M3 * (1 / I3 - 1 / I2),
+    r"\left.\frac{d}{d\gamma}(\gamma+a)\right|_{\gamma=0}": Subs(
+        Derivative(a + gamma, gamma), gamma, 0
+    ),
+    r"\int_0^1 (1-x)\,dx": Integral(1 - x_, (x_, 0, 1)),
+    r"(1+r^2)\sinh^2 T": (1 + r**2) * sympy.sinh(T) ** 2,
+    r"e^{-2\pi\sqrt{a b}}": exp(-2 * pi * sqrt(a * b)),
+    r"-\frac{1}{4b\epsilon}": -1 / (4 * b * epsilon),
+    r"b^{3/2}": sqrt(b) ** 3,
+    r"|\sin\psi|": abs(sympy.sin(psi)),
+}
+
+
+@pytest.mark.parametrize("text", GOLDEN)
+def test_golden(text: str) -> None:
+    assert expression_latex(GOLDEN[text]) == text
+
+
+def test_statements() -> None:
+    assert says_latex(b <= 1) == r"b \le 1"
+    assert says_latex("In words.") == "In words."
+    assert says_latex(sympy.Tuple(a > 0, b > 0)) == r"a > 0,\quad b > 0"
+
+
+@pytest.mark.parametrize(
+    ("exponent", "shown"),
+    [
+        (-b / sqrt(1 + a), r"e^{-b/\sqrt{1+a}}"),
+        (-(pi + T) / r, r"e^{-(\pi+T)/r}"),
+        (-pi * sqrt(a * b), r"e^{-\pi\sqrt{a b}}"),
+        (a / (2 * b), "e^{a/(2b)}"),
+        (-(a + b), "e^{-(a+b)}"),
+        (a + b, "e^{a+b}"),
+        (-1 / a, "e^{-1/a}"),
+        (a, "e^a"),
+    ],
+)
+def test_fractions_in_exponents_have_a_stroke(exponent: sympy.Expr, shown: str) -> None:
+    assert expression_latex(exp(exponent, evaluate=False)) == shown
+
+
+def test_rates_orders_and_functions() -> None:
+    rate = sympy.Symbol("dG_dlambda", real=True)
+    assert expression_latex(rate**2) == r"\left(\frac{dG}{d\lambda}\right)^2"
+    partial = sympy.Symbol("partialF_partialepsilon0", real=True)
+    assert expression_latex(partial) == r"\frac{\partial F}{\partial \epsilon_0}"
+    assert expression_latex(sympy.Function("o")(gamma)) == r"o(\gamma)"
+    half = -sqrt(a / b) * Integral(1 - x_, (x_, a, b)) / 2
+    assert expression_latex(half) == r"-\frac{1}{2}\sqrt{\frac{a}{b}}\int_a^b (1-x)\,dx"
+
+
+@pytest.mark.parametrize(
+    ("given", "shown"),
+    [
+        ((I1 > 0, I2 > 0, I3 > 0, I2 - I1 > 0, I3 - I2 > 0), ["0 < I_1 < I_2 < I_3"]),
+        ((a > 0, b > 0, b <= 1), ["a > 0", r"0 < b \le 1"]),
+        ((a > 0, gamma > 0, gamma < a), [r"0 < \gamma < a"]),
+        ((gamma < 0, gamma > -b, b > 0), [r"-b < \gamma < 0", "b > 0"]),
+        ((psi >= 0, psi >= 0), [r"\psi \ge 0"]),
+        ((a * b <= 1, sympy.true), [r"a b \le 1"]),
+        ((I1 > 0, I2 - I1 >= 0), [r"0 < I_1 \le I_2"]),
+        ((a >= 0, b - a >= 0, b > 0), [r"0 \le a \le b", "b > 0"]),
+    ],
+)
+def test_conditions_are_gathered(given: tuple[sympy.Basic, ...], shown: list[str]) -> None:
+    assert sorted(gathered(given)) == sorted(shown)
+
+
+def test_widths_are_about_right() -> None:
+    assert width(r"\frac{a+b}{c}") == width("a+b")
+    assert width(r"\left(\sin\theta\right)") > width("(x)")
+    assert width(r"\begin{pmatrix}a & b\\c & d\end{pmatrix}") < width("a+b+c+d+e")
+    assert width("x^{2}_1") < 3
+    assert width("") == 0

@@ -1,0 +1,167 @@
+"""Proofs found by asking Coq: candidates are tried one after the other, the one that holds is kept.
+
+What is written is a file by itself: the language and its lemmas, the statement, the proof that was
+found, and the command that prints what it rests on. Coq is run here and nowhere else in tresym.
+"""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+import tempfile
+import time
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+from tresym.coq.coqtop import TEXT_SECONDS, Dialogue, prelude
+from tresym.coq.equations import equation_proofs
+from tresym.coq.inequalities import inequality_proofs
+from tresym.coq.statement import Theorem
+from tresym.coq.stepwise_equations import stepwise
+from tresym.reals.numbers.exact import InputError
+
+MISSING = "coqc is not installed here, so that Coq has not been asked"
+_REALS = {
+    "ClassicalDedekindReals.sig_not_dec",
+    "ClassicalDedekindReals.sig_forall_dec",
+    "FunctionalExtensionality.functional_extensionality_dep",
+    "Classical_Prop.classic",
+}
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What Coq said of a file.
+
+    Attributes:
+        accepted: None where Coq is not installed.
+        says: a sentence.
+        text: the file.
+    """
+
+    accepted: bool | None
+    says: str
+    text: str
+
+
+def proofs(theorem: Theorem) -> Iterator[str]:
+    """Proofs to try, the likeliest first."""
+    try:
+        if theorem.relation == "==":
+            yield from equation_proofs(theorem)
+        else:
+            yield from inequality_proofs(theorem)
+    except (InputError, OverflowError, RecursionError):  # an expression on the way grew too large
+        return
+
+
+def export(theorems: Sequence[Theorem], seconds: float = 120) -> Outcome:
+    """A file that proves the theorems, and what Coq says of it."""
+    if shutil.which("coqc") is None:
+        found = [next(proofs(theorem), None) for theorem in theorems]
+        return Outcome(None, MISSING, file_of(theorems, found))
+    found = []
+    with Dialogue() as coq:
+        coq.begin()
+        deadline = time.monotonic() + seconds
+        for theorem in theorems:
+            proof = found_by(theorem, coq, deadline)
+            if proof is None:
+                says = f"no proof of {theorem.name} was found that Coq accepts"
+                return Outcome(False, says, file_of(theorems, found))
+            found.append(proof)
+    text = file_of(theorems, found)
+    accepted, said, took = run(text, seconds)
+    if not accepted:
+        return Outcome(False, f"Coq does not accept the proof ({said})", text)
+    return Outcome(True, f"accepted by Coq {version()} in {took:.1f} s; {assumptions(said)}", text)
+
+
+def file_of(theorems: Sequence[Theorem], found: Sequence[str | None]) -> str:
+    """The file: language, statements, proofs, and what they rest on."""
+    parts = ["(* Written by tresym. *)\n", prelude()]
+    for theorem, proof in zip(theorems, found, strict=False):
+        if proof is not None:
+            parts.append(
+                f"{theorem.text}\nProof.\n{proof}\nQed.\n\nPrint Assumptions {theorem.name}."
+            )
+    return "\n".join(parts) + "\n"
+
+
+def found_by(theorem: Theorem, coq: Dialogue, deadline: float) -> str | None:
+    """The first proof that Coq accepts."""
+    for proof in dict.fromkeys(proofs(theorem)):
+        left = deadline - time.monotonic()
+        if left <= 0:
+            return None
+        if coq.accepts(f"Goal\n{theorem.body}.\nProof.\n{proof}\nQed.", min(left, TEXT_SECONDS)):
+            return proof
+    if theorem.relation == "==" and theorem.by is None:
+        return by_steps(theorem, coq, deadline)
+    return None
+
+
+def by_steps(theorem: Theorem, coq: Dialogue, deadline: float) -> str | None:
+    """A proof of an equation that is found by asking Coq after each step."""
+
+    def begin() -> None:
+        coq.begin()
+        coq.holds("Abort All.")
+        coq.holds(f"Goal\n{theorem.body}.")
+
+    def ask(sentence: str) -> bool:
+        return time.monotonic() < deadline and coq.holds(sentence)
+
+    proof = stepwise(theorem, ask, begin)
+    held = proof is not None and coq.holds("Qed.")
+    coq.holds("Abort All.")
+    return proof if held else None
+
+
+def run(text: str, seconds: float) -> tuple[bool, str, float]:
+    """Whether coqc accepts the text, what it printed, and the time it took."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "claim.v"
+        path.write_text(text, encoding="utf-8")
+        start = time.perf_counter()
+        try:
+            done = subprocess.run(
+                ["coqc", "-q", path.name],
+                cwd=folder,
+                capture_output=True,
+                text=True,
+                timeout=seconds,
+            )
+        except subprocess.TimeoutExpired:
+            return False, "its time was over", seconds
+    took = time.perf_counter() - start
+    if done.returncode == 0:
+        return True, done.stdout, took
+    lines = done.stderr.split("Error:")[-1].split()
+    return False, " ".join(lines)[:200], took
+
+
+@cache
+def version() -> str:
+    """The version of Coq."""
+    done = subprocess.run(["coqc", "--version"], capture_output=True, text=True, check=True)
+    match = re.search(r"version (\S+)", done.stdout)
+    return match[1] if match else "?"
+
+
+def assumptions(said: str) -> str:
+    """What ``Print Assumptions`` printed, in a sentence."""
+    found = set(re.findall(r"^([^\s:]+)\s*:", said, re.MULTILINE)) - {"Axioms"}
+    names = {name for name in found if not name.startswith("make")}
+    others = sorted(name for name in names if name not in _REALS)
+    numbers = [
+        name for name in others if re.match(r"(PrimInt63|PrimFloat|Uint63|FloatAxioms|Int63)", name)
+    ]
+    if len(numbers) < len(others):
+        return f"it rests on {', '.join(others)}"
+    if numbers:
+        return "it rests on the classical reals and on Coq's machine integers and floats"
+    return "it rests on the classical reals alone"

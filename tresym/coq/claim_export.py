@@ -1,0 +1,62 @@
+"""A claim of one's own as theorems of Coq: what `tresym check --coq` writes."""
+
+from __future__ import annotations
+
+from tresym.coq.statement import Condition, NotExportedError, Theorem
+from tresym.reals.decisions.claim_parsing import Comparison, Statement
+from tresym.reals.domain.operation_domains import needs
+from tresym.reals.language.binders import derivative, elementary
+from tresym.reals.language.expression import Expr, symbols
+from tresym.reals.language.formula import Relation
+
+
+def theorems(statement: Statement, name: str = "claim") -> list[Theorem]:
+    """A theorem for each comparison of a claim.
+
+    Raises:
+        NotExportedError: a kind of claim that has no statement yet.
+    """
+    if statement.path is not None:
+        raise NotExportedError("orders and limits are not exported to Coq yet")
+    if statement.equations or statement.integers:
+        raise NotExportedError("conditions that are no inequalities are not exported to Coq yet")
+    if not all(elementary(c.left, c.right) for c in statement.comparisons):
+        raise NotExportedError("integrals, sums and unknown functions are not exported to Coq yet")
+    count = len(statement.comparisons)
+    names = [name] if count == 1 else [f"{name}_{n + 1}" for n in range(count)]
+    return [
+        theorem(comparison, statement.given.comparisons, name)
+        for comparison, name in zip(statement.comparisons, names, strict=True)
+    ]
+
+
+def theorem(claim: Comparison, given: tuple[Condition, ...] = (), name: str = "claim") -> Theorem:
+    """One comparison under conditions.
+
+    Raises:
+        NotExportedError: derivatives other than one side of an equation.
+    """
+    left, right, by = claim.left, claim.right, None
+    parts = needs([left, right, *(side for x, _, y in given for side in (x, y))])
+    if claim.derivatives:
+        found, *others = claim.derivatives
+        side = {left: right, right: left}.get(found.value) if claim.relation == "==" else None
+        if others or found.order != 1 or side is None:
+            raise NotExportedError(
+                "only a first derivative that is one side of an equation is exported to Coq yet"
+            )
+        inside = [
+            (e, ">" if sign == ">=" and found.by in symbols(e) else sign)
+            for e, sign in needs([found.function])
+        ]
+        parts, left, right, by = [*inside, *parts], found.function, side, found.by
+    parts = [part for part in dict.fromkeys(parts) if not _plain(*part)]
+    used = [left, right, *(e for e, _ in parts), *(e for x, _, y in given for e in (x, y))]
+    variables = frozenset().union(*map(symbols, used), {by} if by else ())
+    says = Relation(derivative(left, by) if by else left, claim.relation, right)
+    return Theorem(name, tuple(sorted(variables)), (), given, tuple(parts), says)
+
+
+def _plain(e: Expr, relation: str) -> bool:
+    """Whether it says of a rational number what is seen."""
+    return e.op == "number" and bool(e.args[0] > 0 or (relation == ">=" and e.args[0] == 0))

@@ -1,0 +1,242 @@
+"""Proofs of the ledger's theorems, found by asking Coq claim by claim.
+
+What Coq says of a text is kept, so that a search is taken up where it ended; a lemma whose proof is
+stored with a claim is not asked again. Time is the processor's, so that a busy machine finds as
+much as an idle one.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import signal
+import time
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import suppress
+from hashlib import sha256
+from itertools import islice
+from pathlib import Path
+from typing import Any
+
+from tresym.coq.candidate_search import by_steps
+from tresym.coq.coqtop import Dialogue, prelude
+from tresym.coq.ledger_statements import Joint, conditions_of, lemmas, name_of, stamp, theorem_of
+from tresym.coq.lemma_proofs import Plan, candidates, plans, without_definitions
+from tresym.coq.statement import NotExportedError, Theorem, comparison, term, variable
+from tresym.coq.witness_points import WAYS
+from tresym.ledger.claim import Claim
+from tresym.ledger.conversion import known
+from tresym.reals.language.expression import number, symbols
+from tresym.reals.numbers.exact import InputError
+
+_AND = " /\\ "
+_LEMMA = re.compile(r"Theorem \w+ :\n(.*?)\.\nProof\.\n(.*?)\nQed\.", re.DOTALL)
+UNWRITTEN = ArithmeticError, AttributeError, RecursionError, TypeError, ValueError, NotExportedError
+WRITING_SECONDS, CLAIM_SECONDS, STEPPED_SECONDS, TEXTS = 1.5, 30, 60, 150
+EFFORTS = (3, 2), (8, 4)  # how many proofs of a lemma are tried, and seconds for a sentence
+
+
+class Memory:
+    """What Coq said of texts and which proofs of lemmas it accepted, kept in a file."""
+
+    def __init__(self, path: Path | None, store: Mapping[str, Any] | None = None) -> None:
+        self.path = path
+        self.known: dict[str, bool | str] = {}
+        self.coq: Dialogue | None = None
+        self.count = 0
+        self.most, self.patience = EFFORTS[-1]
+        if path is not None and path.is_file():
+            self.known = json.loads(path.read_text(encoding="utf-8"))
+        for row in store["claims"].values() if store else ():
+            for body, proof in _LEMMA.findall(row["lemmas"]):
+                self.known["lemma " + _hash(body)] = proof
+
+    def accepts(self, text: str, patience: int | None = None) -> bool:
+        """Whether Coq accepts the text, in these seconds for a sentence and four times as many."""
+        key, patience = _hash(text), patience or self.patience
+        lost = f"{key} {patience} {_hash(prelude() + lemmas())}"
+        if key not in self.known and lost not in self.known:
+            self.count += 1
+            coq = self.dialogue()
+            if self.count % TEXTS == 0:
+                coq.end()  # what it has defined takes room
+            coq.patience = patience
+            ok = coq.accepts(text.replace("@", str(self.count)), 4.0 * patience)
+            self.known[key if ok else lost] = ok
+        return key in self.known
+
+    def dialogue(self) -> Dialogue:
+        """The dialogue, begun where there is none."""
+        self.coq = self.coq or Dialogue(lemmas=lemmas())
+        return self.coq
+
+    def close(self) -> None:
+        """End the dialogue."""
+        if self.coq is not None:
+            self.coq.end()
+            self.coq.folder.cleanup()
+
+    def keep(self) -> None:
+        """Write it down."""
+        if self.path is not None:
+            self.path.parent.mkdir(parents=True, exist_ok=True)
+            self.path.write_text(json.dumps(self.known), encoding="utf-8")
+
+
+def _hash(text: str) -> str:
+    return sha256(text.encode()).hexdigest()[:20]
+
+
+def search(
+    claims: Iterable[Claim],
+    memory: Memory,
+    keep: Callable[[str, dict[str, Any]], object],
+    say: Callable[[str], object] = lambda _: None,
+) -> None:
+    """Find proofs by asking Coq; each is handed to ``keep`` as it is found."""
+    left = []
+    for claim in claims:
+        with suppress(NotExportedError):
+            left.append((claim, theorem_of(claim)))
+    for memory.most, memory.patience in EFFORTS:
+        todo, left = left, []
+        for claim, whole in todo:
+            row, missing = found(claim, whole, memory)
+            say(f"{claim.label}: {f'not proved ({missing})' if row is None else 'proved'}")
+            if row is not None:
+                keep(claim.label, row)
+            else:
+                left.append((claim, whole))
+            memory.keep()
+
+
+def found(
+    claim: Claim, whole: Theorem | Joint, memory: Memory
+) -> tuple[dict[str, Any] | None, str]:
+    """What is stored of a claim, by the first plan that holds; or what is missing."""
+    missing = "no plan"
+    for plan in plans(claim, whole):
+        shown = []
+        for lemma in plan.lemmas:
+            proof = lemma_proof(lemma, memory)
+            if proof is None:
+                missing = f"lemma {lemma.name}"
+                break
+            shown.append(f"{lemma.text}\nProof.\n{proof}\nQed.")
+        else:
+            text = _trial(claim, whole, plan)
+            if text and memory.accepts(text, CLAIM_SECONDS):
+                return {
+                    "statement": stamp(whole),
+                    "lemmas": "\n".join(shown),
+                    "script": plan.script,
+                    "uses": list(plan.uses),
+                }, ""
+            missing = "its lemmas put together"
+    return None, missing
+
+
+def lemma_proof(lemma: Theorem, memory: Memory) -> str | None:
+    """A proof of a lemma that Coq accepts."""
+    try:
+        body = lemma.body
+        key = "lemma " + _hash(body)
+        if key in memory.known:
+            return str(memory.known[key])
+        for proof in islice(_found_soon(candidates(lemma)), memory.most):
+            if memory.accepts(f"Theorem trial_@ :\n{body}.\nProof.\n{proof}\nQed."):
+                memory.known[key] = proof
+                return proof
+        if (found := stepped(lemma, memory)) is not None:
+            memory.known[key] = found
+        return found
+    except UNWRITTEN:  # an expression on the way grew too large
+        pass
+    return None
+
+
+def stepped(lemma: Theorem, memory: Memory) -> str | None:
+    """A proof of an equation that is found by asking Coq after each step."""
+    if lemma.relation != "==" or lemma.by is not None:
+        return None
+    plain, intros = without_definitions(lemma)
+    proof = by_steps(plain, memory.dialogue(), time.monotonic() + STEPPED_SECONDS)
+    proof = proof and proof.replace("intros", intros, 1)
+    text = f"Theorem trial_@ :\n{lemma.body}.\nProof.\n{proof}\nQed."
+    return proof if proof and memory.accepts(text) else None
+
+
+def witnesses(claims: Iterable[Claim], memory: Memory) -> dict[str, Any]:
+    """A point for each set of conditions, and the proof that they hold there."""
+    found: dict[str, Any] = {}
+    for claim in claims:
+        try:
+            given = tuple(conditions_of(claim.given))
+        except InputError:
+            continue
+        if any(c.sign == "==" for c in given):
+            continue  # the point is given
+        names = sorted(frozenset().union(*(symbols(c.left) | symbols(c.right) for c in given)))
+        body = " /\\\n".join(f"  {comparison(*c)}" for c in given)
+        body = f"  exists {' '.join(map(variable, names))} : R,\n{body}"
+        key = _hash(body)
+        if not names or key in found:
+            continue
+        point = known(given).satisfying_point()
+        if point is None or not point.keys() >= {*names}:
+            continue
+        values = ", ".join(f"({term(number(point[name]))})" for name in names)
+        for way in WAYS:
+            script = f"exists {values}. repeat split; {way}numeric."
+            if memory.accepts(f"Theorem trial_@ :\n{body}.\nProof.\n{script}\nQed."):
+                found[key] = {"name": f"possible_{len(found) + 1}", "body": body, "script": script}
+                break
+    return found
+
+
+class _LateError(BaseException):
+    """A proof takes too long to write; those who write it have nothing to catch it with."""
+
+
+def _found_soon(proofs: Iterator[str]) -> Iterator[str]:
+    """The proofs that are written in a few seconds of the processor each."""
+
+    def late(*_: object) -> None:
+        raise _LateError
+
+    before = signal.signal(signal.SIGVTALRM, late)
+    try:
+        while True:
+            signal.setitimer(signal.ITIMER_VIRTUAL, WRITING_SECONDS)
+            try:
+                proof = next(proofs, None)
+            except _LateError:
+                return
+            finally:
+                signal.setitimer(signal.ITIMER_VIRTUAL, 0)
+            if proof is None:
+                return
+            yield proof
+    finally:
+        signal.signal(signal.SIGVTALRM, before)
+
+
+def _trial(claim: Claim, whole: Theorem | Joint, plan: Plan) -> str | None:
+    """The claim's theorem with its lemmas, and the theorems that it applies, as premises."""
+
+    def whole_of(told: Theorem | Joint) -> str:
+        if isinstance(told, Theorem):
+            return f"({told.body})"
+        return f"({_AND.join(whole_of(theorem_of(part)) for part in told.parts)})"
+
+    behind = {used.label: used for used in claim.rests_on}
+    try:
+        used = [whole_of(theorem_of(behind[label])) for label in plan.uses]
+        says = whole_of(whole)
+    except (KeyError, NotExportedError):
+        return None
+    premises = [*used, *(f"({lemma.body})" for lemma in plan.lemmas)]
+    names = [*map(name_of, plan.uses), *(lemma.name for lemma in plan.lemmas)]
+    lines = ["Theorem trial_@ :", " ->\n".join([*premises, says]) + ".", "Proof."]
+    lines += [f"intros {' '.join(names)}."] if names else []
+    return "\n".join([*lines, plan.script, "Qed."])

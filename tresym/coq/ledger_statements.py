@@ -1,0 +1,392 @@
+"""The ledger's claims as theorems of Coq: what each says, under which premises.
+
+The definitions that a claim speaks of are premises, each an equation for a symbol, and so is what
+it assumes. A definition has a theorem of its own: that what it defines exists. What is refuted is
+that there is a point at which the conditions hold and the statement does not. A sentence that says
+several claims together is the conjunction of their theorems; where it is refuted, of those of the
+parts that are.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from hashlib import sha256
+
+from sympy import Basic
+
+from tresym.coq.statement import (
+    Condition,
+    Every,
+    Fails,
+    Formula,
+    NotExportedError,
+    One,
+    Some,
+    Theorem,
+    Wherever,
+)
+from tresym.coq.theorem_trees import Part, defined
+from tresym.ledger.claim import (
+    AllOf,
+    Claim,
+    Counterexample,
+    Definition,
+    ImplicitFunction,
+    Printed,
+    Root,
+)
+from tresym.ledger.conversion import conditions
+from tresym.ledger.evidence.refutation import denied_at
+from tresym.ledger.paper import file_of
+from tresym.ledger.statements import Rounds
+from tresym.reals.language import sympy as door
+from tresym.reals.language.binders import elementary, outermost
+from tresym.reals.language.expression import (
+    ZERO,
+    Expr,
+    fresh,
+    number,
+    replaced,
+    substitute,
+    symbol,
+    symbols,
+)
+from tresym.reals.language.formula import Conjunction, Equivalence, Relation
+from tresym.reals.numbers.exact import InputError, printed
+from tresym.reals.verdict import Verdict
+
+
+@dataclass(frozen=True)
+class Joint:
+    """A theorem that says what those of other claims say together."""
+
+    name: str
+    parts: tuple[Claim, ...]
+
+    @property
+    def body(self) -> str:
+        """The proposition."""
+        return "  " + " /\\ ".join(f"says_{stem(part.label)}" for part in self.parts)
+
+    @property
+    def text(self) -> str:
+        """The statement as a sentence of Coq."""
+        return f"Theorem {self.name} :\n{self.body}."
+
+
+def stem(label: str) -> str:
+    """The label as a part of a name in Coq."""
+    return re.sub(r"\W", "_", label, flags=re.ASCII)
+
+
+def name_of(label: str) -> str:
+    """The theorem of a claim."""
+    return "claim_" + stem(label)
+
+
+def lemmas() -> str:
+    """Racket.v: what proofs of several claims share, written by hand beside the claims."""
+    return file_of("coq").joinpath("Racket.v").read_text(encoding="utf-8")
+
+
+def theorem_of(claim: Claim) -> Theorem | Joint:
+    """What the claim says.
+
+    Raises:
+        NotExportedError: a kind of claim that has no statement in Coq yet.
+    """
+    found = _theorem_of(claim)
+    stamp(found)  # which prints it
+    return found
+
+
+def _theorem_of(claim: Claim) -> Theorem | Joint:
+    proof = claim.proof
+    if isinstance(proof, ImplicitFunction):
+        raise NotExportedError("the implicit function theorem is not exported yet")
+    if isinstance(proof, Root):
+        raise NotExportedError("a root that is given a name is a premise of what speaks of it")
+    if isinstance(proof, Definition) and proof.assumes:
+        raise NotExportedError("what is assumed is a premise of what rests on it")
+    if isinstance(proof, AllOf):
+        parts = (p for p in proof.claims if not _assumed(p))
+        if claim.expect is Verdict.REFUTED:  # since some of its parts are
+            parts = (p for p in parts if p.expect is Verdict.REFUTED)
+        return Joint(name_of(claim.label), tuple(parts))
+    statement = claim.statement
+    if statement is None:
+        raise NotExportedError("a sentence whose formula is not at hand is not exported yet")
+    try:
+        if type(statement).__name__ == "As":
+            return tending(claim, statement)
+        if type(statement).__name__ == "ForSome" and claim.expect is Verdict.REFUTED:
+            return theorem(claim, denied(read(statement.args[0])))  # at no point
+        says = read(statement)
+        if isinstance(proof, Definition):
+            return existence(claim, says)
+        if isinstance(proof, Printed):
+            refuted = claim.expect is Verdict.REFUTED
+            return theorem(claim, denied(says) if refuted else says, exists=not refuted)
+        if claim.expect is Verdict.REFUTED:
+            above: tuple[Basic, ...] = ()
+            if isinstance(proof, Counterexample):
+                found = denied_at(statement, proof.point)
+                above, says = (found[0], read(found[1])) if found else ((), says)
+            return theorem(claim, denied(says), above, exists=True)
+        return theorem(claim, says)
+    except (InputError, TypeError, AttributeError, ValueError) as error:
+        raise NotExportedError(f"what is said is not read as real expressions ({error})") from None
+
+
+def conditions_of(given: Iterable[Basic]) -> list[Relation]:
+    """Conditions as relations, equations among them."""
+    return [part for e in given for part in relations(read(e))]
+
+
+def relations(says: Formula) -> Iterator[Relation]:
+    """The relations that a conjunction consists of."""
+    if isinstance(says, Relation):
+        yield says
+    elif isinstance(says, Conjunction):
+        for part in says.parts:
+            yield from relations(part)
+
+
+def _assumed(claim: Claim) -> bool:
+    return isinstance(claim.proof, Definition) and bool(claim.proof.assumes)
+
+
+def read(says: Basic) -> Formula:
+    """A statement as a formula."""
+    kind = type(says).__name__
+    if kind == "Tuple":
+        return Conjunction(tuple(map(read, says.args)))  # type: ignore[arg-type]
+    if kind == "Equivalent" and len(says.args) == 2:
+        return Equivalence(*map(read, says.args))  # type: ignore[arg-type]
+    if kind == "Under":
+        return Wherever(tuple(conditions_of(says.args[1].args)), read(says.args[0]))
+    if kind == "ExactlyOne":
+        x, low, high = map(door.unworked, says.args[:3])
+        between = Relation(x, ">", low), Relation(x, "<", high)
+        return One(x.args[0], Conjunction((*between, read(says.args[3]))))  # type: ignore[arg-type]
+    if kind == "AtMostOne":
+        return _at_most_one(door.unworked(says.args[0]), says)
+    if isinstance(says, Rounds):
+        return _rounded(door.unworked(says.term), says)
+    return door.formula(says)
+
+
+def _at_most_one(x: Expr, says: Basic) -> Formula:
+    """That two values between the ends of which it is said are the same."""
+    low, high = map(door.unworked, says.args[1:3])
+    said = read(says.args[3])
+    other = symbol(fresh(f"{x.args[0]}'", free(said)))
+    there = [
+        part
+        for one in (x, other)
+        for part in (
+            Relation(one, ">", low),
+            Relation(one, "<", high),
+            *(
+                Relation(
+                    substitute(p.left, {x.args[0]: one}),
+                    p.sign,
+                    substitute(p.right, {x.args[0]: one}),
+                )
+                for p in relations(said)
+            ),
+        )
+    ]
+    return Wherever(tuple(there), Relation(other, "==", x))
+
+
+def _rounded(e: Expr, says: Rounds) -> Formula:
+    """That a term is what is printed, to within half a unit of its last place or as many."""
+    interval = printed(says.text)
+    middle, half = (interval.low + interval.high) / 2, (interval.high - interval.low) / 2
+    half *= says.half_units
+    if e.op == "symbol":
+        low, high = number(middle - half), number(middle + half)
+        return Conjunction((Relation(e, ">=", low), Relation(e, "<=", high)))
+    return Relation(abs(e - number(middle)), "<=", number(half))
+
+
+def denied(says: Formula) -> Formula:
+    """What holds where the parts are defined and the statement fails.
+
+    Raises:
+        NotExportedError: a statement of which one point is no counterexample.
+    """
+    if isinstance(says, Conjunction) and len(says.parts) == 1:
+        return denied(says.parts[0])
+    if isinstance(says, Relation):
+        return says.negated
+    if isinstance(says, Conjunction) and all(isinstance(part, Relation) for part in says.parts):
+        return Fails(says)
+    raise NotExportedError("it is refuted, and its witness is not exported yet")
+
+
+def free(says: Formula) -> frozenset[str]:
+    """The free variables of a formula."""
+    match says:
+        case Relation():
+            return symbols(says.left) | symbols(says.right)
+        case Wherever():
+            asked = (symbols(e) for x, _, y in says.conditions for e in (x, y))
+            return frozenset().union(free(says.says), *asked)
+        case One():
+            return free(says.says) - {says.name}
+        case Some() | Every():
+            return free(says.says) - {*says.names}
+        case Fails():
+            return free(says.says)
+        case Conjunction():
+            return frozenset().union(*map(free, says.parts))
+    return free(says.first) | free(says.second)
+
+
+def asked(says: Formula) -> Iterator[Part]:
+    """What makes the parts of a formula defined, of the variables that are free in it."""
+    match says:
+        case Relation():
+            yield from (part for e in (says.left, says.right) for part in defined(e))
+        case One() | Some() | Every():
+            bound = {says.name} if isinstance(says, One) else {*says.names}
+            yield from (part for part in asked(says.says) if bound.isdisjoint(symbols(part[0])))
+        case Wherever() | Fails():
+            yield from asked(says.says)
+        case Conjunction():
+            for one in says.parts:
+                yield from asked(one)
+        case Equivalence():
+            yield from (*asked(says.first), *asked(says.second))
+
+
+def theorem(
+    claim: Claim, says: Formula, above: tuple[Basic, ...] = (), exists: bool = False
+) -> Theorem:
+    """The claim's definitions, conditions, what makes it defined, and what it says."""
+    given = tuple(dict.fromkeys(conditions_of((*claim.given, *above))))
+    sides = [e for x, _, y in given for e in (x, y)]
+    parts = [*asked(says), *(part for e in sides for part in defined(e))]
+    parts = [part for part in dict.fromkeys(parts) if symbols(part[0])]
+    used = [free(says), *map(symbols, sides), *(symbols(e) for e, _ in parts)]
+    meanings, names = definitions(claim, frozenset().union(*used))
+    put_in = tuple(
+        (tuple(c for c in asked if c not in given), meaning) for asked, meaning in meanings
+    )
+    if exists or isinstance(claim.proof, Printed):  # where the conditions of definitions hold
+        conditions_ = (Relation(*c) for asked, _ in put_in for c in asked)
+        given = tuple(dict.fromkeys((*given, *conditions_)))
+        put_in = tuple(((), meaning) for _, meaning in put_in)
+    return Theorem(
+        name_of(claim.label), tuple(sorted(names)), put_in, given, tuple(parts), says, exists
+    )
+
+
+def tending(claim: Claim, says: Basic) -> Theorem:
+    """An order: with which bound for which distance, at all points so near that are allowed.
+
+    Raises:
+        NotExportedError: an order of derivatives.
+    """
+    equation, what, points, side = says.args
+    left, right = door.unworked(equation.lhs), door.unworked(equation.rhs)
+    (node,) = {e for e in outermost(right) if e.op in ("O", "o")}
+    if not elementary(left):
+        raise NotExportedError("an order of derivatives is not exported to Coq yet")
+    k, d = symbol("bound"), symbol("near")
+    without, whole = (replaced(right, {node: e}) for e in (ZERO, node.args[0]))
+    small = Relation(abs(left - without), "<=", k * abs(whole - without))
+    several = type(what).__name__ == "Tuple"
+    pairs = zip(what.args, points.args, strict=True) if several else [(what, points)]
+    where = [part for x, p in pairs for part in _beside(x, p, int(side), d)]
+    if not several and not int(side):
+        where.append(Relation(door.unworked(what), "!=", door.unworked(points)))
+    given = [*conditions_of(claim.given), *where]
+    sides = [e for c in given for e in (c.left, c.right)]
+    used = frozenset().union(free(small), *map(symbols, sides)) - {"bound", "near"}
+    meanings, names = definitions(claim, used)
+    asked_for = [part for e in (left, without, whole, *sides) for part in defined(e)]
+    given += [Relation(e, sign, ZERO) for e, sign in dict.fromkeys(asked_for) if symbols(e)]
+    inner: Formula = Wherever((*(m for _, m in meanings), *given), small)
+    every = Every(tuple(sorted(names)), inner)
+    near: Formula = Some(("near",), Conjunction((Relation(d, ">", ZERO), every)))  # type: ignore[arg-type]
+    if node.op == "o":
+        near = Every(("bound",), Wherever((Relation(k, ">", ZERO),), near))
+    else:
+        near = Some(("bound",), near)
+    refuted = claim.expect is Verdict.REFUTED
+    return Theorem(name_of(claim.label), (), (), (), (), Fails(near) if refuted else near)
+
+
+def _beside(x: Basic, point: Basic, side: int, d: Expr) -> Iterator[Relation]:
+    """That ``x`` is as near to the point as said, and on that side; beyond ``d`` at infinity."""
+    e = door.unworked(x)
+    if point.is_infinite:
+        yield Relation(e, ">", d)
+        return
+    p = door.unworked(point)
+    yield from [
+        Relation(e, ">", p if side > 0 else p - d),
+        Relation(e, "<", p if side < 0 else p + d),
+    ]
+
+
+Meaning = tuple[tuple[Condition, ...], Relation]
+
+
+def definitions(claim: Claim, names: frozenset[str]) -> tuple[list[Meaning], frozenset[str]]:
+    """The equations for the symbols ``names`` and for those in them, foundations first.
+
+    What is assumed of an integral is among them where it speaks of one of these, and so are the
+    equations for a symbol that has several: together they tie what they say it is. Returns all the
+    symbols, too.
+    """
+    table = [
+        (conditions(used.given), part)
+        for used in claim.rests_on
+        if isinstance(used.proof, Definition | ImplicitFunction | Root)
+        and used.statement is not None
+        for part in relations(read(used.statement))
+    ]
+    found: set[int] = set()
+    several = Counter(part.left for part in {part for _, part in table})
+
+    def speaks(part: Relation) -> bool:
+        """Whether the equation is for one of the symbols, or ties or restricts one."""
+        sides = (part.left, part.right) if several[part.left] > 1 else (part.left,)
+        return any(symbols(side) & names for side in sides)
+
+    while True:
+        new = [n for n, (_, part) in enumerate(table) if n not in found and speaks(part)]
+        if not new:
+            return [table[n] for n in sorted(found)], names
+        for n in new:
+            conditions_, part = table[n]
+            names = names.union(
+                free(part), *(symbols(e) for c in conditions_ for e in (c[0], c[2]))
+            )
+        found.update(new)
+
+
+def existence(claim: Claim, says: Formula) -> Theorem:
+    """That under the conditions of a definition there is what it defines."""
+    parts = [*relations(says)]
+    new = [part.left.args[0] for part in parts if part.left.op == "symbol"]
+    inner = Conjunction(tuple(parts)) if len(parts) > 1 else parts[0]
+    made = Some(tuple(dict.fromkeys(new)), inner)
+    whole = theorem(claim, made)
+    needs = [part for p in parts for part in defined(p.right) if symbols(part[0])]
+    shown = [Relation(e, sign, ZERO) for e, sign in dict.fromkeys(needs) if not symbols(e) & {*new}]
+    kept = tuple(part for part in whole.defined if (part[0], part[1]) not in set(needs))
+    every: Formula = Conjunction((*shown, made)) if shown else made  # type: ignore[arg-type]
+    return Theorem(whole.name, whole.variables, whole.definitions, whole.given, kept, every)
+
+
+def stamp(found: Theorem | Joint) -> str:
+    """What changes when a statement does."""
+    return sha256(f"{found.text}".encode()).hexdigest()[:16]

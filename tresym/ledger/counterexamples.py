@@ -1,0 +1,513 @@
+"""Violations: a point where everything a claim uses holds, and balls there that exclude it.
+
+The equations a claim uses are put in: each is read as a rule for a symbol, solved for one in which
+it is linear, or, when neither will do, met on a tiny segment across which it changes sign. Balls
+walk over the SymPy expression as it was written, integrals included: nothing is shared with the
+trees and the decision procedures that a violation is to contradict, nor with their making.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from itertools import islice, pairwise
+from time import perf_counter
+from typing import Any
+
+from flint import arb, fmpq
+from sympy import (
+    Basic,
+    Derivative,
+    Eq,
+    Equivalent,
+    Integer,
+    Integral,
+    MatrixBase,
+    Subs,
+    Symbol,
+    Tuple,
+    false,
+)
+from sympy.core.relational import Relational
+
+from tresym.ledger.ball_evaluation import At, differentiated, value
+from tresym.ledger.claim import Claim, equal, parts_of
+from tresym.ledger.conversion import MAX_PASSES, CircularError, tree
+from tresym.ledger.lazy import Kept
+from tresym.reals import cross_check
+from tresym.reals.decisions.identity import decide
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.sample_points import Range
+from tresym.reals.language.binders import generalised
+from tresym.reals.numbers.arithmetic import ball_precision, side
+from tresym.reals.numbers.exact import Interval, fraction_text
+from tresym.reals.verdict import Verdict
+
+Conditions = tuple[Basic, ...]
+Rules = dict[Basic, Basic]
+Place = Mapping[Symbol, Interval]
+"""Exact values, or tiny segments."""
+
+BITS, ROUGH = 128, 64
+POINTS = 40
+"""Exact points tried before a relation is taken to be unviolated."""
+LOOKS = ((BITS, POINTS), (1024, 2))
+ENOUGH, TRIED, SHARE = (2, 1), (8, 2), 0.02
+"""The advocate's points: those looked at, those tried (also where an integral or a root makes them
+dear), and the part of a decision's time that more may take."""
+ROOTS = 2
+"""Points on an implicit equation that are looked for."""
+SPAN, GRID = fmpq(8), 16
+"""Where a root is looked for along an unbounded coordinate, and in how many steps."""
+PARAMETERS, CELLS = 2, 256
+"""Points tried, and cells cut, to show an interval without a root."""
+LARGE = 400
+"""Parts of the largest expression that symbols are replaced in."""
+COARSE = 32
+"""Bits with which signs on the grid are told."""
+FINEST = 3**20
+"""One over this is as finely as a chord is told to cross a segment."""
+WIDTH = fmpq(1, 2**24)
+"""Width of the segment on which an implicit equation holds somewhere."""
+
+
+@dataclass(frozen=True)
+class Violation:
+    """The point (its centre, where it is a segment) and a sentence on what happens there."""
+
+    point: Mapping[str, fmpq]
+    why: str
+
+
+@dataclass(frozen=True)
+class World:
+    """Where a claim is tried: conditions, symbols that have a meaning, equations met by search."""
+
+    conditions: Conditions
+    rules: tuple[tuple[Symbol, Basic], ...]
+    implicit: tuple[Basic, ...]
+    """Differences that vanish where the equations used hold."""
+    large: Conditions = ()
+    """Conditions in which the symbols stand as they are: their meanings would be too long."""
+
+    def names(self, *sides: Basic) -> frozenset[Symbol]:
+        """The symbols that these hang on, and that are free to take values.
+
+        Raises:
+            CircularError: a variable is bound where a symbol stands whose meaning hangs on it.
+        """
+        rules = dict(self.rules)
+        _need_unbound(sides, rules)
+        return _reached(_names(*sides), rules).difference(rules)
+
+    def at(self, place: Place) -> At:
+        """A place, where balls are taken."""
+        return At({s: i.ball() for s, i in place.items()}, rules=dict(self.rules))
+
+    def values(self, sides: Iterable[Basic], place: Place) -> tuple[Any, ...]:
+        """Balls for these at a place."""
+        here = self.at(place)
+        return tuple(value(side, here) for side in sides)
+
+
+def _names(*sides: Basic) -> frozenset[Symbol]:
+    return frozenset().union(*(side.free_symbols for side in sides))
+
+
+def _reached(names: Iterable[Symbol], rules: Mapping[Symbol, Basic]) -> frozenset[Symbol]:
+    """These symbols, and all that their meanings hang on."""
+    found, waiting = set[Symbol](), [*names]
+    while waiting:
+        name = waiting.pop()
+        if name not in found:
+            found.add(name)
+            waiting += rules[name].free_symbols if name in rules else ()
+    return frozenset(found)
+
+
+def _need_unbound(sides: Iterable[Basic], rules: Mapping[Symbol, Basic]) -> None:
+    for node in {n for e in sides for n in e.atoms(Integral, Derivative, Subs)}:
+        for name in node.free_symbols.intersection(rules):
+            if not _reached((name,), rules).isdisjoint(node.variables):
+                raise CircularError(f"a definition reaches {name}, where a variable is bound")
+
+
+@lru_cache(maxsize=4096)
+def violation(says: Basic, given: Conditions, known: tuple[Basic, ...] = ()) -> Violation | None:
+    """A point under ``given`` where all of ``known`` holds and balls violate ``says``, or None.
+
+    Args:
+        says: a relation, a `Tuple` of them (one must fail), or an `Equivalent` of two equations.
+        known: relations of the claims that are used.
+    """
+    for relation, there in _relations(says, known):
+        world = _world(given, there)
+        points = _points(world, world.names(*relation.args))
+        for bits, count in LOOKS:
+            for place in points.first(count):
+                with ball_precision(bits):
+                    left, right = world.values(relation.args, place)
+                    if excluded(left - right, relation.rel_op):
+                        return _violated_at(place)
+    return None
+
+
+def contradiction(
+    says: Basic, given: Conditions, known: tuple[Basic, ...] = (), spent: float = 0.0
+) -> str | None:
+    """As :func:`violation`, but at the advocate's points: what is seen there, in words, or None.
+
+    Args:
+        spent: seconds that the decision took; with more of them, more points are tried.
+    """
+    relations = tuple(_relations(says, known))
+    for relation, there in relations:
+        world = _world(given, there)
+        start, shown = perf_counter(), 0
+        dear = bool(world.implicit) or relation.has(Integral)
+        with ball_precision(BITS):
+            for tried, place in enumerate(_places(world, world.names(*relation.args)), 1):
+                if place is not None:
+                    sides = world.values(relation.args, place)
+                    shown += sides[0].is_finite() and sides[1].is_finite()
+                    if excluded(sides[0] - sides[1], relation.rel_op):
+                        seen = " and ".join(map(cross_check.said, sides))
+                        return f"{_violated_at(place).why}: the sides are {seen}"
+                enough = shown >= ENOUGH[dear] or tried >= TRIED[dear]
+                if enough and perf_counter() - start > SHARE * spent / len(relations):
+                    break
+    return None
+
+
+def _relations(
+    says: Basic, known: tuple[Basic, ...]
+) -> Iterator[tuple[Relational, tuple[Basic, ...]]]:
+    """The relations between numbers that ``says`` consists of, each with what is known there."""
+    if isinstance(says, Equivalent):
+        first, second = says.args
+        yield from _relations(second, (*known, first))
+        yield from _relations(first, (*known, second))
+    elif isinstance(says, Tuple):
+        for part in says.args:
+            yield from _relations(part, known)
+    elif isinstance(says, Relational):
+        yield from ((entry, known) for entry in scalars(says))
+
+
+def rootless(
+    function: Basic, variable: Symbol, ends: tuple[Basic, Basic], given: Conditions
+) -> Violation | None:
+    """A point under ``given`` at which balls show ``function`` without root between ``ends``."""
+    names = _names(function, *ends) - {variable}
+    for place in _points(_world(given, ()), names).first(PARAMETERS):
+        with ball_precision(BITS):
+            here = At({s: i.ball() for s, i in place.items()})
+            low, high = (value(end, here) for end in ends)
+            cells = [
+                (low + (high - low) * n / CELLS).union(low + (high - low) * (n + 1) / CELLS)
+                for n in range(CELLS)
+            ]
+            sides = {side(value(function, At({variable: cell}, outer=here))) for cell in cells}
+        if sides in ({1}, {-1}):
+            return _violated_at(place)
+    return None
+
+
+def somewhere(given: Conditions, known: tuple[Basic, ...]) -> tuple[Rules, tuple[Place, ...]]:
+    """Where ``given`` and ``known`` may hold: what is put in, and points or tiny segments.
+
+    What a condition speaks of is put in with derivatives of integrals by their ends carried out.
+    """
+    world, rules = _world(given, known), {}
+    spoken_of = _names(*given)
+    for left, right in world.rules:
+        done = differentiated(right) if isinstance(right, Derivative) else right
+        rules[left] = right if left not in spoken_of or done.has(Integral) else done
+    return rules, tuple(_points(world, world.names(*rules.values()), enough=1))
+
+
+def excluded(difference: arb, relation: str) -> bool:
+    """Whether a ball shows that ``difference`` does not stand in ``relation`` to zero."""
+    if not difference.is_finite():
+        return False
+    return bool(
+        {
+            "==": not difference.contains(0),
+            "!=": difference.is_zero(),
+            ">": difference <= 0,
+            ">=": difference < 0,
+            "<": difference >= 0,
+            "<=": difference > 0,
+        }[relation]
+    )
+
+
+def _violated_at(place: Mapping[Symbol, Interval]) -> Violation:
+    named = sorted((s.name, (i.low + i.high) / 2, i.low == i.high) for s, i in place.items())
+    where = [f"{n} = {fraction_text(v)}" for n, v, exact in named if exact]
+    where += [f"a root {n} near {float(v.p) / float(v.q)!r}" for n, v, exact in named if not exact]
+    why = "violated at " + (", ".join(where) or "the constants themselves")
+    return Violation({n: v for n, v, _ in named}, why)
+
+
+def scalars(equation: Basic) -> list[Basic]:
+    """The entries of an equation of matrices; anything else is its own."""
+    left, right = equation.args if isinstance(equation, Relational) else (None, None)
+    if isinstance(left, MatrixBase) and isinstance(right, MatrixBase):
+        return [equal(p, q) for p, q in zip(left, right, strict=True)]
+    return [equation]
+
+
+# Where everything that is used holds
+
+
+@lru_cache(maxsize=512)
+def _world(given: Conditions, known: tuple[Basic, ...]) -> World:
+    relations = [entry for relation in known for entry in scalars(relation)]
+    equations = [r for r in relations if isinstance(r, Eq)]
+    rules: dict[Symbol, Basic] = {}
+    pending = []
+    for left, right in (equation.args for equation in equations):
+        new = isinstance(left, Symbol) and left not in rules
+        if new and left not in _reached(right.free_symbols, rules):
+            rules[left] = right
+        elif left != right:
+            pending.append((left, right))
+    _need_unbound(rules.values(), rules)
+    kept = _names(*given)
+    plain = tuple(c for c in given if not c.has(Integral, Derivative, Subs, Eq))
+    implicit = []
+    for left, right in pending:
+        large = _size((left, right), rules) > LARGE
+        solved = _solved(left - right, kept, rules) if large else None
+        if solved is None:
+            left, right = put_in(left, rules), put_in(right, rules)
+            if left == right or _identical(left, right, plain):
+                continue
+            solved = _solved(left - right, kept, rules)
+        if solved is None:
+            implicit.append(left - right)
+        else:
+            rules[solved[0]] = solved[1]
+    # What was left may hold by what was solved for after it.
+    same = (_identical(put_in(e, rules), Integer(0), plain) for e in implicit)
+    implicit = [e for e, holds in zip(implicit, same, strict=True) if not holds]
+    asked = dict.fromkeys((*given, *(r for r in relations if not isinstance(r, Eq))))
+    small = [c for c in asked if _size((c,), rules) <= LARGE]
+    others = tuple(c for c in asked if c not in small)
+    _need_unbound((*implicit, *others), rules)
+    conditions = dict.fromkeys(put_in(c, rules) for c in small)
+    return World(tuple(conditions), tuple(rules.items()), tuple(implicit), others)
+
+
+def _size(sides: Iterable[Basic], rules: Mapping[Symbol, Basic]) -> int:
+    """How many parts these would have, with all that symbols stand for put in."""
+    known: dict[Basic, int] = {}
+
+    def size(e: Basic) -> int:
+        if e not in known:
+            known[e] = size(rules[e]) if e in rules else 1 + sum(map(size, e.args))
+        return known[e]
+
+    return sum(map(size, sides))
+
+
+@lru_cache(maxsize=512)
+def _identical(left: Basic, right: Basic, given: Conditions) -> bool:
+    one, other = generalised(tree(left), tree(right))
+    return decide(one, other, Given.from_sympy(*given)).verdict is Verdict.PROVED
+
+
+def rules_of(claims: Iterable[Claim]) -> Rules:
+    """The equations that claims say, entry by entry, as replacements of their left sides."""
+    parts = (p for claim in claims for p in parts_of(claim.says) if isinstance(p, Eq))
+    return {e.lhs: e.rhs for part in parts for e in scalars(part) if not e.lhs.is_number}
+
+
+def put_in(expression: Basic, rules: Rules) -> Basic:
+    """Replace left sides by right sides until none is left, in SymPy's own way.
+
+    Raises:
+        CircularError: a symbol is defined by itself, or by a variable that is bound where it is.
+    """
+    for _ in range(MAX_PASSES):
+        for node in expression.atoms(Integral, Derivative, Subs):
+            bound = set(node.variables)
+            for left, right in rules.items():
+                if node == left:  # it is replaced as it stands, where nothing binds its point
+                    continue
+                if bound & (left.free_symbols | right.free_symbols) and node.has(left):
+                    raise CircularError(f"a definition reaches {left}, where a variable is bound")
+        replaced = expression.xreplace(rules)
+        if replaced == expression:
+            return expression
+        expression = replaced
+    raise CircularError(f"definitions of {sorted(map(str, rules))} never end")
+
+
+def _solved(
+    difference: Basic, kept: frozenset[Symbol], rules: Mapping[Symbol, Basic]
+) -> tuple[Symbol, Basic] | None:
+    """A symbol in which ``difference`` is linear, preferably a free one, and its root."""
+    names = difference.free_symbols
+    if difference.has(Integral):
+        return None
+    for symbol in sorted(names.difference(rules), key=lambda s: (s in kept, s.name)):
+        slope = difference.diff(symbol)
+        alone = symbol not in _reached(names - {symbol}, rules)
+        if alone and slope != 0 and symbol not in slope.free_symbols:
+            return symbol, -difference.subs(symbol, 0) / slope
+    return None
+
+
+@lru_cache(maxsize=512)
+def _points(
+    world: World, names: frozenset[Symbol], enough: int = ROOTS
+) -> Kept[dict[Symbol, Interval]]:
+    """Points, or tiny segments, on which every condition and equation holds somewhere."""
+    if len(world.implicit) > 1 or false in world.conditions:
+        return Kept(lambda: iter(()))
+    symbols, plain, hard = _parts(world, names)
+
+    def starts() -> Iterator[dict[Symbol, Interval]]:
+        for named in Given.from_sympy(*plain).points(sorted(symbols), POINTS):
+            exact = {symbols[name]: Interval(v, v) for name, v in named.items()}
+            with ball_precision(BITS):
+                here = world.at(exact)
+                inside = all(_holds(c, here) for c in hard)
+            if inside:
+                yield exact
+
+    if not world.implicit:
+        return Kept(starts)
+    found: list[dict[Symbol, Interval]] = []
+    for grid in _grids(world):
+        found = [*_roots(world, starts(), grid, enough)]
+        if len(found) >= enough:
+            break
+    return Kept(lambda: iter(found))
+
+
+def _roots(
+    world: World, starts: Iterator[dict[Symbol, Interval]], grid: Sequence[int], enough: int
+) -> Iterator[dict[Symbol, Interval]]:
+    """At most so many segments across the implicit equation."""
+    segments = (segment for exact in starts for segment in _on_equation(world, exact, grid))
+    return islice(segments, enough)
+
+
+def _places(world: World, names: frozenset[Symbol]) -> Iterator[dict[Symbol, Interval] | None]:
+    """As :func:`_points`, from those of the advocate; None where one is not shown to be inside."""
+    if len(world.implicit) > 1 or false in world.conditions:
+        return
+    symbols, plain, hard = _parts(world, names)
+    order = sorted(symbols)
+    given = Given.from_sympy(*plain).comparisons
+    for values in cross_check.points(order, given, cross_check.conditions(order, given)):
+        if values is None:
+            yield None
+            continue
+        ends = (Interval(v, v) for v in map(cross_check.exact, values))
+        exact = dict(zip((symbols[name] for name in order), ends, strict=True))
+        here = world.at(exact)
+        if not all(_holds(c, here) for c in hard):
+            yield None
+        elif world.implicit:
+            yield next(_on_equation(world, exact, _grids(world)[0]), None)
+        else:
+            yield exact
+
+
+def _parts(
+    world: World, names: frozenset[Symbol]
+) -> tuple[dict[str, Symbol], list[Basic], list[Basic]]:
+    """All symbols by name, the conditions that are plain, and those that are not."""
+    conditions = world.conditions
+    symbols = {s.name: s for s in names | world.names(*world.implicit, *world.large)}
+    symbols |= {s.name: s for condition in conditions for s in condition.free_symbols}
+    hard = [c for c in conditions if c.has(Integral, Derivative, Subs)]
+    return symbols, [c for c in conditions if c not in hard], [*hard, *world.large]
+
+
+def _grids(world: World) -> tuple[Sequence[int], ...]:
+    """An integral is dear: it is first looked at near both ends only."""
+    (difference,) = world.implicit
+    rules = dict(world.rules)
+    meanings = (rules[s] for s in _reached(difference.free_symbols, rules) if s in rules)
+    coarse = ((1, GRID - 1),) if any(e.has(Integral) for e in (difference, *meanings)) else ()
+    return (*coarse, range(1, GRID))
+
+
+def _on_equation(
+    world: World, exact: dict[Symbol, Interval], grid: Sequence[int]
+) -> Iterator[dict[Symbol, Interval]]:
+    """At most one segment across the implicit equation, along one coordinate through a point."""
+    (difference,) = world.implicit
+    plain = (c for c in world.conditions if not c.has(Integral, Derivative, Subs))
+    box = Given.from_sympy(*plain).box
+    with ball_precision(ROUGH):
+        fixed = {s: i.ball() for s, i in exact.items()}
+        rules, moving = dict(world.rules), world.names(difference)
+        for symbol in sorted(moving, key=lambda s: (s.name not in box, s.name)):
+            low, high = _reach(box.get(symbol.name, Range()))
+
+            def there(v: arb | fmpq, symbol: Symbol = symbol) -> At:
+                return At({**fixed, symbol: arb(v)}, rules=rules)
+
+            def at(v: arb | fmpq, there: Callable[[arb | fmpq], At] = there) -> arb:
+                return value(difference, there(v))
+
+            segment = _segment(at, [low + (high - low) * n / GRID for n in grid])
+            if segment is None or not at(segment.ball()).is_finite():
+                continue
+            here = there(segment.ball())
+            if all(_holds(c, here) for c in (*world.conditions, *world.large)):
+                yield {**exact, symbol: segment}
+                return
+
+
+def _reach(where: Range) -> tuple[fmpq, fmpq]:
+    low = -SPAN / 2 if where.low is None else where.low
+    return low, low + SPAN if where.high is None else where.high
+
+
+def _segment(function: Callable[[fmpq], arb], grid: Sequence[fmpq]) -> Interval | None:
+    """A tiny segment at whose ends ``function`` has opposite signs, between two on ``grid``."""
+    with ball_precision(COARSE):
+        signed = [(v, s) for v in grid if (s := side(function(v)))]
+    changes = [(v, w) for (v, first), (w, second) in pairwise(signed) if first != second]
+    return next(filter(None, (_narrowed(function, *ends) for ends in changes)), None)
+
+
+def _narrowed(function: Callable[[fmpq], arb], start: fmpq, end: fmpq) -> Interval | None:
+    """A tiny part of the segment at whose ends the signs are opposite too, by chords."""
+    first, last = function(start), function(end)
+    while end - start > WIDTH:
+        width, share = end - start, first / (first - last)
+        # Not halved: roots like to lie on halves, where a ball cannot tell the sign.
+        parts = round(float(share.mid()) * FINEST) if share.is_finite() else FINEST * 5 // 9
+        middle = start + width * fmpq(min(max(parts, 1), FINEST - 1), FINEST)
+        half = max(WIDTH * 4 / 9, min(width / 32, width * width))
+        for near in (middle - half, middle + half, (5 * start + 4 * end) / 9):
+            v = fmpq((near * FINEST).floor(), FINEST)
+            if not start < v < end:
+                continue
+            found = function(v)
+            if not side(found):
+                return None
+            if side(found) == side(first):
+                start, first = v, found
+            else:
+                end, last = v, found
+            if end - start <= 2 * half:
+                break
+    return Interval(start, end)
+
+
+def _holds(condition: Basic, here: At) -> bool:
+    """Whether balls show an inequality, strictly."""
+    difference = value(condition.lhs, here) - value(condition.rhs, here)
+    if condition.rel_op == "!=":
+        return bool(side(difference))
+    return bool(difference > 0 if condition.rel_op in (">", ">=") else difference < 0)

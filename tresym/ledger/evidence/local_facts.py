@@ -1,0 +1,42 @@
+"""Local facts: what a claim shows on its way, by the prover of signs, and names nowhere else."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from tresym.ledger.claim import Claim, Definition, Reason, by, with_reasons
+from tresym.ledger.conversion import conditions, defined
+from tresym.ledger.evidence.chain import unmet_condition
+from tresym.ledger.evidence.integrals import RULES
+from tresym.ledger.reasons import citing, substituting
+from tresym.ledger.statements import Under
+
+
+def facts_of(claim: Claim) -> tuple[Claim, ...]:
+    """The facts of a claim as claims, each under its conditions and by those before it.
+
+    One of a symbol that is bound where it is used has the conditions on that beside them. What
+    stands behind the claim is put in where it defines a symbol of the fact.
+    """
+    found: list[Claim] = []
+    for n, fact in enumerate(claim.knowing, 1):
+        says, more = fact.args if isinstance(fact, Under) else (fact, ())
+        names, given = {str(s) for s in says.free_symbols}, (*claim.given, *more)
+        behind = (c for c in claim.rests_on if isinstance(c.proof, Definition))
+        meant = [
+            c
+            for c in behind
+            if defined(c) & names and unmet_condition(c, {}, conditions(given)) is None
+        ]
+        why = by(substituting(*meant), citing(*found))
+        found.append(Claim(f"{claim.label}, fact {n}", says, why, given=given))
+    return tuple(found)
+
+
+def by_facts(claim: Claim, facts: tuple[Claim, ...]) -> Claim:
+    """The claim with evidence that cites its facts, in each step and at each integral."""
+
+    def known(reason: Reason) -> Reason:
+        return replace(reason, claims=(*facts, *reason.claims)) if reason.name in RULES else reason
+
+    return replace(claim, knowing=(), proof=with_reasons(claim.proof, known, citing(*facts)))

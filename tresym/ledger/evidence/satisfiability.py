@@ -1,0 +1,128 @@
+"""Whether conditions and equations hold together at some point: what is found there is checked.
+
+What is found are values of some symbols, put in everywhere, and a point of the others, or a segment
+that one of them runs through. Then every equation must hold identically, but for one, which changes
+its sign on the segment and has no jump there; and every inequality holds in balls. An integral is
+enclosed cell by cell, by the middle of each and the second derivative on all of it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from functools import lru_cache
+
+from flint import arb
+from sympy import Basic, Integer
+
+from tresym.ledger.claim import Step
+from tresym.ledger.conversion import Conditions, Rules, conditions, formula, put_in, tree
+from tresym.ledger.counterexamples import scalars, somewhere
+from tresym.ledger.evidence.chain import check_chain
+from tresym.ledger.reasons import differentiating_integral
+from tresym.reals.decisions.identity import decide_continuous
+from tresym.reals.domain.binder_values import jumps
+from tresym.reals.domain.evaluation import evaluate, stands
+from tresym.reals.language.binders import elementary, generalised, outermost, worked_out
+from tresym.reals.language.expression import Expr, differentiate, opened, replaced, symbol
+from tresym.reals.language.formula import Relation, relations
+from tresym.reals.numbers.arithmetic import ball_precision, side
+from tresym.reals.numbers.exact import Interval
+from tresym.reals.verdict import Verdict
+
+Place = Mapping[str, Interval]
+"""Exact values of symbols by name, or a segment."""
+
+BITS = 40
+CELLS = 32
+"""Into which an interval of integration is cut."""
+ROOM = arb((1, -8))
+"""How much wider a segment is made than it was found: an integral is enclosed but roughly."""
+BY_END = (Step(None, (differentiating_integral(Integer(0)),)),)
+"""How a derivative is shown to be what is put in for it."""
+
+
+@lru_cache(maxsize=512)
+def satisfiable(given: tuple[Basic, ...], known: tuple[Basic, ...]) -> bool:
+    """Whether a point is found at which all of ``given`` and ``known`` is shown to hold."""
+    said = (r for e in known for entry in scalars(e) for r in relations(formula(entry)))
+    put, places = somewhere(given, known)
+    rules = {tree(left): tree(right) for left, right in put.items()}
+    named = [{str(symbol): where for symbol, where in place.items()} for place in places]
+    return hold((*conditions(given), *said), rules, named)
+
+
+def hold(asked: Iterable[Relation], rules: Rules, places: Iterable[Place]) -> bool:
+    """Whether all that is asked holds in one of the places, with the values that are put in."""
+    if any(left.op != "symbol" for left in rules):
+        return False
+    meant = [Relation(put_in(r.left, rules), r.sign, put_in(r.right, rules)) for r in asked]
+    bounds = tuple(r for r in meant if r.sign != "==")
+    equations = [r for r in meant if r.sign == "=="]
+    open_ = [r.left - r.right for r in equations if not _is_identity(r, bounds)]
+    valued = [put_in(right, rules) for right in rules.values()]
+    valued += [side for r in equations for side in (r.left, r.right)]
+
+    def holds(place: Place) -> bool:
+        at = {name: _widened(where) for name, where in place.items()}
+        moving = [name for name, where in place.items() if where.low != where.high]
+        return (
+            len(open_) == len(moving) <= 1
+            and all(evaluate(e, at).is_finite() for e in valued if elementary(e))
+            and all(stands(_enclosed(r.left - r.right, at), r.sign) for r in bounds)
+            and all(_crosses(e, at, moving[0]) for e in open_)
+        )
+
+    with ball_precision(BITS):
+        return any(map(holds, places))
+
+
+def _widened(where: Interval) -> arb:
+    """A number, or a segment with some more on both sides."""
+    return where.ball() * (1 + ROOM * arb(0, 1)) if where.low != where.high else where.ball()
+
+
+def _is_identity(equation: Relation, given: Conditions) -> bool:
+    """Whether an equation holds wherever both sides have values, or by Leibniz's rule."""
+    one, other = generalised(equation.left, equation.right)
+    if one == other or decide_continuous(one, other).verdict is Verdict.PROVED:
+        return True
+    steps = check_chain(equation, BY_END, given)
+    return all(step.verdict is Verdict.PROVED for step in steps)
+
+
+def _crosses(e: Expr, at: Mapping[str, arb], name: str) -> bool:
+    """Whether ``e``, continuous on the segment, has opposite signs at its ends."""
+    ends = at[name].lower(), at[name].upper()
+    return (
+        not jumps(e)
+        and _enclosed(e, at).is_finite()
+        and {side(_enclosed(e, {**at, name: end})) for end in ends} == {1, -1}
+    )
+
+
+def _enclosed(e: Expr, at: Mapping[str, arb]) -> arb:
+    """A ball that contains ``e``, its integrals among it; NaN where none is shown."""
+    nodes = {node: f"[{n}]" for n, node in enumerate(outermost(e))}
+    known = {name: _integral(node, at) for node, name in nodes.items()}
+    return evaluate(replaced(e, {n: symbol(name) for n, name in nodes.items()}), {**at, **known})
+
+
+def _integral(node: Expr, at: Mapping[str, arb]) -> arb:
+    """The integral of what has a second derivative: on each cell it is f(m)·h + f″·h³/24."""
+    if node.op != "integral" or not elementary(*node.args[1:]):
+        return arb.nan()
+    (name,), body = opened(node, at)
+    f = worked_out(body)
+    if not elementary(f) or jumps(f):
+        return arb.nan()
+    bend = differentiate(differentiate(f, name), name)
+    low, high = (evaluate(end, at) for end in node.args[1:])
+    h, total = (high - low) / CELLS, arb(0)
+    for n in range(CELLS):
+        middle = low + h * (n + arb(0.5))
+        cell = {**at, name: middle + h * arb(0, 0.5)}
+        known: dict[Expr, arb] = {}
+        if not evaluate(f, cell, known).is_finite():
+            return arb.nan()
+        total += h * evaluate(f, {**at, name: middle}) + h**3 / 24 * evaluate(bend, cell, known)
+    return total

@@ -1,0 +1,354 @@
+"""What is asked of a link, and what it is if the answer is no."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import NamedTuple
+
+from flint import fmpq
+
+from tresym.manuscript import prose
+from tresym.manuscript.context import DEPTH, Memory, Under, about, names_in
+from tresym.manuscript.display import Said
+from tresym.manuscript.source import Display
+from tresym.manuscript.terms import Head, base_of, unknown_in, variables_of_integrals
+from tresym.reals.decisions.claim_parsing import chained
+from tresym.reals.language.binders import antiderivative, is_infinite, outermost
+from tresym.reals.language.expression import (
+    DOTS,
+    Expr,
+    differentiate,
+    instantiate,
+    number,
+    replaced,
+    substitute,
+    symbol,
+    symbols,
+)
+from tresym.reals.language.latex_operands import Piece
+from tresym.reals.language.parsing import INFINITY, Compared
+from tresym.reals.numbers.exact import InputError, parse_number
+
+DEFINED, ASSUMED, EQUATION, UNREAD = "DEFINED", "ASSUMED", "EQUATION", "UNREAD"
+CONSTANTS = re.compile(r"[CcAB]_?\d*|[CcA]_\w")
+NO_VARIABLES = symbols(INFINITY) | symbols(DOTS)
+TOLD = "as the text before it says, with"
+WHERE = "under what is said where that is defined, with"
+EARLIER = "under what sections before it say"
+_WORKED = frozenset(("antiderivative", "derivative", "nth", "limit"))
+"""What is written to be worked out: an equality with one of these, or with a series, is no equation
+to be solved."""
+
+
+class Attempt(NamedTuple):
+    """What is asked, what was put in for it, what is thereby said, and whether a no counts."""
+
+    text: str
+    how: str
+    read_as: str
+    may_fail: bool = True
+
+
+@dataclass(frozen=True)
+class Link:
+    """One link of a chain, and what is to be decided of it.
+
+    Attributes:
+        number: its place in the display, from 1.
+        sides: both sides and the relation, where they are read.
+        read_as: what was read, with its conditions.
+        status: where nothing is left to decide.
+        claims: what is asked, in the order of trying: as it stands, then with definitions put in.
+        firm: whether a refutation counts; else the link is then ``otherwise``.
+        same: whether the same variables stand on both sides.
+        unknown: whether there is a function in it that is left unknown.
+    """
+
+    display: Display
+    number: int
+    sides: Compared | None = None
+    read_as: str = ""
+    status: str = ""
+    why: str = ""
+    claims: tuple[Attempt, ...] = ()
+    firm: bool = False
+    otherwise: tuple[str, str] = ("UNDECIDED", "")
+    same: bool = False
+    unknown: bool = False
+    shown: str = field(default="", repr=False)
+
+
+def claim(
+    memory: Memory,
+    link: Link,
+    n: int,
+    said: Said,
+    compared: Compared,
+    pieces: tuple[Piece, Piece],
+    under: Under,
+    head: Head | None,
+    signed: bool,
+) -> Link:
+    """What is asked of a link, and what it is if the answer is no."""
+    left, relation, right = compared
+    try:
+        known = memory.known(under)
+        left, right = memory.under_binders(left, known), memory.under_binders(right, known)
+    except InputError as error:
+        return replace(read_so(link, compared), status=UNREAD, why=str(error))
+    if signed and said.either and relation != "==":
+        why = "which sign is meant is not said"
+        return replace(read_so(link, compared), status=UNREAD, why=why)
+    if signed and said.either:
+        left, right = left**2, right**2
+    if pieces[0].printed and not pieces[1].printed and relation == "==":
+        left, right, pieces = right, left, pieces[::-1]
+    if under.put_in:
+        values = dict(under.put_in)
+        left, right = substitute(left, values), substitute(right, values)
+    orders = any(node.op in ("O", "o") for node in outermost(left, right))
+    as_path = ""
+    if relation == "~" or orders:
+        if relation == "~" and not symbols(left) | symbols(right):
+            return _printed(link, compared, pieces[1])
+        path = under.path or _usual_path(right)
+        if not path:
+            advice = "write % tresym: as x -> 0, or whichever it is, before the display"
+            why = f"it has no path: {advice}"
+            return replace(read_so(link, compared), status=UNREAD, why=why)
+        as_path = f" as {path}"
+    elif (
+        relation == "=="
+        and pieces[1].printed.strip("-")
+        and not symbols(left) - NO_VARIABLES
+        and (not pieces[1].printed.strip("-").isdigit())
+    ):
+        return _printed(link, compared, pieces[1])
+    old = {n for n in known if n not in memory.recent} - {name for name, _ in under.sources}
+    changed = (left, right) != _by_one_variable(left, right, {n: known[n] for n in old})
+    left, right = _by_one_variable(left, right, known)
+    attempts, same = _attempts(memory, (left, relation, right), under, as_path)
+    sure = under.kind == prose.CLAIM and (under.noted or same or not said.before)
+    sure = sure and (under.noted or said.universal or head is None)
+    goes_on = n > 0 and same and under.kind != prose.SOLVE
+    constants = not (symbols(left) | symbols(right)) - NO_VARIABLES
+    constants = constants and not unknown_in(left, right)  # y(0) = 1 is asked of y
+    worked = not unknown_in(left, right) and any(
+        node.op in _WORKED or is_infinite(node) for node in outermost(compared[0], compared[2])
+    )
+    worked = worked or DOTS.args[0] in symbols(left) | symbols(right)
+    firm = not said.before and (sure or goes_on or constants) and (under.noted or not as_path)
+    firm = firm or (
+        relation == "=="
+        and same
+        and not said.before
+        and _is_general(left, right, under, head, signed and not said.either)
+    )
+    firm = firm or (worked and same and relation == "==" and under.kind != prose.SOLVE)
+    firm = (
+        firm
+        and not said.remarks
+        and not changed
+        and not _is_up_to(n, said, known)
+        and not (under.noted and under.kind == prose.SOLVE and n == 0)
+    )
+    link = replace(link, sides=(left, relation, right), read_as=attempts[0].read_as)
+    fallback = _fallback(memory, left, relation, right, None if as_path else head)
+    if under.noted and under.kind == prose.CLAIM:
+        fallback = "UNDECIDED", ""
+    if under.noted and n == 0 and under.kind == prose.SOLVE:
+        return replace(link, status=fallback[0], why=fallback[1])
+    if head is not None and fallback[0] == DEFINED and symbols(right):
+        memory.define(head, right)
+    undecided = "UNDECIDED", ""
+    keep = firm or (same and relation == "==" and n > 0) or as_path or relation != "=="
+    link = replace(link, claims=attempts, firm=firm, same=same)
+    if fallback[0] == EQUATION and unknown_in(left, right):
+        link = replace(link, same=False, unknown=True)
+    return replace(link, otherwise=undecided if keep and fallback[0] != DEFINED else fallback)
+
+
+def _is_up_to(n: int, said: Said, known: Mapping[str, Expr]) -> bool:
+    """Whether a link holds up to what is not said: another constant ``+ C`` on both sides, or the
+    range of a substitution x = φ(θ), where a chain begins with an integral by x."""
+    constants = all(term[-2:] == ("+", "C") for term in said.terms[n : n + 2])
+    return constants or not known.keys().isdisjoint(variables_of_integrals(said.terms[0]))
+
+
+def _is_general(left: Expr, right: Expr, under: Under, head: Head | None, signed: bool) -> bool:
+    """Whether an equality is claimed of all values: a sentence says for which, of all its
+    variables, or it is two, with an upper and a lower sign in both sides."""
+    names = (symbols(left) | symbols(right)) - NO_VARIABLES
+    if head is not None or under.kind or unknown_in(left, right):
+        return False
+    if any(base_of(name) != name for name in names):
+        return False
+    return signed or (under.universal and names <= names_in(under.given))
+
+
+def _attempts(
+    memory: Memory, compared: Compared, under: Under, as_path: str
+) -> tuple[tuple[Attempt, ...], bool]:
+    """What is asked, in order, and whether the same variables stand on both sides in one of it."""
+    left, relation, right = compared
+    attempts: dict[str, Attempt] = {}
+    same, free, end = False, {*NO_VARIABLES}, as_path.split()[1] if as_path else ""
+    if any(node.op == "antiderivative" for node in outermost(left, right)):
+        free |= {name for name in symbols(left) | symbols(right) if CONSTANTS.fullmatch(name)}
+    for more in ((), memory.earlier):
+        conditions: Sequence[Compared] = (*under.given, *more)
+        conditions = tuple(c for c in conditions if end not in names_in((c,)))
+        spoken = chained(about(symbols(left) | symbols(right), conditions))
+        said_so = f"{left} {relation} {right}" + (f" given {spoken}" if spoken else "") + as_path
+        for one, other, given, how in _forms(memory, left, right, conditions, under):
+            given = [c for c in given if end not in names_in((c,))]  # where it holds, the path says
+            shown = chained(about(symbols(one) | symbols(other), given))
+            text = f"{one} {relation} {other}" + (f" given {shown}" if shown else "") + as_path
+            how = "; ".join(filter(None, (how, EARLIER if more else "")))
+            may_fail = not how.startswith((TOLD, WHERE))
+            said = f"{left} {relation} {right} given {shown}" if how.startswith(WHERE) else said_so
+            attempts.setdefault(text, Attempt(text, how, said, may_fail))
+            same = same or (may_fail and not (symbols(one) ^ symbols(other)) - free)
+    return tuple(sorted(attempts.values(), key=lambda attempt: not attempt.may_fail)), same
+
+
+def _by_one_variable(left: Expr, right: Expr, known: Mapping[str, Expr]) -> tuple[Expr, Expr]:
+    """Integrals without ends by u as ones by x where u stands for φ(x): of f(φ(x)) dφ/dx.
+
+    They are so where x is a variable of another such integral, or else stands in the link, and is
+    all that φ knows.
+    """
+    nodes = [n for n in outermost(left, right) if n.op == "antiderivative"]
+    by = {str(node.args[1]) for node in nodes}
+    spoken = symbols(left) | symbols(right)
+    for name in sorted(by & known.keys()):
+        value = known[name]
+        inner = symbols(value) & (by - {name})
+        if not inner and len(symbols(value)) == 1:
+            inner = symbols(value) & spoken
+        if len(inner) != 1:
+            continue
+        (x,) = inner
+        for node in (n for n in nodes if str(n.args[1]) == name):
+            body = substitute(instantiate(node.args[0], (symbol(name),)), {name: value})
+            put = {node: antiderivative(body * differentiate(value, x), x)}
+            left, right = replaced(left, put), replaced(right, put)
+    return left, right
+
+
+def _forms(
+    memory: Memory,
+    left: Expr,
+    right: Expr,
+    given: Sequence[Compared],
+    under: Under,
+) -> Iterator[tuple[Expr, Expr, Sequence[Compared], str]]:
+    """Both sides and the conditions as they stand, and with definitions put in.
+
+    What was defined last is put in first, by itself, then all of what the claim is said to
+    follow from; in the end everything is.
+    """
+    yield left, right, given, ""
+    known, equal = memory.known(under), {name for name, _ in under.sources}
+    given = [c for c in given if c[1] != "==" or str(c[0]) not in equal]
+    steps = [*_put_in(known, left, right, given)]
+    found = [(*step[:3], f"with {_spoken(step[3])} put in") for step in steps]
+    named = [f for f in found if (symbols(f[0]) | symbols(f[1])).isdisjoint(equal)]
+    yield from (*found[:1], *(named[:1] if equal else ()), *found[1:][-1:])
+    for one, other, conditions, put in steps[-1:]:
+        where = [c for name in put for c in memory.where.get(name, ())]
+        if where:
+            yield one, other, [*conditions, *where], f"{WHERE} {_spoken(put)} put in"
+    if not memory.told or under.noted:
+        return
+    told = {name: value for name, value in known.items() if name not in memory.told} | memory.told
+    for one, other, conditions, put in [*_put_in(told, left, right, given)][-1:]:
+        if not put.keys().isdisjoint(memory.told):
+            yield one, other, conditions, f"{TOLD} {_spoken(put)} put in"
+
+
+def _put_in(
+    known: dict[str, Expr], left: Expr, right: Expr, given: Sequence[Compared]
+) -> Iterator[tuple[Expr, Expr, Sequence[Compared], dict[str, Expr]]]:
+    """Both sides, the conditions and what was put in, one definition after the other."""
+    put: dict[str, Expr] = {}
+    for _ in range(DEPTH):
+        names = symbols(left) | symbols(right)
+        name = next((n for n in reversed(known) if n in names), "")
+        if not name:
+            return
+        value = {name: known[name]}
+        try:
+            left, right = substitute(left, value), substitute(right, value)
+            given = [(substitute(a, value), r, substitute(b, value)) for a, r, b in given]
+        except InputError:
+            return
+        put = {**put, **value}
+        yield left, right, given, put
+
+
+def _spoken(put: Mapping[str, Expr]) -> str:
+    return ", ".join(f"{name} = {value}" for name, value in put.items())
+
+
+def _fallback(
+    memory: Memory, left: Expr, relation: str, right: Expr, head: Head | None
+) -> tuple[str, str]:
+    """What an equality is that does not hold everywhere."""
+    if relation != "==":
+        return "UNDECIDED", ""
+    known = head is not None and head.name in memory.functions and not head.derived
+    if head is not None and known and head.name not in symbols(right):
+        return DEFINED, "defined before, and otherwise: from here on it is this"
+    names = (symbols(left) | symbols(right)) - NO_VARIABLES
+    unknown = unknown_in(left, right)
+    if unknown:
+        return EQUATION, f"to be solved for {' or '.join(sorted(unknown))}"
+    derived = sorted({base for name in names if (base := base_of(name)) != name})
+    if head is not None and not derived and head.name in symbols(right):
+        derived = [head.name]
+    new = names - memory.functions.keys() - names_in(memory.noted) - names_in(memory.lasting)
+    unknowns = derived or sorted(new or names)
+    return EQUATION, f"to be solved for {' or '.join(unknowns) or 'nothing'}"
+
+
+def _printed(link: Link, compared: Compared, piece: Piece) -> Link:
+    """A constant, and its digits as they are printed."""
+    left, _, right = compared
+    digits = piece.printed.strip("-")
+    if not digits:
+        why = "how near is not said, and the right side is no decimal"
+        return replace(read_so(link, compared), status=UNREAD, why=why)
+    mantissa, _, exponent = digits.partition("e")
+    places = len(mantissa.partition(".")[2])
+    unit = parse_number(f"1e{int(exponent or 0) - places}")
+    attempts = []
+    shown = f"{left} == {piece.printed} to the digits printed"
+    for share, how in (
+        (fmpq(1, 2), "the last digit is rounded"),
+        (fmpq(1), "the last digit is cut off, not rounded"),
+    ):
+        bound = number(unit * share)
+        attempts.append(Attempt(f"abs({left} - ({right})) <= {bound}", how, shown))
+    return replace(
+        link, sides=(left, "==", right), read_as=shown, claims=tuple(attempts), firm=True
+    )
+
+
+def _usual_path(right: Expr) -> str:
+    """Where a remainder is small: O(x**3) as x -> 0, O(1/n) as n -> oo."""
+    (*_, gauge) = [None, *(node.args[0] for node in outermost(right) if node.op == "O")]
+    if gauge is None:
+        return ""
+    base, exponent = gauge.args if gauge.op == "^" else (gauge, number(1))
+    if base.op != "symbol" or exponent.op != "number":
+        return ""
+    return f"{base} -> {'0' if exponent.args[0] > 0 else 'oo'}"
+
+
+def read_so(link: Link, compared: Compared) -> Link:
+    """The link with its sides, and nothing of conditions."""
+    left, relation, right = compared
+    return replace(link, sides=compared, read_as=f"{left} {relation} {right}")

@@ -1,0 +1,487 @@
+"""What a manuscript has said so far: definitions, conditions, and displays by their labels."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import TypeAlias
+
+from tresym.manuscript import prose
+from tresym.manuscript.directives import Orders
+from tresym.manuscript.display import STRANGE, Said, statements
+from tresym.manuscript.source import Scope
+from tresym.manuscript.terms import Head, head_of, is_plain, read_term
+from tresym.reals.domain.evaluation import evaluate
+from tresym.reals.language.binders import elementary
+from tresym.reals.language.expression import (
+    BINDERS,
+    DOTS,
+    HALF,
+    LEAVES,
+    ONE,
+    PI,
+    UNWORKED,
+    ZERO,
+    Expr,
+    apply,
+    bind,
+    instantiate,
+    number,
+    rebuild,
+    substitute,
+    symbol,
+    symbols,
+)
+from tresym.reals.language.formula import NEGATED
+from tresym.reals.language.latex import read_latex
+from tresym.reals.language.latex_cursor import Author, Function
+from tresym.reals.language.latex_tokens import tokenize
+from tresym.reals.language.parsing import INFINITY, INTEGERS, Compared
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import InputError
+
+_LETTER_E = re.compile(
+    r"(?<![a-zA-Z\\{_^])e\s*\\(?:sin|cos)|1\s*[-+]\s*e(?![a-zA-Z^])"
+    r"|1\s*-\s*e\s*\^\s*(?:\{\s*2\s*\}|2(?!\d))|(?<![a-zA-Z\\^_{])e\s*(?:<|\\ll|\\to)"
+    r"|<\s*e(?![a-zA-Z^])|(?:^|[^\\a-z\s]|[$\n])\s*e\s*&?=(?!\s*(?:2\.7|e\s*\^|\\exp|\\lim|\\sum))"
+)
+"""Where e stands as no number does: e sin E, 1 - e, 1 - e^2, e < 1, e = c/a."""
+_LETTER_DELTA = re.compile(r"\\Delta(?![a-zA-Z])\s*(?:[-+=<>^_,.$)}&]|\\(?:[gl]e|[,;]\s*[=<>])|$)")
+"""Where Δ stands by itself, as no difference does."""
+_CALLED = re.compile(
+    r"(?<![a-zA-Z\\_^{])((?:[a-zA-Z]|\\[a-zA-Z]+(?:\s*\{\s*\\?[a-zA-Z]+\s*\})?)"
+    r"(?:_(?:\w|\{\w+\}))?)\s*\(\s*(?:[a-z]|\\[a-z]+)"
+    r"(?:\s*,\s*(?:[a-z]|\\[a-z]+))*\s*\)\s*&?\s*:?="
+)
+"""The head of a function's definition."""
+_L = r"([a-zA-Z]|\\[a-zA-Z]+)"
+_D = r"\s*(?:d|\\mathrm\s*\{?d\}?|\\partial)(?:\s*\^\s*\{?\d\}?)?\s*"
+_DERIVATIVES = (
+    (rf"\\d?dot\s*\{{?\s*{_L}", "t"),
+    (r"(?<![a-zA-Z\\])([a-zA-Z])(?:_\w)?'", ""),
+    (rf"\\[dt]?frac\s*\{{{_D}{_L}\s*\}}\s*\{{{_D}{_L}", ""),
+)
+"""How derivatives of symbols are written."""
+_PRIMED_TIME = re.compile(r"(?<![a-zA-Z\\])t'(?!')")
+_TIME_WITHIN = re.compile(r"(?<![a-zA-Z\\])d\s*\}?\s*\{?t'|''")
+"""Where t' is a variable of integration, or derivatives are marked by primes."""
+_INDICES = frozenset("ijklmnpqrsIJKLMN")
+"""Letters of integers: in passing, of others it is said of one display."""
+DEPTH = 10
+_OFF = (("\\ne",), ("\\neq",), ("\\notin",))
+Conditions: TypeAlias = tuple[tuple[Compared, ...], tuple[tuple[str, Expr], ...], str]
+"""What conditions state: comparisons, values that are put in, and a path."""
+
+
+@dataclass(frozen=True)
+class Under:
+    """What a display is said under."""
+
+    given: tuple[Compared, ...] = ()
+    put_in: tuple[tuple[str, Expr], ...] = ()
+    path: str = ""
+    kind: str = ""
+    noted: bool = False
+    sources: tuple[tuple[str, Expr], ...] = ()
+    universal: bool = False
+    told: bool = False
+    """Whether the sentence says that it holds: "Then", "we have"."""
+    passing: tuple[Compared, ...] = ()
+    """What its own sentence says, of all that is given."""
+
+
+class Memory:
+    """What was said, and what it makes of what is read.
+
+    Attributes:
+        functions: what symbols and functions stand for, the latest last.
+        noted, lasting: conditions of the author's notes and of the prose, to the section's end.
+        earlier: those of sections before, of symbols that are not spoken of anew.
+        labels: what displays say, by their labels and numbers.
+        ahead: what is defined further on in the display.
+        by: the one variable by which a chain integrates, if it is one.
+        seen: names that stood in a display before.
+        recent: what was defined in this section; before it a letter may have been another.
+        primes: whether primes make other symbols, as where there is a time t', and no derivatives.
+        where: conditions of the sentences that define symbols, by the symbol.
+        told: values that the lines before the display tell, without defining by them.
+        around: what was said before each proof that is open.
+        stating: whether a theorem is open.
+        stated: what symbols stood for before the theorems of this section that define them.
+    """
+
+    def __init__(self, text: str) -> None:
+        self.letter_e = bool(_LETTER_E.search(text))
+        self.letter_delta = bool(_LETTER_DELTA.search(text))
+        self.functions: dict[str, Function] = {}
+        self.noted: list[Compared] = []
+        self.lasting: list[Compared] = []
+        self.earlier: list[Compared] = []
+        self.labels: dict[str, list[Compared]] = {}
+        self.shorter = self.longer = False
+        self.ahead: dict[str, Expr] = {}
+        self.by = ""
+        self.primes = bool(_PRIMED_TIME.search(text)) and not _TIME_WITHIN.search(text)
+        self.dependent = _dependent(text)
+        self.called = frozenset(
+            head.name for m in _CALLED.finditer(text) if (head := self.head(tokenize(m[1])))
+        )
+        self.seen: set[str] = set()
+        self.told: dict[str, Expr] = {}
+        self.where: dict[str, tuple[Compared, ...]] = {}
+        self.recent: set[str] = set()
+        self.around: list[tuple[dict[str, Function], list[Compared], list[Compared], set[str]]] = []
+        self.stating = False
+        self.stated: dict[str, Function | None] = {}
+
+    @property
+    def author(self) -> Author:
+        """Whose formulas are read, for the reader of LaTeX."""
+        return Author(
+            self.functions,
+            strict=True,
+            shorter=self.shorter,
+            longer=self.longer,
+            letter_e=self.letter_e,
+            letter_delta=self.letter_delta,
+            called=self.called,
+            variable=self.by,
+        )
+
+    def head(self, tokens: Sequence[str]) -> Head | None:
+        """The symbol, or the function of symbols, or the derivative, that a term consists of."""
+        author = Author(strict=True, letter_e=self.letter_e, letter_delta=self.letter_delta)
+        return head_of(list(tokens), author)
+
+    def define(self, head: Head, value: Expr, where: Sequence[Compared] = ()) -> None:
+        """Remember what a symbol stands for, and the conditions of the sentence that says so."""
+        if DOTS.args[0] in symbols(value):
+            return  # not all of it is written
+        before = self.functions.pop(head.name, None)  # the latest are put in first
+        if self.stating:
+            self.stated.setdefault(head.name, before)
+        else:
+            self.stated.pop(head.name, None)
+        self.recent.add(head.name)
+        self.where[head.name] = () if head.parameters else tuple(where)
+        self.functions[head.name] = Function(() if head.derived else head.parameters, value)
+
+    def section(self) -> None:
+        """A section begins: conditions end, and what the theorems before it define."""
+        for name, before in self.stated.items():
+            self.functions.pop(name, None)
+            if before is not None:
+                self.functions[name] = before
+        self.earlier += self.lasting
+        self.noted, self.lasting, self.stated = [], [], {}
+        self.recent.clear()
+
+    def scope(self, scope: Scope) -> None:
+        """A proof or a theorem begins or ends; what is said in a proof is forgotten after it."""
+        if scope.stated:
+            self.stating = scope.opens
+        elif scope.opens:
+            said = dict(self.functions), [*self.lasting], [*self.earlier], {*self.recent}
+            self.around.append(said)
+        elif self.around:
+            self.functions, self.lasting, self.earlier, self.recent = self.around.pop()
+
+    def known(self, under: Under) -> dict[str, Expr]:
+        """What symbols stand for, what was said last at the end."""
+        known = self.ahead | {name: function.body for name, function in self.functions.items()}
+        for name, body in under.sources:
+            known.pop(name, None)
+            known[name] = body
+        return known
+
+    def under_binders(self, e: Expr, known: Mapping[str, Expr]) -> Expr:
+        """With what is a function of the variable of a derivative or an integral put in there.
+
+        In print ``y`` under ``d/dx`` is what it stands for, where that has x in it.
+
+        Raises:
+            InputError: it is not known whether a symbol is a function of the variable.
+        """
+        if e.op in LEAVES or elementary(e):
+            return e
+        if e.op not in BINDERS or not symbols(e.args[0]).isdisjoint(e.names):
+            if e.op in UNWORKED or e.op == "unknown":
+                return e
+            return rebuild(e, tuple(self.under_binders(arg, known) for arg in e.args))
+        args = tuple(self.under_binders(arg, known) for arg in e.args[1:])
+        body = instantiate(e.args[0], tuple(map(symbol, e.names)))
+        for _ in range(DEPTH):
+            values = {
+                n: known[n]
+                for n in (symbols(body) & known.keys()).difference(e.names)
+                if _reaches(n, e.names, known)
+            }
+            if not values:
+                break
+            body = substitute(body, values)
+        for name in sorted(symbols(body) - {*e.names}):
+            on = self.dependent.get(name, frozenset()) | ({""} if name in self.called else set())
+            if on & {"", *e.names}:
+                raise InputError(f"whether {name} is a function of {e.names[0]} is not said")
+        return Expr(e.op, (bind(self.under_binders(body, known), e.names), *args), e.names)
+
+    def remember(self, text: str) -> None:
+        """Definitions and lasting conditions in the lines of a text."""
+        for found in prose.inline(text):
+            for said in quietly(found.tex):
+                name = self.lone(said) if found.whole or found.anew else ""
+                if name and found.anew:
+                    self.forget(name)
+                if name and found.whole and (name[:1] in _INDICES or not found.passing):
+                    self.lasting += whole(symbol(name), found.whole)
+                if len(said.ops) == 1 and said.ops[0] in ("=", ":="):
+                    self.defined_in_line(said, found.defining, found.told, found.whole)
+                elif found.lasting:
+                    given, _, _ = self.condition(said) or ((), (), "")
+                    self.lasting += given
+
+    def lone(self, said: Said) -> str:
+        """The symbol of which a plain formula speaks, if it is one."""
+        head = self.head(said.terms[0])
+        plain = head is not None and not head.parameters and all(map(is_plain, said.terms))
+        return head.name if head and plain else ""
+
+    def forget(self, name: str) -> None:
+        """No condition on a symbol holds any longer: it is spoken of anew."""
+        self.lasting = [c for c in self.lasting if name not in names_in((c,))]
+        self.earlier = [c for c in self.earlier if name not in names_in((c,))]
+
+    def defined_in_line(self, said: Said, surely: bool, told: bool, kind: str) -> None:
+        """A definition in the line, by the words before it or as one of a function, f(x) = ….
+
+        What is only told, as in "then $m = 2k + 1$", may help to prove the next display.
+        """
+        head = self.head(said.terms[0])
+        if head is None or head.derived:
+            return
+        try:
+            value = read_term(said.terms[1], self.author).tree
+        except InputError:
+            return
+        if value.op == "number" or head.name in symbols(value):
+            return
+        if surely or head.parameters:
+            self.define(head, value)
+        elif head.name in self.functions and self.functions[head.name].body != value:
+            del self.functions[head.name]  # it is another now, and how is not read
+        if told and not surely and symbols(value) and value.op != "symbol":
+            self.told[head.name] = value
+            for name in symbols(value) if kind else ():
+                self.lasting += whole(symbol(name), kind)
+
+    def conditions_around(self, before: str, after: str) -> Under:
+        """What the sentence around a display says of its conditions."""
+        given: list[Compared] = []
+        put_in: list[tuple[str, Expr]] = []
+        path = ""
+        for text in (prose.last_sentence(before), prose.first_sentence(after)):
+            if prose.is_of_signs(text):
+                continue
+            for found in prose.inline(text):
+                if not found.passing:
+                    continue
+                for said in quietly(found.tex):
+                    if found.tends and (name := self.lone(said)):
+                        path = f"{name} -> {found.tends}"
+                    if found.whole and (name := self.lone(said)):
+                        given += whole(symbol(name), found.whole)
+                    more = None if self.is_defined_function(said) else self.condition(said)
+                    if more and not more[1]:
+                        given += more[0]
+                        path = more[2] or path
+        universal = prose.is_universal(before, after)
+        kind = prose.kind_of(before)
+        kind = "" if kind == prose.CLAIM and prose.is_narrowed(before) else kind
+        return Under(tuple(given), tuple(put_in), path, kind, universal=universal)
+
+    def is_defined_function(self, said: Said) -> bool:
+        """Whether it is the definition of a function, f(x) = …, which is no condition."""
+        head = self.head(said.terms[0]) if said.ops in (("=",), (":=",)) else None
+        return head is not None and bool(head.parameters) and head.name in self.functions
+
+    def following(self, around: Under, orders: Orders) -> Under:
+        """With the displays from which this one follows: equations, and what symbols stand for."""
+        given = list(around.given)
+        values: list[tuple[str, Expr]] = []
+        for left, op, right in self.noted:
+            if op == "==" and left.op == "symbol":
+                values.append((str(left), right))
+        if not orders.sources:
+            return replace(around, sources=tuple(values))
+        for label in orders.sources:
+            if label not in self.labels:
+                raise InputError(f"the note 'from {label[:60]}': no display before has that label")
+            for left, op, right in self.labels[label]:
+                name = str(left)
+                if op == "==" and left.op == "symbol" and name not in symbols(right):
+                    values.append((name, right))
+                elif elementary(left, right):
+                    given.append((left, op, right))
+        kind = around.kind if around.noted else prose.CLAIM
+        return replace(around, given=tuple(given), sources=tuple(values), kind=kind, noted=True)
+
+    def condition(self, said: Said) -> Conditions | None:
+        """The comparisons, the values put in and the path that a condition states, if it is one."""
+        off = self.off_multiples(said) if said.ops in _OFF else None
+        if off is not None:
+            return off
+        if not said.ops or any(op in STRANGE for op in said.ops):
+            return None
+        if said.values and said.ops == ("=",):
+            return self.integers(said)
+        if said.ops == ("\\in",) and said.terms[1][:1] == ("\\mathbb",):
+            return self.member(said)
+        if said.ops[0] == "\\in" and said.terms[1][:1] == ("\\mathbb",):
+            return self.member_from(said)
+        try:
+            (chain,) = read_latex(" ".join(said.tokens), self.author)
+        except (InputError, ValueError):
+            return None
+        if chain.ops[0].startswith("->"):
+            point = {INFINITY: "oo", -INFINITY: "-oo"}.get(chain.terms[1], chain.terms[1])
+            return (), (), f"{chain.terms[0]} -> {point}{chain.ops[0][2:]}"
+        links = [
+            link
+            for link in chain.links
+            if not {link[0], link[2]} & {INFINITY, -INFINITY} or link[1] not in ("<", "<=")
+        ]
+        if any(op == "==" for _, op, _ in links):
+            left, _, right = links[0]
+            if len(links) > 1 or said.values or not elementary(left, right):
+                return None
+            if left.op != "symbol":
+                return tuple(links), (), ""
+            return (), ((left.args[0], right),), ""
+        if any(op not in NEGATED for _, op, _ in links) or not elementary(
+            *(side for left, _, right in links for side in (left, right))
+        ):
+            return None
+        return tuple(links), (), ""
+
+    def off_multiples(self, said: Said) -> Conditions | None:
+        """Off all multiples of π or 1, or odd ones of its half: ``x \\ne 0, \\pm\\pi, \\ldots``.
+
+        It is None for what is no such condition.
+        """
+        try:
+            x = read_term(said.terms[0], self.author).tree
+            if said.ops == ("\\notin",):
+                whole = said.terms[1][:1] == ("\\mathbb",) and "Z" in said.terms[1]
+                return (((apply("sin", PI * x), "!=", ZERO),), (), "") if whole else None
+            listed = [t for t in (said.terms[1], *said.values) if t != ("\\ldots",)]
+            if len(said.values) != len(listed):  # nothing goes on
+                return None if said.values else self.off_each(x, said.terms[1])
+            values = [read_term([t for t in v if t != "\\pm"], self.author).tree for v in listed]
+        except InputError:
+            return None
+        return _off(x, values)
+
+    def off_each(self, x: Expr, term: Sequence[str]) -> Conditions | None:
+        """Off what a term is for every integer that stands in it."""
+        value = read_term(term, self.author).tree
+        (name, *more) = sorted(symbols(value)) or [""]
+        if more or name not in _INDICES or value == symbol(name) or symbols(x) & _INDICES:
+            return None
+        return _off(x, [substitute(value, {name: number(k)}) for k in range(3)])
+
+    def integers(self, said: Said) -> Conditions | None:
+        """``n = 0, 1, 2, \\ldots``: every integer from the first on, to the last if any is."""
+        listed = [said.terms[1], *said.values]
+        head, first = self.head(said.terms[0]), said.terms[1]
+        if head is None or not all(len(v) == 1 and v[0].isdigit() for v in listed[:-1]):
+            return None
+        found = [int(v[0]) for v in listed[:-1]]
+        if found != list(range(found[0], found[0] + len(found))):
+            return None
+        name = symbol(head.name)
+        given: list[Compared] = [(name, "in", INTEGERS), (name, ">=", number(int(first[0])))]
+        last = listed[-1]
+        if last != ("\\ldots",):
+            if last != (str(found[-1] + 1),):
+                return None
+            given.append((name, "<=", number(found[-1] + 1)))
+        return tuple(given), (), ""
+
+    def member_from(self, said: Said) -> Conditions | None:
+        """``n \\in \\mathbb{Z} \\ge 4``, as "for integers $n \\ge 4$" is read."""
+        own = self.member(replace(said, terms=said.terms[:2], ops=said.ops[:1]))
+        terms = said.terms[:1] + said.terms[2:]
+        bound = self.condition(replace(said, terms=terms, ops=said.ops[1:]))
+        return (own[0] + bound[0], bound[1], bound[2]) if own and bound else None
+
+    def member(self, said: Said) -> Conditions | None:
+        """``n \\in \\mathbb{Z}``, and the like."""
+        head = self.head(said.terms[0])
+        which = "".join(t for t in said.terms[1][1:] if t not in "{}^_")
+        if head is None or which not in ("R", "Z", "N", "Z+", "N0"):
+            return None
+        return () if which == "R" else whole(symbol(head.name), which), (), ""
+
+
+def whole(name: Expr, which: str) -> tuple[Compared, ...]:
+    """That a symbol is an integer, of N one from 1 on, of N0 from 0 on."""
+    least = {"N": 1, "Z+": 1, "N0": 0}.get(which)
+    return (name, "in", INTEGERS), *(() if least is None else [(name, ">=", number(least))])
+
+
+def _off(x: Expr, values: Sequence[Expr]) -> Conditions | None:
+    """That x is no multiple, or no odd multiple of one half, of π or 1, where these are such."""
+    for unit in (PI, ONE):
+        for start, wave in ((ZERO, "sin"), (HALF, "cos")):
+            row = [(start + k) * unit for k in range(len(values))]
+            with ball_precision():
+                gaps = [evaluate(one - other, {}) for one, other in zip(row, values, strict=True)]
+                if len(values) > 1 and all(gap.contains(0) for gap in gaps):
+                    return ((apply(wave, x if unit == PI else PI * x), "!=", ZERO),), (), ""
+    return None
+
+
+def _reaches(name: str, names: Iterable[str], known: Mapping[str, Expr]) -> bool:
+    """Whether what ``name`` stands for has one of ``names`` in it, however deep."""
+    reached, left = set(), {name}
+    while left:
+        reached |= left
+        left = {s for n in left if n in known for s in symbols(known[n])} - reached
+    return not reached.isdisjoint(names)
+
+
+def _dependent(text: str) -> dict[str, set[str]]:
+    """The letters of which derivatives are written, and by what; the empty name for any."""
+    found: dict[str, set[str]] = {}
+    for pattern, by in _DERIVATIVES:
+        for match in re.finditer(pattern, text):
+            name, *rest = (part.lstrip("\\") for part in match.groups())
+            found.setdefault(name, set()).add(rest[0] if rest else by)
+    return found
+
+
+def quietly(tex: str) -> list[Said]:
+    """The chains of a formula in the line, none where it is not taken apart."""
+    try:
+        return statements(tex) if len(tex) < 400 else []
+    except InputError:
+        return []
+
+
+def names_in(comparisons: Iterable[Compared]) -> frozenset[str]:
+    """The names that stand in comparisons."""
+    return frozenset().union(*(symbols(a) | symbols(b) for a, _, b in comparisons))
+
+
+def about(names: frozenset[str], given: Sequence[Compared]) -> list[Compared]:
+    """The conditions that speak of these variables, and of those that they tie to them."""
+    reached, size = set(names), 0
+    while len(reached) != size:
+        size = len(reached)
+        for left, _, right in given:
+            own = (symbols(left) | symbols(right)) - symbols(INTEGERS)
+            if own & reached:
+                reached |= own
+    kept = [c for c in given if (symbols(c[0]) | symbols(c[2])) & reached]
+    return list(dict.fromkeys(kept))

@@ -1,0 +1,105 @@
+"""Notes to the reader in a manuscript's comments, ``% tresym: …``."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, fields, replace
+from pathlib import Path
+
+from tresym.ledger.audit.source import read_text
+from tresym.manuscript.source import Display, Event, Note
+from tresym.reals.language.parsing import parse_given
+from tresym.reals.numbers.exact import InputError
+
+KINDS = ("define", "assume", "solve", "claim")
+
+
+@dataclass(frozen=True)
+class Orders:
+    """What notes ask for.
+
+    Attributes:
+        given: conditions from here to the end of the section.
+        forget: they end here.
+        kind: what the next display is: define, assume, solve or claim.
+        sources: labels of the displays from which the next one follows.
+        path: the path of the orders and limits in the next display.
+        shorter: of two readings of the next display the shorter is meant, sin(x)*(y + z).
+        skip: why the next display is not to be read.
+    """
+
+    given: str = ""
+    forget: bool = False
+    kind: str = ""
+    sources: tuple[str, ...] = ()
+    path: str = ""
+    shorter: bool = False
+    skip: str | None = None
+
+    def with_(self, later: Orders) -> Orders:
+        """Both, for the next display."""
+        found = {f.name: getattr(later, f.name) or getattr(self, f.name) for f in fields(self)}
+        if later.skip is not None:
+            found["skip"] = later.skip
+        return replace(self, **found)
+
+
+def orders_of(note: Note) -> Orders:
+    """What a note asks for.
+
+    Raises:
+        InputError: a note that is not understood; one line says where and what can be written.
+    """
+    word, _, rest = note.text.partition(" ")
+    rest = rest.strip()
+    word = word.rstrip(":")
+    place = f"{note.file}, line {note.line}" if note.file else f"line {note.line}"
+    if word == "given" and rest:
+        try:
+            parse_given(rest)
+        except InputError as error:
+            raise InputError(f"{place}: {error}") from None
+        return Orders(given=rest)
+    if word == "forget" and not rest:
+        return Orders(forget=True)
+    if word in KINDS and not rest:
+        return Orders(kind=word)
+    if word == "shorter" and not rest:
+        return Orders(shorter=True)
+    if word == "from" and rest:
+        return Orders(sources=tuple(re.split(r"[,\s]+", rest)))
+    if word == "as" and "->" in rest:
+        return Orders(path=rest)
+    if word == "skip":
+        return Orders(skip=rest or "no reason is given")
+    raise InputError(
+        f"{place}: the note {note.text[:60]!a} is not understood; there are given CONDITIONS, "
+        "forget, define, assume, solve, claim, from LABELS, as PATH, shorter and skip: WHY"
+    )
+
+
+def with_notes(events: list[Event], path: Path) -> list[Event]:
+    """The manuscript with notes from a file of their own, for one that is not to be changed.
+
+    A line has the number of a display, the beginning of the SHA-256 of its text, and the note.
+
+    Raises:
+        InputError: a line that is not understood, or a display that is another.
+    """
+    found: dict[int, tuple[Note, ...]] = {}
+    displays = {event.number: event for event in events if isinstance(event, Display)}
+    for line, text in enumerate(read_text(path).splitlines(), 1):
+        if not text.strip() or text.startswith("#"):
+            continue
+        number, _, rest = text.strip().partition(" ")
+        digest, _, note = rest.strip().partition(" ")
+        display = displays.get(int(number)) if number.isdecimal() and len(number) < 6 else None
+        if display is None or len(digest) < 8:
+            raise InputError(f"{path}, line {line}: a display, its hash and a note are expected")
+        if not display.sha256.startswith(digest):
+            raise InputError(f"{path}, line {line}: display {number} is not the one it speaks of")
+        found[display.number] = (*found.get(display.number, ()), Note(note, path.name, line))
+    return [
+        replace(e, notes=(*e.notes, *found.get(e.number, ()))) if isinstance(e, Display) else e
+        for e in events
+    ]

@@ -1,0 +1,112 @@
+"""The statuses of a manuscript as a page, and as marks for its own margin."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from html import escape
+from itertools import groupby
+
+from tresym.manuscript.deciding import STATUSES, Row
+from tresym.manuscript.mathml import relation
+from tresym.manuscript.source import DISPLAYS
+
+_WORST = ("REFUTED", "UNREAD", "UNDECIDED", "EQUATION", "ASSUMED", "ENCLOSED", "PROVED", "DEFINED")
+_STYLE = """
+body { font: 16px/1.5 system-ui, sans-serif; max-width: 60rem; margin: 2rem auto; padding: 0 1rem }
+section { border-left: 4px solid #bbb; margin: 1.5rem 0; padding: 0 1rem }
+section.REFUTED { border-color: #c00 } section.PROVED, section.ENCLOSED { border-color: #080 }
+section.UNDECIDED, section.UNREAD { border-color: #c80 }
+h2 { font-size: 1rem; margin: 0 } .status { font-weight: 600 } .why { color: #555 }
+math { font-size: 1.2em } code { overflow-wrap: anywhere }
+"""
+
+
+def page(rows: Sequence[Row], name: str) -> str:
+    """A page with every display in order, link by link, typeset as it was read."""
+    counts = Counter(row.status for row in rows)
+    summary = ", ".join(f"{counts[s]} {s}" for s in STATUSES if counts[s])
+    title = escape(name)
+    body = "\n".join(_sections(rows))
+    return (
+        f'<!doctype html>\n<html lang="en">\n<meta charset="utf-8">\n{MARK}\n'
+        f"<title>{title}</title>\n"
+        f'<meta name="viewport" content="width=device-width">\n<style>{_STYLE}</style>\n'
+        f"<h1>{title}</h1>\n<p>{len(rows)} links: {summary}</p>\n{body}\n</html>\n"
+    )
+
+
+def _sections(rows: Sequence[Row]) -> Iterator[str]:
+    for number, links in groupby(rows, key=lambda row: row.link.display.number):
+        found = list(links)
+        display = found[0].link.display
+        label = f" ({', '.join(display.labels)})" if display.labels else ""
+        file = f"{display.file}, " if display.file else ""
+        heading = f"Display {number}{label}, {file}line {display.line}"
+        yield (
+            f'<section class="{worst(found)}" id="display-{number}">\n<h2>{escape(heading)}</h2>\n'
+            + "\n".join(map(_link, found))
+            + "\n</section>"
+        )
+
+
+def _link(row: Row) -> str:
+    link = row.link
+    formula = relation(link.sides) if link.sides else f"<p><code>{escape(link.shown)}</code></p>"
+    text = f'<p><span class="status">{row.status}</span>'
+    if link.read_as:
+        text += f" <code>{escape(link.read_as)}</code>"
+    text += f'<br><span class="why">{escape(row.why)}</span>'
+    if row.witness is not None:
+        values = ", ".join(f"{name} = {value}" for name, value in row.witness.items())
+        text += f"<br>Witness: {escape(values or 'the constants themselves')}"
+    return f"{formula}\n{text}</p>"
+
+
+def worst(rows: Sequence[Row]) -> str:
+    """The status of a display: of those of its links the one to be seen first."""
+    return min((row.status for row in rows), key=_WORST.index)
+
+
+def marks(rows: Sequence[Row]) -> str:
+    """The statuses for tresym.sty: one a display, in the order of the displays in the PDF."""
+    lines = []
+    for number, links in groupby(rows, key=lambda row: row.link.display.number):
+        found = list(links)
+        lines.append(f"\\tresymstatus{{{number}}}{{{worst(found)}}}\n")
+    return "% written by tresym paper --marks\n" + "".join(lines)
+
+
+MARK = '<meta name="generator" content="tresym">'
+"""In every page, which may be replaced by another."""
+
+STYLE = r"""\NeedsTeXFormat{LaTeX2e}
+\ProvidesPackage{tresym}[marks in the margin: what tresym paper says of each display]
+% \usepackage{tresym} and \tresymmarks{FILE} before \begin{document}, where FILE is what
+% tresym paper MANUSCRIPT.tex --marks FILE has written.
+\RequirePackage{xcolor,etoolbox,amsmath}
+\newcounter{tresymdisplay}
+\newcommand{\tresymstatus}[2]{\csgdef{tresym@#1}{#2}}
+\newcommand{\tresymmarks}[1]{\InputIfFileExists{#1}{}{\PackageWarning{tresym}{no file #1}}}
+\definecolor{tresymPROVED}{rgb}{0,.5,0}
+\definecolor{tresymENCLOSED}{rgb}{0,.5,0}
+\definecolor{tresymREFUTED}{rgb}{.8,0,0}
+\definecolor{tresymUNDECIDED}{rgb}{.8,.5,0}
+\definecolor{tresymUNREAD}{rgb}{.8,.5,0}
+\definecolor{tresymDEFINED}{gray}{.5}
+\definecolor{tresymASSUMED}{gray}{.5}
+\definecolor{tresymEQUATION}{gray}{.5}
+\newcommand{\tresymmark}{\stepcounter{tresymdisplay}\tresymshown}
+\newcommand{\tresymshown}{%
+  \ifcsdef{tresym@\arabic{tresymdisplay}}{%
+    \edef\tresym@now{\csuse{tresym@\arabic{tresymdisplay}}}%
+    \marginpar{\scriptsize\textcolor{tresym\tresym@now}{\tresym@now}}}{}}
+\newcommand{\tresym@of}[1]{\csdef{tresym@of@#1}{}\BeforeBeginEnvironment{#1}{\tresymmark}}
+\forcsvlist{\tresym@of}{DISPLAYS}
+% \[ and displaymath are equation* by amsmath; $$ is no environment, and has its mark behind it.
+\newcommand{\tresym@dollars}{\ifcsdef{tresym@of@\@currenvir}{}{%
+  \stepcounter{tresymdisplay}\aftergroup\tresymshown}}
+\AtBeginDocument{\everydisplay\expandafter{\the\everydisplay\tresym@dollars}}
+\endinput
+""".replace("DISPLAYS", ",".join(sorted(DISPLAYS - {"displaymath", "displaymath*"})))
+"""The LaTeX package that sets the marks."""

@@ -1,0 +1,526 @@
+"""What each link of a display says, and of what kind it is: a definition, an equation, a claim.
+
+What was said before is remembered: definitions, conditions, and displays by their labels. Without
+a note of the author's a link is called false only where nothing else can be meant: a chain that
+goes on (``… = a = b``), with the same variables on both sides, or a sentence that says "identity"
+or "for all". Any other equality that does not hold everywhere is an equation to be solved.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+from itertools import pairwise
+from typing import TypeAlias
+
+from tresym.manuscript import prose
+from tresym.manuscript.classification import (
+    ASSUMED,
+    CONSTANTS,
+    DEFINED,
+    UNREAD,
+    Attempt,
+    Link,
+    claim,
+    read_so,
+)
+from tresym.manuscript.context import Conditions, Memory, Under, names_in
+from tresym.manuscript.directives import Orders, orders_of
+from tresym.manuscript.display import OR, STRANGE, WORDS, Said, between, statements
+from tresym.manuscript.source import Display, Event, Missing, Note, Prose, Scope, Section
+from tresym.manuscript.terms import (
+    SIGNS,
+    Head,
+    base_of,
+    is_plain,
+    plain,
+    read_term,
+    unknown_in,
+    variables_of_integrals,
+    with_primed_variables,
+    without_units,
+)
+from tresym.reals.decisions.claim_parsing import chained
+from tresym.reals.language.binders import elementary, outermost
+from tresym.reals.language.expression import DOTS, Expr, symbol, symbols
+from tresym.reals.language.formula import NEGATED
+from tresym.reals.language.latex_operands import Piece
+from tresym.reals.language.latex_tokens import RELATIONS
+from tresym.reals.language.parsing import INFINITY, Compared, parse_given
+from tresym.reals.numbers.exact import InputError
+
+Group: TypeAlias = tuple[Said, list[Said]]
+"""A chain, and the conditions that follow it."""
+
+
+def read_links(events: Sequence[Event]) -> list[Link]:
+    """Every link of every display, in order."""
+    return list(_Reading(events).links())
+
+
+_FUNCTION = re.compile(r"\\(?:a?(?:rc)?(?:sin|cos|tan|cot|sec|csc)h?|exp|ln|log|operatorname|sqrt)")
+"""What a condition behind an inequality does not have in it."""
+
+
+EITHER = "either"
+"""What leads in a chain that "or" follows."""
+BOUNDS = frozenset(("<", ">", "<=", ">=", "!="))
+FIRST = "of what the chain begins with, which it equals"
+HOLDS = "of the two readings of print it is the one that holds"
+
+
+class _Reading:
+    """One pass over a manuscript."""
+
+    def __init__(self, events: Sequence[Event]) -> None:
+        self.events = events
+        self.memory = Memory("\n".join(e.text for e in events if isinstance(e, Display | Prose)))
+        self.orders = Orders()
+        self.cases: list[tuple[tuple[str, ...], tuple[Compared, ...]]] = []
+
+    def links(self) -> Iterator[Link]:
+        """The links of all displays."""
+        before = ""
+        for n, event in enumerate(self.events):
+            if isinstance(event, Note):
+                self.note(event)
+            elif isinstance(event, Section):
+                self.memory.section()
+                before = ""
+            elif isinstance(event, Scope):
+                self.memory.scope(event)
+                before = ""
+            elif isinstance(event, Missing):
+                continue
+            elif isinstance(event, Prose):
+                self.memory.remember(event.text)
+                before = event.text
+            else:
+                for note in event.notes:
+                    self.note(note)
+                follows, beyond, *_ = (*self.events[n + 1 : n + 3], None, None)
+                after = follows.text if isinstance(follows, Prose) else ""
+                if isinstance(beyond, Display) and prose.is_of_next(after):
+                    after = ""
+                found = list(self.display(event, before, after))
+                for label in (*event.labels, str(event.number)):
+                    self.memory.labels[label] = [x.sides for x in found if x.sides]
+                yield from found
+                self.orders, before, self.memory.told = Orders(), "", {}
+
+    def note(self, note: Note) -> None:
+        """Heed a note of the author's."""
+        orders = orders_of(note)
+        if orders.forget:
+            self.memory.noted, self.memory.lasting = [], []
+        self.memory.noted += parse_given(orders.given) if orders.given else []
+        self.orders = self.orders.with_(orders)
+
+    def display(self, display: Display, before: str, after: str) -> Iterator[Link]:
+        """The links of a display."""
+        orders = self.orders
+        self.memory.shorter = orders.shorter
+        around = self.memory.conditions_around(before, after)
+        kind = orders.kind or around.kind
+        around = replace(
+            around, kind=kind, noted=bool(orders.kind), path=orders.path or around.path
+        )
+        around = self.memory.following(replace(around, told=prose.is_told(before)), orders)
+        blank = Link(display, 1, shown=" ".join(display.text.split()))
+        if orders.skip is not None:
+            yield replace(blank, status=UNREAD, why=f"skipped by a note: {orders.skip}")
+            return
+        if display.problem:
+            yield replace(blank, status=UNREAD, why=display.problem)
+            return
+        try:
+            text, prose_between = between(display.text)
+            if self.memory.primes:
+                text = re.sub(r"(?<![a-zA-Z\\])([a-zA-Z])'", r"\1_{primed}", text)
+            for words in prose_between:
+                self.memory.remember(words)
+            found = statements(text)
+        except InputError as error:
+            yield replace(blank, status=UNREAD, why=plain(str(error)))
+            return
+        if not found:
+            yield replace(blank, status=UNREAD, why="it is empty")
+            return
+        self.memory.remember(after[: prose.MAX_AFTER] if prose.first_sentence(after) else "")
+        count, self.cases = 0, []
+        groups = _with_conditions_behind(_grouped(found))
+        self.memory.ahead = dict(self.defined_in(said for said, _ in groups))
+        last = max((said.row for said, under in groups if said.conditions or under), default=0)
+        for said, under in groups:
+            alone = said.row < last and not (said.conditions or under)
+            open_sign = {"\\pm", "\\mp"} & {*said.tokens} and not said.either
+            for sign in "+-" if open_sign else " ":
+                one = said.signed(sign) if sign != " " else said
+                two = one.terms[0] != said.terms[0] and self.memory.head(one.terms[0]) is not None
+                several = sign != " " and not two  # x_\pm are two symbols
+                for link in self.chain(replace(blank, shown=""), one, under, around, several):
+                    count += 1
+                    firm = link.firm and not alone  # the condition of a later row may be meant
+                    yield replace(link, number=count, firm=firm)
+            for link in self.swallowed(blank, under, around):
+                count += 1
+                yield replace(link, number=count)
+
+    def swallowed(self, blank: Link, under: Iterable[Said], around: Under) -> Iterator[Link]:
+        """Conditions that may be claims: bounds on what was defined."""
+        for said in under:
+            if len(said.ops) != 1 or RELATIONS.get(said.ops[0]) not in BOUNDS or said.before:
+                continue
+            head = self.memory.head(said.terms[0])
+            if not head or head.name not in self.memory.functions:
+                continue
+            left, right = (self.piece(term, said) for term in said.terms)
+            if isinstance(right, str):
+                continue
+            left = Piece(symbol(head.name)) if isinstance(left, str) else left
+            shown = " ".join((*said.terms[0], said.ops[0], *said.terms[1]))
+            why = "taken as a condition; if it is a claim, write it in a display of its own"
+            compared = left.tree, RELATIONS[said.ops[0]], right.tree
+            given, _ = self.under(said, (), around)
+            link = replace(blank, shown=shown)
+            link = claim(self.memory, link, 0, said, compared, (left, right), given, head, False)
+            yield replace(link, firm=False, unknown=True, otherwise=(UNREAD, why))
+
+    def defined_in(self, found: Iterable[Said]) -> Iterator[tuple[str, Expr]]:
+        """What the chains of a display define, for those that stand before."""
+        for said in found:
+            if not said.ops or said.ops[0] not in ("=", ":=") or {"\\pm", "\\mp"} & {*said.tokens}:
+                continue
+            head, value = self.memory.head(said.terms[0]), self.piece(said.terms[1], said)
+            if head and not head.derived and not isinstance(value, str) and not said.conditions:
+                names = symbols(value.tree)
+                if DOTS.args[0] in names:
+                    continue
+                if names and head.name not in names and head.name not in self.memory.functions:
+                    yield head.name, value.tree
+
+    def chain(
+        self, blank: Link, said: Said, extra: Sequence[Said], around: Under, signed: bool
+    ) -> Iterator[Link]:
+        """The links of one chain."""
+        if not said.ops:
+            shown = " ".join(said.tokens)
+            why = "it states nothing: there is no relation in it"
+            if said.words:
+                why = f"the words {said.words[0]!a} are not read"
+            yield replace(blank, status=UNREAD, why=why, shown=shown)
+            return
+        if said.values:
+            listed = said.ops == ("=",) and said.values[-1] == ("\\ldots",)
+            found = self.memory.integers(said) if listed else None
+            shown = " ".join(said.tokens)
+            if found is None:
+                why = "a list of values, or a number with commas, is not read"
+                yield replace(blank, status=UNREAD, why=why, shown=shown)
+            else:
+                self.memory.lasting += found[0]
+                why, text = "a condition", chained(found[0])
+                yield replace(blank, status=ASSUMED, why=why, shown=shown, read_as=text)
+            return
+        under, problem = self.under(said, extra, around)
+        by = variables_of_integrals(said.tokens)
+        self.memory.by = by.pop() if len(by) == 1 else ""
+        pieces = [self.piece(term, said) for term in said.terms]
+        doubts = [p for p in pieces if isinstance(p, str) and p.startswith("two readings remain")]
+        if doubts and {*said.ops} == {"="} and not self.memory.shorter:
+            links = list(self.either_reading(blank, said, under, doubts[0]))
+            if links:
+                yield from links
+                return
+        for n, op in enumerate(said.ops):
+            shown = " ".join((*said.terms[n], op, *said.terms[n + 1]))
+            signs = {*said.terms[n][:1], *said.terms[n + 1][:1]} & {"\\pm", "\\mp"}
+            several = signed or (said.either and bool(signs))
+            link = replace(blank, shown=shown)
+            link = self.link(link, n, op, said, pieces[n : n + 2], under, problem, several)
+            if link.claims and n and {*said.ops[:n]} <= {"="} and RELATIONS.get(op, op) in BOUNDS:
+                ends = pieces[0], pieces[n + 1]
+                first = self.link(link, n, op, said, ends, under, problem, several)
+                asked = {a.text for a in link.claims}
+                told = tuple(
+                    a._replace(how=FIRST, may_fail=False)
+                    for a in first.claims
+                    if a.text not in asked
+                )
+                link = replace(link, claims=(*link.claims, *told))
+            yield link
+
+    def either_reading(self, blank: Link, said: Said, under: Under, why: str) -> Iterator[Link]:
+        """The links of a chain that can be read in two ways, one of which may hold; or none."""
+        rows: list[list[Piece | str]] = []
+        for longer in (True, False):
+            self.memory.longer, self.memory.shorter = longer, not longer
+            rows.append([self.piece(term, said) for term in said.terms])
+        self.memory.longer = self.memory.shorter = False
+        if any(isinstance(piece, str) for row in rows for piece in row):
+            return
+        for n in range(len(said.ops)):
+            shown = " ".join((*said.terms[n], "=", *said.terms[n + 1]))
+            asked: list[Attempt] = []
+            for row in rows:
+                one, other = row[n : n + 2]
+                if isinstance(one, Piece) and isinstance(other, Piece):
+                    compared = one.tree, "==", other.tree
+                    link = replace(blank, shown=shown)
+                    link = claim(
+                        self.memory, link, 1, said, compared, (one, other), under, None, False
+                    )
+                    asked += (a._replace(how=HOLDS, may_fail=False) for a in link.claims)
+            yield replace(
+                blank,
+                shown=shown,
+                claims=tuple(dict.fromkeys(asked)),
+                unknown=True,
+                otherwise=(UNREAD, why),
+            )
+
+    def under(self, said: Said, extra: Sequence[Said], around: Under) -> tuple[Under, str]:
+        """What a chain is said under, and what of it is not read."""
+        given: list[Compared] = []
+        put_in = list(around.put_in)
+        path, problem, own = around.path, "", bool(said.conditions or extra)
+        for condition in (*said.conditions, *extra):
+            found = self.memory.condition(condition) if condition.ops else self.other_cases(said)
+            if found is None:
+                problem = problem or f"its condition is not read: {' '.join(condition.tokens)}"
+            else:
+                given += found[0]
+                put_in += found[1]
+                path = found[2] or path
+        if said.conditions:
+            self.cases.append((said.terms[0], tuple(given)))
+        spoken = [names_in((c,)) for c in (*given, *around.given)]
+        lasting = [c for c in self.memory.lasting if names_in((c,)) not in spoken]
+        everything = (*self.memory.noted, *lasting, *around.given, *given)
+        bounds = own and not {"=", "\\equiv"} & {*said.ops}
+        claimed = said.universal or (bounds and around.kind != prose.ASSUME)
+        kind = prose.CLAIM if claimed and not around.noted else around.kind
+        return replace(
+            around,
+            passing=around.given,
+            given=everything,
+            put_in=tuple(put_in),
+            path=path,
+            kind=kind,
+        ), problem
+
+    def other_cases(self, said: Said) -> Conditions | None:
+        """Of "otherwise" what it says: that no case before it is."""
+        cases = [given for head, given in self.cases if head == said.terms[0]]
+        if not cases or any(len(given) != 1 for given in cases):
+            return None
+        return tuple((a, NEGATED[r], b) for ((a, r, b),) in cases), (), ""
+
+    def link(
+        self,
+        link: Link,
+        n: int,
+        op: str,
+        said: Said,
+        sides: Sequence[Piece | str],
+        under: Under,
+        problem: str,
+        signed: bool,
+    ) -> Link:
+        """One link: the kind of the first one is told by its form, the later ones are claims."""
+        left, right = sides
+        relation = RELATIONS.get(op, op)
+        head = self.memory.head(said.terms[0]) if n == 0 and relation == "==" else None
+        if isinstance(right, str):
+            return replace(link, status=UNREAD, why=right)
+        if head and (op == ":=" or self.is_new(head, right.tree, under)):
+            return self.definition(link, head, right.tree, signed or bool(said.conditions), under)
+        if isinstance(left, str) and head is not None and head.name in self.memory.functions:
+            left = Piece(symbol(head.name))
+        if isinstance(left, str):
+            return replace(link, status=UNREAD, why=left)
+        if relation in ("<<", ">>") and n == 0:
+            link = read_so(link, (left.tree, relation, right.tree))
+            return replace(link, status=ASSUMED, why="how much is not said, so it is not used")
+        if op in STRANGE or relation in ("<<", ">>"):
+            return replace(link, status=UNREAD, why=f"the relation {op} is not read")
+        self.memory.seen |= symbols(left.tree) | symbols(right.tree)
+        compared = (left.tree, relation, right.tree)
+        if op == ":=":
+            return replace(read_so(link, compared), status=DEFINED, why="a definition")
+        if relation == "in" or relation.startswith("->"):
+            return self.interval_or_limit(link, said, under)
+        bound = relation in NEGATED and relation != "=="
+        lone = bound and all(map(is_plain, said.terms))
+        if lone and said.before in (OR, EITHER):
+            why = "which of several holds is not said"
+            return replace(read_so(link, compared), status=UNREAD, why=why)
+        assumed = n == 0 and under.kind == prose.ASSUME
+        if bound and not said.before and (assumed or lone):
+            defined = not assumed and self.is_of_defined(said)
+            asked = claim(self.memory, link, n, said, compared, (left, right), under, head, signed)
+            if under.told or (under.universal and not assumed):
+                return asked if defined else replace(asked, firm=False)
+            condition = self.assumption(link, compared, "a condition")
+            asked = replace(asked, firm=False, otherwise=(ASSUMED, "a condition"))
+            return asked if defined else condition
+        if assumed:
+            return self.assumption(link, compared, "an assumption")
+        if problem:
+            return replace(read_so(link, compared), status=UNREAD, why=problem)
+        return claim(self.memory, link, n, said, compared, (left, right), under, head, signed)
+
+    def is_of_defined(self, said: Said) -> bool:
+        """Whether a chain bounds what has a definition, so that it holds or fails."""
+        heads = (self.memory.head([t for t in term if t not in SIGNS]) for term in said.terms)
+        return any(head and head.name in self.memory.functions for head in heads)
+
+    def interval_or_limit(self, link: Link, said: Said, under: Under) -> Link:
+        found = self.memory.condition(said)
+        if found is not None and said.ops[0] == "\\in":
+            self.memory.lasting += found[0]
+            read_as = chained(found[0]) or " ".join(said.tokens)
+            return replace(link, status=ASSUMED, why="a condition", read_as=read_as)
+        if found is not None and under.path and len(said.ops) == 1:
+            name, end = under.path.split(" -> ")
+            side = {"+": ", 1", "-": ", -1"}.get(end[-1:], "")
+            value = found[2].split(" -> ")[1]
+            text = (
+                f"limit({found[2].split(' -> ')[0]}, {name}, {end.rstrip('+-')}{side}) == {value}"
+            )
+            return replace(link, read_as=text, claims=(Attempt(text, "", text),), firm=False)
+        return replace(link, status=UNREAD, why="of a limit the path is not read")
+
+    def is_new(self, head: Head, value: Expr, under: Under) -> bool:
+        """Whether ``head = value`` defines: it was not defined before and is not in the value."""
+        if under.noted and under.kind == prose.SOLVE:
+            return False
+        if under.noted and under.kind == prose.CLAIM:
+            known = (
+                {name for name, _ in under.sources}
+                | self.memory.functions.keys()
+                | names_in(under.given)
+            )
+            return not head.derived and head.name not in known
+        if under.kind == prose.DEFINE and under.noted:
+            return True
+        base = {head.name, head.base} | {n for n in symbols(value) if base_of(n) == head.base}
+        if not base.isdisjoint(symbols(value) | unknown_in(value)):
+            return False
+        if head.derived:
+            return head.base not in self.memory.functions and head.name not in self.memory.functions
+        return head.name not in self.memory.functions
+
+    def definition(self, link: Link, head: Head, value: Expr, several: bool, under: Under) -> Link:
+        shown = (
+            head.name
+            if head.derived or not head.parameters
+            else f"{head.name}({', '.join(head.parameters)})"
+        )
+        link = replace(link, sides=(symbol(head.name), "==", value), read_as=f"{shown} == {value}")
+        if any(node.op in ("O", "o") for node in outermost(value)):
+            return replace(
+                link, status=DEFINED, why="a definition, up to the order that is written"
+            )
+        constants = sorted(
+            name
+            for name in symbols(value) - self.memory.seen - {*head.parameters}
+            if CONSTANTS.fullmatch(name)
+        )
+        if not several and (symbols(value) or under.noted):
+            self.memory.define(head, value, under.passing)
+        self.memory.seen |= symbols(value) | {head.name}
+        if constants and head.parameters and not under.noted:
+            why = f"an ansatz, with the free constants {', '.join(constants)}"
+            return replace(link, status=ASSUMED, why=why)
+        if under.kind == prose.ASSUME:
+            return replace(link, status=ASSUMED, why="an assumption")
+        why = "a definition; put in later where that decides"
+        return replace(link, status=DEFINED, why="one of several values" if several else why)
+
+    def assumption(self, link: Link, compared: Compared, why: str) -> Link:
+        finite = not {compared[0], compared[2]} & {INFINITY, -INFINITY}
+        is_condition = compared[1] in NEGATED and compared[1] != "=="
+        if is_condition and finite and elementary(compared[0], compared[2]):
+            self.memory.lasting.append(compared)
+        return replace(read_so(link, compared), status=ASSUMED, why=why)
+
+    def piece(self, tokens: Sequence[str], said: Said) -> Piece | str:
+        """A term, or why it is not read."""
+        if "hot" in tokens:
+            return "how small the terms of higher order are is not said"
+        if WORDS in tokens:
+            return f"the words {(said.words or ('in it',))[0]!a} are not read"
+        try:
+            lone = len(said.ops) == 1 and self.memory.head(said.terms[0]) is not None
+            tokens = with_primed_variables(without_units(tokens) if lone else tokens)
+            if said.either and tokens[:1] in (("\\pm",), ("\\mp",)):
+                tokens = tokens[1:]
+            return read_term(tokens, self.memory.author)
+        except InputError as error:
+            return plain(str(error))
+
+
+def _grouped(found: list[Said]) -> Iterator[Group]:
+    """Each chain with the conditions that follow it: ``a = b, x > 0``, or ``otherwise``.
+
+    Where they leave a choice, ``x > 1 or x < 0``, the chain is said once for each.
+    """
+    ways: list[Group] = []
+    for said in found:
+        waiting, under = ways[-1] if ways else (said, [])
+        choice = said.before == OR and (under or waiting.conditions)
+        plainly = replace(said, before="") if choice else said
+        if not ways or not _is_condition(plainly, waiting, under):
+            yield from ways
+            ways = [(said, [])]
+        elif not choice:
+            ways = [(one, [*known, said]) for one, known in ways]
+        elif under:
+            ways.append((waiting, [*under[:-1], plainly]))
+        else:
+            last = (*waiting.conditions[:-1], plainly)
+            ways.append((replace(waiting, conditions=last), []))
+    yield from ways
+
+
+def _with_conditions_behind(groups: Iterable[Group]) -> list[Group]:
+    """The groups: what has no condition of its own has those of the next chain of its row, or of
+    the next row that has nothing else in it."""
+    groups = list(groups)
+    result: list[Group] = []
+    rows, row = {said.row for said, _ in groups}, -1
+    later: list[Said] = []
+    for said, under in reversed(groups):
+        if said.row != row:
+            later, row = [c for c in later if c.row not in rows], said.row
+        later = [*said.conditions, *under] or later
+        if result and result[-1][0].before == OR and not said.before:
+            said = replace(said, before=EITHER)
+        result.append((said, under if said.conditions or under else later))
+    return result[::-1]
+
+
+def _is_condition(said: Said, before: Said, others: Sequence[Said]) -> bool:
+    """Whether a chain behind an equality is a condition of it, by its form."""
+    claims = "=" in before.ops or not all(map(is_plain, before.terms))
+    if said.before or said.conditions or not said.ops or not claims or (said.opens and said.row):
+        return False
+    if said.ops == ("\\notin",):
+        return True
+    relations = {RELATIONS.get(op, "") for op in said.ops}
+    if relations == {"->"} and len(said.terms[0]) < 3:
+        return True
+    if not relations <= {"<", ">", "<=", ">=", "!=", "in"}:
+        value = bool(others or before.conditions) and all(map(is_plain, said.terms))
+        return (bool(said.values) or value) and relations == {"=="}
+    short = any(len(term) <= 4 for term in said.terms)
+    if "=" not in before.ops:  # an inequality behind an inequality may be one more
+        powers = {pair for term in said.terms for pair in pairwise(term)}
+        if ("e", "^") in powers or any(_FUNCTION.fullmatch(t) for x in said.terms for t in x):
+            return False
+        if not short and not any(map(is_plain, said.terms)):
+            return False
+    bars = any("|" in term[0] for term in said.terms)
+    return short or bars or all(map(is_plain, said.terms[::2]))

@@ -1,0 +1,61 @@
+"""Exact points of which balls show only where about they are: the simplest constants near by."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+
+from flint import arb, fmpq
+
+from tresym.reals.domain.evaluation import evaluate
+from tresym.reals.language.expression import PI, E, Expr, apply, number, sqrt
+from tresym.reals.numbers.arithmetic import WORKING, ball_precision
+from tresym.reals.numbers.exact import Interval, rational_ends
+
+LARGEST_DENOMINATOR = 1_000
+
+_KINDS: tuple[tuple[Callable[[arb], arb], Callable[[Expr], Expr]], ...] = (
+    (lambda x: x / arb.pi(), lambda r: r * PI),
+    (lambda x: x / arb(1).exp(), lambda r: r * E),
+    (lambda x: x * arb(1).exp(), lambda r: r / E),
+    (lambda x: x * abs(x), lambda r: sqrt(r) if r.args[0] > 0 else -sqrt(-r)),
+    (lambda x: x.exp(), lambda r: apply("log", r)),
+    (lambda x: x.log(), lambda r: apply("exp", r)),
+    (lambda x: x.tan(), lambda r: apply("atan", r)),
+)
+"""Maps of the line under which a point may be a simple rational, with their inverses."""
+
+
+def candidates(worst: Interval, known: Sequence[Expr] = ()) -> Iterator[Expr]:
+    """Exact points that ``worst`` suggests, the simplest of each kind, and those that are known."""
+    seen: set[Expr] = set()
+    for point in known:
+        with ball_precision():
+            if evaluate(point, {}).overlaps(worst.ball()):
+                seen.add(point)
+                yield point
+    for wider in (1, 2**12, 2**24):
+        gap = wider * (worst.width or fmpq(1, 2**40))
+        about = Interval(worst.low - gap, worst.high + gap)
+        found = [number(about.simplest())]
+        with ball_precision():
+            for there, back in _KINDS:
+                low = rational_ends(there(arb(about.low))).low
+                high = rational_ends(there(arb(about.high))).high
+                if low is None or high is None or low > high:
+                    continue
+                r = Interval(low, high).simplest()
+                if r != 0 and max(abs(r.p), r.q) < LARGEST_DENOMINATOR:
+                    found.append(back(number(r)))
+        for point in found:
+            if point not in seen:
+                seen.add(point)
+                yield point
+
+
+def enclosure(point: Expr) -> tuple[fmpq, fmpq]:
+    """Rationals on both sides of the constant, equal to it where it is rational."""
+    if point.op == "number":
+        return point.args[0], point.args[0]
+    with ball_precision(2 * WORKING):
+        value = evaluate(point, {})
+        return value.lower().fmpq(), value.upper().fmpq()

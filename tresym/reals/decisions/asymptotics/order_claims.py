@@ -1,0 +1,227 @@
+"""Order statements about one variable: O, o and ~, from each side of the path."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from flint import arb, fmpq
+
+from tresym.reals.decisions.answer import Answer, constant_ball, refuted
+from tresym.reals.decisions.asymptotics.leading_terms import Judgement, judge_order, sign_towards
+from tresym.reals.decisions.asymptotics.scale import T
+from tresym.reals.decisions.claim_parsing import Comparison, Path
+from tresym.reals.decisions.derivative_domains import where_real
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import evaluate
+from tresym.reals.language.expression import Expr, number, substitute, symbol
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import fraction_text
+from tresym.reals.verdict import Verdict
+
+LONGEST = fmpq(1)
+LARGEST = arb((1, 10**8))
+SHOWN_AT = tuple(fmpq(1, 2**n) for n in (4, 2, 6, 3, 1, 0))
+"""Where on the path both sides are shown, if they are not real where a refutation would."""
+
+_SUCCESSES = {"o": "the ratio tends to 0", "~": "the ratio tends to 1"}
+_FAILURES = {
+    "O": "left/right is not bounded",
+    "o": "left/right does not tend to 0",
+    "~": "left/right does not tend to 1",
+}
+
+
+def decide_order(claim: Comparison, path: Path) -> Answer:
+    """ENCLOSED with a range and, for O, a constant; REFUTED with the true order; UNDECIDED.
+
+    What is differentiated must be real on the path: a side on which it is not is not spoken of.
+    """
+    real = {side: _real_upto(claim, path, side) for side in path.sides}
+    if None in real.values() or not any(real.values()):
+        return Answer(
+            Verdict.UNDECIDED,
+            "what is differentiated is not shown to be real on the way to the end of the path, and "
+            "nothing is decided of formal derivatives alone",
+        )
+    path = replace(path, sides=tuple(side for side in path.sides if real[side]))
+    found = [_one_side(claim, path, side) for side in path.sides]
+    for side, judgement in zip(path.sides, found, strict=True):
+        shown = _shown_at(claim, path, side, judgement, real[side])
+        if shown is not None:
+            return _refutation(claim, path, side, judgement, *shown)
+    if all(judgement.verdict is Verdict.ENCLOSED for judgement in found):
+        sides = zip(path.sides, found, strict=True)
+        if all(j.real or _values(claim, path, s, (j.upto or fmpq(1)) / 3) for s, j in sides):
+            return _holds(claim, path, found)
+        return Answer(
+            Verdict.UNDECIDED,
+            "the two sides are not shown to be real numbers on the way to the end of the path; "
+            "a path from one side, such as x -> 0+, may help",
+        )
+    return Answer(
+        Verdict.UNDECIDED,
+        "no expansion at the end of the path settles the order; "
+        "a function that oscillates or has no expansion in powers, exponentials and "
+        "logarithms is beyond this procedure",
+    )
+
+
+def _real_upto(claim: Comparison, path: Path, side: int) -> fmpq | None:
+    """Where what is differentiated is real, 0 < t <= this; 0 if nowhere, None if that is open."""
+    inside, _ = where_real(Given(), claim.differentiated, claim.by)
+    if inside.names - {path.name}:
+        return None
+    conditions = [(c.expression, c.relation) for c in inside.conditions]
+    found = [sign_towards(e, path.name, path.point, side) for e, _ in conditions]
+    for beside, (_, relation) in zip(found, conditions, strict=True):
+        if beside is not None and (beside[0] == 0 or (beside[0] < 0 and relation != "!=")):
+            return fmpq(0)
+    if None in found:
+        return None
+    return min([LONGEST, *(beside[1] for beside in found if beside is not None)])
+
+
+def _shown_at(
+    claim: Comparison, path: Path, side: int, judgement: Judgement, upto: fmpq
+) -> tuple[fmpq, tuple[arb, arb]] | None:
+    """Where on the path a refutation is shown, and both sides there: real, and best no tower.
+
+    The largest ratio is shown, or for ~ the one nearest to the end.
+    """
+    if judgement.verdict is not Verdict.REFUTED:
+        return None
+    found, towers = [], []
+    for t in (min(t, upto) for t in SHOWN_AT):
+        values = _values(claim, path, side, t)
+        if values is None:
+            continue
+        if not all(abs(value) < LARGEST for value in values):
+            towers.append((t, values))
+            continue
+        found.append((t, values))
+        if claim.relation == "~":
+            break
+    with ball_precision():
+        return max(found or towers[:1], key=lambda item: _ratio(*item[1]), default=None)
+
+
+def _ratio(left: arb, right: arb) -> arb:
+    return abs(left / right).mid() if right != 0 else arb(0)
+
+
+def _values(claim: Comparison, path: Path, side: int, t: fmpq) -> tuple[arb, arb] | None:
+    """Both sides at a point of the path; None where they are not shown to be real."""
+    mapping = {path.name: _along(path, side)}
+    with ball_precision():
+        at = {T: arb(t)}
+        left, right = (evaluate(substitute(e, mapping), at) for e in (claim.left, claim.right))
+        return (left, right) if left.is_finite() and right.is_finite() else None
+
+
+def _one_side(claim: Comparison, path: Path, side: int, upto: fmpq = fmpq(1)) -> Judgement:  # noqa: B008
+    mapping = {path.name: _along(path, side)}
+    sides = substitute(claim.left, mapping), substitute(claim.right, mapping)
+    return judge_order(claim.relation, *sides, upto, _shown(path, side))
+
+
+def _along(path: Path, side: int) -> Expr:
+    """The variable in the small parameter t."""
+    t = symbol(T)
+    return side / t if path.point is None else path.point + side * t
+
+
+def _holds(claim: Comparison, path: Path, found: list[Judgement]) -> Answer:
+    reach = min(judgement.upto for judgement in found if judgement.upto is not None)
+    if claim.relation == "O":  # the constants must speak of one range
+        found = [
+            judgement if judgement.upto == reach else _one_side(claim, path, side, reach)
+            for side, judgement in zip(path.sides, found, strict=True)
+        ]
+        reach = min([reach, *(j.upto for j in found if j.upto is not None)])
+    leading = found[0]
+    constant = None
+    sentence = _SUCCESSES.get(claim.relation, "")
+    if claim.relation == "~" and leading.true_order is None:
+        sentence = "left - right is o(right)"
+    if claim.relation == "O":
+        if any(judgement.constant is None for judgement in found):
+            return Answer(Verdict.UNDECIDED, "the range of the expansions does not settle it")
+        with ball_precision():
+            constant = arb(0)
+            for judgement in found:
+                constant = constant.max(judgement.constant)
+            bound = constant.upper().str(6, radius=False)
+        sentence = f"|left| <= C |right| with C at most about {bound}"
+    if leading.true_order is not None:
+        sentence += f"; the left side is about {leading.true_order}"
+    return Answer(
+        Verdict.ENCLOSED,
+        sentence,
+        constant=None if constant is None else constant_ball(constant),
+        region=region(path, reach),
+    )
+
+
+def _refutation(
+    claim: Comparison,
+    path: Path,
+    side: int,
+    judgement: Judgement,
+    t: fmpq,
+    values: tuple[arb, arb],
+) -> Answer:
+    why = _FAILURES[claim.relation]
+    if judgement.true_order is not None:
+        why = f"the left side is about {judgement.true_order}"
+    if judgement.ratio is not None:
+        why += f", and left/right about {judgement.ratio}"
+        why += f", which for {claim.relation} it must not be"
+    name, value = _witness(path, side, t)
+    return refuted(why, {name: value}, *values)
+
+
+def _shown(path: Path, side: int) -> tuple[Expr, Expr]:
+    """The small parameter in the variable, and its reciprocal."""
+    x = symbol(path.name)
+    if path.point is None:
+        return 1 / (side * x), side * x
+    small = side * (x - path.point)
+    return small, 1 / small
+
+
+def _small(path: Path, side: int) -> str:
+    """The small parameter in words of the variable."""
+    if path.point is None:
+        return f"(1/{path.name})" if side > 0 else f"(-1/{path.name})"
+    if path.point == number(0):
+        return path.name if side > 0 else f"(-{path.name})"
+    if side > 0:
+        return f"({path.name} - {path.point})"
+    return f"({path.point} - {path.name})"
+
+
+def _witness(path: Path, side: int, t: fmpq) -> tuple[str, fmpq]:
+    """The exact point on the path, or the parameter where the path ends at no rational."""
+    if path.point is None:
+        return path.name, side / t
+    if path.point.op == "number":
+        return path.name, path.point.args[0] + side * t
+    return _bare(path, side), t
+
+
+def _bare(path: Path, side: int) -> str:
+    """The small parameter where it needs no parentheses."""
+    return _small(path, side).removeprefix("(").removesuffix(")")
+
+
+def region(path: Path, reach: fmpq) -> str:
+    """Where the small parameter is at most ``reach``, in words of the variable."""
+    shown = fraction_text(reach)
+    name = path.name
+    if path.point is None:
+        far = fraction_text(1 / reach)
+        return f"{name} >= {far}" if path.sides == (1,) else f"{name} <= -{far}"
+    if path.sides == (1, -1):
+        size = f"|{name}|" if path.point == number(0) else f"|{name} - {path.point}|"
+        return f"0 < {size} <= {shown}"
+    return f"0 < {_bare(path, path.sides[0])} <= {shown}"

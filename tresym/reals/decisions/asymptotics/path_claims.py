@@ -1,0 +1,372 @@
+"""Claims along a path: limits, orders, and what holds from somewhere on ("eventually").
+
+``f -> L`` is ``f - L == o(1)``, and ``f -> oo`` is ``exp(-f) == o(1)``; from two sides it claims
+both. ``f == Theta(g)`` is two O, and ``f == omega(g)`` is ``g == o(f)``. Where parameters occur, a
+claim speaks of each of their values that the conditions allow, and of the path for each of them by
+itself: it is proved by the exact limit of what is compared (approach.py), and refuted at values of
+the parameters.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import partial
+from itertools import islice, product
+from math import lcm
+
+from flint import arb, fmpq
+
+from tresym.reals.decisions.answer import Answer, Decide, exact_text
+from tresym.reals.decisions.asymptotics.leading_terms import sign_towards
+from tresym.reals.decisions.asymptotics.limit_values import limit_of
+from tresym.reals.decisions.asymptotics.order_claims import decide_order, region
+from tresym.reals.decisions.claim_parsing import LIMIT, Comparison, Path, Statement
+from tresym.reals.decisions.derivative_domains import where_real
+from tresym.reals.decisions.identity import decide
+from tresym.reals.decisions.inequalities_on_regions import is_isolated
+from tresym.reals.decisions.readable_witnesses import simple_points
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import evaluate, stands
+from tresym.reals.domain.sample_points import corners
+from tresym.reals.language.expression import (
+    LEAVES,
+    ONE,
+    PI,
+    ZERO,
+    Expr,
+    apply,
+    differentiate,
+    number,
+    replaced,
+    substitute,
+    symbol,
+    symbols,
+)
+from tresym.reals.language.formula import NEGATED
+from tresym.reals.language.parsing import INFINITY
+from tresym.reals.normal.to_expression import normal_form
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.signs.interior import PROVING
+from tresym.reals.signs.sign import sign
+from tresym.reals.verdict import Verdict
+
+PARAMETERS = 6
+"""Values of the parameters at which a refutation is looked for."""
+FAR = (1, 10, 1000)
+"""From where on an inequality is asked."""
+PERIODIC = 12
+MOST_ENDS = 40
+"""Corners of the parameters' ranges that are looked at."""
+MOST_SPLIT = 2
+"""Parameters of which the signs are told apart."""
+PATH_BITS = 256
+_EXACT = "the limit is exact, by leading terms and exact coefficients"
+_OPEN = "the leading term does not settle it with the parameters that occur"
+
+
+def decide_tending(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
+    """PROVED, ENCLOSED, REFUTED or UNDECIDED for a claim along the path of the statement.
+
+    Args:
+        decided: decides what is no claim along a path.
+    """
+    path = statement.path
+    if path is None:
+        raise TypeError("a claim along a path is read with it")
+    if _parameters(claim, path):
+        return _with_parameters(claim, path, statement, decided)
+    if claim.relation == LIMIT:
+        return _limit(claim, path)
+    if claim.relation == "Theta":
+        return _theta(claim, path)
+    if claim.relation == "omega":
+        found = decide_order(_order(claim, claim.right, "o", claim.left), path)
+        return replace(found, why=f"of right and left: {found.why}")
+    if claim.relation in ("O", "o", "~"):
+        return decide_order(claim, path)
+    if claim.derivatives and where_real(Given(), claim.differentiated, claim.by)[0] != Given():
+        return Answer(Verdict.UNDECIDED, "what is differentiated is not real everywhere")
+    return _eventually(claim, path, statement, decided)
+
+
+def _parameters(claim: Comparison, path: Path) -> list[str]:
+    found = symbols(claim.left) | symbols(claim.right) - {INFINITY.args[0]}
+    found |= frozenset() if path.point is None else symbols(path.point)
+    return sorted(found - {path.name})
+
+
+def _order(claim: Comparison, left: Expr, relation: str, right: Expr) -> Comparison:
+    return replace(claim, left=left, relation=relation, right=right)
+
+
+def _limit(claim: Comparison, path: Path) -> Answer:
+    f, end = claim.left, claim.right
+    infinite = end in (INFINITY, -INFINITY)
+    if not claim.derivatives:
+        found = [limit_of(f, path.name, path.point, side, Given()) for side in path.sides]
+        if all(value is not None and _are_equal(value, end, Given()) for value in found):
+            return Answer(Verdict.PROVED, f"the left side tends to {end}: {_EXACT}")
+    if not infinite:
+        answer = decide_order(_order(claim, f - end, "o", ONE), path)
+        said = "left side less the limit"
+    else:
+        answer = decide_order(_order(claim, ONE, "o", f), path)
+        said = "ratio of 1 and the left side"
+        if answer.verdict is not Verdict.REFUTED:
+            toward = apply("exp", -f if end == INFINITY else f)
+            answer = decide_order(_order(claim, toward, "o", ONE), path)
+            said = f"left side of {toward} == o(1)"
+    if answer.verdict is Verdict.ENCLOSED:
+        return replace(answer, why=f"the left side tends to {end}")
+    if answer.verdict is Verdict.REFUTED:
+        return replace(
+            answer,
+            why=f"the left side does not tend to {end}; of the {said}: {answer.why}",
+            values=None,
+        )
+    return answer
+
+
+def _are_equal(value: Expr, end: Expr, given: Given) -> bool:
+    infinite = (INFINITY, -INFINITY)
+    if value in infinite or end in infinite:
+        return value == end
+    return decide(value, end, given).verdict is Verdict.PROVED
+
+
+def _theta(claim: Comparison, path: Path) -> Answer:
+    above = decide_order(replace(claim, relation="O"), path)
+    if above.verdict is not Verdict.ENCLOSED:
+        return above
+    below = decide_order(_order(claim, claim.right, "O", claim.left), path)
+    if below.verdict is not Verdict.ENCLOSED:
+        return replace(below, why=f"of right and left: {below.why}")
+    return replace(above, why=f"{above.why}; and of right and left: {below.why}")
+
+
+def _with_parameters(
+    claim: Comparison, path: Path, statement: Statement, decided: Decide
+) -> Answer:
+    given = statement.given
+    names = sorted({*_parameters(claim, path), *given.names})
+    if given.satisfying_point(names) is None:
+        return Answer(Verdict.UNDECIDED, "no exact point satisfies the conditions")
+    for at in (*simple_points(names, given, PARAMETERS), *_at_ends(claim, path, names, given)):
+        put_in = partial(substitute, mapping={name: number(v) for name, v in at.items()})
+        try:
+            fixed = replace(statement.mapped(put_in), given=Given())
+            found = decide_tending(claim.mapped(put_in), fixed, decided)
+        except InputError:  # a number on the way is too long
+            continue
+        if found.verdict is Verdict.REFUTED:
+            witness = {name: exact_text(value) for name, value in at.items()}
+            shown = ", ".join(f"{name} = {value}" for name, value in witness.items())
+            return replace(
+                found, why=f"at {shown}: {found.why}", witness=witness | dict(found.witness or {})
+            )
+    inside, _ = where_real(given, claim.differentiated, claim.by)
+    if claim.derivatives and inside != given:
+        return Answer(Verdict.UNDECIDED, _OPEN)
+    return (
+        _by_exact_limit(claim, path, given)
+        or _by_signs(claim, path, given)
+        or _from_somewhere_on(claim, path, statement, decided)
+    )
+
+
+def _at_ends(
+    claim: Comparison, path: Path, names: list[str], given: Given
+) -> Iterator[dict[str, fmpq]]:
+    """Values of the parameters that satisfy a condition by equality, as 0 does ``a >= 0``.
+
+    Left out are those beside which no side is defined: no claim speaks of them.
+    """
+    step = number(fmpq(path.sides[0], FAR[-1]))
+    for at in islice(corners(names, given.box), MOST_ENDS) if given.comparisons else ():
+        with ball_precision():
+            if not all(c.holds_exactly(at) for c in given.conditions):
+                continue
+            beside = {name: arb(value) for name, value in at.items()}
+            beside[path.name] = evaluate(1 / step if path.point is None else path.point + step, at)
+        sides = (claim.left, ONE if claim.right in (INFINITY, -INFINITY) else claim.right)
+        if not is_isolated(beside, sides):
+            yield at
+
+
+def _by_exact_limit(claim: Comparison, path: Path, given: Given) -> Answer | None:
+    """The claim by the exact limit of a side, of their ratio, or of their difference."""
+    left, right, relation = claim.left, claim.right, claim.relation
+    kinds = {
+        LIMIT: (left, "left side"),
+        "omega": (right / left, "ratio of right and left"),
+        **dict.fromkeys(("O", "o", "~", "Theta"), (left / right, "ratio")),
+    }
+    compared, what = kinds.get(relation, (left - right, "difference"))
+    found = [limit_of(compared, path.name, path.point, side, given) for side in path.sides]
+    values = [value for value in found if value is not None]
+    if len(values) < len(found) or not all(_allows(relation, v, right, given) for v in values):
+        return None
+    return Answer(Verdict.PROVED, f"the {what} tends to {values[0]}: {_EXACT}")
+
+
+def _by_signs(claim: Comparison, path: Path, given: Given) -> Answer | None:
+    """The claim where a parameter is positive, where it is negative, and where it may be 0."""
+    signs = {name: sign(symbol(name), given, "!=") for name in _parameters(claim, path)}
+    open_ = [name for name, found in signs.items() if found not in ("+", "-")]
+    if not open_ or len(open_) > MOST_SPLIT:
+        return None
+    name, x = open_[0], symbol(open_[0])
+    cases = [(claim, given & Given(((x, relation, ZERO),))) for relation in ("<", ">")]
+    if signs[name] not in PROVING["!="]:
+        put_in = partial(substitute, mapping={name: ZERO})
+        there = (part for part in given.mapped(put_in).comparisons if symbols(part[0] - part[2]))
+        cases.append((claim.mapped(put_in), Given(tuple(there))))
+    if all(_by_exact_limit(c, path, g) or _by_signs(c, path, g) for c, g in cases):
+        return Answer(Verdict.PROVED, f"for each sign of {name}: {_EXACT}")
+    return None
+
+
+def _allows(relation: str, value: Expr, right: Expr, given: Given) -> bool:
+    """Whether the claim holds where what is compared has this limit."""
+    infinite = value in (INFINITY, -INFINITY)
+    if relation == LIMIT:
+        return _are_equal(value, right, given)
+    if relation in ("o", "omega", "~"):
+        return _are_equal(value, ONE if relation == "~" else ZERO, given)
+    if relation in ("O", "Theta"):
+        return not infinite and (relation == "O" or sign(value, given, "!=") in PROVING["!="])
+    if relation in ("<", "<="):
+        return value == -INFINITY if infinite else sign(value, given, "<") == "-"
+    if relation in (">", ">="):
+        return value == INFINITY if infinite else sign(value, given, ">") == "+"
+    return infinite or sign(value, given, "!=") in PROVING["!="]
+
+
+# Eventually
+
+
+def _eventually(claim: Comparison, path: Path, statement: Statement, decided: Decide) -> Answer:
+    """An inequality on a whole neighbourhood of the end of the path."""
+    difference = claim.left - claim.right
+    signs = [sign_towards(difference, path.name, path.point, side) for side in path.sides]
+    for side, found in zip(path.sides, signs, strict=True):
+        if found is not None and not stands(arb(found[0]), claim.relation):
+            return _fails_beside(claim, path, side, *found)
+    reaches = [found[1] for found in signs if found is not None]
+    if len(reaches) == len(signs):
+        return Answer(
+            Verdict.ENCLOSED,
+            "the sign of the difference is that of its leading term",
+            region=region(path, min(reaches)),
+        )
+    exact = _by_exact_limit(claim, path, Given())
+    return exact or _from_somewhere_on(claim, path, statement, decided)
+
+
+def _fails_beside(claim: Comparison, path: Path, side: int, found: int, reach: fmpq) -> Answer:
+    """A refutation: the difference has the wrong sign for all 0 < t <= reach."""
+    sign_of = {0: "0", 1: "positive", -1: "negative"}[found]
+    why = f"left - right is {sign_of} on all of {region(replace(path, sides=(side,)), reach)}"
+    at = number(side / reach) if path.point is None else path.point + number(side * reach)
+    return Answer(Verdict.REFUTED, why, witness={path.name: exact_text(at)})
+
+
+def _from_somewhere_on(
+    claim: Comparison, path: Path, statement: Statement, decided: Decide
+) -> Answer:
+    """An inequality on one of a few neighbourhoods, for all values of the parameters at once."""
+    if claim.relation not in (">", ">=", "<", "<=", "!="):
+        return Answer(Verdict.UNDECIDED, _OPEN)
+    for far in FAR:
+        near = [_neighbourhood(path, side, number(far)) for side in path.sides]
+        answers = []
+        for where in near:
+            inside = replace(statement, path=None, given=statement.given & where)
+            answers.append(decided(claim, inside))
+            if not answers[-1]:
+                break
+        else:
+            best = min(answers, key=lambda found: found.verdict is Verdict.PROVED)
+            return replace(best, region=str(near[0]) if len(near) == 1 else None)
+    for fails in (_periodic_failure, _failure_where_waves_return):
+        found = fails(claim.left - claim.right, claim.relation, path)
+        if found is not None:
+            return found
+    why = f"it is not shown from {FAR[-1]} on, nor to fail again and again"
+    return Answer(Verdict.UNDECIDED, why)
+
+
+def _neighbourhood(path: Path, side: int, far: Expr) -> Given:
+    x = symbol(path.name)
+    if path.point is None:
+        return Given(((x, ">", far),) if side == 1 else ((x, "<", -far),))
+    end = path.point + side / far
+    low, high = (path.point, end) if side == 1 else (end, path.point)
+    return Given(((low, "<", x), (x, "<", high)))
+
+
+# What comes again and again
+
+
+def _periodic_failure(difference: Expr, relation: str, path: Path) -> Answer | None:
+    """A refutation where a difference has the period 2π, in u or in 1/u, and fails at a point."""
+    u = symbol("_u")
+    if path.point is not None and symbols(path.point):
+        return None
+    for side in path.sides:
+        along = side * u if path.point is None else path.point + side / u
+        e = substitute(difference, {path.name: along})
+        if not symbols(e) <= {"_u"}:
+            return None
+        if decide(e, substitute(e, {"_u": u + 2 * PI})).verdict is not Verdict.PROVED:
+            continue
+        for at in (fmpq(2 * n + 1, 4) for n in range(PERIODIC)):
+            with ball_precision(PATH_BITS):
+                value = evaluate(e, {"_u": at})
+                if value.is_finite() and stands(value, NEGATED[relation]):
+                    where = substitute(along, {"_u": number(at)})
+                    why = (
+                        f"it has a period, and fails at {path.name} = {where} and "
+                        "wherever the same values come again on the way to the end"
+                    )
+                    return Answer(Verdict.REFUTED, why, witness={path.name: exact_text(where)})
+    return None
+
+
+def _failure_where_waves_return(difference: Expr, relation: str, path: Path) -> Answer | None:
+    """A refutation at points c + 2 π N n, at which every sine and cosine has its value at c.
+
+    Their arguments are of the first degree with rational slopes, and N is a multiple of the
+    denominators. What is left without them has a sign from somewhere on.
+    """
+    name = path.name
+    waves = {node: differentiate(node.args[0], name) for node in _waves(difference, name)}
+    slopes = [slope.args[0] for slope in waves.values() if slope.op == "number"]
+    if path.point is not None or not slopes or len(slopes) < len(waves):
+        return None
+    if symbols(difference) != {name}:
+        return None
+    turns = lcm(*(int(slope.q) for slope in slopes))
+    for side, quarter in product(path.sides, range(4)):
+        c = turns * quarter * PI / 2
+        there = {wave: substitute(wave, {name: c}) for wave in waves}
+        if not all(evaluate(value, {}).is_finite() for value in there.values()):
+            continue
+        left = replaced(difference, {w: normal_form(e, Given()) for w, e in there.items()})
+        found = sign_towards(left, name, path.point, side)
+        if found is None or stands(arb(found[0]), relation):
+            continue
+        n = int((1 / found[1] / (6 * turns)).ceil()) + 1
+        where = exact_text(side * 2 * turns * n * PI + c)
+        why = f"it fails at {name} = {where} and wherever its waves return to their values there"
+        return Answer(Verdict.REFUTED, why, witness={name: where})
+    return None
+
+
+def _waves(e: Expr, name: str) -> set[Expr]:
+    """The sines and cosines in which the variable occurs, but those inside of others."""
+    if e.op in LEAVES or name not in symbols(e):
+        return set()
+    return {e} if e.op in ("sin", "cos") else set().union(*(_waves(arg, name) for arg in e.args))

@@ -1,0 +1,650 @@
+"""Reading a claim: text in the expression grammar, LaTeX, or SymPy's relations."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, replace
+from functools import cache
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from tresym.reals.domain.conditions import Given
+from tresym.reals.language import expression
+from tresym.reals.language.binders import elementary, is_infinite, outermost, worked_out
+from tresym.reals.language.expression import (
+    LEAVES,
+    ZERO,
+    Expr,
+    add,
+    differentiate,
+    instantiate,
+    multiply,
+    number,
+    opened,
+    replaced,
+    substitute,
+    symbol,
+    symbols,
+)
+from tresym.reals.language.latex_output import typeset
+from tresym.reals.language.parsing import (
+    INFINITY,
+    INTEGERS,
+    NO_INFINITY,
+    Compared,
+    parse,
+    parse_claim,
+    parse_given,
+)
+from tresym.reals.language.sentences import spelled, spelled_conditions
+from tresym.reals.language.sympy import RELATIONS, atoms, unworked
+from tresym.reals.language.unicode_input import plain
+from tresym.reals.numbers.exact import InputError
+
+if TYPE_CHECKING:
+    from tresym.reals.language.latex import Relations
+
+ORDERS = ("O", "o", "~", "Theta", "omega")
+LIMIT = "->"
+MAX_CHARACTERS = 30_000
+MAX_PATH = 200
+NO_CHAIN = "an order claim is one relation, and no chain"
+
+_WORD = re.compile(r"(?<!\{)\s(?:--)?(given|as)\s(?!\s*\})")
+_LATEX = re.compile(r"[\\{}]")
+_PATH = re.compile(r"\s*([A-Za-z_]\w*)\s*->\s*(.+?)\s*")
+_AND = re.compile(r"\band\b|;|&&?|∧")
+_INFINITE = re.compile(r"([-+]?)(?:oo|inf|infinity)")
+_SIDES = {"+": (1,), "-": (-1,), "": (1, -1)}
+_NOT_DECIDED = {
+    "antiderivative": "integral(f, x) is compared with what it is: integral(f, x) == F",
+    "root": "the root of an equation is not decided here",
+    "limit": "a limit is claimed by itself: limit(f, x, a) == L, or f -> L as x -> a",
+    "at": "a value at a point is not decided here: put the point in",
+    "derivative": "the value of a derivative at a point is not decided: write the derivative out",
+    **dict.fromkeys(
+        expression.ORDERS, "O(…) and o(…) stand at the right end of a claim: f == g + O(h)"
+    ),
+}
+VALUED = ("integral", "nth", "sum", "product", "unknown")
+"""What may stand in a claim and is worked out when it is decided."""
+_LONE = "the limit stands alone on one side, compared by == with its value"
+_ASSUMPTIONS = {
+    "is_extended_positive": ">",
+    "is_extended_negative": "<",
+    "is_extended_nonnegative": ">=",
+    "is_extended_nonpositive": "<=",
+    "is_extended_nonzero": "!=",
+}
+
+
+class Derivative(NamedTuple):
+    """A derivative that was written: of which function, by which variable, how often; its value."""
+
+    function: Expr
+    by: str
+    order: int
+    value: Expr
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """``left relation right``; for an order the right side is the gauge, for ``->`` the limit.
+
+    Attributes:
+        derivatives: those that were written: a derivative is one where its function is real, there
+            and beside it.
+        primitives: functions whose values at a point were written, as bodies of one variable: of an
+            integral they may be antiderivatives.
+    """
+
+    left: Expr
+    relation: str
+    right: Expr
+    derivatives: tuple[Derivative, ...] = ()
+    primitives: tuple[Expr, ...] = ()
+
+    @property
+    def differentiated(self) -> tuple[Expr, ...]:
+        """The functions whose derivatives were written."""
+        return tuple(dict.fromkeys(found.function for found in self.derivatives))
+
+    @property
+    def by(self) -> frozenset[str]:
+        """The variables by which."""
+        return frozenset(found.by for found in self.derivatives)
+
+    def solved(self, node: Expr) -> Expr | None:
+        """What an equation says that ``node`` is, where it is linear in it."""
+        mark = symbol("[S]")
+        left, right = (replaced(side, {node: mark}) for side in (self.left, self.right))
+        gap = left - right
+        slope = differentiate(gap, "[S]")
+        if "[S]" in symbols(slope) or slope == ZERO:
+            return None
+        rest = substitute(gap, {"[S]": ZERO})
+        return rest * (-1 / slope)
+
+    def mapped(self, change: Callable[[Expr], Expr]) -> Comparison:
+        """The comparison of changed sides, their derivatives with them."""
+        derivatives = (
+            d._replace(function=change(d.function), value=change(d.value)) for d in self.derivatives
+        )
+        left, right = change(self.left), change(self.right)
+        return replace(self, left=left, right=right, derivatives=tuple(derivatives))
+
+
+@dataclass(frozen=True)
+class Path:
+    """A variable that tends to a point.
+
+    Attributes:
+        name: the variable.
+        point: where it tends, None for infinity.
+        sides: +1 for from above or to +∞, −1 for from below or to −∞.
+    """
+
+    name: str
+    point: Expr | None
+    sides: tuple[int, ...]
+
+    def __str__(self) -> str:
+        side = "" if len(self.sides) > 1 else "+-"[self.sides[0] < 0]
+        end = f"{self.point}{side}" if self.point is not None else f"{side.strip('+')}oo"
+        return f"{self.name} -> {end}"
+
+
+@dataclass(frozen=True)
+class Statement:
+    """A claim as it was read.
+
+    Attributes:
+        comparisons: all of them are claimed.
+        given: the conditions that are inequalities.
+        path: for orders, limits, and what holds near its end alone.
+        equations: the conditions that are equations, a pair of sides each.
+        integers: the variables that take the values of integers alone.
+        text: how it was written.
+        read_as: the same in the grammar of expressions, conditions and path included.
+    """
+
+    comparisons: tuple[Comparison, ...]
+    given: Given
+    path: Path | None
+    text: str
+    read_as: str = ""
+    equations: tuple[tuple[Expr, Expr], ...] = ()
+    integers: tuple[str, ...] = ()
+
+    def __str__(self) -> str:
+        return self.text
+
+    @property
+    def said(self) -> list[Expr]:
+        """The sides of all conditions."""
+        pairs = (*((left, right) for left, _, right in self.given.comparisons), *self.equations)
+        return [side for pair in pairs for side in pair]
+
+    def mapped(self, change: Callable[[Expr], Expr]) -> Statement:
+        """The statement under changed conditions, and where it tends to."""
+        path = self.path
+        if path is not None and path.point is not None:
+            path = replace(path, point=change(path.point))
+        equations = tuple((change(x), change(y)) for x, y in self.equations)
+        return replace(self, given=self.given.mapped(change), equations=equations, path=path)
+
+    @property
+    def under(self) -> str:
+        """All conditions in words."""
+        equal = ((left, "==", right) for left, right in self.equations)
+        whole = ((symbol(name), "in", INTEGERS) for name in self.integers)
+        return chained((*self.given.comparisons, *equal, *whole))
+
+
+class _Written(NamedTuple):
+    """A claim as it was written, nothing of it worked out."""
+
+    comparisons: tuple[Compared, ...]
+    given: tuple[Compared, ...]
+    path: Path | None
+
+    def __str__(self) -> str:
+        parts = (("", chained(self.comparisons)), (" given ", chained(self.given)))
+        text = "".join(word + part for word, part in parts if part)
+        return text if self.path is None else f"{text} as {self.path}"
+
+
+def in_latex(text: str) -> str:
+    """A claim in the grammar of text, in LaTeX with its conditions and path; empty if not read."""
+    try:
+        comparisons, given, path = _written(text, "", None)
+    except InputError:
+        return ""
+    shown = typeset(comparisons)
+    shown += rf" \quad ({typeset(given)})" if given else ""
+    if path is None:
+        return shown
+    point = multiply(number(path.sides[0]), INFINITY) if path.point is None else path.point
+    side = "" if path.point is None or len(path.sides) > 1 else "^+" if path.sides[0] > 0 else "^-"
+    return rf"{shown} \quad ({typeset([(symbol(path.name), '->', point)])}{side})"
+
+
+def chained(comparisons: Iterable[Compared]) -> str:
+    """Comparisons in the grammar of text, ``0 < x <= 1`` for two with a side in common."""
+    text = ""
+    last: tuple[Expr | None, str] = (None, "")
+    for left, relation, right in comparisons:
+        goes_on = left is last[0] and relation[0] == last[1][0]
+        joint = "" if goes_on else f"{', ' if text else ''}{left}"
+        text += f"{joint} integer" if relation == "in" else f"{joint} {relation} {right}"
+        last = right, relation
+    return text
+
+
+def read(claim: Any, given: Any = "", path: str | None = None) -> Statement:
+    """A claim with its conditions.
+
+    Args:
+        claim: text, LaTeX or a SymPy relation. Text may end in ``given CONDITIONS`` and
+            ``as PATH``.
+        given: text, LaTeX, SymPy relations, or a :class:`~tresym.reals.Given`.
+        path: such as ``"x -> 0+"``.
+
+    Raises:
+        InputError: what is not read; one line says why.
+    """
+    written = _written(claim, given, path)
+    text = _split(claim)[0] if isinstance(claim, str) else str(claim)
+    for _, relation, _ in written.comparisons:
+        if relation not in (*RELATIONS.values(), *ORDERS, LIMIT):
+            raise InputError(f"{relation} is no claim: one is made with == != > >= < <= ~ or ->")
+        if relation in (*ORDERS, LIMIT) and len(written.comparisons) > 1:
+            raise InputError(NO_CHAIN)
+    shown = str(written)
+    if not all(isinstance(part, str) and _is_plain(part) for part in (claim, given, path or "")):
+        written = _read_again(shown)
+    return _checked(_stated(written, shown, text))
+
+
+def _is_plain(text: str) -> bool:
+    """Whether text is in the grammar as it stands, neither LaTeX nor with signs of print."""
+    return text.isascii() and not _LATEX.search(text)
+
+
+def _read_again(shown: str) -> _Written:
+    """What is written in the text that is shown: of LaTeX and of SymPy just that is decided."""
+    claim, _, end = shown.partition(" as ")
+    claim, _, under = claim.partition(" given ")
+    path = read_path(end) if end else None
+    return _Written(tuple(parse_claim(claim)), tuple(parse_given(under)), path)
+
+
+def _stated(written: _Written, shown: str, text: str) -> Statement:
+    """What is decided of what is written."""
+    parts, said, path = written
+    given = Given(tuple(link for link in said if link[1] not in ("==", "in"))).unfolded()
+    equations = tuple((left, right) for left, relation, right in said if relation == "==")
+    closed = sum(relation in (">=", "<=") for _, relation, _ in said) > 1
+    equations += tuple(
+        (symbol(name), number(where.low))
+        for name, where in (given.box.items() if closed else ())
+        if where.low is not None and where.low == where.high
+        if not (where.low_open or where.high_open)
+    )
+    integers = tuple(dict.fromkeys(str(link[0]) for link in said if link[1] == "in"))
+    if len(parts) == 1 and any(side.op == "limit" for side in parts[0][::2]):
+        comparison, path = _limit(*parts[0], path)
+        found: tuple[Comparison, ...] = (comparison,)
+    else:
+        found = tuple(_comparison(*part) for part in parts)
+    _need_apart(found, said)
+    return Statement(found, given, path, text, shown, equations, integers)
+
+
+def _need_apart(comparisons: Iterable[Comparison], said: Iterable[Compared]) -> None:
+    """That no letter names a variable and a function, or functions of several arities."""
+    trees = [side for c in comparisons for side in (c.left, c.right)]
+    trees += [side for link in said for side in link[::2]]
+    heads = {node.args[0].args[0]: len(node.args) for e in trees for node in functions(e)}
+    for e in trees:
+        for name in symbols(e) & heads.keys():
+            raise InputError(f"{name} is a function and a variable; for a product write {name}*(…)")
+        for node in functions(e):
+            if len(node.args) != heads[node.args[0].args[0]]:
+                raise InputError(f"{node.args[0].args[0]} has several numbers of arguments")
+
+
+def functions(e: Expr) -> Iterator[Expr]:
+    """The functions left unknown in ``e``, at their arguments."""
+    if e.hidden:
+        for arg in e.args:
+            yield from functions(arg)
+        if e.op == "unknown":
+            yield e
+
+
+def read_as(claim: Any, given: Any = "", path: str | None = None) -> str:
+    """The claim with its conditions and path in the grammar; nothing where it is not read.
+
+    Nothing is worked out of it, so that it is at hand also where deciding did not end.
+    """
+    try:
+        is_read = isinstance(claim, Statement)
+        return claim.read_as if is_read else str(_written(claim, given, path))
+    except InputError:
+        return ""
+
+
+def _written(claim: Any, given: Any, path: str | None) -> _Written:
+    if not isinstance(claim, str):
+        comparison, conditions = _from_sympy(claim)
+        return _Written((comparison,), (*_given(given), *conditions), _path(path))
+    try:
+        return _strictly(claim, given, path)
+    except InputError:
+        found = spelled(claim)
+        if found is None:
+            raise
+    end = found.path or path
+    more = f" given {found.given}" if found.given else ""
+    again = _strictly(f"{found.claim}{more}", given, end)
+    return _read_again(str(again))
+
+
+def _strictly(claim: str, given: Any, path: str | None) -> _Written:
+    """A claim of text or LaTeX in the grammar as it stands."""
+    text, own, own_path = _split(claim)
+    under, end = (*_given(given), *_given(own)), _path(own_path or path)
+    if not _LATEX.search(text):
+        return _Written(tuple(parse_claim(plain(text))), under, end)
+    from tresym.reals.language.latex import read_latex
+
+    chains = read_latex(text.strip().strip("$"))
+    last = chains[-1] if chains[1:] and chains[-1].ops[0].startswith("->") else None
+    said = last or chains[0].condition
+    if len(chains) != (2 if last else 1):
+        raise InputError("LaTeX: one claim at a time; conditions follow \\text{for} or go apart")
+    if said is not None and said.ops[0].startswith("->"):
+        end = _path_of(said)
+    elif said is not None:
+        under = (*under, *map(_condition, said.links))
+    return _Written(tuple(chains[0].links), under, end)
+
+
+def _split(text: str) -> tuple[str, str, str]:
+    """The claim, its conditions and its path, quotes around the latter two dropped."""
+    if len(text) > MAX_CHARACTERS:
+        raise InputError(f"{len(text)} characters are beyond the limit of {MAX_CHARACTERS}")
+    claim, *rest = _WORD.split(text)
+    found = {"given": "", "as": ""}
+    for word, part in zip(rest[::2], rest[1::2], strict=True):
+        if found[word]:
+            raise InputError(f"a claim has one part that begins with the word {word}")
+        found[word] = part.strip().strip("'\"")
+    return claim.strip(), found["given"], found["as"]
+
+
+def _comparison(left: Expr, relation: str, right: Expr) -> Comparison:
+    """What is decided of a comparison: derivatives carried out, an order as its gauge."""
+    right = _spread(right)
+    terms = right.args if right.op == "+" else (right,)
+    orders = [term for term in terms if term.op in expression.ORDERS]
+    if relation == "==" and len(orders) == 1:
+        rest = [term for term in terms if term is not orders[0]]
+        left = left - add(*rest) if rest else left
+        relation, right = orders[0].op, orders[0].args[0]
+    if any(n.op == "antiderivative" for n in outermost(left, right)) and relation == "==":
+        return _without_ends(left, right)
+    if relation == LIMIT and right in (INFINITY, -INFINITY):
+        return replace(_comparison(left, relation, ZERO), right=right)
+    if relation == "==" and right in (INFINITY, -INFINITY) and left.op == "integral":
+        return replace(_comparison(left, relation, ZERO), right=right)
+    work = cache(worked_out)
+    written = tuple(dict.fromkeys(d for side in (left, right) for d in _derivatives(side, work)))
+    values = (node for node in outermost(left, right) if node.op == "at" and len(node.names) == 1)
+    primitives = tuple(dict.fromkeys(node.args[0] for node in values))
+    return Comparison(work(left), relation, work(right), written, primitives)
+
+
+def _spread(e: Expr) -> Expr:
+    """``c (f + O(g))`` as ``c f + O(c g)``."""
+    if e.op == "+":
+        return add(*map(_spread, e.args))
+    parts = e.args if e.op == "*" and not elementary(e) else ()
+    factors = [part for part in parts if not elementary(part)]
+    terms = _terms(factors[0]) if len(factors) == 1 else ()
+    rest = multiply(*(part for part in parts if part is not factors[0]))
+    if not any(term.op in ("O", "o") for term in terms):
+        return e
+    return add(
+        *(
+            Expr(term.op, (rest * term.args[0],)) if term.op in ("O", "o") else rest * term
+            for term in terms
+        )
+    )
+
+
+def _limit(left: Expr, relation: str, right: Expr, path: Path | None) -> tuple[Comparison, Path]:
+    """``limit(f, x, p) == L`` as ``f -> L`` on its path."""
+    if path is not None:
+        raise InputError("a limit has its path in it: write no other")
+    left, value = (left, right) if left.op == "limit" else (right, left)
+    if relation != "==" or not (elementary(value) or is_infinite(value)):
+        raise InputError(_LONE)
+    (name,), body = opened(left, symbols(value))
+    side = {1: "+", -1: "-"}.get(int(left.args[2].args[0].p), "")
+    return _comparison(body, LIMIT, value), _ending(name, left.args[1], side)
+
+
+def _without_ends(left: Expr, right: Expr) -> Comparison:
+    """An equation of integrals without ends as one of derivatives."""
+    names, known, rest = set(), [], []
+    for term in (*_terms(left), *(-term for term in _terms(right))):
+        nodes = [node for node in outermost(term) if node.op == "antiderivative"]
+        if not nodes:
+            rest.append(-term)
+            continue
+        (node, *others), name = nodes, str(nodes[0].args[1])
+        parts = term.args if term.op == "*" else (term,)
+        factors = [part for part in parts if part != node]
+        if others or len(factors) != len(parts) - 1 or name in symbols(multiply(*factors)):
+            raise InputError(_NOT_DECIDED["antiderivative"])
+        names.add(name)
+        known.append(multiply(*factors, instantiate(node.args[0], (node.args[1],))))
+    if len(names) != 1:
+        raise InputError("integrals without ends are compared by one variable")
+    (by,) = names
+    f, function = (worked_out(add(*terms)) for terms in (known, rest))
+    for side in (f, function):
+        tuple(_derivatives(side, worked_out))
+    value = differentiate(function, by)
+    return Comparison(value, "==", f, (Derivative(function, by, 1, value),))
+
+
+def _terms(e: Expr) -> tuple[Expr, ...]:
+    return e.args if e.op == "+" else (e,)
+
+
+def _derivatives(e: Expr, work: Callable[[Expr], Expr]) -> Iterator[Derivative]:
+    """The derivatives that are written in ``e``, inner ones first, worked out by ``work``.
+
+    Raises:
+        InputError: what else binds a variable and is not decided.
+    """
+    if _is_infinite(e):
+        raise InputError(NO_INFINITY)
+    for node in outermost(e):
+        place = node.args[-1]
+        if node.op in VALUED:
+            if not all(map(_is_valued, node.args)):
+                raise InputError("what is integrated or summed holds no derivative, limit or order")
+            continue
+        if _is_slope_of_unknown(node):
+            continue
+        if node.op == "at" and elementary(*node.args) and node.args[0].loose:
+            continue
+        fixed = place.op != "symbol" or bool(symbols(place) & symbols(node.args[0]))
+        if node.op != "derivative" or fixed:
+            raise InputError(_NOT_DECIDED[node.op])
+        function, times = node, 0
+        while function.op == "derivative" and function.args[1] == place:
+            function, times = instantiate(function.args[0], (place,)), times + 1
+        yield from _derivatives(function, work)
+        yield Derivative(work(function), place.args[0], times, work(node))
+
+
+def _is_infinite(e: Expr) -> bool:
+    """Whether oo stands in it elsewhere than at the end of an integral."""
+    if e.op in LEAVES or INFINITY.args[0] not in symbols(e):
+        return e == INFINITY
+    ends = (INFINITY, -INFINITY) if e.op in ("integral", "sum", "product") else ()
+    return any(_is_infinite(arg) for arg in e.args if arg not in ends)
+
+
+def _is_slope_of_unknown(node: Expr) -> bool:
+    """Whether it is a derivative of a function left unknown, at some point."""
+    points: list[Expr] = []
+    while node.op in ("derivative", "at"):
+        points += node.args[1:]
+        node = node.args[0]
+    return node.op == "unknown" and all(map(_is_valued, (*points, *node.args)))
+
+
+def _is_valued(e: Expr) -> bool:
+    """Whether nothing that binds is in it but what may be."""
+    if e.op in LEAVES:
+        return True
+    return (e.op in VALUED or e.op not in expression.UNWORKED) and all(map(_is_valued, e.args))
+
+
+def _path(path: str | None) -> Path | None:
+    if not path:
+        return None
+    if len(path) > MAX_PATH or not _LATEX.search(path):
+        return read_path(path)
+    from tresym.reals.language.latex import read_latex
+
+    return _path_of(read_latex(path.strip().strip("$").replace("->", "\\to"))[0])
+
+
+def _path_of(chain: Relations) -> Path:
+    """A path that LaTeX states as ``x \\to 0^+``."""
+    if len(chain.ops) != 1 or not chain.ops[0].startswith("->") or chain.terms[0].op != "symbol":
+        raise InputError("LaTeX: a path is written like x \\to 0^+")
+    return _ending(str(chain.terms[0]), chain.terms[1], chain.ops[0][2:])
+
+
+def _ending(name: str, point: Expr, side: str) -> Path:
+    if point in (INFINITY, -INFINITY):
+        return Path(name, None, (1 if point == INFINITY else -1,))
+    if name in symbols(point) or not elementary(point):
+        raise InputError("a path ends at a constant, at a parameter or at oo")
+    return Path(name, point, _SIDES[side])
+
+
+def _given(given: Any) -> tuple[Compared, ...]:
+    if isinstance(given, Given):
+        return given.comparisons
+    if isinstance(given, str) and _LATEX.search(given):
+        from tresym.reals.language.latex import read_latex
+
+        chains = read_latex(given.strip().strip("$"))
+        return tuple(_condition(link) for chain in chains for link in chain.links)
+    if isinstance(given, str):
+        try:
+            return tuple(parse_given(_AND.sub(",", plain(given)).strip()))
+        except InputError:
+            again = spelled_conditions(given)
+            if again is None:
+                raise
+            return tuple(parse_given(again))
+    if isinstance(given, Iterable) and getattr(given, "ndim", None) != 0:
+        return tuple(link for part in given for link in _given(part))
+    if type(given).__name__ == "Equality":
+        return (_condition((unworked(given.lhs), "==", unworked(given.rhs))),)
+    return Given.from_sympy(given).comparisons
+
+
+def _condition(link: Compared) -> Compared:
+    """A condition from elsewhere, if it can be one."""
+    parse_given(chained((link,)))
+    return link
+
+
+def _from_sympy(claim: Any) -> tuple[Compared, tuple[Compared, ...]]:
+    """A SymPy relation, and the assumptions its symbols carry."""
+    name = type(claim).__name__
+    if name not in RELATIONS:
+        hint = "; SymPy evaluated it: pass evaluate=False" if name.startswith("Boolean") else ""
+        raise InputError(f"{name} is not a claim: give text or a relation such as Eq(f, g){hint}")
+    comparison = unworked(claim.lhs), RELATIONS[name], unworked(claim.rhs)
+    conditions = []
+    names: set[str] = set()
+    for variable in _variables(claim):
+        if variable.name in names:
+            raise InputError(f"two different symbols are called {variable.name}")
+        names.add(variable.name)
+        for assumption, sign in _ASSUMPTIONS.items():
+            if getattr(variable, assumption):
+                conditions.append((symbol(variable.name), sign, expression.ZERO))
+        if variable.is_integer:
+            conditions.append((symbol(variable.name), "in", INTEGERS))
+    return comparison, tuple(conditions)
+
+
+def _variables(claim: Any) -> list[Any]:
+    """The symbols of a relation, those of its derivatives too, all of them real variables.
+
+    Raises:
+        InputError: a symbol that may not take every real value that its sign allows.
+    """
+    found = atoms(claim, "Symbol")
+    for variable in found:
+        if variable.is_extended_real is False or variable.is_finite is False:
+            raise InputError(f"{variable.name} is not a real variable, and all variables here are")
+        for kind in () if variable.is_integer else ("integer", "rational", "algebraic"):
+            if variable.assumptions0.get(kind) is not None:
+                raise InputError(
+                    f"whether {variable.name} is {kind} is assumed, and variables here take every "
+                    "real value that their sign allows"
+                )
+    return found
+
+
+def read_path(text: str) -> Path:
+    """``x -> 0``, ``0+``, ``0-``, ``pi/2``, ``oo`` or ``-oo``, for any variable and any constant.
+
+    Raises:
+        InputError: anything else.
+    """
+    match = _PATH.fullmatch(plain(text)) if len(text) <= MAX_PATH else None
+    if match is None:
+        raise InputError("a path is written like x -> 0+ (or 0, 0-, 1/2, pi, oo, -oo)")
+    name, end = match[1], match[2].replace(" ", "")
+    infinite = _INFINITE.fullmatch(end)
+    if infinite:
+        return _ending(name, -INFINITY if infinite[1] == "-" else INFINITY, "")
+    side = end[-1:] if end.endswith(("+", "-")) else ""
+    return _ending(name, parse(end.removesuffix(side).removesuffix("^") if side else end), side)
+
+
+def _checked(statement: Statement) -> Statement:
+    """The statement, if its parts belong together."""
+    kinds = [c.relation for c in statement.comparisons]
+    near = [kind for kind in kinds if kind in (*ORDERS, LIMIT)]
+    if near and len(kinds) > 1:
+        raise InputError(NO_CHAIN)
+    path = statement.path
+    if path is None:
+        if near:
+            raise InputError("an order claim needs its path, such as --as 'x -> 0+'")
+        return statement
+    if not near and "==" in kinds:
+        raise InputError(
+            "a path belongs to O, o, ~, -> and inequalities; of an equation write its conditions"
+        )
+    said = [*statement.given.names, *statement.integers]
+    said += [name for sides in statement.equations for e in sides for name in symbols(e)]
+    if path.name in said:
+        raise InputError(f"no condition speaks of {path.name}: the path says where the claim holds")
+    return statement

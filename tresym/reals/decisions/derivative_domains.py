@@ -1,0 +1,64 @@
+"""Where what is differentiated is real: a claim with derivatives speaks of these points alone."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.operation_domains import bound, needs
+from tresym.reals.language.expression import (
+    Expr,
+    symbols,
+)
+from tresym.reals.signs.interior import PROVING
+from tresym.reals.signs.sign import sign
+
+
+def where_real(
+    given: Given, functions: Iterable[Expr], by: Iterable[str] = ()
+) -> tuple[Given, Given]:
+    """``given`` and that the functions are real, to refute at a point and to prove everywhere.
+
+    A claim that holds derivatives speaks of the points beside which, in the variables ``by``, what
+    is differentiated is real. ``x**(3/2)`` is real at 0 and not beside it: a proof counts such a
+    point in, and a refutation leaves it out.
+    """
+    parts = [part for part in needs(functions) if not _holds_everywhere(*part)]
+    whole = tuple(bound(*part) for part in parts)
+    opened = tuple(
+        bound(e, ">" if relation == ">=" and symbols(e) & set(by) else relation)
+        for e, relation in parts
+    )
+    return Given(given.comparisons + opened), Given(given.comparisons + whole)
+
+
+def real_nowhere(given: Given, functions: Iterable[Expr]) -> bool:
+    """Whether what one of ``functions`` needs to be real is shown to fail wherever ``given`` holds,
+    and variables are what the functions need of them, as b != 0 for sqrt(-b**2)/b."""
+    parts = needs(functions)
+    factors = ((part, relation) for e, relation in parts for part in _factors(e, relation))
+    bounds = (bound(*factor) for factor in factors)
+    known = given & Given(tuple(link for link in bounds if link[0].op == "symbol"))
+    return any(
+        sign(e, given if e.op == "symbol" else known) in EXCLUDING[relation]
+        for e, relation in parts
+    )
+
+
+def _factors(e: Expr, relation: str) -> Iterator[Expr]:
+    """What stands in the relation to zero because ``e`` does: of what is not 0, every factor."""
+    if relation == "!=" and e.op == "*":
+        for arg in e.args:
+            yield from _factors(arg, relation)
+    elif relation == "!=" and e.op == "^" and e.args[1].op == "number" and e.args[1].args[0] > 0:
+        yield from _factors(e.args[0], relation)
+    else:
+        yield e
+
+
+EXCLUDING = {">": ("-", "0", "<=0"), ">=": ("-",), "!=": ("0",)}
+"""The signs that exclude a relation to zero."""
+
+
+def _holds_everywhere(e: Expr, relation: str) -> bool:
+    return sign(e, Given()) in PROVING[relation]

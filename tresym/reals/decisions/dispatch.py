@@ -1,0 +1,214 @@
+"""One statement to one answer: every comparison in it is decided by the procedure of its kind."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from typing import Any
+
+from tresym.reals.cross_check import STOPPED
+from tresym.reals.decisions.answer import Answer, Decide, exact_text, refuted, worst
+from tresym.reals.decisions.claim_cross_check import attack
+from tresym.reals.decisions.claim_parsing import Comparison, Statement, functions, read
+from tresym.reals.decisions.equalities import decide_equality
+from tresym.reals.decisions.identity import JUMP
+from tresym.reals.decisions.variable_exponents import beyond_positive_bases
+from tresym.reals.domain.conditions import Given
+from tresym.reals.language.binders import is_infinite, outermost
+from tresym.reals.language.expression import DOTS, ZERO, Expr, symbols
+from tresym.reals.language.parsing import FACTORIAL, parse
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.resource_limits import collecting_seldom
+from tresym.reals.signs.discontinuities import cases_at_jumps, jumps, zeros
+from tresym.reals.verdict import Verdict
+
+SELDOM = 20_000
+"""New objects, a few megabytes of them, after which memory is searched for circles."""
+_LOOK_ALIKE = {
+    "e": "the number is E",
+    "Pi": "the number is pi",
+    "PI": "the number is pi",
+    "i": "and real as all are",
+    "j": "and real as all are",
+}
+
+
+def decide_claim(claim: Any, given: Any = "", path: str | None = None) -> Answer:
+    """Read a claim, unless it is read already, and decide it.
+
+    Arguments are those of :func:`tresym.reals.decisions.claim_parsing.read`.
+
+    Raises:
+        InputError: the claim is not read.
+    """
+    start = time.perf_counter()
+    with collecting_seldom(SELDOM):
+        statement = claim if isinstance(claim, Statement) else read(claim, given, path)
+        answers = [_everywhere(comparison, statement) for comparison in statement.comparisons]
+    answer = worst(answers)
+    if len(answers) > 1:
+        broken = statement.comparisons[answers.index(answer)]
+        which = f"{broken.left} {broken.relation} {broken.right}: "
+        answer = replace(answer, why=which + answer.why)
+    if not answer:
+        answer = replace(answer, why=answer.why + _mistaken(statement))
+    return replace(
+        answer,
+        statement=_short(statement.text),
+        given=_short(statement.under),
+        read_as=statement.read_as,
+        seconds=time.perf_counter() - start,
+    )
+
+
+def _everywhere(comparison: Comparison, statement: Statement) -> Answer:
+    answer = _bounded(comparison, statement)
+    return beyond_positive_bases(answer, comparison, statement) if answer else answer
+
+
+def _bounded(comparison: Comparison, statement: Statement) -> Answer:
+    """The answer, UNDECIDED where what was read well grows beyond the bounds of expressions."""
+    start = time.perf_counter()
+    try:
+        answer = _decide(comparison, statement)
+    except InputError as error:
+        return Answer(Verdict.UNDECIDED, f"an expression on the way grew too large: {error}")
+    if not answer:
+        return answer
+    against = attack(comparison, statement, answer, time.perf_counter() - start)
+    return answer if against is None else Answer(Verdict.UNDECIDED, STOPPED.format(against))
+
+
+def _decide(comparison: Comparison, statement: Statement) -> Answer:
+    left, relation, right = comparison.left, comparison.relation, comparison.right
+    if any(node.op != "unknown" for node in outermost(*comparison.differentiated)):
+        return Answer(Verdict.UNDECIDED, "the derivative of an integral or a sum is not worked out")
+    door = _door(comparison, statement)
+    if door is not None:
+        return door(comparison, statement, _bounded)
+    real = comparison.differentiated, comparison.by
+    if left.op == "abs" and relation in ("<", "<=") and not symbols(right):
+        halves = (replace(comparison, left=side * left.args[0]) for side in (1, -1))
+        return worst([_decide(half, statement) for half in halves])
+    if relation == "==":
+        found = decide_equality(left, right, statement.given, *real)
+        if found.witness is not None and found.values is not None:
+            return refuted(found.why, found.witness, *found.values)
+        return Answer(found.verdict, found.why)
+    return _decide_inequality(left, relation, right, statement.given, *real)
+
+
+Door = Callable[[Comparison, Statement, Decide], Answer]
+"""Decides a claim by simpler ones, which it hands to its last argument."""
+
+
+def _door(comparison: Comparison, statement: Statement) -> Door | None:
+    """What decides claims that hold more than elementary expressions and inequalities."""
+    sides = comparison.left, comparison.right
+    nodes = {node.op for node in outermost(*sides)}
+    unknown = {f.args[0].args[0] for e in (*sides, *statement.said) for f in functions(e)}
+    if any(DOTS.args[0] in symbols(side) for side in sides):
+        from tresym.reals.decisions.ellipsis_series import decide_dotted
+
+        return decide_dotted
+    if any(is_infinite(node) for node in outermost(*sides)):
+        from tresym.reals.decisions.infinite_sums import decide_infinite
+
+        return decide_infinite
+    if "nth" in nodes:
+        from tresym.reals.decisions.nth_derivatives import decide_repeated
+
+        return decide_repeated
+    if nodes & {"sum", "product"} and unknown <= {FACTORIAL}:
+        from tresym.reals.decisions.finite_sums import decide_totals
+
+        return decide_totals
+    if FACTORIAL in unknown:
+        from tresym.reals.decisions.factorials import decide_factorials
+
+        return decide_factorials
+    if unknown:
+        from tresym.reals.decisions.unknown_functions import decide_unknown
+
+        return decide_unknown
+    if statement.equations:
+        from tresym.reals.decisions.equations import among_integers, decide_under_equations
+
+        if among_integers(statement):
+            return decide_under_equations
+    if statement.integers and statement.path is None:
+        from tresym.reals.decisions.integer_variables import alternates, decide_whole
+
+        if alternates(comparison, statement):
+            return decide_whole
+    if statement.equations:
+        return decide_under_equations
+    if "integral" in nodes:
+        from tresym.reals.decisions.integrals import decide_integrals
+
+        return decide_integrals
+    if statement.integers and statement.path is None:
+        from tresym.reals.decisions.integer_variables import decide_whole
+
+        return decide_whole
+    if statement.path is not None:
+        from tresym.reals.decisions.asymptotics.path_claims import decide_tending
+
+        return decide_tending
+    return None
+
+
+def _decide_inequality(
+    left: Expr,
+    relation: str,
+    right: Expr,
+    given: Given,
+    differentiated: tuple[Expr, ...],
+    by: frozenset[str],
+) -> Answer:
+    """The answer to an inequality; where sign and atan2 jump, it is one by itself."""
+    from tresym.reals.decisions.inequalities import decide_inequality
+
+    nodes = jumps((left, right), given)
+    apart = Given(tuple((u, "!=", ZERO) for node in nodes for u in zeros(node.args[0], given)))
+    answer = decide_inequality(left, relation, right, given & apart, differentiated, by)
+    answers = [replace(answer, region=str(given) or None) if nodes and answer.region else answer]
+    for case in cases_at_jumps((left, right), given) if nodes else ():
+        if case is None:
+            answers.append(Answer(Verdict.UNDECIDED, JUMP))
+            continue
+        real = tuple(map(case.of, differentiated))
+        found = _decide_inequality(case.of(left), relation, case.of(right), case.given, real, by)
+        at = case.point(_exact(found.witness))
+        if found.verdict is Verdict.REFUTED and at is None:
+            found = replace(found, verdict=Verdict.UNDECIDED)
+        shown = at and {name: exact_text(value) for name, value in at.items()}
+        why = f"{case}: {found.why}"
+        answers.append(replace(found, why=why, witness=shown, region=str(given) or None))
+    return worst(answers)
+
+
+def _exact(witness: Mapping[str, str] | None) -> dict[str, Expr] | None:
+    """The witness as it was before it was written, None where that was no point."""
+    try:
+        return None if witness is None else {name: parse(v) for name, v in witness.items()}
+    except InputError:  # intervals between whose ends the sign changes
+        return None
+
+
+def _mistaken(statement: Statement) -> str:
+    """A remark on variables that may have been meant as numbers."""
+    names = frozenset().union(*(symbols(c.left) | symbols(c.right) for c in statement.comparisons))
+    remarks = [
+        f"; {name} is a variable here, {other}"
+        for name, other in _LOOK_ALIKE.items()
+        if name in names
+    ]
+    return "".join(remarks)
+
+
+def _short(text: str) -> str:
+    """``text`` on one line, the middle of a very long one left out."""
+    line = " ".join(text.split())
+    return line if len(line) <= 400 else f"{line[:200]} … {line[-100:]}"

@@ -1,0 +1,348 @@
+"""Finite sums and products: term by term between numbers, by induction for every integer.
+
+A sum from a to b is one of the integers from a to b; with b = a − 1 it has no term and is 0, a
+product 1, and beyond that none is spoken of. A claim about a sum whose upper end is n + c is one
+about the integers n at which it is spoken of. It is refuted at small n, where the sum is written
+out. It is proved by induction: at the least n the sum is written out; from n to n + 1 the sum S is
+any number for which the claim holds at n, and S + f(n + 1 + c) is put in at n + 1. Where that does
+not settle it, a closed form that SymPy suggests is shown first, in the same way, and put in. A
+series, a sum to ∞, is the limit of such a closed form, and nothing where it has none.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import partial
+
+from tresym.reals.decisions.answer import Answer, Decide
+from tresym.reals.decisions.asymptotics.limit_values import limit_of
+from tresym.reals.decisions.claim_parsing import Comparison, Statement
+from tresym.reals.decisions.identity import decide
+from tresym.reals.decisions.known_series import quoted_product
+from tresym.reals.decisions.readable_witnesses import constants_hold, tidied
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.operation_domains import operations
+from tresym.reals.language.binders import outermost, total
+from tresym.reals.language.expression import (
+    LEAVES,
+    ONE,
+    ZERO,
+    Expr,
+    add,
+    differentiate,
+    fresh,
+    integer,
+    multiply,
+    number,
+    opened,
+    rebuild,
+    replaced,
+    substitute,
+    symbol,
+    symbols,
+)
+from tresym.reals.language.parsing import INFINITY
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.signs.definedness import is_lasting
+from tresym.reals.signs.sign import sign
+from tresym.reals.verdict import Verdict
+
+TERMS = 200
+FIRST = 8
+"""Values of n at which a claim is looked at."""
+INSIDE = ("sum", "product")
+
+
+def decide_totals(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
+    """PROVED, ENCLOSED, REFUTED or UNDECIDED for a claim with finite sums and products.
+
+    Args:
+        decided: decides claims with fewer of them, and with none.
+    """
+    if claim.derivatives or statement.path is not None:
+        return Answer(Verdict.UNDECIDED, "of sums, derivatives and limits are not decided")
+    try:
+        claim = replace(claim, left=written_out(claim.left), right=written_out(claim.right))
+    except InputError as error:
+        return Answer(Verdict.UNDECIDED, f"a sum is not written out: {error}")
+    nodes = _nodes(claim)
+    if not nodes:
+        return decided(claim, statement)
+    known = {node: quoted_product(node, statement.given) for node in nodes}
+    values = {node: theorem.value for node, theorem in known.items() if theorem is not None}
+    if values:
+        answer = decided(claim.mapped(partial(replaced, known=values)), statement)
+        said = "; ".join(f"{node} = {value} by DLMF 4.21.35" for node, value in values.items())
+        return replace(answer, why=f"{said}; {answer.why}")
+    ends = {node: _end(node) for node in nodes}
+    names = {end[0] for end in ends.values() if end is not None}
+    if None in ends.values() or len(names) != 1:
+        return Answer(
+            Verdict.UNDECIDED,
+            "a sum is decided from an integer to n + c, with one n in all sums, and without "
+            "a sum in it",
+        )
+    (n,) = names
+    least = max(end[2] - 1 - end[1] for end in ends.values() if end is not None)
+    statement = replace(statement, integers=tuple(dict.fromkeys((*statement.integers, n))))
+    plain, least = from_on(statement, n, least)
+    found = _looked_at(claim, statement, n, least, decided)
+    if found is not None:
+        return found
+    answer = _induction(claim, plain, n, least, ends, decided)
+    if answer:
+        return answer
+    found = _by_closed_forms(claim, statement, plain, n, least, ends, decided)
+    return answer if found is None else found
+
+
+def first_terms(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
+    """With the values of series put in: limits of closed forms of their first terms."""
+    from tresym.reals.decisions.antiderivatives import summed
+
+    nodes = _nodes(claim)
+    known: dict[Expr, Expr] = {}
+    taken = symbols(claim.left) | symbols(claim.right) | statement.given.names
+    n = fresh("n", taken)
+    for node in nodes:
+        (k,), body = opened(node)
+        low = integer(node.args[1])
+        if node.op != "sum" or node.args[2] != INFINITY or low is None:
+            return Answer(Verdict.UNDECIDED, "a series is a sum from an integer to oo")
+        first = total(node.op, body, k, node.args[1], symbol(n))
+        for form in summed(node.op, body, k, node.args[1], symbol(n)):
+            whole = replace(statement, integers=(*statement.integers, n))
+            value = _tends(form, n, statement.given)
+            if (
+                value is not None
+                and decide_totals(Comparison(first, "==", form), whole, decided).verdict
+                is Verdict.PROVED
+            ):
+                known[node] = value
+                break
+        else:
+            return Answer(Verdict.UNDECIDED, f"{node}: no closed form of its first terms is shown")
+    left, right = (replaced(side, known) for side in (claim.left, claim.right))
+    found = decided(Comparison(left, claim.relation, right), statement)
+    values = ", ".join(f"{node} = {value}" for node, value in known.items())
+    return replace(found, why=f"{values} as the limit of its first terms; {found.why}")
+
+
+def _tends(form: Expr, n: str, given: Given) -> Expr | None:
+    """The limit as n → ∞, finite: a power b^(n + c) with |b| < 1 beats each power of n."""
+    raised = (e for e in operations((form,)) if e.op == "^")
+    powers = {e for e in raised if n in symbols(e.args[1]) - symbols(e.args[0])}
+    small = symbol(fresh("z", symbols(form)))
+    put: dict[Expr, Expr] = {}
+    for e in powers:
+        base, start = e.args[0], substitute(e.args[1], {n: ZERO})
+        slope = differentiate(e.args[1], n)
+        near = sign(1 - base**slope, given), sign(1 + base**slope, given)
+        if near != ("+", "+") or slope not in (ONE, -ONE) or len(powers) > 1:
+            return None
+        put[e] = small if start == ZERO else base**start * small
+    rest = replaced(form, put)
+    slope = differentiate(rest, str(small))
+    if put and decide(differentiate(slope, str(small)), ZERO, given).verdict is not Verdict.PROVED:
+        return None
+    for _ in range(3):
+        slope = differentiate(slope, n)
+    if put and decide(slope, ZERO, given).verdict is not Verdict.PROVED:
+        return None
+    value = limit_of(tidied(substitute(rest, {str(small): ZERO})), n, None, 1, given)
+    return None if value in (INFINITY, -INFINITY) else value
+
+
+def _nodes(claim: Comparison) -> list[Expr]:
+    return [node for node in outermost(claim.left, claim.right) if node.op in INSIDE]
+
+
+def written_out(e: Expr) -> Expr:
+    """``e`` with the sums between numbers written out.
+
+    Raises:
+        InputError: one of too many terms, or of fewer than none.
+    """
+    if e.op in LEAVES:
+        return e
+    if e.op not in INSIDE:
+        if e.names:
+            return e
+        return rebuild(e, tuple(map(written_out, e.args)))
+    low, high = (integer(written_out(end)) for end in e.args[1:])
+    if low is None or high is None:
+        return e
+    if not -1 <= high - low < TERMS:
+        raise InputError(f"{high - low + 1} terms; it has from 0 to {TERMS}")
+    (name,), body = opened(e)
+    terms = (written_out(substitute(body, {name: number(k)})) for k in range(low, high + 1))
+    return add(ZERO, *terms) if e.op == "sum" else multiply(ONE, *terms)
+
+
+def _end(node: Expr) -> tuple[str, int, int] | None:
+    """n, c and the lower end a, where the sum goes from a to n + c; None for others."""
+    low, high = integer(node.args[1]), node.args[2]
+    names = symbols(high)
+    if low is None or len(names) != 1 or INFINITY.args[0] in names:
+        return None
+    (n,) = names
+    start = integer(substitute(high, {n: ZERO}))
+    inner = opened(node)[1]
+    if n in symbols(node.args[0]):  # each of its terms changes with n
+        return None
+    if (
+        differentiate(high, n) != ONE
+        or start is None
+        or any(part.op in INSIDE or part.names for part in outermost(inner))
+    ):
+        return None
+    return n, start, low
+
+
+def from_on(statement: Statement, n: str, least: int) -> tuple[Statement, int]:
+    """Without all that is said of an integer, and the first from ``least`` that it allows.
+
+    An induction needs what is said to be the same at n + 1.
+    """
+    given = statement.given
+    low = given.box[n].low if n in given.box else None
+    if low is not None:
+        first = -int(-low.p // low.q)
+        least = max(least, first + (given.box[n].low_open and low.q == 1))
+    links = (link for link in given.comparisons if n not in symbols(link[0]) | symbols(link[2]))
+    others = (pair for pair in statement.equations if n not in symbols(pair[0]) | symbols(pair[1]))
+    return replace(statement, given=Given(tuple(links)), equations=tuple(others)), least
+
+
+def _at(claim: Comparison, n: str, value: Expr) -> Comparison:
+    return claim.mapped(lambda e: written_out(substitute(e, {n: value})))
+
+
+def _looked_at(
+    claim: Comparison, statement: Statement, n: str, least: int, decided: Decide
+) -> Answer | None:
+    """A refutation at small n, or that the claim holds at none; None where it may be true."""
+    seen = empty = False
+    for value in range(least, least + FIRST):
+        try:
+            found = decided_at(_at(claim, n, number(value)), statement, n, value, decided)
+        except InputError:
+            break
+        if found is None:
+            continue
+        if found.verdict is Verdict.REFUTED:
+            if n not in statement.given.names and _has_no_term(claim, n, value):
+                empty = True
+                continue
+            witness = {n: str(value)} | dict(found.witness or {})
+            return replace(found, why=f"at {n} = {value}: {found.why}", witness=witness)
+        seen = seen or bool(found)
+    if empty:
+        why = f"it fails of a sum without a term: say from which {n} on it is claimed"
+        return Answer(Verdict.UNDECIDED, why)
+    if not seen:
+        return Answer(Verdict.UNDECIDED, f"it is shown at no small {n}, and not by induction")
+    return None
+
+
+def _has_no_term(claim: Comparison, n: str, value: int) -> bool:
+    """Whether a sum of the claim is empty at this n."""
+    ends = (_end(node) for node in _nodes(claim))
+    return any(end is not None and value + end[1] < end[2] for end in ends)
+
+
+def decided_at(
+    claim: Comparison, statement: Statement, n: str, value: int, decided: Decide
+) -> Answer | None:
+    """The answer under what is said of ``n`` at this value; None where that fails."""
+    there = statement.mapped(partial(substitute, mapping={n: number(value)}))
+    given = constants_hold(there.given.comparisons)
+    others = tuple(name for name in statement.integers if name != n)
+    if given is None:
+        return None
+    return decided(claim, replace(there, given=given, integers=others))
+
+
+def _induction(
+    claim: Comparison,
+    statement: Statement,
+    n: str,
+    least: int,
+    ends: dict[Expr, tuple[str, int, int] | None],
+    decided: Decide,
+) -> Answer:
+    fixed = replace(statement, integers=tuple(m for m in statement.integers if m != n))
+    base = decided(_at(claim, n, number(least)), fixed)
+    if not base:
+        why = f"induction has no base at {n} = {least}: {base.why}"
+        return Answer(Verdict.UNDECIDED, why)
+    taken = {*symbols(claim.left), *symbols(claim.right), *statement.given.names}
+    now: dict[Expr, Expr] = {}
+    later: dict[Expr, Expr] = {}
+    up = {n: symbol(n) + 1}
+    for node, end in ends.items():
+        name = fresh("S", taken)
+        taken.add(name)
+        now[node] = symbol(name)
+        (k,), body = opened(node)
+        term = substitute(body, {k: symbol(n) + number(1 + (end or ("", 0, 0))[1])})
+        later[node] = symbol(name) + term if node.op == "sum" else symbol(name) * term
+    left, right = (replaced(side, now) for side in (claim.left, claim.right))
+    marks = {node: symbol(f"[{i}]") for i, node in enumerate(now)}
+    put = {str(marks[node].args[0]): later[node] for node in now}
+    sides = (substitute(replaced(side, marks), up) for side in (claim.left, claim.right))
+    first, second = (substitute(side, put) for side in sides)
+    after = Comparison(first, claim.relation, second)
+    beyond = statement.given & Given(((symbol(n), ">=", number(least)),))
+    under = replace(statement, given=beyond)
+    if not is_lasting((left, right), beyond, n, *map(str, now.values())):
+        why = f"it is not shown to be spoken of at every {n} from {least} on"
+        return Answer(Verdict.UNDECIDED, why)
+    if claim.relation != "==":
+        under = replace(under, given=beyond & Given(((left, claim.relation, right),)))
+    elif left.op == "symbol":
+        after = after.mapped(partial(substitute, mapping={str(left): right}))
+    else:
+        under = replace(under, equations=(*statement.equations, (left, right)))
+    step = decided(after, under)
+    if not step:
+        why = f"the step of the induction from {n} to {n} + 1 is open: {step.why}"
+        return Answer(Verdict.UNDECIDED, why)
+    worst = base if base.verdict is Verdict.ENCLOSED else step
+    begin = f"{n} = {least}"
+    if _has_no_term(claim, n, least):
+        begin += ", where a sum has no term and below which none is spoken of"
+    why = f"by induction from {begin}: {base.why}; from {n} to {n} + 1, {step.why}"
+    return replace(worst, why=why, region=None, constant=None)
+
+
+def _by_closed_forms(
+    claim: Comparison,
+    statement: Statement,
+    plain: Statement,
+    n: str,
+    least: int,
+    ends: dict[Expr, tuple[str, int, int] | None],
+    decided: Decide,
+) -> Answer | None:
+    """The claim with closed forms put in, each shown by induction; None where there are none."""
+    from tresym.reals.decisions.antiderivatives import summed
+
+    known: dict[Expr, Expr] = {}
+    for node, end in ends.items():
+        (k,), body = opened(node)
+        _, c, low = end or ("", 0, 0)
+        for form in summed(node.op, body, k, node.args[1], node.args[2]):
+            same = Comparison(node, "==", form)
+            if (node, form) == (claim.left, claim.right):
+                continue
+            if _induction(same, plain, n, low - c - 1, {node: end}, decided):
+                known[node] = form
+                break
+        else:
+            return None
+    left, right = (replaced(side, known) for side in (claim.left, claim.right))
+    given = statement.given & Given(((symbol(n), ">=", number(least)),))
+    found = decided(Comparison(left, claim.relation, right), replace(statement, given=given))
+    forms = ", ".join(f"{node} = {form}" for node, form in known.items())
+    return replace(found, why=f"{forms} by induction; {found.why}", region=None)

@@ -1,0 +1,74 @@
+"""Sums and products to oo: power series, theorems that are quoted, and limits of finite sums.
+
+A claim with one series is first given to :mod:`tresym.reals.decisions.power_series`. Where that
+does not settle it, each series is replaced by what a theorem says that it is, which is named, or by
+the limit of a closed form of its first terms.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from tresym.reals.decisions.answer import Answer, Decide
+from tresym.reals.decisions.claim_parsing import Comparison, Statement
+from tresym.reals.decisions.finite_sums import first_terms
+from tresym.reals.decisions.known_series import Quoted, quoted_total
+from tresym.reals.decisions.power_series import decide_power_series
+from tresym.reals.language.binders import is_infinite, outermost
+from tresym.reals.language.expression import (
+    Expr,
+    replaced,
+    symbols,
+)
+from tresym.reals.verdict import Verdict
+
+
+def decide_infinite(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
+    """PROVED, ENCLOSED, REFUTED or UNDECIDED for a claim with sums or products to oo.
+
+    Args:
+        decided: decides claims without them.
+    """
+    nodes = [node for node in outermost(claim.left, claim.right) if is_infinite(node)]
+    limit = statement.path is not None
+    if claim.derivatives or statement.equations or (limit and not is_infinite(claim.right)):
+        why = "a series with derivatives, limits or equations beside it is not decided"
+        return Answer(Verdict.UNDECIDED, why)
+    if claim.relation not in ("==", "->") and any(symbols(node) - {"oo"} for node in nodes):
+        return Answer(Verdict.UNDECIDED, "of a series with variables an equation is decided alone")
+    found = None
+    if len(set(nodes)) == 1 and claim.relation == "==" and not statement.integers:
+        side = claim.solved(nodes[0])
+        if side is not None:
+            found = decide_power_series(side, nodes[0], statement.given)
+            if found or found.verdict is Verdict.REFUTED:
+                return _as_claimed(found, claim, nodes[0])
+    known: dict[Expr, Quoted] = {}
+    others = [claim.left, claim.right]
+    for node in dict.fromkeys(nodes):
+        form = quoted_total(node, others, statement.given)
+        if form is None and limit:
+            return Answer(Verdict.UNDECIDED, f"{node}: no theorem says what it is")
+        if form is None:
+            answer = first_terms(claim, statement, decided)
+            return answer if found is None or answer.verdict is not Verdict.UNDECIDED else found
+        known[node] = form
+    return with_values(claim, statement, known, decided)
+
+
+def _as_claimed(found: Answer, claim: Comparison, series: Expr) -> Answer:
+    """Values of an elementary side and of a series as those of the two sides of the claim."""
+    if found.values is None or claim.right == series:
+        return found
+    return replace(found, values=found.values[::-1] if claim.left == series else None)
+
+
+def with_values(
+    claim: Comparison, statement: Statement, known: dict[Expr, Quoted], decided: Decide
+) -> Answer:
+    """The claim with the values that theorems give put in, and again where these are removable."""
+    values = {node: form.value for node, form in known.items()}
+    left, right = (replaced(side, values) for side in (claim.left, claim.right))
+    answer = decided(replace(claim, left=left, right=right), statement)
+    said = "; ".join(f"{node} = {form.value} by {form.source}" for node, form in known.items())
+    return replace(answer, why=f"{said}; {answer.why}", region=None)

@@ -1,0 +1,70 @@
+"""Inverse functions by their branches: asin a = b where sin b = a and b is in [−π/2, π/2].
+
+The normal form writes asin and acos by arc tangents and roots, and loses the branch where the sign
+of a root is not known on all of a region, or where a is no rational function. Here the inverse
+function is taken away: what is left is an identity between a and the sine, cosine or tangent of b,
+and a range, which is shown by signs. A logarithm, and asinh, have every number for a value.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from flint import fmpq
+
+from tresym.reals.domain.conditions import Given
+from tresym.reals.language.expression import PI, ZERO, Expr, apply, number, symbols
+from tresym.reals.language.like_terms import collected, scaled
+from tresym.reals.signs.interior import PROVING, is_zero
+from tresym.reals.signs.sign import sign_by
+
+_ONTO = {"log": "exp", "asinh": "sinh"}
+"""The function of which each is the inverse, at every number."""
+_RANGES = {
+    "asin": ("sin", -PI / 2, PI / 2, ">="),
+    "acos": ("cos", ZERO, PI, ">="),
+    "atan": ("tan", -PI / 2, PI / 2, ">"),
+}
+"""The function of which each is the inverse, the ends of its values, and whether it takes them."""
+
+
+def without_inverse(
+    left: Expr, right: Expr, given: Given, theories: frozenset[str]
+) -> Iterator[tuple[Expr, Expr]]:
+    """Pairs of expressions, each equal under ``given`` only where the two sides are equal too."""
+    difference = collected(left - right)
+    terms = difference.args if difference.op == "+" else (difference,)
+    for term in terms:
+        scale, inverse = scaled(term)
+        theory = "exponentials" if inverse.op in _ONTO else "trigonometry"
+        if inverse.op not in (*_RANGES, *_ONTO) or not theories >= {theory, "inverses"}:
+            continue
+        value = collected((term - difference) * number(1 / scale))
+        if inverse.op in _ONTO:
+            yield apply(_ONTO[inverse.op], value), inverse.args[0]
+            continue
+        function, low, high, relation = _RANGES[inverse.op]
+        ends = collected(value - low), collected(high - value)
+        if all(_holds(end, relation, given) for end in ends):
+            yield apply(function, value), inverse.args[0]
+
+
+def _holds(e: Expr, relation: str, given: Given) -> bool:
+    """Whether ``e`` is shown to have its relation to zero, also where it is c ± an inverse."""
+    if sign_by(e, given, relation) in PROVING[relation]:
+        return True
+    terms = e.args if e.op == "+" else (e,)
+    varying = [term for term in terms if symbols(term)]
+    scale, inverse = scaled(varying[0]) if len(varying) == 1 else (fmpq(0), ZERO)
+    if inverse.op not in _RANGES:
+        return False
+    function, low, high, _ = _RANGES[inverse.op]
+    at = collected((varying[0] - e) * number(1 / scale))  # the inverse, where e is 0
+    if not all(sign_by(end, Given()) in PROVING[">"] for end in (at - low, high - at)):
+        return False
+    rises = (scale > 0) is (inverse.op != "acos")
+    inside = (inverse.args[0] - apply(function, at)) * (1 if rises else -1)
+    conditions = (c for c in given.conditions if c.relation in (">", relation))
+    if any(is_zero(inside - c.expression, given) for c in conditions):
+        return True
+    return sign_by(inside, given, relation) in PROVING[relation]

@@ -1,0 +1,98 @@
+"""Derivatives whose order is an integer variable: by induction on it.
+
+``d^n f/dx^n = g(n, x)`` for all n from the least on holds where it does for that n, and where the
+derivative of g(n, x) by x is g(n + 1, x). It is refuted at small n, where it is a derivative of
+that order.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from tresym.reals.decisions.answer import Answer, Decide
+from tresym.reals.decisions.claim_parsing import Comparison, Statement
+from tresym.reals.decisions.equations import is_whole
+from tresym.reals.decisions.finite_sums import decided_at, from_on
+from tresym.reals.decisions.hypergeometric import folded
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.operation_domains import operations, singularities
+from tresym.reals.language.binders import elementary, outermost
+from tresym.reals.language.expression import (
+    ZERO,
+    Expr,
+    differentiate,
+    instantiate,
+    number,
+    substitute,
+    symbol,
+    symbols,
+)
+from tresym.reals.signs.definedness import is_lasting
+from tresym.reals.signs.sign import sign
+from tresym.reals.verdict import Verdict
+
+LOOKED_AT = 4
+"""Values of n at which a claim is looked at."""
+_SMOOTH = frozenset(("+", "*", "^", "exp", "sin", "cos", "sinh", "cosh", "atan", "tanh"))
+"""Operations that have a derivative wherever they are defined; of powers it is asked apart."""
+
+
+def decide_repeated(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
+    """PROVED, ENCLOSED, REFUTED or UNDECIDED for a claim with such a derivative.
+
+    Args:
+        decided: decides claims without one.
+    """
+    nodes = [n for n in outermost(claim.left, claim.right) if n.op == "nth"]
+    g = claim.solved(nodes[0]) if len(set(nodes)) == 1 else None
+    if g is None or claim.relation != "==" or claim.derivatives or statement.path is not None:
+        return Answer(Verdict.UNDECIDED, "a derivative of order n is decided alone, in an equation")
+    inner, place, order = nodes[0].args
+    f, x = instantiate(inner, (place,)), str(place)
+    if order.op != "symbol" or not elementary(f) or str(order) in symbols(f):
+        return Answer(Verdict.UNDECIDED, f"the order of a derivative is n, here {order}")
+    n = str(order)
+    plain, least = from_on(statement, n, 0)
+    first = Answer(Verdict.UNDECIDED, f"it is shown at no {n}")
+    for k in range(least, least + LOOKED_AT):
+        value = folded(substitute(g, {n: number(k)}))
+        derivative = f
+        for _ in range(k):
+            derivative = differentiate(derivative, x)
+        if value is None:
+            break
+        same = Comparison(derivative, "==", value)
+        found = decided_at(same, statement, n, k, decided)
+        if found is not None and found.verdict is Verdict.REFUTED:
+            witness = {n: str(k)} | dict(found.witness or {})
+            return replace(found, why=f"at {n} = {k}: {found.why}", witness=witness)
+        first = decided(same, plain) if k == least else first
+    if not first:
+        why = f"induction has no base at {n} = {least}: {first.why}"
+        return Answer(Verdict.UNDECIDED, why)
+    beyond = plain.given & Given(((order, ">=", number(least)),))
+    whole = tuple(dict.fromkeys((*statement.integers, n)))
+    if not is_lasting((g,), beyond, n) or not _is_smooth(g, f, x, beyond, whole):
+        why = f"it is not shown to be smooth, and spoken of at every {n} from {least} on"
+        return Answer(Verdict.UNDECIDED, why)
+    later = substitute(g, {n: symbol(n) + 1})
+    step = decided(
+        Comparison(differentiate(g, x), "==", later),
+        replace(plain, given=beyond, integers=whole),
+    )
+    if not step:
+        why = f"the step of the induction from {n} to {n} + 1 is open: {step.why}"
+        return Answer(Verdict.UNDECIDED, why)
+    why = f"by induction from {n} = {least}: {first.why}; from {n} to {n} + 1, {step.why}"
+    return replace(step, why=why, region=None)
+
+
+def _is_smooth(g: Expr, f: Expr, x: str, given: Given, integers: tuple[str, ...]) -> bool:
+    """Whether ``g`` has a derivative by ``x`` wherever it is defined and ``f`` is smooth."""
+    there = ((e, ">" if positive else "!=", ZERO) for e, positive in singularities(f))
+    given = given & Given(tuple(there))
+    moving = [node for node in operations((g,)) if x in symbols(node)]
+    powers = [node.args for node in moving if node.op == "^"]
+    return {node.op for node in moving} <= _SMOOTH and all(
+        is_whole(exponent, integers) or sign(base, given) == "+" for base, exponent in powers
+    )

@@ -1,0 +1,134 @@
+"""Claims decided in processes of their own, each of which is stopped when its time is over."""
+
+from __future__ import annotations
+
+import pickle
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import BrokenExecutor, Future
+from dataclasses import replace
+from itertools import islice, tee
+from typing import Any, NamedTuple
+
+from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.claim_parsing import Statement, read_as
+from tresym.reals.decisions.dispatch import decide_claim
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.processes import Processes, cores
+from tresym.reals.verdict import Verdict
+
+DEFAULT_LIMIT = 5.0
+
+
+class Task(NamedTuple):
+    """A claim to decide; ``line`` is where it stands in a file."""
+
+    claim: Any
+    given: Any = ""
+    path: str | None = None
+    line: int | None = None
+
+
+def check_within(task: Task, limit: float = DEFAULT_LIMIT) -> Answer:
+    """Decide one claim in at most ``limit`` seconds.
+
+    Raises:
+        InputError: the claim is not read.
+    """
+    for _, found in check_all([task], limit, 1):
+        if isinstance(found, InputError):
+            raise found
+        return found
+    raise RuntimeError("a task without an answer")
+
+
+def check_all(
+    tasks: Iterable[Task],
+    limit: float = DEFAULT_LIMIT,
+    processes: int | None = None,
+    *,
+    forked: bool = True,
+) -> Iterator[tuple[Task, Answer | InputError]]:
+    """Every task with its answer, or with what is wrong with it, in the order of the tasks.
+
+    Args:
+        tasks: read a few ahead.
+        limit: seconds for each.
+        processes: how many at once; all cores unless given.
+        forked: whether they are copies of this process, which must have no other threads then.
+    """
+    tasks, asked = tee(tasks)
+    with Processes(processes or cores(), limit, deaths=1, forked=forked) as pool:
+        futures = pool.in_order(_judged, (task[:3] for task in asked))
+        for task, future in zip(tasks, futures, strict=True):
+            yield task, _found(task, future, limit)
+
+
+BATCH = 200
+"""Claims that go to a worker elsewhere at once."""
+
+
+def check_by(
+    in_order: Callable[[Callable[[bytes], bytes], Iterator[bytes]], Iterator[bytes]],
+    tasks: Iterable[Task],
+    limit: float = DEFAULT_LIMIT,
+) -> Iterator[tuple[Task, Answer | InputError]]:
+    """As :func:`check_all`, by workers elsewhere.
+
+    Args:
+        in_order: calls a function on each of many arguments, and gives what it returns in order.
+    """
+    asked = (pickle.dumps((batch, limit)) for batch in _batches(tasks))
+    for found in in_order(check_batch, asked):
+        yield from pickle.loads(found)
+
+
+def check_batch(asked: bytes) -> bytes:
+    """What one call to a worker does, from bytes to bytes: no scheduler looks into either.
+
+    The claims are decided in a process of their own, one after the other: a worker may have
+    several threads, and precision is one for all of a process.
+    """
+    tasks, limit = pickle.loads(asked)
+    return pickle.dumps(list(check_all(tasks, limit, 1, forked=False)))
+
+
+def _batches(tasks: Iterable[Task]) -> Iterator[tuple[Task, ...]]:
+    tasks = iter(tasks)
+    while batch := tuple(islice(tasks, BATCH)):
+        yield batch
+
+
+def _found(task: Task, future: Future[Any], limit: float) -> Answer | InputError:
+    """The answer; UNDECIDED when time was over or the process died."""
+    try:
+        found: Answer | InputError = future.result()
+    except TimeoutError as error:
+        return _given_up(task, str(error), limit)
+    except BrokenExecutor:
+        return _given_up(task, "its process ended, perhaps for want of memory", limit)
+    return found if isinstance(found, InputError) else replace(found, line=task.line)
+
+
+def _given_up(task: Task, reason: str, limit: float) -> Answer:
+    given = task.claim.given if isinstance(task.claim, Statement) else task.given
+    return Answer(
+        Verdict.UNDECIDED,
+        f"{reason}; fewer variables, a smaller region or a longer --limit may help",
+        statement=" ".join(str(task.claim)[:400].split()),
+        given=str(given)[:400],
+        read_as=read_as(*task[:3]),
+        seconds=limit,
+        line=task.line,
+    )
+
+
+def _judged(claim: Any, given: Any, path: str | None) -> Answer | InputError:
+    """The answer, or what is wrong with the claim."""
+    try:
+        return decide_claim(claim, given, path)
+    except InputError as error:
+        return error
+    except Exception as error:  # one claim that we fail at must not end the others
+        why = f"the procedure failed ({type(error).__name__}); please report this claim"
+        text = " ".join(str(claim)[:400].split())
+        return Answer(Verdict.UNDECIDED, why, text, read_as=read_as(claim, given, path))

@@ -1,0 +1,129 @@
+"""Functions left unknown: their values are variables.
+
+A claim with f(x) is one about every smooth function f. What holds for all values of the variables
+that stand for f(x), f′(x), f(u), … holds for every f. A witness gives each of them a value; there
+is a smooth function with these values and slopes where the arguments differ at the witness, and
+where that is not shown nothing is refuted.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from flint import fmpq
+
+from tresym.reals.decisions.answer import Answer, Decide
+from tresym.reals.decisions.claim_parsing import Comparison, Statement, functions
+from tresym.reals.decisions.identity import decide
+from tresym.reals.decisions.readable_witnesses import exact_witness
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import evaluate
+from tresym.reals.domain.operation_domains import needs
+from tresym.reals.language.binders import outermost
+from tresym.reals.language.expression import (
+    ZERO,
+    Expr,
+    number,
+    replaced,
+    substitute,
+    symbol,
+    symbols,
+)
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.verdict import Verdict
+
+Atoms = dict[Expr, Expr]
+"""What stands for the value of an unknown function at arguments that hold no other."""
+
+
+def decide_unknown(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
+    """The answer to a claim about every smooth function.
+
+    Args:
+        decided: decides what holds no function left unknown.
+    """
+    trees = outermost(claim.left, claim.right, *statement.said)
+    if statement.path is not None or any(node.op != "unknown" for node in trees):
+        why = "of a function left unknown, integrals, sums, limits and orders are not decided"
+        return Answer(Verdict.UNDECIDED, why)
+    atoms: Atoms = {}
+
+    def variable(e: Expr) -> Expr:
+        """``e`` with variables for the values of unknown functions, inner ones first."""
+        while found := [node for node in functions(e) if not any(functions_inside(node))]:
+            for node in found:
+                if node not in atoms:
+                    same = next((v for a, v in atoms.items() if _is_same(a, node)), None)
+                    atoms[node] = symbol(str(node)) if same is None else same
+            e = replaced(e, {node: atoms[node] for node in found})
+        return e
+
+    left, right = variable(claim.left), variable(claim.right)
+    plain = statement.mapped(variable)
+    real = needs(variable(f) for f in claim.differentiated)
+    given = plain.given & Given(tuple((e, r.replace(">=", ">"), ZERO) for e, r in real))
+    answer = decided(Comparison(left, claim.relation, right), replace(plain, given=given))
+    if answer.verdict is Verdict.REFUTED:
+        answer = _realised(atoms, answer)
+    names = sorted({node.args[0].args[0] for node in atoms})
+    what = "a" if answer.verdict is Verdict.REFUTED else "every"
+    return replace(answer, why=f"{answer.why}, for {what} smooth {', '.join(names)}")
+
+
+def functions_inside(node: Expr) -> Iterator[Expr]:
+    """The unknown functions in the arguments of one."""
+    return (inner for arg in node.args[1:] for inner in functions(arg))
+
+
+def _is_same(one: Expr, other: Expr) -> bool:
+    """Whether both are the same function at equal arguments."""
+    pairs = zip(one.args[1:], other.args[1:], strict=False)
+    return one.args[0] == other.args[0] and all(
+        decide(x, y).verdict is Verdict.PROVED for x, y in pairs
+    )
+
+
+def _realised(atoms: Atoms, answer: Answer) -> Answer:
+    """The refutation, if some smooth functions have the values of its witness."""
+    point = exact_witness(answer)
+    if point is not None:
+        missing = {name for node in atoms for name in symbols(node)} - point.keys()
+        free = {name: number(fmpq(n + 3, n + 2)) for n, name in enumerate(sorted(missing))}
+        if _exist(atoms, point | free):
+            shown = {name: str(value) for name, value in free.items()}
+            return replace(answer, witness=dict(answer.witness or {}) | shown)
+    why = f"{answer.why}, where it is not shown that a function has all of these values"
+    return Answer(Verdict.UNDECIDED, why)
+
+
+def _exist(atoms: Atoms, point: dict[str, Expr]) -> bool:
+    """Whether functions with these values exist: their arguments differ, or are one place."""
+    point = point | {str(v.args[0]): point.get(str(v.args[0]), ZERO) for v in atoms.values()}
+    nodes = []
+    with ball_precision():
+        for node, variable in atoms.items():
+            inner = replaced_inside(node, atoms)
+            args = [evaluate(substitute(arg, point), {}) for arg in inner]
+            if not all(x.is_finite() for x in args):
+                return False
+            nodes.append((variable, node.args[0].args, args))
+        return all(
+            one == other  # the same variable
+            or head[0] != heads[0]
+            or (head[1] != heads[1] and _are_same(atoms, one, other))
+            or any(x != y for x, y in zip(here, there, strict=True))
+            for n, (one, head, here) in enumerate(nodes)
+            for other, heads, there in nodes[:n]
+        )
+
+
+def replaced_inside(node: Expr, atoms: Atoms) -> tuple[Expr, ...]:
+    """The arguments of a function with variables for the values of others."""
+    return tuple(replaced(arg, atoms) for arg in node.args[1:])
+
+
+def _are_same(atoms: Atoms, one: Expr, other: Expr) -> bool:
+    """Whether two variables stand for derivatives of a function at one and the same place."""
+    first, second = (next(a for a, v in atoms.items() if v == x) for x in (one, other))
+    return first.args[1:] == second.args[1:]

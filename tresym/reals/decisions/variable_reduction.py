@@ -1,0 +1,412 @@
+"""Inequalities of several variables as inequalities of one.
+
+- d(ty, y) = yᵏ d(t, 1) for y > 0: the claim at (x, y) is that at (x/y, 1), where conditions and
+  domain are so, too.
+- g(x) ≥ g(y) for x < y: g falls, where its derivative is nowhere positive on an interval of both.
+- d(x, y) = f(u) for u = x + y, x − y or x y: f on all values that u takes in the bounds of x and y.
+- Σ gᵢ(xᵢ) ≥ 0: gᵢ ≥ gᵢ(pᵢ) at points with Σ gᵢ(pᵢ) ≥ 0.
+- Π gᵢ(xᵢ) ≥ 1: gᵢ ≥ cᵢ for numbers with Π cᵢ ≥ 1, where each gᵢ is a product of positive parts; or
+  g(x)/g(y) ≥ 1, which is g(x) ≥ g(y).
+- Π gᵢ(xᵢ) ≥ Π hᵢ(xᵢ), where the left side is not negative: gᵢ² ≥ hᵢ².
+
+What is left is asked of the procedure for one variable, whose answer this is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
+from functools import partial
+from itertools import islice, product
+from math import prod
+
+from flint import arb, fmpq
+
+from tresym.reals.balls.simplest_constants import candidates
+from tresym.reals.decisions.answer import Answer
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import evaluate
+from tresym.reals.domain.local_search import low_points
+from tresym.reals.domain.operation_domains import needs, with_domain
+from tresym.reals.language.expression import (
+    LEAVES,
+    ONE,
+    ZERO,
+    Expr,
+    add,
+    differentiate,
+    number,
+    substitute,
+    symbol,
+    symbols,
+)
+from tresym.reals.language.like_terms import collected
+from tresym.reals.normal.at_point import equal_at
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import Interval, rational_ends
+from tresym.reals.signs.interior import PROVING, is_zero
+from tresym.reals.signs.sign import sign
+from tresym.reals.verdict import Verdict
+
+Decide = Callable[[Expr, str, Expr, Given], Answer]
+DEGREES = tuple(fmpq(n, 2) for n in (0, 2, 4, -2, 6, 8, 1, -4, 3))
+Comparison = tuple[Expr, str, Expr]
+NEAR, TINY = fmpq(1, 2**24), fmpq(1, 2**28)
+MAX_LEAST = 4
+STARTS = 8
+
+
+def by_one_variable(
+    left: Expr, relation: str, right: Expr, given: Given, decide: Decide
+) -> Answer | None:
+    """An answer by claims of one variable, for ``>=`` and ``>``; None where none is found.
+
+    Of what jumps nothing is said: between two places, and where it scales, the normal form leaves
+    the jumps out.
+    """
+    if _jumps((left, right, *(c.expression for c in given.conditions))):
+        return None
+    for method in (_scaled, _of_one_part, _monotone, _separated, _multiplied, _by_sizes):
+        found = method(left, relation, right, given, decide)
+        if found is not None:
+            return found
+    return None
+
+
+def _jumps(expressions: Iterable[Expr]) -> bool:
+    return any(
+        e.op in ("sign", "atan2") or (e.op not in LEAVES and _jumps(e.args)) for e in expressions
+    )
+
+
+# -- scaling ------------------------------------------------------------------------------------
+
+
+def _scaled(left: Expr, relation: str, right: Expr, given: Given, ask: Decide) -> Answer | None:
+    names = sorted(symbols(left - right) | given.names)
+    if len(names) != 2:
+        return None
+    for x, y in (names, names[::-1]):
+        if sign(symbol(y), given) != "+":
+            continue
+        parts = [left - right, *(c.expression for c in given.conditions)]
+        parts += [e for e, _ in needs((left, right))]
+        if not all(_is_homogeneous(e, x, y, given) for e in parts):
+            continue
+        put_in = partial(substitute, mapping={y: ONE})
+        one = tuple(c for c in given.mapped(put_in).comparisons if symbols(c[0] - c[2]))
+        found = ask(put_in(left), relation, put_in(right), Given(one))
+        if found.verdict is Verdict.UNDECIDED:
+            return None
+        if found.witness is not None:
+            return replace(found, witness={**found.witness, y: "1"})
+        return replace(found, why=f"it is homogeneous, and at {y} = 1: {found.why}", region=None)
+    return None
+
+
+def _is_homogeneous(e: Expr, x: str, y: str, given: Given) -> bool:
+    """Whether e(xy, y) = yᵏ e(x, 1) for x of the same sign and y > 0."""
+    left, right = substitute(e, {x: symbol(x) * symbol(y)}), substitute(e, {y: ONE})
+    signs = {"+": (">",), "-": ("<",)}.get(sign(symbol(x), given) or "", ())
+    free = Given(((symbol(y), ">", ZERO), *((symbol(x), s, ZERO) for s in signs)))
+    with ball_precision():
+        at = {x: arb(fmpq(5, 7)) * (-1 if signs == ("<",) else 1)}
+        values = [evaluate(left, at | {y: arb(n)}) for n in (3, 1)]
+        for degree in DEGREES:
+            wrong = values[0] - values[1] * arb(3) ** arb(degree)
+            if wrong.is_finite() and not wrong.contains(0):
+                continue
+            if is_zero(left - symbol(y) ** number(degree) * right, free):
+                return True
+    return False
+
+
+# -- sums and products of two -------------------------------------------------------------------
+
+
+def _of_one_part(
+    left: Expr, relation: str, right: Expr, given: Given, ask: Decide
+) -> Answer | None:
+    difference = left - right
+    names = sorted(symbols(difference))
+    if len(names) != 2:
+        return None
+    x, y = map(symbol, names)
+    region = with_domain(given, left, right)
+    ends = [given.box.get(name, Interval()) for name in names]
+    for part, neutral, values in (
+        (x + y, ZERO, _sum(*ends)),
+        (x - y, ZERO, _sum(ends[0], _opposite(ends[1]))),
+        (x * y, ONE, _product(*ends)),
+    ):
+        f = substitute(difference, {names[1]: neutral})
+        there = substitute(f, {names[0]: part})
+        if _differ(difference, there, given) or not is_zero(difference - there, region):
+            continue
+        if not all(sign(e, region, r) in PROVING[r] for e, r in needs((there,))):
+            continue  # the difference may be real where the function of the part is not
+        found = ask(f, relation, ZERO, Given(tuple(_within(x, values))))
+        if found:
+            return replace(found, why=f"it is a function of {part}: {found.why}", region=None)
+    return None
+
+
+def _differ(e: Expr, other: Expr, given: Given) -> bool:
+    """Whether they are seen to differ at one of a few points."""
+    with ball_precision():
+        for point in given.points(sorted(symbols(e)), STARTS):
+            at = {name: arb(value) for name, value in point.items()}
+            wrong = evaluate(e, at) - evaluate(other, at)
+            if wrong.is_finite():
+                return not wrong.contains(0)
+    return False
+
+
+def _opposite(where: Interval) -> Interval:
+    low, high = (None if end is None else -end for end in (where.high, where.low))
+    return Interval(low, high, where.high_open, where.low_open)
+
+
+def _sum(one: Interval, other: Interval) -> Interval:
+    low = None if one.low is None or other.low is None else one.low + other.low
+    high = None if one.high is None or other.high is None else one.high + other.high
+    return Interval(low, high, one.low_open or other.low_open, one.high_open or other.high_open)
+
+
+def _product(one: Interval, other: Interval) -> Interval:
+    """An interval of the products, which are known to be bounded where neither is negative."""
+    if one.low is None or other.low is None or one.low < 0 or other.low < 0:
+        return Interval()
+    low = one.low * other.low
+    opens = [where.low_open for where in (one, other) if low > 0 or where.low == 0]
+    high = None if one.high is None or other.high is None else one.high * other.high
+    closed = low == 0 and not all(opens)
+    return Interval(low, high, any(opens) and not closed, False)
+
+
+def _within(x: Expr, where: Interval) -> Iterator[Comparison]:
+    if where.low is not None:
+        yield x, ">" if where.low_open else ">=", number(where.low)
+    if where.high is not None:
+        yield x, "<" if where.high_open else "<=", number(where.high)
+
+
+# -- one function at two places -----------------------------------------------------------------
+
+
+def _monotone(left: Expr, relation: str, right: Expr, given: Given, ask: Decide) -> Answer | None:
+    names = sorted(symbols(left - right))
+    if len(names) != 2:
+        return None
+    x, y = names
+    difference = collected(left - right)
+    terms = difference.args if difference.op == "+" else (difference,)
+    g = add(*(term for term in terms if symbols(term) == {x}))
+    if not is_zero(difference - g + substitute(g, {x: symbol(y)}), Given()):
+        return None
+    order = sign(symbol(y) - symbol(x), given)
+    if order not in ("+", "-"):
+        return None
+    first, last = (x, y) if order == "+" else (y, x)
+    where = Given((*_bounds(first, 1, x, given), *_bounds(last, -1, x, given)))
+    slope = differentiate(g, x)
+    if not all(sign(e, where, r) in PROVING[r] for e, r in needs((g, slope))):
+        return None  # a jump or a pole between the two
+    sides = (ZERO, slope) if order == "+" else (slope, ZERO)
+    found = ask(sides[0], relation, sides[1], where)
+    if not found:
+        return None
+    why = f"it compares {g} at two places, and its derivative has one sign: {found.why}"
+    return replace(found, why=why, region=None)
+
+
+def _bounds(name: str, side: int, x: str, given: Given) -> Iterator[Comparison]:
+    """The bounds of a variable from below (``side`` 1) or above, as such of ``x``."""
+    for condition in given.conditions:
+        e = condition.expression
+        if symbols(e) == {name} and condition.relation != "!=":
+            slope = differentiate(e, name)
+            if slope.op == "number" and slope.args[0] * side > 0:
+                bound = collected(substitute(e, {name: ZERO}) / -slope)
+                relation = condition.relation if side > 0 else condition.relation.replace(">", "<")
+                yield symbol(x), relation, bound
+
+
+# -- sums ---------------------------------------------------------------------------------------
+
+
+def _separated(left: Expr, relation: str, right: Expr, given: Given, ask: Decide) -> Answer | None:
+    difference = collected(left - right)
+    terms = difference.args if difference.op == "+" else (difference,)
+    names = sorted(symbols(difference))
+    parts = {name: add(*(t for t in terms if symbols(t) == {name})) for name in names}
+    alone = all(len(symbols(t)) <= 1 for t in terms)
+    if len(names) < 2 or not alone:
+        return None
+    constant = add(*(t for t in terms if not symbols(t)))
+    least: dict[str, Expr] = {}
+    own = {}
+    for name, part in parts.items():
+        own[name] = Given(tuple(dict.fromkeys(_alone(name, given))))
+        lowest = next(_lowest(part, name, own[name]), None)
+        if lowest is None:
+            return None
+        least[name] = substitute(part, {name: lowest})
+    total = constant + add(*least.values())
+    if not (equal_at(total, ZERO, {}) and relation == ">=") and sign(total, Given()) != "+":
+        return None
+    answers = [ask(parts[name], ">=", least[name], own[name]) for name in names]
+    if not all(answers):
+        return None
+    return _weakest(answers, "each variable by itself")
+
+
+def _weakest(answers: list[Answer], what: str) -> Answer:
+    """The one answer that several which hold come to."""
+    weakest = next((a for a in answers if a.verdict is Verdict.ENCLOSED), answers[0])
+    return replace(weakest, why=f"{what}: {weakest.why}", region=None)
+
+
+# -- products -----------------------------------------------------------------------------------
+
+
+def _multiplied(left: Expr, relation: str, right: Expr, given: Given, ask: Decide) -> Answer | None:
+    difference = collected(left - right)
+    names = sorted(symbols(difference))
+    parts = _quotient(difference, given)
+    if parts is None or len(names) < 2 or relation == "!=":
+        return None
+    rest = parts.pop("", ONE)
+    if len(names) == 2:
+        x, y = names
+        if is_zero(rest * parts[y] * substitute(parts[x], {x: symbol(y)}) - 1, given):
+            other = substitute(parts[x], {x: symbol(y)})
+            found = _monotone(parts[x], relation, other, given, ask)
+            if found is not None:
+                return found
+    parts[names[-1]] = rest * parts[names[-1]]
+    own = {name: Given(tuple(dict.fromkeys(_alone(name, given)))) for name in names}
+    for least in product(*(list(_least(parts[name], name, own[name])) for name in names)):
+        total = prod(least, start=ONE)
+        beyond = sign(total - 1, Given()) == "+"
+        if not (beyond or equal_at(total, ONE, {})):
+            continue
+        relations = [">=" if beyond else relation, *(">=" for _ in names[1:])]
+        answers = [
+            ask(parts[name], r, c, own[name])
+            for name, r, c in zip(names, relations, least, strict=True)
+        ]
+        if all(answers):
+            return _weakest(answers, "each factor by itself")
+    return None
+
+
+def _by_sizes(left: Expr, relation: str, right: Expr, given: Given, ask: Decide) -> Answer | None:
+    difference = collected(left - right)
+    if difference.op != "+" or len(difference.args) != 2:
+        return None
+    for above, below in (difference.args, difference.args[::-1]):
+        pairs = [_by_variable(*_factors(above, 1)), _by_variable(*_factors(below, 1))]
+        names = sorted({*(pairs[0] or ()), *(pairs[1] or ())} - {""})
+        if None in pairs or len(names) < 2 or sign(above, given, ">=") not in PROVING[">="]:
+            continue
+        answers = []
+        for n, name in enumerate(names):
+            sides = [
+                (part.get(name, ONE) * (ONE if n else part.get("", ONE))) ** 2
+                for part in pairs
+                if part is not None
+            ]
+            own = Given(tuple(dict.fromkeys(_alone(name, given))))
+            answers.append(ask(sides[0], relation, sides[1], own))
+            if not answers[-1]:
+                break
+        if all(answers):
+            return _weakest(answers, "each factor by its size")
+    return None
+
+
+def _by_variable(*factors: Expr) -> dict[str, Expr] | None:
+    """The factors, multiplied by variable, what has none under ""; None where one has several."""
+    parts: dict[str, Expr] = {}
+    for factor in factors:
+        names = symbols(factor)
+        if len(names) > 1:
+            return None
+        name = next(iter(names), "")
+        parts[name] = parts.get(name, ONE) * factor
+    return parts
+
+
+def _quotient(difference: Expr, given: Given) -> dict[str, Expr] | None:
+    """Two positive products divided, by variable: the difference is not negative where it is ≥ 1.
+
+    None where the difference is not one of such products.
+    """
+    if difference.op != "+" or len(difference.args) != 2:
+        return None
+    signs = [sign(term, given) for term in difference.args]
+    if sorted(map(str, signs)) != ["+", "-"]:
+        return None
+    above, below = difference.args if signs[0] == "+" else difference.args[::-1]
+    parts = _by_variable(*_factors(above, 1), *_factors(-below, -1))
+    if parts is None or any(sign(part, given) != "+" for part in parts.values()):
+        return None
+    return parts
+
+
+def _factors(e: Expr, power: int) -> Iterator[Expr]:
+    """The factors of a product to a power, 1 or −1."""
+    if e.op == "*":
+        for factor in e.args:
+            yield from _factors(factor, power)
+    elif e.op == "^" and e.args[1] == -ONE:
+        yield from _factors(e.args[0], -power)
+    else:
+        yield e if power > 0 else 1 / e
+
+
+def _alone(name: str, given: Given) -> Iterator[Comparison]:
+    """What the conditions say of one variable: its own, and ends of others that bound it too."""
+    for comparison, condition in zip(given.comparisons, given.conditions, strict=True):
+        e = condition.expression
+        if symbols(e) == {name}:
+            yield comparison
+        elif len(symbols(e)) == 1:
+            (other,) = symbols(e)
+            for side in (1, -1):
+                for _, relation, end in _bounds(other, side, name, given):
+                    if (
+                        sign(side * (symbol(name) - end), given)
+                        in PROVING[relation.replace("<", ">")]
+                    ):
+                        yield symbol(name), relation, end
+
+
+def _least(part: Expr, name: str, given: Given) -> Iterator[Expr]:
+    """Numbers that may be the greatest below ``part``, whether or not it takes them."""
+    beside = [fmpq(0)]
+    with ball_precision():
+        for end in (side for link in given.comparisons for side in link[::2] if not symbols(side)):
+            low = rational_ends(evaluate(end, {})).low
+            beside += [] if low is None else [low + side * TINY for side in (1, -1)]
+        found = []
+        for x in (*beside, *(p[name] for p in given.points([name], STARTS))):
+            at = {name: arb(x)}
+            value = evaluate(part, at)
+            if value.is_finite() and all(c.holds(at) for c in given.conditions):
+                found.append(rational_ends(value).low)
+    low = min((x for x in found if x is not None), default=None)
+    if low is not None:
+        yield from islice(candidates(Interval(low - NEAR, low + NEAR)), MAX_LEAST)
+
+
+# -- the lowest points of one variable ----------------------------------------------------------
+
+
+def _lowest(part: Expr, name: str, given: Given) -> Iterator[Expr]:
+    """Points that may be the lowest, as far as descent and simple constants find them."""
+    points = list(low_points(part, given, given.points([name], STARTS)))
+    for point in points[-1:]:
+        x = point[name]
+        yield from candidates(Interval(x - NEAR, x + NEAR))

@@ -1,0 +1,352 @@
+"""Conditions on real symbols: the box and the inequalities a claim is made under.
+
+A condition is a comparison of two expressions. Those that bound one symbol by a constant make the
+box, kept outward where the constant is irrational; all of them are checked, in balls, at every
+point handed out, so a point is a witness and not a guess.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property, partial
+from itertools import islice
+from typing import Any
+
+from flint import arb, fmpq
+
+from tresym.reals.domain.evaluation import evaluate
+from tresym.reals.domain.narrow_regions import windows
+from tresym.reals.domain.sample_points import _sample, corners
+from tresym.reals.language.expression import ONE, PI, ZERO, Expr, apply, number, symbol, symbols
+from tresym.reals.language.formula import MIRRORED
+from tresym.reals.language.parsing import NO_DERIVATIVE, parse_conditions
+from tresym.reals.language.sympy import RELATIONS, atoms, from_sympy
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import InputError, Interval, rational_ends, shortened
+
+_TRIES = 3000
+
+
+@dataclass(frozen=True)
+class Condition:
+    """``expression`` compared with zero: relation is ``>``, ``>=`` or ``!=``."""
+
+    expression: Expr
+    relation: str
+
+    def holds(self, point: Mapping[str, arb | fmpq], known: dict[Expr, arb] | None = None) -> bool:
+        """Whether balls show the condition, strictly, at ``point``; of which values are known."""
+        value = evaluate(self.expression, point, known)
+        if self.relation == "!=":
+            return bool(value > 0 or value < 0)
+        return bool(value > 0)
+
+    def holds_exactly(self, point: Mapping[str, arb | fmpq]) -> bool:
+        """As :meth:`holds`, with equality allowed where the relation is ``>=``."""
+        if self.holds(point):
+            return True
+        value = evaluate(self.expression, point)
+        return self.relation == ">=" and bool(value >= 0)
+
+
+@dataclass(frozen=True)
+class Given:
+    """A conjunction of conditions on real symbols; ``Given()`` is no condition at all."""
+
+    comparisons: tuple[tuple[Expr, str, Expr], ...] = ()
+
+    @staticmethod
+    def parse(text: str) -> Given:
+        """Conditions such as ``"a > 0, 0 < b <= 1, I1 < I2 < I3, psi != 0"``.
+
+        Raises:
+            InputError: text outside the grammar of parsing.py.
+        """
+        return Given(tuple(parse_conditions(text)))
+
+    @staticmethod
+    def from_sympy(*relationals: Any) -> Given:
+        """SymPy relationals (``Gt``, ``Ge``, ``Lt``, ``Le``, ``Ne``, ``And`` of them).
+
+        Raises:
+            InputError: any other condition.
+        """
+        result: list[tuple[Expr, str, Expr]] = []
+        for item in relationals:
+            name = type(item).__name__
+            if name == "And":
+                result.extend(Given.from_sympy(*item.args).comparisons)
+            elif RELATIONS.get(name, "==") != "==":
+                if atoms(item, "Derivative"):
+                    raise InputError(NO_DERIVATIVE)
+                left, right = from_sympy(item.lhs), from_sympy(item.rhs)
+                result.append((left, RELATIONS[name], right))
+            elif name != "BooleanTrue":
+                raise InputError(f"{shortened(str(item))} is not a condition such as a > 0")
+        return Given(tuple(result))
+
+    def unfolded(self) -> Given:
+        """The same, with bounds of ``|u|`` and of ``log u`` by constants as bounds of ``u``."""
+        return Given(tuple(link for part in self.comparisons for link in _unfolded(part)))
+
+    def mapped(self, change: Callable[[Expr], Expr]) -> Given:
+        """The conditions with changed sides."""
+        return Given(tuple((change(x), relation, change(y)) for x, relation, y in self.comparisons))
+
+    def __and__(self, other: Given) -> Given:
+        return Given(self.comparisons + other.comparisons)
+
+    def __str__(self) -> str:
+        return ", ".join(f"{left} {sign} {right}" for left, sign, right in self.comparisons)
+
+    @cached_property
+    def conditions(self) -> tuple[Condition, ...]:
+        """Every comparison as an expression compared with zero."""
+        return tuple(
+            Condition(left - right, sign)
+            if sign in (">", ">=", "!=")
+            else Condition(right - left, MIRRORED[sign])
+            for left, sign, right in self.comparisons
+        )
+
+    @cached_property
+    def names(self) -> frozenset[str]:
+        """The symbols that the conditions speak of."""
+        return frozenset().union(*(symbols(c.expression) for c in self.conditions))
+
+    @cached_property
+    def box(self) -> dict[str, Interval]:
+        """The bounds of single symbols by constants."""
+        box: dict[str, Interval] = {}
+        for bound in self._bounds():
+            _tighten(box, *bound)
+        for condition in 2 * (*self.conditions, *self._implied):
+            _propagate(box, condition)
+        for condition in self.conditions:
+            _within_even_powers(box, condition)
+        return box
+
+    @cached_property
+    def half_turns(self) -> dict[str, Interval]:
+        """The same in multiples of π, exactly where a bound is written so."""
+        found: dict[str, Interval] = {}
+        for side, relation, bound in self._bounds():
+            r = _pi_multiple(bound)
+            _tighten(found, side, relation, bound / PI if r is None else number(r))
+        for condition in 2 * (*self.conditions, *self._implied):
+            _propagate(found, condition, homogeneous=True)
+        return found
+
+    def _bounds(self) -> Iterator[tuple[Expr, str, Expr]]:
+        """Each expression that is compared with a constant, on the left."""
+        for left, sign, right in self.unfolded().comparisons:
+            for side, bound, relation in ((left, right, sign), (right, left, MIRRORED[sign])):
+                if not symbols(bound):
+                    yield side, relation, bound
+
+    @cached_property
+    def _implied(self) -> tuple[Condition, ...]:
+        """What ``u > |v|`` says without absolute values: ``u > v``, ``u > −v``, ``u > 0``."""
+        result = []
+        for left, sign, right in self.comparisons:
+            for side, bound, relation in ((left, right, sign), (right, left, MIRRORED[sign])):
+                if side.op == "abs" and symbols(bound) and relation in ("<", "<="):
+                    inner = side.args[0]
+                    parts = (bound - inner, bound + inner, bound)
+                    result += [Condition(part, MIRRORED[relation]) for part in parts]
+        return tuple(result)
+
+    @cached_property
+    def beyond_box(self) -> tuple[Condition, ...]:
+        """The conditions that are not bounds of one symbol by a constant, and what they imply."""
+        plain = {"symbol"}
+        return self._implied + tuple(
+            condition
+            for (left, _, right), condition in zip(self.comparisons, self.conditions, strict=True)
+            if condition.relation == "!="
+            or not (
+                (left.op in plain and not symbols(right))
+                or (right.op in plain and not symbols(left))
+            )
+        )
+
+    def satisfying_point(self, names: Iterable[str] = ()) -> dict[str, fmpq] | None:
+        """An exact point that satisfies every condition, checked; None where none was found.
+
+        Args:
+            names: further symbols the point shall give a value.
+        """
+        wanted = sorted(self.names | set(names))
+        for point in self.points(wanted, 1):
+            return point
+        for corner in corners(wanted, self.box):
+            with ball_precision():
+                if all(condition.holds_exactly(corner) for condition in self.conditions):
+                    return corner
+        return None
+
+    def points(self, names: Iterable[str], n: int, start: int = 0) -> Iterator[dict[str, fmpq]]:
+        """At most ``n`` exact rational points inside the conditions, always the same ones.
+
+        Both signs come early where they are allowed; small, large and boundary-near values later.
+        Every condition holds strictly at each point, shown by balls.
+        """
+        wanted = sorted(self.names | set(names))
+        ranges = [self.box.get(name, Interval()) for name in wanted]
+        if any(r.low is not None and r.high is not None and r.low >= r.high for r in ranges):
+            return
+        found, conditions = 0, list(self.conditions)
+        for k in range(start, start + (_TRIES if self.conditions else n)):
+            point = {
+                name: _sample(where, k, j)
+                for j, (name, where) in enumerate(zip(wanted, ranges, strict=True))
+            }
+            if _hold(conditions, point):
+                yield point
+                found += 1
+                if found == n:
+                    return
+        if not found and self.conditions:
+            yield from islice(filter(partial(_hold, conditions), self._far(wanted, ranges)), n)
+
+    def _far(self, wanted: list[str], ranges: list[Interval]) -> Iterator[dict[str, fmpq]]:
+        """Points to try where the conditions hold far away or on narrow sets."""
+        starts = [
+            {name: _sample(ranges[j], k, j) for j, name in enumerate(wanted)} for k in range(4)
+        ]
+        yield from windows([c.expression for c in self.conditions if c.relation != "!="], starts)
+
+
+def _hold(conditions: list[Condition], point: dict[str, fmpq]) -> bool:
+    """Whether all hold; one that fails is put first, as it may well fail at the next point."""
+    known: dict[Expr, arb] = {}
+    with ball_precision():
+        for n, condition in enumerate(conditions):
+            if not condition.holds(point, known):
+                conditions.insert(0, conditions.pop(n))
+                return False
+    return True
+
+
+def _tighten(box: dict[str, Interval], side: Expr, relation: str, bound: Expr) -> None:
+    """Narrow the range of the symbol ``side`` by ``side relation bound``."""
+    if side.op != "symbol" or relation == "!=":
+        return
+    low, high = _enclosure(bound)
+    if low is None or high is None:
+        return
+    is_open = relation in ("<", ">") or low != high
+    above = relation in (">", ">=")
+    half = Interval(low, None, is_open) if above else Interval(None, high, False, is_open)
+    box[side.args[0]] = box.get(side.args[0], Interval()) & half
+
+
+def _unfolded(link: tuple[Expr, str, Expr]) -> Iterator[tuple[Expr, str, Expr]]:
+    left, sign, right = link
+    for side, relation, bound in ((left, sign, right), (right, MIRRORED[sign], left)):
+        if symbols(bound) or side.op not in ("abs", "log") or not symbols(side):
+            continue
+        inner = side.args[0]
+        if side.op == "abs" and relation in ("<", "<="):
+            yield from _unfolded((inner, relation, bound))
+            yield from _unfolded((inner, MIRRORED[relation], -bound))
+            return
+        if side.op == "log" and relation != "!=":
+            if relation in ("<", "<="):
+                yield from _unfolded((inner, ">", ZERO))
+            yield from _unfolded((inner, relation, ONE if bound == ZERO else apply("exp", bound)))
+            return
+    yield link
+
+
+def _propagate(box: dict[str, Interval], condition: Condition, homogeneous: bool = False) -> None:
+    """Narrow the symbols of a linear condition by the bounds of the others: x > a > 0 is x > 0."""
+    form = _linear(condition.expression)
+    if condition.relation == "!=" or form is None or (homogeneous and form[""] != 0):
+        return
+    for name, slope in form.items():
+        total, relation = form[""], condition.relation
+        for other, c in form.items():
+            if other in ("", name):
+                continue
+            where = box.get(other, Interval())
+            end, is_open = (where.high, where.high_open) if c > 0 else (where.low, where.low_open)
+            if end is None:
+                break
+            total += c * end
+            relation = ">" if is_open else relation
+        else:
+            if name:
+                sign = relation if slope > 0 else MIRRORED[relation]
+                _tighten(box, symbol(name), sign, number(-total / slope))
+
+
+def _within_even_powers(box: dict[str, Interval], condition: Condition) -> None:
+    """Narrow the symbols of a sum of even powers that is bounded: x**2 + 4*y**4 < 1."""
+    form = _sum_of(condition.expression, even=True)
+    if condition.relation == "!=" or form is None or any(c > 0 for key, c in form.items() if key):
+        return
+    for key, c in form.items():
+        if key and form[""] > 0:
+            name, n = key.split("**")
+            with ball_precision():
+                end = number(arb(-form[""] / c).root(int(n)).upper().fmpq())
+            _tighten(box, symbol(name), "<" if condition.relation == ">" else "<=", end)
+            _tighten(box, symbol(name), condition.relation, -end)
+
+
+def _linear(e: Expr) -> dict[str, fmpq] | None:
+    """The coefficients of a linear expression, the constant under the empty name, or None."""
+    return _sum_of(e, even=False)
+
+
+def _sum_of(e: Expr, even: bool) -> dict[str, fmpq] | None:
+    """The coefficients of symbols, or of their even powers, ``x**2``; None for other sums."""
+    form = {"": fmpq(0)}
+    stack = [(e, fmpq(1))]
+    while stack:
+        term, scale = stack.pop()
+        if term.op == "+":
+            stack.extend((arg, scale) for arg in term.args)
+        elif term.op == "*" and len(term.args) == 2 and term.args[0].op == "number":
+            stack.append((term.args[1], scale * term.args[0].args[0]))
+        elif term.op == "number":
+            form[""] += scale * term.args[0]
+        elif _is_even_power(term) if even else term.op == "symbol":
+            key = "**".join(str(part.args[0]) for part in (term.args if even else (term,)))
+            form[key] = form.get(key, fmpq(0)) + scale
+        else:
+            return None
+    return {key: c for key, c in form.items() if c != 0 or not key}
+
+
+def _is_even_power(e: Expr) -> bool:
+    if e.op != "^" or e.args[0].op != "symbol" or e.args[1].op != "number":
+        return False
+    n = e.args[1].args[0]
+    return bool(n.q == 1 and n > 0 and n.p % 2 == 0)
+
+
+def _enclosure(e: Expr) -> tuple[fmpq | None, fmpq | None]:
+    """Rational ends that enclose the constant ``e``; equal where it is rational."""
+    if e.op == "number":
+        return e.args[0], e.args[0]
+    with ball_precision():
+        return rational_ends(evaluate(e, {}))[:2]
+
+
+def _pi_multiple(e: Expr) -> fmpq | None:
+    """r where ``e`` is written as r·π."""
+    if e.op == "pi":
+        return fmpq(1)
+    if e.op == "number" and e.args[0] == 0:
+        return fmpq(0)
+    if e.op == "*" and [arg.op for arg in e.args] == ["number", "pi"]:
+        return e.args[0].args[0]
+    return None
+
+
+def positive(*names: str) -> Given:
+    """The condition that every named symbol is positive."""
+    return Given(tuple((symbol(name), ">", number(0)) for name in names))

@@ -1,0 +1,130 @@
+"""Integrands: an expression of one variable as steps that are done in real and in complex balls.
+
+What does not speak of the variable is worked out before, and equal parts are one step. In complex
+balls every step is holomorphic or not finite, as FLINT asks of integrands; in real ones a step that
+is not shown to have a value makes the whole NaN.
+"""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Callable
+from functools import partial, reduce
+from typing import Any
+
+from flint import acb, arb, fmpq
+
+from tresym.reals.domain.evaluation import UndefinedError, applied, rational_power, real_power
+from tresym.reals.language.expression import MINUS_ONE, UNWORKED, Expr, symbols
+
+MEROMORPHIC = frozenset(
+    (
+        *("exp", "sin", "cos", "tan", "cot", "sec", "csc"),
+        *("sinh", "cosh", "tanh", "coth", "sech", "csch"),
+    )
+)
+Done = Callable[..., Any]
+
+
+class Integrand:
+    """An expression as a function of one variable."""
+
+    def __init__(self, e: Expr, name: str, known: Callable[[Expr], arb]) -> None:
+        """``known`` gives the values of the parts that do not depend on the variable.
+
+        Raises:
+            UndefinedError: a part that binds variables depends on it.
+        """
+        self.name, self.known = name, known
+        self.start: list[Any] = [None]
+        self.places: dict[Expr, int] = {}
+        self.steps: list[tuple[int, tuple[int, ...], Done, Done]] = []
+        self.end = self._place(e)
+
+    def _place(self, e: Expr) -> int:
+        """Where the value of a part stands."""
+        if e.op == "symbol" and e.args[0] == self.name:
+            return 0
+        if e not in self.places:
+            if self.name not in symbols(e):
+                self.start.append(self.known(e))
+            elif e.op in UNWORKED:
+                raise UndefinedError
+            else:
+                args, real, holomorphic = _step(e)
+                places = tuple(map(self._place, args))
+                self.steps.append((len(self.start), places, real, holomorphic))
+                self.start.append(None)
+            self.places[e] = len(self.start) - 1
+        return self.places[e]
+
+    def real(self, x: arb) -> arb:
+        """The value at a real ball; NaN where none is shown."""
+        values = [x, *self.start[1:]]
+        try:
+            for place, args, done, _ in self.steps:
+                found = values[place] = done(*[values[n] for n in args])
+                if not found.is_finite():
+                    return arb.nan()
+        except UndefinedError:
+            return arb.nan()
+        return values[self.end]
+
+    def holomorphic(self, z: acb) -> acb:
+        """The value at a complex ball; not finite where it is not shown to be holomorphic on it."""
+        values = [z, *self.start[1:]]
+        for place, args, _, done in self.steps:
+            values[place] = done(*[values[n] for n in args])
+        return acb(values[self.end])
+
+    def __call__(self, z: acb, analytic: bool) -> acb:
+        """As FLINT asks for it."""
+        if analytic:
+            return self.holomorphic(z)
+        return acb(self.real(z.real) if z.imag.is_zero() else arb.nan())
+
+
+def _step(e: Expr) -> tuple[tuple[Expr, ...], Done, Done]:
+    """The operands of a part, and what is done to them in real and in complex balls."""
+    if e.op == "+":
+        return e.args, _sum, _sum
+    if e.op == "*":
+        below = [factor.args[0] for factor in e.args if _is_reciprocal(factor)]
+        above = [factor for factor in e.args if not _is_reciprocal(factor)]
+        quotient = partial(_quotient, len(above))
+        return (*above, *below), quotient, quotient
+    if e.op == "^" and e.args[1].op == "number":
+        r = e.args[1].args[0]
+        return e.args[:1], lambda x: rational_power(x, r), lambda z: _power(acb(z), r)
+    if e.op == "^":
+        return e.args, real_power, lambda z, w: (w * acb(z).log(analytic=True)).exp()
+    return e.args, partial(applied, e.op), partial(_holomorphic, e.op)
+
+
+def _is_reciprocal(e: Expr) -> bool:
+    return e.op == "^" and e.args[1] == MINUS_ONE
+
+
+def _sum(*values: Any) -> Any:
+    return reduce(operator.add, values)
+
+
+def _quotient(above: int, *values: Any) -> Any:
+    """The product of the first values, the rest divided by: a fraction is rounded but once."""
+    product = reduce(operator.mul, values[:above], arb(1))
+    return product / reduce(operator.mul, values[above:]) if values[above:] else product
+
+
+def _power(z: acb, r: fmpq) -> acb:
+    p, q = int(r.p), int(r.q)
+    if q == 1:
+        return z**p
+    return (z.sqrt(analytic=True) if q == 2 else z.pow(acb(fmpq(1, q)), analytic=True)) ** p
+
+
+def _holomorphic(name: str, *values: Any) -> acb:
+    if name == "log":
+        return acb(values[0]).log(analytic=True)
+    if name == "abs":
+        return acb(values[0]).real_abs(analytic=True)
+    return getattr(values[0], name)() if name in MEROMORPHIC else acb(arb.nan())

@@ -1,0 +1,52 @@
+"""A point that refutes an inequality, looked for downhill from sampled points.
+
+Directions and steps are those of a pattern search, which needs no derivatives. What it finds is
+rounded to simple rationals, and judged at exact points alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from itertools import combinations
+
+from flint import fmpq
+
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import evaluate
+from tresym.reals.domain.narrow_regions import climbed
+from tresym.reals.domain.sample_points import ExactPoint
+from tresym.reals.language.expression import Expr
+from tresym.reals.numbers.arithmetic import WORKING, ball_precision
+from tresym.reals.numbers.exact import near
+
+MAX_STARTS = 3
+SMALLEST_STEP = fmpq(1, 2**30)
+TOLERANCES = (fmpq(1, 2**6), fmpq(1, 2**12), fmpq(1, 2**20))
+
+
+def low_points(
+    difference: Expr, given: Given, starts: Iterable[ExactPoint]
+) -> Iterator[ExactPoint]:
+    """Points of ``given`` at which the difference is small, simple ones first."""
+
+    def depth(point: ExactPoint) -> float | None:
+        with ball_precision(WORKING // 2):
+            value = evaluate(difference, point)
+            inside = all(condition.holds_exactly(point) for condition in given.conditions)
+            return -float(value.mid()) if inside and value.is_finite() else None
+
+    known = [(-size, k, p) for k, p in enumerate(starts) if (size := depth(p)) is not None]
+    for _, _, start in sorted(known, key=lambda item: item[:2])[:MAX_STARTS]:
+        found = climbed(depth, start, list(_directions(sorted(start))), SMALLEST_STEP)
+        for tolerance in TOLERANCES:
+            yield {name: near(x, tolerance) for name, x in found.items()}
+        yield found
+
+
+def _directions(names: list[str]) -> Iterator[dict[str, int]]:
+    """Along each axis, and along the diagonals of two."""
+    for name in names:
+        yield {name: 1}
+        yield {name: -1}
+    for first, second in combinations(names, 2):
+        yield from ({first: i, second: j} for i in (1, -1) for j in (1, -1))

@@ -1,0 +1,150 @@
+"""Points inside conditions that hold far away or on narrow sets only, where samples miss them.
+
+Polynomials cut space into regions, each of which has a point of its own (see cells.py). From there,
+and from a few points anywhere, a pattern search climbs until every condition holds: one that holds
+counts more than any that almost does.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import partial
+from itertools import islice
+from math import prod
+from typing import Any
+
+from flint import Ordering, arb, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpz_mpoly_ctx, fmpz_poly
+
+from tresym.reals.domain.cylindrical_decomposition import between, sample_points
+from tresym.reals.domain.evaluation import evaluate
+from tresym.reals.domain.sample_points import ExactPoint
+from tresym.reals.language.expression import Expr, symbols
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.factoring import TooLargeError
+
+MAX_NAMES = 2
+MAX_DEGREE = 12
+MAX_CELLS = 40
+MAX_EVALUATIONS = 300
+MAX_CLIMBS = 6
+SMALLEST_STEP, COARSE = fmpq(1, 2**60), fmpq(1, 2**16)
+BESIDE = tuple(fmpq(sign, 2**k) for k in (4, 12, 24, 48, 96) for sign in (1, -1))
+
+
+def windows(conditions: Sequence[Expr], starts: Sequence[ExactPoint]) -> Iterator[ExactPoint]:
+    """Points that may lie inside, for the caller to check, from regions and from ``starts``.
+
+    Args:
+        conditions: expressions that shall be positive.
+    """
+    names = sorted(starts[0])
+    centres = list(islice(_of_regions(conditions, names, starts[0]), MAX_CELLS))
+    yield from centres
+    axes = [{name: way} for name in names for way in (1, -1)]
+    score, enough = partial(_score, conditions), (len(conditions), 0)
+    for centre in [*centres, *starts][:MAX_CLIMBS]:
+        found = climbed(score, centre, axes, SMALLEST_STEP, enough)
+        yield found
+        for name in names:
+            for step in BESIDE:
+                yield found | {name: found[name] + step}
+
+
+def _of_regions(
+    conditions: Sequence[Expr], names: list[str], other: ExactPoint
+) -> Iterator[ExactPoint]:
+    """A point of every region that the polynomials in the conditions cut out."""
+    context = fmpq_mpoly_ctx.get(tuple(names), Ordering.lex)
+    found = dict(part for e in conditions for part in _polynomials(e, context))
+    used = sorted(frozenset().union(*map(symbols, found)))
+    if not 0 < len(used) <= MAX_NAMES or sum(p.total_degree() for p in found.values()) > MAX_DEGREE:
+        return
+    try:
+        for values in _values(list(found.values()), [names.index(name) for name in used], used):
+            yield other | dict(zip(used, values, strict=True))
+    except TooLargeError:
+        return
+
+
+def _values(
+    polynomials: list[fmpq_mpoly], places: list[int], used: list[str]
+) -> Iterable[tuple[fmpq, ...]]:
+    """The points, in the variables at these places; of one variable whatever its coefficients."""
+    terms = [_whole(p, places) for p in polynomials]
+    if len(used) > 1:
+        ring = fmpz_mpoly_ctx.get(tuple(used), Ordering.lex)
+        return sample_points([ring.from_dict(part) for part in terms], ring)
+    line = fmpz_poly([1])
+    for part in terms:
+        line *= fmpz_poly([part.get((k,), 0) for k in range(max(part)[0] + 1)])
+    return [(value,) for value in between(line)]
+
+
+def _whole(p: fmpq_mpoly, places: list[int]) -> dict[tuple[int, ...], int]:
+    """The terms of ``p`` in some of its variables, cleared of denominators."""
+    scale = prod(int(c.q) for c in p.coeffs())
+    return {tuple(int(m[k]) for k in places): int((c * scale).p) for m, c in p.terms()}
+
+
+def _polynomials(e: Expr, context: fmpq_mpoly_ctx) -> Iterator[tuple[Expr, fmpq_mpoly]]:
+    """The largest parts of ``e`` that are polynomials, as it changes its ways at their zeros."""
+    p = _polynomial(e, context)
+    if p is None:
+        for arg in e.args:
+            yield from _polynomials(arg, context)
+    elif symbols(e) and not p.is_zero():
+        yield e, p
+
+
+def _polynomial(e: Expr, context: fmpq_mpoly_ctx) -> fmpq_mpoly | None:
+    """``e`` as a polynomial with rational coefficients, None where it is none of low degree."""
+    if e.op == "number":
+        return context.constant(e.args[0])
+    if e.op == "symbol":
+        return context.gen(context.variable_to_index(e.args[0]))
+    if e.op == "^":
+        base, exponent = e.args
+        n = exponent.args[0] if exponent.op == "number" else fmpq(-1)
+        inner = _polynomial(base, context) if n.q == 1 and n > 0 else None
+        if inner is None or inner.total_degree() * n > MAX_DEGREE:
+            return None
+        return inner ** int(n.p)
+    parts = [_polynomial(arg, context) for arg in e.args] if e.op in ("+", "*") else [None]
+    total = parts[0]
+    for part in parts[1:]:
+        if total is None or part is None or total.total_degree() > MAX_DEGREE:
+            return None
+        total = total + part if e.op == "+" else total * part
+    return total
+
+
+def climbed(
+    score: Callable[[ExactPoint], Any],
+    start: ExactPoint,
+    directions: Sequence[Mapping[str, int]],
+    smallest: fmpq,
+    enough: Any = None,
+) -> ExactPoint:
+    """Where no step in any direction leads to a greater score, or where that is ``enough``."""
+    here, best, step, left = start, score(start), fmpq(1), MAX_EVALUATIONS
+    while best is not None and best != enough and step > smallest and left > 0:
+        if here is start and step < COARSE:
+            break  # it does not rise anywhere near
+        better = False
+        for direction in directions:
+            there = {name: x + step * direction.get(name, 0) for name, x in here.items()}
+            found = score(there)
+            left -= 1
+            if found is not None and found > best:
+                here, best, better = there, found, True
+        step = step * 2 if better else step / 4
+    return here
+
+
+def _score(conditions: Sequence[Expr], point: ExactPoint) -> tuple[int, float]:
+    """How many conditions hold, and by how much the others that have a value fail."""
+    with ball_precision():
+        known: dict[Expr, arb] = {}
+        values = [evaluate(e, point, known) for e in conditions]
+        failing = [float(v.mid()) for v in values if v.is_finite() and not v > 0]
+        return sum(bool(v > 0) for v in values), sum(failing)

@@ -1,0 +1,121 @@
+"""Normal forms written as expressions again."""
+
+from __future__ import annotations
+
+from tresym.reals.domain.conditions import Given
+from tresym.reals.language.expression import (
+    LEAVES,
+    PI,
+    Expr,
+    add,
+    apply,
+    multiply,
+    number,
+    power,
+    rebuild,
+    substitute,
+    symbol,
+)
+from tresym.reals.normal.field import Field
+from tresym.reals.normal.ring import Fraction, Generator, Poly, UndefinedError
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.numbers.factoring import TooLargeError
+
+
+def numerator(e: Expr, region: Given) -> Expr:
+    """The numerator of the normal form of ``e``, or ``e`` itself where there is none to write."""
+    try:
+        field = Field(region)
+        (value,) = field.normal(e)
+        return written(field, value.num) or e
+    except (TooLargeError, UndefinedError, InputError):
+        return e
+
+
+def written(field: Field, p: Poly) -> Expr | None:
+    """A polynomial in generators as an expression, None where one of them cannot be written."""
+    terms: list[Expr] = []
+    parts = {i: _generator(field, field.at(i)) for i in field.used(p)}
+    for monomial, value in p.terms():
+        factors = [number(int(value))]
+        for i, part in parts.items():
+            if part is None:
+                return None
+            if monomial[i]:
+                factors.append(power(part, number(int(monomial[i]))))
+        terms.append(multiply(*factors))
+    return add(*terms)
+
+
+def _generator(field: Field, generator: Generator) -> Expr | None:
+    """The function that a generator stands for, where it is one of those of expressions."""
+    data = generator.data
+    match generator.kind:
+        case "symbol":
+            return symbol(data[0])
+        case "pi":
+            return PI
+        case "root" | "log":
+            inner = written(field, data[0])
+            known = field.sign(data[0])
+            if inner is None:
+                return None
+            inner = inner if known > 0 else -inner if known < 0 else abs(inner)
+            return (
+                apply("log", inner) if generator.kind == "log" else inner ** (1 / number(data[1]))
+            )
+        case "exp" | "sin" | "cos" as name:
+            inner = _fraction(field, data[2])
+            return None if inner is None else apply(name, inner / int(data[1]))
+        case "tan":
+            inner = _fraction(field, data[2])
+            return None if inner is None else apply("tan", inner / int(2 * data[1]))
+        case "atan":
+            inner = _fraction(field, data[0])
+            return None if inner is None else apply("atan", inner)
+    return None
+
+
+def _fraction(field: Field, x: Fraction) -> Expr | None:
+    top, bottom = written(field, x.num), written(field, x.den)
+    return None if top is None or bottom is None else top / bottom
+
+
+def in_lowest_terms(e: Expr) -> Expr:
+    """``e`` with each rational function in it as one fraction in lowest terms.
+
+    Functions and roots stand in it as names, their arguments treated in the same way. It is ``e``
+    itself where one of them is too large. The domain may be larger: x/x becomes 1.
+    """
+    atoms: dict[str, Expr] = {}
+
+    def walk(node: Expr) -> Expr:
+        whole = node.op == "^" and node.args[1].op == "number" and node.args[1].args[0].q == 1
+        if node.op in LEAVES:
+            return node
+        if node.op in ("+", "*"):
+            return rebuild(node, tuple(map(walk, node.args)))
+        if whole:
+            return rebuild(node, (walk(node.args[0]), node.args[1]))
+        inner = rebuild(node, tuple(map(in_lowest_terms, node.args)))
+        name = next((n for n, known in atoms.items() if known == inner), f"[{len(atoms)}]")
+        atoms[name] = inner
+        return symbol(name)
+
+    try:
+        field = Field(Given())
+        (value,) = field.normal(walk(e))
+        found = _fraction(field, value)
+        return e if found is None else substitute(found, atoms)
+    except (TooLargeError, UndefinedError, InputError):
+        return e
+
+
+def normal_form(e: Expr, given: Given) -> Expr:
+    """The normal form of ``e``, or ``e`` itself where there is none to write."""
+    try:
+        field = Field(given)
+        (value,) = field.normal(e)
+        return _fraction(field, value) or e
+    except (TooLargeError, UndefinedError, InputError):
+        return e

@@ -1,0 +1,58 @@
+"""A difference that is concave between two ends where it is not negative is nowhere negative."""
+
+from __future__ import annotations
+
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import evaluate
+from tresym.reals.domain.operation_domains import singularities
+from tresym.reals.language.expression import Expr, differentiate, substitute, symbol, symbols
+from tresym.reals.language.formula import MIRRORED
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.signs.interior import Ask
+from tresym.reals.signs.interior import sign_inside as sign
+
+
+def sign_by_concavity(
+    difference: Expr, relation: str, region: Given, ask: Ask | None = None
+) -> str | None:
+    """Concavity: the difference is concave between two ends at which it is not negative.
+
+    Decides ``sin(x) >= 2*x/pi given 0 <= x <= pi/2``. Ends at one variable between two
+    constants, and where the sign of the second derivative is not seen.
+    """
+    names = symbols(difference)
+    if len(names) != 1:
+        return None
+    (name,) = names
+    ends = [_end(region, name, (">", ">=")), _end(region, name, ("<", "<="))]
+    if ends[0] is None or ends[1] is None:
+        return None
+    for end, is_open in (ends[0], ends[1]):
+        value = substitute(difference, {name: end})
+        with ball_precision():
+            if not evaluate(value, {}).is_finite():
+                return None
+        found = sign(value, Given())
+        if found not in ("+", ">=0", "0") or (relation != ">=" and found != "+" and not is_open):
+            return None
+    (low, _), (high, _) = ends[0], ends[1]
+    inside = Given(((symbol(name), ">", low), (symbol(name), "<", high)))
+    if any(sign(part, inside) not in ("+", "-") for part, _ in singularities(difference)):
+        return None
+    curvature = sign(differentiate(differentiate(difference, name), name), inside)
+    if curvature not in (("-", "<=0", "0") if relation == ">=" else ("-",)):
+        return None
+    return f"the difference is concave in {name} and not negative at {low} and {high}"
+
+
+def _end(region: Given, name: str, relations: tuple[str, str]) -> tuple[Expr, bool] | None:
+    """A constant that bounds the symbol by one of the relations, and whether it is excluded.
+
+    Any bound will do: what is shown between two of them holds on the region within.
+    """
+    for left, relation, right in region.comparisons:
+        if right == symbol(name):
+            left, relation, right = right, MIRRORED[relation], left
+        if left == symbol(name) and relation in relations and not symbols(right):
+            return right, relation in ("<", ">")
+    return None

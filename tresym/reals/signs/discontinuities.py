@@ -1,0 +1,192 @@
+"""The points at which sign and atan2 jump: a proof on a dense set does not reach them.
+
+``sign u`` jumps where u is 0, ``atan2(y, x)`` where y is 0 and x is negative; all other functions
+are continuous where they are defined. So a claim that is proved at almost all points is left to be
+shown where a jump is not excluded. Either such points are where a variable has a certain value, or
+at closed ends of the conditions, and that is put in; or 0 is put in for what is 0 there, and the
+claim must then hold whatever the variables are.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
+
+from flint import fmpq
+
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.operation_domains import denominators, singularities
+from tresym.reals.language.expression import (
+    PI,
+    ZERO,
+    Expr,
+    as_expr,
+    differentiate,
+    number,
+    replaced,
+    sqrt,
+    substitute,
+    symbols,
+)
+from tresym.reals.normal.field import Field
+from tresym.reals.normal.locally_constant import nonzero_inside
+from tresym.reals.normal.polynomials import as_expression, terms_in_symbols
+from tresym.reals.normal.ring import UndefinedError
+from tresym.reals.numbers.factoring import TooLargeError
+from tresym.reals.signs.interior import PROVING, is_nonzero, jumps
+from tresym.reals.signs.interior import sign_inside as sign
+
+_ZERO_WITH_ARGUMENT = ("abs", "cbrt", "sign", "sinh", "tanh", "asinh", "atanh", "atan", "asin")
+
+
+class Case(NamedTuple):
+    """A claim at jumps.
+
+    Attributes:
+        known: what is put in for parts, such as 0 for u in sign u.
+        values: what is put in for variables; nothing, where any may be.
+        given: the conditions that are left.
+    """
+
+    known: dict[Expr, Expr]
+    values: dict[str, Expr]
+    given: Given
+
+    def __str__(self) -> str:
+        part, value = next(iter((self.values or self.known).items()))
+        return f"where {part} = {value}"
+
+    def of(self, e: Expr) -> Expr:
+        """``e`` with what is known put in."""
+        return substitute(replaced(e, self.known), self.values)
+
+    def point(self, witness: Mapping[str, fmpq | Expr] | None) -> dict[str, fmpq] | None:
+        """A rational point at the jump, from one of the remaining variables; else None."""
+        if not witness and witness is not None:
+            others = frozenset().union(*map(symbols, self.values.values()))
+            witness = self.given.satisfying_point(others)
+        if witness is None or not self.values:
+            return None
+        at = {name: as_expr(value) for name, value in witness.items()}
+        at |= {name: substitute(value, at) for name, value in self.values.items()}
+        if any(value.op != "number" for value in at.values()):
+            return None
+        return {name: value.args[0] for name, value in at.items()}
+
+
+def cases_at_jumps(sides: tuple[Expr, ...], given: Given) -> Iterator[Case | None]:
+    """Cases that together cover all jumps of ``sides``; None where one cannot be made."""
+    for node in jumps(sides, given):
+        for known, values, where in _cases(node, given):
+            left = _remaining(where, values)
+            if left is None:
+                yield None
+            elif left is not EMPTY:
+                case = Case(known, values, left)
+                if not values and all(case.of(side) == side for side in sides):
+                    yield None
+                elif not _is_nowhere_defined([case.of(e) for e in sides], left):
+                    yield case
+
+
+def _cases(node: Expr, given: Given) -> Iterator[tuple[dict[Expr, Expr], dict[str, Expr], Given]]:
+    """What is known, values of variables, and conditions, at the jumps of one node."""
+    parts = list(zeros(node.args[0], given))
+    values = [_solved(part) for part in parts]
+    if None in values and nonzero_inside(_critical(node), given):
+        for condition in given.conditions:
+            if condition.relation == ">=":
+                end = condition.expression
+                yield {end: ZERO}, _solved(end) or {}, given
+        return
+    for part, at in zip(parts, values, strict=True):
+        known = {part: ZERO, -part: ZERO}
+        if node.op == "sign":
+            yield known, at or {}, given
+            continue
+        x = node.args[1]
+        yield {**known, node: PI}, at or {}, given & Given(((x, "<", ZERO),))
+        yield {**known, node: ZERO}, at or {}, given & Given(((x, ">", ZERO),))
+
+
+EMPTY = Given(((ZERO, ">", ZERO),))
+_EXCLUDING = {">": ("-", "0"), ">=": ("-",), "!=": ("0",)}
+"""The signs with which an expression nowhere has its relation to zero."""
+
+
+def _critical(node: Expr) -> Expr:
+    """What is zero at the jumps of a node alone."""
+    if node.op == "sign":
+        return node.args[0]
+    y, x = node.args
+    return sqrt(x**2 + y**2) + x
+
+
+def zeros(e: Expr, given: Given) -> Iterator[Expr]:
+    """Expressions of which one is zero wherever ``e`` is."""
+    if is_nonzero(e, given):
+        return
+    if e.op == "*":
+        for arg in e.args:
+            yield from zeros(arg, given)
+    elif e.op in _ZERO_WITH_ARGUMENT or (e.op == "^" and e.args[1].op == "number"):
+        yield from zeros(e.args[0], given)
+    else:
+        factors = [part for part in _polynomials(e) if not is_nonzero(part, given)]
+        yield from factors if all(map(_solved, factors)) else [e]
+
+
+def _polynomials(e: Expr) -> list[Expr]:
+    """Factors of a continuous ``e`` that is a fraction of polynomials; else itself."""
+    if _solved(e) or jumps((e,), Given()):
+        return [e]
+    try:
+        field = Field(Given())
+        (value,) = field.normal(e)
+        factors = [part for part, _ in field.factor(value.num)[1]]
+    except (TooLargeError, UndefinedError):
+        return [e]
+    terms = [terms_in_symbols(field, part) for part in (value.den, *factors)]
+    if value.num.is_zero() or None in terms:
+        return [e]
+    return [
+        sum((number(c) * as_expression(m) for m, c in (part or {}).items()), ZERO)
+        for part in terms[1:]
+    ]
+
+
+def _solved(e: Expr) -> dict[str, Expr] | None:
+    """The value of a variable at which ``e``, linear in it, is zero."""
+    for name in sorted(symbols(e)):
+        slope = differentiate(e, name)
+        if slope.op == "number" and slope != ZERO:
+            return {name: substitute(e, {name: ZERO}) / -slope}
+    return None
+
+
+def _remaining(given: Given, values: dict[str, Expr]) -> Given | None:
+    """The conditions at ``values``; ``EMPTY`` where one fails, None where that is not clear."""
+    kept = []
+    for left, relation, right in given.comparisons:
+        comparison = substitute(left, values), relation, substitute(right, values)
+        (condition,) = Given((comparison,)).conditions
+        e = condition.expression
+        found = None if singularities(e) and symbols(e) else sign(e, Given())
+        if found in PROVING[condition.relation]:
+            continue
+        if found in _EXCLUDING[condition.relation]:
+            return EMPTY
+        if not symbols(e):
+            return None
+        kept.append(comparison)
+    remaining = Given(tuple(kept))
+    beyond = values and any(c.relation == ">=" for c in remaining.beyond_box)
+    return None if beyond else remaining  # single points may satisfy those
+
+
+def _is_nowhere_defined(sides: list[Expr], given: Given) -> bool:
+    return any(
+        any(sign(part, given) == "0" for part in denominators(side))
+        or any(positive and sign(part, given) == "-" for part, positive in singularities(side))
+        for side in sides
+    )

@@ -1,0 +1,531 @@
+"""Signs at every single point of the conditions: by the signs and ranges of the parts.
+
+A sum is taken as a polynomial in its atoms (symbols, sines, roots, exponentials, …), each with its
+range; a Möbius map takes every range to [0, ∞], and a polynomial without negative coefficients that
+keeps a term at each closed corner is positive. Where that is not enough, it is taken apart into
+factors, or into multiples of conditions and a rest.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import suppress
+
+from flint import fmpq
+
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import evaluate
+from tresym.reals.domain.operation_domains import bound
+from tresym.reals.language.expression import ONE, PI, Expr, apply, number, symbols
+from tresym.reals.normal.box import REALS, sign_on_box
+from tresym.reals.normal.ring import (
+    MAX_DEGREE,
+    Fraction,
+    Poly,
+    UndefinedError,
+    project,
+    small_factor,
+)
+from tresym.reals.numbers.arithmetic import ball_precision, decided
+from tresym.reals.numbers.exact import Interval, rational_ends
+from tresym.reals.numbers.factoring import TooLargeError
+from tresym.reals.signs.atoms import Atoms
+
+MAX_ATOMS = 8
+MAX_TERMS = 200
+MAX_FACTS = 16
+MAX_SPLIT = 24
+"""Terms of a sum from which conditions are taken out."""
+MAX_TRIALS = 100
+"""Multiples of conditions that are tried for one question."""
+MAX_LOOKS = 160
+"""Polynomials that are looked at for one question, all parts of it together."""
+DEPTH = 2
+"""At most this many conditions are taken out of a sum."""
+
+WEAK = ("+", ">=0", "0")
+FLIP = {"+": "-", "-": "+", ">=0": "<=0", "<=0": ">=0", "0": "0", None: None}
+_ODD_INCREASING = frozenset(("sinh", "tanh", "asinh", "atanh", "atan", "asin", "cbrt", "sign"))
+_ODD = _ODD_INCREASING | {"coth", "csch"}
+_RISING = frozenset(("sin", "exp", "log", "root", *_ODD_INCREASING)) - {"sign"}
+"""Functions that rise strictly; the sine between quarter turns."""
+_POSITIVE = frozenset(("exp", "cosh", "sech"))
+_RANGES = {
+    "sin": Interval(fmpq(-1), fmpq(1)),
+    "cos": Interval(fmpq(-1), fmpq(1)),
+    "tanh": Interval(fmpq(-1), fmpq(1), True, True),
+    "sech": Interval(fmpq(0), fmpq(1), True),
+    "cosh": Interval(fmpq(1)),
+    "atan": Interval(fmpq(-11, 7), fmpq(11, 7), True, True),
+    "asin": Interval(fmpq(-11, 7), fmpq(11, 7), True, True),
+    "acos": Interval(fmpq(0), fmpq(22, 7), False, True),
+    "acosh": Interval(fmpq(0)),
+    "atan2": Interval(fmpq(-22, 7), fmpq(22, 7), True, True),
+}
+
+
+Taken = tuple[tuple[Poly, Poly, int], ...]
+"""Conditions that are taken out of a polynomial one by one: c, m, and which."""
+
+
+class Parts:
+    """Signs under one set of conditions, remembered."""
+
+    def __init__(self, given: Given) -> None:
+        """Nothing is known but the conditions."""
+        self.given = given
+        self.atoms = Atoms()
+        self._signs: dict[Expr, str | None] = {}
+        self._asked: set[Expr] = set()
+        self._boxes: dict[str, list[tuple[list[Interval], str | None]]] = {}
+        self._cut = False
+        self._known: list[tuple[Fraction, bool]] | None = None
+        self._facts: list[tuple[Poly, bool, Poly]] | None = None
+        self._trials, self._looks, self._depth = 0, 0, DEPTH
+
+    def sign(self, e: Expr) -> str | None:
+        """The proven sign of ``e`` wherever the conditions hold and ``e`` is defined."""
+        if e in self._signs:
+            return self._signs[e]
+        if e in self._asked:
+            self._cut = True  # what is answered meanwhile is not all that can be said
+            return None
+        self._asked.add(e)
+        before, self._cut = self._cut, False
+        found = self._sign(e)
+        self._asked.discard(e)
+        if not self._cut or not self._asked:
+            self._signs[e] = found
+        self._cut = (self._cut or before) and bool(self._asked)
+        return found
+
+    def nonzero(self, e: Expr) -> bool:
+        """Whether ``e`` is shown to vanish nowhere."""
+        if self.sign(e) in ("+", "-"):
+            return True
+        if e.op == "*":
+            return all(self.nonzero(arg) for arg in e.args)
+        if e.op == "^" and e.args[1].op == "number":
+            return e.args[1].args[0] < 0 or self.nonzero(e.args[0])
+        return self._by_conditions(e)
+
+    def _by_conditions(self, e: Expr) -> bool:
+        """Whether every factor of ``e`` is one that a condition keeps from zero."""
+        strict = [c.expression for c in self.given.conditions if c.relation in (">", "!=")]
+        try:
+            value = self.atoms.of(e).num
+            if value.is_zero():
+                return False
+            parts = small_factor(self.atoms, value)[1]
+            allowed: set[str] = set()
+            for other in strict:
+                p = self.atoms.of(other).num
+                allowed |= {str(part) for part, _ in small_factor(self.atoms, p)[1]}
+        except (TooLargeError, UndefinedError):
+            return False
+        return all(str(part) in allowed for part, _ in parts)
+
+    # -- by the outermost operation -------------------------------------------------------------
+
+    def _sign(self, e: Expr) -> str | None:
+        if not symbols(e):
+            return _constant_sign(e)
+        stated = self._stated(e)
+        if stated in ("+", "-"):
+            return stated
+        found = self._by_operation(e)
+        return found if found in ("+", "-", "0") else stated or found
+
+    def _stated(self, e: Expr) -> str | None:
+        """What conditions say as they stand."""
+        found = None
+        for condition in self.given.conditions:
+            if condition.relation != "!=" and condition.expression in (e, -e):
+                up = condition.expression == e
+                if condition.relation == ">":
+                    return "+" if up else "-"
+                found = ">=0" if up else "<=0"
+        return found
+
+    def _by_operation(self, e: Expr) -> str | None:
+        match e.op:
+            case "*":
+                return self._product_sign(e.args) or self._algebraic(e)
+            case "^":
+                return self._power_sign(*e.args)
+            case "+":
+                return self._sum_sign(e)
+            case "sin" | "cos":
+                return self._in_half_turn(e)
+            case "tan" | "cot":
+                return self._product_sign([apply(f, *e.args) for f in ("sin", "cos")])
+            case "sec" | "csc":
+                return self.sign(apply("cos" if e.op == "sec" else "sin", *e.args))
+            case "log":
+                return self.sign(e.args[0] - 1)
+            case "acos" | "acosh":
+                inner = 1 - e.args[0] if e.op == "acos" else e.args[0] - 1
+                return "+" if self.sign(inner) == "+" else ">=0"
+            case "abs":
+                return "+" if self.nonzero(e.args[0]) else ">=0"
+            case "atan2":
+                y, x = map(self.sign, e.args)
+                return y if y == "+" or x == "+" else None
+            case "symbol":
+                return _span_sign(self.span(e))
+        if e.op in _POSITIVE:
+            return "+"
+        return self.sign(e.args[0]) if e.op in _ODD else None
+
+    def _product_sign(self, factors: list[Expr] | tuple[Expr, ...]) -> str | None:
+        total = "+"
+        for factor in factors:
+            found = self.sign(factor)
+            if found is None:
+                return None
+            total = _times(total, found)
+        return total
+
+    def _power_sign(self, base: Expr, exponent: Expr) -> str | None:
+        inner = self.sign(base)
+        if exponent.op != "number":
+            return "+"
+        r = exponent.args[0]
+        if r == 0:
+            return "+"  # of 0 too
+        if r < 0:
+            return (
+                inner
+                if r.q == 1 and r.p % 2 and inner in ("-", "<=0")
+                else ("+" if r.q != 1 or r.p % 2 == 0 or inner in ("+", ">=0") else None)
+            )
+        if r.q != 1:
+            return "+" if self.nonzero(base) else ">=0"
+        if r.p % 2 == 0:
+            return "0" if inner == "0" else "+" if self.nonzero(base) else ">=0"
+        return inner
+
+    def _sum_sign(self, e: Expr) -> str | None:
+        signs = {self.sign(arg) for arg in e.args}
+        for up in ("+", "-"):
+            weak = ">=0" if up == "+" else "<=0"
+            if signs <= {up, weak, "0"} and signs:
+                return up if up in signs else weak if weak in signs else "0"
+        return self._algebraic(e)
+
+    def _in_half_turn(self, e: Expr) -> str | None:
+        """Where the angle is between two neighbouring zeros of the sine or cosine."""
+        (angle,) = e.args
+        if not symbols(angle) & self.given.names:
+            return None
+        middle = PI / 2 if e.op == "sin" else number(0)
+        for turns, up in ((0, "+"), (1, "-"), (-1, "-")):
+            from_middle = angle - middle - turns * PI
+            found = [self.sign(PI / 2 + from_middle), self.sign(PI / 2 - from_middle)]
+            if all(sign in WEAK for sign in found):
+                strict = found == ["+", "+"]
+                return up if strict else ">=0" if up == "+" else "<=0"
+        return None
+
+    # -- ranges of atoms ------------------------------------------------------------------------
+
+    def span(self, e: Expr) -> Interval:
+        """A range that contains the values of an atom."""
+        if e.op == "symbol":
+            return self.given.box.get(e.args[0], REALS)
+        if not symbols(e):
+            return _constant_span(e)
+        if e.op == "abs":
+            return _absolute(self.span(e.args[0]), self.nonzero(e.args[0]))
+        if e.op in ("+", "*"):
+            return REALS
+        return _RANGES.get(e.op, REALS) & self._span_by_sign(e)
+
+    def _span_by_sign(self, e: Expr) -> Interval:
+        """Above or below 0; and 1, for an exponential or a root."""
+        found, above_one = self.sign(e), None
+        if e.op == "exp":
+            above_one = self.sign(e.args[0])
+        elif e.op == "^" and e.args[1].op == "number" and e.args[1].args[0] > 0:
+            above_one = self.sign(e.args[0] - ONE)
+        return _beside(fmpq(0), found) & _beside(fmpq(1), above_one)
+
+    # -- polynomials in atoms -------------------------------------------------------------------
+
+    def _algebraic(self, e: Expr) -> str | None:
+        """The sign of a sum or product as a fraction of polynomials in atoms."""
+        depth = self._depth
+        if depth == DEPTH:
+            self._trials = self._looks = 0
+        self._depth = max(0, depth - 1)  # of what is asked on the way, of ranges of atoms
+        try:
+            return self._fraction(self.atoms.of(e), depth)
+        except (TooLargeError, UndefinedError):
+            return None
+        finally:
+            self._depth = depth
+
+    def _fraction(self, value: Fraction, depth: int) -> str | None:
+        """The sign of a fraction, whose denominator is not zero; or with conditions taken out."""
+        below, above = (self._polynomial(p) for p in (value.den, value.num))
+        if below is None or below == "0":
+            return None
+        turned = below not in WEAK
+        best = FLIP[above] if turned else above
+        num, den = (-p if turned else p for p in (value.num, value.den))
+        if best not in ("+", "-", "0") and depth:
+            for up, p in (("+", num), ("-", -num)):
+                for taken in self._ways(p, den, depth):
+                    found = self._less(p, taken)
+                    if found == "+":
+                        return up
+                    best = best or (found and (">=0" if up == "+" else "<=0"))
+        return best
+
+    def _less(self, p: Poly, taken: Taken) -> str | None:
+        """The sign of ``p``, or that it is not negative, from that of what is left of it.
+
+        Again and again ``c·p`` is ``m·f`` and a rest, with c > 0 and m ≥ 0 for a known f.
+        """
+        strict = False
+        for scale, multiple, n in taken:
+            fact, is_strict, _ = self.facts[n]
+            room = self._polynomial(multiple, roots=False)
+            if room not in WEAK or self._polynomial(scale, roots=False) != "+":
+                return None
+            p = p * scale - multiple * fact
+            strict = strict or (is_strict and room == "+")
+        found = self._polynomial(p, roots=False)  # conjugates take conditions out by themselves
+        return None if found not in WEAK else "+" if strict or found == "+" else ">=0"
+
+    def _ways(self, p: Poly, den: Poly, depth: int) -> Iterator[Taken]:
+        """Conditions that may be taken out of ``p/den``, by which a term goes."""
+        if self._trials >= MAX_TRIALS or max(p.total_degree(), den.total_degree()) > MAX_DEGREE:
+            return
+        steps: list[tuple[Poly, Poly, int]] = []
+        used = {*self.atoms.used(p)}
+        for n, (fact, _, below) in enumerate(self.facts):
+            size = len(p) * len(below) + len(den) * len(fact)
+            if (
+                size <= MAX_TERMS
+                and fact.total_degree() <= MAX_DEGREE
+                and not used.isdisjoint(self.atoms.used(fact))
+            ):
+                few = len(p) <= MAX_SPLIT
+                multiples = self._multiples(p, fact) if few else ()
+                found = {(str(c), str(m)): (c, m, n) for c, m in multiples}
+                if len(p * below - den * fact) < len(p * below) + len(fact):
+                    found[str(below), str(den)] = below, den, n
+                steps += found.values()
+        for step in steps[: max(0, MAX_TRIALS - self._trials)]:
+            self._trials += 1
+            yield (step,)
+        for scale, multiple, n in steps if depth > 1 else ():
+            for more in self._ways(p * scale - multiple * self.facts[n][0], self.atoms.one_poly, 1):
+                yield ((scale, multiple, n), *more)
+
+    def _multiples(self, p: Poly, fact: Poly) -> Iterator[tuple[Poly, Poly]]:
+        """c and m, by which ``c·p − m·fact`` has lost a term of ``p`` that may be negative."""
+        for monomial, value in list(p.terms()):
+            if value > 0 and self._on_box(p.context().from_dict({monomial: 1})) in WEAK:
+                continue
+            for other, known in fact.terms():
+                quotient = tuple(i - j for i, j in zip(monomial, other, strict=True))
+                if (known > 0) == (value > 0) and min(quotient) >= 0:
+                    m = p.context().from_dict({quotient: abs(value)})
+                    if self._on_box(m) in WEAK:
+                        yield p.context().constant(abs(known)), m
+
+    def _polynomial(self, p: Poly, roots: bool = True) -> str | None:
+        """The sign of a polynomial in atoms, by their ranges and its factors; or by conjugates."""
+        if p.is_constant():
+            return "0" if p.is_zero() else "+" if p.leading_coefficient() > 0 else "-"
+        self._looks += 1
+        if self._looks > MAX_LOOKS or len(p) > MAX_TERMS:
+            return None
+        best = None
+        for q in self.atoms.rewritten(p, self._is_positive):
+            found = self._on_box(q)
+            found = found if found in ("+", "-", "0") else self._by_factors(q) or found
+            if found in ("+", "-", "0"):
+                return found
+            best = best or found
+        return best or self._at_ends(p) or (self._by_conjugate(p) if roots else None)
+
+    def _by_conjugate(self, p: Poly) -> str | None:
+        """The sign of ``u + v·g`` with a square root g ≥ 0, from that of ``u² − v²·g²``."""
+        for i in self.atoms.used(p):
+            generator = self.atoms.at(i)
+            if generator.kind != "root" or generator.data[2] != 2 or p.degrees()[i] != 1:
+                continue
+            parts, inner = self.atoms.split(p, i), generator.data[1]
+            if len(parts) != 2 or len(p) > MAX_SPLIT or not self._is_positive(inner.den):
+                continue
+            size = self._fraction(self.atoms.fraction(parts[0]) ** 2 - parts[1] ** 2 * inner, 1)
+            if size in ("+", "-"):
+                found = self._polynomial(parts[0 if size == "+" else 1])
+                return {">=0": "+", "<=0": "-"}.get(found or "", found)
+        return None
+
+    def _at_ends(self, p: Poly) -> str | None:
+        """The sign of what is linear in the square of a sine or cosine, which is 0 to 1."""
+        for i in self.atoms.used(p):
+            if self.atoms.at(i).kind in ("sin", "cos") and p.degrees()[i] == 2:
+                parts = self.atoms.split(p, i)
+                if 1 not in parts:
+                    low = parts.get(0, self.atoms.zero_poly)
+                    ends = {self._polynomial(end) for end in (low, low + parts[2])}
+                    for up in ("+", "-"):
+                        weak = ">=0" if up == "+" else "<=0"
+                        if ends <= {up, weak, "0"}:
+                            return up if ends == {up} else weak
+        return None
+
+    def _is_positive(self, p: Poly) -> bool:
+        return p.is_one() or self._on_box(p) == "+"
+
+    def _on_box(self, p: Poly) -> str | None:
+        used = self.atoms.used(p)
+        if p.is_zero():
+            return "0"
+        if len(used) > MAX_ATOMS or len(p) > MAX_TERMS:
+            return None
+        spans = [self.span(self.atoms.expression(i)) for i in used]
+        known = self._boxes.setdefault(str(p), [])
+        for others, found in known:  # what is known of ranges grows meanwhile
+            if others == spans:
+                return found
+        found = sign_on_box(project(p, used), spans)
+        known.append((spans, found))
+        return found
+
+    def _by_factors(self, p: Poly) -> str | None:
+        unit, parts = small_factor(self.atoms, p)
+        if len(parts) == 1 and parts[0][1] == 1:
+            return self._known_part(p)
+        total = "+" if unit > 0 else "-"
+        for part, multiplicity in parts:
+            found = self._on_box(part) or self._known_part(part)
+            if multiplicity % 2 == 0:
+                found = "+" if found in ("+", "-") else ">=0"
+            if found is None:
+                return None
+            total = _times(total, found)
+        return total
+
+    def _known_part(self, p: Poly) -> str | None:
+        """The sign of a condition, of two values that rise, or of what is below a quarter turn."""
+        for fact, strict, _ in self.facts:
+            if fact in (p, -p):
+                room = "+" if strict else ">=0"
+                return room if fact == p else FLIP[room]
+        used = self.atoms.used(p)
+        if len(used) != 2 or len(p) != 2 or p.total_degree() != 1:
+            return None
+        first, second = (self.atoms.at(i) for i in used)
+        scales = [int(p.derivative(i).leading_coefficient()) for i in used]
+        x, y = (self.atoms.expression(i) for i in used)
+        if {first.kind, second.kind} == {"pi", "atan"}:
+            above = scales[0] if first.kind == "pi" else scales[1]
+            size = 2 * abs(above) - abs(scales[0] + scales[1] - above)
+            return ("+" if above > 0 else "-") if size >= 0 else None
+        if {first.kind, second.kind} == {"pi", "acos"} and scales[0] == -scales[1]:
+            angle, above = (y, scales[0]) if first.kind == "pi" else (x, scales[1])
+            room = "+" if self.sign(1 + angle.args[0]) == "+" else ">=0"
+            return room if above > 0 else FLIP[room]
+        if first.kind != second.kind or scales[0] != -scales[1] or first.kind not in _RISING:
+            return None
+        u, v = x.args[0], y.args[0]
+        if first.kind == "sin" and not all(
+            self.sign(PI / 2 + side * end) in WEAK for end in (u, v) for side in (1, -1)
+        ):
+            return None
+        if first.kind == "root" and first.data[2] != second.data[2]:
+            return None
+        found = self.sign(u - v)
+        return found if scales[0] > 0 else FLIP[found]
+
+    @property
+    def known(self) -> list[tuple[Fraction, bool]]:
+        """What conditions, but rational bounds of one symbol, keep from being negative, or zero."""
+        if self._known is None:
+            self._known = []
+            everything = dict.fromkeys((*self.given.beyond_box, *self.given.conditions))
+            for e, relation in ((c.expression, c.relation) for c in everything):
+                if relation == "!=" or bound(e, relation)[0].op == "symbol":
+                    continue
+                with suppress(TooLargeError, UndefinedError):
+                    if len(self._known) < MAX_FACTS:
+                        self._known.append((self.atoms.of(e), relation == ">"))
+        return self._known
+
+    @property
+    def facts(self) -> list[tuple[Poly, bool, Poly]]:
+        """The same, of polynomials; and the denominators, which are positive."""
+        if self._facts is None:
+            self._facts = []
+            found = []
+            for value, strict in self.known:
+                below = self._polynomial(value.den)
+                if below is not None and below != "0":
+                    side = 1 if below in WEAK else -1
+                    found.append((side * value.num, strict, side * value.den))
+            self._facts = found
+        return self._facts
+
+
+def _constant_sign(e: Expr) -> str | None:
+    def attempt() -> str | None:
+        x = evaluate(e, {})
+        return "+" if x > 0 else "-" if x < 0 else "0" if x.is_zero() else None
+
+    return decided(attempt)
+
+
+def _constant_span(e: Expr) -> Interval:
+    """Rational ends of the ball of a constant."""
+    with ball_precision():
+        value = evaluate(e, {})
+        low, high = rational_ends(value)[:2]
+    below = None if low is None else fmpq((low * 2**64).floor() - 1, 2**64)
+    above = None if high is None else fmpq((high * 2**64).ceil() + 1, 2**64)
+    return Interval(below, above, True, True)
+
+
+def _span_sign(span: Interval) -> str | None:
+    if span.low is not None and span.low >= 0:
+        return "+" if span.low > 0 or span.low_open else ">=0"
+    if span.high is not None and span.high <= 0:
+        return "-" if span.high < 0 or span.high_open else "<=0"
+    return None
+
+
+def _beside(end: fmpq, found: str | None) -> Interval:
+    """The values above or below a number from which their distance has a sign."""
+    if found in ("+", ">=0"):
+        return Interval(end, None, found == "+")
+    return Interval(None, end, False, found == "-") if found in ("-", "<=0") else REALS
+
+
+def _absolute(span: Interval, nonzero: bool) -> Interval:
+    """The range of the absolute value of what has a range."""
+    if span.low is not None and span.low >= 0:
+        return span
+    if span.high is not None and span.high <= 0:
+        low = None if span.low is None else -span.low
+        return Interval(-span.high, low, span.high_open, span.low_open)
+    if span.low is None or span.high is None:
+        return Interval(fmpq(0), None, nonzero)
+    ends = (-span.low, not span.low_open), (span.high, not span.high_open)
+    top, closed = max(ends)
+    return Interval(fmpq(0), top, nonzero, not closed)
+
+
+def _times(x: str, y: str) -> str:
+    """The sign of a product."""
+    if "0" in (x, y):
+        return "0"
+    negative = (x in ("-", "<=0")) != (y in ("-", "<=0"))
+    if {x, y} <= {"+", "-"}:
+        return "-" if negative else "+"
+    return "<=0" if negative else ">=0"

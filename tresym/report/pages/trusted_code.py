@@ -1,0 +1,392 @@
+"""What must be right for a pass: the code that the deciding functions reach, counted.
+
+A piece is a function, method, class or constant. It is reached when a piece that is reached names
+it, a method when its class is reached and anything reached has an attribute of its name, or a
+method of the class picks others by a name that it makes; what only finds, and is rechecked, is left
+out by name and with the reason.
+``python -m tresym.report.pages.trusted_code`` shows the count.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections import Counter
+from collections.abc import Collection, Iterator
+from functools import cache
+from pathlib import Path
+from typing import NamedTuple
+
+import flint
+
+import tresym
+
+LEDGER = ("ledger.judge.judge", "ledger.judge.judge_evidence")
+"""Where verdicts are given on a claim of the ledger."""
+CHECK = ("reals.decisions.dispatch.decide_claim",)
+"""Where they are given on a user's claim."""
+ROOTS = (*LEDGER, *CHECK)
+
+ENCLOSING = (
+    "reals.balls",
+    "reals.decisions.inequalities_on_regions",
+    "reals.decisions.asymptotics.order_claims",
+    "reals.decisions.asymptotics.leading_terms",
+    *(
+        "reals.decisions.asymptotics.expansions.Enclosure",
+        "reals.decisions.asymptotics.expansions.Size",
+    ),
+    "reals.decisions.asymptotics.scale.Scale.written",
+    *(
+        f"reals.decisions.asymptotics.expansions.Expansions.{name}"
+        for name in ("enclosure", "_enclosed", "largest")
+    ),
+    *(
+        f"reals.decisions.asymptotics.expansions.Expansions._{name}"
+        for name in ("height", "along_chain", "element")
+    ),
+    *(
+        f"reals.decisions.asymptotics.expansions.Expansions.{name}"
+        for name in ("size", "_size", "_raised")
+    ),
+    *(
+        f"reals.decisions.asymptotics.expansions.Expansions._{name}"
+        for name in ("times", "total", "term", "whole")
+    ),
+    "reals.decisions.asymptotics.expansions.Expansions._bounded",
+    *("reals.decisions.inequalities._apart", "reals.decisions.inequalities._one_period"),
+    "reals.decisions.inequalities._shown_under",
+    *("reals.decisions.integrals._by_quadrature", "reals.decisions.asymptotics.path_claims._theta"),
+    *(
+        "ledger.evidence.box_bounds",
+        "ledger.evidence.chart_bounds",
+        "ledger.evidence.interval_evaluation",
+    ),
+    "ledger.evidence.printed_numbers",
+    *(f"reals.domain.binder_values.{name}" for name in ("bracketed", "bracket", "value")),
+    "ledger.evidence.admissible._other_meaning",
+)
+"""Rooms and files that no PROVED comes from."""
+
+RECHECKED = {
+    "what was read is written out in the text grammar and shown; that text is read and decided": (
+        *("reals.language.latex", "reals.language.latex_cursor", "reals.language.latex_grammar"),
+        *("reals.language.latex_operands", "reals.language.latex_tokens"),
+        *("reals.language.unicode_input", "reals.decisions.claim_parsing._written"),
+        *("reals.language.expression._text", "reals.language.expression.Expr.__str__"),
+        "reals.language.expression.Expr.__repr__",
+    ),
+    "the advocate takes passes away and gives none": (
+        *("reals.decisions.claim_cross_check", "reals.cross_check", "ledger.judge._attacked"),
+    ),
+    "a point to try counts once its conditions are shown there": (
+        *("reals.domain.sample_points._sample", "reals.domain.sample_points.corners"),
+        *(
+            "reals.domain.narrow_regions",
+            "reals.domain.local_search",
+            "ledger.counterexamples.somewhere",
+        ),
+        *("reals.domain.conditions.Given._far", "reals.normal.locally_constant._middle"),
+    ),
+    "what is found is checked: products and sums multiplied out, boxes replayed, links shown": (
+        *("reals.normal.denesting", "reals.balls.branch_and_bound._found"),
+        *("reals.signs.transformations.equivalents", "reals.signs.homogenisation.ways"),
+        *("reals.signs.structural.Parts._ways", "reals.signs.structural.Parts._multiples"),
+        *("reals.domain.binder_values._found", "reals.domain.binder_values._change"),
+        "reals.decisions.antiderivatives",
+        *(
+            "ledger.evidence.printed_numbers._find_inputs",
+            "ledger.evidence.printed_numbers._between",
+        ),
+        "ledger.evidence.chain._as_meant",
+        *(f"reals.normal.powers.PowerRing.{n}" for n in ("_multiples", "_share", "_combination")),
+        *("reals.normal.angles.AngleRing._signed_multiples", "reals.normal.constants._groups"),
+    ),
+    "a place to try: that it lies where it must, and what holds there, is shown": (
+        *(
+            "reals.signs.taylor._bases",
+            "reals.language.solve",
+            "reals.balls.simplest_constants.candidates",
+        ),
+        *("reals.normal.to_expression.numerator", "reals.decisions.variable_reduction._lowest"),
+        *("reals.decisions.integrals._cuts", "reals.decisions.integrals._roots"),
+        *("reals.decisions.integrals._turns", "reals.signs.polynomials._least"),
+        "reals.numbers.exact.Interval.simplest",
+    ),
+    "it spares a search that would find nothing, or says how much room one needs": (
+        *(
+            "reals.normal.ranges.ProvingRing._changes_sign",
+            "reals.signs.orthant_cones._fails_at_vertex",
+        ),
+        *("reals.decisions.identity._generator_count", "reals.signs.taylor._seen"),
+    ),
+    "it refutes alone": (
+        *("reals.decisions.identity._refutation", "reals.decisions.answer.refuted"),
+        *("reals.signs.discontinuities.Case.point", "reals.decisions.dispatch._exact"),
+        *("reals.decisions.inequalities._at_corners", "reals.decisions.inequalities._refuted_at"),
+        *("reals.decisions.inequalities._in_cells", "reals.decisions.algebraic_witnesses"),
+        *("reals.decisions.inequalities._zero_between", "ledger.judge.refute"),
+        *("ledger.evidence.refutation", "ledger.counterexamples.rootless"),
+        *("ledger.evidence.asymptotics._expanded", "ledger.judge._refuted"),
+        "ledger.judge._refuted_slope",
+        *("reals.decisions.equations._with_value", "reals.decisions.algebraic_witnesses"),
+        *(
+            "reals.decisions.asymptotics.path_claims._fails_beside",
+            "reals.decisions.asymptotics.path_claims._periodic_failure",
+        ),
+        *(
+            "reals.decisions.unknown_functions._realised",
+            "reals.decisions.readable_witnesses.exact_witness",
+        ),
+    ),
+    "it says where a claim stands, of what kind it is, and what is expected of it": (
+        *(f"ledger.claim.{name}" for name in ("Place", "display", "line", "Fault", "_kind")),
+        *("ledger.claim._expected", "ledger.claim.AllOf.expect", "ledger.claim.asked_by"),
+    ),
+    "it shows an answer that is given": (
+        *("reals.decisions.answer.Answer.rows", "reals.decisions.answer.Answer.__str__"),
+        *("reals.decisions.answer.ball_text", "reals.signs.discontinuities.Case.__str__"),
+        "reals.decisions.identity._counted",
+    ),
+    "it words refusals": (
+        "ledger.definitions._where",
+        *("reals.language.suggestions", "reals.decisions.identity.no_point"),
+        *("reals.decisions.identity._obstacle", "reals.decisions.dispatch._mistaken"),
+    ),
+}
+"""Rooms, files and pieces that are left out, by the reason."""
+
+Piece = tuple[str, str]
+
+
+class Count(NamedTuple):
+    """Lines of code by file, and the names of the library that are called."""
+
+    lines: dict[str, int]
+    flint: tuple[str, ...]
+    sympy: tuple[str, ...]
+
+    @property
+    def total(self) -> int:
+        """Lines of code in all files."""
+        return sum(self.lines.values())
+
+
+@cache
+def trusted(roots: Collection[str] = ROOTS) -> tuple[Count, Count]:
+    """What must be right for PROVED, and what more for ENCLOSED, where ``roots`` give verdicts."""
+    found = {name for names in RECHECKED.values() for name in names}
+    proving = reached({*found, *ENCLOSING}, roots)
+    return counted(proving), counted(reached(found, roots) - proving)
+
+
+def reached(without: Collection[str], roots: Collection[str] = ROOTS) -> set[Piece]:
+    """All pieces that ``roots`` reach past none of those ``without``."""
+    seen: set[Piece] = set()
+    found: set[Piece] = set()
+    attributes: set[str] = set()
+    waiting = [piece_of(name) for name in roots]
+    while waiting:
+        while waiting:
+            piece = waiting.pop()
+            if piece in seen:
+                continue
+            seen.add(piece)
+            if not any(_within(".".join(piece), room) for room in without):
+                found.add(piece)
+                waiting += _named_in(*piece)
+                nodes = _nodes(_file(piece[0]).pieces[piece[1]])
+                attributes |= {node.attr for node in nodes if isinstance(node, ast.Attribute)}
+        picking = {(file, name.rpartition(".")[0]) for file, name in found if _picks(file, name)}
+        named = {m for m in _methods(found) if _is_meant(m[1], attributes)}
+        waiting = [*({*_methods(picking), *named} - seen)]
+    return found
+
+
+def _methods(found: Collection[Piece]) -> Iterator[Piece]:
+    """The methods of the classes among the pieces."""
+    for file, owner in found:
+        yield from ((file, name) for name in _file(file).pieces if name.startswith(f"{owner}."))
+
+
+def _picks(file: str, name: str) -> bool:
+    """Whether a piece takes an attribute of ``self`` by a name that it makes."""
+    calls = (n for n in _nodes(_file(file).pieces[name]) if isinstance(n, ast.Call))
+    return any(
+        isinstance(call.func, ast.Name)
+        and call.func.id == "getattr"
+        and isinstance(call.args[0], ast.Name)
+        and call.args[0].id == "self"
+        for call in calls
+    )
+
+
+def _is_meant(method: str, attributes: Collection[str]) -> bool:
+    """Whether a method may be called: by its name, or by Python itself."""
+    name = method.rpartition(".")[2]
+    return name in attributes or name.startswith("__")
+
+
+def piece_of(name: str) -> Piece:
+    """A piece by its whole name."""
+    file, _, rest = name.rpartition(".")
+    while not _is_file(file):
+        file, _, more = file.rpartition(".")
+        rest = f"{more}.{rest}"
+    return file, rest
+
+
+def counted(pieces: Collection[Piece]) -> Count:
+    """Lines of code without comments, docstrings and blank lines, and what of libraries is used."""
+    lines: dict[str, set[int]] = {}
+    flint_names: set[str] = set()
+    sympy_names: set[str] = set()
+    for file, name in pieces:
+        source = _file(file)
+        node = source.pieces[name]
+        whole = _lines(node)
+        for _, method in _methods({(file, name)}):
+            whole -= _lines(source.pieces[method])
+        lines.setdefault(file, set()).update(whole & source.code)
+        flint_names |= _flint_names(node, source)
+        sympy_names |= {n for n in _names(node) if source.imported.get(n, "").startswith("sympy.")}
+    per_file = {file: len(found) for file, found in sorted(lines.items())}
+    return Count(per_file, tuple(sorted(flint_names)), tuple(sorted(sympy_names)))
+
+
+def _lines(node: ast.stmt) -> set[int]:
+    first = min(n.lineno for n in (node, *getattr(node, "decorator_list", ())))
+    return set(range(first, (node.end_lineno or first) + 1))
+
+
+class _File(NamedTuple):
+    pieces: dict[str, ast.stmt]
+    imported: dict[str, str]
+    """What each imported name is, in full."""
+    code: set[int]
+
+
+@cache
+def _file(name: str) -> _File:
+    """A file of tresym by its import name, without the leading ``tresym``."""
+    path = _home().joinpath(*name.split("."))
+    path = path / "__init__.py" if path.is_dir() else path.with_suffix(".py")
+    text = path.read_text(encoding="utf-8")
+    tree = ast.parse(text)
+    pieces: dict[str, ast.stmt] = {}
+    for node in tree.body:
+        pieces |= dict.fromkeys(_given_by(node), node)
+        if isinstance(node, ast.ClassDef):
+            pieces |= {f"{node.name}.{m.name}": m for m in _functions(node)}
+    imported: dict[str, str] = {}
+    for inner in ast.walk(tree):
+        if isinstance(inner, ast.ImportFrom):
+            imported |= {a.asname or a.name: f"{inner.module}.{a.name}" for a in inner.names}
+    strings = (n.value for n in ast.walk(tree) if isinstance(n, ast.Expr))
+    notes = {
+        line
+        for n in strings
+        if isinstance(n, ast.Constant) and isinstance(n.value, str)
+        for line in range(n.lineno, (n.end_lineno or n.lineno) + 1)
+    }
+    rows = enumerate(map(str.strip, text.splitlines()), 1)
+    code = {n for n, row in rows if row and not row.startswith("#")} - notes
+    return _File(pieces, imported, code)
+
+
+def _functions(owner: ast.AST) -> list[ast.FunctionDef]:
+    """The methods of a class."""
+    body = owner.body if isinstance(owner, ast.ClassDef) else []
+    return [node for node in body if isinstance(node, ast.FunctionDef)]
+
+
+def _nodes(piece: ast.AST) -> Iterator[ast.AST]:
+    """What a piece consists of, a class without its methods."""
+    yield piece
+    methods = _functions(piece)
+    for inner in ast.iter_child_nodes(piece):
+        if inner not in methods:
+            yield from ast.walk(inner)
+
+
+def _given_by(node: ast.stmt) -> Iterator[str]:
+    if isinstance(node, ast.FunctionDef | ast.ClassDef):
+        yield node.name
+    elif isinstance(node, ast.Assign | ast.AnnAssign):
+        targets = node.targets if isinstance(node, ast.Assign) else [node.target]
+        yield from (n.id for t in targets for n in ast.walk(t) if isinstance(n, ast.Name))
+
+
+def _named_in(file: str, name: str) -> Iterator[Piece]:
+    """The pieces that a piece names."""
+    source = _file(file)
+    for used in _names(source.pieces[name]):
+        found = _piece(file, used)
+        if found is not None:
+            yield found
+
+
+def _piece(file: str, name: str) -> Piece | None:
+    """The piece that a name, or ``module.name``, stands for in a file; None where it is none."""
+    first, _, rest = name.partition(".")
+    source = _file(file)
+    if first in source.pieces:
+        return file, first
+    whole = source.imported.get(first, "")
+    if not whole.startswith("tresym."):
+        return None
+    there, _, last = whole.removeprefix("tresym.").rpartition(".")
+    if _is_file(f"{there}.{last}"):
+        return _piece(f"{there}.{last}", rest) if rest else None
+    return _piece(there, last)
+
+
+def _names(node: ast.AST) -> Iterator[str]:
+    """Every name in ``node``, and ``name.attribute``."""
+    for inner in _nodes(node):
+        if isinstance(inner, ast.Name):
+            yield inner.id
+        elif isinstance(inner, ast.Attribute) and isinstance(inner.value, ast.Name):
+            yield f"{inner.value.id}.{inner.attr}"
+
+
+def _flint_names(node: ast.stmt, source: _File) -> set[str]:
+    """Types of python-flint that are named, and functions of them called under their names."""
+    types = {n for n in _names(node) if source.imported.get(n, "").startswith("flint.")}
+    methods = {n.attr for n in _nodes(node) if isinstance(n, ast.Attribute)}
+    return types | {f".{name}" for name in methods & _flint_methods()}
+
+
+@cache
+def _flint_methods() -> frozenset[str]:
+    """Public functions of python-flint's types, but those that have a name of Python's own."""
+    types = [t for t in vars(flint).values() if isinstance(t, type)]
+    own = {name for t in (str, dict, list, set, tuple, int, Counter) for name in dir(t)}
+    return frozenset(n for t in types for n in dir(t) if not n.startswith("_")) - own
+
+
+def _within(name: str, room: str) -> bool:
+    return name == room or name.startswith(f"{room}.")
+
+
+def _is_file(name: str) -> bool:
+    path = _home().joinpath(*name.split("."))
+    return path.with_suffix(".py").is_file() or (path / "__init__.py").is_file()
+
+
+def _home() -> Path:
+    return Path(tresym.__file__).resolve().parent
+
+
+def main() -> None:
+    """Show the count, file by file."""
+    for whose, roots in (("the ledger", LEDGER), ("check", CHECK)):
+        proved, enclosed = trusted(roots)
+        print(f"{proved.total:5} PROVED, {enclosed.total} ENCLOSED more: {whose} alone")
+    for verdict, count in zip(("PROVED", "ENCLOSED, more"), trusted(), strict=True):
+        print(f"{count.total:5} {verdict}")
+        for file, lines in sorted(count.lines.items(), key=lambda item: -item[1]):
+            print(f"{lines:5}   {file}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,116 @@
+"""What a claim shows, in lines: each expression of its chain in LaTeX, with the reasons for it.
+
+The article and the pages of the site set the same lines, each in its own way.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from sympy import Basic, Derivative, Eq, Equivalent, Tuple
+
+from tresym.ledger.claim import Chain, Claim, Reason, Step, Together, UniqueRoot, chains_of, equal
+from tresym.ledger.statements import ExactlyOne
+from tresym.report.typesetting.latex import bracketed, expression_latex, says_latex
+
+EQUIVALENT = r"\iff{}"
+"""What stands left of a line that is equivalent to the one before."""
+
+_VERBS = {"substituting": "by", "citing": "since"}
+_STRICT = {">": ">", ">=": r"\ge", "<": "<", "<=": r"\le"}
+
+
+class Because(NamedTuple):
+    """A reason in words: what is said, a formula it names, and the claims it names by label."""
+
+    words: str
+    formula: str = ""
+    labels: tuple[str, ...] = ()
+
+
+class Line(NamedTuple):
+    """A line of a display: LaTeX left and right of where lines are aligned, and the reasons."""
+
+    left: str
+    right: str
+    reasons: tuple[Because, ...] = ()
+
+
+Display = tuple[Line, ...]
+
+
+def displays(claim: Claim) -> tuple[Display, ...]:
+    """One display for each local fact and each part of the statement, with its chain."""
+    facts = tuple((Line("", says_latex(fact), (Because("manifest"),)),) for fact in claim.knowing)
+    return (*facts, *_shown(claim))
+
+
+def _shown(claim: Claim) -> tuple[Display, ...]:
+    proof, says = claim.proof, claim.says
+    if claim.shown is not None:
+        why = _reasons(proof[-1]) if isinstance(proof, tuple) else ()
+        return ((Line("", claim.shown, why),),)
+    if isinstance(proof, UniqueRoot) and isinstance(claim.statement, ExactlyOne):
+        root = claim.statement
+        rate = Derivative(root.difference, root.variable)
+        slope = equal(rate, proof.derivative[-1].expression)
+        return (_lines(slope, proof.derivative),)
+    if isinstance(says, str):
+        return ()
+    if isinstance(proof, Together | tuple):
+        return tuple(_lines(part, chain) for part, chain in chains_of(says, proof) or ())
+    parts = says.args if isinstance(says, Tuple) else (says,)
+    return tuple((Line("", says_latex(part)),) for part in parts)
+
+
+def _lines(says: Basic, chain: Chain) -> Display:
+    """A chain in the manner of a textbook: each expression, and its reason at the right."""
+    if isinstance(says, Equivalent):
+        return tuple(_equivalence(says, chain))
+    sign = _STRICT.get(getattr(says, "rel_op", ""))
+    if sign is not None:
+        if chain[0].expression is None:
+            return (Line("", says_latex(says), _reasons(chain[0], "manifest")),)
+        difference = expression_latex(says.gts - says.lts)
+        end = " > 0" if sign in "<>" else r" \ge 0"
+        return tuple(_equations(difference, chain, None, end))
+    goal = says.rhs if isinstance(says, Eq) else None
+    return tuple(_equations(expression_latex(says.lhs), chain, goal))
+
+
+def _equations(start: str, chain: Chain, goal: Basic | None, sign: str = "") -> Iterator[Line]:
+    for n, link in enumerate(chain):
+        expression = goal if link.expression is None else link.expression
+        shown = "" if expression is None else expression_latex(expression)
+        end = sign if n == len(chain) - 1 else ""
+        if n == 0 and shown == start:
+            yield Line(start, end.strip(), _reasons(link))
+        else:
+            yield Line(start if n == 0 else "", f"= {shown}{end}", _reasons(link))
+
+
+def _equivalence(says: Equivalent, chain: Chain) -> Iterator[Line]:
+    first, second = says.args
+    yield Line("", says_latex(second if chain[-1].expression == first else first))
+    for link in chain:
+        arrived = second if link.expression is None else link.expression
+        yield Line(EQUIVALENT, says_latex(arrived), _reasons(link))
+
+
+def _reasons(link: Step, otherwise: str = "algebra") -> tuple[Because, ...]:
+    said = tuple(_said(reason) for reason in link.reasons if reason.name != "algebra")
+    return said or (Because(otherwise),)
+
+
+def _said(reason: Reason) -> Because:
+    if reason.claims:
+        labels = tuple(claim.label for claim in reason.claims)
+        return Because(_VERBS.get(reason.name, f"{reason.name},"), labels=labels)
+    if reason.function is not None:
+        return Because(f"{reason.function.replace('asinh', 'arsinh')} of both sides")
+    if reason.factor is not None:
+        return Because("times", bracketed(expression_latex(reason.factor)))
+    if reason.term is not None:
+        return Because("adding", expression_latex(reason.term))
+    return Because(reason.name)

@@ -1,0 +1,49 @@
+"""Sentences of ours as Markdown: what has a meaning there is escaped, formulas are set."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+from tresym.report.typesetting.finding_text import readable
+from tresym.report.typesetting.formulas import pieces
+
+_SPECIAL = re.compile(r"([\\`*_{}\[\]<>#|$~])")
+_SCRIPTS = re.compile(r"(?<=\S)([\^_])(?:\{([^{}]*)\}|(\d+|min\b|max\b|D\b|f\b))")
+"""What our sentences raise or lower: e^{−π}, ε*^2, ψ_min, ε|_{γ = 0}."""
+
+
+def escaped(text: str) -> str:
+    """Plain text as Markdown that reads the same."""
+    return _SPECIAL.sub(r"\\\1", text)
+
+
+def scripted(text: str, letters: Callable[[str], str], script: Callable[[str, str], str]) -> str:
+    """A sentence, its letters set by ``letters``, what is raised (^) or lowered by ``script``."""
+    parts, end = [], 0
+    for found in _SCRIPTS.finditer(text):
+        mark, braced, bare = found.groups()
+        parts += [letters(text[end : found.start()]), script(mark, braced or bare)]
+        end = found.end()
+    return "".join([*parts, letters(text[end:])])
+
+
+def sentence(text: str) -> str:
+    """A sentence with its formulas between dollars, and names in backticks as code."""
+
+    def script(mark: str, inside: str) -> str:
+        tag = "sup" if mark == "^" else "sub"
+        return f"<{tag}>{escaped(inside)}</{tag}>"
+
+    def words(part: str) -> str:
+        return scripted(part, escaped, script)
+
+    return "".join(
+        f"`{p.text}`" if p.code else f"${p.latex.strip()}$" if p.latex else words(p.text)
+        for p in pieces(text)
+    )
+
+
+def finding(text: str) -> str:
+    """What judging found, as a sentence."""
+    return sentence(readable(text))

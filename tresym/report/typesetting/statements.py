@@ -1,0 +1,202 @@
+"""How a claim is said wherever it is quoted: its sentence or formula, never without its conditions.
+
+A conjunction has the conditions of its parts: those that all share once, and beside them what only
+some ask for, with their names. Pages, article and terminal take the words from here, each in its
+own letters.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any, NamedTuple
+
+from tresym.ledger.claim import AllOf, Claim, asked_by, parts_of
+from tresym.report.typesetting.conditions import gathered
+from tresym.report.typesetting.finding_text import readable
+from tresym.report.typesetting.formula_width import width
+from tresym.report.typesetting.latex import says_latex
+from tresym.report.typesetting.markdown import scripted, sentence
+from tresym.report.typesetting.plain_text import plain, script
+from tresym.report.typesetting.titles import title
+
+LONGEST_IN_A_LINE = 60
+"""Systems of more LaTeX characters than this are set one equation below the other."""
+LONGEST_IN_A_LIST = 220
+"""Formulas of more LaTeX characters than this stand on the page of their claim only."""
+
+MOST_PARTS = 3
+"""Sets of conditions that are listed without the parts they are of."""
+MOST_LETTERS = 30
+"""Letters of one of them: a longer one speaks of what only its part names."""
+EACH_ITS_OWN = "for each part what its own claim asks"
+
+
+class Part(NamedTuple):
+    """Conditions that some parts of a conjunction ask for beside the shared ones, in LaTeX."""
+
+    given: tuple[str, ...]
+    labels: tuple[str, ...]
+
+
+class Said(NamedTuple):
+    """A claim as it is quoted; formulas are LaTeX."""
+
+    says: str | None
+    """The sentence, or None where the claim is a formula."""
+    formula: str | None
+    """The formula, or what is shown beside the sentence."""
+    given: tuple[str, ...]
+    parts: tuple[Part, ...] = ()
+    where: str = ""
+    """Where it holds, in words, where no condition says it."""
+    means: tuple[str, ...] = ()
+    """The formulas that are decided, where it is said in words, and is no conjunction."""
+
+    def as_record(self) -> dict[str, Any]:
+        """For the saved ledger."""
+        return self._asdict() | {"parts": [part._asdict() for part in self.parts]}
+
+
+def said(claim: Claim) -> Said:
+    """What the claim says and the conditions without which it does not."""
+    in_words = isinstance(claim.says, str)
+    formula = claim.shown or (None if in_words else says_latex(claim.says))
+    given, parts = _of_parts(claim) if not claim.given else (tuple(gathered(claim.given)), ())
+    region = "" if given or parts else getattr(claim.proof, "region", "")
+    says = str(claim.says) if in_words else None
+    return Said(says, formula, given, parts, region, _meant(claim) if in_words else ())
+
+
+def _meant(claim: Claim) -> tuple[str, ...]:
+    """The formulas that stand for a sentence, one by one."""
+    if claim.statement is None or isinstance(claim.proof, AllOf):
+        return ()
+    return tuple(map(says_latex, parts_of(claim.statement)))
+
+
+def of_record(record: dict[str, Any]) -> Said:
+    """The same of a claim as the saved ledger has it."""
+    parts = (Part(tuple(p["given"]), tuple(p["labels"])) for p in record["parts"])
+    given, where = tuple(record["given"]), record["where"]
+    means = tuple(record["means"])
+    return Said(record["says"], record["formula"], given, tuple(parts), where, means)
+
+
+def _of_parts(claim: Claim) -> tuple[tuple[str, ...], tuple[Part, ...]]:
+    """The conditions that all parts of a conjunction share, and the rest with their parts."""
+    asked = {label: gathered(given) for label, given in asked_by(claim).items()}
+    if not isinstance(claim.proof, AllOf) or not asked:
+        return (), ()
+    shared = [c for c in next(iter(asked.values())) if all(c in given for given in asked.values())]
+    rest: dict[tuple[str, ...], list[str]] = {}
+    for label, given in asked.items():
+        own = tuple(c for c in given if c not in shared)
+        if own:
+            rest.setdefault(own, []).append(label)
+    return tuple(shared), tuple(Part(own, tuple(labels)) for own, labels in rest.items())
+
+
+def conditions(
+    found: Said,
+    formula: Callable[[str], str],
+    words: Callable[[str], str] = str,
+    name: Callable[[str], str] | None = None,
+) -> str:
+    """``Given a > 0; for eq_Euler also: 0 < θ < π.``, or nothing where there are no conditions.
+
+    Args:
+        found: the claim.
+        formula: how a formula of LaTeX is set.
+        words: how a sentence is set.
+        name: how the label of a part is set. None leaves labels out, and the conditions that are
+            among those of another part; of more than a few parts it is only said that they have
+            their own.
+    """
+    pieces = [_listed(found.given, formula)] if found.given else []
+    if found.where and found.where not in (found.says or ""):
+        where = words(readable(found.where))
+        if not set("<>=") & set(found.where):
+            return f"For {where}."
+        pieces.append(where)
+    start = "for some parts also: " if pieces else "part by part: "
+    if name is None and found.parts:
+        sets = [{*part.given} for part in found.parts]
+        widest = [p for p, own in zip(found.parts, sets, strict=True) if not _within(own, sets)]
+        told = all(width(c) < MOST_LETTERS for part in widest for c in part.given)
+        if len(widest) <= MOST_PARTS and told:
+            pieces.append(start + "; ".join(_listed(part.given, formula) for part in widest))
+        else:
+            pieces.append("for each part also what its own claim asks" if pieces else EACH_ITS_OWN)
+    elif name is not None:
+        also = " also" if pieces else ""
+        for part in found.parts:
+            names = ", ".join(map(name, part.labels))
+            pieces.append(f"for {names}{also}: {_listed(part.given, formula)}")
+    return f"Given {'; '.join(pieces)}." if pieces else ""
+
+
+def _within(own: set[str], sets: list[set[str]]) -> bool:
+    return any(own < other for other in sets)
+
+
+def _listed(given: tuple[str, ...], formula: Callable[[str], str]) -> str:
+    return ", ".join(map(formula, given))
+
+
+def quoted(claim: Claim) -> str:
+    """The claim within a line of Markdown."""
+    return in_line(said(claim), title(claim.label))
+
+
+def in_line(found: Said, name: str) -> str:
+    """The claim within a line of Markdown; of a formula too long for that, its title."""
+    if found.says:
+        text = sentence(found.says)
+    elif found.formula and len(found.formula) <= LONGEST_IN_A_LIST:
+        text = f"{in_dollars(found.formula)}."
+    else:
+        text = f"{sentence(name)} (a formula of several lines)."
+    return " ".join(filter(None, (text, conditions(found, in_dollars, sentence))))
+
+
+def on_lines(found: Said) -> str:
+    """The claim in Markdown, its formula on a line of its own."""
+    return "\n\n".join(filter(None, (*stated(found), conditions(found, in_dollars, sentence))))
+
+
+def stated(found: Said) -> Iterator[str]:
+    """Its sentence and its formula in Markdown, to which its conditions must be said."""
+    if found.says:
+        yield sentence(found.says)
+    if found.formula:
+        yield display(found.formula)
+
+
+def in_plain_text(found: Said) -> str:
+    """The claim in plain characters, for a terminal."""
+    text = scripted(found.says, str, script) if found.says else f"{plain(found.formula or '')}."
+    return " ".join(filter(None, (text, conditions(found, plain))))
+
+
+def in_letters(text: str) -> str:
+    """What judging found in plain characters, for a terminal."""
+    return scripted(readable(text), str, script)
+
+
+def in_dollars(formula: str) -> str:
+    """A formula within a line of Markdown; the parts of a system one after the other."""
+    parts = formula.replace("|", r"\vert ").split(r",\quad ")
+    return ", ".join(f"${part.strip()}$" for part in parts)
+
+
+def display(formula: str) -> str:
+    """A formula on a line of its own; a long system takes a line for each of its parts."""
+    formula = formula.strip()
+    if len(formula) > LONGEST_IN_A_LINE:
+        for joint in (r",\quad ", r" \iff "):
+            parts = formula.split(joint)
+            if len(parts) > 1 and r"\begin" not in formula:
+                mark = r"\iff\quad " if "iff" in joint else ""
+                lines = rf" \\ {mark}".join(parts)
+                return f"$$\n\\begin{{gathered}}{lines}\\end{{gathered}}\n$$"
+    return f"$$\n{formula}\n$$"
