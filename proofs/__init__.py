@@ -1,4 +1,4 @@
-"""The proofs, one file per part of the paper, in its order. Read from top to bottom."""
+"""The proofs: one module for each part of the paper, in its order. Read from top to bottom."""
 
 from __future__ import annotations
 

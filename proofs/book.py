@@ -11,6 +11,7 @@ A box of length L, width W and height H has the principal axes e₁, e₂, e₃ 
 
 from __future__ import annotations
 
+from tresym.proofs.axioms import ITERATED
 from tresym.proofs.printed import inputs, number
 from tresym.proofs.table_of_objects import book, racket_1, racket_2, racket_3, standard_racket
 
@@ -21,17 +22,46 @@ from tresym.racket.notation import *
 mass, length, width, height = (Symbol(name, real=True) for name in ("m", "L", "W", "H"))
 _box = (mass > 0, length > 0, width > 0, height > 0, width - height > 0, length - width > 0)
 
+_across = ((width, height), (length, height), (length, width))
+"""The sides of the box across each axis."""
+
+
+def _spread(side: Symbol) -> Integral:
+    """The mean of the squared distance from the middle of a side."""
+    return Integral(x**2 / side, (x, -side / 2, side / 2))
+
+
 box_moments = Claim(
-    says=equations(
-        (I1, I2, I3),
-        tuple(
-            mass * (p**2 + q**2) / 12
-            for p, q in ((width, height), (length, height), (length, width))
-        ),
-    ),
-    proof=Definition(assumes="the moments of a homogeneous box"),
+    says=equations((I1, I2, I3), tuple(mass * (p**2 + q**2) / 12 for p, q in _across)),
+    proof=Definition(),
     where=line(291),
-    note="A homogeneous box: length along e₁, width along e₂, height along e₃.",
+    note="A homogeneous box: length along e₁, width along e₂, height along e₃. That these are its "
+    "moments is shown in `moments_of_a_box`.",
+)
+
+
+def _spread_of(label: str, side: Symbol) -> Claim:
+    return Claim(
+        label=label,
+        says=equal(_spread(side), side**2 / 12),
+        given=(side > 0,),
+        proof=by(integrating(x**3 / (3 * side))),
+    )
+
+
+spreads = tuple(
+    _spread_of(f"spread_over_{name}", side)
+    for name, side in (("length", length), ("width", width), ("height", height))
+)
+
+moments_of_a_box = Claim(
+    says=equations(tuple(mass * _spread(p) + mass * _spread(q) for p, q in _across), (I1, I2, I3)),
+    given=_box,
+    proof=by(substituting(box_moments, *spreads)),
+    where=line(291),
+    note="The moment about an axis is the integral of the squared distance from it over the mass, "
+    "which is spread evenly: the sum of its means over the two directions across the axis.",
+    quotes=(ITERATED,),
 )
 
 box_order = Claim(

@@ -8,6 +8,7 @@
 - (11), `d11`: 0 ≤ a, 0 ≤ b ≤ 1 and −b ≤ γ ≤ a, by `range_of_shape` and `range_of_gamma`.
 """
 
+from tresym.proofs.axioms import INVERSE_FUNCTION
 from tresym.proofs.conditions import ordered_moments, shape, shape_of_a_body, tilted
 from tresym.proofs.model import angular_velocity, eq_Mi, velocity_from_momentum
 from tresym.proofs.momentum import energy_of_momentum
@@ -72,6 +73,9 @@ elimination_of_time = Claim(
     says=Tuple(equal(dtheta_dphi, dtheta_dt / dphi_dt), equal(dpsi_dphi, dpsi_dt / dphi_dt)),
     given=(dphi_dt > 0,),
     proof=Definition(),
+    note="The rates by φ along a motion, on which φ grows and so has an inverse: what they are is "
+    "the chain rule.",
+    quotes=(INVERSE_FUNCTION,),
 )
 
 eq_Euler = Claim(

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from tresym.proofs.axioms import MOTION
 from tresym.proofs.conditions import STANDARD, shape
 from tresym.proofs.flip_dynamics import d19, eq_dpsidphi
 from tresym.proofs.regimes import rotating_speed
@@ -115,7 +116,8 @@ symmetric_turn = Claim(
 )
 
 fig_symtraj = Claim(
-    says="The symmetric curves, from ε to π − ε, are those of one full turn of the handle.",
+    says="A curve from ε to π − ε belongs to one full turn of the handle where the integral of "
+    "dφ/dψ from one to the other is 2π; and then Δψ = π − 2ε.",
     proof=all_of(symmetric_turn, eqdefect),
     where=line(227),
 )
@@ -219,6 +221,7 @@ symmetric_is_extreme = Claim(
     proof=all_of(equal_rates, turn_by_ends, turn_gap, turn_is_steep, rotating_speed),
     note="A flip by Ψ < π needs the least turn from there, and one by π < Ψ < 2π the most; and "
     "every turn grows with its flip.",
+    quotes=(MOTION,),
 )
 
 symmetric_maximum = Claim(

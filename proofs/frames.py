@@ -16,6 +16,7 @@ from tresym.proofs.model import (
     about_z,
     eq_Mi,
     eq_omega,
+    product,
     rate,
     rotation,
     rotation_orthogonal,
@@ -30,6 +31,9 @@ from tresym.racket.notation import *
 upright = ImmutableMatrix([0, 0, 1])
 """Z in the laboratory, and e₁ in the body (its axes in the order e₂, e₃, e₁)."""
 
+times_upright = ImmutableMatrix([[0, -1, 0], [1, 0, 0], [0, 0, 0]])
+"""The matrix of Z×: it takes a vector v of the laboratory to Z × v."""
+
 handle = ImmutableMatrix([sin(theta) * cos(phi), sin(theta) * sin(phi), cos(theta)])
 """e₁ along (X, Y, Z)."""
 
@@ -37,6 +41,8 @@ no_external_moment = Claim(
     says="Without external moment the length of M does not change.",
     proof=all_of(momentum_conserved),
     where=line(56),
+    note="That the vector M is fixed in space is what `torque_free` assumes; seen from the body "
+    "it moves, and keeps its length.",
 )
 
 cross_product = Claim(
@@ -62,7 +68,7 @@ fig_racket = Claim(
 )
 
 handle_in_space = Claim(
-    says=equal(rotation * upright, handle),
+    says=equal(product(about_z(phi), about_y(theta), about_z(psi), upright), handle),
     proof=by(),
     where=line(67),
     note="φ is the angle from X to the projection of the handle on the plane (X, Y).",
@@ -71,7 +77,9 @@ handle_in_space = Claim(
 )
 
 line_of_nodes = Claim(
-    says=equal(upright.cross(handle), sin(theta) * ImmutableMatrix([-sin(phi), cos(phi), 0])),
+    says=equal(
+        product(times_upright, handle), sin(theta) * ImmutableMatrix([-sin(phi), cos(phi), 0])
+    ),
     proof=by(),
     where=line(67),
     note="The line N is perpendicular to Z and to the handle, at the angle φ from Y.",
@@ -112,11 +120,18 @@ d02 = Claim(
 
 _turn = Symbol("alpha", real=True)
 _turned = about_z(_turn) * rotation
+"""The body in a laboratory that is turned about Z."""
+
+_turns = (about_z(phi), about_y(theta), about_z(psi))
+"""R, turn by turn."""
 
 laboratory_turned = Claim(
     says=Tuple(
-        equal(_turned.T * rate(_turned), spin),
-        equal(_turned, about_z(phi + _turn) * about_y(theta) * about_z(psi)),
+        equal(product(_turned.T, rate(_turned)), spin),
+        equal(
+            product(about_z(_turn), about_z(phi), about_y(theta), about_z(psi)),
+            product(about_z(phi + _turn), about_y(theta), about_z(psi)),
+        ),
     ),
     proof=by(trigonometry),
     where=line(74),
@@ -127,16 +142,19 @@ laboratory_turned = Claim(
 
 perfect_flip = Claim(
     says=equal(
-        about_z(phi + 2 * pi) * about_y(theta) * about_z(psi + pi),
-        rotation * ImmutableMatrix([[-1, 0, 0], [0, -1, 0], [0, 0, 1]]),
+        product(about_z(phi + 2 * pi), about_y(theta), about_z(psi + pi)),
+        product(*_turns, ImmutableMatrix([[-1, 0, 0], [0, -1, 0], [0, 0, 1]])),
     ),
-    proof=by(),
+    proof=by(trigonometry),
     note="e₁ comes back, e₂ and e₃ are reversed.",
     shown=r"R_z(\phi+2\pi)\,R_y(\theta)\,R_z(\psi+\pi) = R\,\operatorname{diag}(-1, -1, 1)",
 )
 
 flip_about_the_handle = Claim(
-    says=equal(rotation.subs(psi, psi + _turn), rotation * about_z(_turn)),
+    says=equal(
+        product(about_z(phi), about_y(theta), about_z(psi + _turn)),
+        product(*_turns, about_z(_turn)),
+    ),
     proof=by(trigonometry),
     where=line(70),
     note="Turning ψ further turns the body about its own axis e₁.",

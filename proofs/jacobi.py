@@ -12,6 +12,7 @@ dχ/dt = p dn, for every 0 < m < 1. Put into Euler's equations:
 - `meeting_point`: the surfaces meet whenever 2I₁E ≤ M² ≤ 2I₃E; `momentum_between`: never otherwise.
 """
 
+from tresym.proofs.axioms import AMPLITUDE, MOTION
 from tresym.proofs.conditions import ordered_moments
 from tresym.proofs.momentum import energy_of_momentum, eq_first_int, two_first_integrals
 
@@ -196,7 +197,9 @@ motions_part_slowly = Claim(
 )
 
 jacobi_solutions = Claim(
-    says="The motion of M is given by Jacobi's elliptic functions.",
+    says="In each regime M is made of sin χ, cos χ and √(1 − k² sin²χ), with dχ/dt in proportion "
+    "to the last: these are Jacobi's sn, cn and dn. Every start is taken, and two motions with "
+    "one start are one.",
     proof=all_of(
         rotating_solution,
         rotating_amplitudes,
@@ -211,6 +214,10 @@ jacobi_solutions = Claim(
     ),
     where=line(90),
     note="On the separatrix they are hyperbolic functions. Two signs may be changed together.",
+    quotes=(
+        MOTION,
+        AMPLITUDE,
+    ),
 )
 
 momentum_between = Claim(
@@ -233,6 +240,7 @@ intersection_condition = Claim(
     says="There is no solution unless 2I₁E ≤ M² ≤ 2I₃E, and then there is one.",
     proof=all_of(momentum_between, meeting_point),
     where=line(96),
+    quotes=(MOTION,),
 )
 
 solution_on_intersection = Claim(

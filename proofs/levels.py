@@ -140,8 +140,8 @@ one_level = Claim(
 )
 
 decrease_of_bodies = Claim(
-    says="ε(γ) decreases strictly on all of (−b, a] for b ≤ 1/(a+2), that is for every rigid body, "
-    "and for no other shape.",
+    says="ε(γ) decreases strictly on all of (−b, a] for b ≤ 1/(a+2), that is for every rigid "
+    "body; for every other shape Φ(π, γ) < π near γ = −b.",
     proof=all_of(
         decrease_in_gamma,
         phase_rises_in_gamma,
@@ -152,7 +152,7 @@ decrease_of_bodies = Claim(
         beyond_right_angle,
         near_right_angle,
     ),
-    note="Else Φ(π, γ) < π near −b, and ε exceeds π/2, its limit at −b, before it falls.",
+    note="Where Φ(π, γ) < π near −b, ε exceeds π/2, its limit at −b, before it falls.",
 )
 
 

@@ -11,6 +11,7 @@ momentum. Shown here:
 - `torque_free`, `momentum_transport`: M fixed in space is dM/dt = M × Ω in the body.
 """
 
+from sympy import Add, Mul
 from tresym.proofs.conditions import ordered_moments
 
 from tresym.ledger.vocabulary import *
@@ -18,14 +19,38 @@ from tresym.racket.formulas import printed
 from tresym.racket.notation import *
 
 
-def about_z(angle: Symbol) -> ImmutableMatrix:
+def _both(angle: Expr) -> tuple[Expr, Expr]:
+    """Sine and cosine as written: SymPy would take a full turn off by itself."""
+    return sin(angle, evaluate=False), cos(angle, evaluate=False)
+
+
+def about_z(angle: Expr) -> ImmutableMatrix:
     """Rotation by ``angle`` about the third axis."""
-    return ImmutableMatrix([[cos(angle), -sin(angle), 0], [sin(angle), cos(angle), 0], [0, 0, 1]])
+    s, c = _both(angle)
+    return ImmutableMatrix([[c, -s, 0], [s, c, 0], [0, 0, 1]])
 
 
-def about_y(angle: Symbol) -> ImmutableMatrix:
+def about_y(angle: Expr) -> ImmutableMatrix:
     """Rotation by ``angle`` about the second axis."""
-    return ImmutableMatrix([[cos(angle), 0, sin(angle)], [0, 1, 0], [-sin(angle), 0, cos(angle)]])
+    s, c = _both(angle)
+    return ImmutableMatrix([[c, 0, s], [0, 1, 0], [-s, 0, c]])
+
+
+def product(first: ImmutableMatrix, *others: ImmutableMatrix) -> ImmutableMatrix:
+    """A product of matrices, each entry the sum of products that it is, and not worked out.
+
+    SymPy would multiply, and leave both sides of a statement alike.
+    """
+    for other in others:
+        columns = range(other.shape[1])
+        rows = [[_dot(first.row(i), other.col(j)) for j in columns] for i in range(first.shape[0])]
+        first = ImmutableMatrix(rows)
+    return first
+
+
+def _dot(row: ImmutableMatrix, column: ImmutableMatrix) -> Expr:
+    pairs = zip(row, column, strict=True)
+    return Add(*(Mul(p, q, evaluate=False) for p, q in pairs), evaluate=False)
 
 
 def rate(expression: Basic) -> Basic:

@@ -3,8 +3,8 @@
 - `flip_defect` (in `separatrix`) defines ε₀; `phase` its phase P = T/√(ab), `leading_term` ε*,
   `exponent_of_defect` Q = log(ε₀/ε*), `first_coefficient` c₁, `second_coefficient` c₂;
 - `phase_equation`, `defect_by_phase`, `leading_by_defect`: how they hang together;
-- the readings say what a step of a formula in `tresym.racket.bounds` is in these symbols, in the two
-  charts (b, κ), κ = 1/√(ab), and (b, k), k = √(ab).
+- the readings say what a step of a formula in `tresym.racket.bounds` is in these symbols, in the
+  two charts (b, κ), κ = 1/√(ab), and (b, k), k = √(ab).
 """
 
 from collections.abc import Callable
@@ -17,6 +17,7 @@ from tresym.proofs.separatrix import defect_range, flip_defect
 from tresym.proofs.sweeps import newton_from_four, newton_from_pi, sweep_from_four, sweep_from_pi
 
 from tresym.ledger.evidence.chart_bounds import Reading
+from tresym.ledger.evidence.remainders import Remainder
 from tresym.ledger.vocabulary import *
 from tresym.racket.bounds import charts
 from tresym.racket.flip.series import coefficients_sympy
@@ -406,17 +407,20 @@ def below(
     chart: tuple[tuple[Expr, ...], Any] = (BY_KAPPA, KAPPA),
     slopes: bool = False,
     printed_as: Basic | None = None,
+    remainder: Remainder | None = None,
     **rest: Any,
 ) -> Claim:
     """|size| ≤ limit · gauge: ``error`` is size/gauge in the chart.
 
-    ``printed_as`` is how the paper has it, where that leaves an order open.
+    ``printed_as`` is how the paper has it, where that leaves an order open, and ``remainder`` how
+    that is read.
     """
     shown = within(error, as_rational(limit), gauge, slopes)
     says = Abs(size) <= Rational(limit) * gauge
     if printed_as is not None:
         rest["means"], says = says, printed_as
-    return bound(label, says, On(*chart, shown), given=given, constant=limit, **rest)
+    found = bound(label, says, On(*chart, shown), given=given, constant=limit, **rest)
+    return replace(found, proof=replace(found.proof, remainder=remainder))
 
 
 def between(

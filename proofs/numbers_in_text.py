@@ -372,8 +372,8 @@ linear_range_ends = Claim(
     note="In the linear formula the tolerance is reached at γ = 4bε₀(ε₀ ± π/12).",
 )
 close_to_separatrix = Claim(
-    says="For small ε₀ the tolerance is met close to the separatrix, and the range of γ grows "
-    "with ε₀.",
+    says="By the linear formula the tolerance is met on a range of γ about the separatrix whose "
+    "width is 2πbε₀/3: it is small with ε₀, and grows with it.",
     proof=all_of(linear_range, linear_range_ends),
     where=line(269),
 )

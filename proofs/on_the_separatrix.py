@@ -10,6 +10,7 @@
 
 from __future__ import annotations
 
+from tresym.proofs.axioms import MOTION
 from tresym.proofs.conditions import defect, ordered_moments, shape, shape_of_a_body, tilted
 from tresym.proofs.euler_angles import gamma_conserved, precession_rate
 from tresym.proofs.flip_dynamics import eq_dpsidphi, moving, sign_of_tilt
@@ -34,12 +35,22 @@ level_of_a_start = Claim(
     note="γ tends to 0 with ψ₀ and the initial rate: such starts are close to the separatrix.",
 )
 
+level_is_small = Claim(
+    says=Tuple(
+        dpsi_dphi**2 / a - (dpsi_dphi**2 * _slow**2 / _fast - b * _square) >= 0,
+        dpsi_dphi**2 * _slow**2 / _fast - b * _square + b * _square >= 0,
+    ),
+    given=shape_of_a_body,
+    proof=manifest,
+    note="The level of a start, by `level_of_a_start`, between its two bounds.",
+)
+
 near_separatrix = Claim(
-    says="Roughly speaking the effect is a motion near the separatrix: it starts near an unstable "
-    "point with a small rate.",
-    proof=all_of(level_of_a_start),
+    says="Roughly speaking the effect is a motion near the separatrix: a start near an unstable "
+    "point with a small rate has a small γ, between −b sin²ψ₀ and (dψ/dφ)²/a.",
+    proof=all_of(level_of_a_start, level_is_small),
     where=line(164),
-    note="γ is small with the square of the rate and with sin²ψ₀.",
+    note="Such starts are those from which the racket flips (`two_rectangles`).",
 )
 
 separatrix_is_followed = Claim(
@@ -97,13 +108,16 @@ separatrix_infinite_time = Claim(
     proof=all_of(turn_to_the_middle, time_of_a_turn),
     where=line(198),
     note="From ε to π/2, and so back, it takes at least log(1/sin ε)/√(b(a+b)) − 1, whatever ε.",
+    quotes=(MOTION,),
 )
 
 cannot_cross = Claim(
-    says="On the separatrix ψ cannot cross an unstable point, and S stays what it was.",
+    says="On the separatrix ψ reaches no unstable point in finite time, and between two of them "
+    "dψ/dφ is not 0: S stays what it was.",
     proof=all_of(separatrix_infinite_time, separatrix_moves),
     where=line(334),
     note="In between the rate is not 0.",
+    quotes=(MOTION,),
 )
 
 # -- tops -----------------------------------------------------------------------------------------

@@ -47,6 +47,7 @@ from tresym.proofs.near import (
 from tresym.proofs.separatrix import flip_defect, one_flip_defect
 from tresym.proofs.slope import d55
 
+from tresym.ledger.evidence.remainders import Remainder
 from tresym.ledger.vocabulary import *
 from tresym.racket.bounds import charts
 from tresym.racket.bounds.bending import curvature
@@ -101,6 +102,7 @@ _wide: dict[str, Any] = {
     "chart": ((b / a, epsilon0), WIDE),
     "put": (decay_by_defect,),
     "slopes": True,
+    "remainder": Remainder(epsilon0, (a, b)),
 }
 
 d38 = below(
@@ -206,6 +208,14 @@ def _slope_times_defect(b: Any, kappa: Any, m: Any) -> Any:
     return charts.defect_over_kappa(b, kappa, m) * charts.slope_rest(b, kappa, m) / 4
 
 
+_DERIVATIVES = (
+    (_per_turn, printed.defect_per_turn(epsilon0, a, b, 1, sympy)),
+    (_turn_slope, printed.turn_slope(epsilon0, a, b, 1, sympy)),
+    (_slope, DEFECT_SLOPE),
+)
+"""What the partial derivatives are at γ = 0 and S = 1: `d51`, `slope_of_turn`, `closed_slope`."""
+
+
 def _printed_order(number: int, size: Expr, says: Basic, **rest: Any) -> Claim:
     """A display whose remainder at γ = 0 has this ``size`` over a gauge."""
     return below(
@@ -214,6 +224,11 @@ def _printed_order(number: int, size: Expr, says: Basic, **rest: Any) -> Claim:
         printed_as=says,
         put=(phase_by_defect, leading_by_defect),
         where=display(number),
+        remainder=Remainder(
+            epsilon0,
+            (a, b),
+            ((S, Integer(1)), *((derivative, of) for derivative, of in _DERIVATIVES)),
+        ),
         **rest,
     )
 
@@ -311,9 +326,19 @@ def bending(constant: str) -> Bound:
     return Bound(margin, box(*BENT), sufficient=True)
 
 
+_bent = sqrt(a * b) * gamma**2 / (b**2 * epsilon0)
+_near_tangent = (
+    *quarter,
+    epsilon0 > 0,
+    gamma <= b * epsilon0**2,
+    gamma >= -b * epsilon0**2,
+)
+
 eq_epsilon_gen = Claim(
     says=equal(epsilon, epsilon0 + gamma * _derivative + O(gamma**2)),
+    means=Abs(epsilon - epsilon0 - gamma * DEFECT_SLOPE) <= 2 * _bent,
     kind="order",
+    given=_near_tangent,
     proof=Boxes(
         (bending("2"), bending("-2")),
         ("b", "kappa", "v"),
@@ -321,7 +346,12 @@ eq_epsilon_gen = Claim(
         as_rational("2"),
         (one_flip_defect, logarithmic_equation, d55, slope_by_phase, *fourth_moment),
         certificate("eq_epsilon_gen"),
-        meant=Meant(in_bent_chart(), sqrt(a * b) * gamma**2 / (b**2 * epsilon0)),
+        meant=Meant(
+            in_bent_chart(),
+            _bent,
+            (b, 1 / sqrt(a * b), gamma / (b * epsilon0**2)),
+            Remainder(gamma, (a, b, epsilon0), ((_derivative, DEFECT_SLOPE),)),
+        ),
     ),
     where=display(22),
     note="The remainder is at most 2√(ab) γ²/(b²ε₀) in size. ε is an analytic function of γ as "

@@ -11,6 +11,7 @@
   `tilt_bounds_oscillating` name.
 """
 
+from tresym.proofs.axioms import MOTION
 from tresym.proofs.conditions import ordered_moments, shape_of_a_body, tilted
 from tresym.proofs.euler_angles import eq_Euler, eq_gamma, gamma_conserved, precession_forward
 from tresym.proofs.flip_dynamics import eq_dpsidphi
@@ -70,6 +71,7 @@ sign_changes_oscillating = Claim(
     says="For γ < 0 the sign of dψ/dφ changes where ψ is extremal.",
     proof=all_of(sign_constant_rotating, turning_points, tilt_by_flip, psi_half_oscillating),
     where=line(160),
+    quotes=(MOTION,),
 )
 
 positive_beyond = Claim(
@@ -109,6 +111,7 @@ eq_borne_psi = Claim(
     proof=all_of(flip_bounds, flip_between, tilt_by_flip, turning_points),
     where=display(14),
     note="One with −π < ψ < 0 stays between −ψ_max and −ψ_min.",
+    quotes=(MOTION,),
 )
 
 each_oscillating_trajectory = Claim(
@@ -307,10 +310,12 @@ separatrix_moves = Claim(
 )
 
 heteroclinic_pi = Claim(
-    says="To go from one unstable point to another is to turn by |Δψ| = π.",
+    says="On γ = 0 the unstable points are ψ = 0 and ψ = π, up to full turns, and dψ/dφ is not 0 "
+    "between them: a motion from one to the next turns by |Δψ| = π.",
     proof=all_of(unstable_on_separatrix, separatrix_moves, sign_constant_rotating),
     where=line(164),
     note="On γ = 0 nothing rests between ψ = 0 and ψ = π. With S = −1 it is Δψ = −π.",
+    quotes=(MOTION,),
 )
 
 sign_of_product = Claim(
@@ -353,9 +358,11 @@ eq_dthetadphi = Claim(
 )
 
 fig_portrait_theta = Claim(
-    says="Oscillating motions cross θ = π/2, rotating ones do not.",
+    says="An oscillating motion that comes to θ = π/2 crosses it; a rotating one never comes "
+    "there.",
     proof=all_of(three_regimes, handle_crosses, handle_side, rest_points),
     where=line(179),
+    quotes=(MOTION,),
 )
 
 _said_at = Integer(103)
@@ -442,7 +449,9 @@ bounds_are_reached = Claim(
 )
 
 eq_borne_theta = Claim(
-    says="The tilt of the handle stays between θ_min and θ_max and reaches both.",
+    says="The tilt of the handle stays between θ_min and θ_max. In a rotating motion it is θ_min "
+    "where cos ψ = 0, and θ_max where sin ψ = 0; in an oscillating one it is either where cos ψ = "
+    "0.",
     proof=all_of(
         tilt_bounds_rotating,
         tilt_bounds_oscillating,
@@ -455,6 +464,7 @@ eq_borne_theta = Claim(
         bounds_are_reached,
     ),
     where=display(17),
+    quotes=(MOTION,),
 )
 
 fig_thetamin = Claim(

@@ -8,6 +8,7 @@
 - `depth_at_e1`, `depth_at_e3`: γ = a and γ = −b, and where the angles rest.
 """
 
+from tresym.proofs.axioms import MOTION
 from tresym.proofs.conditions import ordered_moments, shape_of_a_body
 from tresym.proofs.euler_angles import d08, eq_Euler, eq_gamma, gamma_conserved, precession_forward
 from tresym.proofs.frames import handle_in_space
@@ -105,7 +106,8 @@ ellipsoid_radii = Claim(
 )
 
 precession_of_the_handle = Claim(
-    says="φ is the precession of the handle about M, and it never turns back.",
+    says="φ is the angle of precession of the handle about M, and it never turns back: it grows "
+    "wherever the handle is not along M.",
     proof=all_of(handle_in_space, precession_forward),
     where=line(70),
 )
@@ -141,7 +143,8 @@ tilt_near_flip = Claim(
 )
 
 delta_theta_zero = Claim(
-    says="When ψ has turned by π, the handle has its first tilt again.",
+    says="When ψ has turned by π, cos²θ is what it was at first, and near that it is near it: so "
+    "is the tilt of a handle that is on the same side of the plane (X, Y).",
     proof=all_of(tilt_by_flip, tilt_after_flip, tilt_near_flip),
     where=line(78),
     note="This rests on the energy: cos²θ is a function of sin²ψ at given γ.",
@@ -215,10 +218,11 @@ psi_unbounded = Claim(
 )
 
 handle_side = Claim(
-    says="In a rotating motion the handle stays above or below the plane (X, Y) while the "
-    "racket turns about it.",
+    says="In a rotating motion cos²θ is at least γ/a > 0, so that the handle stays above or below "
+    "the plane (X, Y), while ψ grows beyond all bounds: the racket turns about it.",
     proof=all_of(handle_in_space, theta_half, rotating_speed, psi_unbounded),
     where=line(103),
+    quotes=(MOTION,),
 )
 
 _flow = printed.planar_rates(theta, psi, a, b, sympy)
@@ -243,7 +247,9 @@ psi_half_oscillating = Claim(
     given=(*ordered_moments, *shape_of_a_body, gamma < 0),
     proof=(step(cos(theta) ** 2 * (a + b * _sine) - gamma, substituting(tilt_by_flip)),),
     where=line(103),
-    note="sin ψ never vanishes, so ψ stays in (0, π) or in (−π, 0), up to full turns.",
+    note="sin ψ never vanishes, so that ψ, which is continuous, stays in (0, π) or in (−π, 0), up "
+    "to full turns.",
+    quotes=(MOTION,),
 )
 
 handle_crosses = Claim(
@@ -251,7 +257,9 @@ handle_crosses = Claim(
     given=(*shape_of_a_body, sin(psi) ** 2 > 0, cos(psi) ** 2 > 0),
     proof=manifest,
     where=line(103),
-    note="At θ = π/2 the tilt changes at a rate other than 0, but for the permanent rotations.",
+    note="At θ = π/2 the tilt changes at a rate other than 0, unless sin ψ or cos ψ is 0: a "
+    "handle that comes there goes through the plane.",
+    quotes=(MOTION,),
 )
 
 panel_depends_on_shape = Claim(
@@ -259,7 +267,8 @@ panel_depends_on_shape = Claim(
     given=(*ordered_moments, *shape_of_a_body),
     proof=by(substituting(eq_gamma)),
     where=line(112),
-    note="The curves on the sphere depend on the shape only through b/a.",
+    note="The curves γ = constant are those of sin²θ (1 + (b/a) sin²ψ): they depend on the shape, "
+    "and only through b/a.",
 )
 
 strict_range_of_shape = Claim(
@@ -339,7 +348,10 @@ angles_rest_at_e1 = Claim(
     paper_says="“The two equilibrium points, given by γ = a and γ = −b, correspond to the points "
     "p₊ and p₋.” Read as: M rests there.",
     given=shape_of_a_body,
-    means=equations(printed.planar_rates(Integer(0), psi, a, b, sympy), (0, 0)),
+    means=equations(
+        tuple(at(rate, {theta: 0}) for rate in printed.planar_rates(theta, psi, a, b, sympy)),
+        (0, 0),
+    ),
     proof=Counterexample({"a": fmpq(1), "b": fmpq(1, 2), "psi": fmpq(0)}),
     where=line(140),
     amended_by=(ends_of_gamma,),
@@ -347,9 +359,11 @@ angles_rest_at_e1 = Claim(
 )
 
 planar_system = Claim(
-    says="The path of θ and ψ does not depend on time, nor on φ.",
+    says="The rates of θ and ψ by φ are functions of θ and ψ alone: their path depends neither on "
+    "time nor on φ, and γ is constant along it.",
     proof=all_of(precession_forward, eq_Euler, gamma_conserved),
     where=line(126),
+    quotes=(MOTION,),
 )
 
 label_claims(globals())

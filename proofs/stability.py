@@ -11,6 +11,7 @@ positive, and a product of two components grows exponentially.
 - `permanent_rotations`: the equilibria are the six points with two components zero.
 """
 
+from tresym.proofs.axioms import MOTION
 from tresym.proofs.conditions import ordered_moments
 from tresym.proofs.model import eq_Mi, velocity_from_momentum
 from tresym.proofs.momentum import (
@@ -113,12 +114,14 @@ stable_e1 = Claim(
     says="The rotation about the handle is stable.",
     proof=all_of(eigenvalues_e1, center_at_e1, *_conserved, energy_near_e1, stays_near_e1),
     where=line(49),
+    quotes=(MOTION,),
 )
 
 stable_e3 = Claim(
     says="The rotation about the normal of the face is stable.",
     proof=all_of(eigenvalues_e3, center_at_e3, *_conserved, energy_near_e3, stays_near_e3),
     where=line(49),
+    quotes=(MOTION,),
 )
 
 _first_rate, _third_rate = sqrt(1 / I1 - 1 / I2), sqrt(1 / I2 - 1 / I3)
@@ -142,6 +145,7 @@ unstable_e2 = Claim(
     proof=all_of(eigenvalues_e2, saddle_at_e2, *_conserved, leaves_e2),
     where=line(49),
     note="Shown without linearisation: such are the starts with M₁M₂M₃ < 0, by `leaves_e2`.",
+    quotes=(MOTION,),
 )
 
 points_of_the_sphere = Claim(

@@ -11,6 +11,8 @@ from tresym.racket.notation import *
 
 _moments = (I1 > 0, I2 - I1 > 0, I2 > 0, M > 0)
 
+_at_rest = printed.euler_equations(M1, M2, M3, I1, I2, I3)
+
 sphere_ellipsoid = Claim(
     says=equal(
         printed.energy(M1, M2, M3, I1, I1, I1), printed.momentum_squared(M1, M2, M3) / (2 * I1)
@@ -45,12 +47,15 @@ separatrix_equator = Claim(
 )
 
 circle_e1 = Claim(
-    says=equal(at(printed.euler_equations(M1, M2, M3, I1, I2, I3)[0], {I3: I2}), 0),
+    says=Tuple(
+        equal(at(_at_rest[0], {I3: I2}), 0),
+        equal(at(2 * M2 * _at_rest[1] + 2 * M3 * _at_rest[2], {I3: I2}), 0),
+    ),
     given=_moments,
     proof=by(evaluating),
     where=line(112),
-    note="I₂ = I₃: M₁ is constant, and M runs on a circle about e₁.",
-    shown=r"\dot M_1 = M_2M_3\left(\frac{1}{I_2}-\frac{1}{I_2}\right) = 0",
+    note="I₂ = I₃: M₁ and M₂² + M₃² are constant, so that M stays on a circle about e₁.",
+    shown=r"I_2 = I_3:\quad \dot M_1 = 0,\quad \frac{d}{dt}\left(M_2^2 + M_3^2\right) = 0",
 )
 
 _other = Symbol("N1", real=True)
@@ -98,10 +103,9 @@ only_oscillating_I1_I2 = Claim(
     given=(b > 0,),
     proof=manifest,
     where=line(112),
-    note="I₁ = I₂: γ is never positive.",
+    note="I₁ = I₂: γ is never positive, so that no motion rotates. It is 0 on the circle M₃ = 0, "
+    "where M rests (`rest_on_the_circle`).",
 )
-
-_at_rest = printed.euler_equations(M1, M2, M3, I1, I2, I3)
 
 rest_on_the_circle = Claim(
     says=Tuple(*(equal(at(rate, {I2: I1, M3: 0}), 0) for rate in _at_rest)),

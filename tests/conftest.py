@@ -7,6 +7,7 @@ a failure is the same failure tomorrow.
 import os
 import pickle
 import shutil
+import signal
 import time
 from dataclasses import replace
 from pathlib import Path
@@ -31,6 +32,20 @@ settings.register_profile(
     "deep", max_examples=1000 if chunks.IN_CHUNKS else 10_000, print_blob=True, **_COMMON
 )
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "dev"))
+
+
+# In the background of a script SIGINT is ignored, under nohup SIGHUP, and a child process would
+# inherit that. A handler, unlike SIG_IGN, is reset to the default when a program is started.
+if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+if signal.getsignal(signal.SIGHUP) == signal.SIG_IGN:
+    signal.signal(signal.SIGHUP, lambda *_: None)
+
+
+@pytest.fixture(scope="session", autouse=True)
+def state_folder(tmp_path_factory: pytest.TempPathFactory) -> None:
+    """Keep the record of written files apart from the user's."""
+    os.environ["XDG_STATE_HOME"] = str(tmp_path_factory.getbasetemp() / "state")
 
 
 TESTS = Path(__file__).parent

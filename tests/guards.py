@@ -28,24 +28,20 @@ from _pytest.runner import runtestprotocol
 from hypothesis import Phase, settings
 from mutations import ROOT, Mutant, apply, mutants
 
+DECISIONS = (
+    *("identity", "inequalities", "equalities", "inequalities_on_regions", "dispatch"),
+    *("inverse_branches", "variable_reduction", "algebraic_witnesses", "integrals"),
+    *("finite_sums", "integer_variables", "equations", "unknown_functions"),
+    *("readable_witnesses", "variable_exponents", "ellipsis_series", "hypergeometric"),
+    *("power_series", "known_series", "known_integrals", "factorials", "nth_derivatives"),
+    *("infinite_sums", "derivative_domains", "asymptotics/*"),
+)
 CHECKERS = (
     *("ledger/judge.py", "ledger/definitions.py", "ledger/conversion.py", "ledger/evidence/*.py"),
-    *(
-        "reals/normal/*.py",
-        "reals/signs/*.py",
-        "reals/cross_check.py",
-        "reals/domain/binder_values.py",
-    ),
-    *("reals/balls/branch_and_bound.py", "reals/balls/simplest_constants.py", "reals/growth/*.py"),
-    *(f"reals/decisions/{name}.py" for name in ("identity", "inequalities", "equalities")),
-    *(f"reals/decisions/{name}.py" for name in ("region", "orders", "statement", "growth")),
-    *(f"reals/decisions/{name}.py" for name in ("branches", "reduced", "zeros", "tending")),
-    *(f"reals/decisions/{name}.py" for name in ("approach", "integrals", "totals", "whole")),
-    *(f"reals/decisions/{name}.py" for name in ("equations", "unknowns", "simple", "exponents")),
-    *(f"reals/decisions/{name}.py" for name in ("dotted", "hypergeometric", "power_series")),
-    *(f"reals/decisions/{name}.py" for name in ("quoted", "standard", "factorials", "repeated")),
-    *(f"reals/decisions/{name}.py" for name in ("germs", "infinite", "derivatives")),
-    "reals/domain/integrands.py",
+    *("reals/normal/*.py", "reals/signs/*.py", "reals/cross_check.py"),
+    *("reals/domain/binder_values.py", "reals/domain/integrands.py"),
+    *("reals/balls/branch_and_bound.py", "reals/balls/simplest_constants.py"),
+    *(f"reals/decisions/{name}.py" for name in DECISIONS),
 )
 RECORD, REACHED = ROOT / "build" / "guards.jsonl", ROOT / "build" / "guards-reached.json"
 EQUIVALENT = ROOT / "tests" / "data" / "equivalent.json"

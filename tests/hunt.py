@@ -16,7 +16,7 @@ from collections.abc import Callable
 import chunks
 
 from tresym.reals.decisions.time_limited import Task, check_all
-from tresym.reals.language.expression import differentiate
+from tresym.reals.language.expression import differentiate, substitute
 from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
@@ -33,6 +33,11 @@ def rational(r: random.Random) -> str:
 def moved(r: random.Random, text: str) -> str:
     """A value that is another one."""
     return f"({text}) + ({r.choice(['1', '-1', '1/7', '-1/100', '1/10**9'])})"
+
+
+def shifted(text: str, name: str, value: str) -> str:
+    """An expression with ``value`` in place of a variable."""
+    return str(substitute(parse(text), {name: parse(value)}))
 
 
 AT_ZERO = (
@@ -283,12 +288,15 @@ KINDS: tuple[Callable[[random.Random], Claim], ...] = (
 TEST = "tests/hunt.py::claims"
 
 
-def main(count: int = 3000, seed: int = 1) -> int:
+Kinds = tuple[Callable[[random.Random], Claim], ...]
+
+
+def main(count: int = 3000, seed: int = 1, kinds: Kinds = KINDS, name: str = "claims") -> int:
     """Decide random claims and print what is wrong; returns how many verdicts are."""
     r, wrong = random.Random(seed), 0
     asked: list[tuple[str, Claim]] = []
     for n in range(count):
-        kind = KINDS[n % len(KINDS)]
+        kind = kinds[n % len(kinds)]
         try:
             asked.append((kind.__name__, kind(r)))
         except InputError as error:
@@ -308,15 +316,22 @@ def main(count: int = 3000, seed: int = 1) -> int:
             print("AT FAULT", text, "|", found.why[:300], flush=True)
     for (kind, truth, said), number in sorted(counts.items(), key=str):
         print(f"{kind:18}{truth!s:7}{said:12}{number:6}")
-    chunks.EXAMPLES["claims"] = counts.total()
+    chunks.EXAMPLES[name] = counts.total()
     return wrong
 
 
-if __name__ == "__main__":
-    if TEST in chunks.done():
-        sys.exit(0)
+def run(kinds: Kinds, test: str) -> int:
+    """What a script of such claims does: its exit status, 1 where a verdict is wrong."""
+    if test in chunks.done():
+        return 0
     began = time.perf_counter()
-    asked = sys.argv[1:3] or ((500, 1 + chunks.CHUNK) if chunks.IN_CHUNKS else ())
-    failed = main(*map(int, asked))
-    chunks.record(TEST, "failed" if failed else "passed", time.perf_counter() - began)
-    sys.exit(min(failed, 1))
+    count, seed = map(
+        int, sys.argv[1:3] or ((500, 1 + chunks.CHUNK) if chunks.IN_CHUNKS else (3000, 1))
+    )
+    failed = main(count, seed, kinds, test.rpartition("::")[2])
+    chunks.record(test, "failed" if failed else "passed", time.perf_counter() - began)
+    return min(failed, 1)
+
+
+if __name__ == "__main__":
+    sys.exit(run(KINDS, TEST))

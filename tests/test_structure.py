@@ -1,4 +1,4 @@
-"""The house: its rooms in order, what each may import and load, and the map of it."""
+"""The architecture: layers of packages, what each may import and load, and the list of them."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from tresym.proofs import PARTS
 
 ROOT = Path(__file__).resolve().parent.parent
 
-FLOORS = (
+LAYERS = (
     ("reals",),
     ("racket", "output", "ledger"),
     ("sweep", "proofs", "coq", "manuscript"),
@@ -22,16 +22,15 @@ FLOORS = (
     ("commands",),
     ("site", "__main__"),
 )
-"""The rooms from the ground up: one imports from rooms on lower floors, not from its neighbours."""
+"""The layers from the bottom up: a package imports from lower layers, not from its neighbours."""
 
 INSIDE = {
     "reals": (
         ("numbers", "notebook", "verdict"),
-        ("language", "limit", "processes"),
-        ("places", "corpus", "advocate"),
+        ("language", "resource_limits", "processes"),
+        ("domain", "corpus", "cross_check"),
         ("normal",),
         ("signs", "balls"),
-        ("growth",),
         ("decisions",),
     ),
     "racket": (
@@ -40,11 +39,11 @@ INSIDE = {
         ("angle", "result", "floats"),
         ("motion",),
         ("flip",),
-        ("near", "compared"),
+        ("bounds", "comparison"),
     ),
-    "report": (("words",), ("figures",), ("charts",), ("pages",)),
+    "report": (("typesetting",), ("figures",), ("charts",), ("pages",)),
 }
-"""The same for the rooms inside a room."""
+"""The same for the packages inside a package."""
 
 FILES = sorted([*ROOT.glob("tresym/**/*.py"), *ROOT.glob("proofs/*.py")])
 
@@ -75,31 +74,31 @@ def imported(path: Path) -> set[tuple[str, ...]]:
     return found
 
 
-def floor_of(room: str, floors: tuple[tuple[str, ...], ...]) -> int:
-    """How high a room lies."""
-    (floor,) = (n for n, rooms in enumerate(floors) if room in rooms)
-    return floor
+def layer_of(package: str, layers: tuple[tuple[str, ...], ...]) -> int:
+    """How high a package lies."""
+    (layer,) = (n for n, packages in enumerate(layers) if package in packages)
+    return layer
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda p: str(p.relative_to(ROOT)))
-def test_a_file_imports_only_from_its_own_room_and_those_below(path: Path) -> None:
+def test_a_file_imports_only_from_its_own_package_and_those_below(path: Path) -> None:
     here = name_of(path)
     for there in imported(path) if here else ():
         if here[0] != there[0]:
-            assert floor_of(there[0], FLOORS) < floor_of(here[0], FLOORS), there
+            assert layer_of(there[0], LAYERS) < layer_of(here[0], LAYERS), there
         elif here[0] in INSIDE and len(here) > 1 and len(there) > 1 and here[1] != there[1]:
-            floors = INSIDE[here[0]]
-            assert floor_of(there[1], floors) < floor_of(here[1], floors), there
+            layers = INSIDE[here[0]]
+            assert layer_of(there[1], layers) < layer_of(here[1], layers), there
 
 
-def test_every_room_has_a_floor() -> None:
-    rooms = {name[0] for name in MODULES if name}
-    assert rooms == {room for floor in FLOORS for room in floor}
-    for outer, floors in INSIDE.items():
+def test_every_package_has_a_layer() -> None:
+    packages = {name[0] for name in MODULES if name}
+    assert packages == {package for layer in LAYERS for package in layer}
+    for outer, layers in INSIDE.items():
         inner = {name[1] for name in MODULES if name[:1] == (outer,) and len(name) > 1}
-        assert inner == {room for floor in floors for room in floor}
-    assert len(rooms) <= 14
-    assert len(FLOORS) <= 6
+        assert inner == {package for layer in layers for package in layer}
+    assert len(packages) <= 14
+    assert len(LAYERS) <= 6
 
 
 def test_the_proofs_are_read_from_top_to_bottom() -> None:
@@ -150,22 +149,24 @@ def loaded(code: str, prefix: str = "") -> set[str]:
 MAPPED = re.compile(r"^\| `([\w./]+?)/?` \| (.+) \|$", re.MULTILINE)
 
 
-def test_the_map_shows_every_room_and_says_what_it_says_of_itself() -> None:
+def test_the_map_shows_every_package_and_says_what_it_says_of_itself() -> None:
     text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
     shown = dict(MAPPED.findall(text.split("<!-- map -->")[1]))
-    rooms = [room for floor in FLOORS for room in floor if room != "__main__"]
-    rooms += [f"reals/{room}" for floor in INSIDE["reals"] for room in floor]
-    packages = [r for r in rooms if (ROOT / "tresym" / r).is_dir() or r == "proofs"]
+    packages = [package for layer in LAYERS for package in layer if package != "__main__"]
+    packages += [f"reals/{package}" for layer in INSIDE["reals"] for package in layer]
+    packages = [r for r in packages if (ROOT / "tresym" / r).is_dir() or r == "proofs"]
     assert sorted(shown) == sorted(packages)
-    for room, says in shown.items():
-        doc = import_module(f"tresym.{room.replace('/', '.')}").__doc__ or ""
-        assert says == doc.strip().splitlines()[0].rstrip("."), room
+    for package, says in shown.items():
+        doc = import_module(f"tresym.{package.replace('/', '.')}").__doc__ or ""
+        assert says == doc.strip().splitlines()[0].rstrip("."), package
 
 
-def test_the_readme_names_the_rooms() -> None:
+def test_the_readme_names_the_packages() -> None:
     text = (ROOT / "README.md").read_text(encoding="utf-8")
-    for room in (room for floor in FLOORS for room in floor if room not in ("output", "__main__")):
-        assert f"`{room}/`" in text, room
+    for package in (
+        package for layer in LAYERS for package in layer if package not in ("output", "__main__")
+    ):
+        assert f"`{package}/`" in text, package
 
 
 SOURCES = [p for p in FILES if name_of(p)[:1] in (("reals",), ("racket",), ("ledger",))]

@@ -25,6 +25,7 @@ if TYPE_CHECKING:  # what editors and type checkers see, and refuse what is not 
     from tresym.reals.decisions import check
     from tresym.reals.numbers.exact import InputError
     from tresym.reals.verdict import Verdict
+    from tresym.report.pages.python_api import derive, figure, paper, table
 
 __version__ = "0.1.0"
 
@@ -34,10 +35,14 @@ _HOMES = {
     "Verdict": "tresym.reals.verdict",
     "bodies": "tresym.racket.body",
     "check": "tresym.reals.decisions",
+    "derive": "tresym.report.pages.python_api",
+    "figure": "tresym.report.pages.python_api",
     "flip_angle": "tresym.racket.flip",
     "flip_defect": "tresym.racket.flip",
     "flip_defects": "tresym.racket.flip",
     "flip_map": "tresym.racket.floats.flipmap",
+    "paper": "tresym.report.pages.python_api",
+    "table": "tresym.report.pages.python_api",
     "verify": "tresym.ledger.verification",
 }
 
@@ -48,10 +53,14 @@ __all__ = [
     "__version__",
     "bodies",
     "check",
+    "derive",
+    "figure",
     "flip_angle",
     "flip_defect",
     "flip_defects",
     "flip_map",
+    "paper",
+    "table",
     "verify",
 ]
 
@@ -92,4 +101,4 @@ if not TYPE_CHECKING:
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *_HOMES})
+    return sorted({*__all__, *(name for name in globals() if name.startswith("__"))})

@@ -3,40 +3,68 @@
 from __future__ import annotations
 
 import os
-import re
 import sys
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, suppress
+from typing import TYPE_CHECKING
 
 from tresym.reals.numbers.exact import InputError
 
-_BEGINS = re.compile(
-    r"""
-      (\[\s*)? \{ \s* "(verdict|version|workload|display|paper|a|caption)":
-      | (PROVED|ENCLOSED|REFUTED|UNDECIDED|DEFINED|ASSUMED|EQUATION|UNREAD)\s
-      | [^\n]+ \n\n [ ]shape[ ] | flowchart[ ]BT\n | (claim|piece|mutant)[ ]{2}
-      | (separatrix|many|turn|defect|flipmap|identities|check|waiting|precision|honesty|atlas):[ ]
-      | (sweep|scaling):[ ] | [-\w]+ [ ]+ (Fig\.|True)[ ]
-      | \|[ ] (body|shape|route|a₀)[ ] \| | ([^\n]+\n){1,6} \n ([^\n]+\n){1,9}? ─[─ ]+\n
-      | \\begin\{(sideways)?table\}(\\centering)?\\small\\setlength
-      | (?!\\documentclass) .{0,2000}? \\label\{tresym:
-      | \\documentclass\[a4paper,11pt\]\{article\} .{0,600} \\definecolor\{proved\}
-      | \(\* .{0,2000} tresym | (%PDF|.PNG|GIF8|.{4}ftyp) .* tresym
-      | <\?xml .*? <title>[^<]*</title>\s*<(metadata|desc)>""",
-    re.VERBOSE | re.DOTALL,
-)
-"""How begins what the commands write with ``-o``."""
+if TYPE_CHECKING:
+    from rich.console import Console
+
+RECORDED = 20_000
+"""How many checksums of written files are remembered: 65 bytes each."""
 
 
 def replaceable(path: str) -> bool:
-    """Whether there is no file at ``path``, or an empty one, or one that begins as one of ours."""
-    if not os.path.isfile(path):
+    """Whether writing to ``path`` destroys nothing: no file, an empty one, or one we wrote.
+
+    A file counts as ours only if the SHA-256 of its present content is in the record of files
+    written on this machine, so a file that was edited since is not replaced.
+    """
+    if not os.path.isfile(path) or not os.path.getsize(path):
         return True
+    try:
+        with open(_record(), encoding="ascii") as file:
+            known = set(file.read().split())
+        return _checksum(path) in known
+    except (OSError, ValueError):
+        return False
+
+
+def _record() -> str:
+    """The file with the checksums of what was written, in the user's state directory."""
+    home = os.environ.get("XDG_STATE_HOME") or os.path.expanduser("~/.local/state")
+    return os.path.join(home, "tresym", "written")
+
+
+def _checksum(path: str) -> str:
+    from hashlib import file_digest
+
     with open(path, "rb") as file:
-        head = file.read(20_000)
-        file.seek(max(0, os.path.getsize(path) - 4000))
-        text = (head + file.read()).decode("utf-8", errors="replace")
-    return not head or _BEGINS.match(text) is not None
+        return file_digest(file, "sha256").hexdigest()
+
+
+def _remember(path: str) -> None:
+    """Record the checksum of a file just written; without a record it needs --force later."""
+    record = _record()
+    with suppress(OSError, ValueError):
+        os.makedirs(os.path.dirname(record), exist_ok=True)
+        line = f"{_checksum(path)}\n".encode()
+        # One short append is atomic, so commands that run at the same time do not mix lines.
+        descriptor = os.open(record, os.O_WRONLY | os.O_APPEND | os.O_CREAT, 0o600)
+        try:
+            os.write(descriptor, line)
+        finally:
+            os.close(descriptor)
+        if os.path.getsize(record) > 2 * RECORDED * len(line):
+            with open(record, encoding="ascii") as file:
+                recent = file.readlines()[-RECORDED:]
+            aside = f"{record}.{os.getpid()}.part"
+            with open(aside, "w", encoding="ascii") as file:
+                file.writelines(recent)
+            os.replace(aside, record)
 
 
 def write_text(path: str, text: str) -> None:
@@ -69,6 +97,7 @@ def writing(path: str) -> Iterator[str]:
             _remove_what_the_dead_left(goal)
             yield aside
             os.replace(aside, goal)
+            _remember(goal)
     except InputError:
         raise
     except (OSError, ValueError) as error:
@@ -81,27 +110,36 @@ def writing(path: str) -> Iterator[str]:
                 os.remove(aside)
 
 
-def own_folder(folder: str, names: Iterable[str], mark: str) -> None:
-    """Make the folder; what stands there by the names to be written must bear our mark.
+def check_replaceable(paths: Iterable[str], force: bool = False) -> None:
+    """Check, before any work, that no file of the user's would be replaced.
+
+    Args:
+        paths: the files that are going to be written.
+        force: replace whatever is there.
 
     Raises:
-        InputError: it cannot be made, or holds a file of somebody else by one of the names.
+        InputError: a file is there that tresym did not write, or that was changed since.
+    """
+    for path in paths:
+        if not force and not replaceable(path):
+            shown = path if path.isprintable() else ascii(path)
+            raise InputError(
+                f"{shown}: exists, and tresym did not write it or it was changed since; "
+                "name another file, or replace it with --force where the command has it"
+            )
+
+
+def make_folder(folder: str) -> None:
+    """Make a folder to write in, where there is none.
+
+    Raises:
+        InputError: it cannot be made.
     """
     try:
         os.makedirs(folder, exist_ok=True)
-        for name in names:
-            path = os.path.join(folder, name)
-            if os.path.isfile(path) and os.path.getsize(path) and not _bears(path, mark):
-                shown = path if path.isprintable() else ascii(path)
-                raise InputError(f"{shown}: is not ours, and is not replaced; name another folder")
     except (OSError, ValueError) as error:
         reason = error.strerror or error if isinstance(error, OSError) else error
         raise InputError(f"{folder!a}: no folder to write in ({reason})") from None
-
-
-def _bears(path: str, mark: str) -> bool:
-    with open(path, encoding="utf-8", errors="replace") as file:
-        return mark in file.read(10_000)
 
 
 def _remove_what_the_dead_left(goal: str) -> None:
@@ -123,6 +161,20 @@ def _is_alive(process: int) -> bool:
     except OSError:
         return True
     return True
+
+
+def terminal() -> Console:
+    """A console of rich that raises BrokenPipeError, as print does, when a reader leaves.
+
+    rich itself would end the command with exit status 1, which stands for a refuted statement.
+    """
+    from rich.console import Console
+
+    class Terminal(Console):
+        def on_broken_pipe(self) -> None:
+            raise BrokenPipeError
+
+    return Terminal(highlight=False)
 
 
 def colour_wanted() -> bool:

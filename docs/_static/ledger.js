@@ -17,6 +17,14 @@ const begins = (text, word) => {
   return false;
 };
 
+// What people type for a Greek letter, and the letter's name: eps0 finds ε₀, and epsilon0 the label eps0.
+const SHORT = { eps: "epsilon", gam: "gamma", th: "theta", lam: "lambda" };
+const forms = (word) => [word, ...Object.entries(SHORT).flatMap(([short, name]) => {
+  const digits = (start) => word.startsWith(start) && /^\d*$/.test(word.slice(start.length));
+  if (digits(name)) return [short + word.slice(name.length)];
+  return digits(short) ? [name + word.slice(short.length)] : [];
+})];
+
 function filterLedger(parts) {
   const place = Object.assign(document.createElement("div"), { className: "ledger-filter" });
   parts[0].closest("section").before(place);
@@ -68,7 +76,8 @@ function filterLedger(parts) {
     const asked = GROUPS.map((group) => group.filter((name) => names.includes(name)));
     let left = 0;
     entries.forEach((entry, n) => {
-      entry.hidden = !words.every((word) => begins(texts[n], word))
+      const said = `${texts[n]} ${[...kinds[n]].join(" ")}`;
+      entry.hidden = !words.every((word) => forms(word).some((form) => begins(said, form)))
         || asked.some((group) => group.length && !group.some((name) => kinds[n].has(name)));
       left += !entry.hidden;
     });

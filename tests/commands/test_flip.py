@@ -238,6 +238,21 @@ def test_a_closed_pipe_is_quiet() -> None:
     assert done.stderr == b""
 
 
+@pytest.mark.parametrize(
+    ("words", "status"),
+    [("check 'sin(x) == x'", 1), ("check 'x == x'", 0), ("verify eq_gamma", 0)],
+)
+def test_a_closed_pipe_does_not_change_the_exit_status(words: str, status: int) -> None:
+    command = f"'{sys.executable}' -m tresym {words} | true; exit ${{PIPESTATUS[0]}}"
+    done = subprocess.run(
+        ["bash", "-c", command],
+        capture_output=True,
+        env={**os.environ, "PYTHONPATH": str(ROOT)},
+        check=False,
+    )
+    assert (done.returncode, done.stderr) in ((status, b""), (141, b""))
+
+
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full")
 def test_a_full_disk_is_one_line() -> None:
     command = f"'{sys.executable}' -m tresym flip --body str >/dev/full"

@@ -39,7 +39,6 @@ from tresym import (
 )
 from tresym.commands import main
 from tresym.commands.check import read_tasks
-from tresym.output import replaceable
 from tresym.racket.angle import parse_angle
 from tresym.racket.body import shape
 from tresym.reals.language.parsing import parse, parse_conditions
@@ -786,13 +785,40 @@ def test_a_picture_is_replaced_by_the_next(kind: str, tmp_path) -> None:
         assert main(["figure", name, "-o", str(target)]) == 0
 
 
-def test_what_bench_and_coq_write_is_replaced_by_the_next(tmp_path) -> None:
-    from tresym.bench.names import WORKLOADS
+def test_force_replaces_any_file(tmp_path, capsys) -> None:
+    target = tmp_path / "mine.txt"
+    target.write_text("notes")
+    assert main(["flip", "--body", "str", "-o", str(target)]) == 2
+    assert "--force" in capsys.readouterr().err
+    assert main(["flip", "--body", "str", "--force", "-o", str(target)]) == 0
+    assert "rung" in target.read_text()
 
+
+@pytest.mark.parametrize("change", ["", "edited"])
+def test_only_what_was_written_and_not_edited_since_is_replaced(change: str, tmp_path) -> None:
     target = tmp_path / "out"
-    for text in (*(f"{name}: what it times\n" for name in WORKLOADS), "(* Written by tresym. *)\n"):
-        target.write_text(text, encoding="utf-8")
-        assert replaceable(str(target))
+    assert main(["verify", "d36", "-o", str(target)]) == 0
+    target.write_text(target.read_text() + change)
+    assert main(["verify", "d36", "-o", str(target)]) == (2 if change else 0)
+
+
+def test_without_a_record_nothing_is_replaced(tmp_path, monkeypatch) -> None:
+    (tmp_path / "file").write_text("")
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "file"))  # no folder can be made there
+    target = tmp_path / "out"
+    assert main(["verify", "d36", "-o", str(target)]) == 0
+    assert main(["verify", "d36", "-o", str(target)]) == 2
+
+
+@pytest.mark.parametrize("option", ["--marks", "--html"])
+def test_marks_and_pages_replace_no_file_of_the_author(option: str, tmp_path) -> None:
+    place = tmp_path / ("index.html" if option == "--html" else "two.tex")
+    place.write_text("\\section{Mine}\\label{tresym:eq_gamma}")
+    where = tmp_path if option == "--html" else place
+    paper = ["paper", str(Path(__file__).parents[2] / "docs/examples/kepler.tex")]
+    assert main([*paper, option, str(where)]) == 2
+    assert place.read_text().startswith("\\section")
+    assert main([*paper, option, str(where), "--force"]) == 0
 
 
 @pytest.mark.parametrize(
@@ -815,5 +841,5 @@ def test_a_file_of_somebody_else_is_not_replaced(text: str, tmp_path, capsys) ->
     target.write_text(text, encoding="utf-8")
     for words in (["check", "x==x"], ["flip", "--body", "str"], ["figure", "momentum-sphere"]):
         assert main([*words, "-o", str(target)]) == 2
-        assert "is not ours" in capsys.readouterr().err
+        assert "did not write it" in capsys.readouterr().err
     assert target.read_text(encoding="utf-8") == text

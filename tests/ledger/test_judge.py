@@ -844,7 +844,8 @@ def found_alone(planted: Claim) -> Verdict:
 
 def test_what_holds_for_all_values_holds_for_these() -> None:
     assert found_alone(claim(OF_SQUARE.says, OF_SQUARE)) is Verdict.PROVED
-    cited = Claim("y > 1", y > 1, by(), given=(a > 0,))
+    beyond = Claim("y is a + 1", equal(y, a + 1), Definition())
+    cited = Claim("y > 1", y > 1, by(substituting(beyond)), given=(a > 0,))
     put = Instance(GENERAL, ((x, y),), (cited,))
     assert found_alone(claim(put.says, put, (a > 0,))) is Verdict.PROVED
 

@@ -92,8 +92,6 @@ HOSTILE = {
     "braces": r"\[" + "{" * 100_000 + "}" * 100_000 + r"= 1\]",
     "deep": r"\[" + "{" * 5_000 + "}" * 5_000 + r"= 1\]",
     "itself": r"\input{m} \[ a = b \]",
-    "outside": r"\input{../m} \[ a = b \]",
-    "absolute": r"\input{/etc/passwd} \[ a = b \]",
     "an environment": r"\[ \begin{cases} x = 1 \]",
     "a definition": r"\newcommand{\a}{x" * 100,
     "words": "Let $n$" + " , $m$" * 3000 + r" and \[ a = {",

@@ -1,1 +1,1 @@
-"""Benchmarks: each workload times its contenders in one interleaved run and reports ratios."""
+"""Benchmarks: every workload times its contenders in one interleaved run."""

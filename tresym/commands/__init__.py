@@ -1,7 +1,7 @@
-"""The ``tresym`` command: one file a command, with its parser, what it runs and what it prints.
+"""The ``tresym`` command line: each command has a module with its parser, action and output.
 
 Exit status: 0 as expected; 1 a verdict unexpected or undecided; 2 bad input, with one line on
-standard error; 130 interrupted.
+standard error; 130 interrupted; 141 the reader of a pipe left before the answer was known.
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 import tresym
-from tresym.commands.parser import BAD_INPUT, INTERRUPTED, Parser, one_line
-from tresym.output import replaceable
+from tresym.commands.parser import BAD_INPUT, CLOSED_PIPE, INTERRUPTED, Parser, one_line
+from tresym.output import check_replaceable
 from tresym.reals.numbers.exact import InputError
 
 if TYPE_CHECKING:
@@ -55,8 +55,8 @@ tresym --help lists the commands, tresym COMMAND --help the arguments of one.
 INPUTS = ("file", "source", "paper", "notes", "csv")
 OUTPUTS = ("path", "coq", "export", "marks")
 """Arguments, of any command, that name a file to read, and one to write."""
-REPLACING = ("path", "coq")
-"""Of these, those whose files are looked at here; a sweep looks at its own."""
+REPLACING = ("path", "coq", "marks")
+"""Of these, those whose files are checked here; a sweep checks its table itself."""
 
 _OPTION = re.compile(r"-[hof]|--")
 
@@ -72,6 +72,12 @@ def build_parser(chosen: str | None = None) -> Parser:
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
     for name in (chosen,) if chosen in COMMANDS else COMMANDS:
         import_module(f"tresym.commands.{name}").add(commands)
+    for command in commands.choices.values():
+        written = {action.dest for action in command._actions} & {*OUTPUTS, "html"}
+        if written and command.prog.split()[-1] != "sweep":
+            command.add_argument(
+                "--force", action="store_true", help="replace files that tresym did not write"
+            )
     return parser
 
 
@@ -97,9 +103,8 @@ def _keep_inputs(args: argparse.Namespace) -> None:
         for source in filter(None, map(given.get, INPUTS)):
             if os.path.isfile(goal) and os.path.realpath(goal) == os.path.realpath(source):
                 raise InputError(f"{goal}: is read here, and is not replaced; name another file")
-    for goal in filter(None, map(given.get, () if "csv" in given else REPLACING)):
-        if not replaceable(goal):
-            raise InputError(f"{goal!a}: is not ours, and is not replaced; name another file")
+    if "csv" not in given:
+        check_replaceable(filter(None, map(given.get, REPLACING)), given.get("force", False))
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -115,8 +120,11 @@ def main(arguments: list[str] | None = None) -> int:
         args = build_parser(next(iter(words), None)).parse_args(_keep_negative_values(words))
         _keep_inputs(args)
         status: int = args.run(args)
-        if sys.stdout is not None:
-            sys.stdout.flush()
+        try:
+            if sys.stdout is not None:
+                sys.stdout.flush()
+        except BrokenPipeError:  # the answer is known, whether or not anybody reads it
+            _forget_output()
         return status
     except InputError as error:
         print(f"tresym: {one_line(str(error), 2000)}", file=sys.stderr)
@@ -125,9 +133,9 @@ def main(arguments: list[str] | None = None) -> int:
         print("tresym: interrupted", file=sys.stderr)
         return INTERRUPTED
     except BrokenPipeError:
-        # The reader has left: nothing to say, and nothing must be said while Python shuts down.
+        # The reader left before the answer was known; say nothing, not even while Python exits.
         _forget_output()
-        return 0
+        return CLOSED_PIPE
     except OSError as error:
         name = one_line(str(error.filename or "output"), 400)
         print(f"tresym: {name}: {error.strerror}", file=sys.stderr)

@@ -26,7 +26,8 @@ def add(commands: Commands) -> None:
         "audit",
         help="the displays of the paper's LaTeX against the claims",
         description="Name the claims that answer each display, theorem, table and figure of the "
-        "paper, and compare what they say with its LaTeX.",
+        "paper, and each line of its text with a formula or on the motion; compare what they say "
+        "with its LaTeX.",
         epilog="Exit status 1 unless all of the paper is covered, unaltered and rightly copied.",
         allow_abbrev=False,
     )
@@ -46,15 +47,16 @@ def run(args: argparse.Namespace) -> int:
 
     path, claims = file_of("index.json"), proofs.claims()
     quoted = load_quotes(path, quotes(claims))
-    found = coverage.audit(Path(args.paper), claims, coverage.load_index(path), quoted)
+    index, words = coverage.load_index(path), coverage.load_words(path)
+    found = coverage.audit(Path(args.paper), claims, index, quoted, words)
     if args.json or args.path is not None:
         import json
 
         deliver(json.dumps(found.as_json(), ensure_ascii=False, indent=1) + "\n", args.path)
     else:
-        from rich.console import Console
+        from tresym.output import terminal
 
-        show_audit(found, Console(highlight=False))
+        show_audit(found, terminal())
     return 0 if found.complete else UNEXPECTED
 
 

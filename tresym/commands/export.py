@@ -51,7 +51,7 @@ def run(args: argparse.Namespace) -> int:
         if shutil.which("coqtop") is None:
             raise InputError("export: --search asks coqtop, which is not installed here")
         store = _search(Path(args.coq), args.labels)
-    index = write(Path(args.coq), args.labels, store)
+    index = write(Path(args.coq), args.labels, store, args.force)
     counts = Counter(row["status"] for row in index.values())
     print(
         f"{args.coq}: {counts['proved']} of {len(index)} claims proved, {counts['partial']} in "

@@ -34,6 +34,7 @@ def add(commands: Commands) -> None:
     parser.add_argument(
         "--marks", metavar="FILE", help="write marks for the margin, and tresym.sty beside them"
     )
+    parser.add_argument("--root", metavar="DIR", help="the project's top folder, for \\input")
     parser.add_argument("--strict", action="store_true", help="let nothing be open")
     parser.add_argument("--limit", default="5", metavar="SECONDS", help="for each claim (5)")
     add_output(parser)
@@ -50,12 +51,13 @@ def run(args: argparse.Namespace) -> int:
     from tresym.manuscript.source import Missing, read_manuscript
 
     limit = parse_seconds(args.limit)
-    events = read_manuscript(Path(args.paper))
+    events = read_manuscript(Path(args.paper), None if args.root is None else Path(args.root))
     if args.notes is not None:
         events = with_notes(events, Path(args.notes))
-    missing = [event.name for event in events if isinstance(event, Missing)]
-    if missing:
-        print(f"not found, and left out: {', '.join(missing[:5])}", file=sys.stderr)
+    for outside, why in ((False, "not found"), (True, "outside the project, see --root")):
+        found = (e.name for e in events if isinstance(e, Missing) and e.outside == outside)
+        if names := [name[:100] for name in found]:
+            print(f"{why}; left out: {', '.join(names[:5])}", file=sys.stderr)
     links = read_links(events)
     _check_places(args)
     rows = decided(links, limit, progress=_progress)
@@ -71,16 +73,16 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _check_places(args: argparse.Namespace) -> None:
-    """See, before any work, that the page and the marks replace nothing of others."""
+    """See, before any work, that the page and the marks replace no file of the user's."""
     from pathlib import Path
 
-    from tresym.manuscript import html
-    from tresym.output import own_folder
+    from tresym.output import check_replaceable, make_folder
 
     if args.html is not None:
-        own_folder(args.html, ["index.html"], html.MARK)
+        make_folder(args.html)
+        check_replaceable([str(Path(args.html) / "index.html")], args.force)
     if args.marks is not None:
-        own_folder(str(Path(args.marks).parent), ["tresym.sty"], r"\ProvidesPackage{tresym}")
+        check_replaceable([str(Path(args.marks).with_name("tresym.sty"))], args.force)
 
 
 def _write_pages(args: argparse.Namespace, rows: list[Row]) -> None:

@@ -18,6 +18,7 @@ Commands: TypeAlias = "argparse._SubParsersAction[Parser]"
 UNEXPECTED = 1
 BAD_INPUT = 2
 INTERRUPTED = 130
+CLOSED_PIPE = 141
 PICTURE_PATH = "write to a file instead: .svg, .pdf or .png"
 
 

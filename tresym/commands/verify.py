@@ -88,9 +88,9 @@ def _verify_claims(args: argparse.Namespace) -> int:
         report = verification.verify(labels, workers=workers)
         deliver(json.dumps(report_json(report), ensure_ascii=False, indent=1) + "\n", args.path)
     else:
-        from rich.console import Console
+        from tresym.output import terminal
 
-        report = show_verification(labels, Console(highlight=False), workers)
+        report = show_verification(labels, terminal(), workers)
     if args.save_certificates:
         verification.save_certificates(report)
     return 0 if report.as_expected else UNEXPECTED
@@ -105,9 +105,9 @@ def _verify_mutants(labels: tuple[str, ...], args: argparse.Namespace, workers: 
         report = verify_mutants(labels, workers=workers)
         deliver(json.dumps(report.as_json(), ensure_ascii=False, indent=1) + "\n", args.path)
     else:
-        from rich.console import Console
+        from tresym.output import terminal
 
-        report = show_mutants(labels, Console(highlight=False), workers)
+        report = show_mutants(labels, terminal(), workers)
     return UNEXPECTED if report.survivors or report.stopped else 0
 
 
@@ -252,10 +252,23 @@ def _stated(claim: Claim) -> Iterator[str]:
 
 def _summary(report: Report) -> Table:
     table = _counts(report.counts)
+    kinds = report.refuted
+    if any(kinds.values()):
+        table.add_row(
+            "",
+            f"refuted: {kinds['paper']} statements of the paper, {kinds['stricter']} readings "
+            f"stricter than its words, {kinds['sharpness']} checks that a bound of ours is sharp",
+        )
     unexpected = sum(not row.as_expected for row in report.rows)
     outcome = "every verdict is as expected" if not unexpected else f"{unexpected} not as expected"
     table.add_row("", Text(outcome, style="green" if not unexpected else "bold red"))
     resting = sum(bool(row.claim.axioms) for row in report.rows)
-    theorems = len(report.axioms)
-    table.add_row("", f"{resting} of them rest on {theorems} quoted theorems")
+    if resting:
+        claims = "1 claim rests" if resting == 1 else f"{resting} claims rest"
+        theorems = (
+            "1 quoted theorem"
+            if len(report.axioms) == 1
+            else (f"{len(report.axioms)} quoted theorems")
+        )
+        table.add_row("", f"{claims} on {theorems}")
     return table

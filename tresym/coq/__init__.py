@@ -1,1 +1,1 @@
-"""Coq as a second kernel: statements printed for it, and proofs that it checks"""
+"""Export claims to Coq, and find proofs that Coq checks."""

@@ -22,7 +22,7 @@ from tresym.coq.numbers import numbers
 from tresym.coq.statement import NotExportedError, Theorem
 from tresym.ledger.claim import AllOf, Claim
 from tresym.ledger.paper import PAPER, all_claims, file_of, sections
-from tresym.output import own_folder, write_text
+from tresym.output import check_replaceable, make_folder, write_text
 from tresym.reals.numbers.exact import InputError
 
 STORE = "coq.json"
@@ -132,11 +132,19 @@ def save(store: Mapping[str, Any]) -> None:
     write_text(str(file_of(STORE)), json.dumps(store, indent=0, ensure_ascii=False) + "\n")
 
 
-def write(folder: Path, labels: Iterable[str], store: Mapping[str, Any]) -> dict[str, Any]:
+def write(
+    folder: Path, labels: Iterable[str], store: Mapping[str, Any], force: bool = False
+) -> dict[str, Any]:
     """Write the files into ``folder``; returns the index.
 
     ``Statements.v`` holds what the claims say, the files of the parts their proofs, each from the
     theorems that it applies, and ``Ledger.v`` puts these together.
+
+    Args:
+        folder: made where it is missing.
+        labels: the claims asked for, all where there are none.
+        store: the stored proofs.
+        force: replace files that tresym did not write.
 
     Raises:
         InputError: an unknown label, or a folder that cannot be written.
@@ -169,9 +177,8 @@ def write(folder: Path, labels: Iterable[str], store: Mapping[str, Any]) -> dict
     files["Makefile"] = MAKEFILE
     index = {label: _row(label, e, names[label], store) for label, e in chosen.items()}
     files["index.json"] = json.dumps(index, indent=1, ensure_ascii=False) + "\n"
-    own_folder(str(folder), ["Tresym.v"], prelude().splitlines()[0])
-    if not (folder / "Tresym.v").exists():  # a first export
-        own_folder(str(folder), files, "\0")
+    make_folder(str(folder))
+    check_replaceable((str(folder / name) for name in files), force)
     for name, text in files.items():
         write_text(str(folder / name), text)
     return index

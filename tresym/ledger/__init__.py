@@ -1,1 +1,1 @@
-"""The ledger: claims of a paper, their evidence, and the judge of both."""
+"""The ledger: the claims of a paper, their evidence, and the judge of both."""

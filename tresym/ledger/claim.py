@@ -24,6 +24,7 @@ from tresym.ledger.axioms import Axiom
 from tresym.ledger.finding import WEAKEST_FIRST, Premise, Ruling
 from tresym.ledger.statements import As, ExactlyOne, Statement, together_under
 from tresym.reals.notebook import html_table, in_one_line
+from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
 
@@ -301,10 +302,11 @@ class Instance:
     @property
     def says(self) -> Basic:
         """The instance, part by part."""
-        if isinstance(self.claim.says, Tuple):
-            return Tuple(*map(self.put, self.claim.says.args))
-        assert isinstance(self.claim.says, Basic)
-        return self.put(self.claim.says)
+        general = self.claim.says
+        if not isinstance(general, Basic):
+            raise InputError(f"{self.claim.label} is said in words: it has no instance")
+        parts = tuple(map(self.put, parts_of(general)))
+        return Tuple(*parts) if isinstance(general, Tuple) else parts[0]
 
 
 Evidence = (
@@ -433,6 +435,21 @@ class Claim:
         return together_under(known) if len(known) == len(parts) else None
 
     @property
+    def decided(self) -> Basic | str:
+        """What others may put in or cite: the formula that is decided, never an order left open."""
+        return self.says if self.means is None else self.means
+
+    @property
+    def in_formulas(self) -> bool:
+        """Whether what others may put in or cite consists of relations."""
+        return isinstance(self.decided, Basic) and not isinstance(self.decided, Statement)
+
+    @cached_property
+    def symbols(self) -> frozenset[Symbol]:
+        """All symbols that the claim and its evidence write down."""
+        return frozenset(s for e in expressions(self) for s in e.atoms(Symbol))
+
+    @property
     def parts(self) -> tuple[Basic, ...]:
         """What the statement consists of; nothing where there is none.
 
@@ -520,6 +537,8 @@ def expressions(claim: Claim) -> Iterator[Basic]:
     yield from claim.knowing
     if isinstance(proof, ImplicitFunction):
         yield from (proof.unknown, proof.parameter, proof.at)
+    if isinstance(proof, Instance):
+        yield from (e for pair in proof.values for e in pair if isinstance(e, Basic))
     for chain in _chains(proof):
         for link in chain:
             reasons = ((r.expression, r.factor, r.term) for r in link.reasons)

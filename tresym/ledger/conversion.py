@@ -119,8 +119,8 @@ def definitions(claims: Iterable[Claim]) -> Rules:
     """The equations that the claims say, as replacements of left sides, entry by entry."""
     rules: Rules = {}
     for claim in claims:
-        if not isinstance(claim.says, str):
-            for part in conjuncts(formula(claim.says)):
+        if claim.in_formulas:
+            for part in conjuncts(formula(claim.decided)):
                 if isinstance(part, Relation) and part.sign == "==" and part.left.op != "number":
                     rules[part.left] = part.right
     return rules
@@ -135,6 +135,42 @@ def defined(claim: Claim) -> frozenset[str]:
     roots = (c.proof.symbol.name for c in claims if isinstance(c.proof, Root))
     behind = (c for c in claims if isinstance(c.proof, DEFINING))
     return frozenset(roots).union(*(symbols(left) for c in behind for left in definitions((c,))))
+
+
+def dependencies(claims: Iterable[Claim]) -> Behind:
+    """What each symbol that the claims define depends on, directly or by way of others.
+
+    A symbol of an equation that is assumed for an integral depends on all others in it.
+    """
+    found: dict[str, frozenset[str]] = {}
+    for claim in claims:
+        given = frozenset(str(s) for condition in claim.given for s in condition.free_symbols)
+        for left, behind in _dependencies(claim):
+            for name in symbols(left) if left.op == "symbol" else behind:
+                found[name] = found.get(name, frozenset()) | (behind | given) - {name}
+    for _ in found:
+        found = {n: of.union(*(found.get(k, frozenset()) for k in of)) for n, of in found.items()}
+    return found
+
+
+def _dependencies(claim: Claim) -> Iterator[tuple[Expr, frozenset[str]]]:
+    """What a claim defines, and the symbols by which it does."""
+    if isinstance(claim.proof, Root):
+        unique = claim.proof.unique.statement
+        yield tree(claim.proof.symbol), frozenset(map(str, unique.free_symbols if unique else ()))
+    elif isinstance(claim.proof, DEFINING):
+        for left, right in definitions((claim,)).items():
+            yield left, symbols(left) | symbols(right)
+
+
+def dependent(written: Iterable[str], replaced: Iterable[str], behind: Behind) -> str | None:
+    """A symbol among those written that is defined by one that is replaced, and keeps its name.
+
+    To put values into a claim is to put them into all that depends on its variables.
+    """
+    changed = frozenset(replaced)
+    found = (n for n in sorted(written) if not changed.isdisjoint(behind.get(n, ())))
+    return next(found, None)
 
 
 def put_in(e: Expr, rules: Rules) -> Expr:

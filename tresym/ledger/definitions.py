@@ -179,6 +179,18 @@ def captured(claim: Claim) -> str | None:
     return None if found is None else f"{found} stands where what it is defined by is bound"
 
 
+def confused(claim: Claim) -> str | None:
+    """Why names do not tell symbols apart: SymPy has two of one name, with other assumptions."""
+    known: dict[str, Symbol] = {}
+    for one in (*claim.rests_on, claim):
+        for symbol in one.symbols:
+            if known.setdefault(symbol.name, symbol) != symbol:
+                return (
+                    f"{one.label} writes {symbol} with other assumptions than are made of it before"
+                )
+    return None
+
+
 def _misread(e: Basic, behind: Behind) -> Iterator[str]:
     try:
         yield from (name for side in sides(e) if (name := misread(side, behind)) is not None)

@@ -8,13 +8,13 @@ UNDECIDED, whatever its own evidence.
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from time import perf_counter
 from typing import Any
 
-from sympy import Basic, Derivative, Eq, Integral, Subs
+from sympy import Basic, Derivative, Eq, Integral, Subs, Symbol
 from sympy.core.relational import Relational
 
 from tresym.ledger.claim import (
@@ -43,6 +43,8 @@ from tresym.ledger.conversion import (
     conditions,
     defined,
     definitions,
+    dependencies,
+    dependent,
     formula,
     known,
     put_in,
@@ -58,6 +60,7 @@ from tresym.ledger.counterexamples import (
 from tresym.ledger.definitions import (
     captured,
     conflict,
+    confused,
     judge_definition,
     restrictions,
     table,
@@ -88,7 +91,7 @@ from tresym.ledger.evidence.satisfiability import satisfiable
 from tresym.ledger.evidence.sign_prover import continuous_on, is_manifest, manifest_sign, undefined
 from tresym.ledger.finding import WEAKEST_FIRST, Finding, StepFinding
 from tresym.ledger.reasons import citing, substituting
-from tresym.ledger.statements import AtMostOne, ExactlyOne, ForSome
+from tresym.ledger.statements import AtMostOne, Binding, ExactlyOne, ForSome
 from tresym.reals.balls.branch_and_bound import CertificateError
 from tresym.reals.cross_check import STOPPED
 from tresym.reals.decisions.identity import decide_continuous
@@ -163,12 +166,26 @@ def _attacked(claim: Claim, finding: Finding, spent: float) -> Finding:
     try:
         values = tuple(c for c in claim.given if isinstance(c, Eq))
         given = tuple(c for c in claim.given if c not in values)
-        against = contradiction(says, given, (*_known(claim), *values), spent)
-    except CircularError:
+        worlds = _worlds(claim, says)
+        tried = (contradiction(says, given, (*taken, *values), spent) for taken in worlds)
+        against = next((why for why in tried if why is not None), None)
+    except (CircularError, InputError):
         return finding
     if against is None:
         return finding
     return replace(finding, verdict=UNDECIDED, why=STOPPED.format(against), stopped=True)
+
+
+def _worlds(claim: Claim, says: Basic) -> tuple[tuple[Basic, ...], ...]:
+    """What is taken to hold where a claim is attacked: what it uses may be what is wrong.
+
+    Of symbols that nothing defines, nothing is taken to hold but the conditions; of others what is
+    used, and again the definitions behind it alone.
+    """
+    spoken_of = {str(s) for e in (says, *claim.given) for s in e.free_symbols}
+    if all(spoken_of.isdisjoint(entry.names) for entry in table(claim.rests_on)):
+        return ((),)
+    return tuple(dict.fromkeys((_known(claim), _behind(claim))))
 
 
 def _can_be_evaluated(says: Basic, claim: Claim) -> bool:
@@ -177,7 +194,8 @@ def _can_be_evaluated(says: Basic, claim: Claim) -> bool:
     In what boxes enclose, symbols may stand for what is defined nowhere, as higher orders are.
     """
     known = frozenset().union(*(condition.free_symbols for condition in claim.given))
-    return isinstance(claim.proof, tuple | Together | Formally) or says.free_symbols <= known
+    attacked = isinstance(claim.proof, tuple | Together | Formally | Instance)
+    return attacked or says.free_symbols <= known
 
 
 def _resting_on_sand(claim: Claim, found: Findings) -> Finding | None:
@@ -190,7 +208,10 @@ def _resting_on_sand(claim: Claim, found: Findings) -> Finding | None:
             raise InputError(f"{claim.label} uses {used.label}, on which no finding is given")
         if found[used.label].of not in (None, used):
             return Finding(UNDECIDED, f"another claim labelled {used.label} was judged")
-    why = captured(claim) or conflict((*claim.rests_on, claim))
+    try:
+        why = confused(claim) or captured(claim) or conflict((*claim.rests_on, claim))
+    except InputError as error:
+        why = str(error)
     if why is not None:
         return Finding(UNDECIDED, why)
     if isinstance(claim.proof, AllOf):
@@ -207,7 +228,10 @@ def _judge(claim: Claim, found: Findings) -> Finding:
     try:
         why = unfit(claim)
         need(why is None, f"{why}")
-        return _judge_with_facts(claim, found) if claim.knowing else _by_kind(claim, found)
+        finding = _judge_with_facts(claim, found) if claim.knowing else _by_kind(claim, found)
+        slope = isinstance(claim.says, Basic) and isinstance(claim.means, Eq)
+        need(not (slope and finding.verdict.holds), "that a slope is right shows no order")
+        return finding
     except NotShownError as error:
         return Finding(UNDECIDED, str(error), steps=error.steps)
 
@@ -244,7 +268,9 @@ def _by_kind(claim: Claim, found: Findings) -> Finding:
             return shown or Finding(UNDECIDED, "no expansion shows that the order fails")
         case Squeezed():
             return _unless(partial(failing_order, claim), judge_squeezed, claim, claim.proof)
-        case Boxes() | Denied():
+        case Boxes():
+            return claim.proof.judge(", ".join(map(str, claim.given)))
+        case Denied():
             return claim.proof.judge()
         case _:
             raise NotShownError("that is no kind of evidence")
@@ -375,7 +401,7 @@ def _known(claim: Claim) -> tuple[Basic, ...]:
     for used in claim.uses:
         if table((used, *used.rests_on)):
             known.update(dict.fromkeys(used.given))
-            known.update((p, None) for p in parts_of(used.says) if isinstance(p, Relational))
+            known.update((p, None) for p in parts_of(used.decided) if isinstance(p, Relational))
     return tuple(known)
 
 
@@ -477,9 +503,18 @@ def _chain_to_sign(
 def _judge_instance(claim: Claim, proof: Instance) -> Finding:
     """PROVED when the values are of variables, and every condition of the claim holds of them."""
     general = proof.claim
-    bound = any(e.atoms(Integral, Derivative, Subs) for e in (general.says, *general.given))
+    parts = parts_of(general.says) if isinstance(general.says, Basic) else ()
+    written = (*parts, *general.given)
+    plain = (
+        bool(parts) and general.means is None and all(isinstance(e, Relational) for e in written)
+    )
+    need(plain, f"{general.label} is no formula of relations, of which there are instances")
+    variables = all(isinstance(x, Symbol) for x, _ in proof.values)
+    need(variables, "values are given to variables, and to nothing else")
+    bound = any(e.atoms(Integral, Derivative, Subs, Binding) for e in written)
     bound = bound or any(x.name in defined(general) for x, _ in proof.values)
     need(not bound, "the values are of symbols that are bound, or defined")
+    _need_independent(general, written, {x.name for x, _ in proof.values})
     need(claim.says == proof.says, "what is said is no instance of the claim")
     _need_possible(claim)
     given = with_bounds(conditions(claim.given), (citing(*proof.cited),))
@@ -489,6 +524,13 @@ def _judge_instance(claim: Claim, proof: Instance) -> Finding:
     says = relations(formula(claim.says))
     _need_values([side for part in says for side in (part.left, part.right)], given)
     return Finding(PROVED, f"it is an instance of {general.label}")
+
+
+def _need_independent(claim: Claim, written: Iterable[Basic], names: Iterable[str]) -> None:
+    """That no symbol in what is written is defined by those that are replaced, or vary."""
+    spoken_of = {s.name for e in written for s in e.free_symbols if isinstance(s, Symbol)}
+    name = dependent(spoken_of, names, dependencies((*claim.rests_on, claim)))
+    need(name is None, f"{name} is defined by what is replaced, and would keep its name")
 
 
 def _need_values(sides: Sequence[Expr], given: Conditions) -> None:
@@ -501,7 +543,9 @@ def _need_values(sides: Sequence[Expr], given: Conditions) -> None:
 
 def _judge_implicit_function(claim: Claim, proof: ImplicitFunction) -> Finding:
     """PROVED when the claim says the slope of the implicit function, and the theorem applies."""
-    equation, says = formula(proof.equation.says), formula(claim.says)
+    if not (isinstance(proof.equation.decided, Eq) and isinstance(claim.says, Eq)):
+        raise NotShownError("an equation is differentiated")
+    equation, says = formula(proof.equation.decided), formula(claim.says)
     if not isinstance(equation, Relation) or not isinstance(says, Relation):
         raise NotShownError("an equation is differentiated")
     need(equation.sign == says.sign == "==", "an equation is differentiated, and is its slope")
@@ -529,8 +573,7 @@ def _judge_implicit_function(claim: Claim, proof: ImplicitFunction) -> Finding:
     manifest = sign in ("+", "-")
     need(manifest, "the sign of the derivative by the unknown is not manifest", steps)
     written = tuple(c for c in claim.given if proof.parameter not in c.free_symbols)
-    assert not isinstance(proof.equation.says, str)
-    on_curve = (proof.equation.says.xreplace({proof.parameter: proof.at}),)
+    on_curve = (proof.equation.decided.xreplace({proof.parameter: proof.at}),)
     need(satisfiable(written, on_curve), "no point is found that satisfies the equation", steps)
     why = f"the equation is smooth and its derivative by {u} is not zero"
     return Finding(PROVED, why, steps=steps)
@@ -538,7 +581,7 @@ def _judge_implicit_function(claim: Claim, proof: ImplicitFunction) -> Finding:
 
 def _refuted_slope(claim: Claim, proof: ImplicitFunction) -> Finding | None:
     """REFUTED with a point of the equation at which what is said is not the slope, or None."""
-    says, equation = claim.says, proof.equation.says
+    says, equation = claim.says, proof.equation.decided
     assert isinstance(says, Basic)
     assert isinstance(equation, Basic)
     left, p = equation.args[0], proof.parameter

@@ -99,6 +99,26 @@ class Report:
         return in_one_line(f"Report({self._said})")
 
     @property
+    def refuted(self) -> dict[str, int]:
+        """How many refuted claims are of each kind.
+
+        ``paper``: statements of the paper that do not hold as printed. ``stricter``: readings
+        that are stricter than the paper's words. ``sharpness``: claims of our own that are meant
+        to fail, which show that a bound cannot be improved.
+
+        Example:
+            >>> import tresym
+            >>> tresym.verify("d24").refuted["paper"]
+            1
+        """
+        kinds = Counter(
+            "stricter" if row.claim.paper_says else "paper" if row.claim.where else "sharpness"
+            for row in self.rows
+            if row.finding.verdict is Verdict.REFUTED
+        )
+        return {kind: kinds[kind] for kind in ("paper", "stricter", "sharpness")}
+
+    @property
     def _said(self) -> str:
         counts = ", ".join(f"{count} {verdict}" for verdict, count in self.counts.items() if count)
         outcome = "as expected" if self.as_expected else "not as expected"
@@ -191,12 +211,12 @@ class Report:
 
 
 def verify(
-    labels: str | Iterable[str] = (), on_row: Callable[[Row], None] | None = None, workers: int = 1
+    *labels: str | Iterable[str], on_row: Callable[[Row], None] | None = None, workers: int = 1
 ) -> Report:
     """Judge every claim, or those named by ``labels`` with all that they rest on.
 
     Args:
-        labels: a label, or several; none means all.
+        labels: labels, or lists of them; none means all.
         on_row: called with each row as it is found, for progress.
         workers: processes to look at the evidence in; with 1, this very process.
 
@@ -224,12 +244,12 @@ def verify(
     return Report(tuple(rows))
 
 
-def _labels(asked: Any) -> tuple[str, ...]:
-    """One label, or several, as they are asked for; InputError for anything else."""
+def _labels(asked: tuple[Any, ...]) -> tuple[Any, ...]:
+    """The labels asked for, one by one or in lists; InputError for anything else."""
     try:
-        found = (asked,) if isinstance(asked, str) else tuple(asked)
+        found = tuple(x for each in asked for x in ((each,) if isinstance(each, str) else each))
     except TypeError:
-        found = (asked,)
+        found = asked
     if not all(isinstance(label, str) for label in found):
         raise InputError("verify: labels are text, such as eq_gamma")
     return found

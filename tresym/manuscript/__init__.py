@@ -1,1 +1,1 @@
-"""A manuscript of one's own: its displays, what kind each link of them is, and its status."""
+"""Read a LaTeX manuscript and give every link of its displays a status."""

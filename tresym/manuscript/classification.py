@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 from flint import fmpq
 
-from tresym.manuscript import prose
+from tresym.manuscript import accusations, prose
+from tresym.manuscript.accusations import NO_VARIABLES, Ground
 from tresym.manuscript.context import DEPTH, Memory, Under, about, names_in
 from tresym.manuscript.display import Said
 from tresym.manuscript.source import Display
@@ -28,12 +29,11 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.language.latex_operands import Piece
-from tresym.reals.language.parsing import INFINITY, Compared
+from tresym.reals.language.parsing import UNKNOWN, Compared
 from tresym.reals.numbers.exact import InputError, parse_number
 
 DEFINED, ASSUMED, EQUATION, UNREAD = "DEFINED", "ASSUMED", "EQUATION", "UNREAD"
 CONSTANTS = re.compile(r"[CcAB]_?\d*|[CcA]_\w")
-NO_VARIABLES = symbols(INFINITY) | symbols(DOTS)
 TOLD = "as the text before it says, with"
 WHERE = "under what is said where that is defined, with"
 EARLIER = "under what sections before it say"
@@ -43,12 +43,24 @@ to be solved."""
 
 
 class Attempt(NamedTuple):
-    """What is asked, what was put in for it, what is thereby said, and whether a no counts."""
+    """What is asked, what was put in for it, what is thereby said, and whether a no counts.
+
+    Attributes:
+        sides, given: what is asked, taken apart.
+        far: symbols that are put in and were defined in another paragraph.
+        same: whether the same variables stand on both sides.
+        under: its conditions or its path, in words.
+    """
 
     text: str
     how: str
     read_as: str
     may_fail: bool = True
+    sides: Compared | None = None
+    given: tuple[Compared, ...] = ()
+    far: tuple[str, ...] = ()
+    same: bool = False
+    under: str = ""
 
 
 @dataclass(frozen=True)
@@ -64,6 +76,11 @@ class Link:
         firm: whether a refutation counts; else the link is then ``otherwise``.
         same: whether the same variables stand on both sides.
         unknown: whether there is a function in it that is left unknown.
+        second: the same link in the other of two readings.
+        symbols: those of its chain, each with its kind and what speaks for that.
+        constants: symbols that are said to be numbers.
+        counted: symbols that number something elsewhere, and so are positive integers.
+        ground: on what a refutation of it stands.
     """
 
     display: Display
@@ -77,7 +94,12 @@ class Link:
     otherwise: tuple[str, str] = ("UNDECIDED", "")
     same: bool = False
     unknown: bool = False
+    ground: Ground = field(default_factory=Ground)
     shown: str = field(default="", repr=False)
+    second: Link | None = None
+    symbols: tuple[tuple[str, str, str], ...] = ()
+    constants: frozenset[str] = frozenset()
+    counted: frozenset[str] = frozenset()
 
 
 def claim(
@@ -95,7 +117,9 @@ def claim(
     left, relation, right = compared
     try:
         known = memory.known(under)
-        left, right = memory.under_binders(left, known), memory.under_binders(right, known)
+        constants = memory.uses.numbers | names_in(under.given)
+        left = memory.under_binders(left, known, constants)
+        right = memory.under_binders(right, known, constants)
     except InputError as error:
         return replace(read_so(link, compared), status=UNREAD, why=str(error))
     if signed and said.either and relation != "==":
@@ -108,6 +132,10 @@ def claim(
     if under.put_in:
         values = dict(under.put_in)
         left, right = substitute(left, values), substitute(right, values)
+        put = [(substitute(a, values), r, substitute(b, values)) for a, r, b in under.given]
+        under = replace(under, given=tuple(put))
+    printed, compared = compared, (left, relation, right)
+    link = replace(link, ground=accusations.ground(memory, compared, said, n, under, head))
     orders = any(node.op in ("O", "o") for node in outermost(left, right))
     as_path = ""
     if relation == "~" or orders:
@@ -136,7 +164,7 @@ def claim(
     constants = not (symbols(left) | symbols(right)) - NO_VARIABLES
     constants = constants and not unknown_in(left, right)  # y(0) = 1 is asked of y
     worked = not unknown_in(left, right) and any(
-        node.op in _WORKED or is_infinite(node) for node in outermost(compared[0], compared[2])
+        node.op in _WORKED or is_infinite(node) for node in outermost(printed[0], printed[2])
     )
     worked = worked or DOTS.args[0] in symbols(left) | symbols(right)
     firm = not said.before and (sure or goes_on or constants) and (under.noted or not as_path)
@@ -153,6 +181,7 @@ def claim(
         and not changed
         and not _is_up_to(n, said, known)
         and not (under.noted and under.kind == prose.SOLVE and n == 0)
+        and (under.noted or not unknown_in(left, right))
     )
     link = replace(link, sides=(left, relation, right), read_as=attempts[0].read_as)
     fallback = _fallback(memory, left, relation, right, None if as_path else head)
@@ -161,12 +190,20 @@ def claim(
     if under.noted and n == 0 and under.kind == prose.SOLVE:
         return replace(link, status=fallback[0], why=fallback[1])
     if head is not None and fallback[0] == DEFINED and symbols(right):
-        memory.define(head, right)
+        if said.conditions or under.put_in:
+            memory.undefine(head.name)
+        else:
+            memory.define(head, right)
     undecided = "UNDECIDED", ""
     keep = firm or (same and relation == "==" and n > 0) or as_path or relation != "=="
+    counted = memory.uses.indices - memory.uses.numbers
     link = replace(link, claims=attempts, firm=firm, same=same)
+    link = replace(link, counted=counted, constants=memory.uses.numbers | names_in(under.given))
     if fallback[0] == EQUATION and unknown_in(left, right):
         link = replace(link, same=False, unknown=True)
+    if under.unread and not under.noted:
+        unread = UNREAD, f"its condition is not read: {under.unread}"
+        return replace(link, firm=False, unknown=True, otherwise=unread)
     return replace(link, otherwise=undecided if keep and fallback[0] != DEFINED else fallback)
 
 
@@ -202,16 +239,30 @@ def _attempts(
         conditions = tuple(c for c in conditions if end not in names_in((c,)))
         spoken = chained(about(symbols(left) | symbols(right), conditions))
         said_so = f"{left} {relation} {right}" + (f" given {spoken}" if spoken else "") + as_path
-        for one, other, given, how in _forms(memory, left, right, conditions, under):
+        for one, other, given, how, put in _forms(memory, left, right, conditions, under):
             given = [c for c in given if end not in names_in((c,))]  # where it holds, the path says
             shown = chained(about(symbols(one) | symbols(other), given))
-            text = f"{one} {relation} {other}" + (f" given {shown}" if shown else "") + as_path
+            told = (f" given {shown}" if shown else "") + as_path
+            text = _with_functions_named(f"{one} {relation} {other}{told}", unknown_in(one, other))
             how = "; ".join(filter(None, (how, EARLIER if more else "")))
             may_fail = not how.startswith((TOLD, WHERE))
             said = f"{left} {relation} {right} given {shown}" if how.startswith(WHERE) else said_so
-            attempts.setdefault(text, Attempt(text, how, said, may_fail))
-            same = same or (may_fail and not (symbols(one) ^ symbols(other)) - free)
+            asked = Attempt(text, how, said, may_fail, (one, relation, other), tuple(given))
+            asked = asked._replace(under=told)
+            far = accusations.far_definitions(memory, put, under)
+            alike = not (symbols(one) ^ symbols(other)) - free
+            attempts.setdefault(text, asked._replace(far=far, same=alike))
+            same = same or (may_fail and alike)
     return tuple(sorted(attempts.values(), key=lambda attempt: not attempt.may_fail)), same
+
+
+def _with_functions_named(text: str, names: Iterable[str]) -> str:
+    """The claim with names for unknown functions by which the grammar of text knows them."""
+    for name in names:
+        alone = re.search(rf"\b{name}\b(?!\s*\()", text)
+        if alone or not UNKNOWN.fullmatch(name):
+            text = re.sub(rf"\b{name}\s*\(", f"fn_{name}(", text)
+    return text
 
 
 def _by_one_variable(left: Expr, right: Expr, known: Mapping[str, Expr]) -> tuple[Expr, Expr]:
@@ -244,29 +295,29 @@ def _forms(
     right: Expr,
     given: Sequence[Compared],
     under: Under,
-) -> Iterator[tuple[Expr, Expr, Sequence[Compared], str]]:
+) -> Iterator[tuple[Expr, Expr, Sequence[Compared], str, Mapping[str, Expr]]]:
     """Both sides and the conditions as they stand, and with definitions put in.
 
     What was defined last is put in first, by itself, then all of what the claim is said to
     follow from; in the end everything is.
     """
-    yield left, right, given, ""
+    yield left, right, given, "", {}
     known, equal = memory.known(under), {name for name, _ in under.sources}
     given = [c for c in given if c[1] != "==" or str(c[0]) not in equal]
     steps = [*_put_in(known, left, right, given)]
-    found = [(*step[:3], f"with {_spoken(step[3])} put in") for step in steps]
+    found = [(*step[:3], f"with {_spoken(step[3])} put in", step[3]) for step in steps]
     named = [f for f in found if (symbols(f[0]) | symbols(f[1])).isdisjoint(equal)]
     yield from (*found[:1], *(named[:1] if equal else ()), *found[1:][-1:])
     for one, other, conditions, put in steps[-1:]:
         where = [c for name in put for c in memory.where.get(name, ())]
         if where:
-            yield one, other, [*conditions, *where], f"{WHERE} {_spoken(put)} put in"
+            yield one, other, [*conditions, *where], f"{WHERE} {_spoken(put)} put in", put
     if not memory.told or under.noted:
         return
     told = {name: value for name, value in known.items() if name not in memory.told} | memory.told
     for one, other, conditions, put in [*_put_in(told, left, right, given)][-1:]:
         if not put.keys().isdisjoint(memory.told):
-            yield one, other, conditions, f"{TOLD} {_spoken(put)} put in"
+            yield one, other, conditions, f"{TOLD} {_spoken(put)} put in", put
 
 
 def _put_in(

@@ -7,11 +7,13 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TypeAlias
 
-from tresym.manuscript import prose
+from tresym.manuscript import prose, restrictions
+from tresym.manuscript.dependence import may_depend
 from tresym.manuscript.directives import Orders
 from tresym.manuscript.display import STRANGE, Said, statements
-from tresym.manuscript.source import Scope
-from tresym.manuscript.terms import Head, head_of, is_plain, read_term
+from tresym.manuscript.kinds import Uses
+from tresym.manuscript.scopes import Restriction, Scopes
+from tresym.manuscript.terms import Head, base_of, head_of, is_plain, read_term, unknown_in
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.expression import (
@@ -68,7 +70,12 @@ _TIME_WITHIN = re.compile(r"(?<![a-zA-Z\\])d\s*\}?\s*\{?t'|''")
 """Where t' is a variable of integration, or derivatives are marked by primes."""
 _INDICES = frozenset("ijklmnpqrsIJKLMN")
 """Letters of integers: in passing, of others it is said of one display."""
+_ENDED = re.compile(r"[.!?][\s})~]*\Z")
+_PARAGRAPH = re.compile(r"\n\s*\n|\\par(?![a-zA-Z])")
 DEPTH = 10
+_ORDER = frozenset(("<", ">", "\\le", "\\leq", "\\ge", "\\geq", "\\leqslant", "\\geqslant"))
+_DIFFERENTIAL = re.compile(r"\s*d\s*[a-zA-Z\\]+\s*=")
+"""An equation of differentials, du = 2x dx, which restricts no value."""
 _OFF = (("\\ne",), ("\\neq",), ("\\notin",))
 Conditions: TypeAlias = tuple[tuple[Compared, ...], tuple[tuple[str, Expr], ...], str]
 """What conditions state: comparisons, values that are put in, and a path."""
@@ -89,63 +96,100 @@ class Under:
     """Whether the sentence says that it holds: "Then", "we have"."""
     passing: tuple[Compared, ...] = ()
     """What its own sentence says, of all that is given."""
+    row: tuple[Compared, ...] = ()
+    """The conditions that a word such as "for" ties to its own formula."""
+    anew: frozenset[str] = frozenset()
+    """The symbols of which its sentence speaks anew, as "for all real $x$" does."""
+    unread: str = ""
+    """A condition in its sentence that is not read."""
+    stated: str = ""
+    """The words of its sentence that make it a statement about what exists, or a supposition."""
 
 
 class Memory:
     """What was said, and what it makes of what is read.
 
     Attributes:
-        functions: what symbols and functions stand for, the latest last.
-        noted, lasting: conditions of the author's notes and of the prose, to the section's end.
-        earlier: those of sections before, of symbols that are not spoken of anew.
+        noted: conditions of the author's notes, to the section's end.
+        scopes: what the text says, as far as that reaches.
         labels: what displays say, by their labels and numbers.
         ahead: what is defined further on in the display.
+        partial: whether derivatives in a chain are written with ∂.
         by: the one variable by which a chain integrates, if it is one.
+        uses: what the names of the display are elsewhere.
         seen: names that stood in a display before.
-        recent: what was defined in this section; before it a letter may have been another.
         primes: whether primes make other symbols, as where there is a time t', and no derivatives.
         where: conditions of the sentences that define symbols, by the symbol.
         told: values that the lines before the display tell, without defining by them.
-        around: what was said before each proof that is open.
-        stating: whether a theorem is open.
-        stated: what symbols stood for before the theorems of this section that define them.
+        own: what the sentence of the next display defines.
+        line: where the display stands that is read, 0 in the running text.
+        lines: where symbols were defined.
     """
 
     def __init__(self, text: str) -> None:
         self.letter_e = bool(_LETTER_E.search(text))
         self.letter_delta = bool(_LETTER_DELTA.search(text))
-        self.functions: dict[str, Function] = {}
+        self.scopes = Scopes()
+        self.own: set[str] = set()
+        self.line = 0
+        self.lines: dict[str, int] = {}
         self.noted: list[Compared] = []
-        self.lasting: list[Compared] = []
-        self.earlier: list[Compared] = []
         self.labels: dict[str, list[Compared]] = {}
         self.shorter = self.longer = False
         self.ahead: dict[str, Expr] = {}
         self.by = ""
+        self.partial = False
         self.primes = bool(_PRIMED_TIME.search(text)) and not _TIME_WITHIN.search(text)
         self.dependent = _dependent(text)
         self.called = frozenset(
             head.name for m in _CALLED.finditer(text) if (head := self.head(tokenize(m[1])))
         )
+        self.uses = Uses()
         self.seen: set[str] = set()
         self.told: dict[str, Expr] = {}
         self.where: dict[str, tuple[Compared, ...]] = {}
-        self.recent: set[str] = set()
-        self.around: list[tuple[dict[str, Function], list[Compared], list[Compared], set[str]]] = []
-        self.stating = False
-        self.stated: dict[str, Function | None] = {}
+
+    @property
+    def functions(self) -> dict[str, Function]:
+        """What symbols and functions stand for, the latest last."""
+        return self.scopes.now.functions
+
+    @property
+    def lasting(self) -> list[Compared]:
+        """Conditions of the prose, to the end of the section or of a scope in it."""
+        return self.scopes.now.lasting
+
+    @lasting.setter
+    def lasting(self, conditions: list[Compared]) -> None:
+        self.scopes.now.lasting = conditions
+
+    @property
+    def earlier(self) -> list[Compared]:
+        """Conditions of sections before, of symbols that are not spoken of anew."""
+        return self.scopes.now.earlier
+
+    @property
+    def recent(self) -> set[str]:
+        """What was defined in this section; before it a letter may have been another."""
+        return self.scopes.now.recent
 
     @property
     def author(self) -> Author:
         """Whose formulas are read, for the reader of LaTeX."""
+        unclear = self.scopes.now.ambiguous - self.own
         return Author(
-            self.functions,
+            {n: f for n, f in self.functions.items() if n not in unclear},
             strict=True,
             shorter=self.shorter,
             longer=self.longer,
             letter_e=self.letter_e,
             letter_delta=self.letter_delta,
             called=self.called,
+            applied=self.uses.applied,
+            bare=self.uses.bare,
+            numbers=self.uses.numbers,
+            sequences=self.uses.sequences,
+            inverses=self.uses.inverses,
             variable=self.by,
         )
 
@@ -158,47 +202,47 @@ class Memory:
         """Remember what a symbol stands for, and the conditions of the sentence that says so."""
         if DOTS.args[0] in symbols(value):
             return  # not all of it is written
-        before = self.functions.pop(head.name, None)  # the latest are put in first
-        if self.stating:
-            self.stated.setdefault(head.name, before)
-        else:
-            self.stated.pop(head.name, None)
-        self.recent.add(head.name)
-        self.where[head.name] = () if head.parameters else tuple(where)
-        self.functions[head.name] = Function(() if head.derived else head.parameters, value)
+        now, name = self.scopes.now, head.name
+        found = Function(() if head.derived else head.parameters, value)
+        before = now.functions.pop(name, None)  # the latest are put in first
+        outer = self.scopes.before.functions.get(name)
+        if before not in (None, found, outer) and name in now.recent:
+            now.ambiguous.add(name)
+        now.recent.add(name)
+        now.places[name] = now.paragraph
+        self.lines[name] = self.line
+        self.where[name] = () if head.parameters else tuple(where)
+        now.functions[name] = found
 
-    def section(self) -> None:
-        """A section begins: conditions end, and what the theorems before it define."""
-        for name, before in self.stated.items():
-            self.functions.pop(name, None)
-            if before is not None:
-                self.functions[name] = before
-        self.earlier += self.lasting
-        self.noted, self.lasting, self.stated = [], [], {}
-        self.recent.clear()
+    def undefine(self, name: str) -> None:
+        """A symbol is another from here on, and how is not read."""
+        self.functions.pop(name, None)
+        self.restrict({name}, "it is defined in a way that is not read")
 
-    def scope(self, scope: Scope) -> None:
-        """A proof or a theorem begins or ends; what is said in a proof is forgotten after it."""
-        if scope.stated:
-            self.stating = scope.opens
-        elif scope.opens:
-            said = dict(self.functions), [*self.lasting], [*self.earlier], {*self.recent}
-            self.around.append(said)
-        elif self.around:
-            self.functions, self.lasting, self.earlier, self.recent = self.around.pop()
+    def section(self, chapter: bool) -> None:
+        """A section begins: conditions end, and what is said in scopes."""
+        self.scopes.section(chapter)
+        self.noted = []
 
     def known(self, under: Under) -> dict[str, Expr]:
         """What symbols stand for, what was said last at the end."""
-        known = self.ahead | {name: function.body for name, function in self.functions.items()}
+        unclear = self.scopes.now.ambiguous - self.own
+        functions = {n: f.body for n, f in self.functions.items() if n not in unclear}
+        known = self.ahead | functions
         for name, body in under.sources:
             known.pop(name, None)
             known[name] = body
         return known
 
-    def under_binders(self, e: Expr, known: Mapping[str, Expr]) -> Expr:
+    def under_binders(
+        self, e: Expr, known: Mapping[str, Expr], constants: frozenset[str] = frozenset()
+    ) -> Expr:
         """With what is a function of the variable of a derivative or an integral put in there.
 
         In print ``y`` under ``d/dx`` is what it stands for, where that has x in it.
+
+        Args:
+            constants: what is bound around it, or said to be a number.
 
         Raises:
             InputError: it is not known whether a symbol is a function of the variable.
@@ -208,8 +252,9 @@ class Memory:
         if e.op not in BINDERS or not symbols(e.args[0]).isdisjoint(e.names):
             if e.op in UNWORKED or e.op == "unknown":
                 return e
-            return rebuild(e, tuple(self.under_binders(arg, known) for arg in e.args))
-        args = tuple(self.under_binders(arg, known) for arg in e.args[1:])
+            return rebuild(e, tuple(self.under_binders(arg, known, constants) for arg in e.args))
+        args = tuple(self.under_binders(arg, known, constants) for arg in e.args[1:])
+        constants = constants.union(*map(symbols, args))  # an end is not moved by the variable
         body = instantiate(e.args[0], tuple(map(symbol, e.names)))
         for _ in range(DEPTH):
             values = {
@@ -222,24 +267,85 @@ class Memory:
             body = substitute(body, values)
         for name in sorted(symbols(body) - {*e.names}):
             on = self.dependent.get(name, frozenset()) | ({""} if name in self.called else set())
-            if on & {"", *e.names}:
-                raise InputError(f"whether {name} is a function of {e.names[0]} is not said")
-        return Expr(e.op, (bind(self.under_binders(body, known), e.names), *args), e.names)
+            on |= {""} if base_of(name) != name else set()
+            free = name not in constants and name not in known
+            if on & {"", *e.names} or (free and may_depend(name, e, body, self.partial)):
+                advice = f"write {name}({e.names[0]}), or % tresym: let {name} real"
+                raise InputError(
+                    f"whether {name} is a function of {e.names[0]} is not said: {advice}"
+                )
+        inner = self.under_binders(body, known, constants | {*e.names})
+        return Expr(e.op, (bind(inner, e.names), *args), e.names)
 
     def remember(self, text: str) -> None:
-        """Definitions and lasting conditions in the lines of a text."""
-        for found in prose.inline(text):
-            for said in quietly(found.tex):
-                name = self.lone(said) if found.whole or found.anew else ""
-                if name and found.anew:
-                    self.forget(name)
-                if name and found.whole and (name[:1] in _INDICES or not found.passing):
-                    self.lasting += whole(symbol(name), found.whole)
-                if len(said.ops) == 1 and said.ops[0] in ("=", ":="):
-                    self.defined_in_line(said, found.defining, found.told, found.whole)
-                elif found.lasting:
-                    given, _, _ = self.condition(said) or ((), (), "")
-                    self.lasting += given
+        """Definitions, lasting conditions and what restricts symbols in the lines of a text."""
+        for n, paragraph in enumerate(_PARAGRAPH.split(text)):
+            if n:
+                self.scopes.paragraph()
+            for found in prose.inline(paragraph):
+                for said in quietly(found.tex):
+                    self.heed(said, found)
+
+    def heed(self, said: Said, found: prose.Inline) -> None:
+        """What one formula in the line says."""
+        name = self.lone(said) if found.whole or found.anew else ""
+        if name and found.anew:
+            self.forget(name)
+        if name and found.whole and (name[:1] in _INDICES or not found.passing):
+            self.lasting += whole(symbol(name), found.whole)
+        one = self.head(said.terms[0]) if found.introduced else None
+        known = self.functions.get(one.name) if one else None
+        if one and known and (one.parameters or known.parameters):
+            self.undefine(one.name)
+        understood = not said.ops or found.conditional
+        if len(said.ops) == 1 and said.ops[0] in ("=", ":="):
+            if self.defined_in_line(said, found):
+                return
+        elif said.ops and found.lasting and not restrictions.is_absurd(found.binds):
+            conditions = self.condition(said)
+            self.lasting += conditions[0] if conditions else ()
+            understood = conditions is not None and not conditions[1]
+        why = f"'{found.binds}'" if found.binds else f"${' '.join(found.tex.split())[:60]}$"
+        why = f"the text says {why} of it"
+        head = self.head(said.terms[0]) if said.ops in (("=",), (":=",)) else None
+        if found.binds:
+            self.restrict(self.spoken_of(said), why)
+        elif not understood and head is not None and not head.derived:
+            others = self.spoken_of(replace(said, terms=said.terms[1:])) - {*head.parameters}
+            self.restrict({head.name}, why, others - {head.name})
+        elif not understood and not _DIFFERENTIAL.match(found.tex):
+            conditions = self.condition(said) if {*said.ops} <= _ORDER else None
+            bounds = conditions[0] if conditions else ()
+            self.restrict(self.spoken_of(said), why, bounds=bounds)
+
+    def restrict(
+        self,
+        names: Iterable[str],
+        why: str,
+        by: Iterable[str] = (),
+        bounds: tuple[Compared, ...] = (),
+    ) -> None:
+        """Symbols are not free for a counterexample from here on, where ``by`` is spoken of too."""
+        for name in names:
+            before = self.scopes.now.restricted.get(name)
+            if before is None:
+                self.scopes.now.restricted[name] = Restriction(why, frozenset(by), bounds)
+            elif before.bounds and not bounds:
+                self.scopes.now.restricted[name] = Restriction(why, frozenset(by))
+            elif before.bounds:
+                self.scopes.now.restricted[name] = before._replace(bounds=before.bounds + bounds)
+
+    def spoken_of(self, said: Said) -> set[str]:
+        """The symbols and functions in a formula, by their letters where it is not read."""
+        names: set[str] = set()
+        for term in said.terms:
+            try:
+                tree = read_term(term, self.author).tree
+                names |= symbols(tree) | unknown_in(tree)
+            except InputError:
+                heads = (self.head([t]) for t in term if t[-1:].isalpha())
+                names |= {head.name for head in heads if head}
+        return names
 
     def lone(self, said: Said) -> str:
         """The symbol of which a plain formula speaks, if it is one."""
@@ -249,37 +355,51 @@ class Memory:
 
     def forget(self, name: str) -> None:
         """No condition on a symbol holds any longer: it is spoken of anew."""
-        self.lasting = [c for c in self.lasting if name not in names_in((c,))]
-        self.earlier = [c for c in self.earlier if name not in names_in((c,))]
+        for conditions in (self.lasting, self.earlier):
+            conditions[:] = [c for c in conditions if name not in names_in((c,))]
+        self.scopes.now.restricted.pop(name, None)
 
-    def defined_in_line(self, said: Said, surely: bool, told: bool, kind: str) -> None:
-        """A definition in the line, by the words before it or as one of a function, f(x) = ….
+    def defined_in_line(self, said: Said, found: prose.Inline) -> bool:
+        """Whether it is a definition in the line, by the words before it or as f(x) = ….
 
         What is only told, as in "then $m = 2k + 1$", may help to prove the next display.
         """
         head = self.head(said.terms[0])
         if head is None or head.derived:
-            return
+            return False
+        surely = (found.defining and not found.hypothesis) or said.ops[0] == ":="
         try:
             value = read_term(said.terms[1], self.author).tree
         except InputError:
-            return
-        if value.op == "number" or head.name in symbols(value):
-            return
-        if surely or head.parameters:
+            if surely and head.name in self.functions:
+                self.undefine(head.name)
+            return False
+        names = symbols(value)
+        if value.op == "number" or head.name in names | unknown_in(value):
+            return False
+        of_all = bool(head.parameters) and names >= {*head.parameters}
+        of_all = of_all and not (found.hypothesis or any("0" in p for p in head.parameters))
+        if found.piece and (surely or head.parameters):
+            self.undefine(head.name)
+            return True
+        if of_all or (surely and not head.parameters):
             self.define(head, value)
-        elif head.name in self.functions and self.functions[head.name].body != value:
-            del self.functions[head.name]  # it is another now, and how is not read
-        if told and not surely and symbols(value) and value.op != "symbol":
+            self.own |= {head.name} if found.last else set()
+            return True
+        if head.name in self.functions and self.functions[head.name].body != value:
+            self.undefine(head.name)
+        if found.told and not found.hypothesis and names and value.op != "symbol":
             self.told[head.name] = value
-            for name in symbols(value) if kind else ():
-                self.lasting += whole(symbol(name), kind)
+            for name in names if found.whole else ():
+                self.lasting += whole(symbol(name), found.whole)
+        return False
 
     def conditions_around(self, before: str, after: str) -> Under:
         """What the sentence around a display says of its conditions."""
         given: list[Compared] = []
         put_in: list[tuple[str, Expr]] = []
-        path = ""
+        anew: set[str] = set()
+        path = unread = ""
         for text in (prose.last_sentence(before), prose.first_sentence(after)):
             if prose.is_of_signs(text):
                 continue
@@ -289,16 +409,35 @@ class Memory:
                 for said in quietly(found.tex):
                     if found.tends and (name := self.lone(said)):
                         path = f"{name} -> {found.tends}"
+                    anew |= {self.lone(said)} if found.anew else set()
                     if found.whole and (name := self.lone(said)):
                         given += whole(symbol(name), found.whole)
-                    more = None if self.is_defined_function(said) else self.condition(said)
-                    if more and not more[1]:
+                    if self.is_defined_function(said):
+                        continue
+                    more = self.condition(said)
+                    if more and (not more[1] or said.ops == ("\\in",)):
                         given += more[0]
+                        put_in += (one for one in more[1] if one[0] not in self.told)
                         path = more[2] or path
+                    elif said.ops and found.conditional:
+                        unread = unread or " ".join(found.tex.split())
+        for found in prose.conditions_behind(after):
+            for said in quietly(found.tex):
+                more = self.condition(said)
+                given += more[0] if more and not more[1] else ()
+                unread = unread or ("" if more or not said.ops else " ".join(found.tex.split()))
         universal = prose.is_universal(before, after)
         kind = prose.kind_of(before)
         kind = "" if kind == prose.CLAIM and prose.is_narrowed(before) else kind
-        return Under(tuple(given), tuple(put_in), path, kind, universal=universal)
+        leading = "" if _ENDED.search(before) else prose.last_sentence(before)
+        stated = restrictions.stated_under(prose.without_formulas(leading))
+        return Under(
+            *(tuple(given), tuple(put_in), path, kind),
+            universal=universal,
+            anew=frozenset(anew),
+            unread=unread,
+            stated=stated,
+        )
 
     def is_defined_function(self, said: Said) -> bool:
         """Whether it is the definition of a function, f(x) = …, which is no condition."""
@@ -419,8 +558,12 @@ class Memory:
         """``n \\in \\mathbb{Z}``, and the like."""
         head = self.head(said.terms[0])
         which = "".join(t for t in said.terms[1][1:] if t not in "{}^_")
-        if head is None or which not in ("R", "Z", "N", "Z+", "N0"):
+        if head is None or which not in ("R", "Z", "N", "Z+", "N0", "O", "E"):
             return None
+        if which in ("O", "E"):
+            half = symbol(f"{head.name}_half")
+            value = number(2) * half + number(int(which == "O"))
+            return whole(half, "Z"), ((head.name, value),), ""
         return () if which == "R" else whole(symbol(head.name), which), (), ""
 
 

@@ -43,7 +43,7 @@ STRANGE = frozenset(
     (
         *("\\propto", "\\cong", "\\subset", "\\subseteq", "\\gtrsim", "\\lesssim", "\\asymp"),
         *("\\perp", "\\parallel", "\\notin", "\\longrightarrow", "\\xrightarrow"),
-        *("\\mapsto", "\\longmapsto"),
+        *("\\mapsto", "\\longmapsto", "\\questioned"),
     )
 )
 """Relations that are told apart, and not read."""
@@ -69,12 +69,36 @@ _DROPPED = re.compile(
     r"|\\(?:hspace|vspace|vphantom|hphantom|phantom|tag|label|cite|footnote|eqref|ref|color|raisebox"
     r"|smash)\*?\s*(?:\[[^\[\]]*\]\s*)?\{[^{}]*\}|\\hskip\s*-?[\d.]+\s*[a-z]{2}|\\hline"
 )
+_SET = re.compile(r"(?<![_^}\]\s])\s*\{\s*(\\mathbb\s*(?:\{\s*[A-Z]\s*\}|[A-Z]))\s*\}")
+_THOUSANDS = re.compile(
+    r"(?<![\d.,}])\d{1,3}(?:(?:(?:,|\{,\}|\\,)\d{3}){2,}|(?:\{,\}|\\,)\d{3}|,\d{3}(?=\.\d))"
+    r"(?!,?\d)"
+)
+_ONE_COMMA = re.compile(r"(?<![\d.,}_{])(\d{1,3}),(\d{3})(?![\d,.]*\d)")
+_REPEATING = re.compile(r"(?<![\d.])(\d+)\.(\d*)\\(?:overline|bar)\s*\{?(\d+)\}?")
+_BRACED_ARRAY = re.compile(
+    r"(?<==)\s*\\left\s*\\\{\s*\\begin\{array\}\s*\{[^{}]*\}((?:(?!\\begin).)*?)\\end\{array\}"
+    r"\s*\\right\s*\.",
+    re.DOTALL,
+)
+"""Cases that are set as an array behind a brace."""
+"""Digits in groups: 36,000,000. One group alone after a bare comma, 1,000, may be a decimal."""
 _BRACE = re.compile(r"\\(?:under|over)brace(?![a-zA-Z])")
 _BETWEEN = re.compile(r"\\(?:short)?intertext\s*\{((?:[^{}]|\{[^{}]*\})*)\}")
 _INTEGER = re.compile(
-    r"\\text\s*\{\s*(?:for |with )?(?:all |any |every |each |some |an? )?"
-    r"(positive |non-?negative )?integers?\s*\}[\s~]*(?:\\[,;: ])*\s*\$?([a-zA-Z])(?![a-zA-Z])\$?"
+    r"\\text\s*\{\s*(?:for |with |if |when )?(?:all |any |every |each |some |an? )?"
+    r"(?:(positive |non-?negative |odd |even )?(?:integers?|numbers?)|(odd|even))"
+    r"(?: values of)?\s*\}[\s~]*(?:\\[,;: ])*\s*\$?([a-zA-Z])(?![a-zA-Z])\$?"
 )
+_ARE_INTEGERS = re.compile(
+    r"(?:is |are |an? )*(?:(odd|even|positive|non-?negative) integers?|(odd|even)|integers?)"
+)
+_WHEN = re.compile(
+    r"\(?(?:and |but |only |valid |holds? |true |or |the last \w+ |this |is |are )*"
+    r"(?:for|if|iff|when|whenever|where|provided|with|unless|as long as|as soon as|on|in"
+    r"|at|assuming|given|except|near|while|until|under|because of|over|outside|inside)\b"
+)
+"""What a condition begins with."""
 _TEXT = re.compile(
     r"\\(text|textrm|textnormal|mbox|textit|hbox|intertext|shortintertext|textup|mathrm"
     r"|operatorname\*?)\s*\{((?:[^{}]|\{[^{}]*\})*)\}"
@@ -180,15 +204,20 @@ def _with_words(found: list[Said], words: list[str]) -> Iterator[Said]:
 def _prepared(text: str, words: list[str]) -> str:
     """With marks for gaps and upright text; what only sets the page is dropped."""
     text = _DROPPED.sub(" ", text)
+    text = _SET.sub(r" \1 ", text)
+    text = _THOUSANDS.sub(lambda m: re.sub(r"\{?,\}?|\\,", "", m[0]), text)
+    text = _ONE_COMMA.sub(r"{\1{,}\2}", text)
+    text = _REPEATING.sub(_repeating, text)
+    text = _BRACED_ARRAY.sub(r"\\begin{cases} \1 \\end{cases}", text)
     text = re.sub(r"\\boxed(?![a-zA-Z])", " ", text)
     text = _without_braces_under(text)
-    text = _INTEGER.sub(lambda m: rf"\text{{for }} {m[2]} \in \mathbb{{{_SETS[m[1]]}}}", text)
+    text = _INTEGER.sub(lambda m: rf"\text{{for }} {m[3]} \in {_set(m[1] or m[2] or '')}", text)
     text = re.sub(r"\\\\\s*\*?\s*(?:\[\s*-?[\d.]+\s*[a-z]{2}\s*\])?", r"\\\\ ", text)
     text = re.sub(
         r"\\q?quad(?![a-zA-Z])|\\enspace(?![a-zA-Z])", f" {GAP} ".replace("\\", r"\\"), text
     )
     text = re.sub(r"\\(?:triangleq|coloneq|doteq|eqdef|defeq)(?![a-zA-Z])|:\s*=", ":=", text)
-    text = _DEFINED.sub(lambda m: ":=" if re.search("def|triangle|Delta", m[1]) else "=", text)
+    text = _DEFINED.sub(_relation_under, text)
     text = re.sub(
         r"\\forall(?![a-zA-Z])", rf"{AND} {FORALL} {CONDITION} ".replace("\\", r"\\"), text
     )
@@ -197,7 +226,28 @@ def _prepared(text: str, words: list[str]) -> str:
     return _TEXT.sub(lambda m: _spoken(m, words), text)
 
 
-_SETS = {None: "Z", "positive ": "N", "nonnegative ": "N0", "non-negative ": "N0"}
+def _repeating(found: re.Match[str]) -> str:
+    """A decimal whose last digits repeat, as a fraction."""
+    places, period = found[2], found[3]
+    nines = 10 ** len(places) * (10 ** len(period) - 1)
+    above = int(found[1] + places + period) - int(found[1] + places)
+    return rf"\frac{{{above}}}{{{nines}}}"
+
+
+def _relation_under(found: re.Match[str]) -> str:
+    """An equality sign with something over it: a definition, a question, or the sign alone."""
+    if re.search(r"[?!]", found[1]):
+        return r" \questioned "
+    return ":=" if re.search("def|triangle|Delta", found[1]) else "="
+
+
+_SETS = {"": "Z", "positive": "N", "nonnegative": "N0", "non-negative": "N0"}
+_SETS |= {"odd": "O", "even": "E"}
+
+
+def _set(words: str) -> str:
+    """The integers that words such as "odd" and "positive" name."""
+    return rf"\mathbb{{{_SETS[words.strip()]}}}"
 
 
 def between(text: str) -> tuple[str, list[str]]:
@@ -253,11 +303,13 @@ def _spoken(found: re.Match[str], words: list[str]) -> str:
             result += found[0]
         elif not re.search(r"[^\W\d_]{2}", word):
             result += found[0] if len(pieces) == 1 else f" {piece} "
-        elif re.fullmatch(r"(?:is |are |an? )*integers?", word):
-            result += r" \in \mathbb{Z} "
+        elif one := _ARE_INTEGERS.fullmatch(word):
+            result += rf" \in {_set(one[1] or one[2] or '')} "
         else:
             words.append(" ".join(piece.split()))
-            result += f" {GAP if piece.lstrip().startswith('(') else ''} {WORDS} "
+            apart = CONDITION if _WHEN.match(word) else ""
+            apart = apart or (GAP if piece.lstrip().startswith("(") else "")
+            result += f" {apart} {WORDS} "
     return result
 
 
@@ -480,14 +532,14 @@ def _chains(tokens: list[str]) -> list[Said]:
                 continue
         chain = _chain(part)
         apart = stop == GAP or isinstance(stop, Spaced)
-        if apart and "=" in chain.ops and all(len(term) > 2 for term in chain.terms):
+        if apart and "=" in chain.ops and len(chain.terms[0]) > 2:
             under = False  # an equality apart is one more
         if not chain.ops:
             if colon:
                 continue
             if part == [FORALL]:
                 found = [replace(one, universal=True) for one in found]
-            elif part == [OTHERWISE] and found:
+            elif found and under and (part == [OTHERWISE] or WORDS in part):
                 found[-1] = replace(found[-1], conditions=(*found[-1].conditions, chain))
             elif stop in (GAP, "") and found and part[0] in _OPERATORS:
                 found[-1] = _extended(found[-1], [part])
@@ -503,6 +555,8 @@ def _chains(tokens: list[str]) -> list[Said]:
                 found[-1] = _extended(found[-1], chain.terms, chain.ops)
                 continue
         several = [replace(chain, terms=(tuple(p), *chain.terms[1:])) for p in pending]
+        if any(p[0][0].isdigit() for p in pending):  # a number with a comma, or a list
+            several, chain = [], replace(chain, values=tuple(map(tuple, pending)))
         pending = []
         for one in (*several, chain):
             if under and found:

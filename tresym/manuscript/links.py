@@ -27,8 +27,10 @@ from tresym.manuscript.classification import (
 )
 from tresym.manuscript.context import Conditions, Memory, Under, names_in
 from tresym.manuscript.directives import Orders, orders_of
-from tresym.manuscript.display import OR, STRANGE, WORDS, Said, between, statements
-from tresym.manuscript.source import Display, Event, Missing, Note, Prose, Scope, Section
+from tresym.manuscript.display import OR, OTHERWISE, STRANGE, WORDS, Said, between, statements
+from tresym.manuscript.files import Note
+from tresym.manuscript.kinds import Kinds
+from tresym.manuscript.source import Display, Event, Missing, Prose, Scope, Section
 from tresym.manuscript.terms import (
     SIGNS,
     Head,
@@ -67,7 +69,6 @@ EITHER = "either"
 """What leads in a chain that "or" follows."""
 BOUNDS = frozenset(("<", ">", "<=", ">=", "!="))
 FIRST = "of what the chain begins with, which it equals"
-HOLDS = "of the two readings of print it is the one that holds"
 
 
 class _Reading:
@@ -76,6 +77,8 @@ class _Reading:
     def __init__(self, events: Sequence[Event]) -> None:
         self.events = events
         self.memory = Memory("\n".join(e.text for e in events if isinstance(e, Display | Prose)))
+        self.kinds = Kinds(events)
+        self.place, self.words = 0, ""
         self.orders = Orders()
         self.cases: list[tuple[tuple[str, ...], tuple[Compared, ...]]] = []
 
@@ -83,17 +86,19 @@ class _Reading:
         """The links of all displays."""
         before = ""
         for n, event in enumerate(self.events):
+            self.place = n
             if isinstance(event, Note):
                 self.note(event)
             elif isinstance(event, Section):
-                self.memory.section()
+                self.memory.section(event.chapter)
                 before = ""
             elif isinstance(event, Scope):
-                self.memory.scope(event)
+                self.memory.scopes.mark(event)
                 before = ""
             elif isinstance(event, Missing):
                 continue
             elif isinstance(event, Prose):
+                self.memory.own.clear()
                 self.memory.remember(event.text)
                 before = event.text
             else:
@@ -103,7 +108,9 @@ class _Reading:
                 after = follows.text if isinstance(follows, Prose) else ""
                 if isinstance(beyond, Display) and prose.is_of_next(after):
                     after = ""
+                self.memory.line = event.line
                 found = list(self.display(event, before, after))
+                self.memory.line = 0
                 for label in (*event.labels, str(event.number)):
                     self.memory.labels[label] = [x.sides for x in found if x.sides]
                 yield from found
@@ -115,11 +122,14 @@ class _Reading:
         if orders.forget:
             self.memory.noted, self.memory.lasting = [], []
         self.memory.noted += parse_given(orders.given) if orders.given else []
+        for names, kind in orders.lets:
+            self.kinds.settle(names, kind, note.text, note.line, self.place)
         self.orders = self.orders.with_(orders)
 
     def display(self, display: Display, before: str, after: str) -> Iterator[Link]:
         """The links of a display."""
         orders = self.orders
+        self.words = f"{prose.last_sentence(before)} {prose.first_sentence(after)}"
         self.memory.shorter = orders.shorter
         around = self.memory.conditions_around(before, after)
         kind = orders.kind or around.kind
@@ -147,10 +157,11 @@ class _Reading:
         if not found:
             yield replace(blank, status=UNREAD, why="it is empty")
             return
-        self.memory.remember(after[: prose.MAX_AFTER] if prose.first_sentence(after) else "")
+        self.memory.remember(prose.first_sentence(after))
         count, self.cases = 0, []
         groups = _with_conditions_behind(_grouped(found))
-        self.memory.ahead = dict(self.defined_in(said for said, _ in groups))
+        plainly = (said for said, under in groups if not (said.conditions or under))
+        self.memory.ahead = dict(self.defined_in(plainly))
         last = max((said.row for said, under in groups if said.conditions or under), default=0)
         for said, under in groups:
             alone = said.row < last and not (said.conditions or under)
@@ -159,7 +170,9 @@ class _Reading:
                 one = said.signed(sign) if sign != " " else said
                 two = one.terms[0] != said.terms[0] and self.memory.head(one.terms[0]) is not None
                 several = sign != " " and not two  # x_\pm are two symbols
-                for link in self.chain(replace(blank, shown=""), one, under, around, several):
+                known = self.kinds.known(one.tokens, self.place)
+                start = replace(blank, shown="", symbols=known)
+                for link in self.chain(start, one, under, around, several):
                     count += 1
                     firm = link.firm and not alone  # the condition of a later row may be meant
                     yield replace(link, number=count, firm=firm)
@@ -193,7 +206,7 @@ class _Reading:
             if not said.ops or said.ops[0] not in ("=", ":=") or {"\\pm", "\\mp"} & {*said.tokens}:
                 continue
             head, value = self.memory.head(said.terms[0]), self.piece(said.terms[1], said)
-            if head and not head.derived and not isinstance(value, str) and not said.conditions:
+            if head and not head.derived and not isinstance(value, str):
                 names = symbols(value.tree)
                 if DOTS.args[0] in names:
                     continue
@@ -224,17 +237,23 @@ class _Reading:
                 yield replace(blank, status=ASSUMED, why=why, shown=shown, read_as=text)
             return
         under, problem = self.under(said, extra, around)
+        self.memory.uses = self.kinds.uses(said.tokens, self.place)
+        self.memory.partial = "\\partial" in said.tokens
         by = variables_of_integrals(said.tokens)
         self.memory.by = by.pop() if len(by) == 1 else ""
         pieces = [self.piece(term, said) for term in said.terms]
+        strange = [self.strange(said, n, blank.display.line) for n in range(len(said.ops))]
         doubts = [p for p in pieces if isinstance(p, str) and p.startswith("two readings remain")]
-        if doubts and {*said.ops} == {"="} and not self.memory.shorter:
+        if doubts and not any(strange) and not self.memory.shorter:
             links = list(self.either_reading(blank, said, under, doubts[0]))
             if links:
                 yield from links
                 return
         for n, op in enumerate(said.ops):
             shown = " ".join((*said.terms[n], op, *said.terms[n + 1]))
+            if strange[n]:
+                yield replace(blank, shown=shown, status=UNREAD, why=strange[n])
+                continue
             signs = {*said.terms[n][:1], *said.terms[n + 1][:1]} & {"\\pm", "\\mp"}
             several = signed or (said.either and bool(signs))
             link = replace(blank, shown=shown)
@@ -251,8 +270,16 @@ class _Reading:
                 link = replace(link, claims=(*link.claims, *told))
             yield link
 
+    def strange(self, said: Said, n: int, line: int) -> str:
+        """Why a link is not decided: one of its symbols is no real number; else nothing."""
+        left, right = list(said.terms[n]), list(said.terms[n + 1])
+        why = self.kinds.against_link(left, said.ops[n], right, self.place, self.words)
+        if why and n == 0:
+            self.kinds.spread(left, right, self.place, line)
+        return why
+
     def either_reading(self, blank: Link, said: Said, under: Under, why: str) -> Iterator[Link]:
-        """The links of a chain that can be read in two ways, one of which may hold; or none."""
+        """The links of a chain that can be read in two ways, each with both; or none."""
         rows: list[list[Piece | str]] = []
         for longer in (True, False):
             self.memory.longer, self.memory.shorter = longer, not longer
@@ -260,39 +287,42 @@ class _Reading:
         self.memory.longer = self.memory.shorter = False
         if any(isinstance(piece, str) for row in rows for piece in row):
             return
-        for n in range(len(said.ops)):
-            shown = " ".join((*said.terms[n], "=", *said.terms[n + 1]))
-            asked: list[Attempt] = []
+        if any(RELATIONS.get(op, "->") in ("->", "in", "<<", ">>") for op in said.ops):
+            return
+        for n, op in enumerate(said.ops):
+            shown = " ".join((*said.terms[n], op, *said.terms[n + 1]))
+            both = []
             for row in rows:
                 one, other = row[n : n + 2]
                 if isinstance(one, Piece) and isinstance(other, Piece):
-                    compared = one.tree, "==", other.tree
+                    compared = one.tree, RELATIONS[op], other.tree
                     link = replace(blank, shown=shown)
                     link = claim(
                         self.memory, link, 1, said, compared, (one, other), under, None, False
                     )
-                    asked += (a._replace(how=HOLDS, may_fail=False) for a in link.claims)
-            yield replace(
-                blank,
-                shown=shown,
-                claims=tuple(dict.fromkeys(asked)),
-                unknown=True,
-                otherwise=(UNREAD, why),
-            )
+                    both.append(replace(link, firm=False, otherwise=(UNREAD, why)))
+            yield both[0] if both[0].claims == both[1].claims else replace(both[0], second=both[1])
 
     def under(self, said: Said, extra: Sequence[Said], around: Under) -> tuple[Under, str]:
         """What a chain is said under, and what of it is not read."""
         given: list[Compared] = []
+        row: tuple[Compared, ...] = ()
         put_in = list(around.put_in)
         path, problem, own = around.path, "", bool(said.conditions or extra)
         for condition in (*said.conditions, *extra):
-            found = self.memory.condition(condition) if condition.ops else self.other_cases(said)
+            found = (
+                self.memory.condition(condition)
+                if condition.ops
+                else self.other_cases(said, condition)
+            )
             if found is None:
                 problem = problem or f"its condition is not read: {' '.join(condition.tokens)}"
             else:
                 given += found[0]
                 put_in += found[1]
                 path = found[2] or path
+            if condition in said.conditions or all(map(is_plain, condition.terms)):
+                row = tuple(given)
         if said.conditions:
             self.cases.append((said.terms[0], tuple(given)))
         spoken = [names_in((c,)) for c in (*given, *around.given)]
@@ -304,14 +334,17 @@ class _Reading:
         return replace(
             around,
             passing=around.given,
+            row=row,
             given=everything,
             put_in=tuple(put_in),
             path=path,
             kind=kind,
         ), problem
 
-    def other_cases(self, said: Said) -> Conditions | None:
-        """Of "otherwise" what it says: that no case before it is."""
+    def other_cases(self, said: Said, condition: Said) -> Conditions | None:
+        """Of "otherwise" what it says: that no case before it is; of other words nothing."""
+        if condition.tokens != (OTHERWISE,):
+            return None
         cases = [given for head, given in self.cases if head == said.terms[0]]
         if not cases or any(len(given) != 1 for given in cases):
             return None
@@ -428,7 +461,10 @@ class _Reading:
             for name in symbols(value) - self.memory.seen - {*head.parameters}
             if CONSTANTS.fullmatch(name)
         )
-        if not several and (symbols(value) or under.noted):
+        of_some = not names_in(under.passing).isdisjoint(head.parameters)
+        if several or of_some:  # no value of all arguments
+            self.memory.undefine(head.name)
+        elif symbols(value) or under.noted:
             self.memory.define(head, value, under.passing)
         self.memory.seen |= symbols(value) | {head.name}
         if constants and head.parameters and not under.noted:
@@ -450,6 +486,8 @@ class _Reading:
         """A term, or why it is not read."""
         if "hot" in tokens:
             return "how small the terms of higher order are is not said"
+        if any(tuple(tokens[n : n + 3]) == ("{", ",", "}") for n in range(len(tokens))):
+            return "a number with one comma, as 1,000, may be a decimal or a list"
         if WORDS in tokens:
             return f"the words {(said.words or ('in it',))[0]!a} are not read"
         try:

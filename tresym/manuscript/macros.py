@@ -23,6 +23,7 @@ _PARAMETERS = re.compile(r"((?:#\d)*)\s*(?=\{)")
 _BRACE = re.compile(r"\\.|[{}]", re.DOTALL)
 _COMMAND = re.compile(r"\\(?:[a-zA-Z@]+|.)", re.DOTALL)
 _SPACE = re.compile(r"\s*")
+_POWER = re.compile(r"(?<=[\d.])[eEdD]([-+]?\d+)\Z")
 
 
 class Macro(NamedTuple):
@@ -184,6 +185,8 @@ def _applied(macro: Macro, name: str, text: str, at: int) -> tuple[str, int]:
             raise InputError(f"the macro {name} lacks an argument")
         value, at = group(text, at)
         given.append(value)
+    if name == "\\num":
+        given = [_POWER.sub(r"\\times10^{\1}", value) for value in given]
     pieces = re.split(r"#(\d)", macro.body or "")
     result = pieces[0]
     for digit, piece in zip(pieces[1::2], pieces[2::2], strict=True):

@@ -6,6 +6,13 @@ import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from tresym.manuscript.restrictions import (
+    binding,
+    is_conditional,
+    is_hypothesis,
+    is_of_display_before,
+)
+
 DEFINE, ASSUME, SOLVE, CLAIM = "define", "assume", "solve", "claim"
 
 _KINDS = (
@@ -33,7 +40,7 @@ _NAMED = re.compile(
     re.IGNORECASE,
 )
 """What a formula behind it is the value of: "the energy $E = mc^2$"."""
-_INLINE = re.compile(r"(?<!\\)\$([^$]+)\$|\\\((.+?)\\\)", re.DOTALL)
+INLINE = re.compile(r"(?<!\\)\$([^$]+)\$|\\\((.+?)\\\)", re.DOTALL)
 _SENTENCE = re.compile(r"(?<=[a-z)}$])[.!?](?=\s+[A-Z\\$])|\n\s*\n|\\par(?![a-zA-Z])")
 _LASTING = re.compile(
     r"\b(?:let|suppose|assume|assuming|throughout|consider|restrict\w*|take)\b[^.$]*$",
@@ -72,6 +79,25 @@ _SIGN_AFTER = re.compile(
     rf"{_LIST}(?:(?:an?|any|some|all|both|fixed|given|arbitrary|real|real and) )*"
     rf"{_SIGN}{_NUMBERS}[\s~]*(?=[.,;:]|and\b|\Z)"
     r"(?!,?\s*(?:or|if|iff|when|whenever|only|unless|except|but|and not)\b)",
+)
+_PARITIES = {"odd": "O", "even": "E"}
+_PARITY_BEFORE = re.compile(
+    r"\b(odd|even)(?:[\s~]+(?:integers?|numbers?|values?(?: of)?))?[\s~]*\Z", re.IGNORECASE
+)
+_PARITY_AFTER = re.compile(
+    r"[\s~,]*(?:is|are|be|being)?[\s~]*(?:an?[\s~]+)?(?:positive[\s~]+)?(odd|even)\b"
+    r"(?![\s~]*(?:or|if|function|part|extension|permut|periodic))"
+)
+_PIECE = re.compile(
+    r"[\s~,]*(?:otherwise|elsewhere|else\b"
+    r"|(?:only )?(?:for|if|when|whenever|on|in)\b[^.;$]{0,40}"
+    r"\$[^$]*(?:[<>=,\[]|\\(?:[lg]eq?|neq?)(?![a-z])))"
+)
+_INTRODUCED = re.compile(
+    r"\b(?:let|consider|given|suppose(?: that)?|for|an?|any|every|each|two|some|another"
+    r"|(?:let|consider|given|suppose|for) the)(?:[\s~]+(?:\w+[\s~]+){0,2}(?:functions?|curves?"
+    r"|sequences?|series))?[\s~]*\Z",
+    re.IGNORECASE,
 )
 _NEITHER = re.compile(r"\b(?:neither|nor|not|no)[\s~]*\Z", re.IGNORECASE)
 _SYMBOL = r"(?:\\[a-zA-Z]+|[a-zA-Z])(?:_\w)?"
@@ -130,6 +156,12 @@ class Inline(NamedTuple):
             "$m$ is odd, so $m = 2k + 1$").
         tends: where its symbol goes, as in "for small $x$": 0 or oo.
         anew: its symbols are spoken of anew ("for all real $x$"): what was said of them has ended.
+        binds: the words that tie its symbols down ("there is", "choose").
+        hypothesis: it is supposed or denied, so that it defines nothing.
+        conditional: it says when something else holds ("if $a = b$").
+        piece: it is said of some arguments alone ("$f(t) = t$ for $t < 0$").
+        last: it stands in the last sentence.
+        introduced: it names what is spoken of from here on ("Let $f(x)$ be").
     """
 
     tex: str
@@ -140,16 +172,27 @@ class Inline(NamedTuple):
     whole: str = ""
     anew: bool = False
     tends: str = ""
+    binds: str = ""
+    hypothesis: bool = False
+    conditional: bool = False
+    piece: bool = False
+    last: bool = False
+    introduced: bool = False
 
 
 def kind_of(before: str) -> str:
     """What the sentence before a display calls it: the word that stands last decides."""
-    words = _BY.sub(" ", _INLINE.sub(" ", last_sentence(before)).lower())
+    words = _BY.sub(" ", INLINE.sub(" ", last_sentence(before)).lower())
     found = [(m.end(), kind) for kind, pattern in _KIND for m in pattern.finditer(words)]
     return max(found)[1] if found else ""
 
 
 _CONDITION = re.compile(r"(?:and\s+)?(?:for|where|when|whenever|if|provided|with|since|because)\b")
+
+
+def without_formulas(text: str) -> str:
+    """A text with ``$`` for each formula in it."""
+    return INLINE.sub("$", text)
 
 
 def last_sentence(text: str) -> str:
@@ -179,7 +222,7 @@ def is_universal(before: str, after: str) -> bool:
     """Whether the sentence before a display says for which values it is claimed, and nothing else:
     "If $x > 0$, then", "For real $a$ and $b$". It may end in a condition behind the display, and in
     nothing else: what "has a root" is an equation."""
-    words = _INLINE.sub(" ", last_sentence(before)).lower()
+    words = INLINE.sub(" ", last_sentence(before)).lower()
     rest = first_sentence(after)
     return (not rest or bool(_CONDITION.match(rest))) and bool(
         _SAID_OF.fullmatch(words) and re.search(r"\b(?:for|if|when|whenever)\b", words)
@@ -203,14 +246,16 @@ def is_of_signs(text: str) -> bool:
 
 def inline(text: str) -> Iterator[Inline]:
     """The formulas in the lines of a text, sentence by sentence."""
-    for sentence in _SENTENCE.split(text):
+    sentences = _SENTENCE.split(text)
+    for number, sentence in enumerate(sentences):
         start, carried, anew = 0, (False, False, False, False), False
-        for found in _INLINE.finditer(sentence):
+        conditional = False
+        for found in INLINE.finditer(sentence):
             words = sentence[start : found.start()]
             if start and re.fullmatch(r"[\s,~]*(?:and|or)?[\s,~]*", words):
                 marks = carried
             else:
-                anew = bool(_ANEW_BEFORE.search(words))
+                anew, conditional = bool(_ANEW_BEFORE.search(words)), is_conditional(words)
                 marks = (
                     bool(_LASTING.search(words)),
                     bool(_PASSING.search(words)),
@@ -222,6 +267,8 @@ def inline(text: str) -> Iterator[Inline]:
             if signed:  # spoken of anew, and then under its condition
                 yield Inline(tex, *marks, anew=anew)
                 tex, anew = signed, False
+            elif parity := _parity(tex, words, rest):
+                tex = rf"{tex} \in \mathbb{{{parity}}}"
             alone = not _RELATION.search(tex)
             told = alone and (anew or bool(_ANEW_AFTER.match(rest[:200])))
             if not alone and _is_no_condition(words, rest):
@@ -232,7 +279,16 @@ def inline(text: str) -> Iterator[Inline]:
             whole = "Z" if halved else _whole(words, rest, alone)
             small = _TENDS.search(words)
             tends = {"small": "0", "large": "oo"}[small[1].lower()] if small else ""
-            yield Inline(tex, *marks, whole, told, tends)
+            ahead = INLINE.sub("$", sentence[: found.start()])
+            yield Inline(
+                *(tex, *marks, whole, told, tends),
+                binds=binding(ahead, rest),
+                hypothesis=is_hypothesis(ahead, rest),
+                conditional=conditional,
+                piece=bool(_PIECE.match(rest[:120])),
+                last=number == len(sentences) - 1,
+                introduced=alone and bool(_INTRODUCED.search(words)),
+            )
             start, carried = found.end(), marks
 
 
@@ -252,6 +308,26 @@ def _signed(tex: str, before: str, after: str) -> str:
         return ""
     relation = _SIGNED[found[kind].replace("-", "").lower()]
     return ", ".join(f"{name.strip()} {relation}" for name in tex.split(","))
+
+
+def _parity(tex: str, before: str, after: str) -> str:
+    """Of a lone symbol whether the words around it say that it is odd, O, or even, E."""
+    if not re.fullmatch(rf"\s*{_SYMBOL}\s*", tex):
+        return ""
+    before = before[-60:]
+    found = _PARITY_BEFORE.search(before) or _PARITY_AFTER.match(after[:60])
+    denied = found and _NEITHER.search(before[: found.start()])
+    return _PARITIES[found[1].lower()] if found and not denied else ""
+
+
+def conditions_behind(after: str) -> Iterator[Inline]:
+    """What the sentences behind a display say of when it holds: "It is valid only if $s > 0$"."""
+    paragraph = re.split(r"\n\s*\n", after[:MAX_AFTER].lstrip(" \t\n.,;"))[0]
+    for sentence in _SENTENCE.split(paragraph)[:3]:
+        for found in inline(sentence):
+            ahead = sentence[: sentence.find(found.tex.partition(" \\in ")[0])].rstrip("$")
+            if is_of_display_before(INLINE.sub("$", ahead)):
+                yield found
 
 
 def _is_no_condition(before: str, after: str) -> bool:

@@ -1,28 +1,24 @@
 """The surface of a manuscript: its files, comments, macros, and the displays in its prose.
 
-Nothing is typeset. ``\\input`` is followed inside the folder of the manuscript, comments that begin
-with ``tresym:`` are kept as notes to the reader, verbatim text is passed over, and the author's
-macros are written out.
+Nothing is typeset. Comments that begin with ``tresym:`` are kept as notes to the reader, verbatim
+text is passed over, and the author's macros are written out.
 """
 
 from __future__ import annotations
 
 import hashlib
 import re
-from bisect import bisect_right
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple, NoReturn, TypeAlias
 
-from tresym.ledger.audit.source import read_text
+from tresym.manuscript.files import Files, Note
 from tresym.manuscript.macros import DEFINITIONS, Macro, definition, group, written_out
 from tresym.reals.numbers.exact import InputError
 
-MAX_CHARACTERS = 20_000_000
 MAX_DISPLAY = 20_000
 MAX_BRACES = 100
-MAX_FILES = 500
 MAX_DISPLAYS = 5000
 
 DISPLAYS = frozenset(
@@ -33,25 +29,30 @@ DISPLAYS = frozenset(
     )
     for star in ("", "*")
 )
-SCOPES = frozenset(("proof", "example", "exercise", "problem", "solution"))
-"""What is put in one of these is not said beyond it."""
-STATEMENTS = frozenset(("theorem", "lemma", "proposition", "corollary"))
-"""What one of these defines is not said beyond the section."""
-_SCOPED = SCOPES | STATEMENTS
-_TITLE = re.compile(r"\*?\s*(?:\[[^\[\]]*\])?\s*\{(?:[^{}]|\{[^{}]*\})*\}")
-_HIDDEN = re.compile(
-    r"""(?P<verbatim>\\begin\{(?P<name>verbatim\*?|lstlisting|minted|comment|filecontents\*?)\}
-          .*? (?:\\end\{(?P=name)\}|\Z))
-      | (?P<verb>\\(?:verb\*?|lstinline)(?P<bar>[^a-zA-Z\s*{\[])[^\n]*?(?P=bar))
-      | (?P<url>\\(?:url|href|path)\s*\{[^{}\n]*\})
-      | (?P<off>\\iffalse(?![a-zA-Z]).*?(?:\\fi(?![a-zA-Z])|\Z))
-      | (?P<command>\\(?:[a-zA-Z]+|.))
-      | %(?P<comment>[^\n]*)""",
-    re.VERBOSE | re.DOTALL,
+STATEMENT, PROOF, EXAMPLE, LIST, ITEM, CASE = (
+    "statement",
+    "proof",
+    "example",
+    "list",
+    "item",
+    "case",
 )
-_NOTE = re.compile(r"\s*tresym:\s*(.*)", re.IGNORECASE)
+_SCOPES = {
+    STATEMENT: r"theorem|thm|lem(?:ma)?|prop(?:osition)?|cor(?:ollary)?|conj(?:ecture)?|claim|fact",
+    PROOF: r"proof|pf|solutions?|soln?|answer|hint",
+    EXAMPLE: r"ex|eg|exam|exam?ples?|exer|exercises?|problems?|prob|questions?|remarks?|rem|rmk",
+    LIST: r"enumerate|itemize|description|parts|tasks|[a-z]*(?:list|enum|item)",
+    CASE: r"case",
+}
+_SCOPE = {
+    kind: re.compile(rf"(?:n|my|the)?(?:{words})(?:wrap|box|env|s|\d+)?")
+    for kind, words in _SCOPES.items()
+}
+_NEWTHEOREM = re.compile(
+    r"\\newtheorem\*?\s*\{([^{}]*)\}\s*(?:\[[^\[\]]*\])?\s*\{\s*(?:\\\w+\s*)?(\w+)"
+)
+_TITLE = re.compile(r"\*?\s*(?:\[[^\[\]]*\])?\s*\{(?:[^{}]|\{[^{}]*\})*\}")
 _MARKED = re.compile(r"\x01(\d+)\x02")
-_INPUT = re.compile(r"\\(?:input|include|subfile)(?![a-zA-Z])\s*(?:\{\s*([^{}]*?)\s*\}|([\w./-]+))")
 _MARKS = re.compile(
     r"""\\begin\s*\{(?P<begin>[^{}\s]+)\}
       | \\end\s*\{(?P<end>[^{}\s]+)\}
@@ -59,6 +60,13 @@ _MARKS = re.compile(
       | (?P<dollars>\$\$)
       | (?P<section>\\(?:chapter|section|subsection|part|appendix)(?![a-zA-Z]))
       | \x01(?P<note>\d+)\x02
+      | (?P<item>\\item(?![a-zA-Z]))
+      | (?<![^\n])[ \t]*(?:\\noindent\s*)?(?P<styled>
+          \\(?:textbf|emph|textit|textsc|underline|paragraph|subsubsection)\*?\s*\{\s*(?:\\\w+\s*)?
+          |\{\s*\\(?:bf|it|em|sc|bfseries|itshape|scshape)\s+|\\(?=[a-z]+\s*\{))?
+        (?P<heading>(?i:example|exercise|problem|question|solution|answer|theorem|lemma|proposition
+          |corollary|proof|definition|remark|case))(?![a-zA-Z])
+        (?(styled)(?=[^\n]{0,60}[}.:]|\s*\{)|(?=\s*\(?[\d.ivxIVX]{0,5}\)?[.:]))
       | (?P<command>\\(?:[a-zA-Z]+|.))
       | (?P<inline>\$)""",
     re.VERBOSE | re.DOTALL,
@@ -66,38 +74,34 @@ _MARKS = re.compile(
 _CLOSED = re.compile(r"\\\\|\\\]")
 _LABEL = re.compile(r"\\label\s*\{([^{}]*)\}")
 _ENVIRONMENT = re.compile(r"\\(begin|end)\s*\{([^{}]*)\}")
-_OPENS = re.compile(r"\\begin\s*\{|\\end\s*\{|\\\[|\\\]|\$\$")
-
-
-class Note(NamedTuple):
-    """A comment ``% tresym: …`` of the author's, and where it stands."""
-
-    text: str
-    file: str
-    line: int
 
 
 class Section(NamedTuple):
-    """A heading: conditions of the section before it are forgotten."""
+    """A heading: conditions of the section before it end; of a chapter, definitions too."""
 
     line: int
+    chapter: bool = False
 
 
 class Scope(NamedTuple):
-    """Where a proof or an example opens or ends: what is said in it is forgotten after it.
+    """Where a theorem, a proof, an example, a list, an item or a case opens or ends.
 
     Attributes:
-        stated: it is a theorem: what is defined in it is forgotten after the section.
+        kind: which of these.
+        name: the environment, or "heading" where only a heading opens it.
     """
 
     opens: bool
-    stated: bool = False
+    kind: str
+    name: str
 
 
 class Prose(NamedTuple):
-    """What stands between displays."""
+    """What stands between displays, and where it begins."""
 
     text: str
+    file: str = ""
+    line: int = 0
 
 
 @dataclass(frozen=True)
@@ -131,157 +135,42 @@ class Display:
 
 
 class Missing(NamedTuple):
-    """A file that is included and not there, as of a package of TeX."""
+    """A file that is included and not there, as of a package of TeX, or outside the project."""
 
     name: str
+    outside: bool = False
 
 
 Event: TypeAlias = Note | Section | Scope | Prose | Display | Missing
 
 
-def read_manuscript(path: Path) -> list[Event]:
+def read_manuscript(path: Path, root: Path | None = None) -> list[Event]:
     """What a manuscript holds, in order, and first which files it lacks.
 
+    Args:
+        path: its main file.
+        root: the top folder of the project, from which files are included; found if not given.
+
     Raises:
-        InputError: it cannot be read, is not closed, includes itself or files outside its folder,
-            or holds no display; one line says which.
+        InputError: it cannot be read, is not closed, includes itself, or holds no display; one
+            line says which.
     """
-    source = _Source(path)
-    events = [*map(Missing, source.missing), *_Scanner(source).events()]
+    source = Files(path, root)
+    lacking = [Missing(name) for name in source.missing]
+    lacking += [Missing(name, outside=True) for name in source.outside]
+    events = [*lacking, *_Scanner(source).events()]
     if not any(isinstance(event, Display) for event in events):
         raise InputError(f"{path}: no display in it; write formulas in equation, align or \\[ \\]")
     return events
 
 
-class _Source:
-    """The text of all files, where its lines come from, and the notes in its comments."""
-
-    def __init__(self, path: Path) -> None:
-        self.path, self.folder = path, path.resolve().parent
-        self.notes: list[Note] = []
-        self.missing: list[str] = []
-        self.parts: list[tuple[str, int, str]] = []
-        self.size = 0
-        self._add(path, ())
-        self._write_out_environments()
-        self.text = "".join(text for _, _, text in self.parts)
-        self._starts: list[int] = []
-        self._places: list[tuple[str, int]] = []
-        offset = 0
-        for file, line, text in self.parts:
-            self._starts.append(offset)
-            self._places.append((file, line))
-            for end in re.finditer(r"\n", text):
-                line += 1
-                self._starts.append(offset + end.end())
-                self._places.append((file, line))
-            offset += len(text)
-
-    def place(self, at: int) -> tuple[str, int]:
-        """The file and the line of a place in the text."""
-        return self._places[bisect_right(self._starts, at) - 1]
-
-    def _add(self, path: Path, around: tuple[Path, ...]) -> None:
-        here = path.resolve()
-        shown = "" if not around else str(here.relative_to(self.folder))
-        if here in around:
-            raise InputError(f"{self.path}: {shown or path} includes itself")
-        text = self._visible(read_text(path), shown)
-        self.size += len(text)
-        if self.size > MAX_CHARACTERS or len(self.parts) > MAX_FILES:
-            raise InputError(f"{self.path}: with all that it includes it is beyond all bounds")
-        start = 0
-        for mark in _INPUT.finditer(text):
-            name = mark[1] or mark[2] or ""
-            found = self._included(name, around)
-            if found is None:
-                continue
-            self._part(shown, text, start, mark.start())
-            self._add(found, (*around, here))
-            start = mark.end()
-        self._part(shown, text, start, len(text))
-
-    def _part(self, file: str, text: str, start: int, end: int) -> None:
-        self.parts.append((file, text.count("\n", 0, start) + 1, text[start:end]))
-
-    def _included(self, name: str, around: tuple[Path, ...]) -> Path | None:
-        """The file of that name, None where there is none, as of a package of TeX."""
-        for ending in ("", ".tex"):
-            try:
-                found = (self.folder / (name + ending)).resolve()
-                is_file = found.is_file()
-            except (OSError, ValueError):
-                continue
-            if not found.is_relative_to(self.folder):
-                raise InputError(f"{self.path}: \\input{{{name[:100]}}} leads out of its folder")
-            if is_file:
-                return found
-        self.missing.append(name)
-        return None
-
-    def _visible(self, text: str, file: str) -> str:
-        """Without comments and verbatim text; each note is a mark, and every line stays."""
-        if "\x01" in text or "\x02" in text:
-            raise InputError(f"{file or self.path}: holds control characters; LaTeX is text")
-        lines = _Lines(text)
-
-        def replaced(found: re.Match[str]) -> str:
-            if found["command"]:
-                return found[0]
-            if found["comment"] is None:
-                return "\n" * found[0].count("\n")
-            note = _NOTE.fullmatch(found["comment"])
-            if note is None:
-                return ""
-            self.notes.append(Note(note[1].strip(), file, lines.at(found.start())))
-            return f"\x01{len(self.notes) - 1}\x02"
-
-        return _HIDDEN.sub(replaced, text)
-
-    def _write_out_environments(self) -> None:
-        """Write out the macros that open or close displays, as ``\\be`` and ``\\ee`` do."""
-        found: dict[str, str] = {}
-        for _, _, text in self.parts:
-            for command in DEFINITIONS.finditer(text):
-                try:
-                    made, _ = definition(text, command)
-                except InputError as error:
-                    raise InputError(f"{self.path}: {command[0]}: {error}") from None
-                for name, macro in made.items():
-                    body = " ".join((macro.body or "").split())
-                    itself = re.search(rf"{re.escape(name)}(?![a-zA-Z])", body)
-                    if macro.takes == 0 and not itself and _OPENS.search(body):
-                        found[name] = body
-        if not found:
-            return
-        names = "|".join(map(re.escape, sorted(found, key=len, reverse=True)))
-        uses = re.compile(
-            rf"(?<![\\{{])(?:{names})(?![a-zA-Z])(?!\s*\}}?\s*[\[{{]\s*\\(?:begin|end))"
-        )
-        self.parts = [
-            (file, line, uses.sub(lambda use: found[use[0]], text))
-            for file, line, text in self.parts
-        ]
-
-
-class _Lines:
-    """The lines of a text, asked for from first to last."""
-
-    def __init__(self, text: str) -> None:
-        self.text, self.seen, self.line = text, 0, 1
-
-    def at(self, place: int) -> int:
-        self.line += self.text.count("\n", self.seen, place)
-        self.seen = place
-        return self.line
-
-
 class _Scanner:
     """One pass over the text."""
 
-    def __init__(self, source: _Source) -> None:
+    def __init__(self, source: Files) -> None:
         self.source, self.text = source, source.text
         self.macros: dict[str, Macro] = {}
+        self.titles = {m[1]: m[2] for m in _NEWTHEOREM.finditer(self.text)}
         self.count = 0
 
     def events(self) -> Iterator[Event]:
@@ -310,7 +199,8 @@ class _Scanner:
                 if mark["note"]:
                     yield self.source.notes[int(mark["note"])]
                     continue
-                yield Section(self.source.place(at)[1])
+                chapter = mark["section"] in ("\\chapter", "\\part")
+                yield Section(self.source.place(at)[1], chapter)
                 if (title := _TITLE.match(self.text, at, stop)) is not None:
                     prose = at = title.end()
             elif kind in DISPLAYS or kind in ("brackets", "dollars"):
@@ -318,13 +208,33 @@ class _Scanner:
                 display, at = self.display(kind, mark.start(), at, stop)
                 prose = at
                 yield display
-            elif (kind := (kind or mark["end"] or "").rstrip("*").lower()) in _SCOPED:
+            elif scope := self.scope(mark):
                 yield self.prose(prose, mark.start())
                 prose = at
-                yield Scope(mark["end"] is None, kind in STATEMENTS)
+                yield scope
             elif mark["end"] in DISPLAYS:
                 self.fail(mark.start(), f"\\end{{{mark['end']}}} closes nothing")
         yield self.prose(prose, stop)
+
+    def scope(self, mark: re.Match[str]) -> Scope | None:
+        """The scope that opens or ends at a mark, if one does."""
+        if mark["item"]:
+            return Scope(True, ITEM, ITEM)
+        if word := mark["heading"]:
+            kind = self.kind_of(word.lower())
+            return Scope(bool(kind), kind, "heading")
+        name = mark["begin"] or mark["end"] or ""
+        kind = self.kind_of(name)
+        return Scope(mark["end"] is None, kind, name) if kind else None
+
+    def kind_of(self, name: str) -> str:
+        """Which kind of scope an environment is, by its name or by the title it declares."""
+        for word in (name, self.titles.get(name, "")):
+            word = word.rstrip("*").lower()
+            for kind, pattern in _SCOPE.items():
+                if pattern.fullmatch(word):
+                    return kind
+        return ""
 
     def define(self, start: int, stop: int) -> None:
         """The macros that are defined there."""
@@ -346,11 +256,14 @@ class _Scanner:
         return end + 1 if 0 <= end < at + MAX_DISPLAY else at
 
     def prose(self, start: int, stop: int) -> Prose:
-        text = self.text[max(start, stop - MAX_DISPLAY) : stop]
+        start = max(start, stop - MAX_DISPLAY)
+        text = self.text[start:stop]
+        file, line = self.source.place(min(start, len(self.text) - 1)) if self.text else ("", 0)
         try:
-            return Prose(written_out(text, self.macros) if len(text) < MAX_DISPLAY else text)
+            text = written_out(text, self.macros) if len(text) < MAX_DISPLAY else text
         except InputError:
-            return Prose(text)
+            pass
+        return Prose(text, file, line)
 
     def display(self, kind: str, start: int, at: int, stop: int) -> tuple[Display, int]:
         """The display whose text begins at ``at``, and where to go on."""

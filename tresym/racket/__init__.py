@@ -1,1 +1,1 @@
-"""The freely rotating rigid body of the paper: formulas, motion, and the flip."""
+"""The freely rotating rigid body of the paper: formulas, motion and flip."""

@@ -1,4 +1,4 @@
-"""Claims about real elementary expressions, decided.
+"""Decide claims about real elementary expressions.
 
 What it is. A claim is text, LaTeX or a SymPy relation: an identity (``==``), an inequality
 (``<``, ``<=``, ``>``, ``>=``, ``!=``), or an order (``O``, ``o``, ``~``) along a path to a point.

@@ -1,1 +1,1 @@
-"""What is written of the ledger and of the racket: words, pages, figures and charts."""
+"""Documents, figures and charts generated from the ledger and from computations."""

@@ -1,1 +1,1 @@
-"""The site: pages made of the saved ledger and of the command line, and how Sphinx sets them."""
+"""The documentation site: pages made from the ledger and the command line, for Sphinx."""

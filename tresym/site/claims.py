@@ -72,7 +72,7 @@ def annotated(ledger: Record) -> str:
         f"The {len(placed)} statements of the paper in the order in which they stand there, each "
         "with its verdict; what is read more sharply than it is printed says so. The lemmas "
         "between them are in [the ledger](index.md). The paper: "
-        "[doi:10.1016/j.physd.2016.07.010](https://doi.org/10.1016/j.physd.2016.07.010), "
+        "[Physica D 338 (2017) 17](https://doi.org/10.1016/j.physd.2016.07.010), "
         "[arXiv:1606.08237](https://arxiv.org/abs/1606.08237).",
     ]
     part = ""
@@ -187,11 +187,11 @@ def page(label: str, ledger: Record, title: str | None, seconds: float | None) -
         _heading(claim, title),
         *_printed(claim),
         *_decided(claim),
-        *_axioms(claim, ledger["axioms"]),
-        *_coq(claim),
+        *_truth(claim, claims),
         *_proof(claim),
         *_numbers(claim),
-        *_truth(claim, claims),
+        *_axioms(claim, ledger["axioms"]),
+        *_coq(claim),
         *_graph(label, claims),
         *_relations(claim, claims),
         *_symbols(claim),
@@ -209,9 +209,9 @@ def _heading(claim: Record, title: str | None) -> str:
 
 
 def _printed(claim: Record) -> Iterator[str]:
-    """The paper's own words, where it is refuted, or read more sharply than it is printed."""
+    """The paper's own words, where it is refuted, or read more strictly than it is printed."""
     if claim["paper_says"]:
-        yield f"The paper: {sentence(claim['paper_says'])} Read more sharply, which is ours:"
+        yield f"The paper: {sentence(claim['paper_says'])} We read it more strictly:"
     elif claim["quote"]:
         yield f"The paper: “{sentence(claim['quote'])}”."
 
@@ -226,7 +226,7 @@ def _decided(claim: Record) -> Iterator[str]:
     elif claim["conjunction"]:
         yield f"Decided as the conjunction of {', '.join(map(link, claim['conjunction']))}."
     elif found.says and not claim["formal"]:
-        yield "That the evidence is for this sentence is left to the reader."
+        yield "The reader must judge that the evidence supports this sentence."
     given = conditions(found, in_dollars, sentence, link)
     yield f"{badge(claim['verdict'])} {given}".strip()
     yield from _uses_where_it_holds(claim)
@@ -242,7 +242,7 @@ def _uses_where_it_holds(claim: Record) -> Iterator[str]:
         f"{link(label)} for {_formulas(given)}" for label, given in claim["conditions"].items()
     ]
     if asked and not claim["parts"] and claim["chains"]:
-        yield f"What it uses is shown to be used where it holds: {'; '.join(asked)}."
+        yield f"The claims it uses are applied where they hold: {'; '.join(asked)}."
 
 
 def _formulas(conditions: list[str]) -> str:
@@ -293,7 +293,7 @@ def _truth(claim: Record, claims: dict[str, Record]) -> Iterator[str]:
         yield "## True instead"
         yield "\n\n".join(_named(label, claims) for label in claim["amended_by"])
     if claim["amends"]:
-        yield "## Stands in place of"
+        yield "## Corrects"
         yield "\n\n".join(_named(label, claims) for label in claim["amends"])
 
 
@@ -304,7 +304,7 @@ def _named(label: str, claims: dict[str, Record]) -> str:
 def _graph(label: str, claims: dict[str, Record]) -> Iterator[str]:
     shown = graph.picture(label, claims)
     if shown:
-        yield f"## How it hangs together\n\n```{{raw}} html\n{shown}\n```"
+        yield f"## Dependencies\n\n```{{raw}} html\n{shown}\n```"
 
 
 def _relations(claim: Record, claims: dict[str, Record]) -> Iterator[str]:
@@ -318,12 +318,12 @@ def _relations(claim: Record, claims: dict[str, Record]) -> Iterator[str]:
 def _axioms(claim: Record, known: dict[str, Record]) -> Iterator[str]:
     """The theorems that it rests on, directly or not, with their sources."""
     if claim["axioms"]:
-        yield f"It rests on [theorems that are quoted]({AXIOMS}):"
+        yield f"It rests on [quoted theorems]({AXIOMS}):"
         yield "\n".join(
             f"- {sentence(name)}: {sentence(known[name]['source'])}" for name in claim["axioms"]
         )
     elif claim["kind"] != "definition":
-        yield "It rests on no theorem that is quoted."
+        yield "It rests on no quoted theorem."
 
 
 def _coq(claim: Record) -> Iterator[str]:
@@ -331,12 +331,15 @@ def _coq(claim: Record) -> Iterator[str]:
     coq = claim["coq"]
     if coq is None:
         return
-    yield "## [Checked twice](/pages/coq.md)"
+    yield "## [Proof in Coq](/pages/coq.md)"
     if coq["premises"]:
-        yield "Coq proves it from " + ", ".join(map(link, coq["premises"])) + ", not proved in it:"
+        premises = ", ".join(map(link, coq["premises"]))
+        what = "that it is false" if claim["verdict"] == "REFUTED" else "it"
+        yield f"Coq proves {what}, assuming {premises}, which are not proved in Coq:"
     else:
         rests = f"; {coq['assumptions']}" if coq["assumptions"] else ""
-        yield f"Coq has proved it once more{rests}:"
+        what = "that it is false" if claim["verdict"] == "REFUTED" else "it as well"
+        yield f"Coq proves {what}{rests}:"
     yield f"```coq\n{coq['text']}\n```"
 
 

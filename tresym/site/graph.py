@@ -15,7 +15,7 @@ Record = dict[str, Any]
 
 MOST = 7
 """Boxes of a column; the rest are counted."""
-LETTERS = 27
+LETTERS = 24
 """Letters of a title that fit a line of a box, which has two."""
 BOX, HIGH, ACROSS, DOWN = 170, 38, 190, 46
 """Width and height of a box, and the steps from one to the next."""

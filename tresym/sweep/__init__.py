@@ -1,4 +1,4 @@
-"""Very many shapes at once, into one table: on this machine's processes, or on any executor.
+"""Compute very many shapes into one table, on this machine's processes or on any executor.
 
 A :mod:`source <tresym.sweep.source>` (a grid or a CSV file) is cut into batches; each is computed
 wherever the executor likes

@@ -18,7 +18,7 @@ from contextlib import closing, contextmanager
 from pathlib import Path
 from typing import Any
 
-from tresym.output import writing
+from tresym.output import check_replaceable, writing
 from tresym.reals.numbers.exact import InputError
 from tresym.sweep.rows import SweepRow
 
@@ -254,21 +254,7 @@ def check_export(path: str, kept: Sequence[str] = ()) -> None:
         raise InputError(f"{path}: there is no such folder")
     if path.endswith(".parquet"):
         _pyarrow()
-    if os.path.isfile(path) and os.path.getsize(path) and not _is_export(path):
-        raise InputError(f"{path}: is no export of a sweep, and is not replaced; name another file")
-
-
-def _is_export(path: str) -> bool:
-    """Whether the file begins as an export does, or is a Parquet file with its columns."""
-    headers = [columns(in_floats) for in_floats in (False, True)]
-    if path.endswith(".parquet"):
-        try:
-            return tuple(_pyarrow().parquet.read_schema(path).names) in headers
-        except (OSError, ValueError):
-            return False
-    with open(path, "rb") as file:
-        begins = file.readline(1000).rstrip(b"\r\n")
-    return begins in [",".join(header).encode() for header in headers]
+    check_replaceable([path])
 
 
 def _pyarrow() -> Any:

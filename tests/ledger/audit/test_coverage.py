@@ -19,6 +19,7 @@ from tresym.ledger.audit.coverage import (
     Transcription,
     audit,
     load_index,
+    load_words,
 )
 from tresym.ledger.audit.source import read_source, scan
 from tresym.ledger.audit.transcription import Reading, functions_of, unmet
@@ -90,7 +91,19 @@ def index_of(path: Path = PENDULUM) -> tuple[Entry, ...]:
     entries = [Entry(p.kind, p.label, p.line, p.end, p.sha256, p.number or None) for p in pieces]
     reading = Reading(sentence="≃ is no relation", again=("T ~ 2*pi/w",))
     entries[6] = replace(entries[6], reading=reading)
-    return tuple(entries)
+    lines = [
+        Entry(
+            p.kind,
+            p.label,
+            p.line,
+            p.end,
+            p.sha256,
+            answers=("w_printed",) if "w=1" in p.text else (),
+            no_claim="" if "w=1" in p.text else "it tells of the price",
+        )
+        for p in source.text
+    ]
+    return (*entries, *lines)
 
 
 def altered(tmp_path: Path, old: str, new: str) -> Path:
@@ -171,6 +184,46 @@ def test_an_uncovered_piece_is_named(label: str) -> None:
     assert row.note == "no claim answers it"
 
 
+def test_a_line_of_the_text_has_its_claims_or_a_reason_for_none() -> None:
+    rows = {row.label: row for row in audit(PENDULUM, claims(), index_of()).rows}
+    assert rows["line10"].no_claim == "it tells of the price"
+    assert rows["line10"].good
+    assert rows["line44"].claims == ("w_printed",)
+    assert set(rows) >= {"line10", "line44"}
+
+
+def test_a_line_of_the_text_fails_without_its_claim() -> None:
+    kept = [c for c in claims() if c.label != "w_printed"]
+    (row,) = [r for r in audit(PENDULUM, kept, index_of()).rows if r.kind == "text" and not r.good]
+    assert (row.label, row.note) == ("line44", "the claim w_printed on it is missing")
+
+
+def test_a_line_of_the_text_that_nobody_answered_fails(tmp_path: Path) -> None:
+    said = altered(tmp_path, "The derivative is\n", "The derivative at $q=0$ is\n")
+    assert list(bad(audit(said, claims(), index_of())).values()) == [Text.ADDED]
+    moving = audit(PENDULUM, claims(), index_of(), words=("the speed",))
+    (row,) = [row for row in moving.rows if not row.good]
+    assert row.note.startswith("no claim answers it")
+    assert row.line == 15
+
+
+def test_an_altered_line_of_the_text_is_named(tmp_path: Path) -> None:
+    said = altered(tmp_path, "For $w=1$ the", "For $w=2$ the")
+    assert bad(audit(said, claims(), index_of())) == {"line44": Text.ALTERED}
+
+
+@pytest.mark.skipif(not PAPERS, reason="the paper does not lie beside the checkout")
+def test_every_line_on_the_motion_or_with_a_formula_is_answered() -> None:
+    index, words = load_index(INDEX), load_words(INDEX)
+    result = audit(PAPERS[0], all_claims(), index, words=words)
+    good, total = result.count("text")
+    assert good == total >= 90
+    lines = [entry for entry in index if entry.kind == "text"]
+    assert sum(not entry.answers for entry in lines) <= 2
+    less = tuple(c for c in all_claims() if c.label != "stable_e1")
+    assert not audit(PAPERS[0], less, index, words=words).complete
+
+
 def reading_of(label: str, reads: dict[str, str]) -> tuple[Entry, ...]:
     return tuple(
         replace(e, reading=replace(e.reading, reads=reads)) if e.label == label else e
@@ -205,7 +258,7 @@ def test_a_reading_that_is_not_needed_is_not_told() -> None:
 @pytest.mark.skipif(not PAPERS, reason="the paper does not lie beside the checkout")
 def test_every_reading_of_the_index_is_needed_and_told() -> None:
     index = load_index(INDEX)
-    result = audit(PAPERS[0], all_claims(), index)
+    result = audit(PAPERS[0], all_claims(), index, words=load_words(INDEX))
     told = {row.label for row in result.rows if row.transcription is Transcription.AS_READ}
     assert told == {entry.label for entry in index if entry.reading.otherwise}
     assert result.complete
@@ -434,9 +487,10 @@ def test_index_of_the_paper_is_whole() -> None:
 
 @pytest.mark.skipif(not PAPERS, reason="the paper's source is not beside the checkout")
 def test_the_index_fits_the_paper() -> None:
-    source = scan(read_source(PAPERS[0]))
+    source = scan(read_source(PAPERS[0]), words=load_words(INDEX))
     index = load_index(INDEX)
-    found = [(p.label, p.kind, p.line, p.sha256) for p in (*source.displays, *source.others)]
+    pieces = (*source.displays, *source.others, *source.text)
+    found = [(p.label, p.kind, p.line, p.sha256) for p in pieces]
     assert found == [(e.label, e.kind, e.line, e.sha256) for e in index]
     functions = functions_of(d.text for d in source.displays)
     displays = zip(source.displays, index, strict=False)

@@ -222,7 +222,7 @@ def test_prose_is_marked_and_listed() -> None:
     formal = {row["label"]: row["formal"] for row in report["claims"]}
     assert formal["eq_gamma"]
     assert formal["d26"]
-    assert formal["d52"]
+    assert not formal["d52"]
     assert not formal["eq_epsilon_gen"]
     assert report["prose"] == [label for label, is_formal in formal.items() if not is_formal]
 
@@ -295,6 +295,8 @@ def test_planted_falsehoods_are_judged_with_the_mutants(monkeypatch: pytest.Monk
 def test_without_its_guard_a_planted_falsehood_is_believed(
     monkeypatch: pytest.MonkeyPatch, where: Any, guard: str, without: Any, survivor: str
 ) -> None:
+    # The independent check stops two definitions of one symbol by itself.
+    monkeypatch.setattr(judging, "_attacked", lambda claim, finding, spent: finding)
     monkeypatch.setattr(where, guard, without)
     assert survivor in believed()
 
@@ -320,7 +322,12 @@ def test_what_is_no_formula_is_not_mathematics_or_rests_on_boxes() -> None:
     words = {c.label for c in CLAIMS.values() if not is_formal(c)}
     in_boxes = {c.label for c in CLAIMS.values() if isinstance(c.proof, Boxes)}
     by_parts = {c.label for c in CLAIMS.values() if isinstance(c.proof, AllOf)}
-    assert words - in_boxes - by_parts <= {*NOT_MATHEMATICS}
+    beside = (c for c in CLAIMS.values() if isinstance(c.says, Basic))
+    open_orders = {c.label for c in beside if c.means is not None}
+    assert open_orders == {
+        *("eps0", "d24", "d38", "eqnew", "d52", "d56", "d57", "eq_pavao", "d58", "eq_epsilon_gen")
+    }
+    assert words - in_boxes - by_parts - open_orders <= {*NOT_MATHEMATICS}
 
 
 Y = Claim("root", equal(sqrt(y**2), y), by(roots), given=(y > 0,))

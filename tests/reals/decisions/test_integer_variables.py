@@ -65,3 +65,32 @@ def test_what_is_open(claim: str) -> None:
 
 def test_without_the_condition_a_variable_is_real() -> None:
     assert tresym.check("sin(n*pi) == 0").verdict is Verdict.REFUTED
+
+
+@pytest.mark.parametrize(
+    ("claim", "verdict"),
+    [
+        ("(-1)**(n**2) == (-1)**n given n integer", "PROVED"),
+        ("(-1)**(n**2) == (-1)**(n + 1) given n integer", "REFUTED"),
+        ("(-1)**(n*(n + 1)) == 1 given n integer", "PROVED"),
+        ("(-1)**(n*(n + 1)/2) == (-1)**n given n integer", "REFUTED"),
+        ("cos(n**2*pi) == (-1)**n given n integer", "PROVED"),
+        ("sin(n*(n + 1)*pi/2) == 0 given n integer", "PROVED"),
+        ("sin(n*(n + 1)*pi/4) == 0 given n integer", "REFUTED"),
+        ("(-1)**(n**2/3) == 1 given n integer", "REFUTED"),
+        ("cos(n**2*pi*x) == 1 given n integer", "REFUTED"),
+        ("n**2 - 3*m**2 != 2 given n integer, m integer", "PROVED"),
+        ("n**2 - 3*m**2 != 1 given n integer, m integer", "REFUTED"),
+        ("n**2 - 3*m**2 != 2 given n integer", "REFUTED"),  # m is real
+        ("n**2 - 2*m**2 != 1 given n integer, m integer, m > 0", "REFUTED"),
+        ("n**2 - 61*m**2 != 1 given n integer, m integer, m > 0", "UNDECIDED"),  # far away
+        ("n**2 + m**2 != 4*k + 3 given n integer, m integer, k integer", "PROVED"),
+        ("n**2 + m**2 != 4*k + 2 given n integer, m integer, k integer", "REFUTED"),
+        ("n**3 + m**3 != 4 given n integer, m integer", "PROVED"),
+        ("n**2/2 + n/2 != 1/3 given n integer", "PROVED"),
+        ("n**2/2 + n/2 != 3 given n integer", "REFUTED"),
+        ("2*n != 2*m + 1 given n integer, m integer, n > 3, n < 2", "UNDECIDED"),
+    ],
+)
+def test_polynomials_in_integers(claim: str, verdict: str) -> None:
+    assert tresym.check(claim).verdict.value == verdict

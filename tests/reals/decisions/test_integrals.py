@@ -54,22 +54,22 @@ REFUTED = [
     "integral(sign(x), x, -1, 2) == 2",
     "integral(exp(-x**2), x, 0, 1) > 3/4",
     "integral(1/x, x, 1, oo) == -oo",
+    "integral(1/x, x, -1, 1) == 0",  # no value
+    "integral(tan(x), x, 0, pi) == 0",
+    "integral(x, x, -oo, oo) == 0",  # odd, and no value
+    "integral(cos(x), x, 0, oo) == 0",  # no limit at oo
+    "integral(1/(x**2 - 1), x, 0, 2) == -log(3)/2",
     "integral(x**a, x, 0, 1) == 5 given a < -1",
     "integral(exp(-a*x), x, 0, oo) == 1/a",  # not of a < 0
     "integral(sin(a*x)/x, x, 0, oo) == pi/2",
 ]
 OPEN = [
     "integral(sqrt(sin(x)**2 + 0*sqrt(x - 1)), x, 0, 2) == 1 - cos(2)",  # not real below 1
-    "integral(1/x, x, -1, 1) == 0",  # no value
-    "integral(tan(x), x, 0, pi) == 0",
     "integral(tan(x)*exp(x**4), x, -2, 2) == 0",  # odd, with a pole
-    "integral(x, x, -oo, oo) == 0",  # odd, and no value
     "integral(sin(x)*exp(x**4) + 10**(-40), x, -1, 1) == 0",
-    "integral(cos(x), x, 0, oo) == 0",  # no limit at oo
     "integral(sqrt(x), x, -1, 1) == 2/3",  # not real on the way
     "integral(1/x, x, a, b) == log(b/a)",
     "integral(1/x, x, 0, 1) == 1/0",  # infinite, but the other side has no value
-    "integral(1/(x**2 - 1), x, 0, 2) == -log(3)/2",
     "integral(f(x), x, 0, 1) == 1",
     "integral(x, x, 0, 1) == 1/2 given a > 1, a < 0",
 ]
@@ -108,7 +108,6 @@ def test_a_bound_without_an_antiderivative_is_enclosed() -> None:
         ("0*x", "sign(x)", "-1", "1"),
         ("1/x", "log(abs(x))", "-1", "1"),
         ("x", "x**2/2 + 0*log(x - 1)", "0", "1"),
-        ("cos(x)", "sin(x)", "0", "oo"),
     ],
 )
 def test_what_is_no_antiderivative_between_the_ends(

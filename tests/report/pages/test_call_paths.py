@@ -1,4 +1,4 @@
-"""The walks on the page of the map are those of the sources, and enter no room a third time."""
+"""The call paths of the page are those of the sources, and enter no package a third time."""
 
 from __future__ import annotations
 
@@ -9,30 +9,30 @@ from pathlib import Path
 import pytest
 
 import tresym
-from tresym.report.pages.call_paths import LEDGER, USER, Station, callers, entered, room, walks
+from tresym.report.pages.call_paths import LEDGER, USER, Call, call_paths, callers, entered, package
 
-WALKS = {"a user's claim": USER, "a claim of the paper": LEDGER}
-
-
-@pytest.mark.parametrize("walk", WALKS)
-def test_every_station_is_there(walk: str) -> None:
-    for station in WALKS[walk]:
-        assert hasattr(import_module(f"tresym.{station.file}"), station.function), station
+PATHS = {"a user's claim": USER, "a claim of the paper": LEDGER}
 
 
-@pytest.mark.parametrize("walk", WALKS)
-def test_a_station_names_the_next(walk: str) -> None:
+@pytest.mark.parametrize("path", PATHS)
+def test_every_call_is_there(path: str) -> None:
+    for call in PATHS[path]:
+        assert hasattr(import_module(f"tresym.{call.file}"), call.function), call
+
+
+@pytest.mark.parametrize("path", PATHS)
+def test_a_call_names_the_next(path: str) -> None:
     """The file of the caller names the function that it calls, and the file that it is in."""
-    for caller, station in callers(WALKS[walk]):
+    for caller, call in callers(PATHS[path]):
         names = _named_in(caller)
-        assert station.function in names, (caller, station)
-        imported = f"tresym.{station.file}" in names or station.file.split(".")[-1] in names
-        assert imported or caller.file == station.file, (caller, station)
+        assert call.function in names, (caller, call)
+        imported = f"tresym.{call.file}" in names or call.file.split(".")[-1] in names
+        assert imported or caller.file == call.file, (caller, call)
 
 
-def _named_in(station: Station) -> set[str]:
+def _named_in(call: Call) -> set[str]:
     """All names, attributes, imported modules and what is imported from them, in a file."""
-    module = import_module(f"tresym.{station.file}")
+    module = import_module(f"tresym.{call.file}")
     assert module.__file__ is not None
     found: set[str] = set()
     for node in ast.walk(ast.parse(Path(module.__file__).read_text(encoding="utf-8"))):
@@ -48,29 +48,29 @@ def _named_in(station: Station) -> set[str]:
     return found
 
 
-@pytest.mark.parametrize("walk", WALKS)
-def test_no_room_is_entered_more_than_twice(walk: str) -> None:
-    assert max(entered(WALKS[walk]).values()) <= 2
+@pytest.mark.parametrize("path", PATHS)
+def test_no_package_is_entered_more_than_twice(path: str) -> None:
+    assert max(entered(PATHS[path]).values()) <= 2
 
 
-def test_rooms_are_those_of_the_map() -> None:
+def test_packages_are_those_of_the_map() -> None:
     text = (Path(tresym.__file__).parents[1] / "CONTRIBUTING.md").read_text(encoding="utf-8")
-    for walk in WALKS.values():
-        for station in walk:
-            assert f"| `{room(station.file)}` |" in text
+    for path in PATHS.values():
+        for call in path:
+            assert f"| `{package(call.file)}` |" in text
 
 
-def test_a_room_entered_thrice_is_counted() -> None:
-    walk = (
-        Station(0, "commands.check", "run", ""),
-        *(Station(1, f"reals.signs.{name}", "sign", "") for name in "abc"),
+def test_a_package_entered_thrice_is_counted() -> None:
+    path = (
+        Call(0, "commands.check", "run", ""),
+        *(Call(1, f"reals.signs.{name}", "sign", "") for name in "abc"),
     )
-    assert entered(walk) == {"commands/": 1, "reals/signs/": 3}
+    assert entered(path) == {"commands/": 1, "reals/signs/": 3}
 
 
-def test_both_walks_are_on_the_page() -> None:
-    page = walks()
+def test_both_call_paths_are_on_the_page() -> None:
+    page = call_paths()
     assert page.count("\n- `commands/") == 2
     assert " times" not in page
-    for station in (*USER, *LEDGER):
-        assert f"`{station.function}`: {station.does}" in page
+    for call in (*USER, *LEDGER):
+        assert f"`{call.function}`: {call.does}" in page

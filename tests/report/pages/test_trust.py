@@ -1,7 +1,7 @@
 """The page on trust says what was counted, and what the tests of the tests found."""
 
 from tresym.ledger.verification import verify
-from tresym.report.pages.trust import trust
+from tresym.report.pages.trust import STATEMENTS, trust, trust_details
 from tresym.report.pages.trusted_code import CHECK, LEDGER, trusted
 
 GUARDS = {
@@ -16,15 +16,21 @@ GUARDS = {
 }
 
 
-def test_the_page_says_what_was_counted() -> None:
+def test_the_page_opens_with_the_answer() -> None:
     page = trust(verify(["eq_gamma"]), GUARDS)
     proved, enclosed = trusted(LEDGER)
-    assert f"For PROVED in the ledger {proved.total} lines" in page
-    assert f"for ENCLOSED {enclosed.total} more" in page
-    assert f"for PROVED {trusted(CHECK)[0].total} lines" in page
-    assert "`arb`" in page
+    answer = page.splitlines()[0]
+    assert f"{proved.total:,} lines of tresym for the verdict PROVED" in answer
+    assert f"{enclosed.total:,} more for ENCLOSED" in answer
+    assert f"{trusted(STATEMENTS)[0].total:,} lines of Python" in answer
+    assert f"| all | {proved.total} | {enclosed.total} | {trusted(CHECK)[0].total} |" in page
     assert "| integrating | fundamental theorem of calculus |" in page
-    assert "Of 21 that were tried the quick tests refuse 20, which is 95.2 %" in page
+    assert "The quick tests notice 20 of the changes (95.2 %)" in page
+
+
+def test_the_appendix_lists_what_is_left_out_and_what_no_test_notices() -> None:
+    page = trust_details(GUARDS)
+    assert "`arb`" in page
     assert "- it costs time alone: `judge`: negated, `x`." in page
     assert "`multiply`" not in page
 
@@ -40,25 +46,23 @@ MUTANTS = {
 
 def test_the_page_says_what_became_of_false_variants() -> None:
     page = trust(verify(["eq_gamma"]), None, mutants=MUTANTS)
-    assert "Of 1 claims 100 false variants were judged" in page
-    assert (
-        "99 are refuted with a witness, which is 99.0 %, 1 stay undecided, and none passed" in page
-    )
-    assert "- `chart`, 0: it is not used." in page
+    assert "100 statements made false" in page
+    assert "99 are refuted with a counterexample (99.0 %), none passed" in page
+    assert "- `chart`, 0: it is not used." in trust_details(None, mutants=MUTANTS)
     slipped = [{"label": "eq_gamma", "place": "statement", "change": "a"}]
-    assert "and 1 passed" in trust(
+    assert ", 1 passed" in trust(
         verify(["eq_gamma"]), None, mutants={**MUTANTS, "survivors": slipped}
     )
 
 
 def test_the_page_does_without_what_was_never_measured() -> None:
-    assert "mutants" not in trust(verify(["eq_gamma"]), None)
+    assert "Tests of the tests" not in trust(verify(["eq_gamma"]), None)
 
 
 def test_the_page_tells_of_the_long_hunts() -> None:
     row = {"examples": 3000, "seconds": 1.0, "chunks": 2, "failures": 1}
     row |= {"day": "2026-01-02", "commit": "abc"}
     hunts = {"tests": {"a.py::test_x": row, "b.py::y": {**row, "decided": 2900}}}
-    page = trust(verify(["eq_gamma"]), None, hunts)
+    page = trust_details(None, hunts)
     assert "| `x` | 2026-01-02, `abc` | 3,000 |  | 1 |" in page
     assert "| `y` | 2026-01-02, `abc` | 3,000 | 2,900 | 1 |" in page

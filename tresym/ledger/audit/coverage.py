@@ -1,5 +1,7 @@
 """The audit: every display, theorem, table and figure of a paper against the claims on it.
 
+So is every line of its running text that has a formula, or a word that speaks of the motion.
+
 What claims quote is compared too, word by word (`tresym.ledger.audit.quotes`).
 
 The index holds, for each of them, where it stands and the hash of the text that the claims were
@@ -9,7 +11,7 @@ written against; the paper's text is not part of it. An alteration is named, not
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import asdict, dataclass, field
 from difflib import SequenceMatcher
 from enum import Enum
@@ -17,7 +19,7 @@ from pathlib import Path
 from typing import Any
 
 from tresym.ledger.audit.quotes import Quote
-from tresym.ledger.audit.source import Piece, Source, read_source, scan
+from tresym.ledger.audit.source import Piece, read_source, scan
 from tresym.ledger.audit.transcription import Reading, differing, functions_of, unmet
 from tresym.ledger.claim import Claim
 from tresym.reals.language.latex import read_latex
@@ -60,6 +62,10 @@ class Entry:
     sha256: str
     number: int | None = None
     reading: Reading = field(default_factory=Reading)
+    answers: tuple[str, ...] = ()
+    """Of a line of the text: the claims that answer it, all of which there must be."""
+    no_claim: str = ""
+    """Of a line of the text: why there is nothing in it to claim."""
 
 
 @dataclass(frozen=True)
@@ -74,12 +80,14 @@ class PieceRow:
     claims: tuple[str, ...]
     transcription: Transcription
     note: str = ""
+    no_claim: str = ""
 
     @property
     def good(self) -> bool:
-        """Unaltered, answered by a claim, and not contradicted by one."""
+        """Unaltered, answered by a claim where there is one to make, and not contradicted."""
         bad = (Transcription.DIFFERS, Transcription.NOT_READ)
-        return self.text is Text.SAME and bool(self.claims) and self.transcription not in bad
+        answered = bool(self.claims or self.no_claim)
+        return self.text is Text.SAME and answered and self.transcription not in bad
 
 
 @dataclass(frozen=True)
@@ -132,8 +140,13 @@ class Audit:
         return tuple(dict.fromkeys(row.kind for row in self.rows if row.number is None))
 
 
+def load_words(path: Path) -> tuple[str, ...]:
+    """Beginnings of the words by which a line of the text says something of the motion."""
+    return tuple(json.loads(path.read_text(encoding="utf-8")).get("words", ()))
+
+
 def load_index(path: Path) -> tuple[Entry, ...]:
-    """The index beside the proofs: displays in order, then the rest."""
+    """The index beside the proofs: displays in order, then the rest, then lines of the text."""
     data = json.loads(path.read_text(encoding="utf-8"))
     entries = []
     for item in (*data["displays"], *data["others"]):
@@ -145,7 +158,14 @@ def load_index(path: Path) -> tuple[Entry, ...]:
             tuple(item.pop("again", ())),
         )
         entries.append(Entry(**item, reading=reading))
-    return tuple(entries)
+    return (*entries, *map(_line, data.get("text", ())))
+
+
+def _line(item: dict[str, Any]) -> Entry:
+    """A line of the running text, with the claims that answer it or why there are none."""
+    n, answers = item["line"], tuple(item.get("answers", ()))
+    why = item.get("no_claim", "")
+    return Entry("text", f"line{n}", n, n, item["sha256"], answers=answers, no_claim=why)
 
 
 def audit(
@@ -153,17 +173,28 @@ def audit(
     claims: Iterable[Claim],
     index: Iterable[Entry],
     quotes: Iterable[Quote] = (),
+    words: Sequence[str] = (),
 ) -> Audit:
     """Compare the paper with the index and with the claims, and with what is quoted of it.
+
+    Args:
+        words: beginnings of words by which a line of the text has something to claim.
 
     Raises:
         InputError: the file cannot be read, or is no balanced LaTeX document.
     """
     text = read_source(paper)
-    source = scan(text, str(paper))
+    source = scan(text, str(paper), words)
     entries = tuple(index)
     answered = _answers(tuple(claims), entries)
-    pairs = [*_aligned(entries, source, True), *_aligned(entries, source, False)]
+    displays = [e for e in entries if e.number is not None]
+    lines = [e for e in entries if e.kind == "text"]
+    others = [e for e in entries if e.number is None and e.kind != "text"]
+    pairs = [
+        *_aligned(displays, source.displays),
+        *_aligned(others, source.others),
+        *_aligned(lines, source.text),
+    ]
     functions = functions_of(
         p.text for e, p in pairs if p is not None and p.number and _text(e, p) is Text.SAME
     )
@@ -183,7 +214,7 @@ def _answers(claims: tuple[Claim, ...], entries: tuple[Entry, ...]) -> dict[str,
 
 
 def _answers_to(claim: Claim, entry: Entry) -> bool:
-    if claim.label == entry.label:
+    if claim.label == entry.label or claim.label in entry.answers:
         return True
     if claim.where is None:
         return False
@@ -193,11 +224,9 @@ def _answers_to(claim: Claim, entry: Entry) -> bool:
 
 
 def _aligned(
-    entries: tuple[Entry, ...], source: Source, displays: bool
+    known: Sequence[Entry], pieces: Sequence[Piece]
 ) -> list[tuple[Entry | None, Piece | None]]:
     """Entries and pieces side by side, so that one insertion does not shift all that follows."""
-    known = [e for e in entries if (e.number is not None) == displays]
-    pieces = list(source.displays if displays else source.others)
     matcher = SequenceMatcher(
         None, [e.sha256 for e in known], [p.sha256 for p in pieces], autojunk=False
     )
@@ -228,8 +257,12 @@ def _row(
         transcription, note = _compare(piece.text, claims, functions, entry.reading)
     if text is Text.ALTERED:
         note = "its text is not the one that the claims were written against"
+    elif text is Text.ADDED and known.kind == "text":
+        note = "no claim answers it: the line is not one that the claims were written against"
+    elif text is Text.SAME and entry and (gone := {*entry.answers} - {c.label for c in claims}):
+        transcription, note = Transcription.DIFFERS, f"the claim {min(gone)} on it is missing"
     elif not claims and text is Text.SAME:
-        note = "no claim answers it"
+        note = entry.no_claim if entry and entry.no_claim else "no claim answers it"
     return PieceRow(
         known.kind,
         known.label,
@@ -239,6 +272,7 @@ def _row(
         tuple(claim.label for claim in claims),
         transcription,
         note,
+        entry.no_claim if entry else "",
     )
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import hashlib
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NoReturn
@@ -51,6 +51,8 @@ _MARKS = re.compile(
 _COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%[^\n]*(?:\n|$)")
 _INNER_DISPLAY = re.compile(r"\\begin\{equation\}.*?\\end\{equation\}", re.DOTALL)
 _LABEL = re.compile(r"\\label\s*\{([^{}]*)\}")
+_FORMULA = re.compile(r"(?<!\\)\$[^$]+\$")
+_HEADING = re.compile(r"\\(?:sub)*section\b")
 _THEOREM = re.compile(r"\\newtheorem\*?\s*\{\s*(\w+)\s*\}\s*(?:\[\w+\])?\s*\{([^{}]*)\}")
 
 
@@ -100,6 +102,8 @@ class Source:
 
     displays: tuple[Piece, ...]
     others: tuple[Piece, ...]
+    text: tuple[Piece, ...] = ()
+    """The lines of the running text that hold a formula, or one of the words asked for."""
 
 
 def read_source(path: Path) -> str:
@@ -124,6 +128,8 @@ def read_text(path: Path) -> str:
 
 def _bytes(path: Path) -> bytes:
     try:
+        if path.exists() and not path.is_file() and not path.is_dir():
+            raise InputError(f"{path}: is no regular file; a pipe may never end")
         with open(path, "rb") as file:
             data = file.read(MAX_BYTES + 1)
     except (FileNotFoundError, ValueError):  # the latter for a NUL in its name
@@ -163,8 +169,12 @@ def _decode(data: bytes, encoding: str, path: Path) -> str:
         raise InputError(f"{path}: line {line} is not {encoding}; save the file as UTF-8") from None
 
 
-def scan(text: str, name: str = "the source") -> Source:
+def scan(text: str, name: str = "the source", words: Sequence[str] = ()) -> Source:
     """The pieces of a LaTeX document, in order.
+
+    Args:
+        words: beginnings of words; a line of the text that has one is a piece, as is one with a
+            formula.
 
     Raises:
         InputError: an environment or formula that is not closed, or closed by another.
@@ -181,7 +191,33 @@ def scan(text: str, name: str = "the source") -> Source:
     return Source(
         tuple(_piece(text, p, n, f"d{n:02d}", True) for n, p in enumerate(displays, start=1)),
         tuple(_others(text, others)),
+        tuple(
+            _running_text(
+                text, (start, stop), [p for p in found if _stands_apart(p[0], kinds)], words
+            )
+        ),
     )
+
+
+def _stands_apart(name: str, kinds: dict[str, str]) -> bool:
+    return _is_display(name) or name in kinds
+
+
+def _running_text(
+    text: str, body: tuple[int, int], apart: list[_Found], words: Sequence[str]
+) -> Iterator[Piece]:
+    """Each line outside of displays, floats and theorems with a formula, or one of the words."""
+    kept = [*text]
+    for _, start, stop in apart:
+        kept[start:stop] = ["\n" if c == "\n" else " " for c in text[start:stop]]
+    told = re.compile(rf"\b(?:{'|'.join(map(re.escape, words))})" if words else r"(?!)", re.I)
+    first = text.count("\n", 0, body[0]) + 1
+    for n, line in enumerate("".join(kept)[body[0] : body[1]].split("\n"), first):
+        said = _body(line)
+        if _HEADING.match(said):
+            continue
+        if _FORMULA.search(said) or (told.search(said) and not said.startswith("\\bibitem")):
+            yield Piece("text", f"line{n}", n, n, said)
 
 
 _Found = tuple[str, int, int]

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 
 from flint import arb
-from sympy import Basic, Integer, Symbol
+from sympy import Abs, Basic, Integer, Le, Rational, Symbol
 from sympy.core.function import AppliedUndef
 from sympy.core.relational import Equality, Relational
 
@@ -29,29 +29,42 @@ from tresym.ledger.claim import (
     Together,
     UniqueRoot,
 )
-from tresym.ledger.conversion import tree
+from tresym.ledger.conversion import conditions, tree
 from tresym.ledger.evidence.asymptotics import Asymptotics, Squeezed
 from tresym.ledger.evidence.box_bounds import Boxes
 from tresym.ledger.evidence.chart_bounds import Charted
 from tresym.ledger.evidence.interval_evaluation import Evaluated
 from tresym.ledger.evidence.refutation import Denied
-from tresym.ledger.statements import As
+from tresym.ledger.evidence.remainders import (
+    HOT,
+    Remainder,
+    as_printed,
+    is_open,
+    unfit_to_tend,
+    unreached,
+    untied,
+)
+from tresym.ledger.evidence.sign_prover import is_manifest
 from tresym.reals.domain.binder_values import enclosed
 from tresym.reals.domain.evaluation import stands
+from tresym.reals.language.expression import ZERO, number, substitute, symbols
+from tresym.reals.language.formula import Relation
 from tresym.reals.numbers.arithmetic import ball_precision, balls
 
 BITS = 400
 CLOSE = arb("1e-6")
 """How well a remainder and what a margin bounds must agree, where both are known well enough."""
-HOT = Symbol("hot", real=True)
-"""Higher orders that are left out, of a size that the formula does not say."""
-
 IN_WORDS = (AllOf, Denied)
 """Evidence for sentences: it says nothing of any formula."""
 WITHOUT_CONDITIONS = (AllOf, Denied)
 """Evidence that no condition of the claim reaches."""
 HOLDS_FUNCTIONS = (Boxes, Denied)
 """Evidence that does not say yet how it decides the statement of its claim."""
+DECIDING = (
+    *(tuple, Together, UniqueRoot, Monotone, Printed, Formally, Counterexample),
+    *(Asymptotics, Squeezed, Charted, Evaluated, Boxes),
+)
+"""Evidence that decides the formula that is meant, whatever is said beside it."""
 KINDS = (
     *(tuple, Definition, Root, Instance, Charted, Together, UniqueRoot, ImplicitFunction),
     *(Printed, AllOf, Formally, Counterexample, Boxes, Asymptotics, Squeezed, Denied, Evaluated),
@@ -75,10 +88,15 @@ class Meant:
         samples: for points of the box, or small parameters of an order, what each symbol (or
             value at a point, as it stands) of the formula and of its conditions is there.
         gauge: the quantity by which the formula's remainder is divided, in these symbols.
+        coordinates: of the box, in these symbols: they take the region, which the conditions of
+            the claim are, into the box, and the point at which the order holds inside it.
+        remainder: how the order is read, and what tends to 0 in it.
     """
 
     samples: Callable[[], Iterable[tuple[tuple[arb, ...], Mapping[Basic, arb]]]]
     gauge: Basic
+    coordinates: tuple[Basic, ...]
+    remainder: Remainder
 
 
 def is_formal(claim: Claim) -> bool:
@@ -88,6 +106,8 @@ def is_formal(claim: Claim) -> bool:
     """
     if isinstance(claim.proof, AllOf):
         return all(map(is_formal, claim.proof.claims))
+    if isinstance(claim.says, Basic) and is_open(claim.says) and not as_printed(claim):
+        return False
     return claim.statement is not None and not isinstance(claim.proof, HOLDS_FUNCTIONS)
 
 
@@ -98,10 +118,12 @@ def unfit(claim: Claim) -> str | None:
     match proof:
         case _ if type(proof) not in KINDS or not (in_words or isinstance(says, Basic)):
             return "that is no kind of evidence"
-        case _ if claim.means is not None and not (in_words or _is_open(claim.says)):
+        case _ if claim.means is not None and not (in_words or is_open(claim.says)):
             return "two formulas are no statement: what is said is what is meant"
-        case _ if not in_words and isinstance(claim.means, As) and claim.means.args[0] != says:
-            return "the order that is meant is not the one that is said"
+        case _ if claim.means is not None and not isinstance(proof, DECIDING):
+            return "this evidence decides no formula beside what is said"
+        case _ if (why := untied(claim)) is not None:
+            return why
         case AllOf() if not in_words:
             return "a conjunction proves a sentence; a formula needs a chain"
         case _ if isinstance(proof, IN_WORDS) and not in_words:
@@ -110,6 +132,8 @@ def unfit(claim: Claim) -> str | None:
             return "the conditions decide nothing here"
         case Counterexample() | Denied() if in_words and LOCAL.search(says):
             return "one point tells nothing of smoothness or of a limit"
+        case Boxes() if in_words and claim.means is not None:
+            return "this evidence decides no formula beside what is said"
         case Boxes() if in_words and claim.given:
             return "the conditions decide nothing here: a box stands for them"
         case Boxes() if not in_words:
@@ -117,19 +141,16 @@ def unfit(claim: Claim) -> str | None:
     return None
 
 
-def _is_open(says: Basic) -> bool:
-    """Whether a formula leaves open what is left out, as O(…), o(…) and "hot" do."""
-    orders = (str(node.func) in ("O", "o") for node in says.atoms(AppliedUndef))
-    return HOT in says.free_symbols or any(orders)
-
-
 def _other_meaning(claim: Claim, proof: Boxes) -> str | None:
     """Where the formula says something else than its bounds or its order, or None."""
     says, meant = claim.says, proof.meant
     if meant is None or not isinstance(says, Equality):
         return "nothing says what the evidence has to do with the formula"
+    if claim.means is not None and not _is_stated(claim.means, proof):
+        return "the bound is not the one that the boxes show"
     orders = {*says.atoms(AppliedUndef)}
     rest, gap = says.args[0] - says.args[1], _gauge_gap(says, orders, meant.gauge)
+    gap = gap or _elsewhere(claim, proof, meant)
     if gap is not None:
         return gap
     plain = rest.xreplace({**dict.fromkeys(orders, Integer(0)), HOT: Integer(0)})
@@ -150,6 +171,41 @@ def _other_meaning(claim: Claim, proof: Boxes) -> str | None:
             if not _is_bounded(proof, at, remainder):
                 return "the evidence is not about what the formula leaves out"
     return None if samples else "nothing says what the evidence has to do with the formula"
+
+
+def _is_stated(means: Basic, proof: Boxes) -> bool:
+    """Whether a bound is that of the boxes: their constant times their gauge."""
+    if proof.constant is None or not isinstance(means, Le):
+        return False
+    constant = Rational(int(proof.constant.p), int(proof.constant.q))
+    return bool(means.rhs == constant * proof.meant.gauge and isinstance(means.lhs, Abs))
+
+
+def _elsewhere(claim: Claim, proof: Boxes, meant: Meant) -> str | None:
+    """Why the boxes do not hold the region, or not the point at which the order is, or None."""
+    given, x = conditions(claim.given), meant.remainder.tends.name
+    coordinates = tuple(map(tree, meant.coordinates))
+    orders = [node.args[0] for node in claim.says.atoms(AppliedUndef)] or [meant.gauge]
+    tends = meant.remainder.tends
+    why = next(filter(None, (unfit_to_tend(tends, e, claim.says) for e in orders)), None)
+    why = why or unreached(x, given, both=True)
+    if why is not None:
+        return why
+    near = tuple(c for c in given if x not in symbols(c.left) | symbols(c.right))
+    for box in (bound.box for bound in proof.bounds):
+        if len(box) != len(coordinates):
+            return "the box has another number of sides than there are coordinates"
+        for e, side in zip(coordinates, box, strict=True):
+            for end, sign in ((number(side.low), ">"), (number(side.high), "<")):
+                inside = Relation(e, f"{sign}=", end)
+                # What the coordinate does not speak of may be in the prover's way.
+                own = tuple(c for c in given if symbols(c.left) | symbols(c.right) <= symbols(e))
+                if not (is_manifest(inside, own) or is_manifest(inside, given)):
+                    return f"{e} {sign}= {end} is not shown: the region is not in the box"
+                there = Relation(substitute(e, {x: ZERO}), sign, end)
+                if x in symbols(e) and not is_manifest(there, near):
+                    return f"{e} {sign} {end} is not shown at the point: no box is around it"
+    return None
 
 
 def _gauge_gap(says: Basic, orders: set[Basic], gauge: Basic) -> str | None:

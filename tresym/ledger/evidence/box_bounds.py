@@ -97,8 +97,12 @@ class Boxes:
         """
         return decisions_of(self.bounds, self.stored, self.budget)
 
-    def judge(self) -> Finding:
-        """ENCLOSED when all bounds are, REFUTED at a point where one fails."""
+    def judge(self, region: str = "") -> Finding:
+        """ENCLOSED when all bounds are, REFUTED at a point where one fails.
+
+        Args:
+            region: where the statement holds, by the conditions of the claim.
+        """
         for bound in self.bounds:
             with ball_precision(bound.precision):
                 why = inconsistent(bound.margin, bound.box, bound.slopes)
@@ -112,7 +116,7 @@ class Boxes:
                 where = ", ".join(f"{name} = {fraction_text(x)}" for name, x in point.items())
                 why = f"the bound fails at {where}"
                 return Finding(Verdict.REFUTED, why, constant=constant, witness=point)
-        return closed(decisions, self.region, constant)
+        return closed(decisions, region or self.region, constant)
 
 
 def closed(

@@ -136,6 +136,7 @@ class Charted:
         budget: boxes a search may look at, for each margin.
         constant: the constant of the bound, where it has one.
         also: what the programs of the margins rest on beside.
+        remainder: how an order that is printed beside the bound is read.
     """
 
     on: tuple[On, ...]
@@ -146,6 +147,7 @@ class Charted:
     budget: int = 30_000
     constant: fmpq | None = None
     also: tuple[Claim, ...] = field(default=())
+    remainder: Any = None
     kind: ClassVar[str] = "bound"
     expect: ClassVar[Verdict] = Verdict.ENCLOSED
 
@@ -389,7 +391,7 @@ def _unread(reading: Reading) -> str | None:
         if not is_manifest(Relation(room, ">=", ZERO), given):
             return f"{room} is not shown not to be negative"
     for claim in reading.claims:
-        for part in conjuncts(formula(claim.says)) if not isinstance(claim.says, str) else ():
+        for part in conjuncts(formula(claim.decided)) if claim.in_formulas else ():
             if (
                 isinstance(part, Relation)
                 and part.sign == "=="

@@ -22,6 +22,8 @@ from tresym.ledger.conversion import (
     conditions,
     conjuncts,
     defined,
+    dependencies,
+    dependent,
     formula,
     known,
     tree,
@@ -94,8 +96,12 @@ def with_bounds(
     bounds = {_in_order(condition): condition for condition in given}
     for claim in (c for reason in reasons if reason.name == "citing" for c in reason.claims):
         if all(_in_order(_put(c, put)) in bounds for c in conditions(claim.given)):
-            for part in conjuncts(formula(claim.says)):
+            for part in conjuncts(formula(claim.decided)) if claim.in_formulas else ():
                 if isinstance(part, Relation) and part.sign != "==":
+                    spoken_of = symbols(part.left) | symbols(part.right)
+                    behind = dependencies((*claim.rests_on, claim)) if put else {}
+                    if dependent(spoken_of, put, behind) is not None:
+                        continue  # what is defined by the variable would stay what it was
                     bound = _put(part, put)
                     bounds.setdefault(_in_order(bound), bound)
     return tuple(bounds.values())

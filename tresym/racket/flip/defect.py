@@ -3,8 +3,9 @@
 ε(γ) is read on the symmetric trajectory through ψ = π/2 at φ = 0, half a turn before: with the
 phase φ(u) of :mod:`tresym.racket.motion.orbit`, ε = ψ(u) where φ(u) = −π. It exists and is unique,
 as φ(u) increases strictly. Where the trajectory has not turned this is the paper's F(ε, γ) = π,
-elsewhere it is folded to that (:mod:`tresym.racket.flip.phase_folding`), and one evaluation of F or two are
-enough (:func:`quick`). Where that does not do, at γ* and at the ends of the range, φ is inverted.
+elsewhere it is folded to that (:mod:`tresym.racket.flip.phase_folding`), and one evaluation of F or
+two are enough (:func:`quick`). Where that does not do, at γ* and at the ends of the range, φ is
+inverted.
 """
 
 from __future__ import annotations

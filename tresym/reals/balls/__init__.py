@@ -1,1 +1,1 @@
-"""Bounds in balls: boxes cut in halves, slopes, and Taylor's theorem on intervals."""
+"""Bounds in ball arithmetic: branch and bound, slopes, Taylor enclosures."""

@@ -2,8 +2,9 @@
 
 A formula that runs in balls runs here unchanged (last argument ``gradients``) and returns its
 value together with enclosures of all partial derivatives on the box. That is what the mean-value
-form and the monotonicity test of :mod:`tresym.reals.balls.branch_and_bound` need. Where a derivative does not
-exist on the box (a square root at 0, say) its enclosure is not finite, and nothing is concluded.
+form and the monotonicity test of :mod:`tresym.reals.balls.branch_and_bound` need. Where a
+derivative does not exist on the box (a square root at 0, say) its enclosure is not finite, and
+nothing is concluded.
 """
 
 from __future__ import annotations

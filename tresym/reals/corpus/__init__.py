@@ -1,1 +1,1 @@
-"""Claims with known answers, for tests and measurements."""
+"""Claims with known truth, for tests and measurements."""

@@ -1,7 +1,7 @@
-"""A user's own claims: identities, inequalities and orders, decided soundly.
+"""Decide a user's claims: one decision method for each kind of statement.
 
-:func:`check` decides one claim in this process; :mod:`tresym.reals.decisions.time_limited` many, each
-within a limit of time.
+:func:`check` decides one claim in this process; :mod:`tresym.reals.decisions.time_limited`
+many, each within a limit of time.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.decisions.dispatch import decide_claim
 from tresym.reals.numbers.exact import InputError
 
-MAX_SECONDS = 100_000
+MAX_SECONDS = 86_400
 
 __all__ = ["Answer", "check"]
 
@@ -46,7 +46,7 @@ def check(
     if not (path is None or isinstance(path, str)):
         raise InputError("path: text such as x -> 0+")
     if not (limit is None or _is_limit(limit)):
-        raise InputError(f"limit: a number of seconds above 0 and below {MAX_SECONDS}")
+        raise InputError(f"limit: a number of seconds above 0 and at most {MAX_SECONDS}")
     if not (isinstance(claim, str) and isinstance(given, str)):
         claim, given, path = read(claim, given, path), "", None  # SymPy evaluates what it copies
     if limit is None:
@@ -61,6 +61,6 @@ def _is_limit(limit: object) -> bool:
     if not isinstance(limit, Real) or isinstance(limit, bool):
         return False
     try:
-        return 0 < float(limit) < MAX_SECONDS
+        return 0 < float(limit) <= MAX_SECONDS
     except OverflowError:
         return False

@@ -72,6 +72,8 @@ def summed(kind: str, f: Expr, name: str, low: Expr, high: Expr) -> list[Expr]:
         body, *ends = (_InSympy(sympy, values).value(e) for e in (f, low, high))
         with time_limit(SECONDS, _StoppedError):
             result = procedure(body, (k, *ends))
+            if result.has(sympy.RisingFactorial, sympy.factorial, sympy.binomial):
+                result = sympy.combsimp(result)
         return [from_sympy(form) for form in _branches(sympy, sympy.factor(result))]
     except Exception:  # SymPy's own faults are not ours to name
         return []

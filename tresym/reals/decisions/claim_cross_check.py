@@ -3,122 +3,170 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import pairwise
+from itertools import islice
 
 from flint import arb
 
 from tresym.reals.cross_check import conditions, contradiction, program, said, where
 from tresym.reals.decisions.answer import Answer
-from tresym.reals.decisions.claim_parsing import LIMIT, Comparison, Path, Statement
-from tresym.reals.decisions.claim_parsing import functions as unknown
+from tresym.reals.decisions.asymptotics.numerical_evidence import Ray, fails
+from tresym.reals.decisions.asymptotics.refutation_check import parameters
+from tresym.reals.decisions.claim_parsing import Comparison, Path, Statement, implied_integers
+from tresym.reals.decisions.readable_witnesses import tidied
 from tresym.reals.language.binders import is_infinite, outermost
-from tresym.reals.language.expression import DOTS, symbols
-from tresym.reals.language.parsing import INFINITY
+from tresym.reals.language.expression import (
+    DOTS,
+    ZERO,
+    Expr,
+    differentiate,
+    instantiate,
+    integer,
+    number,
+    replaced,
+    substitute,
+    symbols,
+)
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import parse_number
-from tresym.reals.verdict import Verdict
 
 BITS, NEAR_BITS = 512, 12_000
-SMALL, LESS = arb((1, -4)), arb("0.9")
-NEARER = (100, 4000, 10**300)
+ORDERS_TRIED = 4
+ASSIGNMENTS, TRIES = 5, 60
+"""Values of the parameters that are attacked, and tried for that."""
+VALUES = (*map(arb, (1, -2, 0, 2, 3, -1)), arb(1) / 2, arb(5) / 3, arb(-3) / 4, arb(7))
 HALVINGS = (0, 1, 2, 3, 5, 8, 13, 21, 34, 55)
 """How often the range of an order is halved on the way to its end."""
 
 
 def attack(
-    comparison: Comparison, statement: Statement, answer: Answer, spent: float
+    comparison: Comparison,
+    statement: Statement,
+    answer: Answer,
+    spent: float,
+    anywhere: bool = False,
 ) -> str | None:
     """What contradicts a comparison that is about to pass, in words, or None.
 
     Args:
         spent: seconds that its decision took.
+        anywhere: whether bases of powers need not be positive where an exponent is a variable.
     """
     functions, derivatives = comparison.differentiated, comparison.derivatives
     if any(map(is_infinite, outermost(comparison.left, comparison.right))):
         return None  # what was put in for it was attacked itself
     if statement.path is not None:
-        against = _attack_order(comparison, statement.path, answer)
-        ranged = answer.verdict is Verdict.ENCLOSED
-        return against or _attack_limit(comparison, statement, statement.path, ranged)
+        against = _attack_order(comparison, statement, answer)
+        return against or _attack_path(comparison, statement, statement.path)
     claim = (comparison.left, comparison.relation, comparison.right)
-    said = (*claim[::2], *(side for link in statement.given.comparisons for side in link[::2]))
-    dotted = any(DOTS.args[0] in symbols(e) for e in claim[::2])
-    if any(node.op == "nth" for node in outermost(*claim[::2])):
-        return None  # its induction was attacked itself
-    if dotted or statement.equations or any(next(unknown(e), None) is not None for e in said):
-        return None  # its cases, without equations and such functions, were attacked themselves
-    totals = [node for node in outermost(*claim[::2]) if node.op in ("sum", "product")]
-    counted = {*statement.integers}.union(*(symbols(node.args[2]) for node in totals))
-    return contradiction(
-        claim, statement.given.comparisons, functions, derivatives, spent, sorted(counted)
-    )
+    if any(DOTS.args[0] in symbols(e) for e in claim[::2]):
+        return None  # its cases were attacked themselves
+    equations = tuple((x, "==", y) for x, y in statement.equations)
+    given = (*statement.given.comparisons, *equations)
+    trees = (*claim[::2], *statement.said)
+    integers = implied_integers(trees, statement.integers)
+    orders = {
+        node.args[2] for node in outermost(comparison.left, comparison.right) if node.op == "nth"
+    }
+    if not orders:
+        return contradiction(claim, given, functions, derivatives, spent, integers, anywhere)
+    for k in range(ORDERS_TRIED):
+        put = {str(order): number(k) for order in orders}
+        left, right = (_with_orders(e, put) for e in claim[::2])
+        there = [(substitute(x, put), r, substitute(y, put)) for x, r, y in given]
+        against = contradiction((left, claim[1], right), there, spent=spent, integers=integers)
+        if against is not None:
+            return f"{against}, where {', '.join(put)} = {k}"
+    return None
 
 
-def _attack_order(claim: Comparison, path: Path | None, answer: Answer) -> str | None:
+def _with_orders(e: Expr, put: dict[str, Expr]) -> Expr:
+    """``e`` with derivatives whose orders are numbers worked out."""
+    e = substitute(e, put)
+    known = {}
+    for node in outermost(e):
+        order = integer(node.args[2]) if node.op == "nth" else None
+        if order is not None:
+            known[node] = instantiate(node.args[0], (node.args[1],))
+            for _ in range(order):
+                known[node] = differentiate(known[node], str(node.args[1]))
+    return replaced(e, known)
+
+
+def _attack_order(claim: Comparison, statement: Statement, answer: Answer) -> str | None:
     """Where the ratio exceeds the constant of an O that is certified on the region, in words."""
+    path = statement.path
     if path is None or answer.constant is None or answer.region is None:
+        return None
+    at = next(_assignments(claim, statement), None)
+    if at is None:
         return None
     with ball_precision(BITS):
         constant = arb(parse_number(answer.constant.mid)) + arb(parse_number(answer.constant.rad))
-        value = program((claim.left, claim.right, *claim.differentiated), [path.name])
+        value = program((claim.left, claim.right, *claim.differentiated), [*at, path.name])
         for x in _along(path, arb(parse_number(answer.region.split()[-1]))):
-            found = value([x])
+            found = value([*at.values(), x])
             if found is not None and abs(found[0]) > constant * abs(found[1]):
                 sides = f"{said(found[0])} and {said(found[1])}"
                 return f"at {where([path.name], [x])} its sides are {sides}, beyond the constant"
     return None
 
 
-def _attack_limit(claim: Comparison, statement: Statement, path: Path, ranged: bool) -> str | None:
-    """Where what must vanish at the end of the path is large, and grows on the way there.
+def _attack_path(claim: Comparison, statement: Statement, path: Path) -> str | None:
+    """Where numbers along the path show the claim to fail, in words.
 
-    A limit says nothing of any one point; on the way to far nearer ones it should get smaller. What
-    grows there may yet be overtaken where no number can be written: with a range that was
-    enclosed (``ranged``) only what stays speaks against it.
+    The parameters have a few values that satisfy everything that is said of them.
     """
-    left, right = claim.left, claim.right
-    infinite = {INFINITY: 1, -INFINITY: -1}.get(right) if claim.relation == LIMIT else None
-    vanishing = {
-        LIMIT: left - right if infinite is None else 1 / left,
-        "o": left / right,
-        "~": left / right - 1,
-        "omega": right / left,
-    }.get(claim.relation)
-    if vanishing is None or (path.point is not None and symbols(path.point)):
-        return None
-    needed = (vanishing, left, *claim.differentiated)  # what is differentiated must be real there
-    names = sorted(set().union(*map(symbols, needed)) - {path.name})
-    with ball_precision(NEAR_BITS):
-        value = program(needed, [*names, path.name])
-        holds = conditions(names, statement.given.comparisons)
-        for at in ([arb(k + n) for n in range(len(names))] for k in (1, -2, 3)):
-            if not holds(at):
-                continue
-            for side in path.sides:
-                found = [value([*at, x]) for x in _nearer(path, side)]
-                known = [values for values in found if values is not None]
-                if found[0] is None or found[1] is None:
-                    continue
-                sizes, f = [abs(values[0]) for values in known], known[-1][1]
-                wrong = infinite is not None and bool(f * infinite < 0)
-                steps = pairwise(sizes)
-                stays = (
-                    y > SMALL and y > x * LESS and not (ranged and y * LESS > x) for x, y in steps
-                )
-                if wrong or all(stays):
-                    return f"near the end of the path, {said(known[-1][0])} does not vanish"
+    for at in islice(_assignments(claim, statement), ASSIGNMENTS):
+        for side in path.sides:
+            if fails(Ray(claim, path, side, at, statement.integers)):
+                given = f" for {where([*at], [*at.values()])}" if at else ""
+                return f"numbers near the end of the path show it to fail{given}"
     return None
 
 
-def _nearer(path: Path, side: int) -> Iterator[arb]:
-    """Points on one side of the path, each far nearer to its end: what is slow takes its time."""
-    end = None if path.point is None else program([path.point], [])([])
-    for halvings in NEARER:
-        t = arb((side, -halvings))
-        if path.point is None:
-            yield 1 / t
-        elif end is not None:
-            yield end[0] + t
+def _assignments(claim: Comparison, statement: Statement) -> Iterator[dict[str, arb]]:
+    """Values of the parameters at which all conditions are shown, small integers among them."""
+    names = parameters(claim, statement)
+    solved = _solved(statement)
+    if solved is None:
+        return  # the cases of its equations were attacked themselves
+    free = [name for name in names if name not in solved]
+    with ball_precision(NEAR_BITS):
+        links = statement.given.comparisons
+        holds = conditions(names, links, statement.integers)
+        values = program([*solved.values()], free, statement.integers)
+        for k in range(TRIES if free else 1):
+            chosen = {
+                name: VALUES[(k + k // 5 * j + 2 * j) % len(VALUES)] for j, name in enumerate(free)
+            }
+            if any(
+                chosen[name].unique_fmpz() is None for name in statement.integers if name in chosen
+            ):
+                continue
+            found = values([*chosen.values()])
+            if found is None:
+                continue
+            at = chosen | dict(zip(solved, found, strict=True))
+            whole = all(at[n].unique_fmpz() is not None for n in statement.integers if n in at)
+            if whole and holds([at[name] for name in names]):
+                yield {name: at[name] for name in names}
+
+
+def _solved(statement: Statement) -> dict[str, Expr] | None:
+    """The variables that the equations give in terms of others; None where that is not seen."""
+    found: dict[str, Expr] = {}
+    for left, right in statement.equations:
+        e = substitute(left - right, found)
+        for name in sorted(symbols(e)):
+            slope = tidied(differentiate(e, name))
+            rest = substitute(e, {name: ZERO})
+            if slope.op == "number" and slope != ZERO:
+                put_in = {name: -rest / slope}
+                found = {n: substitute(value, put_in) for n, value in found.items()} | put_in
+                break
+        else:
+            return None
+    return found
 
 
 def _along(path: Path, reach: arb) -> Iterator[arb]:

@@ -13,11 +13,14 @@ from tresym.reals.language import expression
 from tresym.reals.language.binders import elementary, is_infinite, outermost, worked_out
 from tresym.reals.language.expression import (
     LEAVES,
+    MINUS_ONE,
+    ONE,
     ZERO,
     Expr,
     add,
     differentiate,
     instantiate,
+    integer,
     multiply,
     number,
     opened,
@@ -28,6 +31,7 @@ from tresym.reals.language.expression import (
 )
 from tresym.reals.language.latex_output import typeset
 from tresym.reals.language.parsing import (
+    FACTORIAL,
     INFINITY,
     INTEGERS,
     NO_INFINITY,
@@ -66,6 +70,7 @@ _NOT_DECIDED = {
         expression.ORDERS, "O(…) and o(…) stand at the right end of a claim: f == g + O(h)"
     ),
 }
+_ENDS = (INFINITY, -INFINITY)
 VALUED = ("integral", "nth", "sum", "product", "unknown")
 """What may stand in a claim and is worked out when it is decided."""
 _LONE = "the limit stands alone on one side, compared by == with its value"
@@ -321,6 +326,39 @@ def functions(e: Expr) -> Iterator[Expr]:
             yield from functions(arg)
         if e.op == "unknown":
             yield e
+
+
+def implied_integers(trees: Iterable[Expr], known: Iterable[str] = ()) -> tuple[str, ...]:
+    """The variables that are integers because ends of sums, orders and factorials are.
+
+    Args:
+        known: those that are integers already.
+    """
+    places = [place for e in trees for place in _integer_places(e)]
+    found = dict.fromkeys(known)
+    for _ in places:
+        for e in places:
+            new = sorted(symbols(e) - {*found})
+            slopes = [differentiate(e, name) for name in sorted(symbols(e))]
+            linear = all(slope in (ONE, MINUS_ONE) for slope in slopes)
+            rest = integer(substitute(e, dict.fromkeys(symbols(e), ZERO)))
+            if linear and len(new) == 1 and rest is not None:
+                found[new[0]] = None
+    return tuple(found)
+
+
+def _integer_places(e: Expr) -> Iterator[Expr]:
+    """What must be an integer where ``e`` has a value."""
+    if not e.hidden:
+        return
+    if e.op in ("sum", "product"):
+        yield from (end for end in e.args[1:] if not end.loose and end not in _ENDS)
+    elif e.op == "nth":
+        yield e.args[2]
+    elif e.op == "unknown" and e.args[0].args[0] == FACTORIAL and not e.args[1].loose:
+        yield e.args[1]
+    for arg in e.args:
+        yield from _integer_places(arg)
 
 
 def read_as(claim: Any, given: Any = "", path: str | None = None) -> str:
@@ -643,7 +681,10 @@ def _checked(statement: Statement) -> Statement:
         raise InputError(
             "a path belongs to O, o, ~, -> and inequalities; of an equation write its conditions"
         )
-    said = [*statement.given.names, *statement.integers]
+    whole = path.name in statement.integers and path.point is not None
+    if whole:
+        raise InputError(f"an integer {path.name} tends to oo or -oo alone")
+    said = [*statement.given.names]
     said += [name for sides in statement.equations for e in sides for name in symbols(e)]
     if path.name in said:
         raise InputError(f"no condition speaks of {path.name}: the path says where the claim holds")

@@ -10,10 +10,16 @@ from typing import Any
 from tresym.reals.cross_check import STOPPED
 from tresym.reals.decisions.answer import Answer, Decide, exact_text, refuted, worst
 from tresym.reals.decisions.claim_cross_check import attack
-from tresym.reals.decisions.claim_parsing import Comparison, Statement, functions, read
+from tresym.reals.decisions.claim_parsing import (
+    Comparison,
+    Statement,
+    functions,
+    implied_integers,
+    read,
+)
 from tresym.reals.decisions.equalities import decide_equality
 from tresym.reals.decisions.identity import JUMP
-from tresym.reals.decisions.variable_exponents import beyond_positive_bases
+from tresym.reals.decisions.variable_exponents import beyond_positive_bases, holds_powers
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import is_infinite, outermost
 from tresym.reals.language.expression import DOTS, ZERO, Expr, symbols
@@ -63,21 +69,47 @@ def decide_claim(claim: Any, given: Any = "", path: str | None = None) -> Answer
 
 
 def _everywhere(comparison: Comparison, statement: Statement) -> Answer:
+    statement = _with_integers(comparison, statement)
+    start = time.perf_counter()
     answer = _bounded(comparison, statement)
-    return beyond_positive_bases(answer, comparison, statement) if answer else answer
+    if answer:
+        answer = beyond_positive_bases(answer, comparison, statement, _bounded)
+    if answer and any(holds_powers(e) for e in (comparison.left, comparison.right)):
+        spent = time.perf_counter() - start
+        return _attacked(answer, comparison, statement, spent, anywhere=True)
+    return answer
+
+
+def _attacked(
+    answer: Answer, comparison: Comparison, statement: Statement, spent: float, anywhere: bool
+) -> Answer:
+    """An answer that passes, UNDECIDED where the independent check contradicts it."""
+    against = attack(comparison, statement, answer, spent, anywhere)
+    return answer if against is None else Answer(Verdict.UNDECIDED, STOPPED.format(against))
+
+
+def _with_integers(comparison: Comparison, statement: Statement) -> Statement:
+    """The statement, which says what must be an integer for the comparison to have a meaning."""
+    trees = (comparison.left, comparison.right, *statement.said)
+    return replace(statement, integers=implied_integers(trees, statement.integers))
 
 
 def _bounded(comparison: Comparison, statement: Statement) -> Answer:
     """The answer, UNDECIDED where what was read well grows beyond the bounds of expressions."""
     start = time.perf_counter()
+    statement = _with_integers(comparison, statement)
     try:
         answer = _decide(comparison, statement)
     except InputError as error:
         return Answer(Verdict.UNDECIDED, f"an expression on the way grew too large: {error}")
+    if answer.verdict is Verdict.REFUTED and statement.path is not None:
+        from tresym.reals.decisions.asymptotics.refutation_check import checked
+
+        return checked(answer, comparison, statement)
     if not answer:
         return answer
-    against = attack(comparison, statement, answer, time.perf_counter() - start)
-    return answer if against is None else Answer(Verdict.UNDECIDED, STOPPED.format(against))
+    spent = time.perf_counter() - start
+    return _attacked(answer, comparison, statement, spent, anywhere=False)
 
 
 def _decide(comparison: Comparison, statement: Statement) -> Answer:
@@ -120,7 +152,8 @@ def _door(comparison: Comparison, statement: Statement) -> Door | None:
         from tresym.reals.decisions.nth_derivatives import decide_repeated
 
         return decide_repeated
-    if nodes & {"sum", "product"} and unknown <= {FACTORIAL}:
+    finite = nodes <= {"sum", "product", "unknown"} and statement.path is None
+    if nodes & {"sum", "product"} and (unknown <= {FACTORIAL} or finite):
         from tresym.reals.decisions.finite_sums import decide_totals
 
         return decide_totals
@@ -128,6 +161,10 @@ def _door(comparison: Comparison, statement: Statement) -> Door | None:
         from tresym.reals.decisions.factorials import decide_factorials
 
         return decide_factorials
+    if unknown and statement.integers and statement.path is None:
+        from tresym.reals.decisions.integer_variables import decide_whole
+
+        return decide_whole
     if unknown:
         from tresym.reals.decisions.unknown_functions import decide_unknown
 
@@ -144,6 +181,10 @@ def _door(comparison: Comparison, statement: Statement) -> Door | None:
             return decide_whole
     if statement.equations:
         return decide_under_equations
+    if "integral" in nodes and statement.path is not None:
+        from tresym.reals.decisions.asymptotics.integral_limits import decide_integral_limits
+
+        return decide_integral_limits
     if "integral" in nodes:
         from tresym.reals.decisions.integrals import decide_integrals
 

@@ -1,10 +1,15 @@
-"""Equations as conditions: a variable is eliminated exactly, in as many cases as it has values.
+"""Equations as conditions: their consequences, and elimination of a variable case by case.
 
-An equation is solved for a variable that it determines: one that it is linear or quadratic in, or
-that stands in it once, under functions that can be undone. Each case has its value of the variable
-and the conditions under which it is one, and together they are all points of the equation. The
-claim, the other conditions and the other equations are decided in every case with the value put in;
-cases that are shown to have no point are left out, and where all are, nothing is decided.
+1. An equation that is claimed, or denied, may be a consequence of the equations: see ideals.py.
+2. Of an inequality between polynomials, an equation between a form and a number makes a
+   homogeneous one: under x² + y² + z² = 1, xy + yz + zx ≤ 1 says that it is at most x² + y² + z².
+3. An equation is split at the factors of its numerator, and solved for a variable that it
+   determines: one that it is linear or quadratic in, or that stands in it once, under functions
+   that can be undone; a sine has its values at an angle and its whole turns. Each case has its
+   value of the variable and the conditions under which it is one, and together they are all points
+   of the equation. The claim, the other conditions and the other equations are decided in every
+   case with the value put in; cases that are shown to have no point are left out, and where all
+   are, nothing is decided.
 """
 
 from __future__ import annotations
@@ -12,30 +17,27 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
-from typing import Any, NamedTuple
-
-from flint import fmpq
+from itertools import islice
+from typing import Any
 
 from tresym.reals.decisions.answer import Answer, Decide, exact_text, worst
 from tresym.reals.decisions.claim_parsing import Comparison, Statement
-from tresym.reals.decisions.readable_witnesses import constants_hold, exact_witness, tidied
+from tresym.reals.decisions.equation_solutions import Case, solved
+from tresym.reals.decisions.ideals import follows, numerator_factors
+from tresym.reals.decisions.readable_witnesses import constants_hold, exact_witness
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate, stands
-from tresym.reals.domain.operation_domains import needs
+from tresym.reals.domain.newton import points_on
+from tresym.reals.domain.operation_domains import bound, needs, operations
+from tresym.reals.language.binders import elementary
 from tresym.reals.language.expression import (
-    HALF,
     ONE,
-    PI,
     ZERO,
     Expr,
     add,
-    apply,
-    differentiate,
     integer,
-    multiply,
     number,
     power,
-    sqrt,
     substitute,
     symbols,
 )
@@ -44,75 +46,193 @@ from tresym.reals.language.parsing import Compared
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.signs.definedness import undefined
+from tresym.reals.signs.homogenisation import ways
 from tresym.reals.signs.interior import PROVING, is_zero
 from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
 
-_EMPTY = "no point satisfies the conditions, and nothing is proved vacuously"
-
-
-_HALF_TURN = PI / 2
-_INVERSES: dict[str, Any] = {
-    "exp": ("log", (">", ZERO)),
-    "log": ("exp",),
-    "sinh": ("asinh",),
-    "asinh": ("sinh",),
-    "tanh": ("atanh", ("<", ONE), (">", -ONE)),
-    "atanh": ("tanh",),
-    "atan": ("tan", ("<", _HALF_TURN), (">", -_HALF_TURN)),
-    "asin": ("sin", ("<=", _HALF_TURN), (">=", -_HALF_TURN)),
-    "acos": ("cos", ("<=", PI), (">=", ZERO)),
-}
-"""What undoes a function, and the ends between which its values lie."""
-_PERIODIC: dict[str, Any] = {
-    "sin": ("asin", (-1, PI), (-_HALF_TURN, _HALF_TURN)),
-    "cos": ("acos", (-1, ZERO), (ZERO, PI)),
-    "tan": ("atan", (1, PI), (-_HALF_TURN, _HALF_TURN)),
-}
-"""The inverse on a range, the sign and the shift that make another value of it, and the range."""
-
-
-class Case(NamedTuple):
-    """A value of the variable, and the conditions and equations under which it is one."""
-
-    value: Expr | None
-    conditions: tuple[Compared, ...] = ()
-    equations: tuple[tuple[Expr, Expr], ...] = ()
+NO_POINT = Answer(
+    Verdict.UNDECIDED, "no point satisfies the conditions, and nothing is proved vacuously"
+)
+"""Where the conditions are shown to have no point."""
 
 
 def decide_under_equations(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
-    """The answer at the points that satisfy the first equation of the statement.
+    """The answer at the points that satisfy the equations of the statement.
 
     Args:
         decided: decides the claim under what is left.
     """
     statement = among_integers(statement) or statement
-    (left, right), *others = statement.equations
-    rest = replace(statement, equations=tuple(others))
-    e = left - right
-    if not symbols(e) or is_zero(e, Given()):
-        with ball_precision():
-            value = evaluate(e, {}) if not symbols(e) else None
-        if value is not None and value != 0:
-            return Answer(Verdict.UNDECIDED, _EMPTY)
-        if is_zero(e, Given()) and undefined(e, statement.given) is None:
-            return decided(claim, rest)
-        return Answer(Verdict.UNDECIDED, f"{left} == {right} is not shown to have a point")
-    for name in _candidates(claim, statement, e):
-        cases = _solved(e, name, statement.given)
-        if name in statement.integers and cases is not None:
-            cases = _whole(cases, statement.integers)
-        if cases is not None:
-            return _by_cases(claim, rest, name, cases, decided)
-    for name in (n for n in _candidates(claim, statement, e) if n not in statement.integers):
-        some = _undone(e, name, ZERO, statement.given, some=True)  # not all: they may refute
-        found = _by_cases(claim, rest, name, some or [], decided)
-        if found.verdict is Verdict.REFUTED:
+    for pair in statement.equations:
+        found = _without_variables(claim, statement, pair, decided)
+        if found is not None:
             return found
+    if is_contradictory(statement):
+        return NO_POINT
+    statement = _speaking(claim, statement)
+    found = _as_consequence(claim, statement, decided) or _homogeneous(claim, statement, decided)
+    return found or _by_elimination(claim, statement, decided)
+
+
+def _without_variables(
+    claim: Comparison, statement: Statement, pair: tuple[Expr, Expr], decided: Decide
+) -> Answer | None:
+    """The answer where an equation holds at every point, or at none; None for others."""
+    left, right = pair
+    e = left - right
+    if symbols(e) and not is_zero(e, Given()):
+        return None
+    with ball_precision():
+        value = evaluate(e, {}) if not symbols(e) else None
+    if value is not None and value != 0:
+        return NO_POINT
+    if is_zero(e, Given()) and undefined(e, statement.given) is None:
+        others = tuple(other for other in statement.equations if other is not pair)
+        return decided(claim, replace(statement, equations=others))
+    return Answer(Verdict.UNDECIDED, f"{left} == {right} is not shown to have a point")
+
+
+def is_contradictory(statement: Statement) -> bool:
+    """Whether the equations have no common point, by their ideal."""
+    return bool(statement.equations) and follows(ONE, *_known(statement), vanishes=True)
+
+
+def _known(statement: Statement) -> tuple[list[Expr], list[Expr]]:
+    """What is 0 at the points in question, and what is not."""
+    zero = [left - right for left, right in statement.equations]
+    nonzero = [c.expression for c in statement.given.conditions if c.relation != ">="]
+    return zero, nonzero
+
+
+def _speaking(claim: Comparison, statement: Statement) -> Statement:
+    """The statement under the condition that no denominator of both sides vanishes."""
+    parts = (e for e, relation in needs((claim.left, claim.right)) if relation == "!=")
+    links = tuple(bound(e, "!=") for e in parts if symbols(e) and not e.loose)
+    if claim.relation != "==" or statement.path is not None:
+        return statement
+    return replace(
+        statement, given=Given(tuple(dict.fromkeys((*statement.given.comparisons, *links))))
+    )
+
+
+# Consequences
+
+
+def _as_consequence(claim: Comparison, statement: Statement, decided: Decide) -> Answer | None:
+    """A proof of an equation, or of ``!=``, by the ideal of the equations; None without one."""
+    left, relation, right = claim.left, claim.relation, claim.right
+    if relation not in ("==", "!=") or claim.derivatives or statement.path is not None:
+        return None
+    if not follows(left - right, *_known(statement), vanishes=relation == "=="):
+        return None
+    why = "it is in the radical of the ideal of the equations (Groebner basis)"
+    return _with_a_point(Answer(Verdict.PROVED, why), claim, statement, decided)
+
+
+def _with_a_point(
+    answer: Answer, claim: Comparison, statement: Statement, decided: Decide
+) -> Answer | None:
+    """A proof, if a point is found that satisfies the conditions, and none that contradicts it."""
+    sides = claim.left, claim.right
+    if any(side.hidden for side in sides):
+        return None
+    zero, _ = _known(statement)
+    names = sorted(frozenset().union(*map(symbols, sides)))
+    given = statement.given & Given(tuple(bound(*part) for part in needs((*sides, *zero))))
+    for at in () if statement.integers else islice(points_on(zero, given, names), 1):
+        with ball_precision():
+            left, right = (evaluate(side, at) for side in sides)
+        if left.is_finite() and right.is_finite():
+            if not stands(left - right, NEGATED[claim.relation]):
+                near = ", ".join(f"{name} = {at[name].str(6, radius=False)}" for name in sorted(at))
+                return replace(answer, why=f"{answer.why}; the equations have a point near {near}")
+            return None
+    both = add(*sides)
+    same = _by_elimination(Comparison(both, "==", both), statement, decided)
+    return replace(answer, why=f"{answer.why}; they have a point: {same.why}") if same else None
+
+
+def _homogeneous(claim: Comparison, statement: Statement, decided: Decide) -> Answer | None:
+    """A proof of the inequality that an equation between a form and a number makes homogeneous."""
+    difference = claim.left - claim.right
+    if claim.relation in ("==", "!=") or statement.path is not None or difference.hidden:
+        return None
+    for pair in statement.equations:
+        equal, negated = (((pair[0] - pair[1]) * side, ">=", ZERO) for side in (1, -1))
+        for way in ways(difference, Given((equal, negated))):
+            made = sum((part * power(way.form, number(n)) for part, n in way.parts), ZERO)
+            others = tuple(other for other in statement.equations if other is not pair)
+            free = replace(statement, equations=others)
+            if any(n < 0 for _, n in way.parts) or (
+                any(n.q != 1 for _, n in way.parts)
+                and sign(way.form, statement.given) not in PROVING[">"]
+            ):
+                continue
+            found = decided(Comparison(made, claim.relation, ZERO), free)
+            if found:
+                why = f"made homogeneous by {pair[0]} == {pair[1]}: {found.why}"
+                return _with_a_point(
+                    replace(found, why=why, region=None), claim, statement, decided
+                )
+            break
+    return None
+
+
+# Elimination
+
+
+def _by_elimination(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
+    """The answer in all cases of one equation, the one that is solved with the least trouble."""
+    ways_ = sorted(_ways(statement), key=lambda way: way[0])
+    split = _split(claim, statement, decided) if not ways_ or len(ways_[0][3]) > 1 else None
+    if split is not None:
+        return split
+    for _, pair, name, cases in ways_[:1]:
+        return _by_cases(claim, _without(statement, pair), name, cases, decided)
+    left, right = statement.equations[0]
     return Answer(
         Verdict.UNDECIDED,
         f"no variable of the condition {left} == {right} is eliminated: write it solved for one",
     )
+
+
+def _split(claim: Comparison, statement: Statement, decided: Decide) -> Answer | None:
+    """The answer where each factor of the numerator of an equation is 0; None where it is one."""
+    for pair in statement.equations:
+        left, right = pair
+        factors = numerator_factors(left - right)
+        if factors is None or (len(factors) == 1 and not needs((left - right,))):
+            continue
+        zero = (f for f in factors if sign(f, statement.given, "!=") not in PROVING["!="])
+        cases = [Case(None, (), ((factor, ZERO),)) for factor in zero]
+        links = tuple(bound(*part) for part in needs((left, right)))
+        rest = _without(statement, pair)
+        return _by_cases(claim, replace(rest, given=rest.given & Given(links)), "", cases, decided)
+    return None
+
+
+def _ways(statement: Statement) -> Iterator[tuple[Any, tuple[Expr, Expr], str, list[Case]]]:
+    """Solutions of an equation for a variable, with the trouble that they make."""
+    for k, pair in enumerate(statement.equations):
+        e = pair[0] - pair[1]
+        for (whole, *cost), name in _candidates(statement, e):
+            cases = solved(e, name, statement)
+            if name in statement.integers and cases is not None:
+                cases = _whole(cases, statement.integers)
+            if cases is not None:
+                yield (whole, len(cases) > 1, _is_rooted(cases), k, *cost), pair, name, cases
+
+
+def _without(statement: Statement, pair: tuple[Expr, Expr]) -> Statement:
+    others = tuple(other for other in statement.equations if other is not pair)
+    return replace(statement, equations=others)
+
+
+def _is_rooted(cases: list[Case]) -> bool:
+    """Whether the values hold more than sums, products and powers."""
+    values = (case.value for case in cases if case.value is not None)
+    return any(part.op not in ("+", "*", "^") for part in operations(values))
 
 
 def among_integers(statement: Statement) -> Statement | None:
@@ -125,16 +245,13 @@ def among_integers(statement: Statement) -> Statement | None:
     return None
 
 
-def _candidates(claim: Comparison, statement: Statement, e: Expr) -> list[str]:
-    """Variables to eliminate, those of which little hangs first."""
+def _candidates(statement: Statement, e: Expr) -> Iterator[tuple[tuple[bool, int, str], str]]:
+    """Variables to eliminate, each with how much hangs on it."""
     path = () if statement.path is None else (statement.path.name,)
-    names = symbols(e) - {*path}
     beyond = [c.expression for c in statement.given.conditions]
-
-    def cost(name: str) -> tuple[bool, int, str]:
-        return name in statement.integers, sum(name in symbols(c) for c in beyond), name
-
-    return sorted(names, key=cost)
+    for name in sorted(symbols(e) - {*path}):
+        hangs = sum(name in symbols(c) for c in beyond)
+        yield (name in statement.integers, hangs, name), name
 
 
 def _whole(cases: list[Case], integers: tuple[str, ...]) -> list[Case] | None:
@@ -161,124 +278,6 @@ def is_whole(e: Expr, integers: tuple[str, ...]) -> bool:
     return e.op in ("+", "*") and all(is_whole(arg, integers) for arg in e.args)
 
 
-# Solving
-
-
-def _solved(e: Expr, name: str, given: Given) -> list[Case] | None:
-    """All solutions of ``e = 0`` for the variable under the conditions; None if not found."""
-    at = {name: ZERO}
-    slope = differentiate(e, name)
-    if _is_free(slope, name):
-        return _linear(tidied(substitute(slope, at)), tidied(substitute(e, at)), given)
-    bend = differentiate(slope, name)
-    if _is_free(bend, name):
-        a, b, c = (tidied(substitute(part, at)) for part in (HALF * bend, slope, e))
-        if sign(a, given, "!=") not in PROVING["!="]:
-            return None
-        under = b**2 - 4 * a * c  # not negative where the values are real
-        return [Case((-b + side * sqrt(under)) / (2 * a)) for side in (1, -1)]
-    return _undone(e, name, ZERO, given)
-
-
-def _is_free(e: Expr, name: str) -> bool:
-    """Whether ``e`` is one expression in the other variables, defined wherever they are."""
-    if name not in symbols(e):
-        return True
-    return not needs((e,)) and is_zero(e - substitute(e, {name: ZERO}), Given())
-
-
-def _linear(p: Expr, q: Expr, given: Given) -> list[Case]:
-    """All v with p v + q = 0."""
-    if sign(p, given, "!=") in PROVING["!="]:
-        return [Case(-q / p)]
-    solved = Case(-q / p, ((p, "!=", ZERO),))
-    if sign(q, given, "!=") in PROVING["!="]:
-        return [solved]
-    return [solved, Case(None, (), ((p, ZERO), (q, ZERO)))]
-
-
-def _undone(
-    e: Expr, name: str, value: Expr, given: Given, *, some: bool = False
-) -> list[Case] | None:
-    """All solutions of ``e = value`` where the variable stands in ``e`` once, or ``some``."""
-    if e.op == "symbol":
-        return [Case(value)] if e.args == (name,) else None
-    inner = [arg for arg in e.args if isinstance(arg, Expr) and name in symbols(arg)]
-    if len(inner) != 1:
-        return None
-    (arg,) = inner
-    others = list(e.args)
-    others.remove(arg)
-    if e.op == "+":
-        return _undone(arg, name, value - add(*others), given, some=some)
-    if e.op == "*":
-        factor = multiply(*others)
-        if sign(factor, given, "!=") not in PROVING["!="]:
-            return None
-        return _undone(arg, name, value / factor, given, some=some)
-    steps = list(_inverses(e, arg, value))
-    if e.op in _PERIODIC:
-        steps = _turned(e, arg, value, given, some)
-    found = []
-    for inverse, conditions in steps:
-        cases = _undone(arg, name, inverse, given, some=some)
-        if cases is None:
-            return None
-        found += [replaced_case(case, conditions) for case in cases]
-    return found or None
-
-
-def _turned(
-    e: Expr, arg: Expr, v: Expr, given: Given, some: bool
-) -> list[tuple[Expr, tuple[Compared, ...]]]:
-    """The one value of ``arg`` in its range with ``e = v``, or some three; none if too many."""
-    inverse, (turn, shift), (low, high) = _PERIODIC[e.op]
-    first = apply(inverse, v)
-    within = (sign(side, given, ">=") in PROVING[">="] for side in (arg - low, high - arg))
-    if all(within):
-        return [(first, ())]
-    return [(u, ()) for u in (first, shift + turn * first, 2 * PI + first)] if some else []
-
-
-def replaced_case(case: Case, conditions: tuple[Compared, ...]) -> Case:
-    """The case with more conditions."""
-    return case._replace(conditions=(*conditions, *case.conditions))
-
-
-def _inverses(e: Expr, arg: Expr, v: Expr) -> Iterator[tuple[Expr, tuple[Compared, ...]]]:
-    """The values of ``arg`` with ``e = v``, each with the conditions on v; none if too many."""
-    if e.op == "^" and e.args[1].op == "number" and arg is e.args[0]:
-        yield from _roots(e.args[1].args[0], v)
-    elif e.op == "abs":
-        yield v, ((v, ">=", ZERO),)
-        yield -v, ((v, ">", ZERO),)
-    elif e.op == "cbrt":
-        yield v**3, ()
-    elif e.op in _INVERSES:
-        inverse, *bounds = _INVERSES[e.op]
-        yield apply(inverse, v), tuple((v, relation, end) for relation, end in bounds)
-
-
-def _roots(r: fmpq, v: Expr) -> Iterator[tuple[Expr, tuple[Compared, ...]]]:
-    """All u with ``u**r = v``."""
-    exponent = number(r)
-    value = exponent.args[0]
-    if value.q != 1:  # u ≥ 0, and v too
-        yield power(v, 1 / exponent), ((v, ">=" if value > 0 else ">", ZERO),)
-    elif value.p % 2 == 0:
-        bound: tuple[Compared, ...] = ((v, ">=" if value > 0 else ">", ZERO),)
-        yield power(v, 1 / exponent), bound
-        yield -power(v, 1 / exponent), bound
-    elif abs(value.p) == 3:
-        root = apply("cbrt", v)
-        yield (root, ()) if value > 0 else (1 / root, ((v, "!=", ZERO),))
-    elif value == -1:
-        yield 1 / v, ((v, "!=", ZERO),)
-
-
-# Deciding
-
-
 def _by_cases(
     claim: Comparison, rest: Statement, name: str, cases: list[Case], decided: Decide
 ) -> Answer:
@@ -289,16 +288,16 @@ def _by_cases(
             sides, inside = _put_in(claim, rest, case, known)
         except InputError as error:
             return Answer(Verdict.UNDECIDED, f"an expression on the way grew too large: {error}")
-        if _is_empty(inside.given):
+        if is_empty(inside.given):
             continue
         found = decided(sides, inside)
+        if found == NO_POINT:
+            continue
         if found.verdict is Verdict.REFUTED and known:
-            found = _with_value(found, claim, name, case.value or ZERO)
+            found = _with_value(found, case, name)
         shown = f"{name} = {case.value}" if known else chained_zero(case)
         answers.append(replace(found, why=f"with {shown}: {found.why}", region=None))
-    if not answers:
-        return Answer(Verdict.UNDECIDED, _EMPTY)
-    return worst(answers)
+    return worst(answers) if answers else NO_POINT
 
 
 def chained_zero(case: Case) -> str:
@@ -322,13 +321,19 @@ def _put_in(
     links = tuple(dict.fromkeys((*rest.given.comparisons, *case.conditions, *value)))
     given = constants_hold(links)
     equations = (*rest.equations, *case.equations)
-    return sides, replace(rest, given=Given(links) if given is None else given, equations=equations)
+    return sides, replace(
+        rest,
+        given=Given(links) if given is None else given,
+        equations=equations,
+        integers=(*rest.integers, *case.integers),
+    )
 
 
-def _is_empty(given: Given) -> bool:
+def is_empty(given: Given) -> bool:
     """Whether a condition is shown to fail wherever the others hold."""
-    for n, (left, relation, right) in enumerate(given.comparisons):
-        others = Given(given.comparisons[:n] + given.comparisons[n + 1 :])
+    links = [link for link in given.comparisons if elementary(*link[::2])]
+    for n, (left, relation, right) in enumerate(links):
+        others = Given((*links[:n], *links[n + 1 :]))
         if symbols(left) | symbols(right):
             against = NEGATED[relation]
             wanted = {"==": "0"}.get(against)
@@ -345,9 +350,9 @@ def _is_empty(given: Given) -> bool:
     return False
 
 
-def _with_value(answer: Answer, claim: Comparison, name: str, value: Expr) -> Answer:
+def _with_value(answer: Answer, case: Case, name: str) -> Answer:
     """A refutation with the value of the variable that was eliminated."""
-    point = exact_witness(answer)
+    point, value = exact_witness(answer), case.value or ZERO
     if point is None:
         return Answer(Verdict.UNDECIDED, f"{answer.why}, at no exact point")
     for missing in symbols(value) - point.keys():
@@ -357,4 +362,5 @@ def _with_value(answer: Answer, claim: Comparison, name: str, value: Expr) -> An
         if not evaluate(at, {}).is_finite():
             return Answer(Verdict.UNDECIDED, f"{answer.why}, where {name} is not shown to be real")
     point[name] = at
-    return replace(answer, witness={n: exact_text(v) for n, v in sorted(point.items())})
+    shown = sorted(item for item in point.items() if item[0] not in case.integers)
+    return replace(answer, witness={n: exact_text(v) for n, v in shown})

@@ -23,7 +23,6 @@ from tresym.reals.language.expression import (
     ONE,
     ZERO,
     Expr,
-    differentiate,
     fresh,
     integer,
     multiply,
@@ -62,8 +61,6 @@ def decide_factorials(claim: Comparison, statement: Statement, decided: Decide) 
     ):
         why = "of a factorial, sums, derivatives, limits and conditions are not decided"
         return Answer(Verdict.UNDECIDED, why)
-    whole = tuple(dict.fromkeys((*statement.integers, *_integers([n.args[1] for n in nodes]))))
-    statement = replace(statement, integers=whole)
     found = _looked_at(claim, statement, list(nodes), decided)
     if found is not None:
         return found
@@ -73,20 +70,6 @@ def decide_factorials(claim: Comparison, statement: Statement, decided: Decide) 
     found = decided(Comparison(left, claim.relation, right), replace(statement, given=given))
     if found.verdict is Verdict.REFUTED:
         return Answer(Verdict.UNDECIDED, f"it is open; of any numbers for factorials, {found.why}")
-    return found
-
-
-def _integers(arguments: list[Expr]) -> list[str]:
-    """The variables that are integers because these arguments are."""
-    found: list[str] = []
-    for _ in arguments:
-        for e in arguments:
-            new = sorted(symbols(e) - {*found})
-            slopes = [differentiate(e, name) for name in sorted(symbols(e))]
-            linear = all(slope in (ONE, -ONE) for slope in slopes)
-            rest = integer(substitute(e, dict.fromkeys(symbols(e), ZERO)))
-            if linear and len(new) == 1 and rest is not None:
-                found += new
     return found
 
 

@@ -14,7 +14,7 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import partial
 
-from tresym.reals.decisions.answer import Answer, Decide
+from tresym.reals.decisions.answer import Answer, Decide, worst
 from tresym.reals.decisions.asymptotics.limit_values import limit_of
 from tresym.reals.decisions.claim_parsing import Comparison, Statement
 from tresym.reals.decisions.identity import decide
@@ -61,6 +61,8 @@ def decide_totals(claim: Comparison, statement: Statement, decided: Decide) -> A
     """
     if claim.derivatives or statement.path is not None:
         return Answer(Verdict.UNDECIDED, "of sums, derivatives and limits are not decided")
+    long = _long_totals(claim, statement, decided)
+    claim = claim.mapped(partial(replaced, known=long))
     try:
         claim = replace(claim, left=written_out(claim.left), right=written_out(claim.right))
     except InputError as error:
@@ -84,7 +86,6 @@ def decide_totals(claim: Comparison, statement: Statement, decided: Decide) -> A
         )
     (n,) = names
     least = max(end[2] - 1 - end[1] for end in ends.values() if end is not None)
-    statement = replace(statement, integers=tuple(dict.fromkeys((*statement.integers, n))))
     plain, least = from_on(statement, n, least)
     found = _looked_at(claim, statement, n, least, decided)
     if found is not None:
@@ -94,6 +95,27 @@ def decide_totals(claim: Comparison, statement: Statement, decided: Decide) -> A
         return answer
     found = _by_closed_forms(claim, statement, plain, n, least, ends, decided)
     return answer if found is None else found
+
+
+def _long_totals(claim: Comparison, statement: Statement, decided: Decide) -> dict[Expr, Expr]:
+    """Sums of many terms, and their values by closed forms that are shown by induction."""
+    from tresym.reals.decisions.antiderivatives import summed
+
+    known: dict[Expr, Expr] = {}
+    n = fresh("n", symbols(claim.left) | symbols(claim.right) | statement.given.names)
+    for node in _nodes(claim):
+        low, high = (integer(end) for end in node.args[1:])
+        if low is None or high is None or high - low < TERMS:
+            continue
+        (k,), body = opened(node)
+        part = total(node.op, body, k, node.args[1], symbol(n))
+        whole = replace(statement, integers=(*statement.integers, n))
+        for form in summed(node.op, body, k, node.args[1], symbol(n)):
+            same = Comparison(part, "==", form)
+            if _induction(same, whole, n, low - 1, {part: _end(part)}, decided):
+                known[node] = substitute(form, {n: number(high)})
+                break
+    return known
 
 
 def first_terms(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
@@ -107,8 +129,8 @@ def first_terms(claim: Comparison, statement: Statement, decided: Decide) -> Ans
     for node in nodes:
         (k,), body = opened(node)
         low = integer(node.args[1])
-        if node.op != "sum" or node.args[2] != INFINITY or low is None:
-            return Answer(Verdict.UNDECIDED, "a series is a sum from an integer to oo")
+        if node.args[2] != INFINITY or low is None:
+            return Answer(Verdict.UNDECIDED, "a series goes from an integer to oo")
         first = total(node.op, body, k, node.args[1], symbol(n))
         for form in summed(node.op, body, k, node.args[1], symbol(n)):
             whole = replace(statement, integers=(*statement.integers, n))
@@ -236,7 +258,7 @@ def _looked_at(
                 continue
             witness = {n: str(value)} | dict(found.witness or {})
             return replace(found, why=f"at {n} = {value}: {found.why}", witness=witness)
-        seen = seen or bool(found)
+        seen = seen or (bool(found) and not _has_no_term(claim, n, value))
     if empty:
         why = f"it fails of a sum without a term: say from which {n} on it is claimed"
         return Answer(Verdict.UNDECIDED, why)
@@ -298,22 +320,41 @@ def _induction(
     if not is_lasting((left, right), beyond, n, *map(str, now.values())):
         why = f"it is not shown to be spoken of at every {n} from {least} on"
         return Answer(Verdict.UNDECIDED, why)
+    steps = _smaller_step(Comparison(left, claim.relation, right), after, ends)
+    smaller = [decided(part, under) for part in steps]
     if claim.relation != "==":
         under = replace(under, given=beyond & Given(((left, claim.relation, right),)))
     elif left.op == "symbol":
         after = after.mapped(partial(substitute, mapping={str(left): right}))
     else:
         under = replace(under, equations=(*statement.equations, (left, right)))
-    step = decided(after, under)
+    step = worst(smaller) if smaller and all(smaller) else decided(after, under)
     if not step:
         why = f"the step of the induction from {n} to {n} + 1 is open: {step.why}"
         return Answer(Verdict.UNDECIDED, why)
-    worst = base if base.verdict is Verdict.ENCLOSED else step
+    weaker = base if base.verdict is Verdict.ENCLOSED else step
     begin = f"{n} = {least}"
     if _has_no_term(claim, n, least):
         begin += ", where a sum has no term and below which none is spoken of"
     why = f"by induction from {begin}: {base.why}; from {n} to {n} + 1, {step.why}"
-    return replace(worst, why=why, region=None, constant=None)
+    return replace(weaker, why=why, region=None, constant=None)
+
+
+def _smaller_step(
+    now: Comparison, after: Comparison, ends: dict[Expr, tuple[str, int, int] | None]
+) -> list[Comparison]:
+    """Of S <= g: what is enough for the step, as what comes of S rises with it; else nothing."""
+    sides = (now.left, now.right) if now.left.op == "symbol" else (now.right, now.left)
+    name, bound = str(sides[0]), sides[1]
+    is_alone = len(ends) == 1 and sides[0].op == "symbol" and name not in symbols(bound)
+    if now.relation not in ("<", "<=", ">", ">=") or not is_alone:
+        return []
+    (node,) = ends
+    step = after.mapped(partial(substitute, mapping={name: bound}))
+    if node.op == "sum":
+        return [replace(step, relation=now.relation[0] + "=")]
+    later = after.left if now.left.op == "symbol" else after.right
+    return [step, Comparison(differentiate(later, name), ">", ZERO)]
 
 
 def _by_closed_forms(

@@ -30,7 +30,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import islice
 from typing import Any
 
@@ -40,6 +40,7 @@ from tresym.reals.decisions.inverse_branches import without_inverse
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate, undefined_parts, values_or_broken
 from tresym.reals.domain.operation_domains import needs
+from tresym.reals.language.binders import elementary
 from tresym.reals.language.expression import ZERO, Expr, apply, number, symbols
 from tresym.reals.normal.at_point import equal_at
 from tresym.reals.normal.constants import settled, vanishes
@@ -52,6 +53,7 @@ from tresym.reals.numbers.arithmetic import WORKING, ball_precision
 from tresym.reals.numbers.exact import fraction_text
 from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.signs.closure import ONLY_INSIDE, is_regular
+from tresym.reals.signs.definedness import at_domain_ends
 from tresym.reals.signs.discontinuities import cases_at_jumps
 from tresym.reals.signs.interior import jumps
 from tresym.reals.verdict import Verdict
@@ -104,7 +106,13 @@ def decide(
         theories: what the proof may use beyond algebra; a function of another theory is a mere
             name whose equal arguments give equal values. Refutation is not limited by it.
     """
+    if not elementary(left, right):
+        return Decision(Verdict.UNDECIDED, "a sum, an integral or a limit in it is not worked out")
     found = _almost_everywhere(left, right, given, theories, _by_constants)
+    if found.verdict is Verdict.UNDECIDED and (moved := at_domain_ends((left, right), given)):
+        (left, right), inside = moved
+        found = decide(left, right, inside, theories, given if stated is None else stated)
+        return replace(found, why=f"as {left} = {right}: {found.why}")
     if found.verdict is not Verdict.PROVED:
         return found
     unproved = _at_jumps((left, right), given, theories)

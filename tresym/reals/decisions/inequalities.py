@@ -37,6 +37,7 @@ from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import fraction_text
 from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.signs.closure import ONLY_INSIDE, is_regular
+from tresym.reals.signs.definedness import at_domain_ends
 from tresym.reals.signs.interior import PROVING
 from tresym.reals.signs.polynomials import cells
 from tresym.reals.signs.sign import proof, sign
@@ -74,6 +75,10 @@ def decide_inequality(
     defined, refutation = _sampled(left, relation, right, inside, names)
     if refutation is not None:
         return refutation
+    if defined is None and (moved := at_domain_ends((left, right), given)):
+        (left, right), given = moved
+        answer = decide_inequality(left, relation, right, given, differentiated, by)
+        return replace(answer, why=f"as {left} {relation} {right}: {answer.why}")
     if defined is None and not names:
         return Answer(Verdict.UNDECIDED, no_point((left, right), inside))
     if defined is None:

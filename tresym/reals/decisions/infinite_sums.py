@@ -53,7 +53,11 @@ def decide_infinite(claim: Comparison, statement: Statement, decided: Decide) ->
             answer = first_terms(claim, statement, decided)
             return answer if found is None or answer.verdict is not Verdict.UNDECIDED else found
         known[node] = form
-    return with_values(claim, statement, known, decided)
+    answer = with_values(claim, statement, known, decided)
+    if answer.verdict is Verdict.UNDECIDED and not limit:  # 0/0 where a theorem leaves out a factor
+        other = first_terms(claim, statement, decided)
+        return answer if other.verdict is Verdict.UNDECIDED else other
+    return answer
 
 
 def _as_claimed(found: Answer, claim: Comparison, series: Expr) -> Answer:

@@ -11,15 +11,15 @@ A refutation is one at integers.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 from itertools import islice, product
-from math import lcm
+from math import lcm, prod
 
-from flint import fmpq
+from flint import arb, fmpq
 
-from tresym.reals.decisions.answer import Answer, Decide, worst
+from tresym.reals.decisions.answer import Answer, Decide, exactly, refuted, worst
 from tresym.reals.decisions.claim_parsing import Comparison, Statement
 from tresym.reals.decisions.readable_witnesses import constants_hold
 from tresym.reals.domain.conditions import Given
@@ -32,6 +32,7 @@ from tresym.reals.language.expression import (
     PI,
     ZERO,
     Expr,
+    add,
     differentiate,
     multiply,
     number,
@@ -41,8 +42,9 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
+from tresym.reals.normal.polynomials import Monomial, as_expression, polynomial
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.exact import InputError
+from tresym.reals.numbers.exact import InputError, Interval
 from tresym.reals.signs.interior import is_zero
 from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
@@ -53,6 +55,8 @@ SMALL = 3
 """Up to where, on both sides of 0, integers are looked at one by one."""
 LOOKED_AT = (1, 2, 0, 3, -1, 4, -2, 5, 7, -3, 10, 20, 100)
 MOST_POINTS, SHOWN = 120, 14
+MODULI = (2, 3, 4, 5, 7, 8, 9, 11, 13, 16, 25, 27)
+MOST_TRIED, MOST_SIZE = 5000, 200
 
 
 def decide_whole(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
@@ -61,7 +65,9 @@ def decide_whole(claim: Comparison, statement: Statement, decided: Decide) -> An
     Args:
         decided: decides what holds for real values.
     """
-    sides = claim.left, claim.right, *statement.said
+    sides = [claim.left, claim.right, *statement.said]
+    if statement.path is not None and statement.path.point is not None:
+        sides.append(statement.path.point)
     spoken_of = frozenset().union(*map(symbols, sides))
     names = [name for name in statement.integers if name in spoken_of]
     plain = replace(statement, integers=())
@@ -88,6 +94,9 @@ def decide_whole(claim: Comparison, statement: Statement, decided: Decide) -> An
     if not seen:
         why = f"it was shown at no integer {', '.join(names)}, and nothing is proved vacuously"
         return Answer(Verdict.UNDECIDED, why)
+    exact = _by_divisors(claim, statement, names)
+    if exact is not None:
+        return exact
     found = _by_residues(claim, plain, names, decided)
     if not found and len(names) == 1:
         beyond = _beyond(claim, statement, names[0], decided)
@@ -95,6 +104,22 @@ def decide_whole(claim: Comparison, statement: Statement, decided: Decide) -> An
     if found.verdict is Verdict.REFUTED:  # at what need be no integer
         return Answer(Verdict.UNDECIDED, f"of integers it is open; of real values, {found.why}")
     return replace(found, why=f"for integers {', '.join(names)}: {found.why}", region=None)
+
+
+def with_integer_bounds(given: Given, integers: Iterable[str]) -> Given:
+    """The conditions, and the bounds of the integers by integers: n > 1/2 is n >= 1."""
+    links = []
+    for name in integers:
+        low, high = given.box.get(name, Interval())[:2]
+        strict = {c.expression for c in given.conditions if c.relation == ">"}
+        n = symbol(name)
+        if low is not None:
+            end = int(low.ceil())
+            links.append((n, ">=", number(end + (n - number(low) in strict and end == low))))
+        if high is not None:
+            end = int(high.floor())
+            links.append((n, "<=", number(end - (number(high) - n in strict and end == high))))
+    return given & Given(tuple(links))
 
 
 def _small(names: list[str], given: Given) -> Iterator[dict[str, Expr]]:
@@ -114,6 +139,49 @@ def _given_at(given: Given, at: dict[str, Expr]) -> Given | None:
     return constants_hold(given.mapped(partial(substitute, mapping=at)).comparisons)
 
 
+# Polynomials
+
+
+def _by_divisors(claim: Comparison, statement: Statement, names: list[str]) -> Answer | None:
+    """The answer where it is claimed that a polynomial in integers has no zero; else None.
+
+    It has none where it has none modulo some number; a zero is looked for among small integers.
+    """
+    given, left, right = statement.given, claim.left, claim.right
+    terms = _terms(left - right, ONE) if claim.relation == "!=" and not claim.derivatives else {}
+    if not terms or symbols(left) | symbols(right) != {*names} or statement.equations:
+        return None
+    scale = lcm(*(int(c.q) for c in terms.values()))
+    whole = [(int((c * scale).p), [dict(m).get(n, 0) for n in names]) for m, c in terms.items()]
+
+    def value(at: tuple[int, ...], m: int) -> int:
+        powers = (c * prod(pow(x, k, m) for x, k in zip(at, ks, strict=True)) for c, ks in whole)
+        return sum(powers) % m
+
+    for m in MODULI:
+        if m ** len(names) <= MOST_TRIED and all(
+            value(at, m) for at in product(range(m), repeat=len(names))
+        ):
+            return Answer(
+                Verdict.PROVED, f"for integers {', '.join(names)}: it is not 0 modulo {m}"
+            )
+    size = max(k for k in range(MOST_SIZE) if (2 * k + 1) ** len(names) <= MOST_TRIED)
+    for at in sorted(product(range(-size, size + 1), repeat=len(names)), key=_size):
+        exact = dict(zip(names, map(number, at), strict=True))
+        if sum(c * prod(x**k for x, k in zip(at, ks, strict=True)) for c, ks in whole) == 0 and (
+            _given_at(given, exact) is not None
+        ):
+            point = {name: fmpq(x) for name, x in zip(names, at, strict=True)}
+            balls = [arb(evaluate(side, point)) for side in (left, right)]
+            return refuted(f"both sides are equal at {exactly(point)}", point, *balls)
+    return None
+
+
+def _size(at: tuple[int, ...]) -> tuple[int, int, tuple[int, ...]]:
+    """Small integers first, positive ones among them."""
+    return max(map(abs, at)), sum(x < 0 for x in at), at
+
+
 # By residues
 
 
@@ -122,7 +190,7 @@ def _by_residues(
 ) -> Answer:
     """The claim for every residue of every integer, for real values of what remains."""
     trees = (claim.left, claim.right, *claim.differentiated, *statement.said)
-    periods = [_period(trees, name, statement.given) for name in names]
+    periods = [period_of(trees, name, statement.given) for name in names]
     if None in periods:
         return Answer(Verdict.UNDECIDED, "an angle or an exponent has no period in the integers")
     whole = [period for period in periods if period is not None]
@@ -130,14 +198,15 @@ def _by_residues(
     if len(residues) > MOST_RESIDUES:
         return Answer(Verdict.UNDECIDED, f"more than {MOST_RESIDUES} residues of the integers")
     answers = []
-    holds_integrals = next(outermost(claim.left, claim.right), None) is not None
+    trees = outermost(claim.left, claim.right)
+    holds_integrals = any(node.op != "unknown" for node in trees)
     for rest in residues:
         at = {
             name: number(period) * symbol(name) + number(r) if period > 1 else symbol(name)
             for name, period, r in zip(names, whole, rest, strict=True)
         }
         given = statement.given.mapped(partial(substitute, mapping=at))
-        change = partial(_residue, at=at, names=names, given=given)
+        change = partial(residue_of, at=at, names=names, given=given)
         inside = replace(statement.mapped(change), integers=tuple(names) if holds_integrals else ())
         answers.append(decided(claim.mapped(change), inside))
         if not answers[-1]:
@@ -145,23 +214,27 @@ def _by_residues(
     return worst(answers)
 
 
-def _residue(e: Expr, at: dict[str, Expr], names: list[str], given: Given) -> Expr:
+def residue_of(e: Expr, at: dict[str, Expr], names: Sequence[str], given: Given) -> Expr:
+    """``e`` at integers of a residue: see :func:`reduced_in`."""
     return reduced_in(substitute(e, at), names, given)
 
 
-def _period(trees: Iterable[Expr], name: str, given: Given) -> int | None:
+def period_of(trees: Iterable[Expr], name: str, given: Given) -> int | None:
     """M such that n = M m + r leaves no angle and no exponent of what may be negative."""
     found = 1
     for node in operations(trees):
         if node.op in PERIODIC and name in symbols(node):
-            turns = _ratio(differentiate(node.args[0], name), PI)
+            inner, unit = node.args[0], PI
         elif _is_alternating(node, name, given):
-            turns = _ratio(differentiate(node.args[1], name), ONE)
+            inner, unit = node.args[1], ONE
         else:
             continue
-        if turns is None:
-            continue  # it is left as it is
-        found = lcm(found, int(turns.q) * (1 if int(turns.p) % 2 == 0 else 2))
+        turns = _ratio(differentiate(inner, name), unit)
+        if turns is not None:
+            found = lcm(found, int(turns.q) * (1 if int(turns.p) % 2 == 0 else 2))
+        else:  # (2 q m + r)^k - r^k is a multiple of 2 q; what is no polynomial is left as it is
+            terms = _terms(inner, unit)
+            found = lcm(found, *(2 * int(c.q) for m, c in terms.items() if name in dict(m)))
     return found if found <= MOST_RESIDUES else None
 
 
@@ -221,6 +294,9 @@ def _reduced(e: Expr, name: str, names: list[str], given: Given) -> Expr:
         turns = _ratio(differentiate(args[0], name), 2 * PI)
         if turns is not None and turns.q == 1:
             return rebuild(e, (substitute(args[0], {name: ZERO}),))
+        parts = _without_even(args[0], PI, names) if turns is None else None
+        if parts is not None:
+            return rebuild(e, (PI * parts[1],))
     if e.op == "^" and _is_alternating(rebuild(e, args), name, given):
         base, exponent = args
         slope = _ratio(differentiate(exponent, name), ONE)
@@ -230,7 +306,31 @@ def _reduced(e: Expr, name: str, names: list[str], given: Given) -> Expr:
             even = power(square, multiply(number(slope / 2), symbol(name)))
             even = ONE if square == ONE else even
             return multiply(even, power(base, _as_number(start)))
+        parts = _without_even(exponent, ONE, names) if slope is None else None
+        if parts is not None:
+            square = power(base, number(2))
+            return multiply(
+                ONE if square == ONE else power(square, parts[0]), power(base, parts[1])
+            )
     return rebuild(e, args)
+
+
+def _terms(e: Expr, unit: Expr) -> dict[Monomial, fmpq]:
+    """The terms of ``e`` over the unit, a polynomial in symbols; nothing of what is none."""
+    return {} if e.loose or e.hidden else polynomial(e / unit) or {}
+
+
+def _without_even(e: Expr, unit: Expr, names: list[str]) -> tuple[Expr, Expr] | None:
+    """Half of the terms that are even for all integers, and the others; None without such ones."""
+    terms = _terms(e, unit)
+    even = {
+        m: c for m, c in terms.items() if m and (c / 2).q == 1 and {n for n, _ in m} <= {*names}
+    }
+    if not even:
+        return None
+    half = add(ZERO, *(number(c / 2) * as_expression(m) for m, c in even.items()))
+    others = (number(c) * as_expression(m) for m, c in terms.items() if m not in even)
+    return half, add(ZERO, *others)
 
 
 def _as_number(e: Expr) -> Expr:

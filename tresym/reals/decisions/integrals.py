@@ -7,8 +7,8 @@ may be singular, and each piece is looked at by itself. Where the order of the e
 order is. How F is found plays no part: it may be given in the claim, by values of it that are
 written ``at(F, x, b) - at(F, x, a)``; else SymPy suggests one.
 
-Some integrals are theorems, which are quoted (:mod:`tresym.reals.decisions.known_integrals`). Another of
-which no antiderivative is known is enclosed by certified quadrature
+Some integrals are theorems, which are quoted (:mod:`tresym.reals.decisions.known_integrals`).
+Another of which no antiderivative is known is enclosed by certified quadrature
 (:mod:`tresym.reals.domain.binder_values`), which refutes an equation, and bounds.
 """
 
@@ -25,9 +25,10 @@ from flint import arb, fmpq
 from tresym.reals.decisions.answer import Answer, Decide, refuted
 from tresym.reals.decisions.asymptotics.limit_values import limit_of
 from tresym.reals.decisions.claim_parsing import Comparison, Statement, functions
+from tresym.reals.decisions.divergence import has_no_limit
 from tresym.reals.decisions.identity import decide, shown
 from tresym.reals.decisions.known_integrals import standard
-from tresym.reals.decisions.readable_witnesses import simple_points
+from tresym.reals.decisions.readable_witnesses import constants_hold, simple_points
 from tresym.reals.domain import binder_values
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate, stands
@@ -54,6 +55,7 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
+from tresym.reals.language.formula import NEGATED
 from tresym.reals.language.like_terms import collected
 from tresym.reals.language.parsing import INFINITY
 from tresym.reals.language.solve import solutions
@@ -61,6 +63,7 @@ from tresym.reals.normal.to_expression import normal_form
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.signs.definedness import continuous_on, undefined
+from tresym.reals.signs.interior import PROVING, is_zero
 from tresym.reals.signs.sign import proof, sign
 from tresym.reals.verdict import Verdict
 
@@ -85,6 +88,14 @@ class _OpenError(Exception):
     """Nothing is shown; the text says of what."""
 
 
+class _DivergentError(_OpenError):
+    """An integral is shown to have no value, infinite or not, wherever ``given`` holds."""
+
+    def __init__(self, f: Expr, why: str, given: Given) -> None:
+        super().__init__(f"the integral of {f} {why}, and so it has no value")
+        self.given = given
+
+
 def decide_integrals(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
     """PROVED, ENCLOSED, REFUTED or UNDECIDED for a claim with definite integrals.
 
@@ -103,7 +114,8 @@ def decide_integrals(claim: Comparison, statement: Statement, decided: Decide) -
     try:
         sides = [_without(side, given, work) for side in (claim.left, claim.right)]
     except _OpenError as error:
-        found = _at_parameters(claim, statement, decided)
+        found = _without_value(claim, error)
+        found = _at_parameters(claim, statement, decided) if found is None else found
         return Answer(Verdict.UNDECIDED, str(error)) if found is None else found
     except InputError as error:
         return Answer(Verdict.UNDECIDED, f"an expression on the way grew too large: {error}")
@@ -116,6 +128,18 @@ def decide_integrals(claim: Comparison, statement: Statement, decided: Decide) -
     plain = replace(statement, given=given)
     answer = decided(replace(claim, left=sides[0], right=sides[1]), plain)
     return replace(answer, why=f"{said}; {answer.why}")
+
+
+def without_integrals(
+    sides: Iterable[Expr], given: Given, primitives: tuple[Expr, ...]
+) -> tuple[list[Expr], str] | None:
+    """The sides with the values of their integrals, and what was shown; None where that is open."""
+    work = _Work([], primitives)
+    try:
+        found = [_without(side, given, work) for side in sides]
+    except (_OpenError, InputError):
+        return None
+    return found, "; ".join(dict.fromkeys(work.notes))
 
 
 def _where_defined(claim: Comparison, given: Given) -> Given:
@@ -141,11 +165,33 @@ def _infinite(relation: str, sides: list[Expr], said: str, points: list[dict[str
     return Answer(Verdict.UNDECIDED, f"{said}; the other side was found to be defined nowhere")
 
 
+def _without_value(claim: Comparison, error: _OpenError) -> Answer | None:
+    """A refutation of an equation that gives a value to an integral that has none."""
+    nodes = list(outermost(claim.left, claim.right))
+    if not isinstance(error, _DivergentError) or claim.relation != "==" or claim.derivatives:
+        return None
+    if len(nodes) != 1 or not elementary(*nodes[0].args):
+        return None
+    value = claim.solved(nodes[0])
+    names = _parameters(claim)
+    if (
+        value is None
+        or (INFINITY.args[0] in symbols(value) and not _ends(value))
+        or error.given.names - {*names}
+    ):
+        return None
+    for at in simple_points(names, error.given, PARAMETERS):
+        with ball_precision():
+            if _ends(value) or evaluate(value, at).is_finite():
+                return refuted(str(error), at)
+    return None
+
+
 def _at_parameters(claim: Comparison, statement: Statement, decided: Decide) -> Answer | None:
     """A refutation at simple values of the parameters, each integral worked out there."""
     names = _parameters(claim)
-    if not names or claim.derivatives:
-        return None
+    if not names or claim.derivatives or claim.relation not in NEGATED:
+        return None  # the variable of a path is no parameter
     for at in simple_points(names, statement.given, PARAMETERS, statement.integers):
         put_in = partial(substitute, mapping={name: number(value) for name, value in at.items()})
         fixed = replace(statement.mapped(put_in), given=Given(), integers=())
@@ -197,36 +243,74 @@ def _integral(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Wo
     if low == high and not _ends(low):
         high, low = low + 1, low  # shown to be defined around the point
         return multiply(ZERO, _integral(name, f, low, high, given, work))
-    order = _order(low, high, given)
-    if order == 0:  # one of the ends may be the other, where the integral is 0 as its limit
-        side = sign(high - low, given, ">=") or sign(high - low, given, "<=")
-        order = {">=0": 1, "<=0": -1}.get(side or "", 0)
-        given = given & Given(((low, "<", high),)) if order > 0 else given
-        given = given & Given(((high, "<", low),)) if order < 0 else given
-    if order < 0:
-        return -_integral(name, f, high, low, given, work)
-    if order > 0:
-        return _between(name, f, low, high, given, work)
-    forward = _between(name, f, low, high, given & Given(((low, "<", high),)), work)
-    backward = _between(name, f, high, low, given & Given(((high, "<", low),)), work)
-    if decide(forward + backward, ZERO, given).verdict is not Verdict.PROVED:
-        raise _OpenError(f"which of {low} and {high} is the greater one is not known")
-    return forward
+    found = "+" if _order(low, high) > 0 else "-" if _order(low, high) < 0 else None
+    found = found or sign(high - low, given, "!=") or sign(high - low, given, ">=")
+    found = found or sign(high - low, given, "<=")
+    rising, falling = (given & Given(((low, r, high),)) for r in ("<", ">"))
+    if found in ("+", ">=0"):
+        inside = given if found == "+" else rising
+        value = _between(name, f, low, high, inside, work)
+    elif found in ("-", "<=0"):
+        inside = given if found == "-" else falling
+        value = -_between(name, f, high, low, inside, work)
+    else:
+        value = _between(name, f, low, high, rising, work)
+        backward = _between(name, f, high, low, falling, work)
+        if _ends(value) or decide(value + backward, ZERO, given).verdict is not Verdict.PROVED:
+            raise _OpenError(f"which of {low} and {high} is the greater one is not known")
+    if found not in PROVING["!="] and not _vanishes_where_they_meet(value, low, high, given):
+        raise _OpenError(f"where {low} and {high} are equal the integral is 0: say {low} != {high}")
+    return value
 
 
-def _order(low: Expr, high: Expr, given: Given) -> int:
-    """1 where low < high, −1 where high < low, 0 where that is not shown."""
+def _vanishes_where_they_meet(value: Expr, low: Expr, high: Expr, given: Given) -> bool:
+    """Whether the value is 0 wherever the ends of the integral are equal."""
+    gap = low if high == ZERO else high - low
+    return not _ends(value) and all(_vanishes_with(e, value, given) for e in _factors(gap))
+
+
+def _vanishes_with(e: Expr, value: Expr, given: Given) -> bool:
+    """Whether the value is 0 wherever ``e`` is, which is linear in a variable."""
+    for name in sorted(symbols(e)):
+        slope, rest = differentiate(e, name), substitute(e, {name: ZERO})
+        if name in symbols(slope) or sign(slope, given, "!=") not in PROVING["!="]:
+            continue
+        put_in = partial(substitute, mapping={name: -rest / slope})
+        links = [
+            (x, relation, y)
+            for x, relation, y in given.mapped(put_in).comparisons
+            if relation not in (">=", "<=") or not (x == y or is_zero(x - y, Given()))
+        ]
+        there = constants_hold(links)
+        if there is not None and decide(put_in(value), ZERO, there).verdict is Verdict.PROVED:
+            return True
+    return False
+
+
+def _factors(e: Expr) -> Iterator[Expr]:
+    """Expressions of which one is 0 where ``e`` is."""
+    if e.op == "*":
+        for factor in e.args:
+            yield from _factors(factor)
+    elif e.op == "^" and e.args[1].op == "number":
+        yield from _factors(e.args[0])
+    elif symbols(e):
+        yield e
+
+
+def _order(low: Expr, high: Expr) -> int:
+    """1 where an end is infinite and low < high, −1 where high < low, 0 for finite ends."""
     if low == MINUS_INFINITY or high == INFINITY:
         return 1
-    if high == MINUS_INFINITY or low == INFINITY:
-        return -1
-    return {"+": 1, "-": -1}.get(sign(high - low, given, "!=") or "", 0)
+    return -1 if high == MINUS_INFINITY or low == INFINITY else 0
 
 
 def _between(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Work) -> Expr:
     """∫ f from ``low`` to ``high``, which is greater under ``given``."""
     inside = given & _inside(name, low, high)
     f = _without(f, inside, work)
+    if not elementary(f):
+        raise _OpenError(f"integral of {f}: a sum or a limit in it is not worked out")
     for root, size in _roots_of_squares(f, inside):
         f = replaced(f, {root: size})
         work.notes.append(f"{root} is {size}")
@@ -241,7 +325,7 @@ def _between(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Wor
     values = [_piece(name, f, start, end, given, work) for start, end in pieces]
     infinite = {value for value in values if _ends(value)}
     if len(infinite) > 1:
-        raise _OpenError(f"the integral of {f} has parts that are oo and -oo, and no value")
+        raise _DivergentError(f, "has parts that are oo and -oo", given)
     return infinite.pop() if infinite else add(*values)
 
 
@@ -383,10 +467,11 @@ def _piece(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Work)
         else:
             shown = [value for value in values if value is not None]
             infinite = {value for value in shown if _ends(value)}
-            if len(infinite) < 2:
-                where = f" for {inside}" if inside.comparisons else ""
-                work.notes.append(f"{candidate} is an antiderivative of {f}{where}")
-                return infinite.pop() if infinite else add(*shown)
+            if len(infinite) > 1:
+                raise _DivergentError(f, "has parts that are oo and -oo", given)
+            where = f" for {inside}" if inside.comparisons else ""
+            work.notes.append(f"{candidate} is an antiderivative of {f}{where}")
+            return infinite.pop() if infinite else add(*shown)
     raise _OpenError(f"integral of {f}: {_OPEN}")
 
 
@@ -430,13 +515,15 @@ def _difference(
         value = None if point is None else _at_end(function, name, point, given)
         if value is None:
             value = limit_of(function, name, point, toward, given)
+        if value is None and point is None and has_no_limit(function, name, toward, given):
+            raise _DivergentError(f, f"oscillates, as {function} does towards {end}", given)
         if value is None:
             return None
         ends.append(value)
     above, below = ends
     if _ends(above) or _ends(below):
         if above == below:
-            return None
+            raise _DivergentError(f, "has parts that are oo and -oo", given)
         return above if _ends(above) else -below
     return above - below
 
@@ -471,6 +558,7 @@ def _by_quadrature(claim: Comparison, statement: Statement) -> Answer | None:
     if (
         any(INFINITY.args[0] in symbols(side) for side in sides)
         or claim.derivatives
+        or claim.relation not in NEGATED
         or not all(elementary(*n.args) for n in nodes)
     ):
         return None

@@ -19,7 +19,7 @@ from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.readable_witnesses import exact_witness
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
-from tresym.reals.domain.operation_domains import needs
+from tresym.reals.domain.operation_domains import bound, needs
 from tresym.reals.language.binders import outermost
 from tresym.reals.language.expression import (
     ZERO,
@@ -62,7 +62,9 @@ def decide_unknown(claim: Comparison, statement: Statement, decided: Decide) -> 
     left, right = variable(claim.left), variable(claim.right)
     plain = statement.mapped(variable)
     real = needs(variable(f) for f in claim.differentiated)
+    places = needs(arg for node in atoms for arg in replaced_inside(node, atoms))
     given = plain.given & Given(tuple((e, r.replace(">=", ">"), ZERO) for e, r in real))
+    given = given & Given(tuple(bound(*part) for part in places))
     answer = decided(Comparison(left, claim.relation, right), replace(plain, given=given))
     if answer.verdict is Verdict.REFUTED:
         answer = _realised(atoms, answer)

@@ -2,7 +2,9 @@
 
 ``x**a`` is ``exp(a log(x))``, and so a claim with it is decided where ``x`` is positive. But for a
 number ``a`` the power may have a value elsewhere, as at ``a = 1``, and a claim that fails there
-is false: ``x**a >= 0``, ``(x**2)**a == x**(2*a)``.
+is false: ``x**a >= 0``, ``(x**2)**a == x**(2*a)``. A negative base asks for an integer as exponent,
+and so what remains is a claim about integers, which is decided as such. Points that are tried first
+can only refute.
 """
 
 from __future__ import annotations
@@ -10,60 +12,153 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from functools import cache, partial
+from itertools import chain, islice, product
 from math import prod
 
 from flint import arb, fmpq
 
-from tresym.reals.decisions.answer import Answer, refuted
+from tresym.reals.decisions.answer import Answer, Decide, refuted
 from tresym.reals.decisions.claim_parsing import Comparison, Statement
+from tresym.reals.decisions.equations import is_empty
+from tresym.reals.domain.binder_values import jumps
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import Tape, rational_power, stands
 from tresym.reals.domain.operation_domains import bound, needs
-from tresym.reals.language.binders import elementary
+from tresym.reals.language.binders import elementary, generalised
 from tresym.reals.language.expression import (
     LEAVES,
     MAX_POWER,
+    ONE,
     ZERO,
     Expr,
+    differentiate,
+    integer,
     number,
+    power,
+    replaced,
     substitute,
+    symbol,
     symbols,
 )
 from tresym.reals.language.formula import NEGATED
 from tresym.reals.normal.at_point import equal_at
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.signs.sign import sign
+from tresym.reals.verdict import Verdict
 
 EXPONENTS = (*map(fmpq, (1, 2, 3, -1)), fmpq(1, 2), *map(fmpq, (-2, 0)), fmpq(1, 3))
 ELSEWHERE = (*map(fmpq, (-1, 0, 2, -2)), fmpq(-1, 2), *map(fmpq, (1, -4)), fmpq(1, 2))
-MOST, STRIDE = 64, 317811
+MOST, STRIDE = 512, 317811
 """Points that are tried; of more there are those that come at this stride, in no pattern."""
+MOST_BASES = 3
+OPEN = "{}; but where a base of {} is not positive it is open: {}; say that it is positive"
 
 
-def beyond_positive_bases(answer: Answer, claim: Comparison, statement: Statement) -> Answer:
-    """An answer that passes, which says where its powers are taken; or what refutes it elsewhere.
+def beyond_positive_bases(
+    answer: Answer, claim: Comparison, statement: Statement, decided: Decide
+) -> Answer:
+    """An answer that passes, if it does so at bases that are not positive as well.
 
-    Exponents that are integers by a condition have deciders of their own.
+    Where a base is negative its exponents are integers, and so the claim is decided for integers;
+    where it is 0 they are not negative. Exponents that are integers by a condition have deciders of
+    their own.
+
+    Args:
+        decided: decides the claim under more conditions.
     """
     trees = (claim.left, claim.right, *statement.said)
-    if statement.path is not None or not elementary(*trees):
+    if statement.path is not None:
         return answer
-    asked = _needs(claim)
-    doubtful = {
-        base
-        for base, exponent in _powers(trees)
-        if symbols(exponent) - {*statement.integers}
-        and sign(base, statement.given & _said_of(base, asked), dear=False) != "+"
-    }
+    asked = [part for part in _needs(claim) if elementary(part[0])]
+    doubtful: dict[Expr, str | None] = {}
+    for base, exponent in _powers(trees):
+        if not base.loose and symbols(exponent) - {*statement.integers} and base not in doubtful:
+            sign_of = _sign(base, statement.given & _said_of(base, asked))
+            if sign_of != "+":
+                doubtful[base] = sign_of
     if not doubtful:
         return answer
-    with ball_precision():
-        found = next(_against(claim, statement, doubtful, asked), None)
-    if found is not None:
-        return found
+    if elementary(*trees):
+        with ball_precision():
+            found = next(_against(claim, statement, doubtful, asked), None)
+        if found is not None:
+            return found
     bases = ", ".join(sorted(map(str, doubtful)))
-    note = f"; powers with a variable as exponent are taken where their base is positive: {bases}"
+    if len(doubtful) > MOST_BASES:
+        return Answer(Verdict.UNDECIDED, OPEN.format(answer.why, bases, "there are too many"))
+    given = statement.given & Given(tuple(bound(*part) for part in asked))
+    statement = replace(statement, given=given)
+    for case, inside in chain(
+        _at_negative_bases(claim, statement, doubtful), _at_zero(claim, statement, doubtful)
+    ):
+        if not is_empty(inside.given):
+            found = decided(case, inside)
+            if not found:
+                return Answer(Verdict.UNDECIDED, OPEN.format(answer.why, bases, found.why))
+    note = f"; powers were taken first where their base is positive: {bases}; it holds elsewhere"
     return replace(answer, why=answer.why + note)
+
+
+def _sign(e: Expr, given: Given) -> str | None:
+    """The sign of ``e`` by the cheap methods; what binds a variable counts as one."""
+    sides = (side for link in given.comparisons for side in link[::2])
+    e, *sides = generalised(e, *sides)
+    pairs = zip(given.comparisons, sides[::2], sides[1::2], strict=True)
+    return sign(e, Given(tuple((x, link[1], y) for link, x, y in pairs)), dear=False)
+
+
+def _at_negative_bases(
+    claim: Comparison, statement: Statement, doubtful: Mapping[Expr, str | None]
+) -> Iterator[tuple[Comparison, Statement]]:
+    """The claim where some bases are negative, so that their exponents are integers."""
+    trees = (claim.left, claim.right, *statement.said)
+    for signs in islice(product((">", "<"), repeat=len(doubtful)), 1, None):
+        chosen = dict(zip(doubtful, signs, strict=True))
+        if any(doubtful[base] == ">=0" for base, relation in chosen.items() if relation == "<"):
+            continue
+        integers, put = dict.fromkeys(statement.integers), {}
+        exponents = [e for base, e in _powers(trees) if chosen.get(base) == "<"]
+        for e in sorted(exponents, key=lambda e: e.size):
+            names = sorted(symbols(e))
+            slope = differentiate(e, names[0])
+            rest = integer(substitute(e, {names[0]: ZERO})) if len(names) == 1 else None
+            if rest is not None and slope.op == "number" and names[0] not in integers:
+                integers[names[0]] = None
+                put[names[0]] = symbol(names[0]) / slope  # slope times it is the integer
+        there = Given(tuple((base, relation, ZERO) for base, relation in chosen.items()))
+        inside = replace(statement, given=statement.given & there, integers=tuple(integers))
+        change = partial(substitute, mapping=put)
+        yield claim.mapped(change), inside.mapped(change)
+
+
+def _at_zero(
+    claim: Comparison, statement: Statement, doubtful: Iterable[Expr]
+) -> Iterator[tuple[Comparison, Statement]]:
+    """The claim where a base is 0, but where it holds there by continuity.
+
+    With its exponent fixed, such a power has its limit as the base falls to 0.
+    """
+    if claim.relation in ("==", ">=", "<=") and not jumps(claim.left) and not jumps(claim.right):
+        return
+    trees = (claim.left, claim.right, *statement.said)
+    for base in doubtful:
+        exponents = list(dict.fromkeys(e for b, e in _powers(trees) if b == base))
+        for values in product((ZERO, ONE), repeat=len(exponents)):
+            put = {power(base, e): v for e, v in zip(exponents, values, strict=True)}
+            pairs = list(zip(exponents, values, strict=True))
+            equations = [(base, ZERO), *((e, ZERO) for e, v in pairs if v == ONE)]
+            positive = Given(tuple((e, ">", ZERO) for e, v in pairs if v == ZERO))
+            inside = replace(
+                statement.mapped(partial(replaced, known=put)),
+                equations=(*statement.equations, *equations),
+            )
+            change = partial(replaced, known=put)
+            yield claim.mapped(change), replace(inside, given=inside.given & positive)
+
+
+def holds_powers(e: Expr) -> bool:
+    """Whether a power with a variable as exponent is in it."""
+    return next(_powers((e,)), None) is not None
 
 
 def _powers(trees: Iterable[Expr]) -> Iterator[tuple[Expr, Expr]]:

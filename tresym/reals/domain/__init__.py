@@ -1,1 +1,1 @@
-"""Where a claim speaks: conditions, exact points in them, domains, and values in balls."""
+"""Conditions, domains of definition, sample points, and evaluation in balls."""

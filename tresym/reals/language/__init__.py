@@ -1,1 +1,1 @@
-"""Expressions as trees, and how they are read from text, LaTeX and SymPy."""
+"""Expression trees, and parsers for text, LaTeX and SymPy."""

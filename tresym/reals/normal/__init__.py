@@ -1,1 +1,1 @@
-"""The exact normal form: equal expressions have a difference that is 0."""
+"""Exact normal form: the difference of equal expressions reduces to 0."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.expression import (
+    BINDERS,
     LEAVES,
     PI,
     Expr,
@@ -97,7 +98,9 @@ def in_lowest_terms(e: Expr) -> Expr:
             return rebuild(node, tuple(map(walk, node.args)))
         if whole:
             return rebuild(node, (walk(node.args[0]), node.args[1]))
-        inner = rebuild(node, tuple(map(in_lowest_terms, node.args)))
+        inner = node  # what binds its variable is not entered
+        if node.op not in BINDERS:
+            inner = rebuild(node, tuple(map(in_lowest_terms, node.args)))
         name = next((n for n, known in atoms.items() if known == inner), f"[{len(atoms)}]")
         atoms[name] = inner
         return symbol(name)

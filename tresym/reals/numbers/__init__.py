@@ -1,1 +1,1 @@
-"""Exact numbers and balls: what everything else computes with."""
+"""Exact numbers and ball arithmetic, on which everything else is built."""

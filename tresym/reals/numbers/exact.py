@@ -137,6 +137,8 @@ def exact_number(x: int | Rational | fmpq, what: str = "number") -> fmpq:
         return x
     if type(x) is int or isinstance(x, fmpz):
         return fmpq(x) if x else _ZERO
+    if type(x).__module__ == "decimal":  # exact already, so not imported for this question
+        return parse_number(str(x), what)
     if isinstance(x, bool):
         raise InputError(f"{what}: a truth value is not a number")
     if isinstance(x, Rational):

@@ -1,1 +1,1 @@
-"""The sign of an expression under conditions, by exact methods."""
+"""Prove the sign of an expression under conditions, by exact methods."""

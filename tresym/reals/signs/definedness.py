@@ -11,22 +11,24 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from tresym.reals.domain.conditions import Given
-from tresym.reals.domain.operation_domains import analytic_of, needs, needs_of
+from tresym.reals.domain.operation_domains import analytic_of, bound, needs, needs_of, operations
 from tresym.reals.language.binders import generalised, outermost
 from tresym.reals.language.expression import (
     LEAVES,
+    MINUS_ONE,
     ONE,
     UNWORKED,
     ZERO,
     Expr,
     opened,
+    rebuild,
     replaced,
     substitute,
     symbol,
     symbols,
 )
 from tresym.reals.language.parsing import FACTORIAL
-from tresym.reals.signs.interior import PROVING
+from tresym.reals.signs.interior import PROVING, is_zero, jumps
 from tresym.reals.signs.sign import Prover, sign_by
 
 Table = Callable[[Expr], list[tuple[Expr, str]]]
@@ -48,23 +50,51 @@ def continuous_on(e: Expr, given: Given, prover: Prover | None = None) -> Expr |
     return _missing(e, given, analytic_of, prover)
 
 
+_ENDS = {"asin": (ONE, MINUS_ONE), "acos": (ONE, MINUS_ONE), "acosh": (ONE,), "^": (ZERO,)}
+"""Where the domain of a function ends, and the function has a value."""
+
+
+def at_domain_ends(sides: tuple[Expr, ...], given: Given) -> tuple[tuple[Expr, ...], Given] | None:
+    """The sides with 1 for R/R in asin(R/R), and where such operands are defined; None without.
+
+    Such an operand is at the end of the domain at every point, so that balls around it leave it.
+    """
+    known: dict[Expr, Expr] = {}
+    moved: list[Expr] = []
+    for node in operations(sides):
+        if node.hidden or node.loose or not any(relation == ">=" for _, relation in needs_of(node)):
+            continue
+        inner = node.args[0]
+        for end in _ENDS.get(node.op, ()) if inner.op != "number" else ():
+            if is_zero(inner - end, given) and not jumps((inner,), given):
+                known[node] = rebuild(node, (end, *node.args[1:]))
+                moved.append(inner)
+    if not known:
+        return None
+    inside = given & Given(tuple(bound(*part) for part in needs(moved)))
+    return tuple(replaced(side, known) for side in sides), inside
+
+
 def is_lasting(sides: Sequence[Expr], given: Given, *moving: str) -> bool:
     """Whether the sides are defined for all values of some variables if they are for one.
 
     An induction needs it: what it is said of at n = 20 alone says nothing at 22 where 21 is left
-    out. So each part with ``moving`` variables must be shown, under the others.
+    out. So each part with ``moving`` variables must be shown, under the others. A function that is
+    left unknown is defined wherever its arguments are.
     """
     nodes = [node for node in outermost(*sides) if not symbols(node).isdisjoint(moving)]
-    if any(node.args[0].args != (FACTORIAL, (0,)) for node in nodes):
+    inner = [arg for node in nodes for arg in node.args[1:]]
+    if any(node.op != "unknown" for node in nodes) or next(iter(outermost(*inner)), None):
         return False
+    factorials = [node for node in nodes if node.args[0].args == (FACTORIAL, (0,))]
     put = {node: symbol(f"[{i}]") for i, node in enumerate(nodes)}  # no name of anybody's
     names = {*moving, *(str(mark) for mark in put.values())}
     sides = [replaced(side, put) for side in sides]
     plain = needs(sides, powers=False)
     fixed = [(e, relation, ZERO) for e, relation in plain if not symbols(e) & names]
-    inside = given & Given((*fixed, *((mark, ">=", ONE) for mark in put.values())))
-    parts = [part for part in needs(sides) if symbols(part[0]) & names]
-    parts += [(node.args[1], ">=") for node in nodes]
+    inside = given & Given((*fixed, *((put[node], ">=", ONE) for node in factorials)))
+    parts = [part for part in needs((*sides, *inner)) if symbols(part[0]) & names]
+    parts += [(node.args[1], ">=") for node in factorials]
     return all(_holds(e, relation, inside, None) for e, relation in parts)
 
 

@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import io
 import math
+import os
+import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from fractions import Fraction
@@ -52,6 +54,9 @@ def looks() -> Iterator[None]:
     Raises:
         InputError: matplotlib is not installed.
     """
+    # Figures are saved, never shown; a backend that a notebook has set may be missing here.
+    if "matplotlib" not in sys.modules:
+        os.environ["MPLBACKEND"] = "agg"
     try:
         import matplotlib
     except ModuleNotFoundError:

@@ -1,4 +1,4 @@
-"""What Coq has proved once more: the mark of a claim, and the page that says what and what not."""
+"""Proofs in Coq: the mark of a claim, and the page that lists which claims Coq proves."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def shown(label: str, known: dict[str, Entry]) -> dict[str, Any] | None:
 
 
 def page() -> str:
-    """Which claims Coq has proved once more, and why the others are not among them."""
+    """Which claims Coq proves, and why it does not prove the others."""
     known, store = found(), stored()
     counts = Counter(entry.status for entry in known.values())
     kinds = Counter(
@@ -48,13 +48,13 @@ def page() -> str:
         if label in known and known[label].status == "proved"
     )
     lines = [
-        f"Coq {store['coq']} has proved {counts['proved']} of the {len(known)} claims once more, "
-        f"and {counts['partial']} from theorems that are not proved in it; of the rest the reason "
-        "is given.",
+        f"Coq {store['coq']} proves {counts['proved']} of the {len(known)} claims, and "
+        f"{counts['partial']} more if claims that it does not prove are assumed. The table gives "
+        "the reason for the others.",
         "",
         *(f"- {n} theorems: {text}." for text, n in kinds.most_common() if text),
-        f"- {len(store.get('possible', {}))} sets of conditions are shown to hold at a point, so "
-        "that nothing is said of no point.",
+        f"- For {len(store.get('possible', {}))} sets of conditions Coq proves that some point "
+        "satisfies them, so that no theorem is empty because its conditions contradict each other.",
         "",
     ]
     for title, claims in sections():

@@ -23,15 +23,16 @@ from tresym.report.charts import saved
 from tresym.report.figures.grid import shown
 from tresym.report.pages import coq_page
 from tresym.report.pages.article import article
-from tresym.report.pages.call_paths import walks
+from tresym.report.pages.call_paths import call_paths
 from tresym.report.pages.check_tables import by_kind, by_source, measured
 from tresym.report.pages.corrections import corrections
+from tresym.report.pages.messages import messages
 from tresym.report.pages.methods import methods
 from tresym.report.pages.numbers import numbers
 from tresym.report.pages.site_data import record
 from tresym.report.pages.symbols import symbols
 from tresym.report.pages.tables import TABLES, table, written
-from tresym.report.pages.trust import trust
+from tresym.report.pages.trust import trust, trust_details
 from tresym.report.typesetting.paper_location import place_text
 from tresym.report.typesetting.statements import quoted
 
@@ -46,9 +47,12 @@ def documents() -> Iterator[tuple[str, str]]:
     yield "corrections.md", corrections(report)
     yield "symbols.md", symbols(report)
     yield "methods.md", methods()
-    yield "checked_twice.md", coq_page.page()
-    yield "walks.md", walks()
-    yield "trust.md", trust(report, *map(saved.load, ("guards", "hunts", "mutants")))
+    yield "coq_proofs.md", coq_page.page()
+    yield "call_paths.md", call_paths()
+    yield "messages.md", messages()
+    measured_tests = [*map(saved.load, ("guards", "hunts", "mutants"))]
+    yield "trust.md", trust(report, *measured_tests)
+    yield "trust-details.md", trust_details(*measured_tests)
     yield from drawn()
 
 
@@ -72,7 +76,15 @@ def ledger(report: Report) -> str:
     rows = {row.claim.label: row for row in report.rows}
     counts = ", ".join(f"{n} {verdict}" for verdict, n in report.counts.items() if n)
     letters = "The letters are in the table of [symbols](../pages/symbols.md)."
-    lines = ["# The ledger", "", f"{len(rows)} claims: {counts}. {letters}", ""]
+    kinds = report.refuted
+    lines = [
+        "# The ledger",
+        "",
+        f"{len(rows)} claims: {counts}. Of the refuted ones {kinds['paper']} are statements of the "
+        f"paper, {kinds['stricter']} are readings stricter than its words, and "
+        f"{kinds['sharpness']} show that a bound of ours cannot be improved. {letters}",
+        "",
+    ]
     for title, stated in sections():
         claims = [claim for claim in stated if claim.label in rows]
         if not claims:

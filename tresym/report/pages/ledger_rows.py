@@ -22,6 +22,7 @@ def report_json(report: Report) -> dict[str, Any]:
     return {
         "version": JSON_VERSION,
         "counts": report.counts,
+        "refuted": report.refuted,
         "prose": [row.claim.label for row in report.rows if not is_formal(row.claim)],
         "claims": [_row_json(row, lines) | {"coq": coq[row.claim.label]} for row in report.rows],
     }

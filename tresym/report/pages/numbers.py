@@ -8,7 +8,6 @@ from tresym.ledger.paper import corrections, index
 from tresym.ledger.verification import Report
 from tresym.racket.body import NAMED_BODIES
 from tresym.reals.numbers.arithmetic import ball_precision, balls
-from tresym.report.pages.corrections import is_correction
 from tresym.report.pages.tables import digits_of
 
 DIGITS = 6
@@ -32,7 +31,9 @@ def numbers(report: Report) -> dict[str, str]:
         "statements": str(placed),
         "lemmas": str(len(report.rows) - placed),
         "corrections": str(findings),
-        "corrected": str(sum(map(is_correction, report.rows))),
+        "corrected": str(report.refuted["paper"]),
+        "stricter": str(report.refuted["stricter"]),
+        "sharpness": str(report.refuted["sharpness"]),
         "resting": str(sum(bool(row.claim.axioms) for row in report.rows)),
         "displays": str(len(index()["displays"])),
     }

@@ -1,4 +1,8 @@
-"""What must be right for a pass, as tables in Markdown for the page on trust."""
+"""The trust page: what must be correct for a verdict to be correct, counted and measured.
+
+``trust`` answers the question in a few lines and two tables. ``trust_details`` is its appendix:
+the functions that are left out of the count, the libraries, and what the tests of the tests found.
+"""
 
 from __future__ import annotations
 
@@ -17,13 +21,16 @@ from tresym.reals.balls.gradient import Divided
 from tresym.reals.balls.tracing import Named
 from tresym.reals.language.expression import symbol
 from tresym.reals.verdict import Verdict
+from tresym.report.pages import coq_page
 from tresym.report.pages.trusted_code import CHECK, LEDGER, RECHECKED, Count, trusted
 
-CALLED = {
-    Boxes: "bounds on boxes: the margin, and its slopes",
-}
-"""Evidence that holds functions in place of formulas."""
-WHAT = ("PROVED", "ENCLOSED, more")
+STATEMENTS = (
+    "coq.export.statements",
+    "coq.export.possible",
+    "coq.ledger_statements.theorem_of",
+)
+"""The functions that make the statements which Coq proves."""
+WHAT = ("PROVED", "ENCLOSED: more")
 
 
 def trust(
@@ -32,26 +39,59 @@ def trust(
     hunts: Mapping[str, Any] | None = None,
     mutants: Mapping[str, Any] | None = None,
 ) -> str:
-    """The tables of the page.
+    """Write the tables of the trust page.
 
     Args:
+        report: the whole ledger.
         guards: what ``python tests/guards.py save`` wrote, None where it was never run.
-        mutants: what ``tresym verify --mutants --json`` wrote, likewise.
         hunts: what ``python tests/deep.py save`` wrote, or None.
+        mutants: what ``tresym verify --mutants --json`` wrote, or None.
     """
+    parts = (
+        _answer(report),
+        _code(),
+        _safeguards(guards, hunts, mutants),
+        _quoted(report),
+        _sentences(report),
+    )
+    return "\n".join(line for part in parts for line in (*part, ""))
+
+
+def trust_details(
+    guards: Mapping[str, Any] | None,
+    hunts: Mapping[str, Any] | None = None,
+    mutants: Mapping[str, Any] | None = None,
+) -> str:
+    """Write the appendix of the trust page; the arguments are those of :func:`trust`."""
     proved, enclosed = trusted()
     parts = [
-        _code(proved, enclosed),
         _left_out(),
         _libraries(proved, enclosed),
-        _quoted(report),
-        _called(report),
         _programs(),
-        _mutants(mutants) if mutants else (),
+        _few(mutants) if mutants else (),
         _guards(guards) if guards else (),
         _hunts(hunts["tests"]) if hunts else (),
     ]
     return "\n".join(line for part in parts for line in (*part, ""))
+
+
+def _answer(report: Report) -> list[str]:
+    """The answer in one paragraph."""
+    labels = tuple(row.claim.label for row in report.rows)
+    known = coq_page.found(labels)
+    marks = [coq_page.mark(label, known) for label in labels]
+    checked = sum(mark is not None and mark["status"] == "proved" for mark in marks)
+    statements = trusted(STATEMENTS)[0].total
+    proved, enclosed = trusted(LEDGER)
+    return [
+        f"**For {checked} of {len(labels)} claims** you have to trust Coq, its libraries, and the "
+        f"{statements:,} lines of Python that turn a claim into a Coq statement; such a statement "
+        "says nothing about points at which one of its parts is undefined. **For the other "
+        f"{len(labels) - checked}** you have to trust Python, the libraries named below, and "
+        f"{proved.total:,} lines of tresym for the verdict PROVED, or {enclosed.total:,} more for "
+        "ENCLOSED. **For all of them** you have to agree that the formula shown beside a sentence "
+        "of the paper says what the sentence says.",
+    ]
 
 
 def _table(heads: Sequence[str], rows: Iterable[Sequence[object]], right: int = 99) -> list[str]:
@@ -60,39 +100,41 @@ def _table(heads: Sequence[str], rows: Iterable[Sequence[object]], right: int = 
     return [f"| {' | '.join(map(str, row))} |" for row in (heads, rule, *rows)]
 
 
-def _code(proved: Count, enclosed: Count) -> list[str]:
-    ledger, check = trusted(LEDGER), trusted(CHECK)
-    counts = (*ledger, *check, proved, enclosed)
+def _code() -> list[str]:
+    """How many lines must be correct, by package."""
+    counts = (*trusted(LEDGER), *trusted(CHECK))
     sums = [Counter[str]() for _ in counts]
     for total, count in zip(sums, counts, strict=True):
         for file, lines in count.lines.items():
-            total[_room(file)] += lines
-    rooms = sorted(set().union(*sums))
-    rows = [(f"`{room}`", *(total[room] for total in sums)) for room in rooms]
-    whole = ("all", *(count.total for count in counts))
-    heads = [f"{whose}{what}" for whose in ("ledger: ", "check: ", "both: ") for what in WHAT]
+            total[_package(file)] += lines
+    packages = sorted(set().union(*sums))
+    rows = [(f"`{package}`", *(total[package] for total in sums)) for package in packages]
+    heads = [f"{whose}, {what}" for whose in ("ledger", "`check`") for what in WHAT]
     return [
-        "## Code",
+        "## How much code",
         "",
-        f"For PROVED in the ledger {ledger[0].total} lines must be right, and for ENCLOSED "
-        f"{ledger[1].total} more. What decides claims of your own shares most of them, and has "
-        f"deciders that the ledger does without: for PROVED {check[0].total} lines. Comments, "
-        "docstrings and blank lines are not counted.",
+        "A line counts if code that issues verdicts can reach it, directly or through the "
+        "functions it calls. A class is counted in full. Comments, docstrings and blank lines do "
+        "not count. "
+        "Code that only searches is left out, because what it finds is checked by code that is "
+        "counted; the [appendix](trust-details.md) lists it.",
         "",
-        *_table(("room", *heads), (*rows, whole), 1),
+        *_table(("package", *heads), (*rows, ("all", *(c.total for c in counts))), 1),
     ]
 
 
-def _room(file: str) -> str:
-    return file.rpartition(".")[0].replace(".", "/") or file
+def _package(file: str) -> str:
+    parts = file.split(".")[:-1]
+    return "/".join(parts[:2]) or file
 
 
 def _left_out() -> list[str]:
     """What is reached and not counted, one row for each reason."""
     return [
-        "## What only finds",
+        "## Code that only searches",
         "",
-        "The deciding functions call this too, and it is not counted: it gives no pass by itself.",
+        "Code that issues verdicts calls this too. It gives no pass by itself, so it does not "
+        "count.",
         "",
         *_table(("what", "why"), ((_names(names), why) for why, names in RECHECKED.items())),
     ]
@@ -103,11 +145,11 @@ def _libraries(proved: Count, enclosed: Count) -> list[str]:
     return [
         "## Libraries",
         "",
-        f"Of python-flint, for PROVED: {_names(proved.flint)}.",
+        f"python-flint, for PROVED: {_names(proved.flint)}.",
         "",
-        f"For ENCLOSED also: {_names(more)}.",
+        f"python-flint, for ENCLOSED also: {_names(more)}.",
         "",
-        f"Of SymPy, which holds the claims of the ledger and decides none: {_names(proved.sympy)}.",
+        f"SymPy, which stores the claims of the ledger and decides none: {_names(proved.sympy)}.",
         "",
         "Python itself, and the processor.",
     ]
@@ -124,7 +166,7 @@ def _quoted(report: Report) -> list[str]:
     return [
         "## Quoted theorems",
         "",
-        f"{len(whole)} claims rest on theorems that are quoted and not proved here:",
+        f"{len(whole) or 'No'} claims rest on theorems that are quoted and not proved here:",
         "",
         *_table(
             ("theorem", "source", "claims"),
@@ -132,26 +174,23 @@ def _quoted(report: Report) -> list[str]:
             2,
         ),
         "",
-        "All claims rest on the textbook theorems by which the rules are sound:",
+        "The rules of proof are sound by these textbook theorems:",
         "",
         *_table(("rule", "theorem", "source"), ((a.rule, a.name, a.source) for a in RULES)),
     ]
 
 
-def _called(report: Report) -> list[str]:
-    kinds = Counter(type(row.claim.proof) for row in report.rows)
-    rows = [(f"`{kind.__name__}`", what, kinds[kind]) for kind, what in CALLED.items()]
-    prose = sum(not is_formal(row.claim) for row in report.rows)
+def _sentences(report: Report) -> list[str]:
+    prose = [row.claim.label for row in report.rows if not is_formal(row.claim)]
+    functions = [row.claim.label for row in report.rows if isinstance(row.claim.proof, Boxes)]
     return [
-        "## Functions and sentences",
+        "## What is left to the reader",
         "",
-        f"Of {len(report.rows)} claims these hold a function of Python where a formula should "
-        "stand. That it computes what the claim says is compared at points, or for the reader.",
+        f"{len(prose)} claims are sentences, or formulas with an order, for which no formula is "
+        f"decided as a whole: {_names(prose) or 'none'}. Compare the evidence with the sentence.",
         "",
-        *_table(("evidence", "functions", "claims"), rows, 2),
-        "",
-        f"{prose} claims are sentences, or formulas with an order: that the evidence is about what "
-        "they say is for the reader.",
+        f"{len(functions)} claims have a Python function in their evidence where a formula should "
+        f"stand: {_names(functions) or 'none'}. Tests compare it with the formula at points.",
     ]
 
 
@@ -167,63 +206,113 @@ def _programs() -> Iterator[str]:
                 rows.append((f"`{name}`", f"`{function.meaning(*names)}`"))
             elif function.image is not None:
                 rows.append((f"`{name}`", f"`p = {function.image(symbol('p'), *names)}`"))
-    yield "## Programs in balls"
+    yield "## Functions evaluated by programs of their own"
     yield ""
     yield (
-        "Margins of bounds are traced: what runs in balls is what is compared with the statement. "
-        "These functions in them have programs of their own, which are trusted to contain the "
-        "value, continued to where a quotient has none; or every p between π and 3π/2 that solves "
-        "the equation. Tests compare each with what it means."
+        "A bound is evaluated by the same expression that is compared with the statement. These "
+        "functions in it are evaluated by programs of their own, which must contain the true value "
+        "(continued to points where a quotient is undefined), or every solution p of the equation "
+        "between π and 3π/2. Tests compare each program with its meaning."
     )
     yield ""
     yield from _table(("function", "what its ball contains"), rows)
 
 
-def _mutants(mutants: Mapping[str, Any]) -> list[str]:
-    """What became of false variants of the claims."""
-    counts, few = mutants["counts"], [row for row in mutants["few"] if row["changes"] < MUTANTS]
-    total, refuted = sum(counts.values()), counts[Verdict.REFUTED.value]
-    judged = sum(row["changes"] > 0 for row in mutants["claims"])
-    held = len(mutants["survivors"]) + len(mutants["stopped"])
-    lines = [
-        "## False variants of the claims",
-        "",
-        f"Of {judged} claims {total} false variants were judged, and falsehoods planted for the "
-        "guards of the judge: a sign, a constant, a region or an order is changed, balls see that "
-        "what is said then is false, and the claim's own evidence is asked to show it. "
-        f"{refuted} are refuted with a witness, which is {100 * refuted / max(total, 1):.1f} %, "
-        f"{counts[Verdict.UNDECIDED.value]} stay undecided, and {held or 'none'} passed. "
-        "`tresym verify --mutants` judges them again.",
+def _safeguards(
+    guards: Mapping[str, Any] | None,
+    hunts: Mapping[str, Any] | None,
+    mutants: Mapping[str, Any] | None,
+) -> list[str]:
+    """What stands between a mistake in that code and a wrong verdict, with what was measured."""
+    rows = [
+        (
+            "Searches are checked by plain code",
+            "A factorisation is multiplied out, a counterexample evaluated, a stored bisection "
+            "replayed.",
+        ),
+        (
+            "Independent numerical check",
+            "Before a verdict PROVED or ENCLOSED, code that shares nothing with the provers tries "
+            "to falsify the statement with ball arithmetic at points it chooses itself.",
+        ),
     ]
-    if few:
-        lines += ["", f"Claims with fewer than {MUTANTS} variants:", ""]
-        lines += [f"- `{row['label']}`, {row['changes']}: {row['why']}." for row in few]
-    return lines
+    if guards:
+        whole = _all_files(guards)
+        died, tried = _died(whole), _tried(whole)
+        rows.append(
+            (
+                "Tests of the tests",
+                f"The checking code was changed in {tried:,} places, one at a time, mostly so that "
+                f"it accepts more. The quick tests notice {died:,} of the changes "
+                f"({100 * died / max(tried, 1):.1f} %).",
+            )
+        )
+    if mutants:
+        counts = mutants["counts"]
+        total, refuted = sum(counts.values()), counts[Verdict.REFUTED.value]
+        held = len(mutants["survivors"]) + len(mutants["stopped"])
+        rows.append(
+            (
+                "False variants of the claims",
+                f"{total:,} statements made false by changing a sign, a constant, a region or an "
+                f"order: {refuted:,} are refuted with a counterexample "
+                f"({100 * refuted / max(total, 1):.1f} %), {held or 'none'} passed. "
+                "`tresym verify --mutants` repeats this.",
+            )
+        )
+    if hunts:
+        tests = hunts["tests"].values()
+        examples = sum(row["examples"] or row["chunks"] for row in tests)
+        failures = sum(row["failures"] for row in tests)
+        rows.append(
+            (
+                "Randomised tests",
+                f"{examples:,} random inputs and claims whose truth is known; "
+                f"{failures or 'no'} failures in the last run.",
+            )
+        )
+    return [
+        "## Safeguards against mistakes in that code",
+        "",
+        *_table(("safeguard", "what was measured"), rows),
+    ]
+
+
+def _few(mutants: Mapping[str, Any]) -> list[str]:
+    """Claims of which few false variants can be made."""
+    few = [row for row in mutants["few"] if row["changes"] < MUTANTS]
+    if not few:
+        return []
+    lines = [f"- `{row['label']}`, {row['changes']}: {row['why']}." for row in few]
+    return [f"## Claims with fewer than {MUTANTS} false variants", "", *lines]
+
+
+def _all_files(guards: Mapping[str, Any]) -> Counter[str]:
+    return sum((Counter[str](counts) for counts in guards["files"].values()), Counter[str]())
+
+
+def _tried(counts: Counter[str]) -> int:
+    return counts.total() - counts["not tried"] - counts["equivalent"]
 
 
 def _guards(guards: Mapping[str, Any]) -> Iterator[str]:
-    """How many mutants of the checkers the tests refuse, by room, and which they do not."""
-    rooms: dict[str, Counter[str]] = {}
+    """How many changes of the checking code the tests notice, by package, and which they cannot."""
+    packages: dict[str, Counter[str]] = {}
     for file, counts in guards["files"].items():
-        room = file.rpartition("/")[0].removeprefix("tresym/")
-        rooms.setdefault(room, Counter()).update(counts)
-    whole = sum(rooms.values(), Counter[str]())
-    died, tried = _died(whole), whole.total() - whole["not tried"] - whole["equivalent"]
+        package = file.rpartition("/")[0].removeprefix("tresym/")
+        packages.setdefault(package, Counter()).update(counts)
     yield "## Tests of the tests"
     yield ""
     yield (
-        f"The checkers are changed in {whole.total()} places, mostly the way that lets more pass: "
-        "a guard is deleted, a test negated, a condition dropped, a bound widened. Of "
-        f"{tried} that were tried the quick tests refuse {died}, which is "
-        f"{100 * died / max(tried, 1):.1f} %; {whole['equivalent']} more change nothing that could "
-        "be seen."
+        "Each change deletes a guard, negates a test, drops a condition or widens a bound. "
+        "*Equivalent* changes have no effect that could be observed."
     )
     yield ""
     rows = [
-        (f"`{room}`", c.total(), _died(c), c["survived"] + c["not reached"], c["equivalent"])
-        for room, c in sorted(rooms.items())
+        (f"`{name}`", c.total(), _died(c), c["survived"] + c["not reached"], c["equivalent"])
+        for name, c in sorted(packages.items())
     ]
-    yield from _table(("room", "mutants", "refused", "survive", "equivalent"), rows, 1)
+    yield from _table(("package", "places", "noticed", "not noticed", "equivalent"), rows, 1)
     reasons: dict[str, list[str]] = {}
     for mutant in guards["alive"]:
         if mutant["why"]:
@@ -231,19 +320,19 @@ def _guards(guards: Mapping[str, Any]) -> Iterator[str]:
             reasons.setdefault(mutant["why"], []).append(where)
     if reasons:
         yield ""
-        yield "Equivalent ones, with the reason:"
+        yield "Equivalent changes, with the reason:"
         yield ""
         yield from (f"- {why}: {'; '.join(places)}." for why, places in reasons.items())
 
 
 def _hunts(tests: Mapping[str, Any]) -> Iterator[str]:
     """What the long hunts have come to: of how many examples, when, and at which commit."""
-    yield "## Long hunts"
+    yield "## Randomised tests"
     yield ""
     yield (
-        "Beside what every change must pass, tests run for hours with seeds of their own "
-        "(`python tests/deep.py`). An example is a random input or claim whose truth is known; of "
-        "claims it is counted how many were decided within the time of one."
+        "Besides the tests that every change must pass, some run for hours with new seeds "
+        "(`python tests/deep.py`). An example is a random input, or a claim whose truth is known; "
+        "for claims the table counts how many were decided within the time limit."
     )
     yield ""
     rows = [
@@ -256,7 +345,7 @@ def _hunts(tests: Mapping[str, Any]) -> Iterator[str]:
         )
         for test, row in tests.items()
     ]
-    yield from _table(("hunt", "last run", "examples", "decided", "failures"), rows, 2)
+    yield from _table(("test", "last run", "examples", "decided", "failures"), rows, 2)
 
 
 def _died(counts: Counter[str]) -> int:

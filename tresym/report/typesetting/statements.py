@@ -22,13 +22,12 @@ from tresym.report.typesetting.titles import title
 LONGEST_IN_A_LINE = 60
 """Systems of more LaTeX characters than this are set one equation below the other."""
 LONGEST_IN_A_LIST = 220
-"""Formulas of more LaTeX characters than this stand on the page of their claim only."""
-
+"""Formulas of more LaTeX characters than this are introduced by the title of their claim."""
 MOST_PARTS = 3
 """Sets of conditions that are listed without the parts they are of."""
 MOST_LETTERS = 30
 """Letters of one of them: a longer one speaks of what only its part names."""
-EACH_ITS_OWN = "for each part what its own claim asks"
+EACH_ITS_OWN = "Each part holds under its own hypotheses."
 
 
 class Part(NamedTuple):
@@ -113,6 +112,7 @@ def conditions(
             their own.
     """
     pieces = [_listed(found.given, formula)] if found.given else []
+    ending = ""
     if found.where and found.where not in (found.says or ""):
         where = words(readable(found.where))
         if not set("<>=") & set(found.where):
@@ -126,13 +126,13 @@ def conditions(
         if len(widest) <= MOST_PARTS and told:
             pieces.append(start + "; ".join(_listed(part.given, formula) for part in widest))
         else:
-            pieces.append("for each part also what its own claim asks" if pieces else EACH_ITS_OWN)
+            ending = "Each part also has its own hypotheses." if pieces else EACH_ITS_OWN
     elif name is not None:
         also = " also" if pieces else ""
         for part in found.parts:
             names = ", ".join(map(name, part.labels))
             pieces.append(f"for {names}{also}: {_listed(part.given, formula)}")
-    return f"Given {'; '.join(pieces)}." if pieces else ""
+    return " ".join(filter(None, (f"Given {'; '.join(pieces)}." if pieces else "", ending)))
 
 
 def _within(own: set[str], sets: list[set[str]]) -> bool:
@@ -149,13 +149,12 @@ def quoted(claim: Claim) -> str:
 
 
 def in_line(found: Said, name: str) -> str:
-    """The claim within a line of Markdown; of a formula too long for that, its title."""
+    """The claim within a line of Markdown; a long formula comes after its title."""
     if found.says:
         text = sentence(found.says)
-    elif found.formula and len(found.formula) <= LONGEST_IN_A_LIST:
-        text = f"{in_dollars(found.formula)}."
     else:
-        text = f"{sentence(name)} (a formula of several lines)."
+        formula = f"{in_dollars(found.formula or '')}."
+        text = formula if len(formula) <= LONGEST_IN_A_LIST else f"{sentence(name)}: {formula}"
     return " ".join(filter(None, (text, conditions(found, in_dollars, sentence))))
 
 

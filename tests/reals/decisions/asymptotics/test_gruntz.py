@@ -74,7 +74,9 @@ def test_a_phase_is_that_of_one_argument() -> None:
     with ball_precision():
         assert found.of(parse("sin(1/t)")) == parse("sin(_u0)")
         assert found.of(parse("cos(3/t + t)")) == parse("cos(3*_u0 + _t)")
-        assert found.of(parse("sin(1/(2*t))")) == parse("sin(_u1)")  # half of it is another phase
-        assert found.of(parse("sin(1/t**2)")) == parse("sin(_u2)")
+        assert found.of(parse("sin(1/t**2)")) == parse("sin(_u1)")
+        assert found.of(parse("sin(sqrt(2)/t)")) == parse("sin(_u2)")
         assert found.of(parse("sin(t)")) == parse("sin(_t)")
+        halves = found.all_of(*map(parse, ("sin(1/t)", "sin(1/(2*t))", "sin(2/(3*t))")))
+        assert halves == [parse("sin(6*_u0)"), parse("sin(3*_u0)"), parse("sin(4*_u0)")]
     assert found.of(number(3)) == number(3)

@@ -32,16 +32,26 @@ from tresym.reals.language.expression import (
 from tresym.reals.language.like_terms import collected
 
 MAX_ROUNDS = 8
+MAX_TURNS = 60
 CUBE_ROOT = number(fmpq(1, 3))
 HALF = fmpq(1, 2)
 
 
-class Rewritten:
-    """Functions of the variable ``name`` → 0+ in one scale."""
+class _FinerPhaseError(Exception):
+    """Two waves have arguments of a rational ratio: they are functions of one finer phase."""
 
-    def __init__(self, name: str, given: Given = Given()) -> None:  # noqa: B008 - frozen
+
+class Rewritten:
+    """Functions of the variable ``name`` → 0+ in one scale.
+
+    Attributes:
+        turns: the phase of a wave is its argument divided by this whole number, so that waves
+            whose arguments have a rational ratio are functions of one phase.
+    """
+
+    def __init__(self, name: str, given: Given = Given(), turns: int = 1) -> None:  # noqa: B008
         """An empty scale; ``given`` speaks of parameters."""
-        self.name = name
+        self.name, self.turns = name, turns
         self.scale = Scale(given)
         self.expansions = Expansions(self.scale)
         self.signed: set[Expr] = set()
@@ -50,12 +60,23 @@ class Rewritten:
         """Whether all functions are real and finite where what is signed keeps its sign."""
         self._known: dict[Expr, Expr] = {}
 
-    def of(self, e: Expr) -> Expr:
-        """``e`` in the elements.
+    def all_of(self, *expressions: Expr) -> list[Expr]:
+        """The expressions in the elements.
 
         Raises:
             UnresolvedError: a sign or a limit on the way is not found.
         """
+        while True:
+            try:
+                return [self.of(e) for e in expressions]
+            except _FinerPhaseError as error:
+                turns = self.turns * error.args[0]
+                if turns > MAX_TURNS:
+                    raise UnresolvedError("waves of one phase with too large a period") from error
+                self.__init__(self.name, self.scale.given, turns)  # type: ignore[misc]
+
+    def of(self, e: Expr) -> Expr:
+        """``e`` in the elements."""
         if self.name not in symbols(e):
             return e
         if e not in self._known:
@@ -179,9 +200,12 @@ class Rewritten:
                 continue
             ratio = quotient(steep.coefficient, first.coefficient)
             rest = plus(u, -ratio * other)
-            if ratio.op == "number" and ratio.args[0].q == 1 and self.expansions.growth(rest) <= 0:
-                return ratio * symbol(f"_u{k}") + rest
-        return self.scale.wave(u)
+            if ratio.op != "number" or self.expansions.growth(rest) > 0:
+                continue
+            if ratio.args[0].q != 1:
+                raise _FinerPhaseError(int(ratio.args[0].q))
+            return ratio * symbol(f"_u{k}") + (ZERO if self.scale.is_zero(rest) else rest)
+        return self.turns * self.scale.wave(u / self.turns)
 
     # -- functions by others ----------------------------------------------------------------
 

@@ -17,26 +17,33 @@ from typing import NamedTuple
 from flint import arb, fmpq
 
 from tresym.reals.balls.taylor import taylor_value
-from tresym.reals.decisions.asymptotics.expansions import Expansions, quotient
+from tresym.reals.decisions.asymptotics.expansions import Expansions, quotient, raised
 from tresym.reals.decisions.asymptotics.gruntz import Rewritten
 from tresym.reals.decisions.asymptotics.scale import Leading, T, UnresolvedError
+from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.expression import (
+    LEAVES,
     ONE,
     PI,
     ZERO,
     Expr,
+    add,
+    apply,
     multiply,
+    number,
     power,
     substitute,
     symbol,
 )
+from tresym.reals.normal.to_expression import normal_form
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
 HALVINGS = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 128, 256, 512, 2048, 8192)
 PHASES = (ZERO, PI / 2, PI, -PI / 2, ONE)
+MOST_PHASES = 96
 
 OCTAVES, PIECES = 8, 8
 """How far towards the end balls bound a ratio, and over how many intervals from 2t to t."""
@@ -63,6 +70,13 @@ class Judgement(NamedTuple):
     upto: fmpq | None = None
     real: bool = False
 
+    def root(self) -> Judgement:
+        """What was found of squares, of the functions themselves."""
+        if self.constant is None:
+            return self._replace(ratio=None)
+        low, high = self.constant.abs_lower(), self.constant.abs_upper()
+        return self._replace(constant=arb(low).sqrt().union(arb(high).sqrt()), ratio=None)
+
 
 _OPEN = Judgement(Verdict.UNDECIDED)
 
@@ -82,16 +96,21 @@ def judge_order(
     found = Rewritten(T)
     try:
         with ball_precision():
-            f, g = found.of(left), found.of(right)
-            truth = _truth(kind, f, g, found)
-            if truth is None:
-                truth = False if _fails_at_a_phase(kind, f, g, found) else None
+            f, g = found.all_of(left, right)
+            truth = _told(kind, f, g, found)
             leading = _leading_terms(f, g, found, shown)
-            if truth:
-                return _on_a_range(kind, f, g, found, upto, left / right, leading)
+            ways = [(kind, f, g, left / right, False), *_reduced(kind, f, g, found, left / right)]
+            for relation, above, below, ratio, squared in ways if truth is not False else []:
+                if _told(relation, above, below, found):
+                    judged = _on_a_range(relation, above, below, found, upto, ratio, leading)
+                    if judged.verdict is Verdict.ENCLOSED:
+                        return judged.root() if squared else judged
+                elif not squared and _fails_at_a_phase(relation, above, below, found):
+                    truth = False
+                    break
     except _FAILS:
         return _OPEN
-    return _OPEN if truth is None else Judgement(Verdict.REFUTED, *leading)
+    return _OPEN if truth is not False else Judgement(Verdict.REFUTED, *leading)
 
 
 def _leading_terms(
@@ -124,12 +143,26 @@ def sign_towards(e: Expr, name: str, point: Expr | None, side: int) -> tuple[int
     return sign_near(substitute(e, {name: side / t if point is None else point + side * t}))
 
 
+def leading_sign(e: Expr, name: str, point: Expr | None, side: int, given: Given) -> int | None:
+    """The sign of ``e`` beside the end of a path, for each value of the parameters by itself."""
+    t = symbol(T)
+    along = substitute(e, {name: side / t if point is None else point + side * t})
+    found = Rewritten(T, given)
+    try:
+        with ball_precision():
+            (f,) = found.all_of(along)
+            first = found.expansions.leading(f)
+            return 0 if first is None else found.scale.sign(first.coefficient)
+    except _FAILS:
+        return None
+
+
 def sign_near(e: Expr) -> tuple[int, fmpq] | None:
     """The sign of ``e`` for 0 < t ≤ r, and r."""
     found = Rewritten(T)
     with ball_precision():
         try:
-            f = found.of(e)
+            (f,) = found.all_of(e)
             first = found.expansions.leading(f)
             sign = 0 if first is None else found.scale.sign(first.coefficient)
         except _FAILS:
@@ -139,6 +172,14 @@ def sign_near(e: Expr) -> tuple[int, fmpq] | None:
                 if first is None or expansions.enclosure(f).low > 0:
                     return sign, reach
     return None
+
+
+def _told(kind: str, f: Expr, g: Expr, found: Rewritten) -> bool | None:
+    """As :func:`_truth`; None also where a sign on the way is not found."""
+    try:
+        return _truth(kind, f, g, found)
+    except _FAILS:
+        return None
 
 
 def _truth(kind: str, f: Expr, g: Expr, found: Rewritten) -> bool | None:
@@ -153,8 +194,10 @@ def _truth(kind: str, f: Expr, g: Expr, found: Rewritten) -> bool | None:
         return same and scale.sign(first.coefficient - second.coefficient) == 0
     if first is None:
         return True
-    if second is None:
-        return False
+    if second is None:  # it fails if the left side vanishes at no phase
+        with suppress(UnresolvedError):
+            return False if scale.sign(first.coefficient) else None
+        return None
     growth = scale.compare(first.powers, second.powers)
     if not scale.ball(first.coefficient).is_finite():
         return None
@@ -168,6 +211,83 @@ def _truth(kind: str, f: Expr, g: Expr, found: Rewritten) -> bool | None:
     return False
 
 
+def _reduced(
+    kind: str, f: Expr, g: Expr, found: Rewritten, ratio: Expr
+) -> Iterator[tuple[str, Expr, Expr, Expr, bool]]:
+    """The statement of numerator and denominator of f/g, which have no zero in common, or of f²/g².
+
+    Given are they, the ratio, and whether it is squared. Where nothing oscillates there is none.
+    """
+    if not found.scale.phases(f + g) or g == ZERO:
+        return
+    for squared in (False, True) if kind in ("O", "o") else (False,):
+        if squared:
+            yield kind, raised(f, fmpq(2)), raised(g, fmpq(2)), ratio**2, True
+        above, below = _polynomials_in_waves(f**2 / g**2 if squared else f / g, found)
+        if any(found.scale.elements(node) for e in (above, below) for node in _nodes(e, "tan")):
+            continue  # it is expanded as sine and cosine alone
+        yield kind, above, below, ratio**2 if squared else ratio, squared
+
+
+def _polynomials_in_waves(e: Expr, found: Rewritten) -> tuple[Expr, Expr]:
+    """Numerator and denominator of the normal form, less denominators that vanish at no phase.
+
+    In the normal form sine and cosine of an angle are rational functions of the tangent of its
+    half. P(tan u)/(1 + tan² u)^k is a polynomial in sin u, cos u if P has at most the degree 2k.
+    """
+    scale = found.scale
+    given = scale.given & Given(tuple((symbol(w), ">", ZERO) for w in scale.elements(e)))
+    above, below = _over(normal_form(e, given))
+    for tangent in [node for node in _nodes(below, "tan") if scale.phases(node)]:
+        degree = _degree(below, tangent)
+        cleared = normal_form(below * apply("cos", tangent.args[0]) ** degree, given)
+        terms = [_without(term, tangent, degree) for term in _terms(above)]
+        if scale.phases(cleared) or None in terms:
+            break
+        above, below = add(*(term for term in terms if term is not None)), cleared
+    return above, below
+
+
+def _terms(e: Expr) -> tuple[Expr, ...]:
+    return e.args if e.op == "+" else (e,)
+
+
+def _nodes(e: Expr, op: str) -> list[Expr]:
+    """The nodes of an operation, each once."""
+    if e.op in LEAVES:
+        return []
+    inner = [node for arg in e.args for node in _nodes(arg, op)]
+    return list(dict.fromkeys([*([e] if e.op == op else []), *inner]))
+
+
+def _degree(e: Expr, node: Expr) -> int:
+    """The highest power of ``node`` among the terms, which are products of powers."""
+    powers = [power_of for term in _terms(e) for power_of in [_power_of(term, node)]]
+    return max(n for n, _ in powers)
+
+
+def _power_of(term: Expr, node: Expr) -> tuple[int, Expr]:
+    """The power of ``node`` among the factors of a term, and the rest of it."""
+    n, rest = 0, []
+    for part in term.args if term.op == "*" else (term,):
+        if part == node:
+            n += 1
+        elif part.op == "^" and part.args[0] == node and part.args[1].op == "number":
+            n += int(part.args[1].args[0].p)
+        else:
+            rest.append(part)
+    return n, multiply(*rest)
+
+
+def _without(term: Expr, tangent: Expr, degree: int) -> Expr | None:
+    """A term times cos^degree, its tangents written as sines and cosines."""
+    n, rest = _power_of(term, tangent)
+    if n > degree or tangent in _nodes(rest, "tan"):
+        return None
+    sine, cosine = (apply(name, tangent.args[0]) for name in ("sin", "cos"))
+    return multiply(rest, sine**n, cosine ** (degree - n))
+
+
 def _fails_at_a_phase(kind: str, f: Expr, g: Expr, found: Rewritten) -> bool:
     """Whether the statement fails on a sequence on which one of the phases is known.
 
@@ -176,12 +296,18 @@ def _fails_at_a_phase(kind: str, f: Expr, g: Expr, found: Rewritten) -> bool:
     """
     (f, above), (g, below) = _over(f), _over(g)
     f, g = multiply(f, below), multiply(g, above)
-    for name, phase in product(found.scale.phases(f + g), PHASES):
+    for name, phase in product(found.scale.phases(f + g), _phases(found.turns)):
         x, y = (substitute(e, {name: phase}) for e in (f, g))
         with suppress(*_FAILS):
             if _truth(kind, x, y, found) is False:
                 return True
     return False
+
+
+def _phases(turns: int) -> list[Expr]:
+    """Values of a phase that are tried: 24ths of a turn of each wave, and 1."""
+    parts = [number(fmpq(k, 12 * turns)) * PI for k in range(min(24 * turns, MOST_PHASES))]
+    return [*(part / turns for part in PHASES), *parts]
 
 
 def _over(e: Expr) -> tuple[Expr, Expr]:

@@ -9,7 +9,7 @@ the parameters.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
 from itertools import islice, product
@@ -17,17 +17,25 @@ from math import lcm
 
 from flint import arb, fmpq
 
-from tresym.reals.decisions.answer import Answer, Decide, exact_text
-from tresym.reals.decisions.asymptotics.leading_terms import sign_towards
-from tresym.reals.decisions.asymptotics.limit_values import limit_of
+from tresym.reals.decisions.answer import Answer, Decide, exact_text, worst
+from tresym.reals.decisions.asymptotics.leading_terms import leading_sign, sign_towards
+from tresym.reals.decisions.asymptotics.limit_values import limit_of, stays_bounded
 from tresym.reals.decisions.asymptotics.order_claims import decide_order, region
 from tresym.reals.decisions.claim_parsing import LIMIT, Comparison, Path, Statement
 from tresym.reals.decisions.derivative_domains import where_real
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.inequalities_on_regions import is_isolated
+from tresym.reals.decisions.integer_variables import (
+    PERIODIC,
+    decide_whole,
+    period_of,
+    residue_of,
+    with_integer_bounds,
+)
 from tresym.reals.decisions.readable_witnesses import simple_points
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate, stands
+from tresym.reals.domain.operation_domains import needs, operations
 from tresym.reals.domain.sample_points import corners
 from tresym.reals.language.expression import (
     LEAVES,
@@ -56,12 +64,13 @@ PARAMETERS = 6
 """Values of the parameters at which a refutation is looked for."""
 FAR = (1, 10, 1000)
 """From where on an inequality is asked."""
-PERIODIC = 12
+PERIOD_POINTS = 12
 MOST_ENDS = 40
 """Corners of the parameters' ranges that are looked at."""
 MOST_SPLIT = 2
 """Parameters of which the signs are told apart."""
 PATH_BITS = 256
+Same = Callable[[Expr, Expr], bool]
 _EXACT = "the limit is exact, by leading terms and exact coefficients"
 _OPEN = "the leading term does not settle it with the parameters that occur"
 
@@ -75,6 +84,12 @@ def decide_tending(claim: Comparison, statement: Statement, decided: Decide) -> 
     path = statement.path
     if path is None:
         raise TypeError("a claim along a path is read with it")
+    if statement.integers:
+        return _among_integers(claim, path, statement, decided)
+    path = _where_defined(claim, path, statement.given)
+    if not path.sides:
+        return Answer(Verdict.UNDECIDED, "near the end of the path the two sides are not real")
+    statement = replace(statement, path=path)
     if _parameters(claim, path):
         return _with_parameters(claim, path, statement, decided)
     if claim.relation == LIMIT:
@@ -89,6 +104,26 @@ def decide_tending(claim: Comparison, statement: Statement, decided: Decide) -> 
     if claim.derivatives and where_real(Given(), claim.differentiated, claim.by)[0] != Given():
         return Answer(Verdict.UNDECIDED, "what is differentiated is not real everywhere")
     return _eventually(claim, path, statement, decided)
+
+
+def _where_defined(claim: Comparison, path: Path, given: Given) -> Path:
+    """The path without a side on which a part of the claim is shown to have no real value.
+
+    A power with a variable as exponent may have one also where its base is negative.
+    """
+    if len(path.sides) == 1:
+        return path
+    sides = [e for e in (claim.left, claim.right) if e not in (INFINITY, -INFINITY)]
+    parts = needs(sides, powers=False)
+
+    def is_real(side: int) -> bool:
+        for e, relation in parts:
+            found = leading_sign(e, path.name, path.point, side, given)
+            if found is not None and not stands(arb(found), relation):
+                return False
+        return True
+
+    return replace(path, sides=tuple(side for side in path.sides if is_real(side)))
 
 
 def _parameters(claim: Comparison, path: Path) -> list[str]:
@@ -129,10 +164,12 @@ def _limit(claim: Comparison, path: Path) -> Answer:
     return answer
 
 
-def _are_equal(value: Expr, end: Expr, given: Given) -> bool:
+def _are_equal(value: Expr, end: Expr, given: Given, same: Same | None = None) -> bool:
     infinite = (INFINITY, -INFINITY)
     if value in infinite or end in infinite:
         return value == end
+    if same is not None:
+        return same(value, end)
     return decide(value, end, given).verdict is Verdict.PROVED
 
 
@@ -176,6 +213,91 @@ def _with_parameters(
     )
 
 
+# Integers
+
+
+def _among_integers(claim: Comparison, path: Path, statement: Statement, decided: Decide) -> Answer:
+    """The answer where the variable of the path, or parameters, are integers."""
+    if path.name in statement.integers:
+        return _through_integers(claim, path, statement, decided)
+    given = with_integer_bounds(statement.given, statement.integers)
+    statement = replace(statement, given=given)
+    names = sorted({*_parameters(claim, path), *given.names})
+    if simple_points(names, given, 1, statement.integers):
+        exact = _by_residues(claim, statement, decided)
+        if exact is not None:
+            return exact
+    return decide_whole(claim, statement, decided)
+
+
+def _by_residues(claim: Comparison, statement: Statement, decided: Decide) -> Answer | None:
+    """The claim by exact limits, for every residue of the parameters that are integers."""
+    trees = [e for e in (claim.left, claim.right) if e not in (INFINITY, -INFINITY)]
+    trees += [*claim.differentiated, *statement.said]
+    names = [n for n in statement.integers if any(n in symbols(e) for e in trees)]
+    periods = [period_of(trees, name, statement.given) for name in names]
+    if None in periods:
+        return None
+    whole = [period for period in periods if period is not None]
+    found = None
+    for rest in islice(product(*map(range, whole)), MOST_ENDS + 1):
+        parts = zip(names, whole, rest, strict=True)
+        at = {n: number(p) * symbol(n) + number(r) for n, p, r in parts if p > 1}
+        given = statement.given.mapped(partial(substitute, mapping=at))
+        change = partial(residue_of, at=at, names=names, given=given)
+        inside = replace(statement.mapped(change), given=given)
+        assert inside.path is not None
+
+        def same(left: Expr, right: Expr, there: Statement = inside) -> bool:
+            return bool(decided(Comparison(left, "==", right), replace(there, path=None)))
+
+        found = _by_exact_limit(claim.mapped(change), inside.path, given, same)
+        if found is None:
+            return None
+    return found
+
+
+def _through_integers(
+    claim: Comparison, path: Path, statement: Statement, decided: Decide
+) -> Answer:
+    """A claim on the integers n → ±∞: of every residue of n, for real values of what remains.
+
+    A refutation for real values is one for integers if it is by leading terms, without waves.
+    """
+    name, plain = path.name, tuple(n for n in statement.integers if n != path.name)
+    trees = (claim.left, claim.right, *claim.differentiated, *statement.said)
+    trees = tuple(e for e in trees if e not in (INFINITY, -INFINITY))
+    n, side = symbol(name), path.sides[0]
+    far = statement.given & Given(((side * n, ">=", ONE),))
+    period = period_of(trees, name, far)
+    if period is None:
+        return Answer(Verdict.UNDECIDED, "an angle or an exponent has no period in the integers")
+    answers = []
+    for rest in range(period):
+        at = {name: number(period) * n + number(rest) if period > 1 else n}
+        change = partial(residue_of, at=at, names=(name,), given=far)
+        moved = claim.mapped(change)
+        found = decided(moved, replace(statement, integers=plain))
+        if found.verdict is Verdict.REFUTED:
+            found = _at_integers(found, moved, path, period, rest)
+        found = replace(found, why=f"for integers {name}: {found.why}", region=None, constant=None)
+        answers.append(found)
+        if not found:
+            break
+    return worst(answers)
+
+
+def _at_integers(found: Answer, claim: Comparison, path: Path, period: int, rest: int) -> Answer:
+    """The refutation of a residue as one at integers; UNDECIDED if it is one at a phase."""
+    if any(node.op in PERIODIC for node in operations((claim.left, claim.right))):
+        return Answer(Verdict.UNDECIDED, f"open for integers; of real values, {found.why}")
+    witness = dict(found.witness or {})
+    value = witness.get(path.name, "")
+    if value.lstrip("-").isdecimal():
+        witness[path.name] = str(period * int(value) + rest)
+    return replace(found, witness=witness, values=None)
+
+
 def _at_ends(
     claim: Comparison, path: Path, names: list[str], given: Given
 ) -> Iterator[dict[str, fmpq]]:
@@ -195,18 +317,36 @@ def _at_ends(
             yield at
 
 
-def _by_exact_limit(claim: Comparison, path: Path, given: Given) -> Answer | None:
-    """The claim by the exact limit of a side, of their ratio, or of their difference."""
-    left, right, relation = claim.left, claim.right, claim.relation
-    kinds = {
-        LIMIT: (left, "left side"),
-        "omega": (right / left, "ratio of right and left"),
-        **dict.fromkeys(("O", "o", "~", "Theta"), (left / right, "ratio")),
-    }
-    compared, what = kinds.get(relation, (left - right, "difference"))
+def compared_of(claim: Comparison) -> tuple[Expr, str]:
+    """What has a limit that decides the claim, and what it is."""
+    left, right = claim.left, claim.right
+    if claim.relation == LIMIT:
+        return left, "left side"
+    if claim.relation == "omega":
+        return right / left, "ratio of right and left"
+    if claim.relation in ("O", "o", "~", "Theta"):
+        return left / right, "ratio"
+    return left - right, "difference"
+
+
+def _by_exact_limit(
+    claim: Comparison, path: Path, given: Given, same: Same | None = None
+) -> Answer | None:
+    """The claim by the exact limit of a side, of their ratio, or of their difference.
+
+    Args:
+        same: decides whether two constants are equal; by the conditions alone unless told.
+    """
+    compared, what = compared_of(claim)
+    right, relation = claim.right, claim.relation
     found = [limit_of(compared, path.name, path.point, side, given) for side in path.sides]
     values = [value for value in found if value is not None]
-    if len(values) < len(found) or not all(_allows(relation, v, right, given) for v in values):
+    if len(values) < len(found):
+        ends = ((compared, path.name, path.point, side, given) for side in path.sides)
+        if relation == "O" and all(stays_bounded(*end) for end in ends):
+            return Answer(Verdict.PROVED, "the ratio is bounded by that of its waves")
+        return None
+    if not all(allows(relation, v, right, given, same) for v in values):
         return None
     return Answer(Verdict.PROVED, f"the {what} tends to {values[0]}: {_EXACT}")
 
@@ -228,13 +368,13 @@ def _by_signs(claim: Comparison, path: Path, given: Given) -> Answer | None:
     return None
 
 
-def _allows(relation: str, value: Expr, right: Expr, given: Given) -> bool:
+def allows(relation: str, value: Expr, right: Expr, given: Given, same: Same | None = None) -> bool:
     """Whether the claim holds where what is compared has this limit."""
     infinite = value in (INFINITY, -INFINITY)
     if relation == LIMIT:
-        return _are_equal(value, right, given)
+        return _are_equal(value, right, given, same)
     if relation in ("o", "omega", "~"):
-        return _are_equal(value, ONE if relation == "~" else ZERO, given)
+        return _are_equal(value, ONE if relation == "~" else ZERO, given, same)
     if relation in ("O", "Theta"):
         return not infinite and (relation == "O" or sign(value, given, "!=") in PROVING["!="])
     if relation in ("<", "<="):
@@ -322,7 +462,7 @@ def _periodic_failure(difference: Expr, relation: str, path: Path) -> Answer | N
             return None
         if decide(e, substitute(e, {"_u": u + 2 * PI})).verdict is not Verdict.PROVED:
             continue
-        for at in (fmpq(2 * n + 1, 4) for n in range(PERIODIC)):
+        for at in (fmpq(2 * n + 1, 4) for n in range(PERIOD_POINTS)):
             with ball_precision(PATH_BITS):
                 value = evaluate(e, {"_u": at})
                 if value.is_finite() and stands(value, NEGATED[relation]):

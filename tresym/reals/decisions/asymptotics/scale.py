@@ -13,6 +13,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import cmp_to_key
 from itertools import pairwise
+from math import prod
 from typing import Any, NamedTuple, TypeAlias
 
 from flint import arb
@@ -128,6 +129,12 @@ class Scale:
                 return 1 if value > 0 else -1
         if self.is_zero(c):
             return 0
+        if c.op == "*":
+            return prod(map(self.sign, c.args))
+        if c.op == "^" and c.args[1].op == "number":  # its ball may be wider than its base's
+            base, r = self.sign(c.args[0]), c.args[1].args[0]
+            if base and (base > 0 or r.q == 1):
+                return base if r.p % 2 else 1
         raise UnresolvedError(f"the sign of {c} is not shown")
 
     def ball(self, c: Expr) -> arb:

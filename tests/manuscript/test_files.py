@@ -1,0 +1,97 @@
+"""Which files of a project are read as a manuscript, and which branch of a conditional."""
+
+import os
+from pathlib import Path
+
+import pytest
+
+from tresym.commands import main
+from tresym.manuscript.source import Display, Missing, read_manuscript
+from tresym.reals.numbers.exact import InputError
+
+
+def texts(path: Path, root: Path | None = None) -> list[str]:
+    return [e.text.strip() for e in read_manuscript(path, root) if isinstance(e, Display)]
+
+
+def write(folder: Path, files: dict[str, str]) -> None:
+    for name, text in files.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text)
+
+
+MAIN = r"\input{../shared/header} \begin{document} \input{parts/one} \[ \half = x \] \end{document}"
+
+
+@pytest.mark.parametrize("marker", [".git/HEAD", ".latexmkrc", "pyproject.toml"])
+def test_files_of_the_project_are_read(tmp_path: Path, marker: str) -> None:
+    write(
+        tmp_path,
+        {
+            marker: "",
+            "shared/header.tex": r"\newcommand{\half}{\frac12} \input{more}",
+            "shared/more.tex": r"\newcommand{\third}{\frac13}",
+            "notes/m.tex": MAIN,
+            "notes/parts/one.tex": r"\[ \third = y \]",
+        },
+    )
+    assert texts(tmp_path / "notes/m.tex") == [r"\frac13 = y", r"\frac12 = x"]
+
+
+def test_what_lies_outside_is_left_out(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Else any file of the machine could be shown by a manuscript of somebody else's."""
+    write(tmp_path, {"shared/header.tex": r"\[ 1 + 1 = 3 \]", "notes/m.tex": MAIN})
+    write(tmp_path, {"notes/parts/one.tex": r"\input{/etc/hostname} \[ c = y \]"})
+    (tmp_path / "notes/link.tex").symlink_to(tmp_path / "shared/header.tex")
+    path = tmp_path / "notes/m.tex"
+    path.write_text(path.read_text().replace(r"\[", r"\input{link} \[", 1))
+    found = read_manuscript(path)
+    assert [e for e in found if isinstance(e, Missing)] == [
+        Missing(name, outside=True) for name in ("../shared/header", "/etc/hostname", "link")
+    ]
+    assert len(texts(path)) == 2
+    assert main(["paper", str(path)]) == 0
+    assert "outside the project, see --root; left out: ../shared" in capsys.readouterr().err
+    assert len(texts(path, tmp_path)) == 3
+    assert main(["paper", str(path), "--root", str(tmp_path)]) == 1
+    with pytest.raises(InputError, match="is not in the folder"):
+        texts(path, tmp_path / "shared")
+
+
+def test_parts_with_a_preamble_of_their_own(tmp_path: Path) -> None:
+    """Else the main file would end where the first part of it does."""
+    main_file = (
+        r"\documentclass{book} \newcommand{\half}{\frac12} \begin{document} \subfile{part}"
+        r" \[ a = b \] \end{document}"
+    )
+    part = r"\documentclass[main.tex]{subfiles} \begin{document} \[ \half = x \] \end{document}"
+    write(tmp_path, {"main.tex": main_file, "part.tex": part})
+    assert texts(tmp_path / "main.tex") == [r"\frac12 = x", "a = b"]
+    assert texts(tmp_path / "part.tex") == [r"\frac12 = x"]
+
+
+@pytest.mark.parametrize("name", ["pipe.tex", "m.tex"])
+def test_a_pipe_is_refused_or_left_out(tmp_path: Path, name: str) -> None:
+    os.mkfifo(tmp_path / "pipe.tex")
+    write(tmp_path, {"m.tex": r"\input{pipe} \[ a = b \]"})
+    assert main(["paper", str(tmp_path / name)]) == (2 if name == "pipe.tex" else 0)
+
+
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        (r"\newif\ifx \ifdraft \[ a \] \else \[ b \] \fi", "a b"),  # declared nowhere
+        (r"\newif\ifdraft \ifdraft \[ a \] \else \[ b \] \fi \[ c \]", "b c"),
+        (r"\newif\ifdraft \drafttrue \ifdraft \[ a \] \else \[ b \] \fi", "a"),
+        (r"\newif\ifdraft \drafttrue\draftfalse \ifdraft \[ a \]\fi \[ b \]", "b"),
+        (r"\newif\ifd \ifd \dtrue \[ a \]\fi \ifd \[ b \] \fi \[ c \]", "c"),
+        (r"\newif\ifd \ifd \ifnum 1=1 \[ a \] \else \[ b \] \fi \[ c \] \fi \[ e \]", "e"),
+        (r"\iffalse \[ a \] \ifx\p\q \[ b \] \fi \[ c \] \fi \[ e \]", "e"),
+        (r"\iffalse \[ a \] \else \[ b \] \fi", "b"),
+        (r"\iftrue \[ a \] \else \[ b \] \fi", "a"),
+        (r"\[ a \iff b \] \iffalse \[ c \]", r"a \iff b"),
+    ],
+)
+def test_the_branch_that_is_taken(tmp_path: Path, text: str, found: str) -> None:
+    (tmp_path / "m.tex").write_text(text)
+    assert " ".join(texts(tmp_path / "m.tex")) == found

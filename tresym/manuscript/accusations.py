@@ -1,0 +1,224 @@
+"""When a link that fails somewhere is reported as false: the statement is known, and it is whole.
+
+A counterexample refutes what was read. A display is more than that: its text restricts symbols in
+ways that are not read. A refutation is therefore withheld, with the reason, where a symbol is not
+free, where a remembered definition of another paragraph is needed for it, and where an equality
+holds at other points, so that a condition is missing rather than the equality wrong.
+"""
+
+from __future__ import annotations
+
+import random
+import re
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+
+from flint import fmpq
+
+from tresym.manuscript import prose
+from tresym.manuscript.context import Memory, Under, names_in
+from tresym.manuscript.display import Said
+from tresym.manuscript.terms import Head, base_of, read_term, unknown_in
+from tresym.reals.domain.evaluation import evaluate, stands
+from tresym.reals.language.binders import elementary, outermost
+from tresym.reals.language.expression import DOTS, Expr, number, substitute, symbols
+from tresym.reals.language.parsing import INFINITY, INTEGERS, Compared
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import InputError
+
+NO_VARIABLES = symbols(INFINITY) | symbols(DOTS)
+_RANGES = ((0, 1), (1, 4), (-3, 0), (3, 20))
+_POINTS = 120
+_INDICES = frozenset("ijklmnpqrsKLMN")
+_SUBSCRIPT = re.compile(r"[A-Za-z]+?_?(\d*[i-s][i-s\d]{0,3})")
+_WAVES = re.compile(r"\b(?:sin|cos|tan|cot|sec|csc)\(|\(-1\)\*\*")
+_BOUNDS = frozenset(("<", ">", "<=", ">=", "!="))
+
+
+@dataclass(frozen=True)
+class Ground:
+    """On what a refutation of a link stands.
+
+    Attributes:
+        doubts: why none is reported.
+        explicit: the sentence says for which values of all its symbols it is claimed.
+        universal: it is called an identity, or said "for all".
+        reach: the scopes in which the link stands, outermost first.
+        alike: both sides are read as the same expression.
+        places: in which lines the symbols of a side of its own are defined, 0 in the running text.
+        bounds: bounds in the text that may be meant for its symbols.
+    """
+
+    doubts: tuple[str, ...] = ()
+    explicit: bool = False
+    universal: bool = False
+    reach: tuple[int, ...] = ()
+    alike: bool = False
+    places: dict[str, int] = field(default_factory=dict)
+    bounds: tuple[Compared, ...] = ()
+
+
+def ground(
+    memory: Memory, compared: Compared, said: Said, n: int, under: Under, head: Head | None
+) -> Ground:
+    """On what a refutation of the ``n``-th link of a chain would stand."""
+    now = memory.scopes.now
+    left, relation, right = compared
+    reach = memory.scopes.path
+    lone = (str(side) for side in (left, right) if side.op == "symbol")
+    places = {name: memory.lines.get(name, 0) for name in lone if name in memory.functions}
+    if under.noted and under.kind == prose.CLAIM:
+        return Ground((), True, True, reach, left == right, places)
+    names = (symbols(left) | symbols(right)) - NO_VARIABLES
+    unknown = unknown_in(left, right)
+    own = [c for c in (*under.passing, *under.row) if symbols(c[0]) | symbols(c[2])]
+    explicit = bool(names) and names <= names_in(own) | under.anew
+    universal = said.universal or under.universal or under.kind == prose.CLAIM
+    tied = names | unknown | names_in(c for c in own if names & names_in((c,)))
+    restricted = {name: now.restricted[name] for name in sorted(tied & now.restricted.keys())}
+    bounds = tuple(dict.fromkeys(c for r in restricted.values() for c in r.bounds))
+    doubts = [
+        f"{x} is not free: {r.why}"
+        for x, r in restricted.items()
+        if not r.bounds and (not r.by or r.by & tied)
+    ]
+    if under.stated:
+        doubts.append(f"it stands under '{under.stated}'")
+    doubts += [f"nothing is said of the function {name}" for name in sorted(unknown)]
+    doubts += [f"{x} depends on what is not read" for x in sorted(names) if base_of(x) != x]
+    if n == 0 and head is not None and not explicit:
+        doubts.append(f"it may define {head.name}")
+    if relation in _BOUNDS and names and not explicit:
+        doubts.append("for which values the bound is claimed is not said")
+    terms = said.terms[n : n + 2]
+    if not names and _within_print(memory, compared, terms):
+        doubts.append("the numbers may be rounded")
+    if not names and n == 0 and all(_is_number(term) for term in terms):
+        doubts.append("a contradiction may be meant")
+    if not names and "\\approx" in said.ops[n : n + 1] and _is_near(compared):
+        doubts.append("how near is not said")
+    if any(node.op == "limit" and _may_be_sequence(node) for node in outermost(left, right)):
+        doubts.append("the limit may be that of a sequence")
+    far = _far_functions(memory, terms)
+    doubts += [f"{x} is defined in another paragraph" for x in sorted(far)]
+    doubts += [f"the index {letter} may be summed over" for letter in sorted(_repeated(names))]
+    return Ground(tuple(doubts), explicit, universal, reach, left == right, places, bounds)
+
+
+def far_definitions(memory: Memory, put_in: Iterable[str], under: Under) -> tuple[str, ...]:
+    """Which of the symbols that are put in are defined in another paragraph."""
+    now = memory.scopes.now
+    near = {name for name, _ in under.sources} | memory.ahead.keys()
+    return tuple(
+        name for name in put_in if name not in near and now.places.get(name) != now.paragraph
+    )
+
+
+def _far_functions(memory: Memory, terms: Iterable[Sequence[str]]) -> set[str]:
+    """The functions in terms whose definition was read in another paragraph, and put in."""
+    now = memory.scopes.now
+    heads = (memory.head([token]) for term in terms for token in term if token[-1:].isalpha())
+    names = {head.name for head in heads if head}
+    return {
+        name
+        for name, function in now.functions.items()
+        if function.parameters
+        and now.places.get(name) != now.paragraph
+        and name.partition("_")[0].rstrip("0123456789") in names
+    }
+
+
+def _is_near(compared: Compared) -> bool:
+    """Whether two constants differ by no more than one part in fifty, or may do so."""
+    if not elementary(compared[0], compared[2]):
+        return True
+    with ball_precision():
+        left, right = (evaluate(side, {}) for side in compared[::2])
+        return bool(abs(left - right) * 50 <= abs(left))
+
+
+def _may_be_sequence(node: Expr) -> bool:
+    """Whether a limit by an index oscillates for numbers that are no integers: sin(pi*n)."""
+    return node.names[0][0] in _INDICES and bool(_WAVES.search(str(node)))
+
+
+def _is_number(term: Sequence[str]) -> bool:
+    digits = [t for t in term if t != "-"]
+    return len(digits) == 1 and digits[0][0].isdigit()
+
+
+def _repeated(names: Iterable[str]) -> set[str]:
+    """The index letters in the subscripts of several symbols, as in ``R_{1p} T_{pq}``."""
+    found = (m[1] for name in names if (m := _SUBSCRIPT.fullmatch(name)))
+    counts = Counter(letter for letters in found for letter in {*letters} if letter.isalpha())
+    return {letter for letter, count in counts.items() if count > 1}
+
+
+def _within_print(memory: Memory, compared: Compared, terms: Sequence[Sequence[str]]) -> bool:
+    """Whether two constants differ by no more than decimals in them may be rounded."""
+    slack = fmpq(0)
+    with ball_precision():
+        try:
+            gap = abs(evaluate(compared[0] - compared[2], {}))
+            for term in terms:
+                value = evaluate(read_term(term, memory.author).tree, {})
+                for n, token in enumerate(term):
+                    whole = len(term) == 1 and token.isdigit() and len(token) > 2
+                    if not whole and not (token[0].isdigit() and "." in token[:-1]):
+                        continue
+                    half = f"{token}.5" if whole else f"{token}5"
+                    more = [*term[:n], half, *term[n + 1 :]]
+                    other = evaluate(read_term(more, memory.author).tree, {})
+                    slack += abs(other - value).upper().fmpq()
+            return bool(slack) and bool(gap <= slack * fmpq(101, 100))
+        except (InputError, AttributeError, KeyError, ValueError):
+            return False
+
+
+def holds_elsewhere(sides: Compared, given: Sequence[Compared]) -> dict[str, str] | None:
+    """A point at which an equality holds that fails at others, where one is found.
+
+    Sides that are analytic and differ do so at almost all points: what holds at one of a few random
+    points holds on a region, as ``sqrt(x**2) = x`` does, and its condition is not read.
+    """
+    one, relation, other = sides
+    if relation != "==" or not elementary(one, other):
+        return None
+    names = sorted((symbols(one) | symbols(other) | names_in(given)) - symbols(INTEGERS))
+    integers = {str(a) for a, r, _ in given if r == "in"} | {x for x in names if x[0] in _INDICES}
+    r = random.Random(0)
+    tried, held = {True: 0, False: 0}, {True: 0, False: 0}
+    found: dict[str, str] | None = None
+    with ball_precision():
+        for k in range(_POINTS):
+            whole = bool(integers) and k % 2 == 0
+            point = {name: _value(r, whole and name in integers, k) for name in names}
+            if not all(_given_holds(c, point) for c in given):
+                continue
+            exact = {name: number(value) for name, value in point.items()}
+            gap = evaluate(substitute(one - other, exact), {})
+            if not gap.is_finite():
+                continue
+            tried[whole] += 1
+            if gap.contains(0) and abs(gap).upper() < 1e-12:
+                held[whole] += 1
+                found = {name: str(value) for name, value in point.items()}
+    return found if held[False] or 4 * held[True] > tried[True] else None
+
+
+def _value(r: random.Random, whole: bool, k: int) -> fmpq:
+    if whole:
+        return fmpq(r.randint(1, 12))
+    low, high = _RANGES[k // 2 % 4] if k % 8 < 4 else r.choice(_RANGES)
+    return fmpq(low) + fmpq(r.randint(1, 9972), 9973) * (high - low)
+
+
+def _given_holds(condition: Compared, point: dict[str, fmpq]) -> bool:
+    left, relation, right = condition
+    if relation == "in":
+        return point[str(left)].q == 1
+    try:
+        return stands(evaluate(left - right, point), relation)
+    except (KeyError, AttributeError):
+        return False

@@ -1,0 +1,241 @@
+"""The files of a manuscript as one text: inputs, conditionals, comments, and notes in comments.
+
+``\\input``, ``\\include`` and ``\\subfile`` are followed inside the project: the nearest folder
+with one of ``PROJECT`` in it, or the manuscript's own folder. Of a conditional that ``\\newif``
+declares, and of ``\\iftrue`` and ``\\iffalse``, the branch that TeX takes is read.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from bisect import bisect_right
+from pathlib import Path
+from typing import NamedTuple
+
+from tresym.ledger.audit.source import read_text
+from tresym.manuscript.macros import DEFINITIONS, definition
+from tresym.reals.numbers.exact import InputError
+
+MAX_CHARACTERS = 20_000_000
+MAX_FILES = 500
+PROJECT = (".git", "latexmkrc", ".latexmkrc", "pyproject.toml")
+"""What marks the top folder of a project."""
+_HIDDEN = re.compile(
+    r"""(?P<verbatim>\\begin\{(?P<name>verbatim\*?|lstlisting|minted|comment|filecontents\*?)\}
+          .*? (?:\\end\{(?P=name)\}|\Z))
+      | (?P<verb>\\(?:verb\*?|lstinline)(?P<bar>[^a-zA-Z\s*{\[])[^\n]*?(?P=bar))
+      | (?P<url>\\(?:url|href|path)\s*\{[^{}\n]*\})
+      | (?P<command>\\(?:[a-zA-Z]+|.))
+      | %(?P<comment>[^\n]*)""",
+    re.VERBOSE | re.DOTALL,
+)
+_NOTE = re.compile(r"\s*tresym:\s*(.*)", re.IGNORECASE)
+_INPUT = re.compile(r"\\(?:input|include|subfile)(?![a-zA-Z])\s*(?:\{\s*([^{}]*?)\s*\}|([\w./-]+))")
+_SUBFILE = re.compile(r"\\documentclass\s*\[\s*([^\[\]]*?)\s*\]\s*\{subfiles\}")
+_BODY = re.compile(r"\\begin\s*\{document\}(.*?)(?:\\end\s*\{document\}|\Z)", re.DOTALL)
+_CONDITIONAL = re.compile(
+    r"\\(?:newif\s*\\if(?P<new>[a-zA-Z@]+)|if(?P<name>[a-zA-Z@]*)|(?P<turn>else|fi)"
+    r"|(?P<set>[a-zA-Z@]+)(?P<value>true|false))(?![a-zA-Z@])"
+)
+_PRIMITIVES = frozenset(
+    (
+        *("", "x", "num", "dim", "odd", "cat", "case", "defined", "csname", "mmode", "vmode"),
+        *("hmode", "inner", "void", "hbox", "vbox", "eof"),
+    )
+)
+"""Conditionals of TeX that end in ``\\fi``; which branch they take is not followed."""
+_OPENS = re.compile(r"\\begin\s*\{|\\end\s*\{|\\\[|\\\]|\$\$")
+
+
+class Note(NamedTuple):
+    """A comment ``% tresym: …`` of the author's, and where it stands."""
+
+    text: str
+    file: str
+    line: int
+
+
+class Files:
+    """The text of all files, where its lines come from, and the notes in its comments.
+
+    Attributes:
+        missing: files that are input and not there, as those of packages of TeX.
+        outside: files that are input from outside the project, which are not read.
+    """
+
+    def __init__(self, path: Path, root: Path | None = None) -> None:
+        self.path, self.folder = path, path.resolve().parent
+        self.root = _project(self.folder) if root is None else root.resolve()
+        if not self.folder.is_relative_to(self.root):
+            raise InputError(f"{path}: is not in the folder {root}")
+        self.notes: list[Note] = []
+        self.missing: list[str] = []
+        self.outside: list[str] = []
+        self.parts: list[tuple[str, int, str]] = []
+        self.size = 0
+        self._add(path, ())
+        self._write_out_environments()
+        self.text = _taken("".join(text for _, _, text in self.parts))
+        self._starts: list[int] = []
+        self._places: list[tuple[str, int]] = []
+        offset = 0
+        for file, line, text in self.parts:
+            self._starts.append(offset)
+            self._places.append((file, line))
+            for end in re.finditer(r"\n", text):
+                line += 1
+                self._starts.append(offset + end.end())
+                self._places.append((file, line))
+            offset += len(text)
+
+    def place(self, at: int) -> tuple[str, int]:
+        """The file and the line of a place in the text."""
+        return self._places[bisect_right(self._starts, at) - 1]
+
+    def _add(self, path: Path, around: tuple[Path, ...], preamble: bool = False) -> None:
+        """Add a file and what it inputs: of one that is input its body, of a main file that a
+        part of it names its preamble."""
+        here = path.resolve()
+        shown = "" if not around else os.path.relpath(here, self.folder)
+        if here in around:
+            raise InputError(f"{self.path}: {shown or path} includes itself")
+        text = self._visible(read_text(path), shown)
+        self.size += len(text)
+        if self.size > MAX_CHARACTERS or len(self.parts) > MAX_FILES:
+            raise InputError(f"{self.path}: with all that it includes it is beyond all bounds")
+        body = _BODY.search(text)
+        start, stop = 0, len(text)
+        if body is not None and preamble:
+            stop = body.start()
+        elif body is not None and around:
+            start, stop = body.span(1)
+        main = None if around else _SUBFILE.search(text)
+        if main is not None and (found := self._included(main[1], here.parent)) is not None:
+            self._add(found, (here,), preamble=True)
+        for mark in _INPUT.finditer(text, start, stop):
+            found = self._included(mark[1] or mark[2] or "", here.parent)
+            if found is None:
+                continue
+            self._part(shown, text, start, mark.start())
+            self._add(found, (*around, here))
+            start = mark.end()
+        self._part(shown, text, start, stop)
+
+    def _part(self, file: str, text: str, start: int, end: int) -> None:
+        self.parts.append((file, text.count("\n", 0, start) + 1, text[start:end]))
+
+    def _included(self, name: str, beside: Path) -> Path | None:
+        """The file of that name; None where the project has none, as of a package of TeX."""
+        outside = False
+        for folder in dict.fromkeys((self.folder, beside, self.root)):
+            for ending in ("", ".tex"):
+                try:
+                    found = (folder / (name + ending)).resolve()
+                    inside = found.is_relative_to(self.root)
+                    if inside and found.is_file():
+                        return found
+                except (OSError, ValueError):
+                    continue
+                outside = outside or not inside
+        (self.outside if outside else self.missing).append(name)
+        return None
+
+    def _visible(self, text: str, file: str) -> str:
+        """Without comments and verbatim text; each note is a mark, and every line stays."""
+        if "\x01" in text or "\x02" in text:
+            raise InputError(f"{file or self.path}: holds control characters; LaTeX is text")
+        lines = _Lines(text)
+
+        def replaced(found: re.Match[str]) -> str:
+            if found["command"]:
+                return found[0]
+            if found["comment"] is None:
+                return "\n" * found[0].count("\n")
+            note = _NOTE.fullmatch(found["comment"])
+            if note is None:
+                return ""
+            self.notes.append(Note(note[1].strip(), file, lines.at(found.start())))
+            return f"\x01{len(self.notes) - 1}\x02"
+
+        return _HIDDEN.sub(replaced, text)
+
+    def _write_out_environments(self) -> None:
+        """Write out the macros that open or close displays, as ``\\be`` and ``\\ee`` do."""
+        found: dict[str, str] = {}
+        for _, _, text in self.parts:
+            for command in DEFINITIONS.finditer(text):
+                try:
+                    made, _ = definition(text, command)
+                except InputError as error:
+                    raise InputError(f"{self.path}: {command[0]}: {error}") from None
+                for name, macro in made.items():
+                    body = " ".join((macro.body or "").split())
+                    itself = re.search(rf"{re.escape(name)}(?![a-zA-Z])", body)
+                    if macro.takes == 0 and not itself and _OPENS.search(body):
+                        found[name] = body
+        if not found:
+            return
+        names = "|".join(map(re.escape, sorted(found, key=len, reverse=True)))
+        uses = re.compile(
+            rf"(?<![\\{{])(?:{names})(?![a-zA-Z])(?!\s*\}}?\s*[\[{{]\s*\\(?:begin|end))"
+        )
+        self.parts = [
+            (file, line, uses.sub(lambda use: found[use[0]], text))
+            for file, line, text in self.parts
+        ]
+
+
+class _Lines:
+    """The lines of a text, asked for from first to last."""
+
+    def __init__(self, text: str) -> None:
+        self.text, self.seen, self.line = text, 0, 1
+
+    def at(self, place: int) -> int:
+        self.line += self.text.count("\n", self.seen, place)
+        self.seen = place
+        return self.line
+
+
+def _project(folder: Path) -> Path:
+    """The nearest folder around that a project begins in, else the folder itself."""
+    around = (one for one in (folder, *folder.parents) if any((one / p).exists() for p in PROJECT))
+    return next(around, folder)
+
+
+def _taken(text: str) -> str:
+    """The text with spaces for the branches of conditionals that TeX does not take."""
+    flags = {"true": True, "false": False}
+    open_: list[bool | None] = []  # of each conditional around whether its branch is taken
+    kept: list[str] = []
+    at = 0
+    for mark in _CONDITIONAL.finditer(text):
+        off = False in open_
+        kept.append(_blank(text[at : mark.start()]) if off else text[at : mark.start()])
+        at = mark.end()
+        known = True
+        if mark["new"]:
+            flags.setdefault(mark["new"], False)
+        elif mark["set"]:
+            known = mark["set"] in flags
+            if known and not off:
+                flags[mark["set"]] = mark["value"] == "true"
+        elif mark["turn"]:
+            known = bool(open_) and open_[-1] is not None
+            if open_ and mark["turn"] == "fi":
+                open_.pop()
+            elif known:
+                open_[-1] = not open_[-1]
+        elif mark["name"] in flags or mark["name"] in _PRIMITIVES:
+            open_.append(flags.get(mark["name"]))
+            known = mark["name"] in flags
+        else:
+            known = False
+        kept.append(_blank(mark[0]) if known or off else mark[0])
+    rest = text[at:]
+    return "".join(kept) + (_blank(rest) if False in open_ else rest)
+
+
+def _blank(text: str) -> str:
+    return re.sub(r"[^\n]", " ", text)

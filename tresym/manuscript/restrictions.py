@@ -1,0 +1,101 @@
+"""Words that tie a symbol down: after them it is not free for a counterexample.
+
+"There is an $M$ such that", "choose $d$", "let $r$ be a root": what holds for such a symbol need
+not hold for every number, and what restricts it is not read. Of a statement about it no
+counterexample is reported.
+"""
+
+from __future__ import annotations
+
+import re
+
+_EXISTS = (
+    r"there (?:is|are|exists?|must|will|can)\b|\bexists?\b|\bsuch that\b|\bsatisf\w+"
+    r"|(?<!we )(?<!one )(?<!can )\bfind\b(?! that)|\bfor some\b|\bfor which\b"
+)
+_CHOSEN = (
+    r"\b(?:choos\w+|chosen|pick\w*|fix\w*|select\w*|some|large enough|small enough|sufficiently"
+    r"|in (?:the|this) case|case|happens?|at the (?:point|origin|end|place)"
+    r"|given(?! (?:any|all|every|each|an arbitrary|arbitrary|that)\b))\b"
+)
+_ABSURD = (
+    r"\bcontradict\w*|\bcontrary\b|\bimpossible\b|\babsurd\w*|\bwould\b|\bwere\b|\bfalse\b"
+    r"|\bunless\b|\bif not\b|\bcan(?:no| no|')t\b|\bnot (?:hold|true|possible|the case)\b"
+)
+_WHAT = (
+    r"(?:solutions?|roots?|zeros?|eigenvalues?|primes?|inverses?|minim\w+|maxim\w+|extrem\w+|infim\w+"
+    r"|suprem\w+|limits?|(?:upper |lower )?bounds?|points?|such|as (?:above|before|in)"
+    r"|fixed|given|chosen|critical|stationary|equilibri\w+|fixed points?|partitions?|periods?)\b"
+)
+_NOUN_AFTER = re.compile(
+    r"[\s~,]*(?:be|is|are|being|denotes?|become)[\s~]+(?:(?:the|an?|any|some|one|its|their|also"
+    rf"|(?:un)?known|first|smallest|largest|least|positive|negative|real|only|unique)[\s~]+)*{_WHAT}"
+)
+_NOUN_BEFORE = re.compile(
+    rf"\b{_WHAT}(?:[\s~]+(?:of the form|with|at|in|to|of))?[\s~]*\Z", re.IGNORECASE
+)
+_BINDING = re.compile(
+    rf"{_EXISTS}|{_ABSURD}|{_CHOSEN}(?=[^$.;]{{0,60}}(?:\$(?:[\s~,]|and|or)*)*\Z)", re.IGNORECASE
+)
+_STATED = re.compile(f"{_EXISTS}|{_ABSURD}", re.IGNORECASE)
+_HYPOTHETICAL = re.compile(_ABSURD, re.IGNORECASE)
+_SUPPOSED = re.compile(
+    r"\b(?:if|suppos\w+|assum\w+|whenever|satisf\w+|such that|there (?:is|are|exists?)|exists?"
+    r"|in (?:the|this) case|when|unless|until)\b[^$;:]*\Z",
+    re.IGNORECASE,
+)
+_CONDITIONAL = re.compile(
+    r"(?:\b(?:for|when|if|whenever|provided|unless|at|as long as|on|while|where)\b)[^.,;:$]*\Z",
+    re.IGNORECASE,
+)
+_NEXT = re.compile(
+    r"\b(?:only|valid|holds?|true|converg\w+|provided|as long as|requir\w+|must|defined|exists?"
+    r"|makes? sense|assum\w+|suppos\w+|legitimate|correct)\b[^.;$]*\Z",
+    re.IGNORECASE,
+)
+
+
+def binding(before: str, after: str) -> str:
+    """The words of a sentence that tie down a symbol between them; empty where none does.
+
+    Args:
+        before: the sentence up to the formula, with other formulas replaced by ``$``.
+        after: what follows the formula.
+    """
+    found = [*_BINDING.finditer(before)] or [*filter(None, [_NOUN_BEFORE.search(before[-60:])])]
+    if found:
+        return " ".join(found[-1][0].split())
+    noun = _NOUN_AFTER.match(after[:120])
+    if noun:
+        return " ".join(noun[0].split())
+    later = _HYPOTHETICAL.search(after[:200])
+    return later[0] if later else ""
+
+
+def is_absurd(words: str) -> bool:
+    """Whether the words that tie a symbol down say that something does not hold."""
+    return bool(_HYPOTHETICAL.search(words))
+
+
+def stated_under(before: str) -> str:
+    """The words of the sentence before a display that make it a statement about what exists, or a
+    supposition; empty where there are none."""
+    found = _STATED.search(before)
+    return found[0] if found else ""
+
+
+def is_hypothesis(before: str, after: str) -> bool:
+    """Whether a formula between these words of a sentence is supposed, or denied."""
+    absurd = _HYPOTHETICAL.search(before) or _HYPOTHETICAL.search(after[:200])
+    return bool(absurd or _SUPPOSED.search(before))
+
+
+def is_conditional(before: str) -> bool:
+    """Whether a formula behind these words says when something else holds."""
+    return bool(_CONDITIONAL.search(before))
+
+
+def is_of_display_before(before: str) -> bool:
+    """Whether a formula behind these words, in the sentence after a display, says when that holds:
+    "This is valid only if $s > 0$"."""
+    return bool(_NEXT.search(before))

@@ -1,0 +1,133 @@
+"""Limits and orders of what holds definite integrals, from each side of the path by itself.
+
+The values of the integrals are put in where antiderivatives are found for the values of the
+variable near its end. Otherwise an integral whose two ends come together is compared by the rule
+of Bernoulli and l'Hôpital: if F and G tend to 0, G′ does not vanish beside the end and F′/G′ has a
+limit, finite or not, then F/G has the same.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from tresym.reals.decisions.answer import Answer, Decide, exact_text, worst
+from tresym.reals.decisions.asymptotics.leading_terms import leading_sign
+from tresym.reals.decisions.asymptotics.limit_values import limit_of
+from tresym.reals.decisions.asymptotics.path_claims import allows, compared_of
+from tresym.reals.decisions.claim_parsing import LIMIT, Comparison, Path, Statement
+from tresym.reals.decisions.identity import decide
+from tresym.reals.decisions.integrals import without_integrals
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import evaluate
+from tresym.reals.language.binders import elementary, outermost
+from tresym.reals.language.expression import (
+    ONE,
+    ZERO,
+    Expr,
+    differentiate,
+    multiply,
+    number,
+    opened,
+    substitute,
+    symbol,
+    symbols,
+)
+from tresym.reals.language.parsing import INFINITY
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.signs.definedness import continuous_on
+from tresym.reals.verdict import Verdict
+
+NEAR, FAR = number(1) / 10, number(10)
+_OPEN = "no antiderivative was found that is shown to be one near the end of the path"
+
+
+def decide_integral_limits(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
+    """The answer for a claim with integrals along a path.
+
+    Args:
+        decided: decides what holds no integral.
+    """
+    path = statement.path
+    if path is None:
+        raise TypeError("a claim along a path is read with it")
+    sides = (replace(path, sides=(side,)) for side in path.sides)
+    found = [_one_side(claim, replace(statement, path=side), decided) for side in sides]
+    for answer in found:
+        if answer.verdict is Verdict.REFUTED:
+            return answer
+    return worst(found)
+
+
+def _one_side(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
+    path = statement.path
+    assert path is not None
+    given = statement.given & _beside(path)
+    infinite = [side for side in (claim.left, claim.right) if side in (INFINITY, -INFINITY)]
+    sides = [side for side in (claim.left, claim.right) if side not in infinite]
+    found = without_integrals(sides, given, claim.primitives)
+    if found is not None and not any(INFINITY.args[0] in symbols(e) for e in found[0]):
+        left, right = (*found[0], *infinite)
+        answer = decided(replace(claim, left=left, right=right), statement)
+        return replace(answer, why=f"{found[1]}; {answer.why}", region=None, constant=None)
+    value = _by_derivatives(claim, path, statement.given)
+    if value is not None and allows(claim.relation, value, claim.right, statement.given):
+        return Answer(Verdict.PROVED, f"the ratio of the derivatives tends to {value}")
+    if value is not None and claim.relation == LIMIT and _differs(value, claim.right):
+        at = (path.point or ZERO) + number(path.sides[0]) * NEAR
+        why = f"the ratio of the derivatives tends to {value}"
+        return Answer(Verdict.REFUTED, why, witness={path.name: exact_text(at)})
+    return Answer(Verdict.UNDECIDED, _OPEN)
+
+
+def _differs(value: Expr, end: Expr) -> bool:
+    """Whether two constants, which may be infinite, are shown to be different."""
+    infinite = (INFINITY, -INFINITY)
+    if value in infinite or end in infinite:
+        return value != end
+    if symbols(value) | symbols(end):
+        return False
+    with ball_precision():
+        return bool(evaluate(value - end, {}) != 0)
+
+
+def _beside(path: Path) -> Given:
+    """Values of the variable near the end, on the one side of the path."""
+    x, (side,) = symbol(path.name), path.sides
+    if path.point is None:
+        return Given(((x, ">", FAR),) if side > 0 else ((x, "<", -FAR),))
+    end = path.point + side * NEAR
+    low, high = (path.point, end) if side > 0 else (end, path.point)
+    return Given(((low, "<", x), (x, "<", high)))
+
+
+def _by_derivatives(claim: Comparison, path: Path, given: Given) -> Expr | None:
+    """The limit of an integral whose ends come together, times what tends to ±∞."""
+    compared = compared_of(claim)[0]
+    parts = compared.args if compared.op == "*" else (compared,)
+    nodes = [part for part in parts if part.op == "integral"]
+    rest = multiply(*(part for part in parts if part not in nodes))
+    if len(nodes) != 1 or not elementary(rest, *nodes[0].args[1:]):
+        return None
+    (name,), f = opened(nodes[0], {*symbols(compared), *given.names})
+    low, high = nodes[0].args[1:]
+    if path.name in symbols(f) or not elementary(f) or next(outermost(f), None) is not None:
+        return None
+    (side,) = path.sides
+    ends = [limit_of(e, path.name, path.point, side, given) for e in (low, high)]
+    if any(end is None or end in (INFINITY, -INFINITY) for end in ends):
+        return None
+    first, last = (end or ZERO for end in ends)
+    x = symbol(name)
+    around = given & Given(((x, ">", first - NEAR**6), (x, "<", first + NEAR**6)))
+    together = decide(first, last, given).verdict is Verdict.PROVED
+    if not together or continuous_on(f, around) is not None:
+        return None
+    below = ONE / rest
+    slope = differentiate(below, path.name)
+    if limit_of(below, path.name, path.point, side, given) != ZERO:
+        return None
+    if not leading_sign(slope, path.name, path.point, side, given):
+        return None
+    rise, fall = (substitute(f, {name: e}) * differentiate(e, path.name) for e in (high, low))
+    above = rise - fall
+    return limit_of(above / slope, path.name, path.point, side, given)

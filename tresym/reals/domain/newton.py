@@ -1,0 +1,82 @@
+"""Points that satisfy equations, enclosed by Newton's method in balls.
+
+All variables but as many as there are equations have rational values; from there floating Newton
+steps lead near a solution, and one interval Newton step N(X) = m − F′(X)⁻¹ F(m) that ends inside X
+shows that X holds exactly one. Source: R. Moore, R. Kearfott, M. Cloud, *Introduction to Interval
+Analysis*, 8.4.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import combinations, islice
+
+from flint import arb, arb_mat
+
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import evaluate
+from tresym.reals.domain.sample_points import _sample
+from tresym.reals.language.expression import Expr, differentiate, symbols
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import Interval
+
+BITS, STEPS, STARTS, MOST_CHOICES = 128, 40, 24, 6
+SMALL, WIDTH = arb((1, -80)), arb((1, -60))
+
+
+def points_on(
+    equations: Sequence[Expr], given: Given, names: Sequence[str]
+) -> Iterator[dict[str, arb]]:
+    """Balls that hold exactly one point each at which all ``equations`` are 0.
+
+    Every condition of ``given`` is shown to hold there, strictly.
+    """
+    known = sorted(frozenset(names).union(given.names, *map(symbols, equations)))
+    slopes = [{n: differentiate(e, n) for n in symbols(e)} for e in equations]
+    inside = sorted(frozenset().union(*map(symbols, equations)))
+    ranges = [given.box.get(name, Interval()) for name in known]
+    choices = list(islice(combinations(inside, len(equations)), MOST_CHOICES))
+    with ball_precision(BITS):
+        for k in range(STARTS if choices else 0):
+            start = {
+                name: arb(_sample(where, k, j))
+                for j, (name, where) in enumerate(zip(known, ranges, strict=True))
+            }
+            point = _solution(equations, slopes, start, choices[k % len(choices)])
+            if point is not None and all(c.holds(point) for c in given.conditions):
+                yield point
+
+
+def _solution(
+    equations: Sequence[Expr],
+    slopes: Sequence[Mapping[str, Expr]],
+    start: dict[str, arb],
+    moving: Sequence[str],
+) -> dict[str, arb] | None:
+    """The point near which Newton's steps in the ``moving`` variables end, if it is shown."""
+
+    def step(middle: dict[str, arb], where: dict[str, arb]) -> dict[str, arb] | None:
+        values = arb_mat([[evaluate(e, middle)] for e in equations])
+        rates = [[evaluate(s[n], where) if n in s else arb(0) for n in moving] for s in slopes]
+        try:
+            change = arb_mat(rates).solve(values)
+        except ZeroDivisionError:
+            return None
+        return middle | {n: middle[n] - change[i, 0] for i, n in enumerate(moving)}
+
+    point = start
+    for _ in range(STEPS):
+        after = step(point, point)
+        if after is None or not all(after[n].is_finite() for n in moving):
+            return None
+        is_near = all(abs(after[n] - point[n]) < SMALL for n in moving)
+        point = after | {n: after[n].mid() for n in moving}
+        if is_near:
+            break
+    else:
+        return None
+    box = point | {n: point[n] + arb(0, WIDTH) for n in moving}
+    found = step(point, box)
+    if found is None or not all(box[n].contains_interior(found[n]) for n in moving):
+        return None
+    return found
