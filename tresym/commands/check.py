@@ -56,6 +56,9 @@ def add(commands: Commands) -> None:
         metavar="ADDRESS",
         help="with -f: the workers of a Dask scheduler, as tcp://HOST:PORT (without it: all cores)",
     )
+    parser.add_argument(
+        "--no-cache", action="store_true", help="with -f: decide again what was decided before"
+    )
     add_output(parser)
     parser.set_defaults(run=run)
 
@@ -72,7 +75,12 @@ def run(args: argparse.Namespace) -> int:
         return one(args.claim, args.given, args.tends, args.limit, args.json, args.path, args.coq)
     if args.coq is not None:
         raise InputError("check: --coq writes one claim; give it without -f")
-    return many(args.file, args.given, args.tends, args.limit, args.json, args.path, args.scheduler)
+    from tresym.reals.decisions.answer_cache import cached_answers
+
+    with cached_answers(not args.no_cache):
+        return many(
+            args.file, args.given, args.tends, args.limit, args.json, args.path, args.scheduler
+        )
 
 
 LONGEST_LINE = 100_000

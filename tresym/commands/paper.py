@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from tresym.commands.parser import UNEXPECTED, Commands, add_output, deliver, parse_seconds
 from tresym.output import bold, colour_wanted, dim
+from tresym.reals.numbers.exact import InputError
 
 if TYPE_CHECKING:
     from tresym.manuscript.deciding import Row
@@ -28,7 +29,7 @@ def add(commands: Commands) -> None:
         "UNDECIDED or UNREAD; 2 when the file cannot be read.",
         allow_abbrev=False,
     )
-    parser.add_argument("paper", metavar="MANUSCRIPT.tex", help="its LaTeX source")
+    parser.add_argument("paper", nargs="?", metavar="MANUSCRIPT.tex", help="its LaTeX source")
     parser.add_argument("--notes", metavar="FILE", help="notes by display number and hash")
     parser.add_argument("--html", metavar="DIR", help="write a page with every display as read")
     parser.add_argument(
@@ -37,6 +38,8 @@ def add(commands: Commands) -> None:
     parser.add_argument("--root", metavar="DIR", help="the project's top folder, for \\input")
     parser.add_argument("--strict", action="store_true", help="let nothing be open")
     parser.add_argument("--limit", default="5", metavar="SECONDS", help="for each claim (5)")
+    parser.add_argument("--no-cache", action="store_true", help="decide everything anew")
+    parser.add_argument("--clear-cache", action="store_true", help="forget what was decided before")
     add_output(parser)
     parser.set_defaults(run=run)
 
@@ -49,7 +52,14 @@ def run(args: argparse.Namespace) -> int:
     from tresym.manuscript.directives import with_notes
     from tresym.manuscript.links import read_links
     from tresym.manuscript.source import Missing, read_manuscript
+    from tresym.reals.decisions.answer_cache import cached_answers, clear_cache
 
+    if args.clear_cache:
+        print(clear_cache(), file=sys.stderr)
+        if args.paper is None:
+            return 0
+    if args.paper is None:
+        raise InputError("paper: a manuscript is expected")
     limit = parse_seconds(args.limit)
     events = read_manuscript(Path(args.paper), None if args.root is None else Path(args.root))
     if args.notes is not None:
@@ -60,7 +70,8 @@ def run(args: argparse.Namespace) -> int:
             print(f"{why}; left out: {', '.join(names[:5])}", file=sys.stderr)
     links = read_links(events)
     _check_places(args)
-    rows = decided(links, limit, progress=_progress)
+    with cached_answers(not args.no_cache):
+        rows = decided(links, limit, progress=_progress)
     if args.json:
         lines = (json.dumps(row.as_json(), ensure_ascii=False) for row in rows)
         deliver("".join(f"{line}\n" for line in lines), args.path)
