@@ -36,6 +36,8 @@ _CONSTANTS = frozenset(
 )
 _WITH_TIME = frozenset((*"xyzrqs", "theta", "phi", "varphi", "psi"))
 """What changes with the time t under ``d/dt``."""
+_VARY_WITH_TIME = frozenset("aApqLNRI")
+"""Constants of formulas in space that are mostly functions where the time is the variable."""
 _WORDS = frozenset(("min", "in", "lim", "kin", "sim", "mn", "im", "rms", "lin"))
 _PLACES = frozenset((*"xyztrsuvw", "theta", "phi", "varphi", "xi", "eta"))
 """Letters of coordinates: a partial derivative by one of them holds the others fixed."""
@@ -58,6 +60,8 @@ def may_depend(name: str, node: Expr, body: Expr, partial: bool) -> bool:
         return False
     if partial and node.op == "derivative" and letter in _PLACES and variable in _PLACES:
         return letter in "uvw" and variable not in "uvw"
+    if node.op == "limit" and variable == "t" and letter in _WITH_TIME:
+        return _is_outside(name, variable, body)
     if node.op == "limit":
         return letter in _OF_FUNCTIONS - {*"hyPQvw", "rho", "eta"}
     if node.op == "derivative" and variable == "t" and letter in _WITH_TIME - _PHASES:
@@ -65,7 +69,8 @@ def may_depend(name: str, node: Expr, body: Expr, partial: bool) -> bool:
     if letter in _PHASES:
         return _is_outside(name, variable, body)
     alone = node.op != "derivative" and variable not in symbols(body)
-    return letter in _OF_FUNCTIONS or (alone and letter not in _CONSTANTS)
+    constants = _CONSTANTS - _VARY_WITH_TIME if variable == "t" else _CONSTANTS
+    return letter in _OF_FUNCTIONS or (alone and letter not in constants)
 
 
 def _numbers(variable: str, below: str) -> bool:

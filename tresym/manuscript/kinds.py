@@ -86,6 +86,7 @@ class Uses(NamedTuple):
         bare: those without a bracket behind them.
         sequences: letters whose subscripts number terms.
         indices: letters that number terms or are bound by sums elsewhere.
+        functions: names that are said to be functions.
         inverses: whether ``\\sin^{-1}`` is the inverse function.
     """
 
@@ -94,6 +95,7 @@ class Uses(NamedTuple):
     bare: frozenset[str] = frozenset()
     sequences: frozenset[str] = frozenset()
     indices: frozenset[str] = frozenset()
+    functions: frozenset[str] = frozenset()
     inverses: bool = False
 
 
@@ -297,6 +299,7 @@ class Kinds:
             frozenset(chapter.bare),
             frozenset(numbered & self.sequences(place)),
             frozenset(chapter.indices & kinds.keys()),
+            frozenset(said),
             chapter.inverses,
         )
 

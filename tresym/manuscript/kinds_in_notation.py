@@ -34,6 +34,7 @@ _OF_VECTORS = frozenset(("\\otimes", "\\oplus", "\\wedge"))
 _ADJOINTS = ("\\top", "\\dagger", "\\intercal", "\\mathsf", "\\transpose", "\\ast", "\\dag")
 _OF_MATRICES = frozenset(("\\det", "\\ker", "\\dim", "\\operatorname*{rank}"))
 _OF_COMPLEX = frozenset(("\\Re", "\\Im", "\\arg"))
+_CONJUGATE = frozenset(("star", "bar", "overline"))
 _TOTALS = frozenset(
     ("\\sum", "\\prod", "\\lim", "\\bigcup", "\\bigcap", "\\sup", "\\limsup", "\\liminf")
 )
@@ -87,6 +88,8 @@ def _member(tokens: Sequence[str], at: int) -> str:
     if after[:1] == ["\\mathbb"] and len(after) > 1:
         letter, more = after[1], after[2:4]
         raised = more[:1] == ["^"] and more[1:2] not in (["+"], ["*"], ["-"], ["\\times"])
+        if letter in ("Z", "Q") and after[2:3] in (["["], ["("]):
+            return COMPLEX
         if letter in ("Z", "N", "Q") and not raised:
             return REAL if letter == "Q" else INTEGER
         if letter == "R" and not raised:
@@ -193,6 +196,10 @@ def _conjugates(tokens: Sequence[str], found: Sequence[Mention]) -> Noted:
             bare = one._replace(accent="")
             yield COMPLEX, bare, f"\\{one.accent} {one.letter}"
             yield COMPLEX, one, f"\\{one.accent} {one.letter}"
+    for pair in factors(tokens, found):
+        accents = {m.accent for m in pair}
+        if pair[0].letter == pair[1].letter and "" in accents and accents & _CONJUGATE:
+            yield from ((COMPLEX, m, f"{pair[0].shown} beside {pair[1].shown}") for m in pair)
     imaginary = any(one.letter == "i" and not one.subscript for one in found)
     if (
         imaginary

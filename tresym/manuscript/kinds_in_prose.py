@@ -103,7 +103,10 @@ _ADJECTIVES = {
     "rational": REAL,
 }
 _IS_COMPLEX = re.compile(
-    rf"{_LIST}[\s~]*(?:is|are|be|being)[\s~]+(?:\w+[\s~]+)?complex\b(?!-valued)"
+    rf"{_LIST}[\s~]*(?:is|are|be|being)[\s~]+(?:\w+[\s~]+)?complex\b"
+)
+_COMPLEX_NOUN = re.compile(
+    rf"\bcomplex[\s~-]+(?:valued[\s~]+)?(?!plane|analysis|field)[a-z]+[\s~]+{_LIST}", re.IGNORECASE
 )
 _HOLOMORPHIC = re.compile(
     r"\b(?:holomorphic|analytic|meromorphic|entire)\b[^.⟦]{0,30}?\b(?:in|of)[\s~]+" + _LIST
@@ -188,7 +191,7 @@ def declared(text: str) -> Iterator[Declared]:
             yield made(_NOUNS[named][0], found, found[f"n{named}"], pattern is not _AFTER)
     for found in _ADJECTIVE.finditer(marked):
         yield made(_ADJECTIVES[found["word"].lower()], found)
-    for pattern in (_IS_COMPLEX, _HOLOMORPHIC):
+    for pattern in (_IS_COMPLEX, _HOLOMORPHIC, _COMPLEX_NOUN):
         for found in pattern.finditer(marked):
             yield made(COMPLEX, found)
 

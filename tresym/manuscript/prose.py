@@ -1,4 +1,4 @@
-"""What the prose around a display says of its kind and of its conditions, read cautiously."""
+"""Read the prose around a display for its kind and its conditions, cautiously."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The advocate: attacks a statement at points that its prover did not choose, before it passes.
+"""Independent check: try to falsify a statement numerically before it passes.
 
 It shares the tree of expressions with the provers and nothing else: the meaning of every operation
 stands here once more, in balls, and so does the choice of points. They lie past the first period
@@ -44,6 +44,8 @@ QUADRATURE, TERMS, LONGEST_POWER, LARGEST_FACTORIAL = 600, 400, 10**5, 1000
 GRID = (-40, -9, -5, -3, -2, -1, 0, 1, 2, 3, 5, 9, 40)
 """Between which the root of an equation is looked for."""
 HALVINGS = 90
+ROUGH = arb((1, -20))
+"""What is less sharp is as good as unknown."""
 TOLERANCE = arb((1, -60))
 FACTORIAL = "factorial"
 INFINITE = "oo"
@@ -436,8 +438,11 @@ def _integrated(
         except _UndefinedError:
             return acb(arb.nan())
 
-    options = {"rel_tol": TOLERANCE, "abs_tol": TOLERANCE, "eval_limit": QUADRATURE}
-    return acb.integral(integrand, acb(low), acb(high), **options).real
+    options = {"rel_tol": TOLERANCE, "abs_tol": TOLERANCE**100, "eval_limit": QUADRATURE}
+    found = acb.integral(integrand, acb(low), acb(high), **options).real
+    if not found.rad() < ROUGH * (1 + abs(found.mid())):
+        raise _UndefinedError
+    return found
 
 
 def _added(body: Callable[[arb], arb], low: arb, high: arb, product: bool = False) -> arb:

@@ -1,4 +1,4 @@
-"""The ledger as pages: one for each claim, and one that lists them all."""
+"""Pages of the ledger: one for each claim, and one that lists them all."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The neighbourhood of a claim as a picture: what it rests on, two steps deep, and what uses it.
+"""Draw the neighbourhood of a claim: what it rests on, and what uses it.
 
 Columns go from what is used to what uses; a box is a link to the page of its claim, and its edge
 has the colour of the verdict.

@@ -1,4 +1,4 @@
-"""The audit: every display, theorem, table and figure of a paper against the claims on it.
+"""The audit: which claims answer each display, theorem, table and figure of a paper.
 
 So is every line of its running text that has a formula, or a word that speaks of the motion.
 

@@ -1,8 +1,8 @@
-"""The advocate before a user's claim: what is about to be called proved is attacked at points."""
+"""Run the independent check on a user's claim before it passes."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from itertools import islice
 
 from flint import arb
@@ -71,7 +71,7 @@ def attack(
         return contradiction(claim, given, functions, derivatives, spent, integers, anywhere)
     for k in range(ORDERS_TRIED):
         put = {str(order): number(k) for order in orders}
-        left, right = (_with_orders(e, put) for e in claim[::2])
+        left, right = (with_orders(e, put) for e in claim[::2])
         there = [(substitute(x, put), r, substitute(y, put)) for x, r, y in given]
         against = contradiction((left, claim[1], right), there, spent=spent, integers=integers)
         if against is not None:
@@ -79,7 +79,7 @@ def attack(
     return None
 
 
-def _with_orders(e: Expr, put: dict[str, Expr]) -> Expr:
+def with_orders(e: Expr, put: Mapping[str, Expr]) -> Expr:
     """``e`` with derivatives whose orders are numbers worked out."""
     e = substitute(e, put)
     known = {}

@@ -1,4 +1,4 @@
-"""One statement to one answer: every comparison in it is decided by the procedure of its kind."""
+"""Dispatch: decide every comparison of a statement by the method for its kind."""
 
 from __future__ import annotations
 
@@ -106,6 +106,10 @@ def _bounded(comparison: Comparison, statement: Statement) -> Answer:
         from tresym.reals.decisions.asymptotics.refutation_check import checked
 
         return checked(answer, comparison, statement)
+    if answer.verdict is Verdict.REFUTED:
+        from tresym.reals.decisions.point_check import confirmed
+
+        return confirmed(answer, comparison, statement)
     if not answer:
         return answer
     spent = time.perf_counter() - start

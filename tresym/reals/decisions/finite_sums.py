@@ -1,4 +1,4 @@
-"""Finite sums and products: term by term between numbers, by induction for every integer.
+"""Finite sums and products: term by term between numbers, by induction in general.
 
 A sum from a to b is one of the integers from a to b; with b = a − 1 it has no term and is 0, a
 product 1, and beyond that none is spoken of. A claim about a sum whose upper end is n + c is one

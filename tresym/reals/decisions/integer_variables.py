@@ -1,4 +1,4 @@
-"""Variables that take the values of integers alone.
+"""Integer variables: cases modulo M, and counterexamples among small integers.
 
 For n = M m + r with r = 0, …, M − 1, where M makes whole turns of the angles in which n stands and
 even numbers of the exponents of what may be negative, an expression loses these angles, and

@@ -1,4 +1,4 @@
-"""Powers whose exponents are variables: proofs speak of positive bases, and here of the others.
+"""Powers with variable exponents at nonpositive bases.
 
 ``x**a`` is ``exp(a log(x))``, and so a claim with it is decided where ``x`` is positive. But for a
 number ``a`` the power may have a value elsewhere, as at ``a = 1``, and a claim that fails there

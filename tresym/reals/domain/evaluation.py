@@ -1,4 +1,4 @@
-"""The value of an expression in any arithmetic; in balls NaN where it is not shown to be defined.
+"""Evaluate an expression in any arithmetic; NaN where it is not shown to be defined.
 
 The advocate and the second look of the ledger walk trees of their own on purpose: nothing here can
 lead both astray.
@@ -13,7 +13,7 @@ from typing import Any
 
 from flint import arb, ctx, fmpq
 
-from tresym.reals.language.expression import ZERO, Expr, symbol
+from tresym.reals.language.expression import UNWORKED, ZERO, Expr, symbol
 from tresym.reals.numbers.arithmetic import balls
 
 _NAN = arb.nan()
@@ -201,6 +201,12 @@ class InBalls(Walker):
                 self.broken = e
                 raise UndefinedError
             self.known[e] = found
+        return found
+
+    def _computed(self, e: Expr) -> arb:
+        if e.op in UNWORKED or e.loose:  # it has variables of its own
+            raise UndefinedError
+        found: arb = super()._computed(e)
         return found
 
     def _apply(self, name: str, *values: arb) -> arb:

@@ -1,4 +1,4 @@
-"""Points inside conditions that hold far away or on narrow sets only, where samples miss them.
+"""Find points of conditions that hold only far away or on narrow sets.
 
 Polynomials cut space into regions, each of which has a point of its own (see cells.py). From there,
 and from a few points anywhere, a pattern search climbs until every condition holds: one that holds
@@ -18,7 +18,7 @@ from flint import Ordering, arb, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpz_mpoly_ct
 from tresym.reals.domain.cylindrical_decomposition import between, sample_points
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.sample_points import ExactPoint
-from tresym.reals.language.expression import Expr, symbols
+from tresym.reals.language.expression import UNWORKED, Expr, symbols
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.factoring import TooLargeError
 
@@ -90,7 +90,7 @@ def _polynomials(e: Expr, context: fmpq_mpoly_ctx) -> Iterator[tuple[Expr, fmpq_
     """The largest parts of ``e`` that are polynomials, as it changes its ways at their zeros."""
     p = _polynomial(e, context)
     if p is None:
-        for arg in e.args:
+        for arg in () if e.op in UNWORKED else e.args:
             yield from _polynomials(arg, context)
     elif symbols(e) and not p.is_zero():
         yield e, p

@@ -1,4 +1,4 @@
-"""The tokens of a LaTeX formula: what comes next in them, and the names that they write.
+"""A cursor over the tokens of a LaTeX formula, with the names they spell.
 
 ``dy/dx`` and a dot are symbols of an author's; anybody else is told what to write.
 """

@@ -1,4 +1,4 @@
-"""The grammar of LaTeX expressions: recursive descent from tokens to trees."""
+"""The grammar of LaTeX expressions: a recursive-descent parser."""
 
 from __future__ import annotations
 
@@ -809,13 +809,15 @@ class Reader(Cursor):
         return bool(self.author) and letter in self.author.sequences and self.peek(1) == "_"
 
     def term(self) -> Piece:
-        """``a_k`` as a(k), ``a_{ij}`` and ``a_{i,j}`` as a(i, j)."""
-        start, letter = self.at, self.take().removeprefix("\\")
+        """``a_k`` as a(k), ``a_{ij}``, ``a_{1j}`` and ``a_{i,j}`` as functions of two indices."""
+        letter = self.take().removeprefix("\\")
         self.take("_")
         inside = self.tokens[self.at + 1 : self.partner(self.at)] if self.peek() == "{" else []
-        if len(inside) > 1 and all(t.isalpha() and len(t) == 1 for t in inside):
+        letters = [t for t in inside if t.isalpha() and len(t) == 1]
+        numbered = len(inside) == 2 and inside[0] in "13456789" and len(letters) == 1
+        if len(inside) > 1 and (len(letters) == len(inside) or numbered):  # a_{2n} is an even one
             self.at += len(inside) + 2
-            indices = [symbol(t) for t in inside]
+            indices = [number(int(t)) if t.isdigit() else symbol(t) for t in inside]
         elif "," in inside:
             self.at += 1
             indices = [self.sum().tree]
@@ -823,10 +825,6 @@ class Reader(Cursor):
                 self.take()
                 indices.append(self.sum().tree)
             self.take("}")
-        elif any(len(t) > 1 and t.startswith("\\") for t in inside):
-            self.at = start
-            name = self.symbol()
-            return Piece(symbol(name), symbol=name)
         else:
             indices = [self.script().tree]
         if self.peek() in ("(", "'"):

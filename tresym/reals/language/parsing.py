@@ -1,4 +1,4 @@
-"""Reading expressions and conditions from text, through Python's ``ast`` on a whitelist.
+"""Parse expressions and conditions from text, through Python's ``ast`` with a whitelist.
 
 Nothing is evaluated. Text is bounded in length and nesting before it is parsed; decimals are read
 from the text itself and are exact.

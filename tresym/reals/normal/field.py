@@ -1,4 +1,4 @@
-"""The exact normal form: a real expression as a fraction in generators that are as free as known.
+"""The exact normal form: a real expression as a fraction in independent generators.
 
 Every rewriting holds at each real point where the expression is defined and no factor met on the
 way vanishes. Such points are dense in the open part of the domain, and elementary functions are
@@ -22,7 +22,7 @@ from math import prod
 from flint import arb, fmpq
 
 from tresym.reals.domain.conditions import Given
-from tresym.reals.language.expression import Expr
+from tresym.reals.language.expression import UNWORKED, Expr
 from tresym.reals.normal.angles import AngleRing
 from tresym.reals.normal.ring import Fraction, UndefinedError
 from tresym.reals.normal.sign_equations import AgainError
@@ -107,6 +107,8 @@ class Field(AngleRing):
             return self.fraction(self.generator("pi", None))
         if op == "^":
             return self._power(*args)
+        if op in UNWORKED or op == "bound":
+            raise TooLargeError("what binds a variable has no normal form")
         values = [self._walk(arg) for arg in args]
         if op == "+":
             return sum(values, self.zero)

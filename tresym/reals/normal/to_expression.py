@@ -1,12 +1,12 @@
-"""Normal forms written as expressions again."""
+"""Convert normal forms back to expressions."""
 
 from __future__ import annotations
 
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.expression import (
-    BINDERS,
     LEAVES,
     PI,
+    UNWORKED,
     Expr,
     add,
     apply,
@@ -99,7 +99,7 @@ def in_lowest_terms(e: Expr) -> Expr:
         if whole:
             return rebuild(node, (walk(node.args[0]), node.args[1]))
         inner = node  # what binds its variable is not entered
-        if node.op not in BINDERS:
+        if node.op not in UNWORKED:
             inner = rebuild(node, tuple(map(in_lowest_terms, node.args)))
         name = next((n for n, known in atoms.items() if known == inner), f"[{len(atoms)}]")
         atoms[name] = inner

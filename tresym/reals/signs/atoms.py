@@ -1,4 +1,4 @@
-"""Algebra alone: fractions of polynomials in atoms, of which nothing is known but their values.
+"""Fractions of polynomials in atoms of which only the values are known.
 
 What is equal here is equal at every single point, where the exact normal form speaks of almost all.
 """
@@ -10,8 +10,9 @@ from math import prod
 
 from flint import fmpq
 
-from tresym.reals.language.expression import Expr, apply, number, power
+from tresym.reals.language.expression import UNWORKED, Expr, apply, number, power
 from tresym.reals.normal.ring import Fraction, Poly, Ring
+from tresym.reals.numbers.factoring import TooLargeError
 
 SIZE = 24
 MAX_GROWTH = 300
@@ -67,6 +68,8 @@ class Atoms(Ring):
             return above / below
         if op in _EVEN or op in _ODD or op == "exp":
             return self._function(op, args[0])
+        if op in UNWORKED:
+            raise TooLargeError("what binds a variable is no atom")
         return self.fraction(self.generator(op, tuple(map(self._key, args)), (e,)))
 
     def _key(self, e: Expr | str) -> tuple[str, str] | str:

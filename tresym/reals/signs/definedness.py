@@ -1,4 +1,4 @@
-"""Whether an expression is defined, or smooth, at every point of the conditions.
+"""Prove that an expression is defined, or smooth, wherever the conditions hold.
 
 A proof divides only where the denominator is shown non-zero and takes roots and logarithms only
 where their arguments are shown to allow it, everywhere under the conditions given. What is not

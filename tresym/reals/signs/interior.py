@@ -1,4 +1,4 @@
-"""Signs inside the conditions, and by continuity at limits from there: by the normal form, too.
+"""Signs in the interior of the conditions, and by continuity at limits of interior points.
 
 Closed conditions may hold at single points elsewhere, of which nothing is shown here.
 """
@@ -10,7 +10,7 @@ from functools import lru_cache
 
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.operation_domains import bound
-from tresym.reals.language.expression import ZERO, Expr, replaced, symbols
+from tresym.reals.language.expression import LEAVES, UNWORKED, ZERO, Expr, replaced, symbols
 from tresym.reals.normal.field import Field
 from tresym.reals.normal.ring import Poly, UndefinedError
 from tresym.reals.numbers.factoring import TooLargeError
@@ -77,7 +77,7 @@ def jumps(expressions: Iterable[Expr], given: Given) -> list[Expr]:
     stack = list(expressions)
     while stack:
         node = stack.pop()
-        if node in seen or node.op in ("number", "symbol", "pi"):
+        if node in seen or node.op in LEAVES or node.op in UNWORKED:
             continue
         seen.add(node)
         for arg in node.args:

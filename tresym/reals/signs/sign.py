@@ -1,4 +1,4 @@
-"""The one prover of signs: its methods in one list, cheapest first, and one door to them.
+"""Prove the sign of an expression: the methods in one list, cheapest first.
 
 A method is a function of a difference, a relation to zero and the conditions, and gives a sentence
 that proves the relation where the conditions hold inside, and at limits from there; or None. Only
@@ -14,6 +14,7 @@ from collections.abc import Callable
 from functools import lru_cache, partial
 
 from tresym.reals.domain.conditions import Given
+from tresym.reals.language.binders import generalised
 from tresym.reals.language.expression import Expr
 from tresym.reals.signs.absolute_value_cases import MAX_CASES, by_cases
 from tresym.reals.signs.closure import has_inside, is_regular
@@ -61,6 +62,7 @@ def proof(difference: Expr, relation: str, given: Given, cases: int = MAX_CASES)
         given: the conditions.
         cases: how many absolute values may be taken apart, one in the other.
     """
+    (difference,) = generalised(difference)
     found = directly(difference, relation, given)
     if found is None and cases:
         found = by_cases(difference, relation, given, partial(proof, cases=cases - 1))
@@ -109,6 +111,7 @@ def sign_by(
         ``"+"``, ``"-"``, ``"0"``, ``">=0"``, ``"<=0"``, or None where nothing is proved; ``"!="``
         where that is wanted, and no more is proved.
     """
+    (e,) = generalised(e)
     if wanted in ("<", "<="):
         return FLIP[sign_by(-e, given, wanted.replace("<", ">"), prover)]
     enough = ("+", "-", "0") if wanted is None else PROVING[wanted]

@@ -1,4 +1,4 @@
-"""Order claims, and signs beside a point, by growth: leading terms on one scale of functions.
+"""Decide order claims, and signs near a point, by leading terms.
 
 All of it speaks of t → 0+. f = O(g), f = o(g) and f ~ g are read off the leading terms of f and g;
 the range, and the constant of O, come from the same expansions with bounds: near the end, for the

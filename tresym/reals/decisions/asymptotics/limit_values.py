@@ -1,4 +1,4 @@
-"""The limit of an expression with parameters, exactly: by growth, whose coefficients are exact.
+"""Compute the exact limit of an expression with parameters.
 
 A parameter is a constant: its sign, where that matters, is one that
 :func:`tresym.reals.signs.sign.sign` proves under the conditions, and what is free of the variable
@@ -38,6 +38,8 @@ def limit_of(e: Expr, name: str, point: Expr | None, side: int, given: Given) ->
         side: +1 from above or to +∞, −1 from below or to −∞.
         given: conditions on the parameters, which are fixed.
     """
+    if e.hidden:
+        return None
     t = symbol(T)
     found = Rewritten(T, given)
     try:

@@ -41,7 +41,7 @@ STARTS = 5
 """From how many of the largest values smaller steps are taken."""
 TINY = arb((1, -40))
 SLOWEST, SLOW = arb("0.1"), 20
-LAST, POLE, STALLED = 12, 1000, 5
+LAST, POLE, STALLED = 12, 1000, 8
 """By what a value grows in the last of the steps, each a third of the one before, beside a pole."""
 SHRINKS, GROWS = arb("0.9"), arb("1.05")
 """By what a quantity that tends to 0 shrinks, or one that is unbounded grows, between distances."""

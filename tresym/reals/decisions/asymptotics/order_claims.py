@@ -1,4 +1,4 @@
-"""Order statements about one variable: O, o and ~, from each side of the path."""
+"""Decide order claims in one variable: O, o and ~, from each side of the path."""
 
 from __future__ import annotations
 

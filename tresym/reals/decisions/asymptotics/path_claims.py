@@ -1,4 +1,4 @@
-"""Claims along a path: limits, orders, and what holds from somewhere on ("eventually").
+"""Claims along a path: limits, orders, and what holds eventually.
 
 ``f -> L`` is ``f - L == o(1)``, and ``f -> oo`` is ``exp(-f) == o(1)``; from two sides it claims
 both. ``f == Theta(g)`` is two O, and ``f == omega(g)`` is ``g == o(f)``. Where parameters occur, a

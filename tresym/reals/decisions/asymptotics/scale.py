@@ -1,4 +1,4 @@
-"""A scale of functions of t → 0+: each tends to 0 faster than every power of those behind it.
+"""An asymptotic scale: functions of t → 0+, each smaller than every power of the next.
 
 In it are t, 1/log(1/t), 1/log log(1/t), …, and what is met of exp(−h), h → ∞; log(1/w) is the
 height h of an element w. A product of powers of elements tends to 0, to ∞, or is 1, and the
