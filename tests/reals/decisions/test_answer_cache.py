@@ -11,6 +11,7 @@ import pytest
 from hangs import HANGS
 
 from tresym.commands import main
+from tresym.reals import repair
 from tresym.reals.decisions import answer_cache, time_limited
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.answer_cache import AnswerCache, cached_answers, clear_cache
@@ -57,6 +58,16 @@ def test_undecided_is_found_again_for_the_same_limit_alone() -> None:
         assert (cache.get("x == y", "", None, 2.0) is not None) is known
         assert cache.get("x == y", "x > 0", None, 1.0) is None
     cache.close()
+
+
+def test_suggestions_are_found_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked = [("sqrt(x**2) == x", (), False)]
+    with cached_answers():
+        first = list(repair.suggestions(asked, 1))
+    monkeypatch.setattr(repair, "_pool", None)
+    with cached_answers():
+        assert list(repair.suggestions(asked, 1)) == first
+    assert first[0]
 
 
 def test_another_version_of_the_deciders_finds_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
