@@ -60,6 +60,11 @@ def test_what_is_no_baseline_is_refused(paper: Path) -> None:
     Path("other").write_text("text\n")
     assert run("m.tex", "--baseline", "other") == 2
     assert run("m.tex", "--update-baseline") == 2
+    for file in ("other", "m.tex"):
+        before = Path(file).read_text()
+        assert run("m.tex", "--baseline", file, "--update-baseline") == 2
+        assert Path(file).read_text() == before
+    assert run("m.tex", "-o", "m.tex", "--force") == 2
 
 
 def test_github(paper: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -92,6 +92,8 @@ def run(args: argparse.Namespace) -> int:
     if args.update_baseline and not baseline:
         raise InputError("paper: --update-baseline writes the file that --baseline names")
     known = None if args.update_baseline or not baseline else read_baseline(Path(baseline))
+    if args.update_baseline and Path(baseline).exists() and not args.force:
+        read_baseline(Path(baseline))  # refuses to replace what is none
     _check_places(args)
     limit = parse_seconds(args.limit or settings.limit)
     found = []

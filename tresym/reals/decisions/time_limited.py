@@ -66,7 +66,9 @@ def check_all(
     with ExitStack() as stack:
         pool: Processes | None = None
         for task in tasks:
-            asked: Answer | Future[Any] | None = cache and cache.get(*task[:3], limit)
+            asked: Answer | Future[Any] | None = (
+                cache.get(*task[:3], limit) if cache is not None else None
+            )
             if asked is None:
                 pool = pool or stack.enter_context(
                     Processes(processes or cores(), limit, deaths=1, forked=forked)

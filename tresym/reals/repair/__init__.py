@@ -82,7 +82,7 @@ def suggestions(
     asked = [(claim, seconds, MOST, *rest) for claim, *rest in claims]
     cache = current()
     texts = [f"instead of {question[0]} {question[2:]}" for question in asked]
-    known = [cache and cache.get(text, "", None, seconds) for text in texts]
+    known = [cache.get(text, "", None, seconds) if cache else None for text in texts]
     new = [question for question, found in zip(asked, known, strict=True) if found is None]
     with _pool(processes or cores(), seconds) if new else nullcontext() as pool:
         futures = pool.in_order(alternatives, new) if pool else iter(())
