@@ -29,6 +29,7 @@ COMMANDS = (
     "check",
     "export",
     "paper",
+    "lsp",
     "audit",
     "bench",
     "sweep",
