@@ -65,6 +65,9 @@ def add(commands: Commands) -> None:
         metavar="ADDRESS",
         help="with -f: the workers of a Dask scheduler, as tcp://HOST:PORT (without it: all cores)",
     )
+    parser.add_argument(
+        "--no-cache", action="store_true", help="with -f: decide again what was decided before"
+    )
     add_output(parser)
     parser.set_defaults(run=run)
 
@@ -82,8 +85,11 @@ def run(args: argparse.Namespace) -> int:
         return one(*asked, args.json, args.path, args.coq, args.suggest)
     if args.coq is not None:
         raise InputError("check: --coq writes one claim; give it without -f")
+    from tresym.reals.decisions.answer_cache import cached_answers
+
     asked = args.file, args.given, args.tends, args.limit
-    return many(*asked, args.json, args.path, args.scheduler, args.suggest)
+    with cached_answers(not args.no_cache):
+        return many(*asked, args.json, args.path, args.scheduler, args.suggest)
 
 
 LONGEST_LINE = 100_000
