@@ -206,8 +206,8 @@ def reason(row: Row, instead: Sequence[Alternative], others: Sequence[str]) -> s
     if relation != "==" or not row.refuted:
         return ""
     link = row.link
-    sides = link.sides[::2] if link.sides else ()
-    if not link.same or any(not symbols(side) for side in sides):
+    sides = (link.sides[0], link.sides[2]) if link.sides else ()
+    if not sides or not link.same or any(not symbols(side) for side in sides):
         return ""
     if others and all(status in _HOLD for status in others):
         return f"{fails}; the other links of its display are identities"
