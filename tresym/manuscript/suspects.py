@@ -269,6 +269,19 @@ def _differ(first: Link, second: Link) -> bool:
     return is_one_edit(first.sides[2], second.sides[2])
 
 
+_SKIPPED = re.compile(r"[\s&{}]|\\(?:left|right|,|;|:|!|quad|qquad|nonumber|notag|label\{[^}]*\})")
+
+
+def printed(link: Link) -> str:
+    """The formula of a link as its source has it: the display, or the line in which it stands."""
+    whole = " ".join(link.display.text.split())
+    wanted = _SKIPPED.sub("", link.shown)
+    for line in re.split(r"\\\\(?:\[[^]]*\])?", whole):
+        if wanted and wanted in _SKIPPED.sub("", line):
+            return line.strip().rstrip(".,; ")
+    return whole
+
+
 def attention(rows: Iterable[Row]) -> list[Row]:
     """What an author must look at."""
     return [row for row in rows if row.status in (SUSPECT, "REFUTED")]

@@ -124,7 +124,7 @@ def edits(
         for other in RELATIONS.get(relation, ())
     ]
     plain = free and {*relations} == {"=="} and elementary(*terms)
-    lone = plain and _has_lone(terms, indices)
+    lone = plain and bool(lone_variables(terms, indices))
     for n in reversed(range(len(terms))):
         for rank, old, new, tree in changes(terms[n], names, indices):
             chain = (*terms[:n], tree, *terms[n + 1 :])
@@ -141,12 +141,12 @@ def edits(
     return list(unique.values())[1:]
 
 
-def _has_lone(terms: Sequence[Expr], indices: Sequence[str]) -> bool:
-    """Whether a variable stands in an equality but once: then it is no identity, and an edit that
-    makes it one is of variables."""
+def lone_variables(terms: Sequence[Expr], indices: Sequence[str] = ()) -> set[str]:
+    """The variables that stand in a chain but once: with one an equality is no identity, and an
+    edit that makes it one is of variables."""
     counts = Counter(name for term in terms for name in _leaves(term))
     apart = {*indices, *symbols(INFINITY), *symbols(DOTS)}
-    return any(n == 1 for name, n in counts.items() if name not in apart)
+    return {name for name, n in counts.items() if n == 1} - apart
 
 
 def _leaves(e: Expr) -> Iterator[str]:
