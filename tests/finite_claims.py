@@ -96,7 +96,8 @@ def products(r: random.Random) -> Claim:
 
 
 def undefined_terms(r: random.Random) -> Claim:
-    j, low = r.randint(1, 4), r.choice([0, 1])
+    low = r.choice([0, 1])
+    j = low + r.randint(1, 3)
     term = r.choice(
         [
             *(
