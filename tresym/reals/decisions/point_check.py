@@ -105,8 +105,11 @@ def _at_point(answer: Answer, claim: Comparison, statement: Statement) -> None:
     if _is_shown_in_balls(taken, claim, statement):
         return
 
+    nodes = [node for node in outermost(*trees) if node.op == "nth"]
+    orders = {name: taken[name] for node in nodes for name in symbols(node.args[2])}
+
     def fixed(e: Expr) -> Expr:
-        return _known(with_orders(e, taken), values)
+        return _known(substitute(with_orders(e, orders), taken), values)
 
     links = [(fixed(x), relation, fixed(y)) for x, relation, y in statement.given.comparisons]
     if constants_hold(links) is None:
