@@ -9,6 +9,7 @@ from __future__ import annotations
 import hashlib
 import re
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple, NoReturn, TypeAlias
@@ -259,10 +260,8 @@ class _Scanner:
         start = max(start, stop - MAX_DISPLAY)
         text = self.text[start:stop]
         file, line = self.source.place(min(start, len(self.text) - 1)) if self.text else ("", 0)
-        try:
+        with suppress(InputError):
             text = written_out(text, self.macros) if len(text) < MAX_DISPLAY else text
-        except InputError:
-            pass
         return Prose(text, file, line)
 
     def display(self, kind: str, start: int, at: int, stop: int) -> tuple[Display, int]:
