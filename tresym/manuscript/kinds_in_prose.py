@@ -102,9 +102,7 @@ _ADJECTIVES = {
     "integer": INTEGER,
     "rational": REAL,
 }
-_IS_COMPLEX = re.compile(
-    rf"{_LIST}[\s~]*(?:is|are|be|being)[\s~]+(?:\w+[\s~]+)?complex\b"
-)
+_IS_COMPLEX = re.compile(rf"{_LIST}[\s~]*(?:is|are|be|being)[\s~]+(?:\w+[\s~]+)?complex\b")
 _COMPLEX_NOUN = re.compile(
     rf"\bcomplex[\s~-]+(?:valued[\s~]+)?(?!plane|analysis|field)[a-z]+[\s~]+{_LIST}", re.IGNORECASE
 )
