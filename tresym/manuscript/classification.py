@@ -124,9 +124,9 @@ def claim(
     left, relation, right = compared
     try:
         known = memory.known(under)
-        constants = memory.uses.numbers | names_in(under.given)
-        left = memory.under_binders(left, known, constants)
-        right = memory.under_binders(right, known, constants)
+        fixed = memory.uses.numbers | names_in(under.given)
+        left = memory.under_binders(left, known, fixed)
+        right = memory.under_binders(right, known, fixed)
     except InputError as error:
         return replace(read_so(link, compared), status=UNREAD, why=str(error))
     if signed and said.either and relation != "==":
@@ -188,7 +188,6 @@ def claim(
         and not changed
         and not _is_up_to(n, said, known)
         and not (under.noted and under.kind == prose.SOLVE and n == 0)
-        and (under.noted or not unknown_in(left, right))
     )
     link = replace(link, sides=(left, relation, right), read_as=attempts[0].read_as)
     fallback = _fallback(memory, left, relation, right, None if as_path else head)

@@ -145,18 +145,19 @@ class Missing(NamedTuple):
 Event: TypeAlias = Note | Section | Scope | Prose | Display | Missing
 
 
-def read_manuscript(path: Path, root: Path | None = None) -> list[Event]:
+def read_manuscript(path: Path, root: Path | None = None, text: str | None = None) -> list[Event]:
     """What a manuscript holds, in order, and first which files it lacks.
 
     Args:
         path: its main file.
         root: the top folder of the project, from which files are included; found if not given.
+        text: what the main file is to hold, where an editor has not saved it yet.
 
     Raises:
         InputError: it cannot be read, is not closed, includes itself, or holds no display; one
             line says which.
     """
-    source = Files(path, root)
+    source = Files(path, root, text)
     lacking = [Missing(name) for name in source.missing]
     lacking += [Missing(name, outside=True) for name in source.outside]
     events = [*lacking, *_Scanner(source).events()]
