@@ -102,7 +102,7 @@ class Points:
         (name,), body = opened(e, self.at)
         lows, highs = (self._ends(arg) for arg in e.args[1:])
         free = symbols(e) & self.at.keys()
-        result = []
+        result: Row = []
         for n, (low, high) in enumerate(zip(lows, highs, strict=True)):
             if n and not free:
                 result.append(result[0])
@@ -126,6 +126,7 @@ def _integral(body: Expr, name: str, low: float, high: float, here: Mapping[str,
         return 0.0
     if low > high:
         return -_integral(body, name, high, low, here)
+    parts: tuple[tuple[float, float, bool], ...]
     if low == -math.inf and high < math.inf:
         middle = high - 1.0
         parts = ((middle, high, False), (-middle, math.inf, True))
