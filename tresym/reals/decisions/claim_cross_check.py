@@ -44,8 +44,8 @@ def attack(
     claim = (comparison.left, comparison.relation, comparison.right)
     said = (*claim[::2], *(side for link in statement.given.comparisons for side in link[::2]))
     dotted = any(DOTS.args[0] in symbols(e) for e in claim[::2])
-    if any(node.op == "nth" for node in outermost(*claim[::2])):
-        return None  # its induction was attacked itself
+    if any(node.op in ("nth", "derivative") for node in outermost(*claim[::2])):
+        return None  # its induction, or what Leibniz's rule makes of it, was attacked itself
     if dotted or statement.equations or any(next(unknown(e), None) is not None for e in said):
         return None  # its cases, without equations and such functions, were attacked themselves
     totals = [node for node in outermost(*claim[::2]) if node.op in ("sum", "product")]

@@ -100,8 +100,13 @@ def _bounded(comparison: Comparison, statement: Statement) -> Answer:
 
 def _decide(comparison: Comparison, statement: Statement) -> Answer:
     left, relation, right = comparison.left, comparison.relation, comparison.right
-    if any(node.op != "unknown" for node in outermost(*comparison.differentiated)):
-        return Answer(Verdict.UNDECIDED, "the derivative of an integral or a sum is not worked out")
+    hiding = {node.op for node in outermost(*comparison.differentiated)} - {"unknown"}
+    if hiding == {"integral"}:
+        from tresym.reals.decisions.leibniz import decide_by_leibniz
+
+        return decide_by_leibniz(comparison, statement, _bounded)
+    if hiding:
+        return Answer(Verdict.UNDECIDED, "the derivative of a sum or a limit is not worked out")
     door = _door(comparison, statement)
     if door is not None:
         return door(comparison, statement, _bounded)
