@@ -31,13 +31,12 @@ def _spread(side: Symbol) -> Integral:
     return Integral(x**2 / side, (x, -side / 2, side / 2))
 
 
-inertia_of_a_box = Claim(
-    says=equations((I1, I2, I3), tuple(mass * _spread(p) + mass * _spread(q) for p, q in _across)),
-    given=_box,
+box_moments = Claim(
+    says=equations((I1, I2, I3), tuple(mass * (p**2 + q**2) / 12 for p, q in _across)),
     proof=Definition(),
-    note="The moment about an axis is the integral of the squared distance from it over the mass. "
-    "The mass is spread evenly, so that it is the sum over the two directions across the axis.",
-    quotes=(ITERATED,),
+    where=line(291),
+    note="A homogeneous box: length along e₁, width along e₂, height along e₃. That these are its "
+    "moments is shown in `moments_of_a_box`.",
 )
 
 
@@ -55,12 +54,14 @@ spreads = tuple(
     for name, side in (("length", length), ("width", width), ("height", height))
 )
 
-box_moments = Claim(
-    says=equations((I1, I2, I3), tuple(mass * (p**2 + q**2) / 12 for p, q in _across)),
+moments_of_a_box = Claim(
+    says=equations(tuple(mass * _spread(p) + mass * _spread(q) for p, q in _across), (I1, I2, I3)),
     given=_box,
-    proof=by(substituting(inertia_of_a_box, *spreads)),
+    proof=by(substituting(box_moments, *spreads)),
     where=line(291),
-    note="A homogeneous box: length along e₁, width along e₂, height along e₃.",
+    note="The moment about an axis is the integral of the squared distance from it over the mass, "
+    "which is spread evenly: the sum of its means over the two directions across the axis.",
+    quotes=(ITERATED,),
 )
 
 box_order = Claim(

@@ -388,10 +388,12 @@ def bound(
     cited: tuple[Claim, ...] = (),
     readings: tuple[Reading, ...] = READINGS,
     constant: str | None = None,
+    remainder: Remainder | None = None,
     **rest: Any,
 ) -> Claim:
     """A bound that the charts ``on`` show, with what ``put`` says put in."""
     proof = Charted(on, readings, put, (*ROOT, phase_range, *cited), certificate(label), also=also)
+    proof = replace(proof, remainder=remainder)
     if constant is not None:
         proof = replace(proof, constant=as_rational(constant))
     return Claim(label=label, says=says, proof=proof, **rest)
@@ -419,8 +421,8 @@ def below(
     says = Abs(size) <= Rational(limit) * gauge
     if printed_as is not None:
         rest["means"], says = says, printed_as
-    found = bound(label, says, On(*chart, shown), given=given, constant=limit, **rest)
-    return replace(found, proof=replace(found.proof, remainder=remainder))
+    on = On(*chart, shown)
+    return bound(label, says, on, given=given, constant=limit, remainder=remainder, **rest)
 
 
 def between(

@@ -1,4 +1,4 @@
-"""The long hunts: ``python tests/deep.py known`` (claims, laws, cheap, hostile, classes, kills).
+"""The long hunts: ``python tests/deep.py known`` (claims, asymptotic, laws, cheap, hostile, classes, kills).
 
 Each hunt is a number of chunks, each with seeds of its own: a run of pytest, or of a script.
 What has passed is in ``build/deep.jsonl`` and is not run again: an interrupted hunt goes on when it
@@ -50,6 +50,7 @@ HUNTS = {
     "classes": Hunt(("tests/commands/test_hostile.py", "-k", f"not ({GENERATED})"), 1),
     "kills": Hunt(("tests/commands/test_kills.py", "tests/sweep/test_sweep.py", "-k", "kill"), 5),
     "claims": Hunt((), 2000, ("tests/hunt.py",)),
+    "asymptotic": Hunt((), 20, ("tests/asymptotic_claims.py",)),
     "known": Hunt((), 200, ("tests/known.py",)),
 }
 

@@ -1,4 +1,4 @@
-"""Where answers go: a file that is whole or not there, and a terminal that may be a pipe."""
+"""Write files completely or not at all, never over the user's own, and print to terminals."""
 
 from __future__ import annotations
 

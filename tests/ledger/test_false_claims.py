@@ -55,7 +55,7 @@ from tresym.ledger.claim import (
     together,
 )
 from tresym.ledger.evidence import admissible, integrals, remainders
-from tresym.ledger.evidence.admissible import Meant, is_formal
+from tresym.ledger.evidence.admissible import Meant
 from tresym.ledger.evidence.asymptotics import Asymptotics, Squeezed, t
 from tresym.ledger.evidence.box_bounds import Boxes
 from tresym.ledger.evidence.chart_bounds import Charted, On, Shown
@@ -725,15 +725,6 @@ def test_the_independent_check_stops_it_without_the_guard(
     for where in (judging, integrals):
         monkeypatch.setattr(where, "dependent", lambda *asked: None)
     assert guarded(name, monkeypatch, BY_NOTHING)
-
-
-def test_a_bound_of_what_is_left_out_shows_the_order() -> None:
-    shown = bounded(equal(SUM, O(x)), Remainder(x))
-    assert judged(shown).verdict is Verdict.ENCLOSED
-    assert is_formal(shown)
-    read = bounded(equal(y, O(x)), Remainder(x, (), ((y, SUM),)))
-    assert judged(read).verdict is Verdict.ENCLOSED
-    assert not is_formal(read)
 
 
 def test_there_are_many() -> None:

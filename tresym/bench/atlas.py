@@ -1,4 +1,4 @@
-"""The stability atlas: digits that each printed formula loses, and its stable form beside it.
+"""The stability atlas: digits lost by each printed formula and by its stable form.
 
 Every formula is evaluated in float64 and at 50 digits on a grid of its plane, and counted against
 a ball of the same quantity, formed from the same numbers.

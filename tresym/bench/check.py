@@ -1,4 +1,4 @@
-"""Claims of one's own: antiderivatives and what is wrong with them, and random identities.
+"""Benchmark of `check`: antiderivatives, false variants of them, and random identities.
 
 The pairs of antiderivatives.txt are claims ``diff(F, x) == f`` with parameters of which nothing is
 assumed. A mutant is a pair with a change in its integrand that is seen to make it false. SymPy is

@@ -1,4 +1,4 @@
-"""A Dask cluster of our own, and what Dask adds to the processor time of a sweep."""
+"""A local Dask cluster, and the processor time that Dask adds to a sweep."""
 
 from __future__ import annotations
 

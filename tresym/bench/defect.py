@@ -1,4 +1,4 @@
-"""ε(γ) to 50 digits: the certified ball against ``findroot`` over the paper's integral.
+"""Benchmark of ε(γ) to 50 digits: certified balls against ``findroot`` on the paper's integral.
 
 The peers start from the paper's formulas. Where the trajectory has turned F(ε, γ) = π has no root,
 and they say so in their ways.

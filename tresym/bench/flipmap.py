@@ -1,4 +1,4 @@
-"""The flip map in float64: many starts at once against ODE solvers, start by start and in batches.
+"""Benchmark of the flip map in float64: many starts at once against ODE solvers.
 
 Every answer is counted against a ball, at the worst of a sample of starts. Two bodies: the standard
 racket, and one with √(ab) = 3, near whose unstable points errors grow by e^{6π}.

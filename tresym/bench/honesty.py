@@ -1,4 +1,4 @@
-"""What a method claims of its own error, and what its error is: both as digits, against balls.
+"""Benchmark of error estimates: the error that a method claims against its true error.
 
 Claimed are: ``quad``'s estimate; for root finders and ODE solvers the tolerance they were asked
 for, as they return without complaint only when they think to have met it; for our balls the

@@ -1,4 +1,4 @@
-"""Deciding identities: the steps of the ledger's chains and false variants of them, against SymPy.
+"""Benchmark of identities: steps of the ledger's proofs and false variants, against SymPy.
 
 An identity is two consecutive expressions of a chain with all definitions put in. The peers are
 what a reader would type: does ``simplify(x - y)`` come to 0, is ``x.equals(y)``, does

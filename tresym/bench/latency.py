@@ -1,4 +1,4 @@
-"""What one waits for at the shell: whole processes, each with the seconds it may take.
+"""Command latency: wall time of complete commands, each with a budget.
 
 The goals are for a machine with two quiet cores. Beside them stand Python importing python-flint
 and SymPy, which no command of ours can be faster than where it needs them.

@@ -1,4 +1,4 @@
-"""ε₀ of a million shapes in float64: our arrays against scipy's vectorised root finders and loops.
+"""Benchmark of ε₀ for a million shapes in float64: arrays against vectorised root finders.
 
 Shapes are log-uniform, 0.05 ≤ a ≤ 50 and 0.005 ≤ b ≤ 1. A scipy route is right when it has 12
 digits on each of a sample of shapes; the paper's equation loses them where ab is large.

@@ -1,4 +1,4 @@
-"""The names of the workloads; a file of its own, as ``tresym --help`` shall load nothing else."""
+"""The names of the workloads, in a module of their own so that ``--help`` loads nothing else."""
 
 from __future__ import annotations
 

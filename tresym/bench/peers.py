@@ -1,4 +1,4 @@
-"""The methods a reader would reach for today, for ε(γ): each from the paper's own formulas.
+"""Competing methods for ε(γ): what a reader would use today, from the paper's own formulas.
 
 A method takes a shape, an exact γ and what it is asked for (decimal digits, or −log₁₀ of a solver's
 tolerance), and returns a number of its own arithmetic. mpmath starts where the paper's formulas do.

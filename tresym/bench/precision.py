@@ -1,4 +1,4 @@
-"""Work and precision: true digits of ε(γ) against time, for every method, in six scenes.
+"""Work-precision benchmark: correct digits of ε(γ) against time, in six scenes.
 
 The truth is a ball of a thousand digits and more. Our rungs are asked one by one, each as it would
 answer alone; which of them the ladder takes is noted beside (``notes.picks``), and what the

@@ -1,4 +1,4 @@
-"""One interleaved run: every contender once a round, in turning order; medians, ratios, spread.
+"""Run contenders in interleaved rounds, and report medians, ratios and spread.
 
 The rounds are interleaved so that what the machine does meanwhile falls on all contenders alike.
 Only ratios within one run are worth quoting; they are taken round by round, against one method of

@@ -1,4 +1,4 @@
-"""How the work grows: with digits, with the number of starts (and its memory), and with claims."""
+"""Benchmark of scaling: time against digits, number of starts (and memory), and claims."""
 
 from __future__ import annotations
 

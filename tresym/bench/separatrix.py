@@ -1,4 +1,4 @@
-"""ε₀ to 50 digits: mpmath on the paper's own equations against the same root in its phase.
+"""Benchmark of ε₀ to 50 digits: mpmath on the paper's equations against the phase equation.
 
 The peers do what a reader of the paper would do: ``findroot`` on the exact equation as printed, or
 over ``quad`` of the paper's integral, from the paper's asymptotic formula. Two processes serve the

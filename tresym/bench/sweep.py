@@ -1,4 +1,4 @@
-"""Sweeps: rows a second here, what Dask costs, how it scales, and the numbers to plan 10⁹ rows."""
+"""Benchmark of sweeps: rows per second, the cost of Dask, scaling, and plans for 10⁹ rows."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""True digits: how far a value of any arithmetic is from a ball that holds the truth."""
+"""Count correct digits: compare a value of any arithmetic with an enclosure of the truth."""
 
 from __future__ import annotations
 

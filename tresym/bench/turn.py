@@ -1,4 +1,4 @@
-"""F(ε, γ) to 50 digits: balls through Carlson's form against mpmath's quadrature and Carlson forms.
+"""Benchmark of F(ε, γ) to 50 digits: balls in Carlson's form against mpmath.
 
 Digits are counted against a wider ball. mpmath runs in this process, on the backend it found.
 """

@@ -1,4 +1,4 @@
-"""The workloads by name, how one is run, and where a saved measurement stands."""
+"""The workloads by name, how to run one, and where saved measurements are."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``tresym audit``: the paper's LaTeX against the claims, a row for each piece."""
+"""``tresym audit``: compare the paper's LaTeX with the claims."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``tresym bench``: workloads run one after another, shown as they go, and kept."""
+"""``tresym bench``: run workloads, show the results as they come, and save them."""
 
 from __future__ import annotations
 

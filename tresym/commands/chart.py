@@ -1,4 +1,4 @@
-"""``tresym chart``: a chart of saved measurements."""
+"""``tresym chart``: draw a chart of saved measurements."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``tresym check``: the answers to claims of one's own, as text and as JSON lines."""
+"""``tresym check``: check claims of your own, and print the answers as text or JSON."""
 
 from __future__ import annotations
 

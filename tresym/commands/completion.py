@@ -1,4 +1,4 @@
-"""``tresym completion``: what a shell needs to complete a command line."""
+"""``tresym completion``: print what a shell needs to complete command lines."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``tresym derive``: the article, or statements to paste, in LaTeX."""
+"""``tresym derive``: print the article, or derivations to paste, in LaTeX."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``tresym docs``: build the generated documents, or see whether any is stale."""
+"""``tresym docs``: build the generated documents, or check that they are up to date."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``tresym export``: the ledger as theorems of Coq, each with the proof that Coq accepted."""
+"""``tresym export``: write the ledger as Coq theorems with their proofs."""
 
 from __future__ import annotations
 

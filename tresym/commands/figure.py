@@ -1,4 +1,4 @@
-"""``tresym figure``: a figure of the paper, recomputed."""
+"""``tresym figure``: draw a figure of the paper, recomputed."""
 
 from __future__ import annotations
 

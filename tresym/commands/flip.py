@@ -1,4 +1,4 @@
-"""``tresym flip``: the flip of one body, certified, as one reads it in a terminal."""
+"""``tresym flip``: compute the flip of one body, certified."""
 
 from __future__ import annotations
 

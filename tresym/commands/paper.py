@@ -1,4 +1,4 @@
-"""``tresym paper``: the displays of a manuscript of one's own, a status for each of their links."""
+"""``tresym paper``: check the displays of a manuscript of your own."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the commands share: a parser that complains in one line, and where answers go."""
+"""Shared by the commands: a parser with one-line errors, common options, and output."""
 
 from __future__ import annotations
 

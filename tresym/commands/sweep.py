@@ -1,4 +1,4 @@
-"""``tresym sweep``: the flip of very many bodies, into one table."""
+"""``tresym sweep``: compute the flip of many bodies into one table."""
 
 from __future__ import annotations
 

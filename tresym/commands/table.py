@@ -1,4 +1,4 @@
-"""``tresym table``: certified tables."""
+"""``tresym table``: print certified tables."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``tresym verify``: the ledger at the terminal, rows as they are found, or as JSON."""
+"""``tresym verify``: verify the ledger, and print it as text or JSON."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Proofs found by asking Coq: candidates are tried one after the other, the one that holds is kept.
+"""Search for a Coq proof: try candidates one after the other and keep the first that holds.
 
 What is written is a file by itself: the language and its lemmas, the statement, the proof that was
 found, and the command that prints what it rests on. Coq is run here and nowhere else in tresym.

@@ -1,4 +1,4 @@
-"""A claim of one's own as theorems of Coq: what `tresym check --coq` writes."""
+"""Export a user's claim to Coq: what ``tresym check --coq`` writes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A dialogue with coqtop: texts are read sentence by sentence, and given up at the first error."""
+"""Drive coqtop: send text sentence by sentence, and stop at the first error."""
 
 from __future__ import annotations
 

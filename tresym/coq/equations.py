@@ -1,4 +1,4 @@
-"""Proofs of equations: every part that is no rational function gets a name, and ``field`` the rest.
+"""Prove equations in Coq: name every non-rational part, then use ``field``.
 
 Angles and exponents are whole multiples of a few, by the addition theorems; a sine and a cosine of
 one angle, and a root and its radicand, are bound by one equation each, whose leading powers have

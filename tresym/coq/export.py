@@ -1,4 +1,4 @@
-"""The ledger as files of Coq, one for each part of the proofs, and an index of what is proved.
+"""Write the ledger as Coq files, one for each part of the proofs, with an index.
 
 The proofs that Coq accepted are kept in ``coq.json`` beside the claims, each with a stamp of its
 statement: a statement that has changed since is written without a proof, in a comment. A proof

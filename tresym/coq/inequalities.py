@@ -1,4 +1,4 @@
-"""Proofs of inequalities: by polynomials, by Taylor's theorem about one point, by intervals."""
+"""Prove inequalities in Coq: by polynomials, Taylor's theorem about a point, or intervals."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Roots and logarithms in a proof of an equation, by those of irreducible factors."""
+"""Rewrite roots and logarithms in terms of irreducible factors, for proofs of equations."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Proofs of the ledger's theorems, found by asking Coq claim by claim.
+"""Find Coq proofs for the claims of the ledger, one claim at a time.
 
 What Coq says of a text is kept, so that a search is taken up where it ended; a lemma whose proof is
 stored with a claim is not asked again. Time is the processor's, so that a busy machine finds as

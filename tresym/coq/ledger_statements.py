@@ -1,4 +1,4 @@
-"""The ledger's claims as theorems of Coq: what each says, under which premises.
+"""Turn the claims of the ledger into Coq theorems with their premises.
 
 The definitions that a claim speaks of are premises, each an equation for a symbol, and so is what
 it assumes. A definition has a theorem of its own: that what it defines exists. What is refuted is

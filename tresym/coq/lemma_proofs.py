@@ -1,4 +1,4 @@
-"""How a claim is proved from lemmas: each is one relation, which is left to the tactics.
+"""Prove a claim from lemmas, each of which is one relation that a tactic closes.
 
 Two plans are tried. The first puts in the definitions and has the tactics show what is said at
 once. The second is the claim's own chain: each step is a lemma, under what the claims that it names

@@ -1,4 +1,4 @@
-"""Expressions as polynomials in their parts, and their linear dependence over the rationals."""
+"""Write expressions as polynomials in their parts, and find rational linear dependences."""
 
 from __future__ import annotations
 

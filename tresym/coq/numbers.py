@@ -1,4 +1,4 @@
-"""Numbers.v: one root for every shape, the floor of rigid bodies, and fifty digits of seven."""
+"""Write Numbers.v: one root for every shape, the bound for rigid bodies, seven 50-digit values."""
 
 from __future__ import annotations
 

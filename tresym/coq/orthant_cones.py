@@ -1,4 +1,4 @@
-"""Polynomials without negative values, by a tree of orders with positive coefficients at leaves.
+"""Prove polynomial inequalities by subdividing the orthant into cones (certificates for Coq).
 
 A polynomial is written in coordinates that are not negative: a square, a distance from a bound, a
 side of a simplex. Where coefficients are negative, two coordinates are compared, and the larger one

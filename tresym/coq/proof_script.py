@@ -1,4 +1,4 @@
-"""What a proof of an equation says to Coq, and what it knows: names, facts, values at points."""
+"""Write the script of a proof of an equation: names, facts and values at points."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Rational functions of names that are bound by one equation each, in lowest terms and in factors.
+"""Rational functions of names bound by equations, in lowest terms and factored.
 
 A name may have an equation n**q = p, where p is a polynomial in names that are older: the leading
 powers have nothing in common, so that what is left below them is a normal form.

@@ -1,4 +1,4 @@
-"""Inequalities from others that imply them: what is left to show, and the sentences that finish.
+"""Reduce an inequality to others that imply it, with the Coq text that completes the proof.
 
 Each way is one that the prover of signs goes too, and asks it first whether what is left holds.
 """

@@ -1,4 +1,4 @@
-"""Statements in Coq: what a referee reads, beside Coq itself and the claims.
+"""Print statements in Coq: the code a referee must read, beside Coq itself.
 
 A claim becomes ``forall symbols, definitions -> given -> defined -> says`` over Coq's real numbers.
 The functions of Coq are total, so that what makes the parts defined stands among the premises; a

@@ -1,4 +1,4 @@
-"""Proofs of equations found step by step: Coq is asked after each step whether it holds.
+"""Prove equations step by step, asking Coq after every step.
 
 The innermost function is taken first, while what it is taken of is a rational function of real
 numbers that have names. It is written by these names, or gets one: a root, an exponential, a sine

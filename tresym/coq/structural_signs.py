@@ -1,4 +1,4 @@
-"""Signs that are seen: of what contains a premise, and of products of sines and cosines.
+"""Signs that follow from premises and from products of sines and cosines.
 
 A sum in which the terms of a premise stand is the premise and the rest. A polynomial in sines and
 cosines is written without the square of the one or the other and factored, until each factor has a

@@ -1,4 +1,4 @@
-"""Polynomials as sums of squares of two terms with factors that are not negative.
+"""Write polynomials as sums of squares of two terms with nonnegative factors.
 
 What is asked for is a linear program: nonnegative coefficients of products of conditions and of
 squares of m ± n, where m and n are monomials, that add up to the polynomial. It is solved exactly;

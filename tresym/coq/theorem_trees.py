@@ -1,4 +1,4 @@
-"""What a theorem says, as a tree; of integrals and derivatives in it, where they are defined."""
+"""Theorems as trees: what a Coq theorem says, and where its integrals and derivatives exist."""
 
 from __future__ import annotations
 

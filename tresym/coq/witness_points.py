@@ -1,4 +1,4 @@
-"""A point at which a theorem says that something holds, as Coq is told of it.
+"""Points at which an existential theorem holds, written for Coq.
 
 The witness gives some of the variables; the definitions and the conditions that are equations give
 others, and what is left is chosen where the conditions hold. The defect of a shape is a number of

@@ -1,4 +1,4 @@
-"""Quoted theorems: what a claim rests on that no claim shows, each named, with its source.
+"""Quoted theorems on which claims rest, each named once with its source.
 
 A claim names those that its evidence quotes, and lists with them those of all that it rests on, as
 ``#print axioms`` of Lean does. `RULES` are the theorems of the calculus that make the judge's own

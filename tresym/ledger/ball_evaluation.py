@@ -1,4 +1,4 @@
-"""Balls that walk over SymPy expressions as they were written, integrals included.
+"""Evaluate SymPy expressions as written in ball arithmetic, including integrals.
 
 Nothing is shared with the trees and the decision procedures that the second look contradicts.
 """

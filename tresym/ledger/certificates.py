@@ -1,4 +1,4 @@
-"""Stored box proofs: found once, re-checked in every run, found anew by `tresym verify --full`."""
+"""Stored box proofs: checked in every run, searched for again by ``tresym verify --full``."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Claims: frozen values that say something, under conditions, with the evidence for it.
+"""Claims: frozen values with a statement, conditions, and the evidence for it.
 
 Nothing here decides anything. `tresym.ledger.judge` turns a claim into a finding, reports turn
 it into LaTeX and ledger rows, and what a claim rests on is read off its evidence, so the graph

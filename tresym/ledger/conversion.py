@@ -1,4 +1,4 @@
-"""From what claims say to what is decided: SymPy's expressions become trees here, once each.
+"""Convert a claim's SymPy expressions to trees, once each.
 
 Claims are written in SymPy, which proofs read well in and reports print. What decides them gets
 trees and formulas alone, in which integrals, derivatives, values and orders are nodes that bind

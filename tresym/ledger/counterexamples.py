@@ -1,4 +1,4 @@
-"""Violations: a point where everything a claim uses holds, and balls there that exclude it.
+"""Search for counterexamples to a claim, and confirm them in ball arithmetic.
 
 The equations a claim uses are put in: each is read as a rule for a symbol, solved for one in which
 it is linear, or, when neither will do, met on a tiny segment across which it changes sign. Balls

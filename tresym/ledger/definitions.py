@@ -1,4 +1,4 @@
-"""The table of definitions: one for the whole paper, checked before anything rests on it.
+"""The table of definitions of the whole paper, checked before any claim is judged.
 
 Each symbol is defined once, or once in each of several cases, by symbols that do not come back to
 it and by a term that exists under the conditions of its definition. Two definitions of one symbol

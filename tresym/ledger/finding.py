@@ -1,4 +1,4 @@
-"""Findings: what judging a claim brought to light. Frozen values, like the claims.
+"""Findings: the result of judging a claim, as a frozen value.
 
 What is shown gets a verdict. What is put in gets the name of that, and is counted apart.
 """

@@ -1,4 +1,4 @@
-"""From a claim to a finding: the one place where verdicts on claims are given.
+"""Judge a claim: the only place where verdicts on the ledger's claims are given.
 
 A claim is PROVED when its evidence checks; otherwise it is tried at exact points, and REFUTED
 only when a ball excludes it at one of them. A claim that rests on one that does not hold is

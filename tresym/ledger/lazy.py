@@ -1,4 +1,4 @@
-"""What is made when it is first asked for, and kept."""
+"""Values that are computed on first use and cached."""
 
 from __future__ import annotations
 

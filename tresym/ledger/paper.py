@@ -1,4 +1,4 @@
-"""The paper whose claims the ledger holds: a package named here and loaded when it is asked for.
+"""The paper whose claims are in the ledger, loaded on demand.
 
 The judge knows no paper; the proofs import the ledger, never the other way round.
 """

@@ -1,4 +1,4 @@
-"""The reasons that a step of a chain may name."""
+"""The reasons that a step of a derivation may name."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What statements are made of that SymPy has no name for: heads that nobody works out.
+"""Statements for which SymPy has no class, as unevaluated expressions.
 
 A statement is a relation, several in a `Tuple`, an equivalence, or one of these. Its free symbols
 are meant for all their values under the conditions of the claim, but for those that are defined.

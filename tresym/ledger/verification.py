@@ -1,4 +1,4 @@
-"""Verification: every claim judged, foundations first, into a report that prints and saves."""
+"""Verify the ledger: judge every claim, foundations first, into a report."""
 
 from __future__ import annotations
 

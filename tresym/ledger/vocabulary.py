@@ -1,4 +1,4 @@
-"""The words of a proof: what the files of `proofs/` write claims and their evidence in.
+"""The names in which the files of ``proofs/`` write claims and evidence.
 
 They take it whole, with the paper's symbols beside it (`tresym.racket.notation`).
 """

@@ -22,7 +22,7 @@ from tresym.manuscript.display import Said
 from tresym.manuscript.terms import Head, base_of, read_term, unknown_in
 from tresym.reals.domain.evaluation import evaluate, stands
 from tresym.reals.language.binders import elementary, outermost
-from tresym.reals.language.expression import DOTS, Expr, symbols
+from tresym.reals.language.expression import DOTS, Expr, number, substitute, symbols
 from tresym.reals.language.parsing import INFINITY, INTEGERS, Compared
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
@@ -47,6 +47,7 @@ class Ground:
         reach: the scopes in which the link stands, outermost first.
         alike: both sides are read as the same expression.
         places: in which lines the symbols of a side of its own are defined, 0 in the running text.
+        bounds: bounds in the text that may be meant for its symbols.
     """
 
     doubts: tuple[str, ...] = ()
@@ -55,6 +56,7 @@ class Ground:
     reach: tuple[int, ...] = ()
     alike: bool = False
     places: dict[str, int] = field(default_factory=dict)
+    bounds: tuple[Compared, ...] = ()
 
 
 def ground(
@@ -75,7 +77,12 @@ def ground(
     universal = said.universal or under.universal or under.kind == prose.CLAIM
     tied = names | unknown | names_in(c for c in own if names & names_in((c,)))
     restricted = {name: now.restricted[name] for name in sorted(tied & now.restricted.keys())}
-    doubts = [f"{x} is not free: {r.why}" for x, r in restricted.items() if not r.by or r.by & tied]
+    bounds = tuple(dict.fromkeys(c for r in restricted.values() for c in r.bounds))
+    doubts = [
+        f"{x} is not free: {r.why}"
+        for x, r in restricted.items()
+        if not r.bounds and (not r.by or r.by & tied)
+    ]
     if under.stated:
         doubts.append(f"it stands under '{under.stated}'")
     doubts += [f"nothing is said of the function {name}" for name in sorted(unknown)]
@@ -96,7 +103,7 @@ def ground(
     far = _far_functions(memory, terms)
     doubts += [f"{x} is defined in another paragraph" for x in sorted(far)]
     doubts += [f"the index {letter} may be summed over" for letter in sorted(_repeated(names))]
-    return Ground(tuple(doubts), explicit, universal, reach, left == right, places)
+    return Ground(tuple(doubts), explicit, universal, reach, left == right, places, bounds)
 
 
 def far_definitions(memory: Memory, put_in: Iterable[str], under: Under) -> tuple[str, ...]:
@@ -123,7 +130,9 @@ def _far_functions(memory: Memory, terms: Iterable[Sequence[str]]) -> set[str]:
 
 
 def _is_near(compared: Compared) -> bool:
-    """Whether two constants differ by no more than one part in fifty."""
+    """Whether two constants differ by no more than one part in fifty, or may do so."""
+    if not elementary(compared[0], compared[2]):
+        return True
     with ball_precision():
         left, right = (evaluate(side, {}) for side in compared[::2])
         return bool(abs(left - right) * 50 <= abs(left))
@@ -187,7 +196,8 @@ def holds_elsewhere(sides: Compared, given: Sequence[Compared]) -> dict[str, str
             point = {name: _value(r, whole and name in integers, k) for name in names}
             if not all(_given_holds(c, point) for c in given):
                 continue
-            gap = evaluate(one - other, point)
+            exact = {name: number(value) for name, value in point.items()}
+            gap = evaluate(substitute(one - other, exact), {})
             if not gap.is_finite():
                 continue
             tried[whole] += 1

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
@@ -29,7 +29,7 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.language.latex_operands import Piece
-from tresym.reals.language.parsing import Compared
+from tresym.reals.language.parsing import UNKNOWN, Compared
 from tresym.reals.numbers.exact import InputError, parse_number
 
 DEFINED, ASSUMED, EQUATION, UNREAD = "DEFINED", "ASSUMED", "EQUATION", "UNREAD"
@@ -49,6 +49,7 @@ class Attempt(NamedTuple):
         sides, given: what is asked, taken apart.
         far: symbols that are put in and were defined in another paragraph.
         same: whether the same variables stand on both sides.
+        under: its conditions or its path, in words.
     """
 
     text: str
@@ -59,6 +60,7 @@ class Attempt(NamedTuple):
     given: tuple[Compared, ...] = ()
     far: tuple[str, ...] = ()
     same: bool = False
+    under: str = ""
 
 
 @dataclass(frozen=True)
@@ -74,6 +76,10 @@ class Link:
         firm: whether a refutation counts; else the link is then ``otherwise``.
         same: whether the same variables stand on both sides.
         unknown: whether there is a function in it that is left unknown.
+        second: the same link in the other of two readings.
+        symbols: those of its chain, each with its kind and what speaks for that.
+        constants: symbols that are said to be numbers.
+        counted: symbols that number something elsewhere, and so are positive integers.
         ground: on what a refutation of it stands.
     """
 
@@ -90,6 +96,10 @@ class Link:
     unknown: bool = False
     ground: Ground = field(default_factory=Ground)
     shown: str = field(default="", repr=False)
+    second: Link | None = None
+    symbols: tuple[tuple[str, str, str], ...] = ()
+    constants: frozenset[str] = frozenset()
+    counted: frozenset[str] = frozenset()
 
 
 def claim(
@@ -107,7 +117,9 @@ def claim(
     left, relation, right = compared
     try:
         known = memory.known(under)
-        left, right = memory.under_binders(left, known), memory.under_binders(right, known)
+        constants = memory.uses.numbers | names_in(under.given)
+        left = memory.under_binders(left, known, constants)
+        right = memory.under_binders(right, known, constants)
     except InputError as error:
         return replace(read_so(link, compared), status=UNREAD, why=str(error))
     if signed and said.either and relation != "==":
@@ -169,6 +181,7 @@ def claim(
         and not changed
         and not _is_up_to(n, said, known)
         and not (under.noted and under.kind == prose.SOLVE and n == 0)
+        and (under.noted or not unknown_in(left, right))
     )
     link = replace(link, sides=(left, relation, right), read_as=attempts[0].read_as)
     fallback = _fallback(memory, left, relation, right, None if as_path else head)
@@ -183,7 +196,9 @@ def claim(
             memory.define(head, right)
     undecided = "UNDECIDED", ""
     keep = firm or (same and relation == "==" and n > 0) or as_path or relation != "=="
+    counted = memory.uses.indices - memory.uses.numbers
     link = replace(link, claims=attempts, firm=firm, same=same)
+    link = replace(link, counted=counted, constants=memory.uses.numbers | names_in(under.given))
     if fallback[0] == EQUATION and unknown_in(left, right):
         link = replace(link, same=False, unknown=True)
     if under.unread and not under.noted:
@@ -227,16 +242,27 @@ def _attempts(
         for one, other, given, how, put in _forms(memory, left, right, conditions, under):
             given = [c for c in given if end not in names_in((c,))]  # where it holds, the path says
             shown = chained(about(symbols(one) | symbols(other), given))
-            text = f"{one} {relation} {other}" + (f" given {shown}" if shown else "") + as_path
+            told = (f" given {shown}" if shown else "") + as_path
+            text = _with_functions_named(f"{one} {relation} {other}{told}", unknown_in(one, other))
             how = "; ".join(filter(None, (how, EARLIER if more else "")))
             may_fail = not how.startswith((TOLD, WHERE))
             said = f"{left} {relation} {right} given {shown}" if how.startswith(WHERE) else said_so
             asked = Attempt(text, how, said, may_fail, (one, relation, other), tuple(given))
+            asked = asked._replace(under=told)
             far = accusations.far_definitions(memory, put, under)
             alike = not (symbols(one) ^ symbols(other)) - free
             attempts.setdefault(text, asked._replace(far=far, same=alike))
             same = same or (may_fail and alike)
     return tuple(sorted(attempts.values(), key=lambda attempt: not attempt.may_fail)), same
+
+
+def _with_functions_named(text: str, names: Iterable[str]) -> str:
+    """The claim with names for unknown functions by which the grammar of text knows them."""
+    for name in names:
+        alone = re.search(rf"\b{name}\b(?!\s*\()", text)
+        if alone or not UNKNOWN.fullmatch(name):
+            text = re.sub(rf"\b{name}\s*\(", f"fn_{name}(", text)
+    return text
 
 
 def _by_one_variable(left: Expr, right: Expr, known: Mapping[str, Expr]) -> tuple[Expr, Expr]:

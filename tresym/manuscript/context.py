@@ -5,40 +5,32 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import TypeAlias
 
 from tresym.manuscript import prose, restrictions
+from tresym.manuscript.conditions import INDICES, ConditionReader, whole
+from tresym.manuscript.dependence import may_depend
 from tresym.manuscript.directives import Orders
-from tresym.manuscript.display import STRANGE, Said, statements
+from tresym.manuscript.display import Said, statements
+from tresym.manuscript.kinds import Uses
 from tresym.manuscript.scopes import Restriction, Scopes
-from tresym.manuscript.terms import Head, head_of, is_plain, read_term, unknown_in
-from tresym.reals.domain.evaluation import evaluate
+from tresym.manuscript.terms import Head, base_of, is_plain, read_term, unknown_in
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.expression import (
     BINDERS,
     DOTS,
-    HALF,
     LEAVES,
-    ONE,
-    PI,
     UNWORKED,
-    ZERO,
     Expr,
-    apply,
     bind,
     instantiate,
-    number,
     rebuild,
     substitute,
     symbol,
     symbols,
 )
-from tresym.reals.language.formula import NEGATED
-from tresym.reals.language.latex import read_latex
 from tresym.reals.language.latex_cursor import Author, Function
 from tresym.reals.language.latex_tokens import tokenize
-from tresym.reals.language.parsing import INFINITY, INTEGERS, Compared
-from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.language.parsing import INTEGERS, Compared
 from tresym.reals.numbers.exact import InputError
 
 _LETTER_E = re.compile(
@@ -66,13 +58,12 @@ _DERIVATIVES = (
 _PRIMED_TIME = re.compile(r"(?<![a-zA-Z\\])t'(?!')")
 _TIME_WITHIN = re.compile(r"(?<![a-zA-Z\\])d\s*\}?\s*\{?t'|''")
 """Where t' is a variable of integration, or derivatives are marked by primes."""
-_INDICES = frozenset("ijklmnpqrsIJKLMN")
-"""Letters of integers: in passing, of others it is said of one display."""
+_ENDED = re.compile(r"[.!?][\s})~]*\Z")
 _PARAGRAPH = re.compile(r"\n\s*\n|\\par(?![a-zA-Z])")
 DEPTH = 10
-_OFF = (("\\ne",), ("\\neq",), ("\\notin",))
-Conditions: TypeAlias = tuple[tuple[Compared, ...], tuple[tuple[str, Expr], ...], str]
-"""What conditions state: comparisons, values that are put in, and a path."""
+_ORDER = frozenset(("<", ">", "\\le", "\\leq", "\\ge", "\\geq", "\\leqslant", "\\geqslant"))
+_DIFFERENTIAL = re.compile(r"\s*d\s*[a-zA-Z\\]+\s*=")
+"""An equation of differentials, du = 2x dx, which restricts no value."""
 
 
 @dataclass(frozen=True)
@@ -100,7 +91,7 @@ class Under:
     """The words of its sentence that make it a statement about what exists, or a supposition."""
 
 
-class Memory:
+class Memory(ConditionReader):
     """What was said, and what it makes of what is read.
 
     Attributes:
@@ -108,7 +99,9 @@ class Memory:
         scopes: what the text says, as far as that reaches.
         labels: what displays say, by their labels and numbers.
         ahead: what is defined further on in the display.
+        partial: whether derivatives in a chain are written with ∂.
         by: the one variable by which a chain integrates, if it is one.
+        uses: what the names of the display are elsewhere.
         seen: names that stood in a display before.
         primes: whether primes make other symbols, as where there is a time t', and no derivatives.
         where: conditions of the sentences that define symbols, by the symbol.
@@ -130,11 +123,13 @@ class Memory:
         self.shorter = self.longer = False
         self.ahead: dict[str, Expr] = {}
         self.by = ""
+        self.partial = False
         self.primes = bool(_PRIMED_TIME.search(text)) and not _TIME_WITHIN.search(text)
         self.dependent = _dependent(text)
         self.called = frozenset(
             head.name for m in _CALLED.finditer(text) if (head := self.head(tokenize(m[1])))
         )
+        self.uses = Uses()
         self.seen: set[str] = set()
         self.told: dict[str, Expr] = {}
         self.where: dict[str, tuple[Compared, ...]] = {}
@@ -175,13 +170,13 @@ class Memory:
             letter_e=self.letter_e,
             letter_delta=self.letter_delta,
             called=self.called,
+            applied=self.uses.applied,
+            bare=self.uses.bare,
+            numbers=self.uses.numbers,
+            sequences=self.uses.sequences,
+            inverses=self.uses.inverses,
             variable=self.by,
         )
-
-    def head(self, tokens: Sequence[str]) -> Head | None:
-        """The symbol, or the function of symbols, or the derivative, that a term consists of."""
-        author = Author(strict=True, letter_e=self.letter_e, letter_delta=self.letter_delta)
-        return head_of(list(tokens), author)
 
     def define(self, head: Head, value: Expr, where: Sequence[Compared] = ()) -> None:
         """Remember what a symbol stands for, and the conditions of the sentence that says so."""
@@ -219,10 +214,15 @@ class Memory:
             known[name] = body
         return known
 
-    def under_binders(self, e: Expr, known: Mapping[str, Expr]) -> Expr:
+    def under_binders(
+        self, e: Expr, known: Mapping[str, Expr], constants: frozenset[str] = frozenset()
+    ) -> Expr:
         """With what is a function of the variable of a derivative or an integral put in there.
 
         In print ``y`` under ``d/dx`` is what it stands for, where that has x in it.
+
+        Args:
+            constants: what is bound around it, or said to be a number.
 
         Raises:
             InputError: it is not known whether a symbol is a function of the variable.
@@ -232,8 +232,9 @@ class Memory:
         if e.op not in BINDERS or not symbols(e.args[0]).isdisjoint(e.names):
             if e.op in UNWORKED or e.op == "unknown":
                 return e
-            return rebuild(e, tuple(self.under_binders(arg, known) for arg in e.args))
-        args = tuple(self.under_binders(arg, known) for arg in e.args[1:])
+            return rebuild(e, tuple(self.under_binders(arg, known, constants) for arg in e.args))
+        args = tuple(self.under_binders(arg, known, constants) for arg in e.args[1:])
+        constants = constants.union(*map(symbols, args))  # an end is not moved by the variable
         body = instantiate(e.args[0], tuple(map(symbol, e.names)))
         for _ in range(DEPTH):
             values = {
@@ -246,9 +247,16 @@ class Memory:
             body = substitute(body, values)
         for name in sorted(symbols(body) - {*e.names}):
             on = self.dependent.get(name, frozenset()) | ({""} if name in self.called else set())
-            if on & {"", *e.names}:
-                raise InputError(f"whether {name} is a function of {e.names[0]} is not said")
-        return Expr(e.op, (bind(self.under_binders(body, known), e.names), *args), e.names)
+            on |= {""} if base_of(name) != name else set()
+            free = name not in constants and name not in known
+            varies = name in self.uses.functions or may_depend(name, e, body, self.partial)
+            if on & {"", *e.names} or (free and varies):
+                advice = f"write {name}({e.names[0]}), or % tresym: let {name} real"
+                raise InputError(
+                    f"whether {name} is a function of {e.names[0]} is not said: {advice}"
+                )
+        inner = self.under_binders(body, known, constants | {*e.names})
+        return Expr(e.op, (bind(inner, e.names), *args), e.names)
 
     def remember(self, text: str) -> None:
         """Definitions, lasting conditions and what restricts symbols in the lines of a text."""
@@ -264,7 +272,7 @@ class Memory:
         name = self.lone(said) if found.whole or found.anew else ""
         if name and found.anew:
             self.forget(name)
-        if name and found.whole and (name[:1] in _INDICES or not found.passing):
+        if name and found.whole and (name[:1] in INDICES or not found.passing):
             self.lasting += whole(symbol(name), found.whole)
         one = self.head(said.terms[0]) if found.introduced else None
         known = self.functions.get(one.name) if one else None
@@ -286,13 +294,27 @@ class Memory:
         elif not understood and head is not None and not head.derived:
             others = self.spoken_of(replace(said, terms=said.terms[1:])) - {*head.parameters}
             self.restrict({head.name}, why, others - {head.name})
-        elif not understood:
-            self.restrict(self.spoken_of(said), why)
+        elif not understood and not _DIFFERENTIAL.match(found.tex):
+            conditions = self.condition(said) if {*said.ops} <= _ORDER else None
+            bounds = conditions[0] if conditions else ()
+            self.restrict(self.spoken_of(said), why, bounds=bounds)
 
-    def restrict(self, names: Iterable[str], why: str, by: Iterable[str] = ()) -> None:
+    def restrict(
+        self,
+        names: Iterable[str],
+        why: str,
+        by: Iterable[str] = (),
+        bounds: tuple[Compared, ...] = (),
+    ) -> None:
         """Symbols are not free for a counterexample from here on, where ``by`` is spoken of too."""
         for name in names:
-            self.scopes.now.restricted.setdefault(name, Restriction(why, frozenset(by)))
+            before = self.scopes.now.restricted.get(name)
+            if before is None:
+                self.scopes.now.restricted[name] = Restriction(why, frozenset(by), bounds)
+            elif before.bounds and not bounds:
+                self.scopes.now.restricted[name] = Restriction(why, frozenset(by))
+            elif before.bounds:
+                self.scopes.now.restricted[name] = before._replace(bounds=before.bounds + bounds)
 
     def spoken_of(self, said: Said) -> set[str]:
         """The symbols and functions in a formula, by their letters where it is not read."""
@@ -388,7 +410,8 @@ class Memory:
         universal = prose.is_universal(before, after)
         kind = prose.kind_of(before)
         kind = "" if kind == prose.CLAIM and prose.is_narrowed(before) else kind
-        stated = restrictions.stated_under(prose.without_formulas(prose.last_sentence(before)))
+        leading = "" if _ENDED.search(before) else prose.last_sentence(before)
+        stated = restrictions.stated_under(prose.without_formulas(leading))
         return Under(
             *(tuple(given), tuple(put_in), path, kind),
             universal=universal,
@@ -422,125 +445,6 @@ class Memory:
                     given.append((left, op, right))
         kind = around.kind if around.noted else prose.CLAIM
         return replace(around, given=tuple(given), sources=tuple(values), kind=kind, noted=True)
-
-    def condition(self, said: Said) -> Conditions | None:
-        """The comparisons, the values put in and the path that a condition states, if it is one."""
-        off = self.off_multiples(said) if said.ops in _OFF else None
-        if off is not None:
-            return off
-        if not said.ops or any(op in STRANGE for op in said.ops):
-            return None
-        if said.values and said.ops == ("=",):
-            return self.integers(said)
-        if said.ops == ("\\in",) and said.terms[1][:1] == ("\\mathbb",):
-            return self.member(said)
-        if said.ops[0] == "\\in" and said.terms[1][:1] == ("\\mathbb",):
-            return self.member_from(said)
-        try:
-            (chain,) = read_latex(" ".join(said.tokens), self.author)
-        except (InputError, ValueError):
-            return None
-        if chain.ops[0].startswith("->"):
-            point = {INFINITY: "oo", -INFINITY: "-oo"}.get(chain.terms[1], chain.terms[1])
-            return (), (), f"{chain.terms[0]} -> {point}{chain.ops[0][2:]}"
-        links = [
-            link
-            for link in chain.links
-            if not {link[0], link[2]} & {INFINITY, -INFINITY} or link[1] not in ("<", "<=")
-        ]
-        if any(op == "==" for _, op, _ in links):
-            left, _, right = links[0]
-            if len(links) > 1 or said.values or not elementary(left, right):
-                return None
-            if left.op != "symbol":
-                return tuple(links), (), ""
-            return (), ((left.args[0], right),), ""
-        if any(op not in NEGATED for _, op, _ in links) or not elementary(
-            *(side for left, _, right in links for side in (left, right))
-        ):
-            return None
-        return tuple(links), (), ""
-
-    def off_multiples(self, said: Said) -> Conditions | None:
-        """Off all multiples of π or 1, or odd ones of its half: ``x \\ne 0, \\pm\\pi, \\ldots``.
-
-        It is None for what is no such condition.
-        """
-        try:
-            x = read_term(said.terms[0], self.author).tree
-            if said.ops == ("\\notin",):
-                whole = said.terms[1][:1] == ("\\mathbb",) and "Z" in said.terms[1]
-                return (((apply("sin", PI * x), "!=", ZERO),), (), "") if whole else None
-            listed = [t for t in (said.terms[1], *said.values) if t != ("\\ldots",)]
-            if len(said.values) != len(listed):  # nothing goes on
-                return None if said.values else self.off_each(x, said.terms[1])
-            values = [read_term([t for t in v if t != "\\pm"], self.author).tree for v in listed]
-        except InputError:
-            return None
-        return _off(x, values)
-
-    def off_each(self, x: Expr, term: Sequence[str]) -> Conditions | None:
-        """Off what a term is for every integer that stands in it."""
-        value = read_term(term, self.author).tree
-        (name, *more) = sorted(symbols(value)) or [""]
-        if more or name not in _INDICES or value == symbol(name) or symbols(x) & _INDICES:
-            return None
-        return _off(x, [substitute(value, {name: number(k)}) for k in range(3)])
-
-    def integers(self, said: Said) -> Conditions | None:
-        """``n = 0, 1, 2, \\ldots``: every integer from the first on, to the last if any is."""
-        listed = [said.terms[1], *said.values]
-        head, first = self.head(said.terms[0]), said.terms[1]
-        if head is None or not all(len(v) == 1 and v[0].isdigit() for v in listed[:-1]):
-            return None
-        found = [int(v[0]) for v in listed[:-1]]
-        if found != list(range(found[0], found[0] + len(found))):
-            return None
-        name = symbol(head.name)
-        given: list[Compared] = [(name, "in", INTEGERS), (name, ">=", number(int(first[0])))]
-        last = listed[-1]
-        if last != ("\\ldots",):
-            if last != (str(found[-1] + 1),):
-                return None
-            given.append((name, "<=", number(found[-1] + 1)))
-        return tuple(given), (), ""
-
-    def member_from(self, said: Said) -> Conditions | None:
-        """``n \\in \\mathbb{Z} \\ge 4``, as "for integers $n \\ge 4$" is read."""
-        own = self.member(replace(said, terms=said.terms[:2], ops=said.ops[:1]))
-        terms = said.terms[:1] + said.terms[2:]
-        bound = self.condition(replace(said, terms=terms, ops=said.ops[1:]))
-        return (own[0] + bound[0], bound[1], bound[2]) if own and bound else None
-
-    def member(self, said: Said) -> Conditions | None:
-        """``n \\in \\mathbb{Z}``, and the like."""
-        head = self.head(said.terms[0])
-        which = "".join(t for t in said.terms[1][1:] if t not in "{}^_")
-        if head is None or which not in ("R", "Z", "N", "Z+", "N0", "O", "E"):
-            return None
-        if which in ("O", "E"):
-            half = symbol(f"{head.name}_half")
-            value = number(2) * half + number(int(which == "O"))
-            return whole(half, "Z"), ((head.name, value),), ""
-        return () if which == "R" else whole(symbol(head.name), which), (), ""
-
-
-def whole(name: Expr, which: str) -> tuple[Compared, ...]:
-    """That a symbol is an integer, of N one from 1 on, of N0 from 0 on."""
-    least = {"N": 1, "Z+": 1, "N0": 0}.get(which)
-    return (name, "in", INTEGERS), *(() if least is None else [(name, ">=", number(least))])
-
-
-def _off(x: Expr, values: Sequence[Expr]) -> Conditions | None:
-    """That x is no multiple, or no odd multiple of one half, of π or 1, where these are such."""
-    for unit in (PI, ONE):
-        for start, wave in ((ZERO, "sin"), (HALF, "cos")):
-            row = [(start + k) * unit for k in range(len(values))]
-            with ball_precision():
-                gaps = [evaluate(one - other, {}) for one, other in zip(row, values, strict=True)]
-                if len(values) > 1 and all(gap.contains(0) for gap in gaps):
-                    return ((apply(wave, x if unit == PI else PI * x), "!=", ZERO),), (), ""
-    return None
 
 
 def _reaches(name: str, names: Iterable[str], known: Mapping[str, Expr]) -> bool:

@@ -1,21 +1,25 @@
-"""The status of every link: what is left open by reading is decided, many at once."""
+"""Decide what reading leaves open, many links at once, and give each link a status."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import re
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 from tresym.manuscript import accusations
 from tresym.manuscript.classification import EQUATION, UNREAD, Attempt, Link
 from tresym.manuscript.context import names_in
+from tresym.manuscript.instances import instances
 from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.claim_parsing import chained
 from tresym.reals.decisions.time_limited import Task, check_all, check_within
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.expression import ONE, ZERO, symbols
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
+PASSES = (Verdict.PROVED.value, Verdict.ENCLOSED.value)
 STATUSES = (*(v.value for v in Verdict), "DEFINED", "ASSUMED", EQUATION, UNREAD)
 
 
@@ -59,6 +63,25 @@ def decided(
     progress: Callable[[int, int], None] = lambda done, total: None,
 ) -> list[Row]:
     """A row for each link; each claim is asked for at most ``limit`` seconds."""
+    asked = [*links, *(link.second for link in links if link.second is not None)]
+    answers = _answers(asked, limit, processes, progress)
+    rows = [_row(link, answers.get(n, []), limit) for n, link in enumerate(asked)]
+    rows = _varied(rows, answers, limit, processes)
+    found = [(row, answers.get(n, [])) for n, row in enumerate(rows)]
+    seconds = iter(found[len(links) :])
+    return [
+        row if link.second is None else _of_both((row, own), next(seconds))
+        for link, (row, own) in zip(links, found[: len(links)], strict=True)
+    ]
+
+
+def _answers(
+    links: Sequence[Link],
+    limit: float,
+    processes: int | None,
+    progress: Callable[[int, int], None],
+) -> dict[int, list[Answer | InputError]]:
+    """The answers to the attempts at each link, up to the first that passes."""
     answers: dict[int, list[Answer | InputError]] = {}
     open_ = [n for n, link in enumerate(links) if link.claims]
     total, done, attempt = len(open_), 0, 0
@@ -77,7 +100,56 @@ def decided(
                 done += 1
             progress(done, total)
         open_, attempt = again, attempt + 1
-    return [_row(link, answers.get(n, []), limit) for n, link in enumerate(links)]
+    return answers
+
+
+def _varied(
+    rows: list[Row],
+    answers: dict[int, list[Answer | InputError]],
+    limit: float,
+    processes: int | None,
+) -> list[Row]:
+    """The rows, but for passes of which an instance is refuted."""
+    tasks: list[Task] = []
+    told: list[tuple[int, str]] = []
+    for n, row in enumerate(rows):
+        passed = len(answers.get(n, [])) - 1
+        if row.status not in PASSES or passed < 0:
+            continue
+        attempt = row.link.claims[passed]
+        if attempt.sides is None or "(" in attempt.under:
+            continue
+        for text, values in instances(attempt.sides, row.link.constants):
+            told.append((n, values))
+            tasks.append(Task(text + attempt.under, line=n))
+    if tasks:
+        for (n, values), (_, found) in zip(told, check_all(tasks, limit, processes), strict=True):
+            if isinstance(found, Answer) and found.verdict is Verdict.REFUTED:
+                why = f"it was taken to be proved, but fails with {values}: please report it"
+                rows[n] = replace(rows[n], status=Verdict.UNDECIDED.value, why=why)
+    return rows
+
+
+def _of_both(
+    first: tuple[Row, list[Answer | InputError]], second: tuple[Row, list[Answer | InputError]]
+) -> Row:
+    """The row of a link that can be read in two ways: a status where both have it, else UNREAD."""
+    (one, _), (other, _) = first, second
+    if one.status in PASSES and other.status in PASSES:
+        weaker = max((one, other), key=lambda row: PASSES.index(row.status))
+        both = f"in both readings of print, {one.link.read_as} and {other.link.read_as}"
+        return replace(weaker, why=f"{weaker.why}; {both}")
+    told = " and ".join(
+        f"{row.link.read_as} is {_verdict(found)}" for row, found in (first, second)
+    )
+    return replace(one, status=UNREAD, why=f"two readings remain: {told}", witness=None)
+
+
+def _verdict(answers: list[Answer | InputError]) -> str:
+    """The best verdict of several attempts at one reading."""
+    read = [answer for answer in answers if isinstance(answer, Answer)]
+    best = next((answer for answer in read if answer), read[0] if read else None)
+    return best.verdict.value if best is not None else "not read"
 
 
 def _restates(link: Link, asked: Attempt) -> str:
@@ -125,14 +197,34 @@ def _doubt(link: Link, asked: Attempt, limit: float) -> str:
     if point is not None:
         at = ", ".join(f"{name} = {value}" for name, value in point.items())
         return f"it holds at {at}: a condition may be missing"
-    bound = names_in(asked.given) | names_in([asked.sides]) & {*"ABC"}
-    free = sorted(names_in([asked.sides]) - bound - accusations.NO_VARIABLES)
-    if free and not elementary(asked.sides[0], asked.sides[2]):
-        signs = ", ".join(f"{name} > 0" for name in free)
-        text = f"{asked.text}, {signs}" if asked.given else f"{asked.text} given {signs}"
+    known = names_in(asked.given) | names_in(link.ground.bounds)
+    free = sorted(names_in([asked.sides]) - known - {*"ABC"} - accusations.NO_VARIABLES)
+    signs = [f"{name} > 0" for name in free]
+    more = ", ".join(filter(None, (chained(link.ground.bounds), *signs)))
+    if more and (link.ground.bounds or not elementary(asked.sides[0], asked.sides[2])):
+        text = f"{asked.text}, {more}" if " given " in asked.text else f"{asked.text} given {more}"
         if check_within(Task(text), limit).verdict is not Verdict.REFUTED:
-            return f"it is not refuted where {signs}: a condition may be missing"
+            return f"it is not refuted where {more}: a condition may be missing"
     return ""
+
+
+def _told(why: str, how: str) -> str:
+    """A reason, with what was put in; functions under the names that the author gives them."""
+    return re.sub(r"\bfn_", "", f"{why}; {how}" if how else why)
+
+
+def _named(witness: Mapping[str, str] | None) -> dict[str, str] | None:
+    """A witness with functions under the names that the author gives them."""
+    if witness is None:
+        return None
+    return {re.sub(r"\bfn_", "", name): value for name, value in witness.items()}
+
+
+def _uncounted(link: Link, answer: Answer) -> str:
+    """Why a refutation at a number that counts nothing is not reported."""
+    witness = answer.witness or {}
+    wrong = [n for n in sorted(link.counted) if not witness.get(n, "1").isdecimal()]
+    return f"{', '.join(wrong)} numbers things elsewhere" if wrong else ""
 
 
 def _row(link: Link, answers: list[Answer | InputError], limit: float) -> Row:
@@ -148,8 +240,7 @@ def _row(link: Link, answers: list[Answer | InputError], limit: float) -> Row:
     how = asked.how
     if last:
         link = replace(link, read_as=asked.read_as)
-    why = f"{last.why}; {how}" if how else last.why
-    witness = dict(last.witness) if last.witness is not None else None
+    why, witness = _told(last.why, how), _named(last.witness)
     row = Row(link, last.verdict.value, why, witness, last.given, seconds)
     if last:
         same = _restates(link, asked)
@@ -160,9 +251,9 @@ def _row(link: Link, answers: list[Answer | InputError], limit: float) -> Row:
         doubt = "" if failed else _needed(link)
         if failed is not None:
             asked, last = failed
-            doubt = _doubt(link, asked, limit)
-            witness = dict(last.witness) if last.witness is not None else None
-            why = f"{last.why}; {asked.how}" if asked.how else last.why
+            doubt = _uncounted(link, last) or _doubt(link, asked, limit)
+            witness = _named(last.witness)
+            why = _told(last.why, asked.how)
             row = Row(link, last.verdict.value, why, witness, last.given, seconds)
         if not doubt:
             return replace(row, link=replace(link, read_as=asked.read_as))

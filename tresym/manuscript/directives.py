@@ -8,11 +8,13 @@ from pathlib import Path
 
 from tresym.ledger.audit.source import read_text
 from tresym.manuscript.files import Note
+from tresym.manuscript.kinds_in_prose import BY_NAME
 from tresym.manuscript.source import Display, Event
 from tresym.reals.language.parsing import parse_given
 from tresym.reals.numbers.exact import InputError
 
 KINDS = ("define", "assume", "solve", "claim")
+_LET = re.compile(r"(.+?)\s+(?:is |are |an? )*([a-z]+?)(?:s| number| variable)?")
 
 
 @dataclass(frozen=True)
@@ -27,6 +29,7 @@ class Orders:
         path: the path of the orders and limits in the next display.
         shorter: of two readings of the next display the shorter is meant, sin(x)*(y + z).
         skip: why the next display is not to be read.
+        lets: symbols in LaTeX, and their kinds.
     """
 
     given: str = ""
@@ -36,6 +39,7 @@ class Orders:
     path: str = ""
     shorter: bool = False
     skip: str | None = None
+    lets: tuple[tuple[str, str], ...] = ()
 
     def with_(self, later: Orders) -> Orders:
         """Both, for the next display."""
@@ -61,6 +65,8 @@ def orders_of(note: Note) -> Orders:
         except InputError as error:
             raise InputError(f"{place}: {error}") from None
         return Orders(given=rest)
+    if word == "let" and rest:
+        return _let(rest, place)
     if word == "forget" and not rest:
         return Orders(forget=True)
     if word in KINDS and not rest:
@@ -75,8 +81,36 @@ def orders_of(note: Note) -> Orders:
         return Orders(skip=rest or "no reason is given")
     raise InputError(
         f"{place}: the note {note.text[:60]!a} is not understood; there are given CONDITIONS, "
-        "forget, define, assume, solve, claim, from LABELS, as PATH, shorter and skip: WHY"
+        "let SYMBOLS KIND, forget, define, assume, solve, claim, from LABELS, as PATH, shorter and skip: WHY"
     )
+
+
+def _let(text: str, place: str) -> Orders:
+    """``T operator, A B matrix, s > 0``: kinds of symbols, and conditions.
+
+    Raises:
+        InputError: a part that is neither.
+    """
+    lets: list[tuple[str, str]] = []
+    given: list[str] = []
+    for part in filter(None, (part.strip() for part in text.split(","))):
+        if re.search(r"[<>]|!=", part):
+            given.append(part)
+            continue
+        found = _LET.fullmatch(part)
+        kind = BY_NAME.get(found[2].replace("matrice", "matrix")) if found else None
+        if found is None or kind is None:
+            raise InputError(
+                f"{place}: {part[:60]!a} is not understood; write let SYMBOLS KIND with one of "
+                f"{', '.join(BY_NAME)}, or a condition"
+            )
+        lets.append((found[1], kind))
+    conditions = ", ".join(given)
+    try:
+        parse_given(conditions) if given else None
+    except InputError as error:
+        raise InputError(f"{place}: {error}") from None
+    return Orders(given=conditions, lets=tuple(lets))
 
 
 def with_notes(events: list[Event], path: Path) -> list[Event]:

@@ -8,6 +8,7 @@ from html import escape
 from itertools import groupby
 
 from tresym.manuscript.deciding import STATUSES, Row
+from tresym.manuscript.kinds_in_prose import REAL
 from tresym.manuscript.mathml import relation
 from tresym.manuscript.source import DISPLAYS
 
@@ -18,6 +19,7 @@ section { border-left: 4px solid #bbb; margin: 1.5rem 0; padding: 0 1rem }
 section.REFUTED { border-color: #c00 } section.PROVED, section.ENCLOSED { border-color: #080 }
 section.UNDECIDED, section.UNREAD { border-color: #c80 }
 h2 { font-size: 1rem; margin: 0 } .status { font-weight: 600 } .why { color: #555 }
+table { border-collapse: collapse } td, th { padding: .1rem .6rem; text-align: left }
 math { font-size: 1.2em } code { overflow-wrap: anywhere }
 """
 
@@ -32,8 +34,40 @@ def page(rows: Sequence[Row], name: str) -> str:
         f'<!doctype html>\n<html lang="en">\n<meta charset="utf-8">\n{MARK}\n'
         f"<title>{title}</title>\n"
         f'<meta name="viewport" content="width=device-width">\n<style>{_STYLE}</style>\n'
-        f"<h1>{title}</h1>\n<p>{len(rows)} links: {summary}</p>\n{body}\n</html>\n"
+        f"<h1>{title}</h1>\n<p>{len(rows)} links: {summary}</p>\n{_symbols(rows)}\n{body}\n</html>\n"
     )
+
+
+def _symbols(rows: Sequence[Row]) -> str:
+    """What each symbol was taken for, and what speaks for that."""
+    found: dict[tuple[str, str, str], list[int]] = {}
+    for row in rows:
+        for known in row.link.symbols:
+            places = found.setdefault(known, [])
+            if row.link.display.number not in places:
+                places.append(row.link.display.number)
+    plain = dict.fromkeys(name for name, kind, words in sorted(found) if kind == REAL and not words)
+    told = sorted(known for known in found if known[1] != REAL or known[2])
+    lines = [
+        f"<tr><td>{escape(name)}</td><td>{escape(kind)}</td><td>{escape(words)}</td>"
+        f"<td>{', '.join(_place(n) for n in found[name, kind, words][:12])}</td></tr>"
+        for name, kind, words in told
+    ]
+    table = (
+        "<table>\n<tr><th>symbol</th><th>kind</th><th>evidence</th><th>displays</th></tr>\n"
+        + "\n".join(lines)
+        + "\n</table>\n"
+    )
+    names = escape(", ".join(plain)) or "none"
+    return (
+        "<details open>\n<summary>What the symbols are</summary>\n"
+        f"<p>Taken for real numbers, as nothing speaks against it: {names}.</p>\n"
+        f"{table if lines else ''}</details>"
+    )
+
+
+def _place(number: int) -> str:
+    return f'<a href="#display-{number}">{number}</a>'
 
 
 def _sections(rows: Sequence[Row]) -> Iterator[str]:

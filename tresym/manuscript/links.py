@@ -25,10 +25,13 @@ from tresym.manuscript.classification import (
     claim,
     read_so,
 )
-from tresym.manuscript.context import Conditions, Memory, Under, names_in
+from tresym.manuscript.conditions import Conditions
+from tresym.manuscript.context import Memory, Under, names_in
 from tresym.manuscript.directives import Orders, orders_of
-from tresym.manuscript.display import OR, OTHERWISE, STRANGE, WORDS, Said, between, statements
+from tresym.manuscript.display import STRANGE, Said, statements
+from tresym.manuscript.display_text import OR, OTHERWISE, WORDS, between
 from tresym.manuscript.files import Note
+from tresym.manuscript.kinds import Kinds
 from tresym.manuscript.source import Display, Event, Missing, Prose, Scope, Section
 from tresym.manuscript.terms import (
     SIGNS,
@@ -68,7 +71,6 @@ EITHER = "either"
 """What leads in a chain that "or" follows."""
 BOUNDS = frozenset(("<", ">", "<=", ">=", "!="))
 FIRST = "of what the chain begins with, which it equals"
-HOLDS = "of the two readings of print it is the one that holds"
 
 
 class _Reading:
@@ -77,6 +79,8 @@ class _Reading:
     def __init__(self, events: Sequence[Event]) -> None:
         self.events = events
         self.memory = Memory("\n".join(e.text for e in events if isinstance(e, Display | Prose)))
+        self.kinds = Kinds(events)
+        self.place, self.words = 0, ""
         self.orders = Orders()
         self.cases: list[tuple[tuple[str, ...], tuple[Compared, ...]]] = []
 
@@ -84,6 +88,7 @@ class _Reading:
         """The links of all displays."""
         before = ""
         for n, event in enumerate(self.events):
+            self.place = n
             if isinstance(event, Note):
                 self.note(event)
             elif isinstance(event, Section):
@@ -119,11 +124,14 @@ class _Reading:
         if orders.forget:
             self.memory.noted, self.memory.lasting = [], []
         self.memory.noted += parse_given(orders.given) if orders.given else []
+        for names, kind in orders.lets:
+            self.kinds.settle(names, kind, note.text, note.line, self.place)
         self.orders = self.orders.with_(orders)
 
     def display(self, display: Display, before: str, after: str) -> Iterator[Link]:
         """The links of a display."""
         orders = self.orders
+        self.words = f"{prose.last_sentence(before)} {prose.first_sentence(after)}"
         self.memory.shorter = orders.shorter
         around = self.memory.conditions_around(before, after)
         kind = orders.kind or around.kind
@@ -164,7 +172,9 @@ class _Reading:
                 one = said.signed(sign) if sign != " " else said
                 two = one.terms[0] != said.terms[0] and self.memory.head(one.terms[0]) is not None
                 several = sign != " " and not two  # x_\pm are two symbols
-                for link in self.chain(replace(blank, shown=""), one, under, around, several):
+                known = self.kinds.known(one.tokens, self.place)
+                start = replace(blank, shown="", symbols=known)
+                for link in self.chain(start, one, under, around, several):
                     count += 1
                     firm = link.firm and not alone  # the condition of a later row may be meant
                     yield replace(link, number=count, firm=firm)
@@ -229,17 +239,23 @@ class _Reading:
                 yield replace(blank, status=ASSUMED, why=why, shown=shown, read_as=text)
             return
         under, problem = self.under(said, extra, around)
+        self.memory.uses = self.kinds.uses(said.tokens, self.place)
+        self.memory.partial = "\\partial" in said.tokens
         by = variables_of_integrals(said.tokens)
         self.memory.by = by.pop() if len(by) == 1 else ""
         pieces = [self.piece(term, said) for term in said.terms]
+        strange = [self.strange(said, n, blank.display.line) for n in range(len(said.ops))]
         doubts = [p for p in pieces if isinstance(p, str) and p.startswith("two readings remain")]
-        if doubts and {*said.ops} == {"="} and not self.memory.shorter:
+        if doubts and not any(strange) and not self.memory.shorter:
             links = list(self.either_reading(blank, said, under, doubts[0]))
             if links:
                 yield from links
                 return
         for n, op in enumerate(said.ops):
             shown = " ".join((*said.terms[n], op, *said.terms[n + 1]))
+            if strange[n]:
+                yield replace(blank, shown=shown, status=UNREAD, why=strange[n])
+                continue
             signs = {*said.terms[n][:1], *said.terms[n + 1][:1]} & {"\\pm", "\\mp"}
             several = signed or (said.either and bool(signs))
             link = replace(blank, shown=shown)
@@ -256,8 +272,16 @@ class _Reading:
                 link = replace(link, claims=(*link.claims, *told))
             yield link
 
+    def strange(self, said: Said, n: int, line: int) -> str:
+        """Why a link is not decided: one of its symbols is no real number; else nothing."""
+        left, right = list(said.terms[n]), list(said.terms[n + 1])
+        why = self.kinds.against_link(left, said.ops[n], right, self.place, self.words)
+        if why and n == 0:
+            self.kinds.spread(left, right, self.place, line)
+        return why
+
     def either_reading(self, blank: Link, said: Said, under: Under, why: str) -> Iterator[Link]:
-        """The links of a chain that can be read in two ways, one of which may hold; or none."""
+        """The links of a chain that can be read in two ways, each with both; or none."""
         rows: list[list[Piece | str]] = []
         for longer in (True, False):
             self.memory.longer, self.memory.shorter = longer, not longer
@@ -265,25 +289,21 @@ class _Reading:
         self.memory.longer = self.memory.shorter = False
         if any(isinstance(piece, str) for row in rows for piece in row):
             return
-        for n in range(len(said.ops)):
-            shown = " ".join((*said.terms[n], "=", *said.terms[n + 1]))
-            asked: list[Attempt] = []
+        if any(RELATIONS.get(op, "->") in ("->", "in", "<<", ">>") for op in said.ops):
+            return
+        for n, op in enumerate(said.ops):
+            shown = " ".join((*said.terms[n], op, *said.terms[n + 1]))
+            both = []
             for row in rows:
                 one, other = row[n : n + 2]
                 if isinstance(one, Piece) and isinstance(other, Piece):
-                    compared = one.tree, "==", other.tree
+                    compared = one.tree, RELATIONS[op], other.tree
                     link = replace(blank, shown=shown)
                     link = claim(
                         self.memory, link, 1, said, compared, (one, other), under, None, False
                     )
-                    asked += (a._replace(how=HOLDS, may_fail=False) for a in link.claims)
-            yield replace(
-                blank,
-                shown=shown,
-                claims=tuple(dict.fromkeys(asked)),
-                unknown=True,
-                otherwise=(UNREAD, why),
-            )
+                    both.append(replace(link, firm=False, otherwise=(UNREAD, why)))
+            yield both[0] if both[0].claims == both[1].claims else replace(both[0], second=both[1])
 
     def under(self, said: Said, extra: Sequence[Said], around: Under) -> tuple[Under, str]:
         """What a chain is said under, and what of it is not read."""

@@ -1,4 +1,4 @@
-"""An author's macros: how they are defined, and LaTeX with them written out."""
+"""Expand an author's LaTeX macros."""
 
 from __future__ import annotations
 

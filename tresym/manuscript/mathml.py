@@ -1,4 +1,4 @@
-"""Formulas as they were read, in MathML."""
+"""Write formulas, as they were read, in MathML."""
 
 from __future__ import annotations
 

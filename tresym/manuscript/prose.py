@@ -1,4 +1,4 @@
-"""What the prose around a display says of its kind and of its conditions, read cautiously."""
+"""Read the prose around a display for its kind and its conditions, cautiously."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ _NAMED = re.compile(
     re.IGNORECASE,
 )
 """What a formula behind it is the value of: "the energy $E = mc^2$"."""
-_INLINE = re.compile(r"(?<!\\)\$([^$]+)\$|\\\((.+?)\\\)", re.DOTALL)
+INLINE = re.compile(r"(?<!\\)\$([^$]+)\$|\\\((.+?)\\\)", re.DOTALL)
 _SENTENCE = re.compile(r"(?<=[a-z)}$])[.!?](?=\s+[A-Z\\$])|\n\s*\n|\\par(?![a-zA-Z])")
 _LASTING = re.compile(
     r"\b(?:let|suppose|assume|assuming|throughout|consider|restrict\w*|take)\b[^.$]*$",
@@ -182,7 +182,7 @@ class Inline(NamedTuple):
 
 def kind_of(before: str) -> str:
     """What the sentence before a display calls it: the word that stands last decides."""
-    words = _BY.sub(" ", _INLINE.sub(" ", last_sentence(before)).lower())
+    words = _BY.sub(" ", INLINE.sub(" ", last_sentence(before)).lower())
     found = [(m.end(), kind) for kind, pattern in _KIND for m in pattern.finditer(words)]
     return max(found)[1] if found else ""
 
@@ -192,7 +192,7 @@ _CONDITION = re.compile(r"(?:and\s+)?(?:for|where|when|whenever|if|provided|with
 
 def without_formulas(text: str) -> str:
     """A text with ``$`` for each formula in it."""
-    return _INLINE.sub("$", text)
+    return INLINE.sub("$", text)
 
 
 def last_sentence(text: str) -> str:
@@ -222,7 +222,7 @@ def is_universal(before: str, after: str) -> bool:
     """Whether the sentence before a display says for which values it is claimed, and nothing else:
     "If $x > 0$, then", "For real $a$ and $b$". It may end in a condition behind the display, and in
     nothing else: what "has a root" is an equation."""
-    words = _INLINE.sub(" ", last_sentence(before)).lower()
+    words = INLINE.sub(" ", last_sentence(before)).lower()
     rest = first_sentence(after)
     return (not rest or bool(_CONDITION.match(rest))) and bool(
         _SAID_OF.fullmatch(words) and re.search(r"\b(?:for|if|when|whenever)\b", words)
@@ -250,7 +250,7 @@ def inline(text: str) -> Iterator[Inline]:
     for number, sentence in enumerate(sentences):
         start, carried, anew = 0, (False, False, False, False), False
         conditional = False
-        for found in _INLINE.finditer(sentence):
+        for found in INLINE.finditer(sentence):
             words = sentence[start : found.start()]
             if start and re.fullmatch(r"[\s,~]*(?:and|or)?[\s,~]*", words):
                 marks = carried
@@ -279,7 +279,7 @@ def inline(text: str) -> Iterator[Inline]:
             whole = "Z" if halved else _whole(words, rest, alone)
             small = _TENDS.search(words)
             tends = {"small": "0", "large": "oo"}[small[1].lower()] if small else ""
-            ahead = _INLINE.sub("$", sentence[: found.start()])
+            ahead = INLINE.sub("$", sentence[: found.start()])
             yield Inline(
                 *(tex, *marks, whole, told, tends),
                 binds=binding(ahead, rest),
@@ -325,8 +325,8 @@ def conditions_behind(after: str) -> Iterator[Inline]:
     paragraph = re.split(r"\n\s*\n", after[:MAX_AFTER].lstrip(" \t\n.,;"))[0]
     for sentence in _SENTENCE.split(paragraph)[:3]:
         for found in inline(sentence):
-            ahead = sentence[: sentence.find(found.tex.partition(" \\in ")[0])]
-            if is_of_display_before(_INLINE.sub("$", ahead)):
+            ahead = sentence[: sentence.find(found.tex.partition(" \\in ")[0])].rstrip("$")
+            if is_of_display_before(INLINE.sub("$", ahead)):
                 yield found
 
 

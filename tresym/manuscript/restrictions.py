@@ -25,7 +25,7 @@ _ABSURD = (
 _WHAT = (
     r"(?:solutions?|roots?|zeros?|eigenvalues?|primes?|inverses?|minim\w+|maxim\w+|extrem\w+|infim\w+"
     r"|suprem\w+|limits?|(?:upper |lower )?bounds?|points?|such|as (?:above|before|in)"
-    r"|critical|stationary|equilibri\w+|fixed points?|partitions?|periods?)\b"
+    r"|fixed|given|chosen|critical|stationary|equilibri\w+|fixed points?|partitions?|periods?)\b"
 )
 _NOUN_AFTER = re.compile(
     r"[\s~,]*(?:be|is|are|being|denotes?|become)[\s~]+(?:(?:the|an?|any|some|one|its|their|also"

@@ -18,10 +18,16 @@ from tresym.reals.language.parsing import Compared
 
 
 class Restriction(NamedTuple):
-    """Why a symbol is not free for a counterexample, and by which others it is tied, if by some."""
+    """Why a symbol is not free for a counterexample.
+
+    Attributes:
+        by: the other symbols that it is tied to, if it is to some.
+        bounds: bounds that may be meant for it; what fails under them fails in any case.
+    """
 
     why: str
     by: frozenset[str] = frozenset()
+    bounds: tuple[Compared, ...] = ()
 
 
 @dataclass

@@ -40,7 +40,7 @@ STATEMENT, PROOF, EXAMPLE, LIST, ITEM, CASE = (
 _SCOPES = {
     STATEMENT: r"theorem|thm|lem(?:ma)?|prop(?:osition)?|cor(?:ollary)?|conj(?:ecture)?|claim|fact",
     PROOF: r"proof|pf|solutions?|soln?|answer|hint",
-    EXAMPLE: r"ex|exam|exam?ples?|exer|exercises?|problems?|prob|questions?|remarks?|rem|rmk",
+    EXAMPLE: r"ex|eg|exam|exam?ples?|exer|exercises?|problems?|prob|questions?|remarks?|rem|rmk",
     LIST: r"enumerate|itemize|description|parts|tasks|[a-z]*(?:list|enum|item)",
     CASE: r"case",
 }
@@ -97,9 +97,11 @@ class Scope(NamedTuple):
 
 
 class Prose(NamedTuple):
-    """What stands between displays."""
+    """What stands between displays, and where it begins."""
 
     text: str
+    file: str = ""
+    line: int = 0
 
 
 @dataclass(frozen=True)
@@ -254,11 +256,14 @@ class _Scanner:
         return end + 1 if 0 <= end < at + MAX_DISPLAY else at
 
     def prose(self, start: int, stop: int) -> Prose:
-        text = self.text[max(start, stop - MAX_DISPLAY) : stop]
+        start = max(start, stop - MAX_DISPLAY)
+        text = self.text[start:stop]
+        file, line = self.source.place(min(start, len(self.text) - 1)) if self.text else ("", 0)
         try:
-            return Prose(written_out(text, self.macros) if len(text) < MAX_DISPLAY else text)
+            text = written_out(text, self.macros) if len(text) < MAX_DISPLAY else text
         except InputError:
-            return Prose(text)
+            pass
+        return Prose(text, file, line)
 
     def display(self, kind: str, start: int, at: int, stop: int) -> tuple[Display, int]:
         """The display whose text begins at ``at``, and where to go on."""

@@ -1,4 +1,4 @@
-"""A term of a chain: how it is read, and whether it can be what a definition defines."""
+"""Read a term of a chain, and decide whether a definition can define it."""
 
 from __future__ import annotations
 

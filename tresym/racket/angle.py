@@ -1,4 +1,4 @@
-"""Exact angles: a rational multiple of π or a rational number of radians, never a float."""
+"""Exact angles: a rational multiple of π, or a rational number of radians."""
 
 from __future__ import annotations
 

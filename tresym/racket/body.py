@@ -1,4 +1,4 @@
-"""A rigid body as the paper sees it: three moments of inertia, or just the two shape parameters.
+"""A rigid body: three moments of inertia, or the two shape parameters a and b.
 
 a = I₂/I₁ − 1 and b = 1 − I₂/I₃ are formed exactly, from exact input. Named bodies carry the printed
 data of the paper and nothing else.

@@ -1,4 +1,4 @@
-"""The paper's symbols, defined once, and how each is written in LaTeX.
+"""The paper's symbols, each defined once, with their LaTeX.
 
 All are real. Conditions on them (0 < I₁ < I₂ < I₃, 0 < b ≤ 1, …) belong to the claims that need
 them, never to the symbols. This module imports SymPy, so only claims and proofs import it.

@@ -1,4 +1,4 @@
-"""How far from a perfect flip: the answer as a value, with its balls and the rung it came from."""
+"""The result of a flip computation: the defect as a ball, and the model that computed it."""
 
 from __future__ import annotations
 

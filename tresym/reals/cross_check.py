@@ -1,4 +1,4 @@
-"""The advocate: attacks a statement at points that its prover did not choose, before it passes.
+"""Independent check: try to falsify a statement numerically before it passes.
 
 It shares the tree of expressions with the provers and nothing else: the meaning of every operation
 stands here once more, in balls, and so does the choice of points. They lie past the first period
@@ -15,11 +15,12 @@ import operator
 from collections.abc import Callable, Iterator, Sequence
 from functools import lru_cache, partial
 from itertools import pairwise
-from math import comb
+from math import comb, factorial
 from time import perf_counter
-from typing import Any
+from typing import Any, NamedTuple
+from zlib import crc32
 
-from flint import arb, fmpq
+from flint import acb, arb, fmpq
 
 from tresym.reals.language.expression import LEAVES, Expr, opened, symbols
 from tresym.reals.numbers.arithmetic import ball_precision
@@ -38,8 +39,15 @@ SLOWER = 4
 SHARE = 0.06
 """The part of a decision's time that more points may take."""
 MOST = 600
-PARTS, TERMS, LONGEST_POWER = 64, 40, 10**5
-"""Of an integral, of a sum and of a power: how far they are computed."""
+QUADRATURE, TERMS, LONGEST_POWER, LARGEST_FACTORIAL = 600, 400, 10**5, 1000
+"""Of an integral, a sum, a power and a factorial: how far they are computed."""
+GRID = (-40, -9, -5, -3, -2, -1, 0, 1, 2, 3, 5, 9, 40)
+"""Between which the root of an equation is looked for."""
+HALVINGS = 90
+ROUGH = arb((1, -20))
+"""What is less sharp is as good as unknown."""
+TOLERANCE = arb((1, -60))
+FACTORIAL = "factorial"
 INFINITE = "oo"
 """The end of an integral, and no variable."""
 
@@ -50,7 +58,8 @@ FALSE = {"==": operator.ne, "!=": operator.eq} | {
     "<=": operator.gt,
 }
 """What shows a relation between two balls to be false: FLINT's answer yes when they are sure."""
-SHOWN = {
+SHOWN: dict[str, Callable[[arb, arb], Any]] = {
+    "==": lambda x, y: (x - y).is_zero(),
     "!=": operator.ne,
     ">": operator.gt,
     ">=": operator.ge,
@@ -69,24 +78,23 @@ def contradiction(
     derivatives: Sequence[Derivative] = (),
     spent: float = 0.0,
     integers: Sequence[str] = (),
+    anywhere: bool = False,
 ) -> str | None:
     """Where balls contradict ``claim`` and what they are there, in words; None if nowhere found.
 
     Args:
-        given: conditions on the points.
+        given: conditions on the points, equations among them.
         functions: what has to be defined there, too.
         derivatives: each is compared with difference quotients of its function.
         spent: seconds that the decision took; with more of them, more points are tried.
         integers: the variables that take the values of integers alone.
+        anywhere: whether bases of powers need not be positive where an exponent is a variable.
     """
     left, relation, right = claim
+    field = _REAL._replace(general=_anywhere) if anywhere else _REAL
     trees = [left, right, *functions, *(e for f, _, _, slope in derivatives for e in (f, slope))]
-    spoken_of = frozenset().union(
-        *map(symbols, trees), *(symbols(e) for c in given for e in c[::2])
-    )
-    names = sorted(spoken_of.union(d[1] for d in derivatives) - {INFINITE})
-    fixed = [name in integers for name in names]
-    patience = 1 if relation == "==" else SLOWER
+    names = _names(trees, given, [d[1] for d in derivatives])
+    patience = 1 if relation == "==" and len(integers) < 1 else SLOWER
     start, shown, against = perf_counter(), 0, ""
 
     def has_time(part: int) -> bool:
@@ -97,7 +105,7 @@ def contradiction(
         found = None if point is None else value(point)
         if point is not None and found is not None:
             shown += 1
-            if FALSE[relation](found[0], found[1]) and _is_a_limit(value, point, fixed):
+            if FALSE[relation](found[0], found[1]) and _is_a_limit(beside, point, fixed):
                 against = (
                     f"at {where(names, point)} its sides are {said(found[0])} and {said(found[1])}"
                 )
@@ -106,20 +114,24 @@ def contradiction(
         return found
 
     with ball_precision(BITS):
-        value, holds = program(trees, names, integers), conditions(names, given, integers)
+        value = program(trees, names, integers, field)
+        without = field._replace(integral=lambda *_: arb(0))  # near equal ends it may diverge
+        beside = program(trees, names, integers, without)
+        tried = Points(names, given, integers)
+        still = {*integers, *tried.solved, *(_exponents(trees) if anywhere else ())}
+        fixed = [name in still for name in names]
         lowest: list[Any] | None = None
-        for tried, point in enumerate(points(names, given, holds), 1):
-            point = _whole(point, names, integers, tried, holds) if integers else point
+        for count, point in enumerate(tried, 1):
             found = look(point)
             if against:
                 return against
-            if found and point is not None and relation[0] in "<>" and not integers:
+            if found and point is not None and relation[0] in "<>" and not any(fixed):
                 room = _room(found, relation)
                 lowest = [room, point] if lowest is None or room < lowest[0] else lowest
-            enough = shown >= patience * ENOUGH or tried >= (1 if shown else 5) * patience * TRIED
+            enough = shown >= patience * ENOUGH or count >= (1 if shown else 5) * patience * TRIED
             if enough and not has_time(1 if lowest is None else 2):
                 break
-        for n, point in enumerate(_downhill(lowest, holds)):
+        for n, point in enumerate(_downhill(lowest, tried.holds)):
             found = look(point)
             if against:
                 return against
@@ -130,21 +142,145 @@ def contradiction(
     return None
 
 
-def _whole(
-    point: Tried | None,
-    names: Sequence[str],
-    integers: Sequence[str],
-    k: int,
-    holds: Callable[[Tried], bool],
-) -> Tried | None:
-    """The point with small integers for some of its coordinates, if the conditions hold there."""
-    if point is None:
-        point = [arb(0) for _ in names]
-    moved = [
-        arb((k * (j + 1) + k // 7) % 14 - 2) if name in integers else x
-        for j, (name, x) in enumerate(zip(names, point, strict=True))
-    ]
-    return moved if holds(moved) else None
+def somewhere(
+    trees: Sequence[Expr], given: Sequence[Comparison] = (), integers: Sequence[str] = ()
+) -> bool:
+    """Whether a point is found at which the conditions hold and all ``trees`` are defined."""
+    names = _names(trees, given)
+    with ball_precision(BITS):
+        value = program(trees, names, integers)
+        points = (point for point in Points(names, given, integers) if point is not None)
+        return any(value(point) is not None for point in points)
+
+
+def _names(
+    trees: Sequence[Expr], given: Sequence[Comparison], more: Sequence[str] = ()
+) -> list[str]:
+    said = (*trees, *(e for c in given for e in c[::2]))
+    return sorted(frozenset().union(*map(symbols, said), more) - {INFINITE})
+
+
+def _exponents(trees: Sequence[Expr]) -> set[str]:
+    """The variables in exponents: beside an integer a power of what is negative has no value."""
+    found: set[str] = set()
+    stack = list(trees)
+    while stack:
+        e = stack.pop()
+        if isinstance(e, Expr):
+            stack.extend(e.args)
+            found |= symbols(e.args[1]) if e.op == "^" else set()
+    return found
+
+
+class Points:
+    """Points at which the conditions are shown to hold, and None for each that was tried in vain.
+
+    Attributes:
+        solved: the variables whose values are worked out of equations.
+    """
+
+    def __init__(
+        self, names: Sequence[str], given: Sequence[Comparison], integers: Sequence[str] = ()
+    ) -> None:
+        """Of an equation that is not solved here no point is found."""
+        self.names, self.integers = names, integers
+        self.bounds = [c for c in given if c[1] != "=="]
+        self.steps: list[tuple[Program, int]] = []
+        self.solved: set[str] = set()
+        self.other: list[Comparison] = []
+        spoken: set[str] = set()
+        equations = [c for c in given if c[1] == "=="]
+        for n, (left, relation, right) in enumerate(equations):
+            here = symbols(left) | symbols(right)
+            later = [symbols(c[0]) | symbols(c[2]) for c in equations[n + 1 :]]
+            alone = {side.args[0] for side in (left, right) if side.op == "symbol"}
+            ranks = {
+                m: (m in integers, m not in alone, m in _all(later), m)
+                for m in here - spoken - self.solved
+            }
+            free = sorted(ranks, key=ranks.__getitem__)
+            if free:
+                sides = program([left, right], names, integers)
+                self.steps.append((sides, names.index(free[0])))
+                self.solved.add(free[0])
+            else:
+                self.other.append((left, relation, right))
+            spoken |= here
+        self.holds = conditions(names, [*self.bounds, *self.other], integers)
+
+    def __iter__(self) -> Iterator[Tried | None]:
+        if not self.steps and not self.integers:
+            yield from points(self.names, self.bounds, self.holds)
+            return
+        anywhere: Callable[[Tried], bool] = lambda _: True  # noqa: E731
+        for k, point in enumerate(points(self.names, self.bounds, anywhere), 1):
+            moved = None if point is None else self._moved(point, k)
+            yield moved if moved is not None and self.holds(moved) else None
+
+    def _moved(self, point: Tried, k: int) -> Tried | None:
+        """The point with small integers for some of its coordinates, and with roots for others."""
+        point = [
+            arb((k * (j + 1) + k // 7) % 14 - 2) if name in self.integers else x
+            for j, (name, x) in enumerate(zip(self.names, point, strict=True))
+        ]
+        for sides, n in self.steps:
+            root = _root(sides, point, n, self.names[n] in self.integers)
+            if root is None:
+                return None
+            point[n] = root
+        return point
+
+
+def _all(sets: Sequence[frozenset[str]]) -> frozenset[str]:
+    return frozenset().union(*sets)
+
+
+def _root(sides: Program, point: Tried, n: int, whole: bool) -> arb | None:
+    """A value of the ``n``-th coordinate at which the sides are equal, in a ball; None if none."""
+
+    def gap(x: arb) -> arb | None:
+        found = sides([*point[:n], x, *point[n + 1 :]])
+        return None if found is None else found[0] - found[1]
+
+    candidates = [arb(k) for k in GRID]
+    values = [gap(x) for x in candidates]
+    at = dict(zip(GRID, values, strict=True))
+    low, high = at[0], at[1]
+    if low is not None and high is not None and low.is_finite() and not (high - low).contains(0):
+        linear = (low / (low - high)).mid()
+        candidates.append(linear)
+        values.append(gap(linear))
+    for x, value in zip(candidates, values, strict=True):
+        if value is not None and value.is_zero() and (not whole or x.is_integer()):
+            return x
+    if whole:
+        return None
+    brackets = sorted(pairwise(GRID), key=lambda pair: abs(pair[0]))
+    if len(candidates) > len(GRID):
+        step = (1 + abs(candidates[-1])) * arb((1, -80))
+        found = _halved(gap, (candidates[-1] - step).mid(), (candidates[-1] + step).mid())
+        if found is not None:
+            return found
+    for x, y in brackets:
+        found = _halved(gap, arb(x), arb(y))
+        if found is not None:
+            return found
+    return None
+
+
+def _halved(gap: Callable[[arb], arb | None], low: arb, high: arb) -> arb | None:
+    """A small ball in which the gap changes its sign and has values throughout."""
+    first, last = gap(low), gap(high)
+    if first is None or last is None or not (first * last < 0):
+        return None
+    for _ in range(HALVINGS):
+        middle = ((low + high) / 2).mid()
+        value = gap(middle)
+        if value is None or not (value > 0 or value < 0):
+            break
+        low, high = (middle, high) if value * first > 0 else (low, middle)
+    both = low.union(high)
+    return both if gap(both) is not None else None
 
 
 def _room(sides: list[arb], relation: str) -> arb:
@@ -267,6 +403,15 @@ def _general(x: arb, y: arb) -> arb:
     raise _UndefinedError
 
 
+def _anywhere(x: arb, y: arb) -> arb:
+    """The same, of bases that are not positive where the exponent is a number that allows it."""
+    if x > 0:
+        return _general(x, y)
+    if y.is_exact() and abs(y) < LONGEST_POWER and exact(y).q < LONGEST_POWER:
+        return _rational(int(exact(y).p), int(exact(y).q))(x)  # as of a number that is written
+    raise _UndefinedError
+
+
 def _to_integer(x: arb, y: arb) -> arb:
     """A power whose exponent takes the values of integers alone."""
     n = y.unique_fmpz()
@@ -278,13 +423,26 @@ def _to_integer(x: arb, y: arb) -> arb:
     return -size if x < 0 and n % 2 else size
 
 
-def _integrated(body: Callable[[arb], arb], low: arb, high: arb) -> arb:
-    """An integral, by the balls of its integrand on small parts of the way."""
+def _integrated(
+    body: Callable[[arb], arb], holomorphic: Callable[[acb], acb], low: arb, high: arb
+) -> arb:
+    """An integral by adaptive quadrature in balls; 0 where the ends are equal."""
+    if low.is_exact() and high.is_exact() and low == high:
+        return arb(0)
     if not (low.is_finite() and high.is_finite()):
         raise _UndefinedError
-    step = (high - low) / PARTS
-    ends = [low + n * step for n in range(PARTS + 1)]
-    return sum((body(x.union(y)) for x, y in pairwise(ends)), arb(0)) * step
+
+    def integrand(z: acb, analytic: bool) -> acb:
+        try:
+            return holomorphic(z) if analytic or z.imag != 0 else acb(body(z.real))
+        except _UndefinedError:
+            return acb(arb.nan())
+
+    options = {"rel_tol": TOLERANCE, "abs_tol": TOLERANCE**100, "eval_limit": QUADRATURE}
+    found = acb.integral(integrand, acb(low), acb(high), **options).real
+    if not found.rad() < ROUGH * (1 + abs(found.mid())):
+        raise _UndefinedError
+    return found
 
 
 def _added(body: Callable[[arb], arb], low: arb, high: arb, product: bool = False) -> arb:
@@ -299,7 +457,6 @@ def _added(body: Callable[[arb], arb], low: arb, high: arb, product: bool = Fals
 
 
 _BOUND: dict[str, Callable[..., arb]] = {
-    "integral": _integrated,
     "sum": _added,
     "product": partial(_added, product=True),
 }
@@ -329,16 +486,100 @@ _BY_NAME: dict[str, Callable[..., arb]] = (
 )
 
 
+class _Field(NamedTuple):
+    """What operations mean in real or in complex balls."""
+
+    by_name: dict[str, Callable[..., Any]]
+    rational: Callable[[int, int], Callable[[Any], Any]]
+    general: Callable[[Any, Any], Any]
+    integral: Callable[..., arb] | None = None
+
+
+def _complex_rational(p: int, q: int) -> Callable[[acb], acb]:
+    def power(z: acb) -> acb:
+        root = z if q == 1 else z.sqrt(analytic=True) if q == 2 else _complex_power(z, fmpq(1, q))
+        return root**p
+
+    return power
+
+
+def _complex_power(z: acb, w: Any) -> acb:
+    return (acb(w) * acb(z).log(analytic=True)).exp()
+
+
+def _log(z: acb) -> acb:
+    return z.log(analytic=True)
+
+
+def _sqrt(z: acb) -> acb:
+    return z.sqrt(analytic=True)
+
+
+_I = acb(0, 1)
+_COMPLEX = _Field(
+    {
+        name: getattr(acb, name)
+        for name in (
+            *("exp", "sin", "cos", "tan", "cot", "sec", "csc"),
+            *("sinh", "cosh", "tanh", "coth", "sech", "csch"),
+        )
+    }
+    | {
+        "+": operator.add,
+        "*": operator.mul,
+        "log": _log,
+        "abs": lambda z: z.real_abs(analytic=True),
+        "sign": lambda z: z.real_sgn(analytic=True),
+        "cbrt": lambda z: _complex_power(z, fmpq(1, 3)) if z.real > 0 else acb(arb.nan()),
+        "asin": lambda z: -_I * _log(_I * z + _sqrt(1 - z * z)),
+        "acos": lambda z: acb.pi() / 2 + _I * _log(_I * z + _sqrt(1 - z * z)),
+        "atan": lambda z: (_log(1 + _I * z) - _log(1 - _I * z)) / (2 * _I),
+        "asinh": lambda z: _log(z + _sqrt(z * z + 1)),
+        "acosh": lambda z: _log(z + _sqrt(z - 1) * _sqrt(z + 1)),
+        "atanh": lambda z: (_log(1 + z) - _log(1 - z)) / 2,
+    },
+    _complex_rational,
+    _complex_power,
+)
+"""Holomorphic where they are finite."""
+_REAL = _Field(_BY_NAME, _rational, _general, _integrated)
+
+
+def _factorial(x: arb) -> arb:
+    n = x.unique_fmpz()
+    if n is None or not 0 <= n <= LARGEST_FACTORIAL:
+        raise _UndefinedError
+    return arb(factorial(int(n)))
+
+
+def _instance(seed: int, orders: tuple[int, ...], u: arb) -> arb:
+    """The value of the function that is put in for an unknown one, ``1/2 + 3/2 sin(c . x + s)``."""
+    times, turned = sum(orders), u + arb(seed % 5)
+    wave = [turned.sin(), turned.cos(), -turned.sin(), -turned.cos()][times % 4]
+    for n, order in enumerate(orders):
+        wave = wave * arb(1 + n) ** order
+    return arb(3) / 2 * wave + (arb(1) / 2 if times == 0 else 0)
+
+
+def _unknown(*_: Any) -> arb:
+    raise _UndefinedError
+
+
 def has_meaning(e: Expr) -> bool:
     """Whether every operation in ``e`` has a meaning here: a function left unknown has none."""
-    known = e.op in LEAVES or e.op in _BOUND or e.op in _BY_NAME
+    known = e.op in LEAVES or e.op in _BOUND or e.op in _BY_NAME or e.op == "integral"
     return known and (e.op in LEAVES or all(map(has_meaning, e.args)))
 
 
 Program = Callable[[Tried], "list[arb] | None"]
 
 
-def program(trees: Sequence[Expr], names: Sequence[str], integers: Sequence[str] = ()) -> Program:
+def program(
+    trees: Sequence[Expr],
+    names: Sequence[str],
+    integers: Sequence[str] = (),
+    field: _Field = _REAL,
+) -> Program:
     """The values of ``trees`` as a function of a point; None where not all are shown defined."""
     here: Tried = []
     places: dict[Expr, int] = {}
@@ -350,13 +591,17 @@ def program(trees: Sequence[Expr], names: Sequence[str], integers: Sequence[str]
         start.append(None)
         return len(start) - 1
 
-    def inside(node: Expr) -> Callable[[arb], arb]:
+    def constant(value: Any) -> int:
+        start.append(value)
+        return len(start) - 1
+
+    def inside(node: Expr, field: _Field = _REAL) -> Callable[[Any], Any]:
         """The body of what binds a variable, as a function of it."""
         (name,), body = opened(node, names)
         counted = (*integers, name) if node.op != "integral" else integers
-        run = program([body], [*names, name], counted)
+        run = program([body], [*names, name], counted, field)
 
-        def value(x: arb) -> arb:
+        def value(x: Any) -> Any:
             found = run([*here, x])
             if found is None:
                 raise _UndefinedError
@@ -366,37 +611,57 @@ def program(trees: Sequence[Expr], names: Sequence[str], integers: Sequence[str]
 
     def place(node: Expr) -> int:
         k = places.get(node)
-        if k is not None:
-            return k
+        if k is None:
+            k = places[node] = placed(node)
+        return k
+
+    def placed(node: Expr) -> int:
         op, args = node.op, node.args
-        if op == "symbol" and args[0] == INFINITE:
-            k = len(start)
-            start.append(arb.pos_inf())
-        elif op in _BOUND:
-            k = step(partial(_BOUND[op], inside(node)), place(args[1]), place(args[2]))
-        elif op == "^" and symbols(args[1]) and symbols(args[1]) <= {*integers}:
-            k = step(_to_integer, place(args[0]), place(args[1]))
-        elif op == "symbol":
-            k = names.index(args[0])
-        elif op == "number" or op == "pi":
-            k = len(start)
-            start.append(arb(args[0]) if args else arb.pi())
-        elif op == "^" and args[1].op == "number":
+        if op == "symbol":
+            return constant(arb.pos_inf()) if args[0] == INFINITE else names.index(args[0])
+        if op in ("number", "pi"):
+            return constant(arb(args[0]) if args else arb.pi())
+        if op == "integral" and field.integral is not None:
+            value = partial(field.integral, inside(node), inside(node, _COMPLEX))
+            return step(value, place(args[1]), place(args[2]))
+        if op in _BOUND and field is not _COMPLEX:
+            return step(partial(_BOUND[op], inside(node)), place(args[1]), place(args[2]))
+        if op == "unknown" and field is not _COMPLEX:
+            head, orders = args[0].args
+            if head == FACTORIAL and orders == (0,):
+                return step(_factorial, place(args[1]))
+            total = constant(arb(0))
+            for n, arg in enumerate(args[1:], 1):
+                total = step(operator.add, total, step(operator.mul, constant(arb(n)), place(arg)))
+            return step(partial(_instance, crc32(head.encode()), orders), total)
+        if op == "^" and args[1].op == "number":
             k, r = place(args[0]), args[1].args[0]
-            k = step(operator.mul, k, k) if r == 2 else step(_rational(int(r.p), int(r.q)), k)
-        elif len(args) == 1:
-            k = step(_BY_NAME[op], place(args[0]))
-        else:
-            function, k = _BY_NAME[op], place(args[0])
-            for other in args[1:]:
-                k = step(function, k, place(other))
-        places[node] = k
+            return (
+                step(operator.mul, k, k) if r == 2 else step(field.rational(int(r.p), int(r.q)), k)
+            )
+        if (
+            op == "^"
+            and symbols(args[1])
+            and symbols(args[1]) <= {*integers}
+            and field is not _COMPLEX
+        ):
+            return step(_to_integer, place(args[0]), place(args[1]))
+        function = field.general if op == "^" else field.by_name.get(op, _unknown)
+        if function is _unknown:
+            return step(_unknown, constant(arb(0)))
+        k = place(args[0])
+        if len(args) == 1:
+            return step(function, k)
+        for other in args[1:]:
+            k = step(function, k, place(other))
         return k
 
     ends = [place(e) for e in trees]
 
     def run(point: Tried) -> list[arb] | None:
         values = [*point, *start[len(point) :]]
+        if field is _COMPLEX:
+            values = [x if x is None else acb(x) for x in values]
         here[:] = point
         try:
             for function, i, j, k in steps:

@@ -1,4 +1,4 @@
-"""How values are shown: in one line where a program prints them, as a table in notebooks."""
+"""Display values: one line in a terminal, a table in notebooks."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Processes of this machine as a ``concurrent.futures`` executor that outlives their deaths."""
+"""A process pool in the interface of ``concurrent.futures`` that survives dying workers."""
 
 from __future__ import annotations
 

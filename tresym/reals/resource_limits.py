@@ -1,4 +1,4 @@
-"""Limits on a piece of work: on its processor time, and on how often memory is searched in it.
+"""Limits on processor time and on garbage collection.
 
 That of time is kept by a signal of the operating system.
 """

@@ -1,4 +1,4 @@
-"""The four verdicts: a small closed set, kept apart from the evidence for them."""
+"""The four verdicts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The ledger as pages: one for each claim, and one that lists them all."""
+"""Pages of the ledger: one for each claim, and one that lists them all."""
 
 from __future__ import annotations
 
@@ -72,7 +72,7 @@ def annotated(ledger: Record) -> str:
         f"The {len(placed)} statements of the paper in the order in which they stand there, each "
         "with its verdict; what is read more sharply than it is printed says so. The lemmas "
         "between them are in [the ledger](index.md). The paper: "
-        "[doi:10.1016/j.physd.2016.07.010](https://doi.org/10.1016/j.physd.2016.07.010), "
+        "[Physica D 338 (2017) 17](https://doi.org/10.1016/j.physd.2016.07.010), "
         "[arXiv:1606.08237](https://arxiv.org/abs/1606.08237).",
     ]
     part = ""

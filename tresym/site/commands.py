@@ -1,4 +1,4 @@
-"""The command reference, read off the parsers; and what a command prints, for examples."""
+"""The command reference, generated from the parsers, and examples with their output."""
 
 from __future__ import annotations
 

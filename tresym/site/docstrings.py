@@ -1,4 +1,4 @@
-"""Our docstrings for Sphinx: sections such as ``Args:`` become field lists."""
+"""Convert docstring sections such as ``Args:`` to field lists for Sphinx."""
 
 from __future__ import annotations
 

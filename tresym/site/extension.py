@@ -1,4 +1,4 @@
-"""The Sphinx extension that docs/conf.py names: claim pages, formulas, examples that are run."""
+"""The Sphinx extension: claim pages, formulas, and examples that run."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The neighbourhood of a claim as a picture: what it rests on, two steps deep, and what uses it.
+"""Draw the neighbourhood of a claim: what it rests on, and what uses it.
 
 Columns go from what is used to what uses; a box is a link to the page of its claim, and its edge
 has the colour of the verdict.
@@ -15,7 +15,7 @@ Record = dict[str, Any]
 
 MOST = 7
 """Boxes of a column; the rest are counted."""
-LETTERS = 27
+LETTERS = 24
 """Letters of a title that fit a line of a box, which has two."""
 BOX, HIGH, ACROSS, DOWN = 170, 38, 190, 46
 """Width and height of a box, and the steps from one to the next."""

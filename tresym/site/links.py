@@ -1,4 +1,4 @@
-"""Whether the built site is whole: ``python -m tresym.site.links build/site``.
+"""Check the links of the built site: ``python -m tresym.site.links build/site``.
 
 Every link within the site leads to a file and a place that are there, every picture has a text in
 its stead, and nothing that a page loads comes from a network. Links for readers to other sites are

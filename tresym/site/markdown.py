@@ -1,4 +1,4 @@
-"""Pieces of Markdown that several pages are made of: statements, verdicts, chains."""
+"""Markdown shared by several pages: statements, verdicts, derivations."""
 
 from __future__ import annotations
 

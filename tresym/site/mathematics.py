@@ -1,4 +1,4 @@
-"""Formulas without a network: LaTeX to MathML at build time, and a font that has what they need."""
+"""Convert LaTeX to MathML at build time, so that the site needs no network."""
 
 from __future__ import annotations
 

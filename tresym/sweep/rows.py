@@ -1,4 +1,4 @@
-"""The numbers of a sweep: what one row says, certified or in float64.
+"""The rows of a sweep: certified or float64 numbers.
 
 Every row is a function of its entry and the digits alone, so it is the same wherever it is
 computed.

@@ -1,4 +1,4 @@
-"""The sweep itself: batches out to an executor, rows back into the table.
+"""Run a sweep: hand out batches to an executor, and store their rows.
 
 Any ``concurrent.futures`` executor will do. No more batches are under way than keep the workers
 busy, so memory is bounded however long the sweep.

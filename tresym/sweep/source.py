@@ -1,4 +1,4 @@
-"""Where the rows of a sweep come from: a grid of a, b, γ, or a CSV file of bodies.
+"""The input of a sweep: a grid of a, b, γ, or a CSV file of bodies.
 
 A source can be cut into parts that are small to send; a part knows its rows. A row that cannot be
 read is still a row, with its reason.

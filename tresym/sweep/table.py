@@ -1,4 +1,4 @@
-"""The table a sweep fills: one SQLite file, a batch a transaction, and what is exported of it.
+"""The table of a sweep: one SQLite file, one transaction per batch, and exports.
 
 A batch is in the file whole or not at all, whatever happens to the process. While a sweep runs the
 file is its own: a second sweep, or a reader, is told to wait. A batch comes as a small database

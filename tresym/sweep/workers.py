@@ -1,4 +1,4 @@
-"""Who computes the batches: this process, processes of this machine, or a Dask cluster.
+"""Where batches are computed: this process, local processes, or a Dask cluster.
 
 Each is a ``concurrent.futures`` executor; the sweep, and ``tresym check -f``, know nothing else.
 """

@@ -258,7 +258,7 @@ def test_a_reading_that_is_not_needed_is_not_told() -> None:
 @pytest.mark.skipif(not PAPERS, reason="the paper does not lie beside the checkout")
 def test_every_reading_of_the_index_is_needed_and_told() -> None:
     index = load_index(INDEX)
-    result = audit(PAPERS[0], all_claims(), index)
+    result = audit(PAPERS[0], all_claims(), index, words=load_words(INDEX))
     told = {row.label for row in result.rows if row.transcription is Transcription.AS_READ}
     assert told == {entry.label for entry in index if entry.reading.otherwise}
     assert result.complete
@@ -487,9 +487,10 @@ def test_index_of_the_paper_is_whole() -> None:
 
 @pytest.mark.skipif(not PAPERS, reason="the paper's source is not beside the checkout")
 def test_the_index_fits_the_paper() -> None:
-    source = scan(read_source(PAPERS[0]))
+    source = scan(read_source(PAPERS[0]), words=load_words(INDEX))
     index = load_index(INDEX)
-    found = [(p.label, p.kind, p.line, p.sha256) for p in (*source.displays, *source.others)]
+    pieces = (*source.displays, *source.others, *source.text)
+    found = [(p.label, p.kind, p.line, p.sha256) for p in pieces]
     assert found == [(e.label, e.kind, e.line, e.sha256) for e in index]
     functions = functions_of(d.text for d in source.displays)
     displays = zip(source.displays, index, strict=False)

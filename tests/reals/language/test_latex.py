@@ -266,7 +266,6 @@ ARGUMENTS = {
     r"2(x)+2(x+1)": "2*x + 2*(x + 1)",
     r"\pi(x+1)": "pi*(x + 1)",
     r"x^2(y+1)": "x**2*(y + 1)",
-    r"x[y]": "x*y",
     r"x\cdot(0)": "x*0",
     r"V\left(\frac{a}{r}\right)^{12}": "V*(a/r)**12",
     r"2\frac{x}{3}": "2*(x/3)",

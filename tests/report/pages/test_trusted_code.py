@@ -70,7 +70,7 @@ def test_the_count_stays_within_what_was_reached(counts: tuple[Count, Count]) ->
     assert enclosed.total <= 2300
     proved, enclosed = trusted(LEDGER)
     print(f"the ledger alone: PROVED {proved.total}, ENCLOSED {enclosed.total} more")
-    assert proved.total <= 5300
+    assert proved.total <= 5500
     assert enclosed.total <= 1320
 
 

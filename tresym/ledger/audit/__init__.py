@@ -1,1 +1,1 @@
-"""The paper's displays, theorems, tables and figures against the claims that answer them."""
+"""Compare the paper's displays, theorems, tables and figures with the claims about them."""

@@ -1,4 +1,4 @@
-"""The audit: every display, theorem, table and figure of a paper against the claims on it.
+"""The audit: which claims answer each display, theorem, table and figure of a paper.
 
 So is every line of its running text that has a formula, or a word that speaks of the motion.
 
@@ -148,18 +148,7 @@ def load_words(path: Path) -> tuple[str, ...]:
 def load_index(path: Path) -> tuple[Entry, ...]:
     """The index beside the proofs: displays in order, then the rest, then lines of the text."""
     data = json.loads(path.read_text(encoding="utf-8"))
-    entries = [
-        Entry(
-            "text",
-            f"line{item['line']}",
-            item["line"],
-            item["line"],
-            item["sha256"],
-            answers=tuple(item.get("answers", ())),
-            no_claim=item.get("no_claim", ""),
-        )
-        for item in data.get("text", ())
-    ]
+    entries = []
     for item in (*data["displays"], *data["others"]):
         reading = Reading(
             item.pop("reads", {}),
@@ -169,7 +158,14 @@ def load_index(path: Path) -> tuple[Entry, ...]:
             tuple(item.pop("again", ())),
         )
         entries.append(Entry(**item, reading=reading))
-    return tuple(entries)
+    return (*entries, *map(_line, data.get("text", ())))
+
+
+def _line(item: dict[str, Any]) -> Entry:
+    """A line of the running text, with the claims that answer it or why there are none."""
+    n, answers = item["line"], tuple(item.get("answers", ()))
+    why = item.get("no_claim", "")
+    return Entry("text", f"line{n}", n, n, item["sha256"], answers=answers, no_claim=why)
 
 
 def audit(

@@ -1,4 +1,4 @@
-"""The paper's own words, as they are quoted, against the lines that they were taken from.
+"""Check that quotations from the paper match the lines they were taken from.
 
 A quote writes formulas in letters of its own, so that two things are compared: the hash of the
 lines, and the words and decimals of the quote, which stand in them in their order.

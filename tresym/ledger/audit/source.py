@@ -1,4 +1,4 @@
-"""A LaTeX source taken apart: its displays in order, its theorems, tables and figures.
+"""Parse a LaTeX source into its displays, theorems, tables and figures.
 
 Nothing is typeset and no macro is expanded. What is found is where each thing stands, its label,
 and the SHA-256 of its text with comments removed and white space made single spaces, so that

@@ -1,4 +1,4 @@
-"""Is a claim what the paper's display says? Read from the LaTeX and compared in balls.
+"""Check that a claim says what its display says: read the LaTeX, and compare in balls.
 
 A display is a few chains of relations. Every link of every chain must be met by a relation that a
 claim on this display says, side by side, at exact points that satisfy the claim's conditions.

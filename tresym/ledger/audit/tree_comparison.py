@@ -1,4 +1,4 @@
-"""Whether two trees say the same: what LaTeX says and what a claim says.
+"""Compare the tree read from LaTeX with the tree of a claim.
 
 Trees are compared by balls at exact points, and what binds a variable part by part, under one name
 for the variable of both.

@@ -1,1 +1,1 @@
-"""The kinds of evidence that a claim may have, each with what checks it."""
+"""The kinds of evidence, each with the code that checks it."""

@@ -1,4 +1,4 @@
-"""Whether evidence is of a kind that can stand for what a claim says.
+"""Decide which kinds of evidence may support which kinds of statement.
 
 A formula is proved by evidence that is about that formula; what is said in words is compared with
 its evidence by the reader, and is marked as such (``formal: false``).
@@ -183,6 +183,7 @@ def _is_stated(means: Basic, proof: Boxes) -> bool:
 
 def _elsewhere(claim: Claim, proof: Boxes, meant: Meant) -> str | None:
     """Why the boxes do not hold the region, or not the point at which the order is, or None."""
+    assert isinstance(claim.says, Basic)
     given, x = conditions(claim.given), meant.remainder.tends.name
     coordinates = tuple(map(tree, meant.coordinates))
     orders = [node.args[0] for node in claim.says.atoms(AppliedUndef)] or [meant.gauge]

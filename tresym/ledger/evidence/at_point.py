@@ -1,4 +1,4 @@
-"""What the symbols of a claim are at an exact point: its coordinates, and what is defined there."""
+"""The values of a claim's symbols at an exact point, and what is defined there."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Evidence by balls: bounds on boxes."""
+"""Evidence by ball arithmetic: bounds on boxes."""
 
 from __future__ import annotations
 

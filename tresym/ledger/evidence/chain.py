@@ -1,4 +1,4 @@
-"""Chains: each step checked with the reasons it names and nothing else."""
+"""Check a derivation: every step with the reasons it names, and nothing else."""
 
 from __future__ import annotations
 

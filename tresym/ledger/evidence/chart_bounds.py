@@ -1,4 +1,4 @@
-"""Evidence by charts: a bound on a region, by margins that balls show positive on closed boxes.
+"""Bounds on a region, proved by positive margins on closed boxes in suitable coordinates.
 
 The claim says the bound, as a relation under the conditions that are the region. The evidence says
 how it is shown: coordinates, which are functions of the claim's symbols and take the region into a

@@ -1,4 +1,4 @@
-"""Integrals in chains: each rule checked where it is used, until only algebra is left.
+"""Integrals in derivations: check every rule where it is used, until only algebra is left.
 
 A rule replaces integrals, on both sides of a step, by what it shows them equal to. It asks for
 continuity, or smoothness, on the whole interval of integration. The variable of an integral is

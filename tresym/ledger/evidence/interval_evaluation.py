@@ -1,4 +1,4 @@
-"""Bounds by values: what is said, as it stands, in balls over the box that the conditions are.
+"""Bounds by interval evaluation of the statement over the box of its conditions.
 
 No margin is made of it: the difference of the sides is walked over with its integrals and roots.
 The conditions are the ends of each symbol, or an equation for one that has a value.

@@ -1,4 +1,4 @@
-"""Local facts: what a claim shows on its way, by the prover of signs, and names nowhere else."""
+"""Local facts: inequalities that only one claim needs, proved by the sign prover."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Printed numbers: what the paper prints, checked against what its inputs allow.
+"""Printed numbers: compare what the paper prints with what its inputs allow.
 
 Inputs and outputs are intervals of half a unit in their last printed place. A printed value is
 REFUTED only if no inputs that round to the printed inputs give it, and accepted (ENCLOSED) only

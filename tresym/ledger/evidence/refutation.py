@@ -1,4 +1,4 @@
-"""A general statement denied: by a point at which it fails, or by claims that contradict it."""
+"""Refute a general statement, by a point at which it fails or by a claim that contradicts it."""
 
 from __future__ import annotations
 

@@ -63,8 +63,9 @@ def as_printed(claim: Claim) -> bool:
     if isinstance(claim.means, As):
         return True
     remainder = _remainder(claim)
-    plain = remainder is not None and not remainder.reading
-    return plain and remainder.tends.name not in defined(claim)
+    if remainder is None or remainder.reading:
+        return False
+    return remainder.tends.name not in defined(claim)
 
 
 def untied(claim: Claim) -> str | None:
@@ -90,10 +91,10 @@ def untied(claim: Claim) -> str | None:
 
 def _no_slope(says: Eq, means: Eq) -> str | None:
     """Why the printed order y = p(x) + O(x²) does not claim the slope that is decided."""
-    (order,) = _orders(says) or (None,)
+    order = next(iter(_orders(says)), None)
     if order is None or not isinstance(says.lhs, Symbol) or str(order.func) != "O":
         return "that is no expansion of a symbol"
-    (x,), rest = order.args[0].free_symbols or (None,), says.rhs - order
+    x, rest = next(iter(order.args[0].free_symbols), says.lhs), says.rhs - order
     if order.args[0] != x**2 or order in rest.atoms(AppliedUndef):
         return "that is no expansion to the first order"
     slope = rest.diff(x)

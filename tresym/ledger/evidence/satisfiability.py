@@ -1,4 +1,4 @@
-"""Whether conditions and equations hold together at some point: what is found there is checked.
+"""Find a point that satisfies conditions and equations together, and check it.
 
 What is found are values of some symbols, put in everywhere, and a point of the others, or a segment
 that one of them runs through. Then every equation must hold identically, but for one, which changes

@@ -1,4 +1,4 @@
-"""The one prover of signs and of domains, asked under the conditions of a claim.
+"""Ask the sign prover, and the table of domains, under the conditions of a claim.
 
 A number that is not worked out, such as an integral, is a variable of which nothing is known.
 """

@@ -1,1 +1,1 @@
-"""False variants of the claims: none may hold."""
+"""False variants of the claims, none of which may pass."""

@@ -1,4 +1,4 @@
-"""Mutants: false variants of claims, made mechanically, that no evidence may prove.
+"""Generate false variants of claims, which no evidence may prove.
 
 What a claim says is changed (the ends of its chains follow), and each step of its chains alone; see
 `tresym.ledger.mutants.mutations` and, for numbers, bounds and orders,

@@ -1,4 +1,4 @@
-"""Changes of an expression, one at a time: what a careless hand might have written instead.
+"""Mutations of an expression: one typical slip at a time.
 
 A sign is flipped, a coefficient changed by one, an exponent by one or by the factor 2, two symbols
 or sine and cosine are swapped, a term or a factor is dropped, an inequality is turned round.

@@ -1,4 +1,4 @@
-"""Changes of printed numbers, of bounds on boxes and of orders, and what shows each violated.
+"""False variants of printed numbers, bounds and orders, with what shows that they are false.
 
 Only balls decide that a changed number, bound or order is false, at points or over a whole box of
 inputs; nothing is shared with the searches that are to refuse it.

@@ -1,4 +1,4 @@
-"""The verifier against false variants of its own claims: none may hold."""
+"""Judge false variants of the claims, and report those that pass."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Falsehoods that come out PROVED where a guard of the judge is missing, one or more for each.
+"""Seeded faults: false statements that pass if a guard of the judge is missing.
 
 They are judged with the mutants: a verifier that believes one has lost that guard.
 """

@@ -1,1 +1,1 @@
-"""Charts in which the margins of the bounds have no singular edge."""
+"""Coordinates in which the margins of the bounds on ε₀ have no singular edge."""

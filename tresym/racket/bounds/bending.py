@@ -1,4 +1,4 @@
-"""How the defect bends with γ near the separatrix, in a chart that holds every shape with ab ≥ 1/4.
+"""How ε bends with γ near the separatrix, in coordinates for every shape with ab ≥ 1/4.
 
 ε(γ) solves F(ε, γ) = π, and F decreases in ε: where H(v) = √(ab) (F(e(v), bε₀²v) − π) ≤ 0 the curve
 lies below the candidate e(v). For e = ε₀(1 + (pλ − 1/4)v + Cλv²), whose slope is the exact one, and

@@ -1,4 +1,4 @@
-"""The functions whose positivity the bounds on ε₀ come down to, in charts where no corner is left.
+"""Functions whose positivity implies the bounds on ε₀, in coordinates without corners.
 
 Everything rests on the exact equation log(ε₀/ε*) = Q(ε₀). It makes ε* explicit in ε₀, so that what
 is said of ε₀/ε* becomes a function of ε₀, b and √(b/a), which the charts enclose; and since

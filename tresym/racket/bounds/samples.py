@@ -1,4 +1,4 @@
-"""What the symbols of a formula are at points of a chart: at shapes, with their exact ε₀.
+"""Values of a formula's symbols at sample shapes, with their exact ε₀.
 
 What a margin or an order bounds is compared there with what the formula itself leaves out.
 """

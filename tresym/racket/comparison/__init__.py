@@ -1,1 +1,1 @@
-"""Formulas and routes against each other: errors, constants, digits."""
+"""Compare formulas and methods: errors, constants and digits."""

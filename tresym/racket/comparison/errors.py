@@ -1,4 +1,4 @@
-"""How wrong each formula for ε₀ is, shape by shape, every digit certified: data for tables.
+"""Certified errors of each formula for ε₀, shape by shape.
 
 The relative error of a formula is formula/ε₀ − 1, as a ball that proves the digits asked for; the
 precision is raised until it does.

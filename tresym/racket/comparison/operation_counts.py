@@ -1,4 +1,4 @@
-"""How many operations an answer takes: each is a call of FLINT or numpy, and paid so often.
+"""Count the FLINT or numpy operations of an answer.
 
 F(ε, γ) runs in any arithmetic, and so in one that counts; the float64 map runs on any array, and so
 on one that counts what is done to it.

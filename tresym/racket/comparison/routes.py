@@ -1,4 +1,4 @@
-"""ε(γ) by six routes that share nothing but f or the differential equations.
+"""ε(γ) by six independent methods.
 
 A route may start from a float64 value of another (Newton's method forgets where it began), and each
 says how many digits it is meant to have. The comparison counts how many of these agree with the

@@ -1,4 +1,4 @@
-"""ε(γ) for every γ in [−b, a], as a ball to any digits.
+"""Compute ε(γ) for every γ in [−b, a] as a ball with any number of digits.
 
 ε(γ) is read on the symmetric trajectory through ψ = π/2 at φ = 0, half a turn before: with the
 phase φ(u) of :mod:`tresym.racket.motion.orbit`, ε = ψ(u) where φ(u) = −π. It exists and is unique,

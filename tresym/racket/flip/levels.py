@@ -1,4 +1,4 @@
-"""The levels of γ at which ε(γ) changes character, and the inverse: γ from ε.
+"""The levels γ at which ε(γ) changes character, and the inverse function γ(ε).
 
 φ_K is the phase from ψ = π/2 to the turning point of an oscillating orbit, Φ(π/2, γ) of the file
 proofs/turning.py. It rises strictly with γ on (−b, 0) (claim `phase_rises_in_gamma`), from

@@ -1,4 +1,4 @@
-"""Which model answers: the cheapest rung that meets the digits asked for.
+"""Model selection: use the cheapest model that delivers the requested digits.
 
 `asymptotic`, a closed formula with a proved bound on its error, and `separatrix`, the scalar
 equation, serve γ = 0. `carlson`, F(ε, γ) in the first quarter of the orbit and the phase of that

@@ -1,4 +1,4 @@
-"""ε(γ) folded into the first quarter of its orbit, and found there in float64.
+"""Fold ε(γ) into the first quarter of its orbit, and locate it in float64.
 
 Let Q be the phase of a quarter: from ψ = π/2 to ψ = 0 where γ > 0, to the turning point where
 γ < 0. The phase is odd about ψ = π/2 and goes on by reflection at the far end, so that for every

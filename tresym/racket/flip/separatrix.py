@@ -1,4 +1,4 @@
-"""The flip defect ε₀ on the separatrix (γ = 0), as a ball of any width.
+"""Compute the flip defect ε₀ on the separatrix (γ = 0) as a ball of any width.
 
 The paper's exponential equation loses its digits long before its root does, so it is solved in the
 phase P (:mod:`tresym.racket.formulas.stable`), for which nothing cancels:

@@ -1,4 +1,4 @@
-"""dε/dγ and d²ε/dγ² in closed form, at every γ in (−b, a).
+"""dε/dγ and d²ε/dγ² in closed form, for every γ in (−b, a).
 
 With the phase Φ(ψ, γ) from ψ = π/2, ε(γ) keeps Φ = π, so dε/dγ = Φ_γ/f. In the time τ the
 integrand's derivative is −(1 − b sin²ψ)/(2z), and 1/z = (1/m₁² − 1)/(a − γ) with m₁ = cos θ, so

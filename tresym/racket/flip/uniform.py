@@ -1,4 +1,4 @@
-"""Explicit formulas for ε₀ that hold for every shape a > 0, 0 < b ≤ 1, none of them iterative.
+"""Explicit formulas for ε₀ that are accurate for every shape a > 0, 0 < b ≤ 1.
 
 All come from the phase equation P = π + arctan(r tanh kP), k = √(ab), r = √(b/a), whose root is
 between π and 3π/2: one sweep from a fixed start, and one Newton step after that sweep. Certified

@@ -1,1 +1,1 @@
-"""Flips of arrays of starts and shapes, in floating point."""
+"""Flips for arrays of starts and shapes, in floating point."""

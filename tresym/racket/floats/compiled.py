@@ -1,4 +1,4 @@
-"""The float64 map compiled by numba: :mod:`tresym.racket.floats.float_orbit`, start by start.
+"""The float64 flip map compiled by numba, one start at a time.
 
 The extra ``tresym[fast]`` brings numba. What it compiles is kept in numba's cache, so the price is
 paid once. The compiled function lets other threads run.

@@ -1,4 +1,4 @@
-"""The flip of very many starts at once, in float64.
+"""The flip of many starts at once, in float64.
 
 The closed form of :mod:`tresym.racket.floats.float_orbit`, start by start. There are no special
 cases: every start is on a rotating or an oscillating orbit, and the separatrix is taken as an orbit

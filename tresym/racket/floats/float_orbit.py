@@ -1,4 +1,4 @@
-"""One start's orbit in float64, elementwise: on arrays with numpy, on numbers when compiled.
+"""The orbit of a start in float64, for numpy arrays or compiled for numbers.
 
 The time τ (dφ/dτ = 1 − b sin²ψ, from ψ = π/2) and the phase φ follow from an angle by the steps of
 :mod:`tresym.racket.motion.gauss`, in which every orbit, oscillating or rotating, has the same form:

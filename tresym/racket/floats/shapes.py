@@ -1,4 +1,4 @@
-"""ε₀ of very many shapes at once, in float64: what an array of shapes takes instead of a loop.
+"""ε₀ of arrays of shapes, in float64.
 
 The phase P = π + arctan(r tanh kP), k = √(ab), r = √(b/a), from a rational guess by two of Halley's
 steps, the first with a rough arctangent. The last step is carried into sinh kP by the addition

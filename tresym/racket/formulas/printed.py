@@ -1,4 +1,4 @@
-"""Every formula of the paper as it is printed, cancellation and all.
+"""Every formula of the paper as printed, including its cancellation.
 
 The order is the paper's. Each docstring names the display: its label where the paper gives one, the
 section otherwise. These functions say what the paper says and nothing better: where a printed form

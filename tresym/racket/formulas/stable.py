@@ -1,4 +1,4 @@
-"""The paper's quantities without cancellation: what every number in tresym is computed from.
+"""The paper's quantities without cancellation, from which every number is computed.
 
 Each function is the algebraic equal of a formula in :mod:`tresym.racket.formulas.printed` (or of a
 step the paper takes from one to the next) in a form where no two nearly equal numbers are

@@ -1,1 +1,1 @@
-"""The motion itself: exact solutions, trajectories and integrals of it."""
+"""The motion: exact solutions, trajectories, and integrals."""

@@ -1,4 +1,4 @@
-"""The body's attitude in space over time, in float64: for pictures, nothing else.
+"""The body's attitude in space over time, in float64, for pictures only.
 
 φ, θ, ψ are the paper's z-y-z Euler angles: R = R_z(φ) R_y(θ) R_z(ψ) takes the body axes (e₂, e₃,
 e₁) to the space axes (X, Y, Z), with Z along the angular momentum. ψ and θ come from the closed

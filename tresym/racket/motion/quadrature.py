@@ -1,4 +1,4 @@
-"""F(ε, γ) by integrating the paper's f: independent routes, for checking and for the charts.
+"""F(ε, γ) by integrating the paper's f: independent methods for checks and charts.
 
 As printed, ∫_ε^{π/2} f dψ has an integrand that all but diverges where γ + b sin²ψ nearly vanishes.
 The substitution tan ψ = κ sinh t (γ > 0), eᵗ (γ = 0) or κ cosh t (γ < 0), κ = √(|γ|/(γ+b)), takes

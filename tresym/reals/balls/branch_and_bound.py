@@ -1,4 +1,4 @@
-"""Inequalities on whole boxes, decided by branch and bound in ball arithmetic.
+"""Branch and bound in ball arithmetic: decide inequalities on boxes.
 
 A *margin* is a plain function of balls (last argument the arithmetic) that a claim makes positive
 on a box with rational sides. The search halves boxes until each one is closed: because the ball of

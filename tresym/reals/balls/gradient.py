@@ -1,4 +1,4 @@
-"""Balls with their gradient: forward differentiation of a formula over a whole box.
+"""Forward automatic differentiation in ball arithmetic.
 
 A formula that runs in balls runs here unchanged (last argument ``gradients``) and returns its
 value together with enclosures of all partial derivatives on the box. That is what the mean-value

@@ -1,4 +1,4 @@
-"""Exact points of which balls show only where about they are: the simplest constants near by."""
+"""Guess the simplest constant near a ball: candidates for exact points."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A function of one variable over an interval, by Taylor's theorem at its middle.
+"""Taylor enclosure of a function of one variable on an interval.
 
     f(m + h) = c₀ + c₁h + … + c_{n−1}h^{n−1} + R hⁿ,
 

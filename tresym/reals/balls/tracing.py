@@ -1,4 +1,4 @@
-"""Formulas traced: what runs in balls on a box and what it means are one list of steps.
+"""Trace a formula: record the steps that run in balls as an expression.
 
 A formula is a plain function whose last argument is an arithmetic. It is run once, on stand-ins
 that write down what is done to them, and never again: the steps are replayed in balls and in

@@ -1,4 +1,4 @@
-"""Lists of claims: inequalities, orders and antiderivatives, true ones and nearly true ones."""
+"""Lists of claims: true ones, and false ones that are nearly true."""
 
 from __future__ import annotations
 

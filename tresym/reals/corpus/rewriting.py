@@ -1,4 +1,4 @@
-"""Random identities with a known answer: true by exact rules, false by a change that is seen.
+"""Random identities with known truth: rewritten by exact rules, or changed visibly.
 
 A true one is an expression rewritten twice, by rules that hold wherever both of their sides are
 defined. A false one has a change in it besides, and a point at which mpmath, which shares nothing

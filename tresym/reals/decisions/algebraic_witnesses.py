@@ -1,4 +1,4 @@
-"""Places where the two sides of a claim are equal, though no rational point shows it.
+"""Counterexamples at algebraic points, where both sides of a strict inequality are equal.
 
 - A zero of a polynomial in one variable: an irreducible factor of the difference changes its sign
   between two rational numbers, and divides it.
@@ -16,7 +16,7 @@ from itertools import islice, product
 from flint import arb, arb_mat, arb_poly, fmpq, fmpq_poly, fmpz_mat, fmpz_poly
 
 from tresym.reals.balls.simplest_constants import candidates
-from tresym.reals.decisions.answer import Answer, exactly, refuted
+from tresym.reals.decisions.answer import Answer, Root, exactly, refuted
 from tresym.reals.decisions.inequalities_on_regions import is_isolated
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
@@ -238,6 +238,12 @@ def _shown_zero(
             f"both sides are equal at {point}, where {_text(m, 't')}, which changes its sign in "
             f"{where}, is 0",
             witness={name: _interval(x) for name, x in at.items()},
+            root=Root(
+                _text(m, "t"),
+                fraction_text(low),
+                fraction_text(high),
+                {name: _text(value, "t") for name, value in values.items()},
+            ),
         )
     return None
 

@@ -1,4 +1,4 @@
-"""Antiderivatives, and closed forms of sums, that SymPy suggests: guesses, which the user checks.
+"""Antiderivatives and closed forms of sums suggested by SymPy; the caller checks them.
 
 SymPy is loaded when the first is asked for.
 """

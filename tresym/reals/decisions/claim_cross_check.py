@@ -1,8 +1,8 @@
-"""The advocate before a user's claim: what is about to be called proved is attacked at points."""
+"""Run the independent check on a user's claim before it passes."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from itertools import islice
 
 from flint import arb
@@ -11,15 +11,26 @@ from tresym.reals.cross_check import conditions, contradiction, program, said, w
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.asymptotics.numerical_evidence import Ray, fails
 from tresym.reals.decisions.asymptotics.refutation_check import parameters
-from tresym.reals.decisions.claim_parsing import Comparison, Path, Statement
-from tresym.reals.decisions.claim_parsing import functions as unknown
+from tresym.reals.decisions.claim_parsing import Comparison, Path, Statement, implied_integers
 from tresym.reals.decisions.readable_witnesses import tidied
 from tresym.reals.language.binders import is_infinite, outermost
-from tresym.reals.language.expression import DOTS, ZERO, Expr, differentiate, substitute, symbols
+from tresym.reals.language.expression import (
+    DOTS,
+    ZERO,
+    Expr,
+    differentiate,
+    instantiate,
+    integer,
+    number,
+    replaced,
+    substitute,
+    symbols,
+)
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import parse_number
 
 BITS, NEAR_BITS = 512, 12_000
+ORDERS_TRIED = 4
 ASSIGNMENTS, TRIES = 5, 60
 """Values of the parameters that are attacked, and tried for that."""
 VALUES = (*map(arb, (1, -2, 0, 2, 3, -1)), arb(1) / 2, arb(5) / 3, arb(-3) / 4, arb(7))
@@ -28,12 +39,17 @@ HALVINGS = (0, 1, 2, 3, 5, 8, 13, 21, 34, 55)
 
 
 def attack(
-    comparison: Comparison, statement: Statement, answer: Answer, spent: float
+    comparison: Comparison,
+    statement: Statement,
+    answer: Answer,
+    spent: float,
+    anywhere: bool = False,
 ) -> str | None:
     """What contradicts a comparison that is about to pass, in words, or None.
 
     Args:
         spent: seconds that its decision took.
+        anywhere: whether bases of powers need not be positive where an exponent is a variable.
     """
     functions, derivatives = comparison.differentiated, comparison.derivatives
     if any(map(is_infinite, outermost(comparison.left, comparison.right))):
@@ -42,17 +58,40 @@ def attack(
         against = _attack_order(comparison, statement, answer)
         return against or _attack_path(comparison, statement, statement.path)
     claim = (comparison.left, comparison.relation, comparison.right)
-    said = (*claim[::2], *(side for link in statement.given.comparisons for side in link[::2]))
-    dotted = any(DOTS.args[0] in symbols(e) for e in claim[::2])
-    if any(node.op in ("nth", "derivative") for node in outermost(*claim[::2])):
-        return None  # its induction, or what Leibniz's rule makes of it, was attacked itself
-    if dotted or statement.equations or any(next(unknown(e), None) is not None for e in said):
-        return None  # its cases, without equations and such functions, were attacked themselves
-    totals = [node for node in outermost(*claim[::2]) if node.op in ("sum", "product")]
-    counted = {*statement.integers}.union(*(symbols(node.args[2]) for node in totals))
-    return contradiction(
-        claim, statement.given.comparisons, functions, derivatives, spent, sorted(counted)
-    )
+    if any(DOTS.args[0] in symbols(e) for e in claim[::2]):
+        return None  # its cases were attacked themselves
+    if any(node.op == "derivative" for node in outermost(*claim[::2])):
+        return None  # what Leibniz's rule makes of it was attacked itself
+    equations = tuple((x, "==", y) for x, y in statement.equations)
+    given = (*statement.given.comparisons, *equations)
+    trees = (*claim[::2], *statement.said)
+    integers = implied_integers(trees, statement.integers)
+    orders = {
+        node.args[2] for node in outermost(comparison.left, comparison.right) if node.op == "nth"
+    }
+    if not orders:
+        return contradiction(claim, given, functions, derivatives, spent, integers, anywhere)
+    for k in range(ORDERS_TRIED):
+        put = {str(order): number(k) for order in orders}
+        left, right = (with_orders(e, put) for e in claim[::2])
+        there = [(substitute(x, put), r, substitute(y, put)) for x, r, y in given]
+        against = contradiction((left, claim[1], right), there, spent=spent, integers=integers)
+        if against is not None:
+            return f"{against}, where {', '.join(put)} = {k}"
+    return None
+
+
+def with_orders(e: Expr, put: Mapping[str, Expr]) -> Expr:
+    """``e`` with derivatives whose orders are numbers worked out."""
+    e = substitute(e, put)
+    known = {}
+    for node in outermost(e):
+        order = integer(node.args[2]) if node.op == "nth" else None
+        if order is not None:
+            known[node] = instantiate(node.args[0], (node.args[1],))
+            for _ in range(order):
+                known[node] = differentiate(known[node], str(node.args[1]))
+    return replaced(e, known)
 
 
 def _attack_order(claim: Comparison, statement: Statement, answer: Answer) -> str | None:

@@ -1,4 +1,4 @@
-"""Reading a claim: text in the expression grammar, LaTeX, or SymPy's relations."""
+"""Parse a claim from text, LaTeX or SymPy relations."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where what is differentiated is real: a claim with derivatives speaks of these points alone."""
+"""Restrict claims with derivatives to points at which the differentiated functions are real."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""One statement to one answer: every comparison in it is decided by the procedure of its kind."""
+"""Dispatch: decide every comparison of a statement by the method for its kind."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from tresym.reals.decisions.claim_parsing import (
 )
 from tresym.reals.decisions.equalities import decide_equality
 from tresym.reals.decisions.identity import JUMP
-from tresym.reals.decisions.variable_exponents import beyond_positive_bases
+from tresym.reals.decisions.variable_exponents import beyond_positive_bases, holds_powers
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import is_infinite, outermost
 from tresym.reals.language.expression import DOTS, ZERO, Expr, symbols
@@ -70,8 +70,22 @@ def decide_claim(claim: Any, given: Any = "", path: str | None = None) -> Answer
 
 def _everywhere(comparison: Comparison, statement: Statement) -> Answer:
     statement = _with_integers(comparison, statement)
+    start = time.perf_counter()
     answer = _bounded(comparison, statement)
-    return beyond_positive_bases(answer, comparison, statement, _bounded) if answer else answer
+    if answer:
+        answer = beyond_positive_bases(answer, comparison, statement, _bounded)
+    if answer and any(holds_powers(e) for e in (comparison.left, comparison.right)):
+        spent = time.perf_counter() - start
+        return _attacked(answer, comparison, statement, spent, anywhere=True)
+    return answer
+
+
+def _attacked(
+    answer: Answer, comparison: Comparison, statement: Statement, spent: float, anywhere: bool
+) -> Answer:
+    """An answer that passes, UNDECIDED where the independent check contradicts it."""
+    against = attack(comparison, statement, answer, spent, anywhere)
+    return answer if against is None else Answer(Verdict.UNDECIDED, STOPPED.format(against))
 
 
 def _with_integers(comparison: Comparison, statement: Statement) -> Statement:
@@ -92,10 +106,14 @@ def _bounded(comparison: Comparison, statement: Statement) -> Answer:
         from tresym.reals.decisions.asymptotics.refutation_check import checked
 
         return checked(answer, comparison, statement)
+    if answer.verdict is Verdict.REFUTED:
+        from tresym.reals.decisions.point_check import confirmed
+
+        return confirmed(answer, comparison, statement)
     if not answer:
         return answer
-    against = attack(comparison, statement, answer, time.perf_counter() - start)
-    return answer if against is None else Answer(Verdict.UNDECIDED, STOPPED.format(against))
+    spent = time.perf_counter() - start
+    return _attacked(answer, comparison, statement, spent, anywhere=False)
 
 
 def _decide(comparison: Comparison, statement: Statement) -> Answer:
@@ -143,7 +161,8 @@ def _door(comparison: Comparison, statement: Statement) -> Door | None:
         from tresym.reals.decisions.nth_derivatives import decide_repeated
 
         return decide_repeated
-    if nodes & {"sum", "product"} and unknown <= {FACTORIAL}:
+    finite = nodes <= {"sum", "product", "unknown"} and statement.path is None
+    if nodes & {"sum", "product"} and (unknown <= {FACTORIAL} or finite):
         from tresym.reals.decisions.finite_sums import decide_totals
 
         return decide_totals

@@ -1,4 +1,4 @@
-"""Power series that are written with dots: ``f == t0 + t1 + t2 + ...``.
+"""Power series written with an ellipsis: ``f == t0 + t1 + t2 + ...``.
 
 It is read so: the expansion of f in powers of what the terms are powers of begins with these terms,
 none left out, and it converges to f under the conditions. The coefficients are compared exactly.

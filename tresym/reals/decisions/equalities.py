@@ -1,4 +1,4 @@
-"""Equalities that hold derivatives.
+"""Decide equalities that contain derivatives.
 
 Derivatives are first taken as formal ones, which may be real where the functions themselves are
 not, as 1/x is that of log x. What holds of them everywhere is proved of the functions; what does

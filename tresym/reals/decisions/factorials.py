@@ -1,4 +1,4 @@
-"""Factorials: where two of them differ by an integer, one is the other times a product.
+"""Factorials: cancel those whose arguments differ by an integer.
 
 n! is spoken of where n is an integer from 0 on, and nowhere else. Of the factorials in a claim
 whose arguments differ by integers the least is any number F from 1 on, and (n + 2)! is

@@ -1,4 +1,4 @@
-"""Finite sums and products: term by term between numbers, by induction for every integer.
+"""Finite sums and products: term by term between numbers, by induction in general.
 
 A sum from a to b is one of the integers from a to b; with b = a − 1 it has no term and is 0, a
 product 1, and beyond that none is spoken of. A claim about a sum whose upper end is n + c is one
@@ -258,7 +258,7 @@ def _looked_at(
                 continue
             witness = {n: str(value)} | dict(found.witness or {})
             return replace(found, why=f"at {n} = {value}: {found.why}", witness=witness)
-        seen = seen or bool(found)
+        seen = seen or (bool(found) and not _has_no_term(claim, n, value))
     if empty:
         why = f"it fails of a sum without a term: say from which {n} on it is claimed"
         return Answer(Verdict.UNDECIDED, why)

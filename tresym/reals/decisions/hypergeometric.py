@@ -1,4 +1,4 @@
-"""Hypergeometric series: sums to oo whose successive terms have a rational ratio.
+"""Hypergeometric series: infinite sums whose successive terms have a rational ratio.
 
 A term is a product of rational functions of n, of factorials of what is linear in n, and of powers
 with n in the exponent. Where a series converges is told by the ratio of its terms: inside a radius,

@@ -1,4 +1,4 @@
-"""PROVED, REFUTED or UNDECIDED for an identity between real expressions.
+"""Decide identities between real expressions.
 
 What a claim means: ``left`` and ``right`` are equal at every real point of ``given`` where both
 are defined. More exactly: at every point that is a limit of interior points of that set, for the

@@ -1,4 +1,4 @@
-"""Inequalities: a point that refutes, a proven sign, Taylor's theorem, and then boxes.
+"""Decide inequalities: counterexamples, exact sign proofs, Taylor's theorem, then boxes.
 
 A claim ``left >= right`` speaks of every real point of ``given`` where both sides are defined, like
 an identity, and nothing is proved where no such point is found.

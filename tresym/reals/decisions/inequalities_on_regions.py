@@ -1,4 +1,4 @@
-"""An inequality on a region, by branch and bound in balls, with its delicate points apart.
+"""Decide an inequality on a region by branch and bound, with delicate points apart.
 
 A box is closed because the difference is positive on it, in balls or by the mean value theorem;
 because a condition, or the domain, excludes all of it; or, with one variable, because it lies in a

@@ -1,4 +1,4 @@
-"""Sums and products to oo: power series, theorems that are quoted, and limits of finite sums.
+"""Infinite sums and products: power series, quoted theorems, limits of finite sums.
 
 A claim with one series is first given to :mod:`tresym.reals.decisions.power_series`. Where that
 does not settle it, each series is replaced by what a theorem says that it is, which is named, or by

@@ -1,4 +1,4 @@
-"""Variables that take the values of integers alone.
+"""Integer variables: cases modulo M, and counterexamples among small integers.
 
 For n = M m + r with r = 0, …, M − 1, where M makes whole turns of the angles in which n stands and
 even numbers of the exponents of what may be negative, an expression loses these angles, and
@@ -198,7 +198,8 @@ def _by_residues(
     if len(residues) > MOST_RESIDUES:
         return Answer(Verdict.UNDECIDED, f"more than {MOST_RESIDUES} residues of the integers")
     answers = []
-    holds_integrals = next(outermost(claim.left, claim.right), None) is not None
+    trees = outermost(claim.left, claim.right)
+    holds_integrals = any(node.op != "unknown" for node in trees)
     for rest in residues:
         at = {
             name: number(period) * symbol(name) + number(r) if period > 1 else symbol(name)

@@ -1,4 +1,4 @@
-"""Definite integrals: by an antiderivative that is checked, or enclosed by quadrature.
+"""Definite integrals: by a checked antiderivative, or enclosed by quadrature.
 
 ∫ f from a to b, a < b, is F(b−) − F(a+) where F and f are analytic on the open interval, F′ = f
 there by the normal form, and F has these limits at its ends: so the integral converges, improper or

@@ -1,4 +1,4 @@
-"""Inverse functions by their branches: asin a = b where sin b = a and b is in [−π/2, π/2].
+"""Inverse functions on their branches: asin a = b if sin b = a and b is in [−π/2, π/2].
 
 The normal form writes asin and acos by arc tangents and roots, and loses the branch where the sign
 of a root is not known on all of a region, or where a is no rational function. Here the inverse

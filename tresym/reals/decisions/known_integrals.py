@@ -1,4 +1,4 @@
-"""Definite integrals that no antiderivative gives: theorems, quoted by their source.
+"""Definite integrals whose values are quoted theorems, with sources.
 
 An integrand is brought to the form of a theorem by one exact identity, its parameters are looked
 for among its own coefficients, and the conditions of the theorem are proved of them. Numbers are

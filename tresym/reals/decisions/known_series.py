@@ -1,4 +1,4 @@
-"""Sums and products to oo whose values are theorems, which are quoted by their source.
+"""Infinite sums and products whose values are quoted theorems, with sources.
 
 Known are the power series of elementary functions at any place where they converge, the partial
 fractions of the trigonometric and hyperbolic functions, their infinite products, and the values of

@@ -1,4 +1,4 @@
-"""Derivatives whose order is an integer variable: by induction on it.
+"""Derivatives of integer order n, by induction on n.
 
 ``d^n f/dx^n = g(n, x)`` for all n from the least on holds where it does for that n, and where the
 derivative of g(n, x) by x is g(n + 1, x). It is refuted at small n, where it is a derivative of

@@ -1,4 +1,4 @@
-"""Power series: a sum to oo whose terms are hypergeometric, by its differential equation.
+"""Power series with hypergeometric terms, by their differential equations.
 
 The terms f(k) y^(p k + q) with f(k + 1)/f(k) = P(k)/Q(k), P and Q polynomials, have a sum S(y) with
 Q(δ − 1) S − y^p P(δ) S = Q(−1) f(0) y^q, where δ = (θ − q)/p and θ = y d/dy. What is claimed to be

@@ -1,4 +1,4 @@
-"""What is easy to read: points with small numbers, expressions without 0 x, exact witnesses."""
+"""Choose readable counterexamples with small numbers, and confirm them exactly."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Claims decided in processes of their own, each of which is stopped when its time is over."""
+"""Decide claims in processes of their own, each with a time limit."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Functions left unknown: their values are variables.
+"""Arbitrary functions: treat their values and derivatives as variables.
 
 A claim with f(x) is one about every smooth function f. What holds for all values of the variables
 that stand for f(x), f′(x), f(u), … holds for every f. A witness gives each of them a value; there

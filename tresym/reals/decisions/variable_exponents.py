@@ -1,4 +1,4 @@
-"""Powers whose exponents are variables: proofs speak of positive bases, and here of the others.
+"""Powers with variable exponents at nonpositive bases.
 
 ``x**a`` is ``exp(a log(x))``, and so a claim with it is decided where ``x`` is positive. But for a
 number ``a`` the power may have a value elsewhere, as at ``a = 1``, and a claim that fails there
@@ -154,6 +154,11 @@ def _at_zero(
             )
             change = partial(replaced, known=put)
             yield claim.mapped(change), replace(inside, given=inside.given & positive)
+
+
+def holds_powers(e: Expr) -> bool:
+    """Whether a power with a variable as exponent is in it."""
+    return next(_powers((e,)), None) is not None
 
 
 def _powers(trees: Iterable[Expr]) -> Iterator[tuple[Expr, Expr]]:

@@ -1,4 +1,4 @@
-"""Inequalities of several variables as inequalities of one.
+"""Reduce inequalities in several variables to one variable.
 
 - d(ty, y) = yᵏ d(t, 1) for y > 0: the claim at (x, y) is that at (x/y, 1), where conditions and
   domain are so, too.

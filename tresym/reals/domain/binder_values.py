@@ -1,4 +1,4 @@
-"""The value of what binds a variable: integrals by rigorous quadrature, roots by a change of sign.
+"""Enclose the value of integrals (rigorous quadrature) and of roots (change of sign).
 
 Over the balls that are given for the variables of an expression the value is enclosed for every
 choice of them. An integrand is walked over in complex balls where FLINT asks whether it is

@@ -1,4 +1,4 @@
-"""Conditions on real symbols: the box and the inequalities a claim is made under.
+"""Conditions on real symbols: the box and the inequalities of a claim.
 
 A condition is a comparison of two expressions. Those that bound one symbol by a constant make the
 box, kept outward where the constant is irrational; all of them are checked, in balls, at every

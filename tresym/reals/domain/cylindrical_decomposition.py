@@ -1,4 +1,4 @@
-"""One rational point in every region that polynomials cut out of space.
+"""Cylindrical decomposition: a rational sample point in every cell of polynomials.
 
 An open cylindrical decomposition: project with leading coefficients, discriminants and resultants,
 isolate the real roots of what is left in one variable, lift. Every connected region where none of

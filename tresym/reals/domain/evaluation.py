@@ -1,4 +1,4 @@
-"""The value of an expression in any arithmetic; in balls NaN where it is not shown to be defined.
+"""Evaluate an expression in any arithmetic; NaN where it is not shown to be defined.
 
 The advocate and the second look of the ledger walk trees of their own on purpose: nothing here can
 lead both astray.

@@ -1,4 +1,4 @@
-"""Integrands: an expression of one variable as steps that are done in real and in complex balls.
+"""Compile integrands to steps that run in real and complex balls.
 
 What does not speak of the variable is worked out before, and equal parts are one step. In complex
 balls every step is holomorphic or not finite, as FLINT asks of integrands; in real ones a step that

@@ -1,4 +1,4 @@
-"""A point that refutes an inequality, looked for downhill from sampled points.
+"""Search for a counterexample to an inequality by descent from sample points.
 
 Directions and steps are those of a pattern search, which needs no derivatives. What it finds is
 rounded to simple rationals, and judged at exact points alone.

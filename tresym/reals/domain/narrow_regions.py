@@ -1,4 +1,4 @@
-"""Points inside conditions that hold far away or on narrow sets only, where samples miss them.
+"""Find points of conditions that hold only far away or on narrow sets.
 
 Polynomials cut space into regions, each of which has a point of its own (see cells.py). From there,
 and from a few points anywhere, a pattern search climbs until every condition holds: one that holds

@@ -1,4 +1,4 @@
-"""Where an expression is defined, and where it is analytic: the one table, as conditions.
+"""The table of domains: where each operation is defined, and where it is analytic.
 
 Only the advocate and the walkers of balls know it once more: the first shares nothing with the
 provers, the others find by a ball that has no value that a point may be outside.

@@ -1,4 +1,4 @@
-"""Exact points in a box: where claims are tried first."""
+"""Exact sample points in a box."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Nodes that bind a variable: integrals, derivatives, values at a point, limits, roots, sums.
+"""Nodes that bind a variable: integrals, derivatives, limits, sums, products, roots.
 
 The variable of a node is a number in its body (de Bruijn's index) and a free variable is a name,
 so substitution needs no renaming, and ``∫ f(x) dx`` and ``∫ f(y) dy`` are one tree. A body is

@@ -1,4 +1,4 @@
-"""What dots in a sum stand for, where its terms show that.
+"""Find the general term of a sum written with an ellipsis.
 
 Before the last term, as in ``1 + 3 + ... + (2*n - 1)``, they stand for the terms between; the last
 term is the general one, and those before the dots must be its values in a row. More dots behind it

@@ -1,4 +1,4 @@
-"""Expressions: immutable trees of numbers, symbols, sums, products, powers and functions.
+"""Expressions: immutable trees of numbers, symbols, sums, products, powers, functions.
 
 A tree is what was written, not what it means: constructors fold numbers and flatten sums and
 products, and nothing else, because ``0*log(x)`` is not defined where ``0`` is, and ``1/0`` is a

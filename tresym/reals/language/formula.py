@@ -1,4 +1,4 @@
-"""Formulas: relations between expressions, conjunctions of them, and equivalences."""
+"""Formulas: relations between expressions, conjunctions and equivalences."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""LaTeX mathematics as trees.
+"""Parse LaTeX mathematics into trees.
 
 `read_latex` turns a displayed formula into chains of relations, `read_expression` one expression
 into a tree. Nothing is guessed: what can be read in two ways is refused, with a line that says how

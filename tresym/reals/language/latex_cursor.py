@@ -1,4 +1,4 @@
-"""The tokens of a LaTeX formula: what comes next in them, and the names that they write.
+"""A cursor over the tokens of a LaTeX formula, with the names they spell.
 
 ``dy/dx`` and a dot are symbols of an author's; anybody else is told what to write.
 """
@@ -74,11 +74,18 @@ class Author:
         variable: that of a bracket with limits, where print does not tell.
         strict: what can be read in two ways is refused, as for anybody else, and f is left unknown
             in ``f(x)`` where it is not defined.
-        shorter: how far an argument goes is no question: the shorter reading is meant.
-        longer: the longer reading is meant, and of ``\\sin^{-1}`` the inverse function.
+        shorter: how far an argument goes is no question: the shorter reading is meant, and V(x) is
+            a product.
+        longer: the longer reading is meant, of ``\\sin^{-1}`` the inverse function, and V(x) is the
+            value of a function V.
         letter_e: ``e`` is a variable of his, and no number.
         letter_delta: ``\\Delta`` is a symbol of his, by itself.
         called: names of functions of his, some of which may be unknown.
+        applied: names that stand before an argument in brackets elsewhere.
+        bare: names that stand without a bracket elsewhere.
+        numbers: names that are said to be numbers.
+        sequences: letters whose subscripts number terms: ``a_k`` is a(k).
+        inverses: ``\\sin^{-1}`` is the inverse function, as words of his say.
     """
 
     functions: Mapping[str, Function] = field(default_factory=dict)
@@ -89,6 +96,11 @@ class Author:
     letter_e: bool = False
     letter_delta: bool = False
     called: frozenset[str] = frozenset()
+    applied: frozenset[str] = frozenset()
+    bare: frozenset[str] = frozenset()
+    numbers: frozenset[str] = frozenset()
+    sequences: frozenset[str] = frozenset()
+    inverses: bool = False
 
     def derivative(self, name: str, by: str, times: int) -> Expr | None:
         """The derivative of one of his functions, ``by`` its variable if that is not named."""

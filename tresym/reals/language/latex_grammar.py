@@ -1,4 +1,4 @@
-"""The grammar of LaTeX expressions: recursive descent from tokens to trees."""
+"""The grammar of LaTeX expressions: a recursive-descent parser."""
 
 from __future__ import annotations
 
@@ -81,6 +81,11 @@ from tresym.reals.language.parsing import INFINITY, call, sum_of
 from tresym.reals.numbers.exact import InputError
 
 MAX_FACTORIAL = 100
+OPENING_ARGUMENTS = ("(", "[", "\\{")
+FORCES = frozenset(("F", "G"))
+"""Letters of functions that are also usual for numbers."""
+VARIABLES = frozenset(("x", "t", "s", "theta"))
+"""Letters of what is differentiated by, where a prime behind a bracket does not say by what."""
 TOTALS = {"\\sum": "sum", "\\prod": "product"}
 BINOMIALS = ("\\binom", "\\tbinom", "\\dbinom")
 
@@ -136,8 +141,15 @@ class Reader(Cursor):
         if is_number(self.peek()) and is_number(self.tokens[self.at - 1]):
             self.refuse("two numbers side by side: one with spaces, or a product?")
         opening = self.peek(1) if self.peek() == "{" else self.peek()
-        if last.symbol and opening == "(" and not self.guesses:
-            factors.append(self.factor_in_brackets(last))
+        name = "pi" if last.tree == PI else last.symbol
+        bracket = self.at + (self.peek() == "{")
+        limits = opening == "[" and self.tokens[self.partner(bracket) + 1 :][:1] == ["_"]
+        if name and opening in OPENING_ARGUMENTS and not limits and not self.guesses:
+            value = self.factor_in_brackets(last, name)
+            if value is None:
+                factors[-1] = self.applied_to_bracket(name)
+                return
+            factors.append(value)
         else:
             factors.append(self.factor_or_differential())
         operators.append("*")
@@ -147,25 +159,55 @@ class Reader(Cursor):
         if last.printed and new and new.tree.op == "number" and new.strength == 2:
             self.two_readings(f"{last.printed} + {new.tree}", f"{last.printed}*({new.tree})")
 
-    def factor_in_brackets(self, last: Piece) -> Piece:
+    def factor_in_brackets(self, last: Piece, name: str) -> Piece | None:
         """The bracket behind a symbol, where a product needs it: x(x + 1), and (a/r)² behind V.
 
-        Without that need, as in x(0), it may hold the argument of a function.
+        Without that need, as in x(0) and V(2r), it may hold the argument of a function; so may a sum
+        behind a capital, a Greek or a subscripted letter that never stands alone. An author's
+        longer reading is the value of the function, for which None is the answer.
         """
-        name = last.symbol
         if self.is_list():
             self.refuse(f"{name}(…) is a function that is not known: write out what it is,")
-        braced = self.peek() == "{"
+        start, braced = self.at, self.peek() == "{"
+        if self.peek(braced) == "\\{":
+            self.refuse("braces behind a name may hold the argument of a transform,")
         self.at += braced
         inner = self.enclosed()
         if braced:
             self.take("}")
-        needed = inner.strength == 0 or (1 < inner.strength < 4 and self.peek() == "^")
-        either = self.author and (self.author.shorter or self.author.longer)
-        if name in LETTERS_OF_FUNCTIONS or not (needed or either):
+        if not self.is_product(name, inner):
             value = f"{name}_1 for the value of a function {name}"
-            self.two_readings(joined([last, inner], ["", "*"]), value)
+            if not self.author or not (self.author.longer or self.author.shorter):
+                self.two_readings(joined([last, inner], ["", "*"]), value)
+            if self.author.longer:
+                self.at = start
+                return None
         return self.factor(Piece(inner.tree))
+
+    def is_product(self, name: str, inner: Piece) -> bool:
+        """Whether a bracket behind a symbol can be nothing but a factor."""
+        raised = self.peek() == "^" and 1 < inner.strength < 4
+        if name in LETTERS_OF_FUNCTIONS - FORCES or not self.author:
+            return name not in LETTERS_OF_FUNCTIONS and (inner.strength == 0 or raised)
+        lower = len(name) == 1 and name.islower()
+        if name in self.author.numbers:
+            return True
+        if name in inner.names:
+            return lower or inner.strength == 0
+        if name in self.author.applied:
+            return False
+        if lower:
+            return inner.strength < 2 or raised
+        return (inner.strength == 0 or raised) and (name == "pi" or name in self.author.bare)
+
+    def applied_to_bracket(self, name: str) -> Piece:
+        """The value of a function that is left unknown at what the bracket here holds."""
+        braced = self.peek() == "{"
+        self.at += braced
+        value = Piece(unknown(name, (self.enclosed().tree,)))
+        if braced:
+            self.take("}")
+        return self.factor(value)
 
     def factor_or_differential(self) -> Piece | None:
         """A factor, or None where the differential of an integral was stepped over."""
@@ -235,6 +277,10 @@ class Reader(Cursor):
                 base = self.factorial(base)
             elif self.peek() == "'" and self.tokens[self.at - 1] == ")" and len(base.names) == 1:
                 (name,) = base.names
+                if name not in VARIABLES and not self.guesses:
+                    self.refuse(
+                        f"whether {name} is a function is not said: write \\frac{{d}}{{dx}},"
+                    )
                 base = Piece(derivative(base.tree, name))
                 self.at += 1
             elif self.peek() == "|" and self.peek(1) == "_" and not self.at_bar():
@@ -356,10 +402,31 @@ class Reader(Cursor):
 
     def bracket(self) -> Piece:
         """A bracket; with limits behind it, the difference of values at its ends."""
-        opening, piece = self.peek(), self.enclosed()
-        if opening != "[" or self.peek() != "_":
-            return Piece(piece.tree)
-        return self.evaluated(piece.tree)
+        start, opening, piece = self.at, self.peek(), self.enclosed()
+        if opening == "[" and self.peek() == "_":
+            return self.evaluated(piece.tree)
+        if opening != "(" and not self.guesses:
+            self.check_bracket(opening, piece, start)
+        return Piece(piece.tree)
+
+    def check_bracket(self, opening: str, inner: Piece, start: int) -> None:
+        """Refuse braces and square brackets that may be a fractional or an integer part.
+
+        They are brackets where they hold another bracket, and square ones where a product or a power
+        needs them.
+        """
+        inside = self.tokens[start + 1 : self.at - 1]
+        if {*inside} & {"(", "[", "\\{", "\\left|", "\\frac", "\\sqrt", "\\dfrac", "\\tfrac"}:
+            return
+        before = self.tokens[start - 1] if start else ""
+        free = before in ("", "+", *OPENING, *RELATIONS, *STOPS) and not self.continues()
+        factor = 1 < inner.strength < 4 and before != "}"
+        lone = len(inside) == 1 or factor or (free and inner.strength < 2)
+        if opening == "\\{" or (lone and self.peek() != "^") or len(inside) == 1:
+            what = {"\\{": "a fractional part or a set", "[": "an integer part"}[opening]
+            close = BRACKETS[opening].removeprefix("\\")
+            shown = f"{opening.removeprefix(chr(92))}{inner.tree}{close}"
+            self.refuse(f"{shown} may be {what}: write round brackets,")
 
     def absolute(self) -> Piece:
         """An absolute value."""
@@ -567,7 +634,8 @@ class Reader(Cursor):
             tree = call(name, [argument.tree, *more])
             if exponent is None:
                 return Piece(tree)
-            if exponent == MINUS_ONE and self.author and self.author.longer:
+            inverse = self.author and (self.author.longer or self.author.inverses)
+            if exponent == MINUS_ONE and inverse:
                 return Piece(call(_inverse(name), [argument.tree]))
             if exponent == MINUS_ONE and not (self.author and self.author.shorter):
                 self.two_readings(f"{_inverse(name)}({argument.tree})", f"1/{tree}")
@@ -725,6 +793,8 @@ class Reader(Cursor):
         if token in ORDERS and self.peek(1) == "(":
             self.take()
             return Piece(order(token, self.enclosed().tree))
+        if self.author and self.is_term():
+            return self.term()
         name = self.symbol()
         primes = self.primes() if self.author else 0
         if primes:
@@ -733,11 +803,41 @@ class Reader(Cursor):
             return self.value(name, self.author.functions.get(name))
         return Piece(symbol(name), symbol=name)
 
+    def is_term(self) -> bool:
+        """Whether a term of an author's sequence stands here, ``a_k``."""
+        letter = self.peek().removeprefix("\\")
+        return bool(self.author) and letter in self.author.sequences and self.peek(1) == "_"
+
+    def term(self) -> Piece:
+        """``a_k`` as a(k), ``a_{ij}``, ``a_{1j}`` and ``a_{i,j}`` as functions of two indices."""
+        letter = self.take().removeprefix("\\")
+        self.take("_")
+        inside = self.tokens[self.at + 1 : self.partner(self.at)] if self.peek() == "{" else []
+        letters = [t for t in inside if t.isalpha() and len(t) == 1]
+        numbered = len(inside) == 2 and inside[0] in "13456789" and len(letters) == 1
+        if len(inside) > 1 and (len(letters) == len(inside) or numbered):  # a_{2n} is an even one
+            self.at += len(inside) + 2
+            indices = [number(int(t)) if t.isdigit() else symbol(t) for t in inside]
+        elif "," in inside:
+            self.at += 1
+            indices = [self.sum().tree]
+            while self.peek() == ",":
+                self.take()
+                indices.append(self.sum().tree)
+            self.take("}")
+        else:
+            indices = [self.script().tree]
+        if self.peek() in ("(", "'"):
+            self.refuse(f"{letter} is a sequence, and what stands behind its term is not read,")
+        return Piece(unknown(letter, tuple(indices)))
+
     def is_argument(self, name: str) -> bool:
         """Whether the bracket here is the argument of ``name``: f(…), or one symbol, ε(γ)."""
         known = self.author and self.author.functions.get(name)
         if self.author and self.author.strict and (known or name in self.author.called):
             return name in self.author.called or bool(known and known.parameters)
+        if self.author and name in FORCES & self.author.bare - self.author.applied:
+            return False
         if name in LETTERS_OF_FUNCTIONS or known:
             return True
         if not self.guesses:

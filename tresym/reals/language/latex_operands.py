@@ -1,4 +1,4 @@
-"""How far an operand goes in print: the argument of a function, and what ``d/dx`` is applied to.
+"""How far an operand extends in print: arguments of functions, and of ``d/dx``.
 
 An argument without brackets is the product that follows, up to the next function, sign, relation
 or closing bracket: ``\\sin\\frac{1}{2}x`` is sin(x/2), ``\\sin n\\pi`` is sin(nπ). A bracket right

@@ -1,4 +1,4 @@
-"""Trees in LaTeX, for notebooks: fractions, roots, powers and functions as one writes them."""
+"""Write trees as LaTeX."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""LaTeX mathematics as tokens: spacing, sizes and labels dropped, upright words told apart."""
+"""Tokenise LaTeX mathematics; spacing, sizes and labels are dropped."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Sums with like terms as one."""
+"""Collect like terms of sums."""
 
 from __future__ import annotations
 

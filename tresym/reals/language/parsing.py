@@ -1,4 +1,4 @@
-"""Reading expressions and conditions from text, through Python's ``ast`` on a whitelist.
+"""Parse expressions and conditions from text, through Python's ``ast`` with a whitelist.
 
 Nothing is evaluated. Text is bounded in length and nesting before it is parsed; decimals are read
 from the text itself and are exact.
@@ -88,8 +88,11 @@ ORDER_NAMES = frozenset("jkmnN")
 """Letters that an order of a derivative may have; of others diff(f, x, y) may be a mixed one."""
 KNOWN |= {"sqrt", "atan2", "diff", "Derivative", *_GUDERMANNIAN}
 """The names of functions."""
-UNKNOWN = re.compile(r"(?:[fghuvwyzFGHUVW]|phi|psi|theta|Phi|Psi)(?:_?\d)?|factorial")
-"""The names of functions that may be left unknown, and that of one of integers."""
+UNKNOWN = re.compile(r"(?:[fghuvwyzFGHUVW]|phi|psi|theta|Phi|Psi)(?:_?\d)?|fn_\w+|factorial")
+"""The names of functions that may be left unknown, and that of one of integers.
+
+A function of any other name is written with ``fn_`` before it, as the reader of manuscripts does.
+"""
 FACTORIAL = "factorial"
 TOTALS = {"sum": "sum", "product": "product", "prod": "product"}
 INFINITY = symbol("oo")

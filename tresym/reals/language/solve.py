@@ -1,4 +1,4 @@
-"""Zeros of an expression in one symbol, as far as inverting its functions finds them."""
+"""Solve an expression for one symbol by inverting its functions."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What may have been meant by text that is not read: advice in a few words."""
+"""Suggest what to write instead of text that cannot be parsed."""
 
 from __future__ import annotations
 

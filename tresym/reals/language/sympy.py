@@ -1,4 +1,4 @@
-"""SymPy's expressions and relations as trees: the one door, opened only when called."""
+"""Convert SymPy's expressions and relations to trees; imported only when called."""
 
 from __future__ import annotations
 

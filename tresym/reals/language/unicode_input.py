@@ -1,4 +1,4 @@
-"""Signs of printed mathematics in the characters of the grammar: π, ², ≤, |x| and the like."""
+"""Translate Unicode mathematics to the text grammar: π, ², ≤, |x| and the like."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Factors written by simpler ones, as proposals: factors.py multiplies them out.
+"""Propose simpler forms of nested radicals and factors; ``factors`` verifies them.
 
 A factor that a root makes ambiguous is replaced by its norm and its conjugate; a nested square root
 is written by simpler ones where its norm is a square.

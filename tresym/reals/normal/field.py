@@ -1,4 +1,4 @@
-"""The exact normal form: a real expression as a fraction in generators that are as free as known.
+"""The exact normal form: a real expression as a fraction in independent generators.
 
 Every rewriting holds at each real point where the expression is defined and no factor met on the
 way vanishes. Such points are dense in the open part of the domain, and elementary functions are

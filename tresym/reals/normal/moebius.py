@@ -1,4 +1,4 @@
-"""The Möbius map of a polynomial: a range of a variable becomes [0, ∞], and signs are kept."""
+"""Möbius substitution in a polynomial: map the range of a variable to [0, ∞]."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Polynomials in symbols, read off the normal form, term by term."""
+"""Read polynomials in symbols off the normal form."""
 
 from __future__ import annotations
 

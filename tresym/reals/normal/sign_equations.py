@@ -1,4 +1,4 @@
-"""Signs as generators, and what is learnt of them.
+"""Signs as generators: linear equations over GF(2) between them.
 
 The facts are the conditions a claim was given and those its own radicands, logarithms and inverse
 functions impose: each is a product of signs, a linear equation over GF(2). A sign that is not

@@ -1,4 +1,4 @@
-"""Normal forms written as expressions again."""
+"""Convert normal forms back to expressions."""
 
 from __future__ import annotations
 

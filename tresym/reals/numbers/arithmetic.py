@@ -1,4 +1,4 @@
-"""The four arithmetics a formula runs in, and the one place where precision is set.
+"""The four arithmetics of a formula, and the only place where precision is set.
 
 A formula is a plain function whose last argument ``m`` is an arithmetic: a namespace with the
 function names of the Python array API standard (``sqrt``, ``asin``, ``sinh``, …) and ``pi``.

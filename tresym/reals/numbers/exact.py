@@ -1,4 +1,4 @@
-"""Exact numbers at the border: text to rationals, printed decimals to intervals, balls to text.
+"""Convert exact numbers: text to rationals, printed decimals to intervals, balls to text.
 
 Numbers from a user are exact decimals or fractions and never pass through ``float`` or ``eval``.
 Lengths and exponents are checked before anything is converted, and long integers go through FLINT,

@@ -1,4 +1,4 @@
-"""Factors of integers and integer polynomials, multiplied out; and the error of normal forms.
+"""Factor integers and integer polynomials, and verify the result.
 
 What FLINT finds is not believed: a unit and factors that do not give the product are an error.
 """

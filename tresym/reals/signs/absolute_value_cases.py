@@ -1,4 +1,4 @@
-"""Absolute values taken apart: the claim for either sign of what stands within."""
+"""Split absolute values by the sign of their arguments."""
 
 from __future__ import annotations
 

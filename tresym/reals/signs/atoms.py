@@ -1,4 +1,4 @@
-"""Algebra alone: fractions of polynomials in atoms, of which nothing is known but their values.
+"""Fractions of polynomials in atoms of which only the values are known.
 
 What is equal here is equal at every single point, where the exact normal form speaks of almost all.
 """

@@ -1,4 +1,4 @@
-"""Whether every point of the conditions is a limit of points inside them.
+"""Prove that every point of the conditions is a limit of interior points.
 
 What is proved inside the conditions holds by continuity at such limits, and says nothing elsewhere:
 ``x**2*(x - 1) >= 0`` holds at x = 0 too, which is no limit of points inside. So a proof under

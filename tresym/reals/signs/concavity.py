@@ -1,4 +1,4 @@
-"""A difference that is concave between two ends where it is not negative is nowhere negative."""
+"""A concave difference that is nonnegative at both ends is nonnegative between them."""
 
 from __future__ import annotations
 

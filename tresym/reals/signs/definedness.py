@@ -1,4 +1,4 @@
-"""Whether an expression is defined, or smooth, at every point of the conditions.
+"""Prove that an expression is defined, or smooth, wherever the conditions hold.
 
 A proof divides only where the denominator is shown non-zero and takes roots and logarithms only
 where their arguments are shown to allow it, everywhere under the conditions given. What is not
@@ -79,19 +79,22 @@ def is_lasting(sides: Sequence[Expr], given: Given, *moving: str) -> bool:
     """Whether the sides are defined for all values of some variables if they are for one.
 
     An induction needs it: what it is said of at n = 20 alone says nothing at 22 where 21 is left
-    out. So each part with ``moving`` variables must be shown, under the others.
+    out. So each part with ``moving`` variables must be shown, under the others. A function that is
+    left unknown is defined wherever its arguments are.
     """
     nodes = [node for node in outermost(*sides) if not symbols(node).isdisjoint(moving)]
-    if any(node.args[0].args != (FACTORIAL, (0,)) for node in nodes):
+    inner = [arg for node in nodes for arg in node.args[1:]]
+    if any(node.op != "unknown" for node in nodes) or next(iter(outermost(*inner)), None):
         return False
+    factorials = [node for node in nodes if node.args[0].args == (FACTORIAL, (0,))]
     put = {node: symbol(f"[{i}]") for i, node in enumerate(nodes)}  # no name of anybody's
     names = {*moving, *(str(mark) for mark in put.values())}
     sides = [replaced(side, put) for side in sides]
     plain = needs(sides, powers=False)
     fixed = [(e, relation, ZERO) for e, relation in plain if not symbols(e) & names]
-    inside = given & Given((*fixed, *((mark, ">=", ONE) for mark in put.values())))
-    parts = [part for part in needs(sides) if symbols(part[0]) & names]
-    parts += [(node.args[1], ">=") for node in nodes]
+    inside = given & Given((*fixed, *((put[node], ">=", ONE) for node in factorials)))
+    parts = [part for part in needs((*sides, *inner)) if symbols(part[0]) & names]
+    parts += [(node.args[1], ">=") for node in factorials]
     return all(_holds(e, relation, inside, None) for e, relation in parts)
 
 

@@ -1,4 +1,4 @@
-"""The points at which sign and atan2 jump: a proof on a dense set does not reach them.
+"""The points at which sign and atan2 jump, which a proof on a dense set does not reach.
 
 ``sign u`` jumps where u is 0, ``atan2(y, x)`` where y is 0 and x is negative; all other functions
 are continuous where they are defined. So a claim that is proved at almost all points is left to be

@@ -1,4 +1,4 @@
-"""A polynomial under a condition such as x + y + z ≤ 1, made homogeneous by it.
+"""Homogenise a polynomial by a condition such as x + y + z ≤ 1.
 
 Where L is homogeneous with 0 ≤ L ≤ k, a term that is not negative becomes no larger when it is
 multiplied by a power of L/k; where L ≥ k > 0, so does one that is not positive. What is proved of

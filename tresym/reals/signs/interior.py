@@ -1,4 +1,4 @@
-"""Signs inside the conditions, and by continuity at limits from there: by the normal form, too.
+"""Signs in the interior of the conditions, and by continuity at limits of interior points.
 
 Closed conditions may hold at single points elsewhere, of which nothing is shown here.
 """

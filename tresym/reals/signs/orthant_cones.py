@@ -1,4 +1,4 @@
-"""The sign of a polynomial on an orthant, exactly: cones on which all coefficients have one sign.
+"""The exact sign of a polynomial on an orthant, by cones on which all coefficients agree.
 
 The difference of the two sides is a fraction of polynomials in the variables, or in roots,
 exponentials and other functions that range over known intervals. Maps of Möbius take every range to

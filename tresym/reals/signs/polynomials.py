@@ -1,4 +1,4 @@
-"""The sign of a polynomial where polynomials are positive: at one point of every open cell.
+"""The sign of a polynomial on a semialgebraic set, by one point in every open cell.
 
 The cells are those of an open cylindrical decomposition (see places/cells.py) by the polynomial and
 the conditions: on each the sign of all of them is constant, and what they leave out is nothing but

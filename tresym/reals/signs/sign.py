@@ -1,4 +1,4 @@
-"""The one prover of signs: its methods in one list, cheapest first, and one door to them.
+"""Prove the sign of an expression: the methods in one list, cheapest first.
 
 A method is a function of a difference, a relation to zero and the conditions, and gives a sentence
 that proves the relation where the conditions hold inside, and at limits from there; or None. Only

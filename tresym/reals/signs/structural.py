@@ -1,4 +1,4 @@
-"""Signs at every single point of the conditions: by the signs and ranges of the parts.
+"""Signs at every single point, from the signs and ranges of subexpressions.
 
 A sum is taken as a polynomial in its atoms (symbols, sines, roots, exponentials, …), each with its
 range; a Möbius map takes every range to [0, ∞], and a polynomial without negative coefficients that

@@ -1,4 +1,4 @@
-"""The sign of a difference by Taylor's theorem about one point, with signs that are proved.
+"""The sign of a difference by Taylor's theorem about one point.
 
 On a segment from c to x, d(x) = Σ_{j<k} d⁽ʲ⁾(c) (x−c)ʲ/j! + d⁽ᵏ⁾(ξ) (x−c)ᵏ/k!. Where all terms have
 one sign, d has it. The other symbols are parameters, and c may depend on them: it is an end of the

@@ -1,4 +1,4 @@
-"""Inequalities that are equivalent to a given one, and easier: exact steps of a proof by hand.
+"""Equivalent transformations of an inequality into simpler ones.
 
 How they are found does not matter: :func:`holds` checks that one implies the other.
 """

@@ -1,4 +1,4 @@
-"""The stability atlas: maps of digits lost, printed and stable side by side, in two precisions."""
+"""Draw the stability atlas: digits lost by printed and stable forms, side by side."""
 
 from __future__ import annotations
 

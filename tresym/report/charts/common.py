@@ -1,4 +1,4 @@
-"""What the charts share: captions below the picture, marks that need no colour, times as text."""
+"""Shared by the charts: captions, marks that need no colour, times as text."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What methods claim against what they have: a dot on the line is honest, one below it is not."""
+"""Draw claimed errors against true errors."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Deciding identities: each one's time by SymPy against its time by tresym."""
+"""Draw times for identities: SymPy against tresym."""
 
 from __future__ import annotations
 

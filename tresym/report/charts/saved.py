@@ -1,4 +1,4 @@
-"""Where saved measurements are: a checkout's docs/measurements, or those shipped with tresym."""
+"""Find saved measurements, in a checkout or in the installed package."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How the work grows with digits, starts and claims, and the memory with starts."""
+"""Draw how time grows with digits, starts and claims."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""One workload: how long each method takes, scene by scene, and what became of it."""
+"""Draw one workload: the time of every method in every scene."""
 
 from __future__ import annotations
 

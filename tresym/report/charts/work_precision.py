@@ -1,4 +1,4 @@
-"""Work and precision: six scenes, every method, the Pareto front and the ladder's pick."""
+"""Draw work-precision diagrams with the Pareto front and the selected model."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""SVG of which no byte hangs on the last bits of a float.
+"""Round SVG output to a grid, so that it does not depend on the last bits of floats.
 
 Sines and matrix products differ there from one processor to the next. Places are therefore written
 on a grid far above that, and what else would show these bits is taken out.

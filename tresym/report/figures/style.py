@@ -1,4 +1,4 @@
-"""The looks of all figures, and how they are saved: the only file that imports matplotlib.
+"""The style of all figures, and how they are saved; the only module that imports matplotlib.
 
 Rotating motions are solid and dark, oscillating ones dashed and lighter, the separatrix dotted:
 told apart without colour too. The two colours are from the palette of Okabe and Ito.

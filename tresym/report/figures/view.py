@@ -1,4 +1,4 @@
-"""Looking at space from one side: orthographic projection, with what is behind drawn faintly."""
+"""Orthographic projection, with hidden parts drawn faintly."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""The generated documents, built from the ledger."""
+"""The documents generated from the ledger."""

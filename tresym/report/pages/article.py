@@ -1,4 +1,4 @@
-"""The article: the derivation in the paper's order, what is corrected, and the ledger behind it.
+"""The article: the derivation in the paper's order, the corrections, and the ledger.
 
 The words are those of article.tex beside this file. In it a line ``@claim LABEL`` stands for a
 statement with its chain, ``@says LABEL`` for the statement alone, ``@figure NAME | caption`` for a

@@ -1,4 +1,4 @@
-"""What `tresym check` decided in the saved measurement, as tables in Markdown."""
+"""Tables of the saved measurements of ``tresym check``, in Markdown."""
 
 from __future__ import annotations
 

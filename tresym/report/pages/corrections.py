@@ -1,4 +1,4 @@
-"""The page of corrections: what the paper prints, what is true instead, why, and the evidence."""
+"""The page of corrections: printed statements that do not hold, and what is true instead."""
 
 from __future__ import annotations
 

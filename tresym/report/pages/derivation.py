@@ -1,4 +1,4 @@
-"""Claims in LaTeX: an entry of the ledger each, with its chain and its reasons, or one to paste."""
+"""Claims in LaTeX: derivations with reasons, for the article or to paste."""
 
 from __future__ import annotations
 

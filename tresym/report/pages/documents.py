@@ -1,4 +1,4 @@
-"""The generated documents: pure functions of the ledger, tables and figures; are any stale?
+"""Build the generated documents, or check that they are up to date.
 
 Everything below docs/generated is written by `tresym docs` and never by hand; `tresym docs --check`
 compares what is there with what would be written. Nothing in them depends on time or machine, not

@@ -1,4 +1,4 @@
-"""Rows of the ledger as JSON: for `tresym verify --json`, and for the pages of the site."""
+"""Rows of the ledger as JSON, for ``tresym verify --json`` and the site."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The methods of the prover of signs, as a list in Markdown: what each says of itself."""
+"""The methods of the sign prover, as a list in Markdown."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The numbers that the prose of the site quotes, by name: computed here, never typed there."""
+"""Numbers quoted in the prose of the site, computed here by name."""
 
 from __future__ import annotations
 

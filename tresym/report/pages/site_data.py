@@ -1,4 +1,4 @@
-"""The ledger as plain data: what the pages of the site show of every claim, and nothing of time.
+"""The ledger as plain data for the pages of the site.
 
 `tresym docs` writes it to docs/generated/ledger.json; the site is built from that file alone.
 """

@@ -1,4 +1,4 @@
-"""The table of symbols as a page: what each is, what defines it, and what is assumed."""
+"""The table of symbols: meaning, definition, and assumptions."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Tables of certified numbers: what each holds, and how it is written in three formats.
+"""Tables of certified numbers, in three formats.
 
 A table is a value: a caption, column heads and rows of text. Every number in it comes from a ball
 that proves the digits shown.

@@ -1,4 +1,4 @@
-"""What must be right for a pass: the code that the deciding functions reach, counted.
+"""Count the lines of code that verdicts depend on.
 
 A piece is a function, method, class or constant. It is reached when a piece that is reached names
 it, a method when its class is reached and anything reached has an attribute of its name, or a

@@ -1,1 +1,1 @@
-"""How a claim, its conditions and its chain are written."""
+"""How claims, conditions and derivations are typeset."""

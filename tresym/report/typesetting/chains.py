@@ -1,4 +1,4 @@
-"""What a claim shows, in lines: each expression of its chain in LaTeX, with the reasons for it.
+"""Derivations in lines: every expression in LaTeX with its reasons.
 
 The article and the pages of the site set the same lines, each in its own way.
 """

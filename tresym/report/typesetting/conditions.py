@@ -1,4 +1,4 @@
-"""Conditions as a mathematician gathers them: 0 < I₁ < I₂ < I₃ for five inequalities, 0 < b ≤ 1."""
+"""Gather conditions as a mathematician writes them: 0 < I₁ < I₂ < I₃, 0 < b ≤ 1."""
 
 from __future__ import annotations
 

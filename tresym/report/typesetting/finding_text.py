@@ -1,4 +1,4 @@
-"""What judging found, which is written in plain characters, with signs and letters as we print."""
+"""Write findings with typeset signs and letters."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""About how wide a formula is set, in letters: enough to say where a line must be broken."""
+"""Estimate the width of a typeset formula."""
 
 from __future__ import annotations
 

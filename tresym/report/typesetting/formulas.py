@@ -1,4 +1,4 @@
-"""Formulas within sentences: found by their own alphabet, and written in LaTeX.
+"""Find formulas within sentences, and write them in LaTeX.
 
 A sentence of ours is plain text, ``ε₀ = O(e^{−π/λ}) as λ → 0``, and a terminal shows it so. Where
 mathematics can be set, each run of letters, signs and brackets that is a formula is set as one.

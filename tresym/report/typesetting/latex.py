@@ -1,4 +1,4 @@
-"""Statements in LaTeX as a mathematician writes them: the paper's symbols, order and brackets."""
+"""Write statements in LaTeX in the paper's notation."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Leading terms as a mathematician writes them: ``-exp(-1)*t**2*exp(pi/t)/3`` as −t² e^{π/t}/(3e).
+"""Write leading terms in LaTeX: ``-exp(-1)*t**2*exp(pi/t)/3`` as −t² e^{π/t}/(3e).
 
 What judging found says them in the grammar of claims, factor by factor; here like factors are
 gathered, which decides nothing.

@@ -1,4 +1,4 @@
-"""Long formulas on several lines: LaTeX as our printer writes it, broken where one may break it.
+"""Break long LaTeX formulas into lines.
 
 A line ends before a relation, a sum's sign or a further factor, at the least depth that makes it
 fit. A bracket that is broken inside keeps one size, since TeX's own sizes end with the line; a

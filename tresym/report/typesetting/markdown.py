@@ -1,4 +1,4 @@
-"""Sentences of ours as Markdown: what has a meaning there is escaped, formulas are set."""
+"""Write sentences in Markdown: escape special characters and set formulas."""
 
 from __future__ import annotations
 

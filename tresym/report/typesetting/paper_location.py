@@ -1,4 +1,4 @@
-"""Where in the paper a claim stands, as a reader finds it: by section and number of the equation.
+"""Where in the paper a claim stands: section and equation number.
 
 Counted as the journal prints it: the equations of the appendix have its letter.
 """

@@ -1,4 +1,4 @@
-"""Formulas in plain characters, for a terminal: our LaTeX with letters, signs and bars of its own.
+"""Formulas in plain Unicode text, for a terminal.
 
 ``\\frac{a}{b}`` becomes a/b, an exponent is raised where there are letters for it and else marked.
 """

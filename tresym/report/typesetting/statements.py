@@ -1,4 +1,4 @@
-"""How a claim is said wherever it is quoted: its sentence or formula, never without its conditions.
+"""Quote a claim: its sentence or formula, always with its conditions.
 
 A conjunction has the conditions of its parts: those that all share once, and beside them what only
 some ask for, with their names. Pages, article and terminal take the words from here, each in its

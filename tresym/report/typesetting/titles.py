@@ -1,4 +1,4 @@
-"""A title in words for every claim: by hand where readers meet it, else of its label."""
+"""A title for every claim, written by hand or made from its label."""
 
 from __future__ import annotations
 

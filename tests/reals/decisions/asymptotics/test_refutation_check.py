@@ -95,6 +95,18 @@ def test_what_fails_is_supported(claim: str, witness: dict[str, str]) -> None:
     statement = read(claim)
     said = Answer(Verdict.REFUTED, "so it is said", witness=witness)
     assert checked(said, statement.comparisons[0], statement).verdict is Verdict.REFUTED
-    if witness and "x" not in witness:
-        said = Answer(Verdict.REFUTED, "so it is said", witness={})
-        assert checked(said, statement.comparisons[0], statement).verdict is Verdict.UNDECIDED
+
+
+def test_parameters_of_no_use_get_values() -> None:
+    statement = read("a*x -> 2 as x -> 0 given a > 0, b > 3, b != 5, m integer, m > 2")
+    said = Answer(Verdict.REFUTED, "so it is said", witness={"a": "1"})
+    found = checked(said, statement.comparisons[0], statement)
+    assert found.verdict is Verdict.REFUTED
+    assert found.witness is not None
+    assert found.witness.keys() >= {"a", "b"}
+    statement = read("a*x -> 2*a as x -> 1 given a**2 == 4, b > 3")
+    said = Answer(Verdict.REFUTED, "so it is said", witness={"b": "4"})
+    found = checked(said, statement.comparisons[0], statement)
+    assert found.verdict is Verdict.REFUTED
+    assert found.witness is not None
+    assert found.witness["a"] in ("2", "-2")

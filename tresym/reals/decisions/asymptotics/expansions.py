@@ -1,4 +1,4 @@
-"""Expansions in the fastest element w of a function, their coefficients functions of the others.
+"""Expansions in the most rapidly varying element of a scale, with certified remainders.
 
     f = c₀ w^p₀ + c₁ w^p₁ + … + c_{n−1} w^p_{n−1} + R,   p₀ < p₁ < …
 

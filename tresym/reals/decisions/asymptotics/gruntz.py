@@ -1,4 +1,4 @@
-"""A function of t → 0+ in the elements of a scale: every function left in it is of what is bounded.
+"""Gruntz's algorithm: rewrite a function in its most rapidly varying subexpressions.
 
 Where u → ±∞, exp u becomes a product of powers of elements times exp of what is bounded, a new
 element where none has its order of growth; log u takes the elements out of u; sin u and cos u are

@@ -1,4 +1,4 @@
-"""Laurent expansions at 0 with rational coefficients, exactly, of elementary expressions.
+"""Laurent expansions at 0 with exact rational coefficients.
 
 Each function is expanded by the recurrence that its differential equation gives. Source: R. P.
 Brent and P. Zimmermann, *Modern Computer Arithmetic*, § 4.7.

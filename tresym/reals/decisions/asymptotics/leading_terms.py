@@ -1,4 +1,4 @@
-"""Order claims, and signs beside a point, by growth: leading terms on one scale of functions.
+"""Decide order claims, and signs near a point, by leading terms.
 
 All of it speaks of t → 0+. f = O(g), f = o(g) and f ~ g are read off the leading terms of f and g;
 the range, and the constant of O, come from the same expansions with bounds: near the end, for the
@@ -17,7 +17,7 @@ from typing import NamedTuple
 from flint import arb, fmpq
 
 from tresym.reals.balls.taylor import taylor_value
-from tresym.reals.decisions.asymptotics.expansions import Expansions, quotient
+from tresym.reals.decisions.asymptotics.expansions import Expansions, quotient, raised
 from tresym.reals.decisions.asymptotics.gruntz import Rewritten
 from tresym.reals.decisions.asymptotics.scale import Leading, T, UnresolvedError
 from tresym.reals.domain.conditions import Given
@@ -43,7 +43,7 @@ from tresym.reals.verdict import Verdict
 
 HALVINGS = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 128, 256, 512, 2048, 8192)
 PHASES = (ZERO, PI / 2, PI, -PI / 2, ONE)
-MOST_PHASES = 48
+MOST_PHASES = 96
 
 OCTAVES, PIECES = 8, 8
 """How far towards the end balls bound a ratio, and over how many intervals from 2t to t."""
@@ -97,11 +97,11 @@ def judge_order(
     try:
         with ball_precision():
             f, g = found.all_of(left, right)
-            truth = _truth(kind, f, g, found)
+            truth = _told(kind, f, g, found)
             leading = _leading_terms(f, g, found, shown)
             ways = [(kind, f, g, left / right, False), *_reduced(kind, f, g, found, left / right)]
             for relation, above, below, ratio, squared in ways if truth is not False else []:
-                if _truth(relation, above, below, found):
+                if _told(relation, above, below, found):
                     judged = _on_a_range(relation, above, below, found, upto, ratio, leading)
                     if judged.verdict is Verdict.ENCLOSED:
                         return judged.root() if squared else judged
@@ -174,6 +174,14 @@ def sign_near(e: Expr) -> tuple[int, fmpq] | None:
     return None
 
 
+def _told(kind: str, f: Expr, g: Expr, found: Rewritten) -> bool | None:
+    """As :func:`_truth`; None also where a sign on the way is not found."""
+    try:
+        return _truth(kind, f, g, found)
+    except _FAILS:
+        return None
+
+
 def _truth(kind: str, f: Expr, g: Expr, found: Rewritten) -> bool | None:
     """Whether the statement holds as t → 0; None where waves leave that open."""
     scale, leading = found.scale, found.expansions.leading
@@ -213,7 +221,11 @@ def _reduced(
     if not found.scale.phases(f + g) or g == ZERO:
         return
     for squared in (False, True) if kind in ("O", "o") else (False,):
+        if squared:
+            yield kind, raised(f, fmpq(2)), raised(g, fmpq(2)), ratio**2, True
         above, below = _polynomials_in_waves(f**2 / g**2 if squared else f / g, found)
+        if any(found.scale.elements(node) for e in (above, below) for node in _nodes(e, "tan")):
+            continue  # it is expanded as sine and cosine alone
         yield kind, above, below, ratio**2 if squared else ratio, squared
 
 
@@ -293,8 +305,8 @@ def _fails_at_a_phase(kind: str, f: Expr, g: Expr, found: Rewritten) -> bool:
 
 
 def _phases(turns: int) -> list[Expr]:
-    """Values of a phase that are tried: twelfths of a turn of each wave, and 1."""
-    parts = [number(fmpq(k, 6 * turns)) * PI for k in range(min(12 * turns, MOST_PHASES))]
+    """Values of a phase that are tried: 24ths of a turn of each wave, and 1."""
+    parts = [number(fmpq(k, 12 * turns)) * PI for k in range(min(24 * turns, MOST_PHASES))]
     return [*(part / turns for part in PHASES), *parts]
 
 

@@ -1,4 +1,4 @@
-"""The limit of an expression with parameters, exactly: by growth, whose coefficients are exact.
+"""Compute the exact limit of an expression with parameters.
 
 A parameter is a constant: its sign, where that matters, is one that
 :func:`tresym.reals.signs.sign.sign` proves under the conditions, and what is free of the variable
@@ -62,13 +62,29 @@ def limit_of(e: Expr, name: str, point: Expr | None, side: int, given: Given) ->
 
 def _squeezed(e: Expr, name: str, point: Expr | None, side: int, given: Given) -> Expr | None:
     """0 where each term is a bounded factor, of sines and cosines, times what tends to 0."""
+    limits = _without_waves(e, name, point, side, given)
+    return ZERO if limits and all(value == ZERO for value in limits) else None
+
+
+def stays_bounded(e: Expr, name: str, point: Expr | None, side: int, given: Given) -> bool:
+    """Whether each term is a bounded factor, of sines and cosines, times what has a limit."""
+    limits = _without_waves(e, name, point, side, given)
+    return bool(limits) and not {None, INFINITY, MINUS_INFINITY} & {*limits}
+
+
+def _without_waves(
+    e: Expr, name: str, point: Expr | None, side: int, given: Given
+) -> list[Expr | None]:
+    """The limits of the terms without their factors of sines and cosines; none without these."""
+    limits = []
     for term in e.args if e.op == "+" else (e,):
         factors = term.args if term.op == "*" else (term,)
         waves = [f for f in factors if name in symbols(f) and _is_bounded(f, name)]
+        if not waves:
+            return []
         rest = multiply(*(f for f in factors if f not in waves))
-        if not waves or limit_of(rest, name, point, side, given) != ZERO:
-            return None
-    return ZERO
+        limits.append(limit_of(rest, name, point, side, given))
+    return limits
 
 
 def _is_bounded(e: Expr, name: str) -> bool:

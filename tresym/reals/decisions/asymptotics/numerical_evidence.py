@@ -25,21 +25,23 @@ from tresym.reals.language.expression import LEAVES, Expr, symbols
 from tresym.reals.language.parsing import INFINITY
 from tresym.reals.numbers.arithmetic import ball_precision
 
-DISTANCES = (10**3000, 10**300, 10**30, 4000, 1000, 250, 60, 14, 5, 3, 2)
+DISTANCES = (10**3000, 10**300, 10**30, 4000, 1000, 250, 120, 60, 14, 5, 3, 2)
 """Binary orders of the distances from the end (of x at infinity), the farthest first."""
-FINE = 250
-"""Up to this order the phases of waves are looked at."""
+FINE, COARSE = 250, 60
+"""Up to these orders the phases of waves are looked at, the latter for inequalities."""
+SETTLED = 14
+"""From this order on growth is taken for that of the end."""
 WHOLE = (14, 9, 6)
 """The orders for a path through the integers."""
 MOST_BITS = 12_000
 WAVES = frozenset(("sin", "cos", "tan", "cot", "sec", "csc"))
 SPREAD, STEPS = 28, 26
 """Points over the periods of a wave, and how often the best of them is improved."""
-STARTS = 3
+STARTS = 5
 """From how many of the largest values smaller steps are taken."""
 TINY = arb((1, -40))
-SLOWEST = arb("0.1")
-LAST, POLE = 12, 1000
+SLOWEST, SLOW = arb("0.1"), 20
+LAST, POLE, STALLED = 12, 1000, 8
 """By what a value grows in the last of the steps, each a third of the one before, beside a pole."""
 SHRINKS, GROWS = arb("0.9"), arb("1.05")
 """By what a quantity that tends to 0 shrinks, or one that is unbounded grows, between distances."""
@@ -50,6 +52,7 @@ BOUNDED = ("O", "Theta")
 class Supremum(NamedTuple):
     """Bounds of the largest value at one distance; ``pole``: it still grows as steps shrink."""
 
+    order: int
     low: arb
     high: arb
     pole: bool = False
@@ -80,18 +83,21 @@ def fails(ray: Ray) -> bool | None:
         return None
     waves = oscillating(ray)
     distances = WHOLE if ray.path.name in ray.integers else DISTANCES
-    told = (_Distance(ray, e, waves).supremum() for e in distances if e <= FINE or not waves)
+    inequality = ray.claim.relation in FALSE
+    most = (COARSE if inequality else FINE) if waves else max(distances)
+    told = (_Distance(ray, e, waves).supremum() for e in distances if e <= most)
     last = list(islice((x for x in told if x is not None), 3 if waves else 2))[::-1]
     if len(last) < 2:
         return None
     if all(x.pole for x in last[-2:]):
         return True
-    if ray.claim.relation in (">", ">=", "<", "<=", "!=", "=="):
+    if inequality:
         return None if any(x.pole for x in last) else False
     before, now = last[-2:]
     if ray.claim.relation in BOUNDED:
         grows = PERIODIC_GROWS if waves else GROWS
-        if all(y.low > grows * x.high for x, y in pairwise(last)):
+        grown = all(y.low > grows * x.high for x, y in pairwise(last))
+        if grown and now.order >= SETTLED:
             return True
         return False if now.high < grows * before.low and now.high < grows * before.high else None
     if now.low > 0 and now.low > SHRINKS * before.high:
@@ -133,9 +139,10 @@ class _Distance:
 
     def __init__(self, ray: Ray, order: int, waves: Sequence[Expr]) -> None:
         self.ray, self.names, self.waves = ray, sorted(ray.at), waves
-        self.bits = min(8 * order + 400, MOST_BITS)
+        self.order = order
+        self.bits = min((5 if waves else 8) * order + 400, MOST_BITS)
         self.fixed = [arb(ray.at[name]) for name in self.names]
-        self.start = arb((149, order - 7))  # no special phase
+        self.start = (arb((149, order - 7)) + arb(61) / 257).mid()  # no special phase
         sides = [e for e in _sides(ray.claim) if e not in (INFINITY, -INFINITY)]
         with ball_precision(self.bits):
             self.values = self._program(sides)
@@ -175,8 +182,10 @@ class _Distance:
             return None
         known.sort(key=lambda item: _least(item[0]), reverse=True)
         best, pole = known[0][0], not known[0][0].is_finite()
-        for size, where in _apart(known, width) if width is not None and not pole else []:
-            found, pole = self._improved(size, where, width)
+        for size, where in _peaks(known) if width is not None and not pole else []:
+            near = width * (where / self.start).max(arb(1))
+            found, pole = self._improved(size, where, near)
+            pole = pole and bool(_least(found) > _least(known[0][0]) * POLE)
             best = found if pole or _least(found) > _least(best) else best
             if pole:
                 break
@@ -186,7 +195,7 @@ class _Distance:
         low = _least(best)
         if not pole and not (high < 2 * low or high < TINY):
             return None
-        return Supremum(low, high, pole)
+        return Supremum(self.order, low, high, pole)
 
     def _improved(self, best: arb, where: arb, width: arb) -> tuple[arb, bool]:
         """A larger value close by, and whether it grows without bound as the steps shrink."""
@@ -204,7 +213,10 @@ class _Distance:
             if abs(moved) < 4:
                 width /= 3
                 values.append(best)
-        return best, len(values) > LAST and bool(_least(best) > _least(values[-LAST]) * POLE)
+            if len(values) > STALLED and _least(best) < _least(values[-STALLED]) * GROWS:
+                return best, False
+        grows = len(values) > LAST and bool(_least(best) > _least(values[-LAST]) * POLE)
+        return best, grows and self.ray.claim.relation not in FALSE
 
     def _places(self) -> tuple[list[arb], arb | None]:
         """Points to look at, and the distance between them where something oscillates."""
@@ -224,6 +236,9 @@ class _Distance:
             period = 2 * arb.pi() / slope
             places += [(u + period * arb(k) / SPREAD).mid() for k in range(1, SPREAD)]
             places += [(u + period * k * arb("1.379")).mid() for k in range(1, SPREAD)]
+            if slope * u < SLOW:  # of a logarithm: it oscillates in log u
+                turn = 2 * arb.pi() / (slope * u)
+                places += [(u * (turn * k / SPREAD).exp()).mid() for k in range(1, SPREAD + 1)]
             width = period / SPREAD
             least = width if least is None or width < least else least
         return places, least
@@ -234,13 +249,13 @@ def _least(size: arb) -> arb:
     return arb(size.abs_lower()) if size.is_finite() else size
 
 
-def _apart(known: list[tuple[arb, arb]], width: arb) -> list[tuple[arb, arb]]:
-    """The first few of the values whose places are not neighbours."""
-    kept: list[tuple[arb, arb]] = []
-    for size, u in known:
-        if len(kept) < STARTS and all(abs(u - other) > 2 * width for _, other in kept):
-            kept.append((size, u))
-    return kept
+def _peaks(known: list[tuple[arb, arb]]) -> list[tuple[arb, arb]]:
+    """The largest of the values that are larger than their neighbours on both sides."""
+    along = sorted(known, key=lambda item: item[1].mid())
+    sizes = [arb(-1), *(_least(size) for size, _ in along), arb(-1)]
+    ends = zip(sizes, sizes[1:], sizes[2:], along, strict=False)
+    peaks = [item for before, here, after, item in ends if before <= here >= after]
+    return sorted(peaks, key=lambda item: _least(item[0]), reverse=True)[:STARTS]
 
 
 def quantity(claim: Comparison, values: Sequence[arb]) -> arb | None:
@@ -248,7 +263,8 @@ def quantity(claim: Comparison, values: Sequence[arb]) -> arb | None:
     f, relation = values[0], claim.relation
     if relation in FALSE:
         wrong, right = FALSE[relation](f, values[1]), FALSE[_OPPOSITE[relation]](f, values[1])
-        return arb.pos_inf() if wrong else arb(0) if right else None
+        near = 1 / (1 + abs(f - values[1]))  # the nearer to failing, the larger
+        return arb.pos_inf() if wrong else near if right else None
     if relation == LIMIT:
         if claim.right not in (INFINITY, -INFINITY):
             return abs(f - values[1])

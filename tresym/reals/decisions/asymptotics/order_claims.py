@@ -1,4 +1,4 @@
-"""Order statements about one variable: O, o and ~, from each side of the path."""
+"""Decide order claims in one variable: O, o and ~, from each side of the path."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def decide_order(claim: Comparison, path: Path) -> Answer:
             return _refutation(claim, path, side, judgement, *shown)
     if all(judgement.verdict is Verdict.ENCLOSED for judgement in found):
         sides = zip(path.sides, found, strict=True)
-        if all(j.real or _values(claim, path, s, (j.upto or fmpq(1)) / 3) for s, j in sides):
+        if all(j.real or _is_real_somewhere(claim, path, s, j) for s, j in sides):
             return _holds(claim, path, found)
         return Answer(
             Verdict.UNDECIDED,
@@ -116,6 +116,12 @@ def _values(claim: Comparison, path: Path, side: int, t: fmpq) -> tuple[arb, arb
         at = {T: arb(t)}
         left, right = (evaluate(substitute(e, mapping), at) for e in (claim.left, claim.right))
         return (left, right) if left.is_finite() and right.is_finite() else None
+
+
+def _is_real_somewhere(claim: Comparison, path: Path, side: int, judgement: Judgement) -> bool:
+    """Whether both sides are shown to be real at a point of the range."""
+    upto = judgement.upto or fmpq(1)
+    return any(_values(claim, path, side, upto / part) for part in (3, 5, 7, 11, 13, 17, 29, 41))
 
 
 def _one_side(claim: Comparison, path: Path, side: int, upto: fmpq = fmpq(1)) -> Judgement:  # noqa: B008

@@ -1,4 +1,4 @@
-"""Claims along a path: limits, orders, and what holds from somewhere on ("eventually").
+"""Claims along a path: limits, orders, and what holds eventually.
 
 ``f -> L`` is ``f - L == o(1)``, and ``f -> oo`` is ``exp(-f) == o(1)``; from two sides it claims
 both. ``f == Theta(g)`` is two O, and ``f == omega(g)`` is ``g == o(f)``. Where parameters occur, a
@@ -19,14 +19,14 @@ from flint import arb, fmpq
 
 from tresym.reals.decisions.answer import Answer, Decide, exact_text, worst
 from tresym.reals.decisions.asymptotics.leading_terms import leading_sign, sign_towards
-from tresym.reals.decisions.asymptotics.limit_values import limit_of
+from tresym.reals.decisions.asymptotics.limit_values import limit_of, stays_bounded
 from tresym.reals.decisions.asymptotics.order_claims import decide_order, region
 from tresym.reals.decisions.claim_parsing import LIMIT, Comparison, Path, Statement
 from tresym.reals.decisions.derivative_domains import where_real
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.inequalities_on_regions import is_isolated
 from tresym.reals.decisions.integer_variables import (
-    alternates,
+    PERIODIC,
     decide_whole,
     period_of,
     residue_of,
@@ -35,7 +35,7 @@ from tresym.reals.decisions.integer_variables import (
 from tresym.reals.decisions.readable_witnesses import simple_points
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate, stands
-from tresym.reals.domain.operation_domains import needs
+from tresym.reals.domain.operation_domains import needs, operations
 from tresym.reals.domain.sample_points import corners
 from tresym.reals.language.expression import (
     LEAVES,
@@ -64,7 +64,7 @@ PARAMETERS = 6
 """Values of the parameters at which a refutation is looked for."""
 FAR = (1, 10, 1000)
 """From where on an inequality is asked."""
-PERIODIC = 12
+PERIOD_POINTS = 12
 MOST_ENDS = 40
 """Corners of the parameters' ranges that are looked at."""
 MOST_SPLIT = 2
@@ -223,15 +223,38 @@ def _among_integers(claim: Comparison, path: Path, statement: Statement, decided
     given = with_integer_bounds(statement.given, statement.integers)
     statement = replace(statement, given=given)
     names = sorted({*_parameters(claim, path), *given.names})
-    if not alternates(claim, statement) and simple_points(names, given, 1, statement.integers):
-
-        def same(left: Expr, right: Expr) -> bool:
-            return bool(decided(Comparison(left, "==", right), replace(statement, path=None)))
-
-        exact = _by_exact_limit(claim, path, given, same)
+    if simple_points(names, given, 1, statement.integers):
+        exact = _by_residues(claim, statement, decided)
         if exact is not None:
             return exact
     return decide_whole(claim, statement, decided)
+
+
+def _by_residues(claim: Comparison, statement: Statement, decided: Decide) -> Answer | None:
+    """The claim by exact limits, for every residue of the parameters that are integers."""
+    trees = [e for e in (claim.left, claim.right) if e not in (INFINITY, -INFINITY)]
+    trees += [*claim.differentiated, *statement.said]
+    names = [n for n in statement.integers if any(n in symbols(e) for e in trees)]
+    periods = [period_of(trees, name, statement.given) for name in names]
+    if None in periods:
+        return None
+    whole = [period for period in periods if period is not None]
+    found = None
+    for rest in islice(product(*map(range, whole)), MOST_ENDS + 1):
+        parts = zip(names, whole, rest, strict=True)
+        at = {n: number(p) * symbol(n) + number(r) for n, p, r in parts if p > 1}
+        given = statement.given.mapped(partial(substitute, mapping=at))
+        change = partial(residue_of, at=at, names=names, given=given)
+        inside = replace(statement.mapped(change), given=given)
+        assert inside.path is not None
+
+        def same(left: Expr, right: Expr, there: Statement = inside) -> bool:
+            return bool(decided(Comparison(left, "==", right), replace(there, path=None)))
+
+        found = _by_exact_limit(claim.mapped(change), inside.path, given, same)
+        if found is None:
+            return None
+    return found
 
 
 def _through_integers(
@@ -266,7 +289,7 @@ def _through_integers(
 
 def _at_integers(found: Answer, claim: Comparison, path: Path, period: int, rest: int) -> Answer:
     """The refutation of a residue as one at integers; UNDECIDED if it is one at a phase."""
-    if _waves(claim.left, path.name) or _waves(claim.right, path.name):
+    if any(node.op in PERIODIC for node in operations((claim.left, claim.right))):
         return Answer(Verdict.UNDECIDED, f"open for integers; of real values, {found.why}")
     witness = dict(found.witness or {})
     value = witness.get(path.name, "")
@@ -319,6 +342,9 @@ def _by_exact_limit(
     found = [limit_of(compared, path.name, path.point, side, given) for side in path.sides]
     values = [value for value in found if value is not None]
     if len(values) < len(found):
+        ends = ((compared, path.name, path.point, side, given) for side in path.sides)
+        if relation == "O" and all(stays_bounded(*end) for end in ends):
+            return Answer(Verdict.PROVED, "the ratio is bounded by that of its waves")
         return None
     if not all(allows(relation, v, right, given, same) for v in values):
         return None
@@ -436,7 +462,7 @@ def _periodic_failure(difference: Expr, relation: str, path: Path) -> Answer | N
             return None
         if decide(e, substitute(e, {"_u": u + 2 * PI})).verdict is not Verdict.PROVED:
             continue
-        for at in (fmpq(2 * n + 1, 4) for n in range(PERIODIC)):
+        for at in (fmpq(2 * n + 1, 4) for n in range(PERIOD_POINTS)):
             with ball_precision(PATH_BITS):
                 value = evaluate(e, {"_u": at})
                 if value.is_finite() and stands(value, NEGATED[relation]):

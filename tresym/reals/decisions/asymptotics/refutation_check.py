@@ -10,8 +10,9 @@ the answer is UNDECIDED.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from itertools import chain, islice, product
 
 from flint import arb
 
@@ -19,9 +20,9 @@ from tresym.reals.cross_check import program
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.asymptotics.numerical_evidence import Ray, fails, oscillating
 from tresym.reals.decisions.claim_parsing import Comparison, Statement
-from tresym.reals.decisions.readable_witnesses import constants_hold
+from tresym.reals.decisions.readable_witnesses import MOST_TRIED, SIMPLE, constants_hold
 from tresym.reals.domain.evaluation import evaluate
-from tresym.reals.language.expression import Expr, substitute, symbols
+from tresym.reals.language.expression import Expr, number, substitute, symbols
 from tresym.reals.language.parsing import INFINITY, parse
 from tresym.reals.normal.at_point import equal_at
 from tresym.reals.numbers.arithmetic import ball_precision
@@ -30,6 +31,7 @@ from tresym.reals.verdict import Verdict
 
 BITS = 12_000
 NEAR = arb((1, -300))
+SEVERAL = 20
 
 
 def checked(answer: Answer, claim: Comparison, statement: Statement) -> Answer:
@@ -40,11 +42,15 @@ def checked(answer: Answer, claim: Comparison, statement: Statement) -> Answer:
     names = parameters(claim, statement)
     point = _exact_values(answer.witness or {})
     at = {name: point[name] for name in names if name in point}
-    why = _unsupported(at, names, statement)
-    if why is None and not any(_fails(claim, statement, side, point) for side in path.sides):
+    missing = [name for name in names if name not in at]
+    for more in _completions(missing, statement, at):
+        if any(_fails(claim, statement, side, point | more, missing) for side in path.sides):
+            others = {name: str(value) for name, value in more.items()}
+            return replace(answer, witness=others | dict(answer.witness or {}))
         why = "numbers along the path do not support it"
-    if why is None:
-        return answer
+        break
+    else:
+        why = "its values are not shown to satisfy the conditions"
     why = f"it was taken to be refuted ({answer.why}), but {why}"
     return replace(answer, verdict=Verdict.UNDECIDED, why=why, witness=None, values=None)
 
@@ -68,31 +74,49 @@ def _exact_values(witness: Mapping[str, str]) -> dict[str, Expr]:
     return {name: value for name, value in found.items() if not symbols(value)}
 
 
-def _unsupported(at: Mapping[str, Expr], names: list[str], statement: Statement) -> str | None:
-    """What is not shown of the values of the parameters, in words."""
-    missing = [name for name in names if name not in at]
-    if missing:
-        return f"no exact value of {', '.join(missing)} belongs to it"
-    for name in statement.integers:
-        if name in at and not (at[name].op == "number" and at[name].args[0].q == 1):
-            return f"{name} = {at[name]} is no integer"
+def _completions(
+    missing: list[str], statement: Statement, at: Mapping[str, Expr]
+) -> Iterator[dict[str, Expr]]:
+    """Values of further parameters with which everything that is said of all of them holds."""
+    simple = product(map(number, SIMPLE), repeat=len(missing))
+    tried = (dict(zip(missing, values, strict=True)) for values in islice(simple, MOST_TRIED))
+    rest = statement.given.mapped(lambda e: substitute(e, at))
+    inside = rest.points(missing, SEVERAL) if missing else ()
+    others = ({name: number(value.ceil()) for name, value in point.items()} for point in inside)
+    for more in chain(tried, others):
+        if _satisfies({**at, **more}, statement):
+            yield more
+
+
+def _satisfies(at: Mapping[str, Expr], statement: Statement) -> bool:
+    """Whether exact values satisfy the conditions, integers among them, and the equations."""
+    whole = (at[name] for name in statement.integers if name in at)
+    if not all(value.op == "number" and value.args[0].q == 1 for value in whole):
+        return False
     links = statement.given.mapped(lambda e: substitute(e, at)).comparisons
-    if constants_hold(links) is None:
-        return "its values are not shown to satisfy the conditions"
-    for left, right in statement.equations:
-        if not equal_at(substitute(left, at), substitute(right, at), {}):
-            return f"{left} == {right} is not shown at its values"
-    return None
+    return constants_hold(links) is not None and all(
+        equal_at(substitute(left, at), substitute(right, at), {})
+        for left, right in statement.equations
+    )
 
 
-def _fails(claim: Comparison, statement: Statement, side: int, point: Mapping[str, Expr]) -> bool:
+def _fails(
+    claim: Comparison,
+    statement: Statement,
+    side: int,
+    point: Mapping[str, Expr],
+    chosen: list[str],
+) -> bool:
+    """Whether numbers support a refutation at a point; of ``chosen`` parameters it told nothing."""
     path = statement.path
     assert path is not None
     with ball_precision(BITS):
         values = {name: evaluate(point[name], {}) for name in parameters(claim, statement)}
     ray = Ray(claim, path, side, values, statement.integers)
     shown = fails(ray)
-    if shown or (shown is None and not oscillating(ray) and path.name not in statement.integers):
+    sides = symbols(claim.left) | symbols(claim.right)
+    exact = path.name not in statement.integers and sides.isdisjoint(chosen)
+    if shown or (shown is None and exact and not oscillating(ray)):
         return True
     return path.name in point and _touches(claim, values, path.name, point[path.name])
 

@@ -1,4 +1,4 @@
-"""A scale of functions of t → 0+: each tends to 0 faster than every power of those behind it.
+"""An asymptotic scale: functions of t → 0+, each smaller than every power of the next.
 
 In it are t, 1/log(1/t), 1/log log(1/t), …, and what is met of exp(−h), h → ∞; log(1/w) is the
 height h of an element w. A product of powers of elements tends to 0, to ∞, or is 1, and the
@@ -13,6 +13,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import cmp_to_key
 from itertools import pairwise
+from math import prod
 from typing import Any, NamedTuple, TypeAlias
 
 from flint import arb
@@ -128,6 +129,12 @@ class Scale:
                 return 1 if value > 0 else -1
         if self.is_zero(c):
             return 0
+        if c.op == "*":
+            return prod(map(self.sign, c.args))
+        if c.op == "^" and c.args[1].op == "number":  # its ball may be wider than its base's
+            base, r = self.sign(c.args[0]), c.args[1].args[0]
+            if base and (base > 0 or r.q == 1):
+                return base if r.p % 2 else 1
         raise UnresolvedError(f"the sign of {c} is not shown")
 
     def ball(self, c: Expr) -> arb:

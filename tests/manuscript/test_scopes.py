@@ -1,0 +1,106 @@
+"""How far definitions and conditions of a manuscript reach."""
+
+from pathlib import Path
+
+import pytest
+from hangs import HANGS
+
+from tresym.manuscript.deciding import Row, decided
+from tresym.manuscript.links import read_links
+from tresym.manuscript.source import read_manuscript
+
+
+def read(tmp_path: Path, text: str) -> list[Row]:
+    (tmp_path / "m.tex").write_text(text)
+    return decided(read_links(read_manuscript(tmp_path / "m.tex")), HANGS, 1)
+
+
+CLAIM = r"Now \[ w^2 = x^4 \]"
+"""It is true where w stands for x²."""
+
+WITHIN = (
+    r"\begin{theorem} Let $w = x^2$. \end{theorem} %s",
+    r"\begin{thm} Let $w = x^2$. \end{thm} %s",
+    r"\newtheorem{satz}{Theorem} \begin{satz} Let $w = x^2$. \end{satz} %s",
+    r"\begin{proof} Let $w = x^2$. \end{proof} %s",
+    r"\begin{example} Let $w = x^2$. \end{example} %s",
+    r"\begin{eg} Let $w = x^2$. \end{eg} %s",
+    "\n\\textbf{Example 1.} Let $w = x^2$.\n\n\\textbf{Example 2.} %s",
+    "\n{\\bf Example} Let $w = x^2$.\n\n{\\bf Remark} %s",
+    "\n\\emph{Case 1:} Let $w = x^2$.\n\n\\emph{Case 2:} %s",
+    "\nCase 1. Let $w = x^2$.\n\nCase 2. %s",
+    r"\begin{enumerate} \item Let $w = x^2$. \item %s \end{enumerate}",
+    r"\begin{itemize} \item Let $w = x^2$. \end{itemize} %s",
+    r"\begin{proof} \begin{enumerate} \item a \item Let $w = x^2$. \end{proof} %s",
+    r"\chapter{A} Let $w = x^2$. \chapter{B} %s",
+    r"Let $w = x^2$. And let $w = x^3$. %s",
+    r"Let $w = x^2$. It is $w = x^3$. %s",
+)
+
+
+@pytest.mark.parametrize("text", WITHIN)
+def test_a_definition_ends_with_its_scope(text: str, tmp_path: Path) -> None:
+    assert read(tmp_path, text % CLAIM)[-1].status not in ("PROVED", "REFUTED")
+
+
+BEYOND = (
+    r"Let $w = x^2$. %s",
+    r"\section{A} Let $w = x^2$. \section{B} %s",
+    r"Let $w = x^2$. \begin{proof} Let $w = x^3$. \end{proof} %s",
+    r"\begin{proof} Let $w = x^2$. %s \end{proof}",
+    r"\begin{theorem} Let $w = x^2$. \end{theorem} \begin{proof} %s \end{proof}",
+    r"\begin{exercise} Let $w = x^2$. \end{exercise} \begin{solution} %s \end{solution}",
+    r"\begin{enumerate} \item Let $w = x^2$. %s \end{enumerate}",
+    r"\begin{definition} Let $w = x^2$. \end{definition} %s",
+    r"Let $w = x^3$. With $w = x^2$, we have \[ w^2 = x^4 \]",
+    "Problem solved: let $w = x^2$.\n\nCases differ. %s",
+)
+
+
+@pytest.mark.parametrize("text", BEYOND)
+def test_and_not_before(text: str, tmp_path: Path) -> None:
+    text = text % CLAIM if "%s" in text else text
+    assert read(tmp_path, text)[-1].status == "PROVED"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        r"Let $f$ be such that $f(a) = f(b)$. \[ f(a) - f(b) = 0 \]",
+        r"For some $x_0$ we have $g(x_0) = x_0$. \[ g(2) = 2 \]",
+        r"Here $a = b$ would be false. \[ a - b = 0 \]",
+        r"Unless $a = b$ there is nothing to do. \[ a - b = 0 \]",
+        r"If $a = b$ then we are done. \[ a - b = 0 \]",
+        r"Suppose that there is a point with $a = b$. \[ a - b = 0 \]",
+        r"If the limit were $L = a$, then \[ L - a = 0 \]",
+        r"We look for $y$ that satisfies $y = x^2$. \[ y - x^2 = 0 \]",
+    ],
+)
+def test_a_condition_at_a_point_or_a_hypothesis_defines_nothing(text: str, tmp_path: Path) -> None:
+    assert read(tmp_path, text)[-1].status not in ("PROVED", "REFUTED")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        r"Suppose for contradiction that $x > 0$. In general \[ \sqrt{x^2} = x \]",
+        r"\begin{itemize} \item Let $x > 0$. \item In general \end{itemize} \[ |x| = x \]",
+        r"\begin{theorem} Let $x > 0$. \end{theorem} In general \[ |x| = x \]",
+        "\n\\textbf{Case 1.} Let $x > 0$.\n\n\\textbf{Case 2.} Here \\[ |x| = x \\]",
+    ],
+)
+def test_a_condition_ends_with_its_scope(text: str, tmp_path: Path) -> None:
+    assert read(tmp_path, text)[-1].status not in ("PROVED", "REFUTED")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        r"Let $A = 2x$. \[ A = \lim_{k\to\infty} \frac{kx}{k+1} \]",
+        r"\[ u = x^3 \] \[ u = \int x\,dx \]",
+        r"\[ L := \frac{1}{x} \]",
+        r"\[ A = \lim_{k\to\infty} |a_{k+1}/a_k| \]",
+    ],
+)
+def test_a_lone_symbol_on_the_left_is_no_falsehood(text: str, tmp_path: Path) -> None:
+    assert read(tmp_path, text)[-1].status in ("DEFINED", "UNREAD", "UNDECIDED")

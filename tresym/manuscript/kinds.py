@@ -1,0 +1,383 @@
+r"""What each symbol of a manuscript is: a real number, unless something speaks against it.
+
+Evidence are words ("linear operator $T$"), notation (``\hat p``, ``A^T``, ``AB`` beside ``BA``) and
+use (``a_k`` under a sum over k, ``\Phi(-x)``). It holds in the whole chapter, before and behind the
+place where it stands; what words in a section call a real number is one from there to its end.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from tresym.manuscript import prose
+from tresym.manuscript.kinds_in_notation import (
+    applied_and_bare,
+    doubts,
+    indices,
+    noted,
+    sequences,
+)
+from tresym.manuscript.kinds_in_prose import (
+    COMPLEX,
+    FUNCTION,
+    INTEGER,
+    INVERSES,
+    MATRIX,
+    OF_BARS,
+    REAL,
+    SEQUENCE,
+    SPEAKERS,
+    UNKNOWN,
+    VECTOR,
+    declared,
+    of_sentence,
+)
+from tresym.manuscript.source import Display, Event, Prose, Section
+from tresym.manuscript.symbols import STYLES, Mention, mentions, without_upright
+from tresym.reals.language.latex_tokens import RELATIONS, tokenize
+from tresym.reals.numbers.exact import InputError
+
+READ = frozenset((REAL, INTEGER, FUNCTION, SEQUENCE))
+"""Kinds of symbols about which statements are decided."""
+ONLY = "only statements about real numbers, integers, functions and sequences are checked"
+_DECLARED_IN_TEXT = re.compile(r"\\(?:text\w*|mbox|intertext)\s*\{((?:[^{}]|\{[^{}]*\})*)\}")
+_ALGEBRA = frozenset(("+", "-", "^", "{", "}", "_", "\\cdot", "\\times", "\\frac", "/", "\\,"))
+Key = tuple[str, str, bool]
+"""A letter, its accent, and whether it has a subscript."""
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """What speaks for a symbol's kind.
+
+    Attributes:
+        kind: what it is.
+        words: the words or the formula.
+        line: where they stand.
+        place: the number of the event in which they stand.
+        section: that of the section.
+        said: in words or by a directive, and not in notation.
+    """
+
+    kind: str
+    words: str
+    line: int
+    file: str = ""
+    place: int = 0
+    section: int = 0
+    said: bool = False
+
+    @property
+    def where(self) -> str:
+        """Place and words, for a reader."""
+        file = f"{self.file}, " if self.file else ""
+        return f"{file}line {self.line}: '{self.words}'"
+
+
+class Uses(NamedTuple):
+    """What the names of a formula are, and how they stand elsewhere in its chapter.
+
+    Attributes:
+        numbers: those that are said to be numbers.
+        applied: those before a bracket that holds an argument, or said to be functions.
+        bare: those without a bracket behind them.
+        sequences: letters whose subscripts number terms.
+        indices: letters that number terms or are bound by sums elsewhere.
+        functions: names that are said to be functions.
+        inverses: whether ``\\sin^{-1}`` is the inverse function.
+    """
+
+    numbers: frozenset[str] = frozenset()
+    applied: frozenset[str] = frozenset()
+    bare: frozenset[str] = frozenset()
+    sequences: frozenset[str] = frozenset()
+    indices: frozenset[str] = frozenset()
+    functions: frozenset[str] = frozenset()
+    inverses: bool = False
+
+
+@dataclass
+class Chapter:
+    """What is known of the symbols of one chapter.
+
+    Attributes:
+        found: evidence, by the symbol.
+        applied: names before a bracket that holds an argument; bare: names without one.
+        sequences: letters whose subscripts number terms.
+        indices: letters that number terms, or that a sum or a product binds.
+        inverses: it speaks of inverse trigonometric functions.
+    """
+
+    found: dict[Key, list[Evidence]] = field(default_factory=dict)
+    applied: dict[str, int] = field(default_factory=dict)
+    bare: set[str] = field(default_factory=set)
+    sequences: dict[str, Evidence] = field(default_factory=dict)
+    indices: set[str] = field(default_factory=set)
+    inverses: bool = False
+
+
+class Kinds:
+    """The kinds of the symbols of a manuscript."""
+
+    def __init__(self, events: Sequence[Event]) -> None:
+        self.chapters: list[Chapter] = [Chapter()]
+        self.chapter_of: list[int] = []
+        self.section_of: list[int] = []
+        section = 0
+        for place, event in enumerate(events):
+            if isinstance(event, Section):
+                section += 1
+                if event.chapter and place:
+                    self.chapters.append(Chapter())
+            self.chapter_of.append(len(self.chapters) - 1)
+            self.section_of.append(section)
+            if isinstance(event, Prose):
+                self._words(event.text, event.file, event.line, place)
+                for formula in prose.INLINE.finditer(event.text):
+                    line = event.line + event.text.count("\n", 0, formula.start())
+                    tex = formula[1] or formula[2]
+                    self._formula(tex, event.file, line, place, False)
+            elif isinstance(event, Display):
+                for words in _DECLARED_IN_TEXT.finditer(event.text):
+                    self._words(words[1], event.file, event.line, place)
+                self._formula(event.text, event.file, event.line, place, True)
+
+    def _words(self, text: str, file: str, line: int, place: int) -> None:
+        """The evidence in words."""
+        self.chapters[-1].inverses |= bool(INVERSES.search(text))
+        for found in declared(text):
+            at = line + text.count("\n", 0, found.at)
+            for tex in found.formulas:
+                evidence = self._evidence(found.kind, found.words, file, at, place, True)
+                for key in _named(tex, found.kind):
+                    self._add(key, evidence)
+
+    def _formula(self, tex: str, file: str, line: int, place: int, display: bool) -> None:
+        """The evidence in a formula's notation."""
+        try:
+            tokens = tokenize(without_upright(tex))
+        except InputError:
+            return
+        found = list(mentions(tokens))
+        chapter = self.chapters[-1]
+        for kind, one, words in noted(tokens, found, display):
+            said = kind in (REAL, INTEGER)
+            self._add(_key(one), self._evidence(kind, words, file, line, place, said))
+        for letter, words in sequences(tokens, found):
+            evidence = self._evidence(SEQUENCE, words, file, line, place, False)
+            chapter.sequences.setdefault(letter, evidence)
+        chapter.indices |= indices(tokens, found)
+        applied, bare = applied_and_bare(tokens, found)
+        for name in applied:
+            chapter.applied.setdefault(name, line)
+        chapter.bare |= bare
+
+    def _evidence(
+        self, kind: str, words: str, file: str, line: int, place: int, said: bool
+    ) -> Evidence:
+        words = " ".join(words.split())
+        short = words if len(words) <= 80 else words[:77] + "..."
+        return Evidence(kind, short, line, file, place, self.section_of[place], said)
+
+    def _add(self, key: Key, evidence: Evidence, chapter: int = -1) -> None:
+        self.chapters[chapter].found.setdefault(key, []).append(evidence)
+
+    def settle(self, names: str, kind: str, words: str, line: int, place: int) -> None:
+        """What a directive says some symbols are, from there to the end of the chapter."""
+        evidence = Evidence(kind, words, line, "", place, -1, True)
+        for one in mentions(tokenize(names)):
+            self._add(_key(one), evidence, self.chapter_of[place])
+
+    def spread(self, left: Sequence[str], right: Sequence[str], place: int, line: int) -> None:
+        """A symbol stands for an expression in which one is no real number: so it may be none."""
+        head = _lone(left)
+        plain = all(t in _ALGEBRA or t[0].isdigit() or t.lstrip("\\").isalnum() for t in right)
+        if head is None or not plain or "(" in right:
+            return
+        for one in mentions(right):
+            of = self.at(one, place)
+            if of is not None and of.kind not in READ:
+                words = f"{' '.join(left)} = {' '.join(right)}"
+                self._add(
+                    _key(head),
+                    self._evidence(of.kind, words, "", line, place, False),
+                    self.chapter_of[place],
+                )
+                return
+
+    def at(self, one: Mention, place: int) -> Evidence | None:
+        """The evidence for a symbol's kind at a place; None where it is taken for a real number."""
+        chapter = self.chapters[self.chapter_of[place]]
+        letter, accent, below = _key(one)
+        found = [*chapter.found.get((letter, accent, below), ())]
+        if below:
+            entries = {MATRIX: len(one.subscript) < 2, VECTOR: False, SEQUENCE: False}
+            found += (
+                e
+                for e in chapter.found.get((letter, accent, False), ())
+                if entries.get(e.kind, True)
+            )
+        if not found:
+            return _weak(one)
+        settled = [e for e in found if e.section == -1 and e.place <= place]
+        if settled:
+            return max(settled, key=lambda e: e.place)
+        section = self.section_of[place]
+        here = [e for e in found if e.said and e.section == section]
+        before = [e for e in here if e.place <= place]
+        latest = max(before, key=lambda e: e.place) if before else None
+        if latest is not None and latest.kind in (REAL, INTEGER):
+            return latest
+        against = [e for e in found if e.kind not in (REAL, INTEGER)]
+        if against:
+            strange = [e for e in against if e.kind not in READ]
+            near = [e for e in strange or against if e.section == section]
+            return (near or strange or against)[0]
+        return latest or here[0] if here else _weak(one) or found[0]
+
+    def against_link(
+        self, left: list[str], op: str, right: list[str], place: int, words: str = ""
+    ) -> str:
+        """Why a link is not decided: which of its symbols is no real number; else nothing.
+
+        Args:
+            words: the sentence around the display.
+        """
+        head = _lone(left) if RELATIONS.get(op) == "==" else None
+        if head is None or self.at(head, place) != _weak(head) or _weak(head) is None:
+            return self.against([*left, op, *right], place, words)
+        why = self.against(right, place, words)
+        if not why and head.name not in {one.name for one in mentions(right)}:
+            given = self._evidence(REAL, " ".join([*left, op, *right]), "", 0, place, True)
+            self._add(_key(head), given, self.chapter_of[place])
+        return why
+
+    def against(self, tokens: list[str], place: int, words: str = "") -> str:
+        """Why a formula is not decided: which of its symbols is no real number; else nothing."""
+        found = list(mentions(tokens))
+        for one in found:
+            evidence = self.at(one, place)
+            if evidence is not None and evidence.kind not in READ:
+                line = f" ({evidence.where})" if evidence.words else ""
+                return f"{one.shown} is {evidence.kind}{line}; {ONLY}"
+        for one, kind, word in _spoken_of(found, words, tokens):
+            own = self.at(one, place)
+            if own is None or own.section != self.section_of[place] or not own.said:
+                return f"{one.shown} is {kind} ('{word}'); {ONLY}"
+        return doubts(tokens, found, lambda one: self.is_real(one, place))
+
+    def known(self, tokens: Sequence[str], place: int) -> tuple[tuple[str, str, str], ...]:
+        """The symbols of a formula, each with its kind and what speaks for that."""
+        found: dict[str, tuple[str, str, str]] = {}
+        chapter = self.chapters[self.chapter_of[place]]
+        for one in mentions(list(tokens)):
+            evidence = self.at(one, place)
+            if evidence is None and one.is_index and not one.accent:
+                evidence = chapter.sequences.get(one.letter)
+            if evidence is None and one.name in chapter.applied:
+                line = f"line {chapter.applied[one.name]}: '{one.shown}(...)'"
+                found[one.name] = (one.shown, f"{REAL} or {FUNCTION}", line)
+                continue
+            kind = REAL if evidence is None else evidence.kind
+            words = evidence.where if evidence is not None and evidence.words else ""
+            found[one.name] = (one.shown, kind, words)
+        return tuple(found.values())
+
+    def uses(self, tokens: Sequence[str], place: int) -> Uses:
+        """What the names of a formula are, for the reader of LaTeX."""
+        tokens = list(tokens)
+        found, chapter = list(mentions(tokens)), self.chapters[self.chapter_of[place]]
+        kinds = {one.name: self.at(one, place) for one in found}
+        said = {n for n, e in kinds.items() if e is not None and e.kind == FUNCTION and e.said}
+        numbered = {one.letter for one in found if one.is_index and not one.accent}
+        return Uses(
+            frozenset(n for n, e in kinds.items() if e is not None and e.kind in (REAL, INTEGER)),
+            frozenset(chapter.applied.keys() | said),
+            frozenset(chapter.bare),
+            frozenset(numbered & self.sequences(place)),
+            frozenset(chapter.indices & kinds.keys()),
+            frozenset(said),
+            chapter.inverses,
+        )
+
+    def sequences(self, place: int) -> set[str]:
+        """The letters of the sequences of a chapter."""
+        chapter = self.chapters[self.chapter_of[place]]
+        said = {k[0] for k, found in chapter.found.items() for e in found if e.kind == SEQUENCE}
+        return said | chapter.sequences.keys()
+
+    def is_real(self, one: Mention, place: int) -> bool:
+        """Whether something says that a symbol is a number."""
+        evidence = self.at(one, place)
+        return evidence is not None and evidence.kind in (REAL, INTEGER)
+
+
+def _lone(tokens: Sequence[str]) -> Mention | None:
+    """The symbol that the tokens are, if they are one."""
+    found = list(mentions(tokens))
+    return (
+        found[0] if len(found) == 1 and (found[0].start, found[0].end) == (0, len(tokens)) else None
+    )
+
+
+def _key(one: Mention) -> Key:
+    return one.letter, one.accent, bool(one.subscript)
+
+
+def _weak(one: Mention) -> Evidence | None:
+    """What a symbol's own print says of its kind."""
+    if one.accent in ("hat", "widehat", "mathcal", "mathscr", "mathfrak"):
+        return Evidence(f"{UNKNOWN}, by its \\{one.accent}", "", 0)
+    return None
+
+
+def _named(tex: str, kind: str) -> Iterator[Key]:
+    """The symbols of a formula that words before or behind it name: its first, or all of a list."""
+    try:
+        tokens = tokenize(without_upright(tex))
+    except InputError:
+        return
+    stop = next((n for n, t in enumerate(tokens) if t in RELATIONS or t in (":", "\\colon")), None)
+    head = tokens[: len(tokens) if stop is None else stop]
+    found = list(mentions(head))
+    first = next((n for n, t in enumerate(head) if t not in STYLES and t != "{"), 0)
+    opens = bool(found) and found[0].start == first
+    if kind == SEQUENCE:
+        chosen = found[:1]
+    elif opens and "," in head and "(" not in head:
+        chosen = found
+    elif opens and (stop is not None or kind in (REAL, INTEGER) or "(" in head):
+        chosen = found[:1]
+    elif {*head} & {"(", "[", "\\{", "|"}:
+        chosen = []
+    else:
+        capitals = [one for one in found if one.letter[0].isupper() or one.accent]
+        chosen = capitals or (found[:1] if opens else [])
+    yield from dict.fromkeys(map(_key, chosen))
+
+
+def _spoken_of(
+    found: Sequence[Mention], words: str, tokens: Sequence[str]
+) -> Iterator[tuple[Mention, str, str]]:
+    """Symbols of which a sentence speaks without naming them, with their kinds and its words."""
+    named = {
+        letter for d in declared(words) for tex in d.formulas for letter, *_ in _named(tex, d.kind)
+    }
+    for kind, word, several in of_sentence(words):
+        capitals = [one for one in found if one.letter[0].isupper() or one.accent]
+        every = several and (kind in (VECTOR, COMPLEX) or not capitals)
+        for one in found if every else capitals:
+            if one.letter not in named:
+                yield one, kind, word
+    spoken = prose.INLINE.sub(" ", words)
+    if any("|" in token for token in tokens) and (match := OF_BARS.search(spoken)):
+        for one in found:
+            if one.letter[0].isupper():
+                yield one, UNKNOWN, match[0]
+    for pattern, letter in SPEAKERS:
+        for one in found:
+            if one.letter == letter and (match := pattern.search(spoken)):
+                yield one, "an operator", match[0]

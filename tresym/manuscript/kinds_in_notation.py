@@ -1,0 +1,301 @@
+r"""What the print of a formula says its symbols are: ``A^T``, ``x \in \mathbb{R}^n``, ``AB`` and ``BA``."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+
+from tresym.manuscript.kinds_in_prose import (
+    COMPLEX,
+    FUNCTION,
+    INTEGER,
+    MATRIX,
+    OPERATOR,
+    RANDOM,
+    REAL,
+    SET,
+    UNKNOWN,
+    VECTOR,
+)
+from tresym.manuscript.symbols import (
+    INDICES,
+    OPENING,
+    Mention,
+    factors,
+    group_end,
+    is_lone_argument,
+    is_plain_number,
+)
+
+Noted = Iterator[tuple[str, Mention, str]]
+_SETS = frozenset(
+    ("\\cup", "\\cap", "\\setminus", "\\subset", "\\subseteq", "\\supset", "\\supseteq", "\\sqcup")
+)
+_OF_VECTORS = frozenset(("\\otimes", "\\oplus", "\\wedge"))
+_ADJOINTS = ("\\top", "\\dagger", "\\intercal", "\\mathsf", "\\transpose", "\\ast", "\\dag")
+_OF_MATRICES = frozenset(("\\det", "\\ker", "\\dim", "\\operatorname*{rank}"))
+_OF_COMPLEX = frozenset(("\\Re", "\\Im", "\\arg"))
+_CONJUGATE = frozenset(("star", "bar", "overline"))
+_TOTALS = frozenset(
+    ("\\sum", "\\prod", "\\lim", "\\bigcup", "\\bigcap", "\\sup", "\\limsup", "\\liminf")
+)
+_ARROWS = ("\\to", "\\rightarrow", "\\longrightarrow")
+_FUNCTIONS = frozenset(("f", "g", "h", "phi", "psi", "varphi"))
+_GREEK_CAPITALS = frozenset(
+    ("Gamma", "Theta", "Lambda", "Xi", "Sigma", "Upsilon", "Phi", "Psi", "Omega")
+)
+
+
+def noted(tokens: Sequence[str], found: Sequence[Mention], display: bool) -> Noted:
+    """Each symbol that the notation of a formula says the kind of, and by which of it."""
+    for sought in (_members, _maps, _neighbours, _followers, _transposed, _normed, _conjugates):
+        yield from sought(tokens, found)
+    if display:
+        yield from _both_orders(tokens, found)
+
+
+def _shown(tokens: Sequence[str], start: int, end: int) -> str:
+    return " ".join(tokens[max(start, 0) : end])
+
+
+def _plain(tokens: Sequence[str], at: int) -> list[str]:
+    """The next tokens without braces."""
+    return [t for t in tokens[at : at + 14] if t not in ("{", "}")]
+
+
+def _members(tokens: Sequence[str], found: Sequence[Mention]) -> Noted:
+    """``x, y \\in \\mathbb{C}^n`` and ``X \\sim N(0, 1)``."""
+    for at, token in enumerate(tokens):
+        if token not in ("\\in", "\\sim"):
+            continue
+        own, end = [], at
+        for one in reversed([one for one in found if one.end <= at]):
+            if one.end != end:
+                break
+            own.append(one)
+            comma = one.start and tokens[one.start - 1] == ","
+            end = one.start - 1 if comma else -1
+        kind = _member(tokens, at + 1) if token == "\\in" else _distributed(tokens, at + 1)
+        words = _shown(tokens, own[-1].start if own else at, at + 9)
+        yield from ((kind, one, words) for one in own if kind)
+        behind = next((one for one in found if one.start == at + 1), None)
+        if token == "\\in" and behind and behind.letter[0].isupper() and not behind.accent:
+            yield SET, behind, words
+
+
+def _member(tokens: Sequence[str], at: int) -> str:
+    """The kind of what is in the set at ``at``."""
+    after = _plain(tokens, at)
+    if after[:1] == ["\\mathbb"] and len(after) > 1:
+        letter, more = after[1], after[2:4]
+        raised = more[:1] == ["^"] and more[1:2] not in (["+"], ["*"], ["-"], ["\\times"])
+        if letter in ("Z", "Q") and after[2:3] in (["["], ["("]):
+            return COMPLEX
+        if letter in ("Z", "N", "Q") and not raised:
+            return REAL if letter == "Q" else INTEGER
+        if letter == "R" and not raised:
+            return REAL
+        if letter == "C" and not raised:
+            return COMPLEX
+        return MATRIX if "\\times" in after[3:7] or letter == "H" else VECTOR
+    if after[:1] in (["["], ["("], ["]"]):
+        return REAL
+    if after[:2] in (["M", "_"], ["G", "L"], ["S", "L"], ["S", "O"], ["S", "U"], ["O", "("]):
+        return MATRIX
+    if after[:1] in (["V"], ["W"]):
+        return VECTOR
+    return UNKNOWN if after[:1] in (["G"], ["H"], ["\\mathcal"], ["\\mathfrak"]) else ""
+
+
+def _distributed(tokens: Sequence[str], at: int) -> str:
+    """Whether what follows ``\\sim`` is the name of a distribution."""
+    name = tokens[at : at + 1] and tokens[at][:1].isupper() and tokens[at + 1 : at + 2] == ["("]
+    return RANDOM if name or tokens[at : at + 1] == ["("] else ""
+
+
+def _maps(tokens: Sequence[str], found: Sequence[Mention]) -> Noted:
+    """``f \\colon [0, 1] \\to \\mathbb{R}``: a function of real values, or another map."""
+    for one in found:
+        if tokens[one.end : one.end + 1] not in ([":"], ["\\colon"]):
+            continue
+        arrow = next((n for n in range(one.end, len(tokens)) if tokens[n] in _ARROWS), None)
+        if arrow is None:
+            continue
+        values = _plain(tokens, arrow + 1)
+        real = values[:2] == ["\\mathbb", "R"] and values[2:3] != ["^"]
+        real = real or values[:1] in (["["], ["("])
+        yield FUNCTION if real else OPERATOR, one, _shown(tokens, one.start, one.end + 16)
+
+
+def _neighbours(tokens: Sequence[str], found: Sequence[Mention]) -> Noted:
+    """``A \\cup B`` and ``u \\otimes v``."""
+    for at, token in enumerate(tokens):
+        if token in _SETS or token in _OF_VECTORS:
+            for one in found:
+                if one.end == at or one.start == at + 1:
+                    kind = SET if token in _SETS else VECTOR
+                    yield kind, one, _shown(tokens, at - 1, at + 2)
+
+
+def _followers(tokens: Sequence[str], found: Sequence[Mention]) -> Noted:
+    """``\\det A``, ``\\Re z``, ``\\nabla f`` and ``\\nabla\\cdot F``."""
+    for one in found:
+        before, earlier = tokens[max(one.start - 1, 0)], tokens[max(one.start - 2, 0)]
+        words = _shown(tokens, one.start - 2, one.end)
+        if before in _OF_MATRICES:
+            yield MATRIX, one, words
+        elif before in _OF_COMPLEX:
+            yield COMPLEX, one, words
+        elif before == "\\nabla":
+            yield FUNCTION, one, words
+        elif earlier == "\\nabla" and before in ("\\cdot", "\\times"):
+            yield VECTOR, one, words
+
+
+def _transposed(tokens: Sequence[str], found: Sequence[Mention]) -> Noted:
+    """``A^T`` where T stands in exponents alone, ``A^\\dagger``, ``(AB)^\\top``."""
+    elsewhere = any(
+        one.letter == "T"
+        and tokens[one.start - 1 : one.start] != ["^"]
+        and not _alone_above(tokens, one)
+        for one in found
+    )
+    for at, token in enumerate(tokens):
+        after = _plain(tokens, at + 1)[:2]
+        adjoint = after[:1] and (after[0] in _ADJOINTS or after[0] == "T")
+        inner = tokens[at + 1 : group_end(tokens, at + 1) + 1] if tokens[at + 1 : at + 2] else []
+        lone = len([t for t in inner if t not in ("{", "}", "T", *_ADJOINTS)]) == 0
+        if token != "^" or not adjoint or not lone or (after[0] == "T" and elsewhere):
+            continue
+        opening = next(
+            (n for n in range(at) if group_end(tokens, n) == at - 1 and tokens[n] in OPENING), at
+        )
+        for one in found:
+            if one.end == at or opening < one.start < at:
+                yield MATRIX, one, _shown(tokens, one.start, at + 4)
+
+
+def _alone_above(tokens: Sequence[str], one: Mention) -> bool:
+    return list(tokens[max(one.start - 2, 0) : one.start]) == ["^", "{"] and tokens[one.end] == "}"
+
+
+def _normed(tokens: Sequence[str], found: Sequence[Mention]) -> Noted:
+    """``\\|x\\|`` and ``\\langle u, v\\rangle``."""
+    for one in found:
+        around = tokens[one.start - 1 : one.start], tokens[one.end : one.end + 1]
+        words = _shown(tokens, one.start - 1, one.end + 1)
+        if one.start and around[0] == around[1] == ["\\|"]:
+            yield FUNCTION if one.letter in _FUNCTIONS else VECTOR, one, words
+        elif one.start and (around == (["\\langle"], [","]) or around == ([","], ["\\rangle"])):
+            yield VECTOR, one, words
+
+
+def _conjugates(tokens: Sequence[str], found: Sequence[Mention]) -> Noted:
+    """``\\bar z``, ``z^*`` and ``z = x + iy``."""
+    for one in found:
+        if one.accent in ("bar", "overline", "star") and one.letter in ("z", "w"):
+            bare = one._replace(accent="")
+            yield COMPLEX, bare, f"\\{one.accent} {one.letter}"
+            yield COMPLEX, one, f"\\{one.accent} {one.letter}"
+    for pair in factors(tokens, found):
+        accents = {m.accent for m in pair}
+        if pair[0].letter == pair[1].letter and "" in accents and accents & _CONJUGATE:
+            yield from ((COMPLEX, m, f"{pair[0].shown} beside {pair[1].shown}") for m in pair)
+    imaginary = any(one.letter == "i" and not one.subscript for one in found)
+    if (
+        imaginary
+        and len(found) > 1
+        and found[0].start == 0
+        and tokens[found[0].end : found[0].end + 1] == ["="]
+    ):
+        if "\\sum" not in tokens and "\\ldots" not in tokens:
+            yield COMPLEX, found[0], _shown(tokens, 0, found[0].end + 8)
+
+
+def _both_orders(tokens: Sequence[str], found: Sequence[Mention]) -> Noted:
+    """``AB`` and ``BA`` in one display: the product does not commute."""
+    pairs = {(one.name, other.name): (one, other) for one, other in factors(tokens, found)}
+    for (one, other), both in pairs.items():
+        telling = all(m.letter[0].isupper() or m.accent or m.subscript for m in both)
+        if one != other and (other, one) in pairs and telling:
+            for m in both:
+                yield f"{UNKNOWN}, as both {one} {other} and {other} {one} stand there", m, ""
+
+
+def indices(tokens: Sequence[str], found: Sequence[Mention]) -> set[str]:
+    """The letters that sums, products and limits bind, or that number terms."""
+    below = {t for one in found if one.is_index for t in one.subscript if t in INDICES}
+    return (_bound(tokens) | below) & INDICES
+
+
+def _bound(tokens: Sequence[str]) -> set[str]:
+    """The letters under sums, products and limits."""
+    bound: set[str] = set()
+    for at, token in enumerate(tokens):
+        if token in _TOTALS and tokens[at + 1 : at + 2] == ["_"]:
+            under = tokens[at + 2 : group_end(tokens, at + 2) + 1]
+            bound |= {t for t in under[:4] if len(t) == 1 and t.isalpha()}
+    return bound
+
+
+def sequences(tokens: Sequence[str], found: Sequence[Mention]) -> Iterator[tuple[str, str]]:
+    """Letters whose subscripts number terms, and by which print."""
+    bound = _bound(tokens)
+    numbered = {one.letter for one in found if one.subscript and one.subscript[0].isdigit()}
+    dots = any(t in ("\\ldots", "\\dots", "\\cdots") for t in tokens)
+    for one in found:
+        if not one.is_index or one.accent:
+            continue
+        under = bound & {*one.subscript}
+        moved = any(t in ("+", "-") or t.isdigit() for t in one.subscript)
+        around = tokens[max(one.start - 1, 0) : one.start], tokens[one.end : one.end + 1]
+        listed = around in ((["\\{"], ["\\}"]), (["("], [")"]))
+        if under or moved or listed or (dots and one.letter in numbered):
+            yield one.letter, _shown(tokens, one.start - 2, one.end + 2)
+
+
+def applied_and_bare(tokens: Sequence[str], found: Sequence[Mention]) -> tuple[set[str], set[str]]:
+    """The names before a bracket that holds an argument, and those before none."""
+    applied, bare = set(), set()
+    for one in found:
+        after = tokens[one.end] if one.end < len(tokens) else ""
+        if after not in OPENING:
+            bare.add(one.name)
+        elif is_lone_argument(tokens, one.end):
+            applied.add(one.name)
+    return applied, bare
+
+
+def doubts(
+    tokens: Sequence[str], found: Sequence[Mention], is_real: Callable[[Mention], bool]
+) -> str:
+    """What in a formula's print may be no operation of numbers; else nothing."""
+    ends = {one.end: one for one in found}
+    starts = {one.start: one for one in found}
+    bars = any("|" in token for token in tokens)
+    for at, token in enumerate(tokens):
+        one, other = ends.get(at), starts.get(at + 1)
+        letters = one is not None and other is not None and not (is_real(one) and is_real(other))
+        near = _shown(tokens, at - 1, at + 2)
+        if token == "\\times" and letters:
+            return f"{near} may be a vector product or a product of sets"
+        if token == "\\cdot" and letters and bars:
+            return f"{near} beside a bar may be a scalar product of vectors"
+        around = tokens[max(at - 1, 0) : at + 2]
+        numbers = is_plain_number(around[0])
+        starred = at and tokens[at - 1] not in ("_", "^", "{")
+        if token == "*" and starred and not numbers:
+            return f"{near} may be a convolution: write a product without the star"
+        if token == "^" and _plain(tokens, at + 1)[:2] == ["-", "1"] and at:
+            inside = [one] if one is not None else []
+            if tokens[at - 1] in (")", "]"):
+                opening = max(n for n in range(at) if group_end(tokens, n) >= at - 1)
+                inside = [m for m in found if opening < m.start < at]
+            for m in inside:
+                if _may_be_inverted(m) and not is_real(m):
+                    return f"{m.shown}^{{-1}} may be an inverse matrix or function, or 1/{m.shown}"
+    return ""
+
+
+def _may_be_inverted(one: Mention) -> bool:
+    letter = one.letter
+    return letter[0].isupper() or letter in ("f", "g", "h")

@@ -1,0 +1,212 @@
+"""What the words of a manuscript say a symbol is: "Let $A$ be a matrix", "the operator $L$"."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from tresym.manuscript.prose import INLINE
+
+REAL, INTEGER, COMPLEX = "a real number", "an integer", "a complex number"
+FUNCTION, SEQUENCE, VECTOR, MATRIX = "a function", "a sequence", "a vector", "a matrix"
+OPERATOR, SET, RANDOM, UNKNOWN = "an operator", "a set", "a random variable", "of unknown kind"
+BY_NAME = {
+    **{"real": REAL, "integer": INTEGER, "complex": COMPLEX, "function": FUNCTION},
+    **{"sequence": SEQUENCE, "vector": VECTOR, "matrix": MATRIX, "operator": OPERATOR},
+    **{"set": SET, "random": RANDOM, "unknown": UNKNOWN},
+}
+"""The kinds by the words of a directive."""
+
+_SPACES = r"(?:(?:vector|linear|Banach|Hilbert|metric|topological|normed|measure|probability) )?"
+_KIND_OF_SET = (
+    r"(?:the|a|an|any|every|each|some|this|finite|open|closed|compact|empty|countable|bounded"
+    r"|convex|connected|infinite|null|solution|point|index|level) "
+)
+_NOUNS = (
+    (RANDOM, r"random (?:variables?|vectors?|walks?|process\w*|matri\w+|quantit\w+|samples?)"),
+    (RANDOM, r"(?:(?:standard )?normal|exponential|Gaussian|Poisson|Bernoulli) variables?"),
+    (RANDOM, r"estimators?|martingales?|stochastic process\w*|r\.v\.s?|Brownian motions?"),
+    (
+        COMPLEX,
+        r"complex(?:-valued)? (?:numbers?|variables?|constants?|parameters?|roots?|scalars?)",
+    ),
+    (MATRIX, r"matri(?:x|ces)|tensors?|quaternions?|spinors?|bivectors?|multivectors?|octonions?"),
+    (OPERATOR, r"operators?|projections?|projectors?|(?:linear )?transformations?|functionals?"),
+    (OPERATOR, r"derivations?|linear maps?|(?:Laplace|Fourier|integral) transform operators?"),
+    (OPERATOR, r"(?:homo|endo|auto|iso)morphisms?|observables?|permutations?|commutators?"),
+    (VECTOR, r"(?:eigen|co|bi)?vectors?|vector fields?|(?:electric|magnetic|velocity) fields?"),
+    (VECTOR, r"(?:differential |1-|2-|k-|one-|two-|bilinear |multilinear )forms?"),
+    (SEQUENCE, r"(?:sub)?sequences?"),
+    (
+        UNKNOWN,
+        r"propositions?|predicates?|(?:Boolean|logical) variables?|strings?|knots?|functors?",
+    ),
+    (
+        UNKNOWN,
+        r"sheaf|sheaves|bundles?|connections?|curvature forms?|morphisms?|vertices|simplices",
+    ),
+    (SET, rf"(?:sub|super)sets?|sets|{_KIND_OF_SET}set|(?:sub)?groups?|(?:sub)?rings?|modules?"),
+    (SET, rf"(?:sub)?{_SPACES}spaces?|ideals?|(?:sub)?fields?|(?:sub)?algebras?|manifolds?"),
+    (
+        SET,
+        r"events?|categor(?:y|ies)|domains?|neighbou?rhoods?|collections?|famil(?:y|ies)",
+    ),
+    (FUNCTION, r"(?:eigen)?functions?|polynomials?|maps?|mappings?|distributions?"),
+    (INTEGER, r"integers?|natural numbers?|primes?|prime numbers?|indices|index|whole numbers?"),
+    (
+        REAL,
+        r"(?:real )?(?:numbers?|variables?|constants?|parameters?|scalars?|coefficients?)|reals?",
+    ),
+    (REAL, r"angles?|lengths?|radius|mass|scalars|factors?"),
+)
+_ANY = "|".join(f"(?P<n{k}>{pattern})" for k, (_, pattern) in enumerate(_NOUNS))
+_F = r"\x02\d+\x03"
+_LIST = rf"(?P<list>{_F}(?:(?:\s*,\s*(?:and\s+|or\s+)?|\s+(?:and|or)\s+){_F})*)"
+_STOP = (
+    r"(?!(?:of|in|on|for|to|with|by|at|from|that|which|if|when|where|whose|such|not|no|less|greater"
+    r"|between|under|over|as|into|than|via|through|per)\b)"
+)
+_WORDS = rf"(?:{_STOP}[\w\x02\x03'-]+[\s~]+){{0,6}}?"
+_OTHER_NOUN = (
+    r"(?![\s~-]+(?:norms?|lengths?|elements?|entr\w+|components?|coefficients?|values?|size|velocity"
+    r"|strength|order|dimensions?|rank|density|constants?|magnitude|eigenvalues?|parameters?|angles?"
+    r"|product|spectrum|radius|of degree|whose|functions?)\b|['’]s\b|\w)"
+)
+_ADJECTIVE_BEFORE = (
+    r"(?:(?!(?:the|an?|for|of|in|on|to|and|or|let|by|with|that|this|is|are|be)\b)[a-z-]+[\s~]+)??"
+)
+_BEFORE = re.compile(
+    rf"\b{_ADJECTIVE_BEFORE}(?:{_ANY}){_OTHER_NOUN}[\s~]*,?[\s~]*(?:(?:say|called|named|denoted(?: by)?|given by)[\s~]+)?"
+    rf"{_LIST}",
+    re.IGNORECASE,
+)
+_AFTER = re.compile(
+    rf"{_LIST}[\s~]*,?[\s~]*(?:(?:is|are|be|being|denotes?|represents?|stands? for|was|were)\b"
+    rf"|(?=\(?(?:an?|the|two|any)\b)|\()[\s~]*{_WORDS}(?:[\w-]+,[\s~]+an?[\s~]+{_WORDS})?(?:{_ANY})"
+    rf"{_OTHER_NOUN}(?![\s~]+\x02)",
+    re.IGNORECASE,
+)
+_NAMING = re.compile(
+    rf"\b(?:denote by|denoted by|write|call|writing|by)[\s~]+{_LIST}[\s~]+(?:for[\s~]+|we denote[\s~]+"
+    rf"|denote[\s~]+|the[\s~]+)+{_WORDS}(?:{_ANY}){_OTHER_NOUN}",
+    re.IGNORECASE,
+)
+_ADJECTIVE = re.compile(
+    rf"\b(?P<word>complex|real|random|integer|rational)[\s~]+{_LIST}", re.IGNORECASE
+)
+_ADJECTIVES = {
+    "complex": COMPLEX,
+    "real": REAL,
+    "random": RANDOM,
+    "integer": INTEGER,
+    "rational": REAL,
+}
+_IS_COMPLEX = re.compile(
+    rf"{_LIST}[\s~]*(?:is|are|be|being)[\s~]+(?:\w+[\s~]+)?complex\b"
+)
+_COMPLEX_NOUN = re.compile(
+    rf"\bcomplex[\s~-]+(?:valued[\s~]+)?(?!plane|analysis|field)[a-z]+[\s~]+{_LIST}", re.IGNORECASE
+)
+_HOLOMORPHIC = re.compile(
+    r"\b(?:holomorphic|analytic|meromorphic|entire)\b[^.⟦]{0,30}?\b(?:in|of)[\s~]+" + _LIST
+)
+_PLURAL = (
+    (MATRIX, r"matrices|tensors|quaternions|spinors"),
+    (OPERATOR, r"operators|projections|transformations|maps between|commut(?:e|es|ator|ators|ing)"),
+    (RANDOM, r"random variables|estimators"),
+    (VECTOR, r"vectors"),
+    (COMPLEX, r"complex numbers|complex variables|complex plane|complex conjugates?"),
+    (SET, r"sets|subsets|in the group|in a group|group law|subgroups|modules|cardinality|rings"),
+)
+OF_BARS = re.compile(
+    r"\b(?:determinants?|cardinalit\w+|number of elements|norms?)\b", re.IGNORECASE
+)
+"""Words by which a bar is no absolute value."""
+INVERSES = re.compile(
+    r"\binverse (?:trig\w*|circular|hyperbolic|sine|cosine|tangent|cotangent|secant|functions? of sin)"
+    r"|\b(?:arc|inverse )(?:sine|cosine|tangent)s?\b|\\arc(?:sin|cos|tan)(?![a-zA-Z])",
+    re.IGNORECASE,
+)
+"""Words by which ``\\sin^{-1}`` is the inverse function."""
+_OF_SENTENCE = re.compile(
+    "|".join(rf"(?P<p{k}>\b(?:{p})\b)" for k, (_, p) in enumerate(_PLURAL)), re.IGNORECASE
+)
+_SINGULAR = re.compile(r"\b(?:(operator)|(matrix|tensor)|(random variable))\b", re.IGNORECASE)
+SPEAKERS = (
+    (re.compile(r"\b(?:expectations?|expected values?|mean of|moments?)\b", re.IGNORECASE), "E"),
+    (re.compile(r"\bprobabilit\w+", re.IGNORECASE), "P"),
+    (re.compile(r"\bvariances?\b", re.IGNORECASE), "V"),
+    (re.compile(r"\b(?:Laplace|integral) transforms?\b", re.IGNORECASE), "L"),
+    (re.compile(r"\bFourier transforms?\b", re.IGNORECASE), "F"),
+    (re.compile(r"\b(?:differential|derivative|difference) operators?\b", re.IGNORECASE), "D"),
+    (re.compile(r"\b(?:difference operator|Laplacian)\b", re.IGNORECASE), "Delta"),
+)
+"""Words, and the letter that is usual for the operator that they name."""
+
+
+class Declared(NamedTuple):
+    """What words say of the symbols of formulas in the line.
+
+    Attributes:
+        kind: what they are.
+        words: the words, with the formulas.
+        formulas: the formulas.
+        at: where the words begin in the text.
+    """
+
+    kind: str
+    words: str
+    formulas: tuple[str, ...]
+    at: int
+
+
+def declared(text: str) -> Iterator[Declared]:
+    """What the words of a text say its symbols are."""
+    formulas: list[str] = []
+    places: list[tuple[int, int]] = []
+
+    def mark(found: re.Match[str]) -> str:
+        formulas.append(found[1] or found[2])
+        places.append((found.start(), found.end()))
+        return f"\x02{len(formulas) - 1}\x03"
+
+    marked = INLINE.sub(mark, text)
+    if not formulas:
+        return
+
+    def made(kind: str, found: re.Match[str], noun: str = "", first: bool = True) -> Declared:
+        own = tuple(formulas[int(n)] for n in re.findall(r"\x02(\d+)\x03", found["list"]))
+        if noun and not noun.lower().endswith(("s", "ces", "indices")):
+            own = own[:1] if first else own[-1:]
+        words = re.sub(r"\x02(\d+)\x03", lambda m: f"${formulas[int(m[1])]}$", found[0])
+        place = re.search(r"\x02(\d+)\x03", found[0])
+        return Declared(
+            kind, " ".join(words.split()), own, places[int(place[1])][0] if place else 0
+        )
+
+    for pattern in (_BEFORE, _AFTER, _NAMING):
+        for found in pattern.finditer(marked):
+            named = next(k for k in range(len(_NOUNS)) if found[f"n{k}"] is not None)
+            yield made(_NOUNS[named][0], found, found[f"n{named}"], pattern is not _AFTER)
+    for found in _ADJECTIVE.finditer(marked):
+        yield made(_ADJECTIVES[found["word"].lower()], found)
+    for pattern in (_IS_COMPLEX, _HOLOMORPHIC, _COMPLEX_NOUN):
+        for found in pattern.finditer(marked):
+            yield made(COMPLEX, found)
+
+
+def of_sentence(sentence: str) -> Iterator[tuple[str, str, bool]]:
+    """The kinds of which a sentence speaks without a name, as in "the matrices satisfy".
+
+    Each comes with its word, and with whether there are several of them.
+    """
+    words = INLINE.sub(" ", sentence)
+    for found in _OF_SENTENCE.finditer(words):
+        kind = next(k for k in range(len(_PLURAL)) if found[f"p{k}"] is not None)
+        yield _PLURAL[kind][0], found[0], True
+    kinds = {d.kind for d in declared(sentence)}
+    for found in _SINGULAR.finditer(words):
+        kind = OPERATOR if found[1] else MATRIX if found[2] else RANDOM
+        if kind not in kinds:
+            yield kind, found[0], False
