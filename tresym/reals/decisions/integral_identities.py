@@ -3,8 +3,8 @@
 An integrand is a sum of terms c g, where c does not know the variable of integration. Where each g
 is smooth from one end to the other, which is shown, ∫ c g from a to b is c (G(b) − G(a)) for an
 antiderivative G of g: a variable stands for each value of each G. What holds for all values of the
-variables holds for those of the integrals. The antiderivative of f′ is f; that of f, where f is a
-function left unknown, is a smooth function with any values at finitely many points.
+variables holds for those of the integrals. The antiderivative of f′ is f; that of f, a function
+left unknown, is another one. What fails for some values of them is not refuted.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ class Antiderivatives:
 
     Attributes:
         known: the integrand as a body, the point, and the variable for the value there.
-        any_values: whether functions exist with all values of these variables.
+        any_values: whether none of them stands for the value of an integral that is not worked out.
     """
 
     given: Given
@@ -82,7 +82,10 @@ class Antiderivatives:
             return point
         if g.op == "unknown" and g.args[1:] == (symbol(t),):
             name, (order,) = g.args[0].args
-            return unknown(name, (point,), (order - 1,)) if order else unknown(f"∫{name}", (point,))
+            if order:
+                return unknown(name, (point,), (order - 1,))
+            self.any_values = False  # a point says nothing of the integral of f
+            return unknown(f"∫{name}", (point,))
         self.any_values = False
         body = bind(g, (t,))
         for other, end, variable in self.known:
