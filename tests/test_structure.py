@@ -32,6 +32,7 @@ INSIDE = {
         ("normal",),
         ("signs", "balls"),
         ("decisions",),
+        ("repair",),
     ),
     "racket": (
         ("notation", "formulas"),

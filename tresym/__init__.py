@@ -22,8 +22,8 @@ if TYPE_CHECKING:  # what editors and type checkers see, and refuse what is not 
     from tresym.racket.body import Body
     from tresym.racket.flip import flip_angle, flip_defect, flip_defects
     from tresym.racket.floats.flipmap import flip_map
-    from tresym.reals.decisions import check
     from tresym.reals.numbers.exact import InputError
+    from tresym.reals.repair import check
     from tresym.reals.verdict import Verdict
     from tresym.report.pages.python_api import derive, figure, paper, table
 
@@ -34,7 +34,7 @@ _HOMES = {
     "InputError": "tresym.reals.numbers.exact",
     "Verdict": "tresym.reals.verdict",
     "bodies": "tresym.racket.body",
-    "check": "tresym.reals.decisions",
+    "check": "tresym.reals.repair",
     "derive": "tresym.report.pages.python_api",
     "figure": "tresym.report.pages.python_api",
     "flip_angle": "tresym.racket.flip",

@@ -7,9 +7,10 @@ import os
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from functools import partial
 from itertools import chain
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeAlias
 
 from tresym.commands.parser import (
     Commands,
@@ -24,6 +25,8 @@ from tresym.reals.verdict import Verdict
 if TYPE_CHECKING:
     from tresym.reals.decisions.answer import Answer
     from tresym.reals.decisions.time_limited import Task
+
+    Answers: TypeAlias = Iterator[tuple[Task, Answer | InputError]]
 
 
 def add(commands: Commands) -> None:
@@ -52,6 +55,12 @@ def add(commands: Commands) -> None:
     )
     parser.add_argument("--limit", default="5", metavar="SECONDS", help="for each claim (5)")
     parser.add_argument(
+        "--no-suggest",
+        dest="suggest",
+        action="store_false",
+        help="do not look for what is true instead of a refuted claim",
+    )
+    parser.add_argument(
         "--scheduler",
         metavar="ADDRESS",
         help="with -f: the workers of a Dask scheduler, as tcp://HOST:PORT (without it: all cores)",
@@ -69,10 +78,12 @@ def run(args: argparse.Namespace) -> int:
     if args.file is None and args.claim.strip().endswith(".tex"):
         raise InputError(f"check: {MANUSCRIPT}")
     if args.file is None:
-        return one(args.claim, args.given, args.tends, args.limit, args.json, args.path, args.coq)
+        asked = args.claim, args.given, args.tends, args.limit
+        return one(*asked, args.json, args.path, args.coq, args.suggest)
     if args.coq is not None:
         raise InputError("check: --coq writes one claim; give it without -f")
-    return many(args.file, args.given, args.tends, args.limit, args.json, args.path, args.scheduler)
+    asked = args.file, args.given, args.tends, args.limit
+    return many(*asked, args.json, args.path, args.scheduler, args.suggest)
 
 
 LONGEST_LINE = 100_000
@@ -96,11 +107,16 @@ def one(
     as_json: bool,
     target: str | None,
     coq: str | None = None,
+    suggest: bool = True,
 ) -> int:
     """Decide one claim and show the answer; returns the exit status."""
     from tresym.reals.decisions.time_limited import Task, check_within
 
     answer = check_within(Task(claim.strip(), given, path), parse_seconds(limit))
+    if suggest and answer.verdict is Verdict.REFUTED:
+        from tresym.reals.repair import suggestions
+
+        answer = replace(answer, instead=next(suggestions([(answer.read_as, (), False)], 1)))
     colour = colour_wanted() and target is None
     said = None if coq is None else _in_coq(claim.strip(), given, path, answer, coq)
     if as_json:
@@ -143,6 +159,7 @@ def many(
     as_json: bool,
     target: str | None,
     scheduler: str | None = None,
+    suggest: bool = True,
 ) -> int:
     """Decide every claim of a file, show each answer as it comes; returns the exit status."""
     tasks = read_tasks(file, given, path)
@@ -151,7 +168,8 @@ def many(
     status = 0
     colour = colour_wanted() and target is None
     with _shown_by(target) as show:
-        for task, found in _answers(tasks, seconds, scheduler):
+        answers = _answers(tasks, seconds, scheduler)
+        for task, found in _suggested(answers) if suggest else answers:
             if isinstance(found, InputError):
                 if task.claim.startswith("\\documentclass"):
                     raise InputError(f"{file}: {MANUSCRIPT}") from None
@@ -170,9 +188,7 @@ def many(
     return status
 
 
-def _answers(
-    tasks: Iterator[Task], limit: float, scheduler: str | None
-) -> Iterator[tuple[Task, Answer | InputError]]:
+def _answers(tasks: Iterator[Task], limit: float, scheduler: str | None) -> Answers:
     """Every task with its answer: by the cores of this machine, or by a scheduler's workers."""
     from tresym.reals.decisions.time_limited import check_all, check_by
 
@@ -183,6 +199,12 @@ def _answers(
 
     with cluster(scheduler) as workers:
         yield from check_by(workers.in_order, tasks, limit)
+
+
+def _suggested(answers: Answers) -> Answers:
+    from tresym.reals.repair import suggested
+
+    return suggested(answers)
 
 
 def _worse(*statuses: int) -> int:

@@ -7,6 +7,7 @@ import json
 import os
 import sys
 from collections import Counter
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from tresym.commands.parser import UNEXPECTED, Commands, add_output, deliver, parse_seconds
@@ -22,10 +23,10 @@ def add(commands: Commands) -> None:
         "paper",
         help="the displays of a manuscript of your own",
         description="Read every display of a manuscript's LaTeX and give each link of its chains a "
-        "status: PROVED, ENCLOSED, REFUTED, UNDECIDED, DEFINED, ASSUMED, EQUATION or UNREAD. "
-        "Comments such as '% tresym: given a > 0' steer it.",
-        epilog="Exit status 1 when something is REFUTED, with --strict also when something is "
-        "UNDECIDED or UNREAD; 2 when the file cannot be read.",
+        "status: PROVED, ENCLOSED, REFUTED, SUSPECT (a misprint, as it seems), UNDECIDED, DEFINED, "
+        "ASSUMED, EQUATION or UNREAD. Comments such as '% tresym: given a > 0' steer it.",
+        epilog="Exit status 1 when something is REFUTED or SUSPECT, with --strict also when "
+        "something is UNDECIDED or UNREAD; 2 when the file cannot be read.",
         allow_abbrev=False,
     )
     parser.add_argument("paper", metavar="MANUSCRIPT.tex", help="its LaTeX source")
@@ -33,6 +34,15 @@ def add(commands: Commands) -> None:
     parser.add_argument("--html", metavar="DIR", help="write a page with every display as read")
     parser.add_argument(
         "--marks", metavar="FILE", help="write marks for the margin, and tresym.sty beside them"
+    )
+    parser.add_argument(
+        "--suspect-ok", action="store_true", help="let what is SUSPECT not count as a failure"
+    )
+    parser.add_argument(
+        "--no-suggest",
+        dest="suggest",
+        action="store_false",
+        help="do not look for misprints and for what is true instead",
     )
     parser.add_argument("--root", metavar="DIR", help="the project's top folder, for \\input")
     parser.add_argument("--strict", action="store_true", help="let nothing be open")
@@ -49,6 +59,7 @@ def run(args: argparse.Namespace) -> int:
     from tresym.manuscript.directives import with_notes
     from tresym.manuscript.links import read_links
     from tresym.manuscript.source import Missing, read_manuscript
+    from tresym.manuscript.suspects import proofread
 
     limit = parse_seconds(args.limit)
     events = read_manuscript(Path(args.paper), None if args.root is None else Path(args.root))
@@ -61,14 +72,18 @@ def run(args: argparse.Namespace) -> int:
     links = read_links(events)
     _check_places(args)
     rows = decided(links, limit, progress=_progress)
+    rows = proofread(rows) if args.suggest else rows
     if args.json:
         lines = (json.dumps(row.as_json(), ensure_ascii=False) for row in rows)
         deliver("".join(f"{line}\n" for line in lines), args.path)
     else:
-        deliver(as_text(rows, colour_wanted() and args.path is None), args.path)
+        deliver(
+            as_text(rows, colour_wanted() and args.path is None, Path(args.paper).name), args.path
+        )
     _write_pages(args, rows)
     print(summary(rows), file=sys.stderr)
-    bad = {"REFUTED"} | ({"UNDECIDED", "UNREAD"} if args.strict else set())
+    bad = {"REFUTED"} | (set() if args.suspect_ok else {"SUSPECT"})
+    bad |= {"UNDECIDED", "UNREAD"} if args.strict else set()
     return UNEXPECTED if any(row.status in bad for row in rows) else 0
 
 
@@ -99,23 +114,58 @@ def _write_pages(args: argparse.Namespace, rows: list[Row]) -> None:
         write_text(str(Path(args.marks).with_name("tresym.sty")), html.STYLE)
 
 
-def as_text(rows: list[Row], colour: bool = False) -> str:
-    """The rows in lines for people, and what notes would help most."""
-    result = []
-    for row in rows:
-        display = row.link.display
-        where = f"line {display.line}" if not display.file else f"{display.file}:{display.line}"
-        label = f" ({display.labels[0]})" if display.labels else ""
-        which = f"display {display.number}{label}, link {row.link.number}"
-        result.append(f"{bold(f'{row.status:<9}', colour)} {which}" + dim(f"  {where}", colour))
-        shown = {"read as": row.link.read_as, "why": row.why}
-        if not row.link.read_as:
-            shown = {"LaTeX": row.link.shown[:200], **shown}
-        if row.witness is not None:
-            values = ", ".join(f"{name} = {value}" for name, value in row.witness.items())
-            shown["witness"] = values or "the constants themselves"
-        result += [f"  {dim(f'{name:<8}', colour)} {text}" for name, text in shown.items() if text]
+def as_text(rows: list[Row], colour: bool = False, name: str = "") -> str:
+    """The rows in lines for people: what must be looked at, the rest, and which notes would help.
+
+    Args:
+        name: of the file, which those that it inputs are told from.
+    """
+    from tresym.manuscript.suspects import attention
+
+    first = attention(rows)
+    rest = [row for row in rows if row not in first and row.status not in _QUIET]
+    result = [line for row in first for line in _shown(row, colour, name)]
+    result += [line for row in rest for line in _shown(row, colour, name)]
+    for status in _QUIET:
+        displays = [row.link.display.number for row in rows if row.status == status]
+        if displays:
+            links = "1 link" if len(displays) == 1 else f"{len(displays)} links"
+            several = "display" if len({*displays}) == 1 else "displays"
+            where = f"{links}: {several} {_ranges(displays)}"
+            result.append(f"{bold(f'{status:<9}', colour)} {where}")
     return "\n".join(result) + "\n" + "".join(advice(rows))
+
+
+_QUIET = ("PROVED", "ENCLOSED", "DEFINED", "ASSUMED")
+"""Statuses that need no attention."""
+
+
+def _shown(row: Row, colour: bool, name: str) -> Iterator[str]:
+    """A row with its reason, and what is true instead of it."""
+    display = row.link.display
+    label = f" ({display.labels[0]})" if display.labels else ""
+    which = f"display {display.number}{label}, link {row.link.number}"
+    where = f"{display.file or name}:{display.line}"
+    yield f"{bold(f'{row.status:<9}', colour)} {where}" + dim(f"  {which}", colour)
+    shown = [("printed", row.link.shown[:200])]
+    shown += [("read as", row.refuted if row.instead else row.link.read_as), ("why", row.why)]
+    if row.witness is not None:
+        values = ", ".join(f"{name} = {value}" for name, value in row.witness.items())
+        shown.append(("witness", values or "the constants themselves"))
+    shown += [("instead", str(found)) for found in row.instead]
+    yield from (f"  {dim(f'{key:<8}', colour)} {text}" for key, text in shown if text)
+
+
+def _ranges(numbers: list[int]) -> str:
+    """Numbers in order, those that follow one another by the first and the last."""
+    parts: list[list[int]] = []
+    for n in sorted(set(numbers)):
+        if parts and n == parts[-1][-1] + 1:
+            parts[-1].append(n)
+        else:
+            parts.append([n])
+    shown = [f"{p[0]}-{p[-1]}" if len(p) > 2 else ", ".join(map(str, p)) for p in parts]
+    return ", ".join(shown)
 
 
 def summary(rows: list[Row]) -> str:

@@ -47,6 +47,7 @@ class Attempt(NamedTuple):
 
     Attributes:
         sides, given: what is asked, taken apart.
+        put: the values of symbols that were put in, in order; ``plain`` is what was asked before.
         far: symbols that are put in and were defined in another paragraph.
         same: whether the same variables stand on both sides.
         under: its conditions or its path, in words.
@@ -56,6 +57,8 @@ class Attempt(NamedTuple):
     how: str
     read_as: str
     may_fail: bool = True
+    put: tuple[tuple[str, Expr], ...] = ()
+    plain: str = ""
     sides: Compared | None = None
     given: tuple[Compared, ...] = ()
     far: tuple[str, ...] = ()
@@ -76,6 +79,8 @@ class Link:
         firm: whether a refutation counts; else the link is then ``otherwise``.
         same: whether the same variables stand on both sides.
         unknown: whether there is a function in it that is left unknown.
+        around: the text before and behind its display, and the number of its scope.
+        noted: the kind that a note of the author's gives its display.
         second: the same link in the other of two readings.
         symbols: those of its chain, each with its kind and what speaks for that.
         constants: symbols that are said to be numbers.
@@ -96,6 +101,8 @@ class Link:
     unknown: bool = False
     ground: Ground = field(default_factory=Ground)
     shown: str = field(default="", repr=False)
+    around: tuple[str, str, int] = field(default=("", "", 0), repr=False)
+    noted: str = ""
     second: Link | None = None
     symbols: tuple[tuple[str, str, str], ...] = ()
     constants: frozenset[str] = frozenset()
@@ -247,8 +254,12 @@ def _attempts(
             how = "; ".join(filter(None, (how, EARLIER if more else "")))
             may_fail = not how.startswith((TOLD, WHERE))
             said = f"{left} {relation} {right} given {shown}" if how.startswith(WHERE) else said_so
-            asked = Attempt(text, how, said, may_fail, (one, relation, other), tuple(given))
-            asked = asked._replace(under=told)
+            plain = _with_functions_named(
+                f"{left} {relation} {right}{told}", unknown_in(left, right)
+            )
+            pairs = tuple(put.items())
+            asked = Attempt(text, how, said, may_fail, pairs, plain, (one, relation, other))
+            asked = asked._replace(given=tuple(given), under=told)
             far = accusations.far_definitions(memory, put, under)
             alike = not (symbols(one) ^ symbols(other)) - free
             attempts.setdefault(text, asked._replace(far=far, same=alike))

@@ -11,16 +11,16 @@ from tresym.manuscript import accusations
 from tresym.manuscript.classification import EQUATION, UNREAD, Attempt, Link
 from tresym.manuscript.context import names_in
 from tresym.manuscript.instances import instances
-from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.answer import Alternative, Answer
 from tresym.reals.decisions.claim_parsing import chained
 from tresym.reals.decisions.time_limited import Task, check_all, check_within
 from tresym.reals.language.binders import elementary
-from tresym.reals.language.expression import ONE, ZERO, symbols
+from tresym.reals.language.expression import ONE, ZERO, Expr, symbols
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
 PASSES = (Verdict.PROVED.value, Verdict.ENCLOSED.value)
-STATUSES = (*(v.value for v in Verdict), "DEFINED", "ASSUMED", EQUATION, UNREAD)
+STATUSES = (*(v.value for v in Verdict), "SUSPECT", "DEFINED", "ASSUMED", EQUATION, UNREAD)
 
 
 @dataclass(frozen=True)
@@ -28,7 +28,11 @@ class Row:
     """A link and its status.
 
     Attributes:
-        witness: for REFUTED, names to exact numbers.
+        witness: for REFUTED and SUSPECT, names to exact numbers.
+        instead: for these, claims close to it that hold.
+        refuted: what fails, in the grammar of text; empty where nothing does.
+        put: the values of its symbols that were put in.
+        fails_at: where, whatever the status.
     """
 
     link: Link
@@ -37,6 +41,10 @@ class Row:
     witness: dict[str, str] | None = None
     given: str = ""
     seconds: float = 0.0
+    instead: tuple[Alternative, ...] = ()
+    refuted: str = ""
+    put: tuple[tuple[str, Expr], ...] = ()
+    fails_at: dict[str, str] | None = None
 
     def as_json(self) -> dict[str, Any]:
         """A JSON value; every key is always there."""
@@ -51,6 +59,7 @@ class Row:
             "status": self.status,
             "why": self.why,
             "witness": self.witness,
+            "instead": [found._asdict() for found in self.instead],
             "latex": self.link.shown,
             "seconds": round(self.seconds, 6),
         }
@@ -65,7 +74,8 @@ def decided(
     """A row for each link; each claim is asked for at most ``limit`` seconds."""
     asked = [*links, *(link.second for link in links if link.second is not None)]
     answers = _answers(asked, limit, processes, progress)
-    rows = [_row(link, answers.get(n, []), limit) for n, link in enumerate(asked)]
+    own = [(link, answers.get(n, [])) for n, link in enumerate(asked)]
+    rows = [_failing(_row(link, found, limit), found) for link, found in own]
     rows = _varied(rows, answers, limit, processes)
     found = [(row, answers.get(n, [])) for n, row in enumerate(rows)]
     seconds = iter(found[len(links) :])
@@ -150,6 +160,21 @@ def _verdict(answers: list[Answer | InputError]) -> str:
     read = [answer for answer in answers if isinstance(answer, Answer)]
     best = next((answer for answer in read if answer), read[0] if read else None)
     return best.verdict.value if best is not None else "not read"
+
+
+def _failing(row: Row, answers: list[Answer | InputError]) -> Row:
+    """The row with what of its link is refuted, whatever its status, and where.
+
+    It is the last way to ask that needs no definition of another paragraph.
+    """
+    pairs = [*zip(row.link.claims, answers, strict=False)]
+    for asked, answer in reversed(pairs):
+        failed = isinstance(answer, Answer) and answer.verdict is Verdict.REFUTED
+        if isinstance(answer, Answer) and failed and asked.may_fail and not asked.far:
+            at = None if answer.witness is None else dict(answer.witness)
+            text = asked.plain or asked.text
+            return replace(row, refuted=text, put=asked.put, fails_at=at)
+    return row
 
 
 def _restates(link: Link, asked: Attempt) -> str:

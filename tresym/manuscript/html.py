@@ -11,14 +11,29 @@ from tresym.manuscript.deciding import STATUSES, Row
 from tresym.manuscript.kinds_in_prose import REAL
 from tresym.manuscript.mathml import relation
 from tresym.manuscript.source import DISPLAYS
+from tresym.manuscript.suspects import attention
+from tresym.reals.language.parsing import parse_claim
+from tresym.reals.numbers.exact import InputError
 
-_WORST = ("REFUTED", "UNREAD", "UNDECIDED", "EQUATION", "ASSUMED", "ENCLOSED", "PROVED", "DEFINED")
+_WORST = (
+    "REFUTED",
+    "SUSPECT",
+    "UNREAD",
+    "UNDECIDED",
+    "EQUATION",
+    "ASSUMED",
+    "ENCLOSED",
+    "PROVED",
+    "DEFINED",
+)
 _STYLE = """
 body { font: 16px/1.5 system-ui, sans-serif; max-width: 60rem; margin: 2rem auto; padding: 0 1rem }
 section { border-left: 4px solid #bbb; margin: 1.5rem 0; padding: 0 1rem }
-section.REFUTED { border-color: #c00 } section.PROVED, section.ENCLOSED { border-color: #080 }
+section.REFUTED, section.SUSPECT { border-color: #c00 }
+section.PROVED, section.ENCLOSED { border-color: #080 }
 section.UNDECIDED, section.UNREAD { border-color: #c80 }
 h2 { font-size: 1rem; margin: 0 } .status { font-weight: 600 } .why { color: #555 }
+#attention { background: #fff4f0; padding: .5rem 1rem }
 table { border-collapse: collapse } td, th { padding: .1rem .6rem; text-align: left }
 math { font-size: 1.2em } code { overflow-wrap: anywhere }
 """
@@ -29,7 +44,7 @@ def page(rows: Sequence[Row], name: str) -> str:
     counts = Counter(row.status for row in rows)
     summary = ", ".join(f"{counts[s]} {s}" for s in STATUSES if counts[s])
     title = escape(name)
-    body = "\n".join(_sections(rows))
+    body = "\n".join((*_attention(rows, name), *_sections(rows)))
     return (
         f'<!doctype html>\n<html lang="en">\n<meta charset="utf-8">\n{MARK}\n'
         f"<title>{title}</title>\n"
@@ -84,16 +99,50 @@ def _sections(rows: Sequence[Row]) -> Iterator[str]:
         )
 
 
+def _attention(rows: Sequence[Row], name: str) -> Iterator[str]:
+    """What an author must look at, in front of everything else."""
+    found = attention(rows)
+    if not found:
+        return
+    yield f'<section id="attention" class="REFUTED">\n<h2>To look at: {len(found)}</h2>\n<ul>'
+    for row in found:
+        display = row.link.display
+        place = escape(f"{display.file or name}:{display.line}")
+        text = f'<li><a href="#display-{display.number}">{place}</a> '
+        text += f'<span class="status">{row.status}</span> <code>{escape(row.link.shown)}</code>'
+        text += f"<br>Read as <code>{escape(row.refuted or row.link.read_as)}</code>"
+        yield text + _findings(row) + "</li>"
+    yield "</ul>\n</section>"
+
+
+def _findings(row: Row) -> str:
+    """Why a row is to be looked at, where it fails, and what is true instead."""
+    text = f'<br><span class="why">{escape(row.why)}</span>'
+    if row.witness is not None:
+        values = ", ".join(f"{name} = {value}" for name, value in row.witness.items())
+        text += f"<br>Witness: {escape(values or 'the constants themselves')}"
+    for found in row.instead:
+        given = f" given <code>{escape(found.given)}</code>" if found.given else ""
+        text += f"<br>Instead: {_formula(found.claim)}{given}, {found.verdict} "
+        text += f"(<mark>{escape(found.edit)}</mark>)"
+    return text
+
+
+def _formula(claim: str) -> str:
+    """A claim in the grammar of text, typeset in the line."""
+    try:
+        return ", ".join(relation(link, block=False) for link in parse_claim(claim))
+    except InputError:
+        return f"<code>{escape(claim)}</code>"
+
+
 def _link(row: Row) -> str:
     link = row.link
     formula = relation(link.sides) if link.sides else f"<p><code>{escape(link.shown)}</code></p>"
     text = f'<p><span class="status">{row.status}</span>'
     if link.read_as:
         text += f" <code>{escape(link.read_as)}</code>"
-    text += f'<br><span class="why">{escape(row.why)}</span>'
-    if row.witness is not None:
-        values = ", ".join(f"{name} = {value}" for name, value in row.witness.items())
-        text += f"<br>Witness: {escape(values or 'the constants themselves')}"
+    text += _findings(row)
     return f"{formula}\n{text}</p>"
 
 
@@ -125,6 +174,7 @@ STYLE = r"""\NeedsTeXFormat{LaTeX2e}
 \definecolor{tresymPROVED}{rgb}{0,.5,0}
 \definecolor{tresymENCLOSED}{rgb}{0,.5,0}
 \definecolor{tresymREFUTED}{rgb}{.8,0,0}
+\definecolor{tresymSUSPECT}{rgb}{.8,0,0}
 \definecolor{tresymUNDECIDED}{rgb}{.8,.5,0}
 \definecolor{tresymUNREAD}{rgb}{.8,.5,0}
 \definecolor{tresymDEFINED}{gray}{.5}

@@ -86,8 +86,9 @@ class _Reading:
 
     def links(self) -> Iterator[Link]:
         """The links of all displays."""
-        before = ""
+        before, scope = "", 0
         for n, event in enumerate(self.events):
+            scope += isinstance(event, Section | Scope)
             self.place = n
             if isinstance(event, Note):
                 self.note(event)
@@ -110,8 +111,13 @@ class _Reading:
                 after = follows.text if isinstance(follows, Prose) else ""
                 if isinstance(beyond, Display) and prose.is_of_next(after):
                     after = ""
+                text = before, after, scope
+                noted = self.orders.kind
                 self.memory.line = event.line
-                found = list(self.display(event, before, after))
+                found = [
+                    replace(link, around=text, noted=noted)
+                    for link in self.display(event, before, after)
+                ]
                 self.memory.line = 0
                 for label in (*event.labels, str(event.number)):
                     self.memory.labels[label] = [x.sides for x in found if x.sides]

@@ -15,11 +15,12 @@ _NAMES = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "log": "ln"}
 _SUM, _PRODUCT, _POWER, _ATOM = range(4)
 
 
-def relation(compared: Compared) -> str:
-    """``left relation right`` as a formula of its own."""
+def relation(compared: Compared, block: bool = True) -> str:
+    """``left relation right`` as a formula of its own, or in the line."""
     left, sign, right = compared
     shown = _RELATIONS.get(sign, escape(sign))
-    return f'<math display="block">{_row(left)}<mo>{shown}</mo>{_row(right)}</math>'
+    start = '<math display="block">' if block else "<math>"
+    return f"{start}{_row(left)}<mo>{shown}</mo>{_row(right)}</math>"
 
 
 def expression(e: Expr) -> str:

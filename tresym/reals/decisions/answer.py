@@ -37,6 +37,25 @@ class Root(NamedTuple):
     at: Mapping[str, str]
 
 
+class Alternative(NamedTuple):
+    """What is true instead of a claim that is refuted.
+
+    Attributes:
+        claim, given: the claim that holds and its conditions, in the grammar of text.
+        edit: what is different in it, in words.
+        verdict: PROVED or ENCLOSED.
+    """
+
+    claim: str
+    given: str
+    edit: str
+    verdict: str
+
+    def __str__(self) -> str:
+        under = f" given {self.given}" if self.given else ""
+        return f"{self.verdict}: {self.claim}{under} ({self.edit})"
+
+
 @dataclass(frozen=True)
 class Answer:
     """The verdict on one claim, with its reason.
@@ -55,6 +74,7 @@ class Answer:
         line: of the file it was read from.
         read_as: the claim with its conditions and path in the grammar of expressions.
         root: where the witness is known by intervals, what it is exactly.
+        instead: for REFUTED, claims close to it that hold, where they were looked for.
 
     Example:
         >>> import tresym
@@ -77,6 +97,7 @@ class Answer:
     line: int | None = None
     read_as: str = ""
     root: Root | None = field(default=None, repr=False, compare=False)
+    instead: tuple[Alternative, ...] = field(default=(), compare=False)
 
     def __bool__(self) -> bool:
         """Whether the claim holds: PROVED or ENCLOSED."""
@@ -112,6 +133,7 @@ class Answer:
         if self.constant is not None:
             rows.append(("constant", ball_text(self.constant)))
         rows.append(("region", self.region or ""))
+        rows += [("instead", str(found)) for found in self.instead]
         return [row for row in rows if row[1]]
 
     def as_json(self) -> dict[str, Any]:
@@ -127,6 +149,7 @@ class Answer:
         value["witness"] = None if self.witness is None else dict(self.witness)
         value["constant"] = None if self.constant is None else self.constant._asdict()
         value["values"] = None if self.values is None else [ball._asdict() for ball in self.values]
+        value["instead"] = [found._asdict() for found in self.instead]
         value["seconds"] = round(self.seconds, 6)
         return value
 

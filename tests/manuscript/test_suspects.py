@@ -1,0 +1,162 @@
+"""Proof-reading: misprints are SUSPECT, and nothing that is meant otherwise is."""
+
+import json
+from pathlib import Path
+
+import pytest
+from hangs import HANGS
+
+from tresym.commands import main
+from tresym.manuscript.deciding import Row, decided
+from tresym.manuscript.links import read_links
+from tresym.manuscript.source import read_manuscript
+from tresym.manuscript.suspects import proofread
+
+
+def read(folder: Path, text: str) -> list[Row]:
+    (folder / "m.tex").write_text(text)
+    return proofread(decided(read_links(read_manuscript(folder / "m.tex")), HANGS, 1), 20.0, 1)
+
+
+def statuses(folder: Path, text: str) -> list[str]:
+    return [row.status for row in read(folder, text)]
+
+
+@pytest.mark.parametrize(
+    ("text", "instead"),
+    [
+        (r"We have \[ \cos 2x = 2\cos^2 x + 1. \]", "cos(2*x) == 2*cos(x)**2 - 1"),
+        (r"Note that \[ \sin 2x = 2\sin x\sin x. \]", "sin(2*x) == 2*cos(x)*sin(x)"),
+        (r"\[ (x + y)^2 = x^2 + 2xy + y^3 \]", "(x + y)**2 == x**2 + 2*x*y + y**2"),
+        (r"It is well known that \[ e^{x+y} = e^x + e^y. \]", "exp(x + y) == exp(x)*exp(y)"),
+        (r"One has \[ \sqrt{x^2} = x. \]", "sqrt(x**2) == x"),
+        (r"Hence \[ 1 + \tan^2 x = \csc^2 x. \]", "tan(x)**2 + 1 == sec(x)**2"),
+        (r"\[ \frac{1}{x-1} - \frac{1}{x+1} = \frac{2}{x^2+1} \]", ""),
+        (r"By the addition law we get \[ \sin(x+y) = \sin x\cos y - \cos x\sin y. \]", ""),
+        (r"\[ \sinh^2 x - \cosh^2 x = 1 \]", "sinh(x)**2 - cosh(x)**2 == -1"),
+    ],
+)
+def test_a_misprint_is_suspect_with_what_is_true_instead(
+    text: str, instead: str, tmp_path: Path
+) -> None:
+    (row,) = read(tmp_path, text)
+    assert row.status == "SUSPECT"
+    assert row.fails_at
+    assert row.instead[0].verdict == "PROVED"
+    assert instead in ("", row.instead[0].claim)
+
+
+EQUATIONS = (
+    r"Solve \[ x^2 - 5x + 6 = 0. \]",
+    r"The roots of \[ \cos^2 x - \sin^2 x = 1 \]",
+    r"It remains to solve \[ 2\sin x\cos x = \sin x. \]",
+    r"The number satisfies \[ x^2 = x + 1. \]",
+    r"The curve \[ x^2 + y^2 = 1 \]",
+    r"Newton's law is \[ F = m a. \]",
+    r"\[ p V = n R T \]",
+    r"\[ \tan x = x \]",
+    r"\[ \sin 2x = \sin x \]",
+    r"\[ x = \cos x \]",
+    r"\[ x^2 = 2x \]",
+    r"Let \[ y = \sin x. \]",
+    r"Set \[ u = x^2. \]",
+    r"Assume \[ \sqrt{x^2} = x. \]",
+    r"We require \[ \sin x = \cos x. \]",
+    r"The constraint \[ x + y = 1 \]",
+    r"The differential equation \[ \frac{dy}{dx} = -y \]",
+    r"It is not true that \[ (x + y)^2 = x^2 + y^2. \]",
+    r"\[ \cos^2 x - \sin^2 x = 1 \] has the solutions $x = k\pi$.",
+    r"\[ \sqrt{x^2} = x \] if and only if $x \ge 0$.",
+    r"For $n$ a positive integer \[ |n| = n. \]",
+    r"The disc \[ x^2 + y^2 \le 1 \]",
+    r"Therefore \[ x + 2 = 3x - 4. \]",
+    "% tresym: solve\n" r"\[ \cos 2x = 2\cos^2 x + 1 \]",
+)
+
+
+@pytest.mark.parametrize("text", EQUATIONS)
+def test_what_is_meant_otherwise_is_not_accused(text: str, tmp_path: Path) -> None:
+    assert not {"SUSPECT", "REFUTED"} & {*statuses(tmp_path, text)}
+
+
+def test_true_displays_are_not_accused(tmp_path: Path) -> None:
+    text = r"""\[ \cos 2x = 2\cos^2 x - 1 \] \[ \sqrt{x^2} = |x| \] For $x > 0$ \[ \sqrt{x^2} = x \]
+    \[ \int_0^\pi \sin x\,dx = 2 \] \[ \sum_{k=1}^n k = \frac{n(n+1)}{2} \]"""
+    assert {*statuses(tmp_path, text)} <= {"PROVED", "ENCLOSED"}
+
+
+def test_in_a_block_of_identities_what_fails_is_suspect_without_a_repair(tmp_path: Path) -> None:
+    block = r"\begin{align} \sin^2 x + \cos^2 x &= 1 \\ \sin 3x &= \sin x\cos x + \tan^5 x - 7"
+    block += r" \\ \cosh^2 x - \sinh^2 x &= 1 \end{align}"
+    assert statuses(tmp_path, block) == ["PROVED", "SUSPECT", "PROVED"]
+
+
+@pytest.mark.parametrize(
+    ("words", "status"),
+    [("and so", "SUSPECT"), ("Now let", "DEFINED"), ("In another unit", "DEFINED")],
+)
+def test_a_symbol_defined_twice(words: str, status: str, tmp_path: Path) -> None:
+    text = rf"The energy is \[ E = m c^2. \] {words} \[ E = m c^3. \]"
+    assert statuses(tmp_path, text) == ["DEFINED", status]
+
+
+def test_a_section_of_its_own_may_define_anew(tmp_path: Path) -> None:
+    text = r"The energy is \[ E = m c^2. \] \section{B} The energy is \[ E = m c^3. \]"
+    assert "SUSPECT" not in statuses(tmp_path, text)
+
+
+def test_what_is_refuted_has_suggestions_in_the_symbols_of_the_author(tmp_path: Path) -> None:
+    text = r"Let \[ r = \sqrt{x^2 + y^2}. \] For all $x$ and $y$ \[ r^2 = x^2 - y^2. \]"
+    row = read(tmp_path, text)[-1]
+    assert row.status in ("REFUTED", "SUSPECT")
+    assert row.instead[0].claim == "r**2 == x**2 + y**2"
+
+
+WRONG = r"\[ \sin^2 x + \cos^2 x = 1 \] We have \[ \cos 2x = 2\cos^2 x + 1. \]"
+
+
+def test_the_command_shows_first_what_to_look_at(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "m.tex"
+    path.write_text(WRONG)
+    assert main(["paper", str(path), "--html", str(tmp_path / "h")]) == 1
+    out = capsys.readouterr().out.splitlines()
+    assert out[0].startswith("SUSPECT")
+    assert "m.tex:1" in out[0]
+    assert any("instead  PROVED: cos(2*x) == 2*cos(x)**2 - 1" in line for line in out)
+    assert out[-1].startswith("PROVED")
+    page = (tmp_path / "h" / "index.html").read_text()
+    assert page.index("attention") < page.index('id="display-1"')
+    assert "<mark>- 1 in place of + 1</mark>" in page
+
+
+@pytest.mark.parametrize(
+    ("words", "status"), [(["--suspect-ok"], 0), (["--no-suggest"], 0), ([], 1)]
+)
+def test_whether_a_suspect_counts(words: list[str], status: int, tmp_path: Path) -> None:
+    (tmp_path / "m.tex").write_text(WRONG)
+    assert main(["paper", str(tmp_path / "m.tex"), *words]) == status
+
+
+def test_the_json_has_what_is_true_instead(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "m.tex").write_text(WRONG)
+    main(["paper", str(tmp_path / "m.tex"), "--json"])
+    rows = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
+    assert rows[0]["instead"] == []
+    assert rows[1]["instead"][0] == {
+        "claim": "cos(2*x) == 2*cos(x)**2 - 1",
+        "given": "",
+        "edit": "- 1 in place of + 1",
+        "verdict": "PROVED",
+    }
+
+
+@pytest.mark.parametrize(("words", "count"), [([], 1), (["--no-suggest"], 0)])
+def test_check_suggests_unless_told_not_to(
+    words: list[str], count: int, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["check", "sqrt(x**2) == x", *words]) == 1
+    assert capsys.readouterr().out.count("given x >= 0 (given x >= 0)") == count

@@ -1,0 +1,264 @@
+"""Proof-reading: which equalities that fail are misprints, and what is true instead.
+
+An equality that fails somewhere may be an equation to be solved, a law, a condition, a definition,
+or a misprint. It is SUSPECT when nothing around it introduces it as one of the former, and
+
+- a claim one edit away holds, or it holds itself under a natural condition, or
+- the other links of its display are identities, or a word such as "hence" leads to it, and the same
+  variables stand on both sides.
+
+A symbol that is defined again in the same scope, one edit away from its first definition and
+without a word such as "now", is SUSPECT as well. What is REFUTED keeps its status and gets the
+suggestions.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from itertools import groupby
+
+from tresym.manuscript import prose
+from tresym.manuscript.classification import CONSTANTS, DEFINED, EQUATION, Link
+from tresym.manuscript.deciding import Row
+from tresym.manuscript.terms import base_of
+from tresym.reals.decisions.answer import Alternative
+from tresym.reals.language.binders import elementary
+from tresym.reals.language.expression import Expr, differentiate, symbols
+from tresym.reals.repair import suggestions
+from tresym.reals.repair.edits import is_one_edit
+from tresym.reals.repair.search import GIVEN, SECONDS, Definitions
+
+SUSPECT = "SUSPECT"
+
+_INTRODUCED = re.compile(
+    r"\b(?:equations?|solv\w+|solutions?|roots?|satisf\w+|obeys?|fulfil\w+|unknowns?|curves?|system"
+    r"|lines?|circles?|ellips\w+|hyperbolas?|parabolas?|conics?|planes?|surfaces?|spheres?|locus"
+    r"|graph|constraints?|conditions?|requir\w+|equilibri\w+|conserv\w+|laws?|boundary|initial"
+    r"|critical|stationary|intersect\w+|meets?|model\w*|relat(?:es|ing)|dispersion|state|rule"
+    r"|suppos\w+|assum\w+|hypothes\w+|ansatz|try|seek|postulat\w+|let|set|setting|put|choos\w+"
+    r"|chosen|defin\w+|denot\w+|introduc\w+|abbreviat\w+|call(?:ed)?|impos\w+|demand\w*|unless"
+    r"|consider|zeros?|vanish\w*|find|determin\w+|wrong\w*|false|incorrect\w*|(?:only )?if(?=\W*\Z)"
+    r"|when(?=\W*\Z)|mistak\w*|err(?:or|oneous)\w*|not|never|fails?|counterexample|contradict\w*"
+    r"|absurd|differential)\b",
+    re.IGNORECASE,
+)
+"""Words before a display by which it is no claim for all values."""
+_AFTER = re.compile(
+    r"\b(?:solutions?|roots?|solv\w+|satisf\w+|if and only if|holds? (?:only )?(?:if|when)"
+    r"|unknowns?|is (?:called|false|wrong|not)|does not hold|equation|zeros?|cannot"
+    r"|contradict\w*|absurd"
+    r"|impossible|fails)\b",
+    re.IGNORECASE,
+)
+"""Words behind a display by which it is no claim for all values."""
+_TOLD = re.compile(
+    r"\b(?:hence|therefore|thus|identit\w+|it follows|consequently|then"
+    r"|we (?:\w+ )?(?:get|obtain|find|have|see|prove|show|compute|deduce)|gives?|yields?|shows?"
+    r"|implies|becomes?|know that)\b",
+    re.IGNORECASE,
+)
+"""Words by which what follows holds for all values."""
+_ANEW = re.compile(
+    r"\b(?:now|instead|redefin\w+|new|another|other|replac\w+|becom\w+|alternativ\w+|else|second"
+    r"|case|cases|chang\w+|example|consider|let|set|put|suppose|take|choos\w+|if|when|for|similarly"
+    r"|again|next|also|with|where|right|left|above|below|inside|outside|upper|lower|other(?:wise)?)\b",
+    re.IGNORECASE,
+)
+"""Words by which a second definition is another one on purpose."""
+_REAL = re.compile(r"[xyztuvw]\d*|theta|phi|alpha|beta|psi")
+"""Letters that take all real values in most texts."""
+_SIGNED = re.compile(
+    r"\b(?:positive|negative|non-?negative|integers?|natural|whole|acute|distances?|lengths?|radius"
+    r"|quadrant|angles?|large|small|greater|less|between|least|most)\b|[<>]|\\[gl]e|\\in\b",
+    re.IGNORECASE,
+)
+"""What says of variables that they do not take all real values."""
+_DOUBTED = re.compile(
+    r"nothing is said of|depends on what is not read|may be summed|may be rounded|contradiction"
+    r"|how near|of a sequence|stands under|another paragraph"
+)
+"""Reasons for which what fails is no misprint either."""
+_OPEN = re.compile(r"no real point was found where both sides|no antiderivative was found")
+"""Why an equality is not decided that may be a misprint."""
+_RELATIONS = frozenset(("==", "<", "<=", ">", ">="))
+_HOLD = frozenset(("PROVED", "ENCLOSED"))
+
+
+def proofread(
+    rows: Sequence[Row], seconds: float = SECONDS, processes: int | None = None
+) -> list[Row]:
+    """The rows, misprints SUSPECT, with what is true instead of them and of what is REFUTED.
+
+    Args:
+        seconds: processor time for the search beside each of them.
+        processes: how many at once; all cores unless given.
+    """
+    asked = {n: row for n, row in enumerate(rows) if row.status == "REFUTED" or may_be(row)}
+    texts = [_question(row) for row in asked.values()]
+    found = dict(zip(asked, suggestions(texts, processes, seconds), strict=True)) if texts else {}
+    blocks = _blocks(rows)
+    result = list(rows)
+    for n, row in asked.items():
+        instead = found[n]
+        if row.status == "REFUTED":
+            result[n] = replace(row, instead=instead)
+            continue
+        why = reason(row, instead, blocks[n])
+        if why:
+            witness = row.fails_at
+            result[n] = replace(row, status=SUSPECT, why=why, instead=instead, witness=witness)
+    return _defined_twice(result)
+
+
+def may_be(row: Row) -> bool:
+    """Whether a row is a comparison that fails, and that nothing introduces as something else."""
+    link = row.link
+    if row.status not in (EQUATION, "UNDECIDED") or link.sides is None:
+        return False
+    left, relation, right = link.sides
+    if relation not in _RELATIONS or is_introduced(link) or _stands_alone(left, right):
+        return False
+    if any(_DOUBTED.search(doubt) for doubt in link.ground.doubts) or _has_constants(left, right):
+        return False
+    if relation != "==":
+        return bool(row.refuted) and not row.put
+    return bool(row.refuted) or (bool(link.claims) and _OPEN.search(row.why) is not None)
+
+
+def _has_constants(*sides: Expr) -> bool:
+    """Whether a constant that is to be determined stands in both sides, each linear in it."""
+    if not elementary(*sides):
+        return False
+    names = [name for name in symbols(sides[0]) & symbols(sides[1]) if CONSTANTS.fullmatch(name)]
+    return any(
+        all(name not in symbols(differentiate(side, name)) for side in sides) for name in names
+    )
+
+
+def _question(row: Row) -> tuple[str, Definitions, bool]:
+    """What is looked for instead of, and whether it is not refuted or an inequality."""
+    relation = row.link.sides[1] if row.link.sides else ""
+    if row.refuted:
+        return row.refuted, row.put, relation != "==" and row.status != "REFUTED"
+    return row.link.claims[0].text, (), True
+
+
+def is_introduced(link: Link) -> bool:
+    """Whether words around a display say that it is an equation, a condition or the like."""
+    before, after = link.around[:2]
+    lead, trail = (_words(prose.last_sentence(before)), _words(prose.first_sentence(after)))
+    if _AFTER.search(trail) or link.noted in (prose.SOLVE, prose.ASSUME, prose.DEFINE):
+        return True
+    introduced, told = (_last(pattern, lead) for pattern in (_INTRODUCED, _TOLD))
+    return introduced > told
+
+
+def _last(pattern: re.Pattern[str], text: str) -> int:
+    """Where the last match of a pattern ends, -1 without one; words on the way do not count."""
+    return max((found.end() for found in pattern.finditer(_METHODS.sub(_blank, text))), default=-1)
+
+
+def _blank(found: re.Match[str]) -> str:
+    return " " * len(found[0])
+
+
+def _words(text: str) -> str:
+    return prose.without_formulas(text)
+
+
+_METHODS = re.compile(
+    r"\b(?:by|from|using|use|with|via|apply(?:ing)?|into|in|of|both sides of)\b[^,.;:]*?"
+    r"\b(?:equations?|laws?|conditions?|relations?|definitions?|rules?|solutions?)\b",
+    re.IGNORECASE,
+)
+"""What is spoken of on the way to a claim: "by the equation above", "into the law"."""
+
+
+def _stands_alone(left: Expr, right: Expr) -> bool:
+    """Whether a side is a symbol that the other one does not have, or the sides share no symbol: a
+    definition or a law."""
+    own, others = symbols(left), symbols(right)
+    if own and others and own.isdisjoint(others):
+        return True
+    pairs = ((left, others), (right, own))
+    return any(side.op == "symbol" and symbols(side).isdisjoint(rest) for side, rest in pairs)
+
+
+def reason(row: Row, instead: Sequence[Alternative], others: Sequence[str]) -> str:
+    """Why an equality that fails is a misprint, as far as can be seen; empty where it is not."""
+    at = ", ".join(f"{name} = {value}" for name, value in (row.fails_at or {}).items())
+    fails = f"it fails at {at}" if at else "it fails" if row.refuted else row.why
+    relation = row.link.sides[1] if row.link.sides else ""
+    if any(one.edit.startswith(GIVEN) for one in instead) and not _is_free(row):
+        return ""  # what is not read may well be the condition
+    if instead:
+        first = instead[0]
+        condition = first.edit.startswith(GIVEN)
+        return f"{fails}; it holds {first.edit}" if condition else f"{fails}; a claim near it holds"
+    if relation != "==" or not row.refuted:
+        return ""
+    link = row.link
+    sides = link.sides[::2] if link.sides else ()
+    if not link.same or any(not symbols(side) for side in sides):
+        return ""
+    if others and all(status in _HOLD for status in others):
+        return f"{fails}; the other links of its display are identities"
+    lead = _words(link.around[0])
+    several = len(symbols(sides[0])) > 1  # of one variable it may be an equation on the way
+    if several and _TOLD.search(lead[-60:]) and not _INTRODUCED.search(lead):
+        return f"{fails}; the words before it say that it holds"
+    return ""
+
+
+def _is_free(row: Row) -> bool:
+    """Whether the variables are ones that take all real values in most texts, and no word says
+    otherwise."""
+    names = symbols(row.link.sides[0]) | symbols(row.link.sides[2]) if row.link.sides else set()
+    text = row.link.around[0] + row.link.around[1][: prose.MAX_AFTER]
+    plain = all(_REAL.fullmatch(name) for name in names)
+    return plain and not row.put and not row.link.ground.doubts and not _SIGNED.search(text)
+
+
+def _blocks(rows: Sequence[Row]) -> dict[int, list[str]]:
+    """The statuses of the other links in the display of each row."""
+    result: dict[int, list[str]] = {}
+    for _, group in groupby(enumerate(rows), key=lambda pair: pair[1].link.display.number):
+        found = list(group)
+        for n, _ in found:
+            result[n] = [row.status for m, row in found if m != n]
+    return result
+
+
+def _defined_twice(rows: list[Row]) -> list[Row]:
+    """The rows, those SUSPECT that define a symbol again by a value one edit away."""
+    known: dict[tuple[int, str], list[Row]] = defaultdict(list)
+    for n, row in enumerate(rows):
+        link = row.link
+        if row.status != DEFINED or link.sides is None or link.sides[0].op != "symbol":
+            continue
+        before = known[link.around[2], str(link.sides[0])]
+        first = next((one for one in before if _differ(one.link, link)), None)
+        before.append(row)
+        words = _words(prose.last_sentence(link.around[0]))
+        derived = any(base_of(name) != name for name in symbols(link.sides[2]))
+        if first is None or not row.refuted or row.given or derived or _ANEW.search(words):
+            continue
+        value = first.link.read_as
+        why = f"it is defined otherwise in display {first.link.display.number}: {value}"
+        instead = (Alternative(value, "", "as it is defined first", "DEFINED"),)
+        rows[n] = replace(row, status=SUSPECT, why=why, instead=instead, witness=row.fails_at)
+    return rows
+
+
+def _differ(first: Link, second: Link) -> bool:
+    if first.sides is None or second.sides is None or first.display == second.display:
+        return False
+    return is_one_edit(first.sides[2], second.sides[2])
+
+
+def attention(rows: Iterable[Row]) -> list[Row]:
+    """What an author must look at."""
+    return [row for row in rows if row.status in (SUSPECT, "REFUTED")]

@@ -1,0 +1,109 @@
+"""Look for what is true instead of a refuted claim: one edit away, conditions, other values.
+
+:func:`check` decides a claim and, where it is refuted, looks for claims close to it that hold;
+:func:`suggestions` looks for many in processes of their own. The search is in ``search.py``.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from typing import Any
+
+from tresym.reals.decisions import check as decided
+from tresym.reals.decisions.answer import Alternative, Answer
+from tresym.reals.processes import Processes, cores
+from tresym.reals.repair.search import MOST, SECONDS, Definitions, alternatives
+from tresym.reals.verdict import Verdict
+
+__all__ = ["Alternative", "check", "suggested", "suggestions"]
+
+GRACE = 2.0
+"""Seconds on the wall beyond its processor time after which a search is ended."""
+SHARE, LEAST = 0.2, 0.01
+"""Of a run over many claims: what searches may take; and seconds below which none begins."""
+
+
+def check(
+    claim: Any,
+    given: Any = "",
+    path: str | None = None,
+    limit: float | None = None,
+    suggest: bool = True,
+) -> Answer:
+    """Decide a claim about real elementary expressions.
+
+    Args:
+        claim: text such as ``"diff(F, x) == f"``, ``"exp(x) >= 1 + x"`` or
+            ``"sin(x) == x + O(x**3)"``; LaTeX of the same; or a SymPy relation such as
+            ``Eq(f, g)``, whose symbols are taken as real.
+        given: conditions: text such as ``"a > 0, 0 < b <= 1"``, LaTeX, or SymPy relations.
+        path: for an order claim, such as ``"x -> 0+"``.
+        limit: seconds after which the answer is UNDECIDED; the work is then done in a process of
+            its own. Without it the claim is decided here.
+        suggest: whether claims close to a refuted one that hold are looked for, for at most half a
+            second; they are ``instead`` of the answer.
+
+    Raises:
+        InputError: the claim is not read, or the limit is no number of seconds; one line says why.
+
+    Example:
+        >>> import tresym
+        >>> tresym.check("sqrt(x**2) == x", given="x > 0").verdict.value
+        'PROVED'
+        >>> found = tresym.check("sqrt(x**2) == x")
+        >>> found.verdict.value, found.instead[0].given
+        ('REFUTED', 'x >= 0')
+    """
+    answer = decided(claim, given, path, limit)
+    if not suggest or answer.verdict is not Verdict.REFUTED:
+        return answer
+    if limit is None:
+        return replace(answer, instead=alternatives(answer.read_as))
+    return replace(answer, instead=next(suggestions([(answer.read_as, (), False)], 1)))
+
+
+def suggestions(
+    claims: Iterable[tuple[str, Definitions, bool]],
+    processes: int | None = None,
+    seconds: float = SECONDS,
+) -> Iterator[tuple[Alternative, ...]]:
+    """What is true instead of each of several refuted claims, in their order.
+
+    Args:
+        claims: in the grammar of text, with their conditions and paths, what symbols in them stand
+            for, and whether to be cautious, see :func:`tresym.reals.repair.search.alternatives`.
+        processes: how many at once; all cores unless given.
+        seconds: processor time for each.
+    """
+    with _pool(processes or cores(), seconds) as pool:
+        asked = ((claim, seconds, MOST, *rest) for claim, *rest in claims)
+        for future in pool.in_order(alternatives, asked):
+            try:
+                yield future.result()
+            except Exception:  # a search that fails, or is stopped, finds nothing
+                yield ()
+
+
+def suggested(answers: Iterable[tuple[Any, Any]]) -> Iterator[tuple[Any, Any]]:
+    """The answers to many claims, with suggestions while they take at most a fifth of the time."""
+    start, spent = time.perf_counter() - time.process_time(), 0.0
+    with _pool(1, SECONDS) as pool:
+        pool.submit(alternatives, "0 == 0", 0.0).result()  # started before there are other threads
+        for task, answer in answers:
+            now = time.perf_counter()
+            left = (SHARE * (now - start) - spent) / (1 - SHARE)
+            if isinstance(answer, Answer) and answer.verdict is Verdict.REFUTED and left > LEAST:
+                seconds = min(left, SECONDS)
+                try:
+                    found = pool.submit(alternatives, answer.read_as, seconds).result()
+                except Exception:
+                    found = ()
+                answer = replace(answer, instead=found)
+                spent += time.perf_counter() - now
+            yield task, answer
+
+
+def _pool(processes: int, seconds: float) -> Processes:
+    return Processes(processes, 2 * seconds + GRACE, deaths=1, forked=True)

@@ -1,0 +1,315 @@
+"""Values of expressions in floating point at several points at once, to filter candidates.
+
+Nothing is proved here: what agrees in floating point is decided exactly afterwards. Values of
+subtrees are remembered, so that a tree which differs from another one in a single place costs only
+the path from that place to the root. Integrals are summed by double-exponential quadrature
+(H. Takahasi and M. Mori, 1974), infinite sums by Levin's u-transform.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from itertools import pairwise
+from typing import NamedTuple
+
+from tresym.reals.language.binders import worked_out
+from tresym.reals.language.expression import Expr, opened, symbols
+from tresym.reals.language.parsing import FACTORIAL, INFINITY
+
+NAN = math.nan
+Row = list[float]
+MOST_TERMS = 400
+LEVIN_TERMS = 22
+STEP = 0.05
+"""The distance of the nodes of a quadrature."""
+CUT = 1e-11
+"""What may be missing at the end of a ray."""
+NEGLIGIBLE = 1e-9
+"""So near to an end, or to infinity by its inverse, an integrand may have no value."""
+
+
+class UnsupportedError(Exception):
+    """There is a node whose value is not computed in floating point."""
+
+
+class Points:
+    """Several points: the values of each variable, and of expressions.
+
+    Example:
+        >>> from tresym.reals.language.parsing import parse
+        >>> Points({"x": [0.0, 4.0, -1.0]}).values(parse("sqrt(x)"))
+        [0.0, 2.0, nan]
+    """
+
+    def __init__(self, at: Mapping[str, Sequence[float]], count: int = 0) -> None:
+        """``count`` is how many points there are where no variable has values."""
+        self.at = {name: list(values) for name, values in at.items()}
+        self.count = len(next(iter(self.at.values()))) if self.at else count or 1
+        self._known: dict[Expr, Row] = {}
+
+    def values(self, e: Expr) -> Row:
+        """The value at each point; NaN where there is none.
+
+        Raises:
+            UnsupportedError: a limit, or another node without a value in floating point.
+        """
+        found = self._known.get(e)
+        if found is None:
+            found = self._known[e] = self._computed(e)
+        return found
+
+    def _computed(self, e: Expr) -> Row:
+        op, args = e.op, e.args
+        if op == "number":
+            return [_quotient(int(args[0].p), int(args[0].q))] * self.count
+        if op == "symbol":
+            if args[0] not in self.at:
+                raise UnsupportedError(args[0])
+            return self.at[args[0]]
+        if op == "pi":
+            return [math.pi] * self.count
+        if op in ("integral", "sum", "product"):
+            return self._bound(e)
+        if op in ("derivative", "at") and (found := worked_out(e)).op != op:
+            return self.values(found)
+        if op == "unknown":
+            return self._unknown(e)
+        rows = [self.values(arg) for arg in args if isinstance(arg, Expr)]
+        if op == "^" and args[1].op == "number":
+            return _powers(rows[0], int(args[1].args[0].p), int(args[1].args[0].q))
+        function = _OPERATIONS.get(op)
+        if function is None or e.names:
+            raise UnsupportedError(op)
+        return [_applied(function, *values) for values in zip(*rows, strict=True)]
+
+    def _unknown(self, e: Expr) -> Row:
+        """An unknown function as one fixed wave, whose derivatives are known."""
+        (name, orders), rows = e.args[0].args, [self.values(arg) for arg in e.args[1:]]
+        if name == FACTORIAL:
+            return [_applied(lambda x: math.gamma(x + 1), x) for x in rows[0]]
+        seed = sum((n + 1) * ord(c) for n, c in enumerate(name)) % 97 / 97
+        slopes = [0.6 + 0.5 * seed + 0.3 * n for n in range(len(rows))]
+        factor = math.prod(s**k for s, k in zip(slopes, orders, strict=True))
+        turn = seed + sum(orders) * math.pi / 2
+        return [
+            factor * math.sin(turn + sum(s * x for s, x in zip(slopes, point, strict=True)))
+            for point in zip(*rows, strict=True)
+        ]
+
+    def _bound(self, e: Expr) -> Row:
+        """Integrals, sums and products, one after the other unless no variable is free in them."""
+        (name,), body = opened(e, self.at)
+        lows, highs = (self._ends(arg) for arg in e.args[1:])
+        free = symbols(e) & self.at.keys()
+        result = []
+        for n, (low, high) in enumerate(zip(lows, highs, strict=True)):
+            if n and not free:
+                result.append(result[0])
+                continue
+            here = {other: self.at[other][n] for other in free}
+            result.append(_VALUES[e.op](worked_out(body), name, low, high, here))
+        return result
+
+    def _ends(self, e: Expr) -> Row:
+        ends = {INFINITY: math.inf, -INFINITY: -math.inf}
+        return [ends[e]] * self.count if e in ends else self.values(e)
+
+
+def _along(body: Expr, name: str, places: Row, here: Mapping[str, float]) -> Row:
+    fixed = {other: [value] * len(places) for other, value in here.items()}
+    return Points({**fixed, name: places}).values(body)
+
+
+def _integral(body: Expr, name: str, low: float, high: float, here: Mapping[str, float]) -> float:
+    if low == high:
+        return 0.0
+    if low > high:
+        return -_integral(body, name, high, low, here)
+    if low == -math.inf and high < math.inf:
+        middle = high - 1.0
+        parts = ((middle, high, False), (-middle, math.inf, True))
+    else:
+        parts = ((low, high, False),)
+    return sum(_quadrature(body, name, *part, here) for part in parts)
+
+
+def _quadrature(
+    body: Expr, name: str, low: float, high: float, mirrored: bool, here: Mapping[str, float]
+) -> float:
+    """An integral over a finite range, a ray or the line; ``mirrored`` by −x."""
+    for substitution in _SUBSTITUTIONS[math.isfinite(low), math.isfinite(high)]:
+        steps = range(round(substitution.first / STEP), round(substitution.last / STEP) + 1)
+        nodes = [substitution.node(k * STEP, low, high) for k in steps]
+        places = [-x if mirrored else x for x, _ in nodes]
+        values = _along(body, name, places, here)
+        parts = []
+        for (x, slope), value in zip(nodes, values, strict=True):
+            near = min(abs(x - low), abs(x - high)) < NEGLIGIBLE or abs(x) > 1 / NEGLIGIBLE
+            parts.append(0.0 if near and not math.isfinite(value) else value * slope * STEP)
+        fine, coarse = _total(parts), 2 * _total(parts[::2])
+        cut_off = math.inf in (high, -low) and abs(parts[-1]) > CUT * max(1e-6, abs(fine))
+        if not cut_off and abs(fine - coarse) <= 1e-6 * max(1e-6, abs(fine)):
+            return fine
+    return NAN
+
+
+class _Substitution(NamedTuple):
+    """A variable of integration by another one: its range, and the node and its weight there."""
+
+    first: float
+    last: float
+    node: Callable[[float, float, float], tuple[float, float]]
+
+
+def _between(t: float, low: float, high: float) -> tuple[float, float]:
+    u, slope = math.pi / 2 * math.sinh(t), math.pi / 2 * math.cosh(t)
+    x = low + (high - low) / (1 + math.exp(-2 * u))
+    return x, (high - low) / 2 * slope / math.cosh(u) ** 2
+
+
+def _decaying(t: float, low: float, high: float) -> tuple[float, float]:
+    """For integrands that decay as exponentials."""
+    x = math.exp(t - math.exp(-t))
+    return low + x, x * (1 + math.exp(-t))
+
+
+def _beyond(t: float, low: float, high: float) -> tuple[float, float]:
+    x = math.exp(math.pi / 2 * math.sinh(t))
+    return low + x, x * math.pi / 2 * math.cosh(t)
+
+
+def _everywhere(t: float, low: float, high: float) -> tuple[float, float]:
+    u = math.pi / 2 * math.sinh(t)
+    return math.sinh(u), math.cosh(u) * math.pi / 2 * math.cosh(t)
+
+
+_SUBSTITUTIONS = {
+    (True, True): [_Substitution(-3.1, 3.1, _between)],
+    (True, False): [_Substitution(-6.0, 7.0, _decaying), _Substitution(-4.2, 4.2, _beyond)],
+    (False, False): [_Substitution(-4.2, 4.2, _everywhere)],
+}
+
+
+def _sum(body: Expr, name: str, low: float, high: float, here: Mapping[str, float]) -> float:
+    if high == math.inf and low == round(low):
+        places = [low + k for k in range(LEVIN_TERMS)]
+        return _levin(_along(body, name, places, here))
+    terms = _terms(body, name, low, high, here)
+    return NAN if terms is None else _total(terms)
+
+
+def _product(body: Expr, name: str, low: float, high: float, here: Mapping[str, float]) -> float:
+    terms = _terms(body, name, low, high, here) if high < math.inf else None
+    return NAN if terms is None else math.prod(terms)
+
+
+def _terms(body: Expr, name: str, low: float, high: float, here: Mapping[str, float]) -> Row | None:
+    whole = math.isfinite(low) and math.isfinite(high) and {low % 1, high % 1} == {0.0}
+    if not whole or not -1 <= high - low <= MOST_TERMS:
+        return None
+    places = [low + k for k in range(int(high - low) + 1)]
+    return _along(body, name, places, here) if places else []
+
+
+def _levin(terms: Row) -> float:
+    """The sum of a series from its first terms by Levin's u-transform; NaN where it is not seen."""
+    while terms and terms[-1] == 0:
+        terms = terms[:-1]
+    if not all(map(math.isfinite, terms)) or 0 in terms[1:]:
+        return _total(terms) if 0 in terms else NAN
+    found = [_transformed(terms, n) for n in range(len(terms) - 8, len(terms) - 2)]
+    steps = [(abs(y - x), y) for x, y in pairwise(found)]
+    gap, value = min(steps, default=(math.inf, NAN))
+    return value if gap <= 1e-7 * max(1.0, abs(value)) else NAN
+
+
+def _transformed(terms: Row, n: int) -> float:
+    above = below = partial = 0.0
+    for k in range(n + 1):
+        partial += terms[k]
+        weight = (-1) ** k * math.comb(n, k) * ((k + 1) / (n + 1)) ** (n - 2)
+        weight /= terms[k]
+        above, below = above + weight * partial, below + weight
+    return above / below if below else NAN
+
+
+_VALUES: dict[str, Callable[..., float]] = {
+    "integral": _integral,
+    "product": _product,
+    "sum": _sum,
+}
+
+
+def _total(terms: Row) -> float:
+    try:
+        return math.fsum(terms)
+    except (OverflowError, ValueError):  # of infinite terms
+        return NAN
+
+
+def _quotient(p: int, q: int) -> float:
+    try:
+        return p / q
+    except OverflowError:
+        return NAN
+
+
+def _applied(function: Callable[..., float], *values: float) -> float:
+    try:
+        return function(*values)
+    except (ValueError, ZeroDivisionError, OverflowError):
+        return NAN
+
+
+def _powers(row: Row, p: int, q: int) -> Row:
+    """Rational powers, which ask for x ≥ 0 unless they are whole."""
+    if q == 1:
+        return [_applied(math.pow, x, p) for x in row]
+    return [_applied(math.pow, x, p / q) if x >= 0 else NAN for x in row]
+
+
+def _power(x: float, y: float) -> float:
+    return x**y if x > 0 or y == round(y) else NAN
+
+
+def _exp(x: float) -> float:
+    return math.exp(x) if x < 700 else (math.inf if x == x else NAN)
+
+
+def _cosh(x: float) -> float:
+    return math.cosh(x) if abs(x) < 700 else (math.inf if x == x else NAN)
+
+
+def _sinh(x: float) -> float:
+    return math.sinh(x) if abs(x) < 700 else math.copysign(math.inf, x) if x == x else NAN
+
+
+def _sign(x: float) -> float:
+    return x if x != x else float((x > 0) - (x < 0))
+
+
+def _angle(y: float, x: float) -> float:
+    return math.atan2(y, x) if x or y else NAN
+
+
+_OPERATIONS: dict[str, Callable[..., float]] = {
+    "+": lambda *terms: sum(terms),
+    "*": lambda *factors: math.prod(factors),
+    "^": _power,
+    "abs": abs,
+    "exp": _exp,
+    "sign": _sign,
+    "atan2": _angle,
+    "cbrt": lambda x: math.copysign(abs(x) ** (1 / 3), x),
+    "cot": lambda x: math.cos(x) / math.sin(x),
+    "sec": lambda x: 1 / math.cos(x),
+    "csc": lambda x: 1 / math.sin(x),
+    "coth": lambda x: 1 / math.tanh(x),
+    "sech": lambda x: 1 / _cosh(x),
+    "csch": lambda x: 1 / _sinh(x),
+    "cosh": _cosh,
+    "sinh": _sinh,
+    **{name: getattr(math, name) for name in ("log", "sin", "cos", "tan", "asin", "acos", "atan")},
+    **{name: getattr(math, name) for name in ("tanh", "asinh", "acosh", "atanh")},
+}

@@ -1,0 +1,113 @@
+"""Collect like terms and factors, to see that an equality says nothing.
+
+Sums and products are sorted and collected, numbers multiplied into sums, equal factors cancelled.
+No product of sums is expanded and no function has laws, so ``(x + 1)**2 == x**2 + 2*x + 1`` and
+``sin(-x) == -sin(x)`` still say something.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+
+from flint import fmpq
+
+from tresym.reals.decisions.claim_parsing import functions
+from tresym.reals.language.binders import ordered, worked_out
+from tresym.reals.language.expression import (
+    LEAVES,
+    ONE,
+    Expr,
+    add,
+    multiply,
+    number,
+    power,
+    rebuild,
+    symbols,
+)
+from tresym.reals.language.parsing import Compared
+from tresym.reals.numbers.exact import InputError
+
+
+def is_trivial(old: Compared, new: Compared) -> bool:
+    """Whether a repaired comparison says nothing, or nothing of some variable of the old one."""
+    left, right = collected(new[0]), collected(new[2])
+    names = _named(worked_out(old[0])) | _named(worked_out(old[2]))
+    values = [collected(worked_out(side)) for side in new[::2]]
+    if left == right or not names <= _named(values[0]) | _named(values[1]):
+        return True
+    if new[1] not in ("==", "<=", ">=", "<", ">"):
+        return False
+    try:
+        gap, share = collected(left - right), collected(left / right)
+    except InputError:
+        return False
+    return (not symbols(gap) and bool(names)) or (not symbols(share) and bool(names))
+
+
+def _named(e: Expr) -> frozenset[str]:
+    """The variables and the unknown functions in an expression."""
+    return symbols(e) | {str(node.args[0].args[0]) for node in functions(e)}
+
+
+@cache
+def collected(e: Expr) -> Expr:
+    """``e`` with like terms and factors collected."""
+    if e.op in LEAVES:
+        return e
+    args = tuple(collected(arg) if isinstance(arg, Expr) else arg for arg in e.args)
+    if e.op == "+":
+        return _sum(args)
+    if e.op == "*":
+        return _product(args)
+    if e.op == "^":
+        return ONE if args[0] == ONE else _product((power(*args),))
+    return rebuild(e, args)
+
+
+def _sum(terms: tuple[Expr, ...]) -> Expr:
+    found: dict[Expr, fmpq] = {}
+    for term in terms:
+        for part in term.args if term.op == "+" else (term,):
+            number_, rest = _split(part)
+            found[rest] = found.get(rest, fmpq(0)) + number_
+    return ordered(add(*(multiply(number(c), rest) for rest, c in found.items() if c != 0)))
+
+
+def _split(e: Expr) -> tuple[fmpq, Expr]:
+    """The number in front of a term, and what it multiplies."""
+    if e.op == "number":
+        return e.args[0], ONE
+    if e.op == "*" and e.args[0].op == "number":
+        return e.args[0].args[0], multiply(*e.args[1:])
+    return fmpq(1), e
+
+
+def _product(factors: tuple[Expr, ...]) -> Expr:
+    constant, found = fmpq(1), dict[Expr, fmpq]()
+    for base, exponent in _powers(factors):
+        if base.op == "number" and exponent.q == 1 and (base.args[0] != 0 or exponent > 0):
+            constant *= base.args[0] ** int(exponent.p)
+        elif base != ONE:
+            found[base] = found.get(base, fmpq(0)) + exponent
+    parts = [power(base, number(c)) for base, c in found.items() if c != 0]
+    if constant == 0:
+        return number(0)
+    if len(parts) == 1 and parts[0].op == "+" and constant != 1:
+        return _sum(tuple(multiply(number(constant), term) for term in parts[0].args))
+    return ordered(multiply(number(constant), *parts))
+
+
+def _powers(factors: tuple[Expr, ...]) -> list[tuple[Expr, fmpq]]:
+    """The bases and the exponents of a product, whole powers of products taken apart."""
+    found: list[tuple[Expr, fmpq]] = []
+    for factor in factors:
+        for part in factor.args if factor.op == "*" else (factor,):
+            if part.op == "^" and part.args[1].op == "number":
+                base, r = part.args[0], part.args[1].args[0]
+                if base.op in ("*", "^") and r.q == 1:
+                    found += [(inner, s * r) for inner, s in _powers((base,))]
+                    continue
+                found.append((base, r))
+            else:
+                found.append((part, fmpq(1)))
+    return found
