@@ -198,8 +198,8 @@ def _by_residues(
     if len(residues) > MOST_RESIDUES:
         return Answer(Verdict.UNDECIDED, f"more than {MOST_RESIDUES} residues of the integers")
     answers = []
-    trees = outermost(claim.left, claim.right)
-    holds_integrals = any(node.op != "unknown" for node in trees)
+    nodes = outermost(claim.left, claim.right)
+    holds_integrals = any(node.op != "unknown" for node in nodes)
     for rest in residues:
         at = {
             name: number(period) * symbol(name) + number(r) if period > 1 else symbol(name)

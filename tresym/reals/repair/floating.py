@@ -75,11 +75,13 @@ class Points:
             return self.values(found)
         if op == "unknown":
             return self._unknown(e)
+        if e.names:
+            raise UnsupportedError(op)
         rows = [self.values(arg) for arg in args if isinstance(arg, Expr)]
         if op == "^" and args[1].op == "number":
             return _powers(rows[0], int(args[1].args[0].p), int(args[1].args[0].q))
         function = _OPERATIONS.get(op)
-        if function is None or e.names:
+        if function is None:
             raise UnsupportedError(op)
         return [_applied(function, *values) for values in zip(*rows, strict=True)]
 
