@@ -46,6 +46,7 @@ if signal.getsignal(signal.SIGHUP) == signal.SIG_IGN:
 def state_folder(tmp_path_factory: pytest.TempPathFactory) -> None:
     """Keep the record of written files apart from the user's."""
     os.environ["XDG_STATE_HOME"] = str(tmp_path_factory.getbasetemp() / "state")
+    os.environ["TRESYM_CACHE"] = "off"
 
 
 TESTS = Path(__file__).parent

@@ -20,6 +20,7 @@ from sympy import (
     Integer,
     Integral,
     Ne,
+    Or,
     Rational,
     Subs,
     Symbol,
@@ -102,6 +103,7 @@ O, o = Function("O"), Function("o")  # noqa: E741
 ZERO, ONE, TWO = Integer(0), Integer(1), Integer(2)
 HALF = Rational(1, 2)
 FALSEHOOD = equal(ZERO, ONE)
+whole, hidden = Symbol("n", integer=True), Symbol("m", positive=True)
 
 
 def defines(label: str, says: Any, *given: Any, assumes: str = "") -> Claim:
@@ -633,7 +635,11 @@ FALSE: dict[str, Claim] = {
     "formally-there-is-none": says("f", ForSome(x**2 < 0), formally()),
     "formally-unequal": says("f", Ne(x, 2), formally(), x > 0),
     "formally-touching": says("f", x**2 > 0, formally()),
-    # symbols of one name
+    # symbols of one name, and what SymPy assumes of a symbol
+    "an-integer-that-is-no-condition": says(
+        "f", equal(sin(pi * whole) + whole, whole), by(algebra)
+    ),
+    "a-number-that-is-positive-in-secret": says("f", equal(Abs(hidden), hidden), by(algebra)),
     "two-symbols-of-one-name": says("f", equal(Symbol("x", positive=True), x), by(algebra)),
     "a-definition-of-another-symbol": says(
         "f", Gt(Symbol("a", positive=True), 1, evaluate=False), by(substituting(half))
@@ -641,6 +647,9 @@ FALSE: dict[str, Claim] = {
 }
 
 UNFOUNDED: dict[str, Claim] = {
+    "a-point-that-is-no-integer": says("f", whole**2 >= whole, formally()),
+    "a-condition-that-is-none": Claim("f", FALSEHOOD, formally(), given=(Or(x > 0, y > 0),)),
+    "a-condition-in-words": Claim("f", FALSEHOOD, formally(), given=("x > 0",)),
     "a-point-outside-the-conditions": says("f", x > 0, Counterexample({"x": fmpq(-1)}), x > 0),
     "a-point-that-satisfies-it": says("f", x**2 >= 0, Counterexample({"x": fmpq(2)})),
     "a-point-without-a-value": says("f", equal(x / x, 1), Counterexample({"x": fmpq(0)})),

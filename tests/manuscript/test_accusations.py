@@ -35,6 +35,37 @@ def test_a_symbol_that_the_text_ties_down_has_no_counterexample(text: str, tmp_p
     assert read(tmp_path, text)[-1].status in ("UNDECIDED", "UNREAD", "EQUATION", "ASSUMED")
 
 
+SQUARE = r"\[ y = (a+b)^2 = a^2 + b^2 \]"
+SAID_AROUND = (
+    f"When $b = 0$ things are simple. {SQUARE}",
+    f"On the boundary $b = 0$. There {SQUARE}",
+    f"With $b = 0$ this becomes {SQUARE}",
+    f"Since $ab = 0$, {SQUARE}",
+    f"If $b$ vanishes, {SQUARE}",
+    f"At the origin {SQUARE}",
+    f"For orthogonal directions, {SQUARE}",
+    f"By orthogonality, {SQUARE}",
+    f"In characteristic two, {SQUARE}",
+    f"Modulo $2$ we have {SQUARE}",
+    f"Neglecting products, {SQUARE}",
+    f"To first order, {SQUARE}",
+    f"A common error is {SQUARE}",
+    f"A student may write {SQUARE}",
+    f"It is not true that {SQUARE}",
+    f"One finds {SQUARE} This is wrong.",
+)
+
+
+@pytest.mark.parametrize("text", SAID_AROUND)
+def test_words_around_a_display_may_say_that_it_holds_in_part(text: str, tmp_path: Path) -> None:
+    assert read(tmp_path, text)[-1].status in ("UNDECIDED", "UNREAD", "EQUATION")
+
+
+@pytest.mark.parametrize("before", ["", "Hence in general", "For example,", "We find"])
+def test_other_words_do_not(before: str, tmp_path: Path) -> None:
+    assert read(tmp_path, f"{before} {SQUARE}")[-1].status == "REFUTED"
+
+
 FREE = (
     r"\[ y = \sin 2u = 2\sin u \]",
     r"Let $u$ be an angle. \[ y = \sin 2u = 2\sin u \]",

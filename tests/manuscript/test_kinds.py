@@ -78,7 +78,7 @@ REASONS = {
     r"\[ \int_0^1 f\,dx = f \]": "whether f is a function of x is not said",
     r"\[ \sum_{i=1}^n \bar x_i = n \bar x_i \]": "whether x_ibar is a function of i is not said",
     r"\[ (f^2)' = 2f \]": "whether f is a function is not said",
-    r"Let $w = Az$ for a matrix $A$. \[ w = A z \] \[ w^2 \ge 0 \]": "w is a matrix (line 1: 'w = A z')",
+    r"Let $w = Az$ for a matrix $A$. \[ w = A z \] \[ w^2 \ge 0 \]": "w is a matrix (line 1",
 }
 
 

@@ -254,7 +254,7 @@ def test_mutants_that_only_the_advocate_stops_are_told(monkeypatch: Patch, capsy
     assert not report.survivors
     assert report.stopped
     assert main(["verify", "--mutants", "true"]) == 1
-    assert "but for the advocate" in capsys.readouterr().out
+    assert "stopped only by the independent check" in capsys.readouterr().out
     assert main(["verify", "--mutants", "true", "--json"]) == 1
     assert json.loads(capsys.readouterr().out)["stopped"]
 

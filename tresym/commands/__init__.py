@@ -29,6 +29,7 @@ COMMANDS = (
     "check",
     "export",
     "paper",
+    "lsp",
     "audit",
     "bench",
     "sweep",
@@ -52,7 +53,7 @@ tresym --help lists the commands, tresym COMMAND --help the arguments of one.
 """
 """What `tresym` alone says."""
 
-INPUTS = ("file", "source", "paper", "notes", "csv")
+INPUTS = ("file", "source", "papers", "notes", "baseline", "csv")
 OUTPUTS = ("path", "coq", "export", "marks")
 """Arguments, of any command, that name a file to read, and one to write."""
 REPLACING = ("path", "coq", "marks")
@@ -100,7 +101,9 @@ def _keep_inputs(args: argparse.Namespace) -> None:
     """
     given = vars(args)
     for goal in filter(None, map(given.get, OUTPUTS)):
-        for source in filter(None, map(given.get, INPUTS)):
+        named = filter(None, map(given.get, INPUTS))
+        sources = (one for name in named for one in (name if isinstance(name, list) else [name]))
+        for source in sources:
             if os.path.isfile(goal) and os.path.realpath(goal) == os.path.realpath(source):
                 raise InputError(f"{goal}: is read here, and is not replaced; name another file")
     if "csv" not in given:

@@ -24,7 +24,7 @@ def add(commands: Commands) -> None:
     """Add `tresym audit` to the command line."""
     parser = commands.add_parser(
         "audit",
-        help="the displays of the paper's LaTeX against the claims",
+        help="compare the paper's LaTeX with the claims",
         description="Name the claims that answer each display, theorem, table and figure of the "
         "paper, and each line of its text with a formula or on the motion; compare what they say "
         "with its LaTeX.",

@@ -29,7 +29,7 @@ def add(commands: Commands) -> None:
     width = max(map(len, WORKLOADS))
     parser = commands.add_parser(
         "bench",
-        help="time workloads against their peers",
+        help="time tresym against other tools",
         description="Time workloads, every contender in turn; quote only ratios within one run.",
         epilog="\n".join(
             ["workloads (default: all):"]

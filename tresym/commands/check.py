@@ -65,6 +65,9 @@ def add(commands: Commands) -> None:
         metavar="ADDRESS",
         help="with -f: the workers of a Dask scheduler, as tcp://HOST:PORT (without it: all cores)",
     )
+    parser.add_argument(
+        "--no-cache", action="store_true", help="with -f: decide again what was decided before"
+    )
     add_output(parser)
     parser.set_defaults(run=run)
 
@@ -82,8 +85,11 @@ def run(args: argparse.Namespace) -> int:
         return one(*asked, args.json, args.path, args.coq, args.suggest)
     if args.coq is not None:
         raise InputError("check: --coq writes one claim; give it without -f")
+    from tresym.reals.decisions.answer_cache import cached_answers
+
     asked = args.file, args.given, args.tends, args.limit
-    return many(*asked, args.json, args.path, args.scheduler, args.suggest)
+    with cached_answers(not args.no_cache):
+        return many(*asked, args.json, args.path, args.scheduler, args.suggest)
 
 
 LONGEST_LINE = 100_000
@@ -116,7 +122,7 @@ def one(
     if suggest and answer.verdict is Verdict.REFUTED:
         from tresym.reals.repair import suggestions
 
-        answer = replace(answer, instead=next(suggestions([(answer.read_as, (), False)], 1)))
+        answer = replace(answer, instead=next(suggestions([(answer.read_as, (), False, True)], 1)))
     colour = colour_wanted() and target is None
     said = None if coq is None else _in_coq(claim.strip(), given, path, answer, coq)
     if as_json:

@@ -32,7 +32,7 @@ def add(commands: Commands) -> None:
     """Add `tresym completion` to the command line."""
     parser = commands.add_parser(
         "completion",
-        help="completion of commands, options and labels, for bash or zsh",
+        help="print a completion script for bash or zsh",
         description="Print a script that completes commands, options, labels and names.",
         epilog="For bash: tresym completion bash >> ~/.bashrc",
         allow_abbrev=False,

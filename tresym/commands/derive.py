@@ -14,22 +14,24 @@ def add(commands: Commands) -> None:
     """Add `tresym derive` to the command line."""
     parser = commands.add_parser(
         "derive",
-        help="the derivation in LaTeX: the whole article, or one statement to paste",
-        description="Without labels, one article; with labels, each statement and its chain.",
-        epilog="Exit status 1, and nothing printed, when a claim named is refuted.",
+        help="derivations in LaTeX: the whole article, or single claims to paste",
+        description=(
+            "Without labels, print the whole article; with labels, each claim with its derivation."
+        ),
+        epilog="Exit status: 1, and nothing is printed, if a claim that is asked for is refuted.",
         allow_abbrev=False,
     )
     parser.add_argument("labels", nargs="*", metavar="LABEL", help="claims, such as eq_gamma")
     parser.add_argument(
         "--refuted",
         action="store_true",
-        help="print refuted claims too, marked, with what is true instead",
+        help="also print refuted claims, marked as such, with what is true instead",
     )
     parser.add_argument("-o", dest="path", metavar="PATH", help="write to a file instead")
     parser.add_argument(
         "--figures",
         action="store_true",
-        help="of the article, write the figures too, as PDF, into the folder figures beside PATH",
+        help="also write the figures of the article, as PDF, to the folder figures beside PATH",
     )
     parser.set_defaults(run=run)
 
@@ -37,7 +39,7 @@ def add(commands: Commands) -> None:
 def run(args: argparse.Namespace) -> int:
     """Run it; returns the exit status."""
     if args.figures and (args.labels or args.path is None):
-        raise InputError("derive: --figures belongs to the whole article, and to -o PATH")
+        raise InputError("derive: --figures needs -o PATH and no labels")
     from tresym.ledger.verification import verify
     from tresym.reals.processes import cores
     from tresym.report.pages import derivation

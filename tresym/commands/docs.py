@@ -14,11 +14,15 @@ def add(commands: Commands) -> None:
     """Add `tresym docs` to the command line."""
     parser = commands.add_parser(
         "docs",
-        help="build the generated documents, or check that none is stale",
+        help="build the generated documents, or check that they are up to date",
         description="Write docs/generated from the ledger and the tables.",
         allow_abbrev=False,
     )
-    parser.add_argument("--check", action="store_true", help="write nothing; exit 1 when stale")
+    parser.add_argument(
+        "--check",
+        action="store_true",
+        help="write nothing; exit status 1 if a document is out of date",
+    )
     parser.set_defaults(run=run)
 
 

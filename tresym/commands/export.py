@@ -20,7 +20,7 @@ def add(commands: Commands) -> None:
     """Add `tresym export` to the command line."""
     parser = commands.add_parser(
         "export",
-        help="the ledger as theorems of Coq",
+        help="export the ledger to Coq",
         description="Write each claim as a theorem of Coq with its proof: one file a part of the "
         "proofs, a Makefile that has Coq check them, and index.json.",
         allow_abbrev=False,
@@ -30,7 +30,7 @@ def add(commands: Commands) -> None:
     parser.add_argument(
         "--search",
         action="store_true",
-        help="find the proofs that are missing by asking coqtop, and keep them",
+        help="search for missing proofs with coqtop, and store them",
     )
     parser.add_argument(
         "--check",
@@ -49,7 +49,7 @@ def run(args: argparse.Namespace) -> int:
         return _check(Path(args.coq), store)
     if args.search:
         if shutil.which("coqtop") is None:
-            raise InputError("export: --search asks coqtop, which is not installed here")
+            raise InputError("export: --search needs coqtop, which is not installed")
         store = _search(Path(args.coq), args.labels)
     index = write(Path(args.coq), args.labels, store, args.force)
     counts = Counter(row["status"] for row in index.values())

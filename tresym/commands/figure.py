@@ -27,19 +27,23 @@ def add(commands: Commands) -> None:
     """Add `tresym figure` to the command line."""
     parser = commands.add_parser(
         "figure",
-        help="a figure of the paper, recomputed, or of a body of one's own",
+        help="draw a figure of the paper, also for your own body",
         description="Draw one figure; without a name, list them. flip-portrait, flip-map, "
-        "flip-curves and racket-flip are drawn of any body.",
+        "flip-curves and racket-flip can be drawn for any body.",
         epilog="Needs matplotlib: pip install -e '.[docs]'; for an MP4 imageio-ffmpeg: "
         "pip install -e '.[docs,video]'.",
         allow_abbrev=False,
     )
     parser.add_argument("name", nargs="?", metavar="NAME", help="a figure, such as flip-map")
     add_body(parser, required=False)
-    parser.add_argument("--gamma", metavar="G", help="of flip-curves: one level alone")
+    parser.add_argument("--gamma", metavar="G", help="for flip-curves: draw only this level")
     parser.add_argument("--width", metavar="MM", help="width of the picture in millimetres")
-    parser.add_argument("--dpi", metavar="N", default="200", help="dots an inch of a PNG")
-    parser.add_argument("--format", choices=KINDS, help="default: what PATH ends in, or svg")
+    parser.add_argument(
+        "--dpi", metavar="N", default="200", help="resolution of a PNG in dots per inch"
+    )
+    parser.add_argument(
+        "--format", choices=KINDS, help="file format (default: from the ending of PATH, or svg)"
+    )
     parser.add_argument(
         "-o", dest="path", metavar="PATH", help=f"{PICTURE_PATH}; racket-flip .gif or .mp4"
     )
@@ -83,7 +87,9 @@ def _level(shape: Shape, text: str) -> float:
 
     gamma = checked_gamma(*shape, parse_number(text, "gamma"))
     if gamma == 0:
-        raise InputError("figure: --gamma 0 is the separatrix, on which no motion comes back")
+        raise InputError(
+            "figure: --gamma 0 is the separatrix, whose motion never returns; give another level"
+        )
     return int(gamma.p) / int(gamma.q)
 
 

@@ -36,14 +36,16 @@ def add(commands: Commands) -> None:
     """Add `tresym flip` to the command line."""
     parser = commands.add_parser(
         "flip",
-        help="the flip of one body, certified",
+        help="compute the flip of one body, certified",
         description="How far one full turn of a freely rotating body is from a perfect flip.",
         epilog="Numbers are exact: 0.0629, 1e-4 or 16380/1210; angles also pi/2 or -3*pi/4.",
         allow_abbrev=False,
     )
     add_body(parser, required=True)
     parser.add_argument("--digits", default="50", metavar="N", help="1 to 10000 (default: 50)")
-    parser.add_argument("--rung", metavar="NAME", help="force one model of the ladder")
+    parser.add_argument(
+        "--rung", metavar="NAME", help="use this model instead of the cheapest sufficient one"
+    )
     where = parser.add_mutually_exclusive_group()
     where.add_argument(
         "--gamma",
@@ -51,7 +53,11 @@ def add(commands: Commands) -> None:
         help="distance from the separatrix, -b to a (default: 0); on a rigid body a larger one "
         "always flips further",
     )
-    where.add_argument("--psi0", metavar="P", help="start at this psi instead, in radians")
+    where.add_argument(
+        "--psi0",
+        metavar="P",
+        help="start at this psi, in radians, instead of on the symmetric motion",
+    )
     how = parser.add_mutually_exclusive_group()
     how.add_argument("--rate", metavar="V", help="with --psi0: dpsi/dphi at the start")
     how.add_argument("--theta0", metavar="T", help="with --psi0: theta at the start, in radians")
@@ -59,7 +65,9 @@ def add(commands: Commands) -> None:
         "--precession", metavar="ANGLE", help="with --psi0: how far phi goes (default: 2*pi)"
     )
     parser.add_argument(
-        "--limit", metavar="SECONDS", help="then say with fewer digits what is known (60)"
+        "--limit",
+        metavar="SECONDS",
+        help="time after which the digits known so far are printed (60)",
     )
     add_output(parser)
     parser.set_defaults(run=run)
@@ -159,7 +167,7 @@ def _flip(args: argparse.Namespace, shape: Shape, digits: int) -> Flip:
     from tresym.reals.numbers.exact import parse_number
 
     if args.rate is not None or args.theta0 is not None or args.precession is not None:
-        raise InputError("flip: --rate, --theta0 and --precession belong to --psi0")
+        raise InputError("flip: --rate, --theta0 and --precession need --psi0")
     gamma = parse_number("0" if args.gamma is None else args.gamma, "gamma")
     return climb(shape, gamma, digits, args.rung)
 

@@ -12,9 +12,13 @@ from typing import TYPE_CHECKING
 
 from tresym.commands.parser import UNEXPECTED, Commands, add_output, deliver, parse_seconds
 from tresym.output import bold, colour_wanted, dim
+from tresym.reals.numbers.exact import InputError
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from tresym.manuscript.deciding import Row
+    from tresym.manuscript.settings import Settings
 
 
 def add(commands: Commands) -> None:
@@ -29,7 +33,12 @@ def add(commands: Commands) -> None:
         "something is UNDECIDED or UNREAD; 2 when the file cannot be read.",
         allow_abbrev=False,
     )
-    parser.add_argument("paper", metavar="MANUSCRIPT.tex", help="its LaTeX source")
+    parser.add_argument(
+        "papers",
+        nargs="*",
+        metavar="MANUSCRIPT.tex",
+        help="LaTeX sources (without one: the setting files of tresym.toml)",
+    )
     parser.add_argument("--notes", metavar="FILE", help="notes by display number and hash")
     parser.add_argument("--html", metavar="DIR", help="write a page with every display as read")
     parser.add_argument(
@@ -46,7 +55,21 @@ def add(commands: Commands) -> None:
     )
     parser.add_argument("--root", metavar="DIR", help="the project's top folder, for \\input")
     parser.add_argument("--strict", action="store_true", help="let nothing be open")
-    parser.add_argument("--limit", default="5", metavar="SECONDS", help="for each claim (5)")
+    parser.add_argument("--limit", metavar="SECONDS", help="for each claim (5)")
+    parser.add_argument(
+        "--format",
+        choices=("text", "json", "github", "sarif", "junit"),
+        default="text",
+        help="how to report: for people, for programs, or for CI systems",
+    )
+    parser.add_argument(
+        "--baseline", metavar="FILE", help="known problems: only new ones are reported and fail"
+    )
+    parser.add_argument(
+        "--update-baseline", action="store_true", help="write the problems of today to FILE"
+    )
+    parser.add_argument("--no-cache", action="store_true", help="decide everything anew")
+    parser.add_argument("--clear-cache", action="store_true", help="forget what was decided before")
     add_output(parser)
     parser.set_defaults(run=run)
 
@@ -55,36 +78,110 @@ def run(args: argparse.Namespace) -> int:
     """Run it; returns the exit status."""
     from pathlib import Path
 
+    from tresym.manuscript.reports import baseline_text, new_since, problems, read_baseline
+    from tresym.output import write_text
+    from tresym.reals.decisions.answer_cache import cached_answers, clear_cache
+
+    if args.clear_cache:
+        print(clear_cache(), file=sys.stderr)
+        if not args.papers:
+            return 0
+    papers, settings = _manuscripts(args)
+    kind = "json" if args.json else args.format
+    baseline = args.baseline or (str(settings.folder / settings.baseline) * bool(settings.baseline))
+    if args.update_baseline and not baseline:
+        raise InputError("paper: --update-baseline writes the file that --baseline names")
+    known = None if args.update_baseline or not baseline else read_baseline(Path(baseline))
+    if args.update_baseline and Path(baseline).exists() and not args.force:
+        read_baseline(Path(baseline))  # refuses to replace what is none
+    _check_places(args)
+    limit = parse_seconds(args.limit or settings.limit)
+    found = []
+    with cached_answers(not args.no_cache):
+        for paper in papers:
+            rows = _rows(args, paper, settings, limit)
+            found.append((rows, paper))
+    marked = [mark for rows, paper in found for mark in problems(rows, paper)]
+    if args.update_baseline:
+        write_text(baseline, baseline_text(marked))
+        print(f"{baseline}: {len(marked)} problems", file=sys.stderr)
+        return 0
+    new = [row for row, _ in marked] if known is None else new_since(marked, known)
+    _show(args, kind, found, new, known is not None)
+    bad = {"REFUTED"} | (set() if args.suspect_ok else {"SUSPECT"})
+    bad |= {"UNDECIDED", "UNREAD"} if args.strict or settings.strict else set()
+    return UNEXPECTED if any(row.status in bad for row in new) else 0
+
+
+def _manuscripts(args: argparse.Namespace) -> tuple[list[Path], Settings]:
+    """The manuscripts of the command line, else those of the settings; and the settings."""
+    from pathlib import Path
+
+    from tresym.manuscript.settings import settings_for
+
+    papers = [Path(name) for name in args.papers]
+    settings = settings_for(papers[0].parent if papers else Path())
+    papers = papers or settings.manuscripts()
+    if not papers:
+        raise InputError("paper: name a manuscript, or set files in tresym.toml")
+    if len(papers) > 1 and (args.notes or args.html or args.marks):
+        raise InputError("paper: --notes, --html and --marks are for one manuscript")
+    return papers, settings
+
+
+def _rows(args: argparse.Namespace, paper: Path, settings: Settings, limit: float) -> list[Row]:
+    """The rows of one manuscript."""
+    from pathlib import Path
+
     from tresym.manuscript.deciding import decided
     from tresym.manuscript.directives import with_notes
     from tresym.manuscript.links import read_links
+    from tresym.manuscript.settings import with_settings
     from tresym.manuscript.source import Missing, read_manuscript
     from tresym.manuscript.suspects import proofread
 
-    limit = parse_seconds(args.limit)
-    events = read_manuscript(Path(args.paper), None if args.root is None else Path(args.root))
+    events = read_manuscript(paper, None if args.root is None else Path(args.root))
+    events = with_settings(events, settings)
     if args.notes is not None:
         events = with_notes(events, Path(args.notes))
     for outside, why in ((False, "not found"), (True, "outside the project, see --root")):
         found = (e.name for e in events if isinstance(e, Missing) and e.outside == outside)
         if names := [name[:100] for name in found]:
             print(f"{why}; left out: {', '.join(names[:5])}", file=sys.stderr)
-    links = read_links(events)
-    _check_places(args)
-    rows = decided(links, limit, progress=_progress)
-    rows = proofread(rows) if args.suggest else rows
-    if args.json:
-        lines = (json.dumps(row.as_json(), ensure_ascii=False) for row in rows)
-        deliver("".join(f"{line}\n" for line in lines), args.path)
-    else:
-        deliver(
-            as_text(rows, colour_wanted() and args.path is None, Path(args.paper).name), args.path
-        )
-    _write_pages(args, rows)
-    print(summary(rows), file=sys.stderr)
-    bad = {"REFUTED"} | (set() if args.suspect_ok else {"SUSPECT"})
-    bad |= {"UNDECIDED", "UNREAD"} if args.strict else set()
-    return UNEXPECTED if any(row.status in bad for row in rows) else 0
+    rows = decided(read_links(events), limit, progress=_progress)
+    return proofread(rows) if args.suggest else rows
+
+
+def _show(
+    args: argparse.Namespace,
+    kind: str,
+    found: list[tuple[list[Row], Path]],
+    new: list[Row],
+    compared: bool,
+) -> None:
+    """Deliver the report; compared with a baseline, of the problems only the new ones."""
+    from tresym.manuscript.reports import PROBLEMS, report
+
+    fresh = {id(row) for row in new}
+    text, shown = "", []
+    for rows, paper in found:
+        kept = [r for r in rows if not compared or r.status not in PROBLEMS or id(r) in fresh]
+        shown += [(row, paper) for row in kept]
+        if kind == "text":
+            text += as_text(kept, colour_wanted() and args.path is None, paper.name)
+        elif kind == "json":
+            several = len(found) > 1
+            for row in kept:
+                line = row.as_json()
+                line["file"] = line["file"] or (str(paper) if several else None)
+                text += json.dumps(line, ensure_ascii=False) + "\n"
+    deliver(text if kind in ("text", "json") else report(kind, shown), args.path)
+    for rows, paper in found:
+        _write_pages(args, paper, rows)
+        print(f"{paper}: " * (len(found) > 1) + summary(rows), file=sys.stderr)
+    if compared:
+        known = sum(row.status in PROBLEMS for rows, _ in found for row in rows) - len(new)
+        print(f"{len(new)} new problems, {known} in the baseline", file=sys.stderr)
 
 
 def _check_places(args: argparse.Namespace) -> None:
@@ -100,7 +197,7 @@ def _check_places(args: argparse.Namespace) -> None:
         check_replaceable([str(Path(args.marks).with_name("tresym.sty"))], args.force)
 
 
-def _write_pages(args: argparse.Namespace, rows: list[Row]) -> None:
+def _write_pages(args: argparse.Namespace, paper: Path, rows: list[Row]) -> None:
     """The page and the marks, where they are asked for."""
     from pathlib import Path
 
@@ -108,7 +205,7 @@ def _write_pages(args: argparse.Namespace, rows: list[Row]) -> None:
     from tresym.output import write_text
 
     if args.html is not None:
-        write_text(str(Path(args.html) / "index.html"), html.page(rows, Path(args.paper).name))
+        write_text(str(Path(args.html) / "index.html"), html.page(rows, paper.name))
     if args.marks is not None:
         write_text(args.marks, html.marks(rows))
         write_text(str(Path(args.marks).with_name("tresym.sty")), html.STYLE)

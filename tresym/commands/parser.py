@@ -103,7 +103,7 @@ def parse_seconds(text: str) -> float:
 
     value = parse_number(text, "--limit")
     if not 0 < value <= MAX_SECONDS:
-        raise InputError(f"--limit: more than 0 and at most {MAX_SECONDS} seconds")
+        raise InputError(f"--limit: give a time above 0 and at most {MAX_SECONDS} seconds")
     return max(int(value.p) / int(value.q), LEAST_SECONDS)
 
 

@@ -18,7 +18,7 @@ def add(commands: Commands) -> None:
     """Add `tresym sweep` to the command line."""
     parser = commands.add_parser(
         "sweep",
-        help="the flip of very many bodies, into one table",
+        help="compute the flip of many bodies into one table",
         description="Compute the flip defect of every row of a grid or of a CSV file, and the "
         "errors of the formulas, into an SQLite table. A sweep that was interrupted goes on where "
         "it stopped when the same command is given again.",
@@ -33,13 +33,17 @@ def add(commands: Commands) -> None:
     parser.add_argument("--gamma", metavar="VALUES", help="the grid's gamma (default: 0)")
     digits = parser.add_mutually_exclusive_group()
     digits.add_argument("--digits", default="50", metavar="N", help="1 to 10000 (default: 50)")
-    digits.add_argument("--float64", action="store_true", help="fast, not certified")
-    where = parser.add_mutually_exclusive_group()
-    where.add_argument("--workers", metavar="N", help="processes here (default: one a core)")
-    where.add_argument(
-        "--scheduler", "--dask", metavar="ADDRESS", help="the workers of a Dask scheduler"
+    digits.add_argument(
+        "--float64", action="store_true", help="use floating point: fast, but not certified"
     )
-    parser.add_argument("--export", metavar="PATH", help="also write a .csv or .parquet file")
+    where = parser.add_mutually_exclusive_group()
+    where.add_argument("--workers", metavar="N", help="number of processes (default: one per core)")
+    where.add_argument(
+        "--scheduler", "--dask", metavar="ADDRESS", help="use the workers of this Dask scheduler"
+    )
+    parser.add_argument(
+        "--export", metavar="PATH", help="also export the rows to a .csv or .parquet file"
+    )
     parser.add_argument("--json", action="store_true", help="print JSON")
     parser.set_defaults(run=run)
 

@@ -32,24 +32,36 @@ def add(commands: Commands) -> None:
     """Add `tresym verify` to the command line."""
     parser = commands.add_parser(
         "verify",
-        help="a verdict on every claim, or on some and all they rest on",
-        description="Judge the paper's statements: PROVED, ENCLOSED, REFUTED or UNDECIDED; "
-        "what is put in is DEFINED or ASSUMED.",
-        epilog="Exit status 1 when a verdict is not the expected one, or when a mutant holds.",
+        help="verify every claim, or some claims and everything they rest on",
+        description="Give every statement of the paper a verdict: PROVED, ENCLOSED, REFUTED or "
+        "UNDECIDED. Definitions are DEFINED, physical assumptions are ASSUMED.",
+        epilog="Exit status: 1 if a verdict is not the expected one, or a false variant passes.",
         allow_abbrev=False,
     )
     parser.add_argument("labels", nargs="*", metavar="LABEL", help="claims, such as eq_gamma")
-    parser.add_argument("--graph", action="store_true", help="what rests on what, in Mermaid")
     parser.add_argument(
-        "--mutants", action="store_true", help="judge false variants of the claims: none may hold"
+        "--graph",
+        action="store_true",
+        help="print the dependencies of the claims as a Mermaid graph",
     )
     parser.add_argument(
-        "--full", action="store_true", help="find the stored box proofs anew instead of re-checking"
+        "--mutants",
+        action="store_true",
+        help="judge false variants of the claims, none of which may pass",
     )
     parser.add_argument(
-        "--save-certificates", action="store_true", help="with --full, store what was found"
+        "--full",
+        action="store_true",
+        help="search for the stored box proofs again instead of checking them",
     )
-    parser.add_argument("--workers", metavar="N", help="processes (default: one a core)")
+    parser.add_argument(
+        "--save-certificates",
+        action="store_true",
+        help="with --full, store the box proofs that were found",
+    )
+    parser.add_argument(
+        "--workers", metavar="N", help="number of processes (default: one per core)"
+    )
     add_output(parser)
     parser.set_defaults(run=run)
 
@@ -57,7 +69,7 @@ def add(commands: Commands) -> None:
 def run(args: argparse.Namespace) -> int:
     """Run it; returns the exit status."""
     if args.save_certificates and not args.full:
-        raise InputError("--save-certificates stores what --full finds: give both")
+        raise InputError("--save-certificates stores what --full finds; give both options")
     if not args.full:
         return _verify_claims(args)
     from tresym.ledger.evidence.box_bounds import finding_anew
@@ -160,7 +172,7 @@ def show_mutants(labels: tuple[str, ...], console: Console, workers: int = 1) ->
 
         def show(row: MutantRow) -> None:
             for slip in (*row.survivors, *row.stopped):
-                by = " (stopped by the advocate alone)" if slip in row.stopped else ""
+                by = " (stopped only by the independent check)" if slip in row.stopped else ""
                 text = f"{slip.label}, {slip.place}: {slip.change}{by}"
                 console.print(Text(text, style="bold red"), soft_wrap=True)
             progress.advance(task)
@@ -170,11 +182,15 @@ def show_mutants(labels: tuple[str, ...], console: Console, workers: int = 1) ->
     of = sum(row.total > 0 for row in report.rows)
     console.print(f"{total} false variants of {of} claims:")
     console.print(_counts(report.counts))
-    share = f"{100 * refuted / total:.1f} % refuted with a witness" if total else "nothing to judge"
+    share = (
+        f"{100 * refuted / total:.1f} % refuted with a witness" if total else "no false variants"
+    )
     held = len(report.survivors) + len(report.stopped)
-    stopped = f" ({len(report.stopped)} but for the advocate)" if report.stopped else ""
-    outcome = "none holds" if not held else f"{held} of them hold{stopped}: the verifier is wrong"
-    console.print(Text(f"{share}, {outcome}", style="green" if not held else "bold red"))
+    stopped = (
+        f" ({len(report.stopped)} stopped only by the independent check)" if report.stopped else ""
+    )
+    outcome = "none passed" if not held else f"{held} passed{stopped}: the verifier is wrong"
+    console.print(Text(f"{share}; {outcome}", style="green" if not held else "bold red"))
     for row in report.few:
         text = f"{row.label}: {row.changes} of {MUTANTS}, {row.why_few}"
         console.print(Text(text, style="dim"), soft_wrap=True)

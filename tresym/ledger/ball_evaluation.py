@@ -112,8 +112,8 @@ def _node(e: Basic) -> _Node:
             return _Node(argument.names, lambda at: argument(at).exp())
         case Pow():
             return _power(_node(e.base), e.exp)
-        case Derivative():
-            return _node(differentiated(e))
+        case Derivative() if (done := differentiated(e)) != e:
+            return _node(done)
         case Subs():
             return _substituted(e)
         case Integral() if len(e.limits) == 1 and len(e.limits[0]) == 3:

@@ -11,14 +11,14 @@ the last must arrive at its right side. A step may use only the reasons it names
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from enum import Enum
 from functools import cached_property
 from typing import Any, ClassVar
 
 from flint import fmpq
-from sympy import Basic, Derivative, Eq, Expr, Ge, Gt, Le, Lt, Subs, Symbol, Tuple
+from sympy import And, Basic, Derivative, Eq, Expr, Ge, Gt, Le, Lt, Subs, Symbol, Tuple, true
 
 from tresym.ledger.axioms import Axiom
 from tresym.ledger.finding import WEAKEST_FIRST, Premise, Ruling
@@ -384,6 +384,7 @@ class Claim:
     knowing: tuple[Basic, ...] = ()
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "given", tuple(_conditions(self.given)))
         defined = isinstance(self.proof, Definition | Root)
         if defined or not self.kind:
             object.__setattr__(self, "kind", _kind(self.says, self.proof))
@@ -447,7 +448,8 @@ class Claim:
     @cached_property
     def symbols(self) -> frozenset[Symbol]:
         """All symbols that the claim and its evidence write down."""
-        return frozenset(s for e in expressions(self) for s in e.atoms(Symbol))
+        written = (e for e in expressions(self) if isinstance(e, Basic))
+        return frozenset(s for e in written for s in e.atoms(Symbol))
 
     @property
     def parts(self) -> tuple[Basic, ...]:
@@ -512,6 +514,15 @@ def saying(claim: Claim, changed: Basic) -> Claim:
         return replace(claim, says=changed.args[0], means=changed)
     meant = isinstance(claim.says, str) or claim.means is not None
     return replace(claim, means=changed) if meant else replace(claim, says=changed)
+
+
+def _conditions(given: Iterable[Basic]) -> Iterator[Basic]:
+    """Conditions one by one: SymPy's conjunctions are taken apart, and ``True`` is left out."""
+    for condition in given:
+        if isinstance(condition, And):
+            yield from _conditions(condition.args)
+        elif condition is not true:
+            yield condition
 
 
 def _kind(says: Basic | str, proof: Evidence) -> str:

@@ -184,7 +184,7 @@ def _relations(
     says: Basic, known: tuple[Basic, ...]
 ) -> Iterator[tuple[Relational, tuple[Basic, ...]]]:
     """The relations between numbers that ``says`` consists of, each with what is known there."""
-    if isinstance(says, Equivalent):
+    if isinstance(says, Equivalent) and len(says.args) == 2:
         first, second = says.args
         yield from _relations(second, (*known, first))
         yield from _relations(first, (*known, second))

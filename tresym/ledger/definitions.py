@@ -161,7 +161,8 @@ def captured(claim: Claim) -> str | None:
 
     Nor may a symbol stand where what it is defined by is bound: it is a number there.
     """
-    entries, written = table((*claim.rests_on, claim)), [*expressions(claim)]
+    entries = table((*claim.rests_on, claim))
+    written = [e for e in expressions(claim) if isinstance(e, Basic)]
     bound: set[str] = set()
     for e in written:
         binders = e.atoms(Integral, Derivative, Subs, Binding)
@@ -180,14 +181,17 @@ def captured(claim: Claim) -> str | None:
 
 
 def confused(claim: Claim) -> str | None:
-    """Why names do not tell symbols apart: SymPy has two of one name, with other assumptions."""
+    """Why symbols are not what their names say: SymPy assumes more of one than that it is real.
+
+    What it assumes is in no condition, and two symbols of one name are one to all that decides.
+    """
     known: dict[str, Symbol] = {}
     for one in (*claim.rests_on, claim):
         for symbol in one.symbols:
             if known.setdefault(symbol.name, symbol) != symbol:
-                return (
-                    f"{one.label} writes {symbol} with other assumptions than are made of it before"
-                )
+                return f"two symbols of {one.label} are called {symbol}, with other assumptions"
+            if symbol not in (Symbol(symbol.name, real=True), Symbol(symbol.name)):
+                return f"what is assumed of {symbol} beside that it is real belongs under given"
     return None
 
 

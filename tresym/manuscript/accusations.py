@@ -76,7 +76,8 @@ def ground(
     explicit = bool(names) and names <= names_in(own) | under.anew
     universal = said.universal or under.universal or under.kind == prose.CLAIM
     tied = names | unknown | names_in(c for c in own if names & names_in((c,)))
-    restricted = {name: now.restricted[name] for name in sorted(tied & now.restricted.keys())}
+    here = {n: r for n, r in now.restricted.items() if r.within in (0, now.paragraph)}
+    restricted = {name: here[name] for name in sorted(tied & here.keys())}
     bounds = tuple(dict.fromkeys(c for r in restricted.values() for c in r.bounds))
     doubts = [
         f"{x} is not free: {r.why}"

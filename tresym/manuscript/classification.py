@@ -124,9 +124,9 @@ def claim(
     left, relation, right = compared
     try:
         known = memory.known(under)
-        constants = memory.uses.numbers | names_in(under.given)
-        left = memory.under_binders(left, known, constants)
-        right = memory.under_binders(right, known, constants)
+        fixed = memory.uses.numbers | names_in(under.given)
+        left = memory.under_binders(left, known, fixed)
+        right = memory.under_binders(right, known, fixed)
     except InputError as error:
         return replace(read_so(link, compared), status=UNREAD, why=str(error))
     if signed and said.either and relation != "==":
@@ -168,13 +168,13 @@ def claim(
     sure = under.kind == prose.CLAIM and (under.noted or same or not said.before)
     sure = sure and (under.noted or said.universal or head is None)
     goes_on = n > 0 and same and under.kind != prose.SOLVE
-    constants = not (symbols(left) | symbols(right)) - NO_VARIABLES
-    constants = constants and not unknown_in(left, right)  # y(0) = 1 is asked of y
+    numeric = not (symbols(left) | symbols(right)) - NO_VARIABLES
+    numeric = numeric and not unknown_in(left, right)  # y(0) = 1 is asked of y
     worked = not unknown_in(left, right) and any(
         node.op in _WORKED or is_infinite(node) for node in outermost(printed[0], printed[2])
     )
     worked = worked or DOTS.args[0] in symbols(left) | symbols(right)
-    firm = not said.before and (sure or goes_on or constants) and (under.noted or not as_path)
+    firm = not said.before and (sure or goes_on or numeric) and (under.noted or not as_path)
     firm = firm or (
         relation == "=="
         and same
@@ -188,7 +188,6 @@ def claim(
         and not changed
         and not _is_up_to(n, said, known)
         and not (under.noted and under.kind == prose.SOLVE and n == 0)
-        and (under.noted or not unknown_in(left, right))
     )
     link = replace(link, sides=(left, relation, right), read_as=attempts[0].read_as)
     fallback = _fallback(memory, left, relation, right, None if as_path else head)

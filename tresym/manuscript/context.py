@@ -298,6 +298,13 @@ class Memory(ConditionReader):
             conditions = self.condition(said) if {*said.ops} <= _ORDER else None
             bounds = conditions[0] if conditions else ()
             self.restrict(self.spoken_of(said), why, bounds=bounds)
+        elif said.ops and found.conditional:
+            conditions = self.condition(said)
+            bounds = conditions[0] if conditions and not conditions[1] else ()
+            within = self.scopes.now.paragraph
+            for name in self.spoken_of(said) if conditions != ((), (), "") else ():
+                tied = Restriction(why, bounds=bounds, within=within)
+                self.scopes.now.restricted.setdefault(name, tied)
 
     def restrict(
         self,
@@ -411,7 +418,8 @@ class Memory(ConditionReader):
         kind = prose.kind_of(before)
         kind = "" if kind == prose.CLAIM and prose.is_narrowed(before) else kind
         leading = "" if _ENDED.search(before) else prose.last_sentence(before)
-        stated = restrictions.stated_under(prose.without_formulas(leading))
+        leading = prose.without_formulas(leading)
+        stated = restrictions.stated_under(leading) or restrictions.loose(leading, after)
         return Under(
             *(tuple(given), tuple(put_in), path, kind),
             universal=universal,

@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import re
 
-from tresym.manuscript.symbols import INDICES
 from tresym.manuscript.terms import base_of
 from tresym.reals.language.expression import FUNCTIONS, Expr, symbols
+from tresym.reals.language.latex_cursor import INDICES, WORDS_BELOW
 
 _LETTER = re.compile(r"(Delta_)?((?:var)?[A-Za-z][a-z]+(?=_|\d|\Z)|[A-Za-z])(?:_?(\w+))?")
 _OF_FUNCTIONS = frozenset(
@@ -38,7 +38,6 @@ _WITH_TIME = frozenset((*"xyzrqs", "theta", "phi", "varphi", "psi"))
 """What changes with the time t under ``d/dt``."""
 _VARY_WITH_TIME = frozenset("aApqLNRI")
 """Constants of formulas in space that are mostly functions where the time is the variable."""
-_WORDS = frozenset(("min", "in", "lim", "kin", "sim", "mn", "im", "rms", "lin"))
 _PLACES = frozenset((*"xyztrsuvw", "theta", "phi", "varphi", "xi", "eta"))
 """Letters of coordinates: a partial derivative by one of them holds the others fixed."""
 
@@ -76,7 +75,7 @@ def may_depend(name: str, node: Expr, body: Expr, partial: bool) -> bool:
 def _numbers(variable: str, below: str) -> bool:
     """Whether a subscript counts by the variable: k in ``a_k``, ``a_{k+1}`` and ``a_{ik}``."""
     letters = {*re.sub(r"plus|minus|bar|hat|tilde|star|over|prime|\d|_", "", below)}
-    return below not in _WORDS and variable in letters and letters <= INDICES
+    return below not in WORDS_BELOW and variable in letters and letters <= INDICES
 
 
 def _is_outside(name: str, variable: str, e: Expr) -> bool:

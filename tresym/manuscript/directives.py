@@ -81,7 +81,8 @@ def orders_of(note: Note) -> Orders:
         return Orders(skip=rest or "no reason is given")
     raise InputError(
         f"{place}: the note {note.text[:60]!a} is not understood; there are given CONDITIONS, "
-        "let SYMBOLS KIND, forget, define, assume, solve, claim, from LABELS, as PATH, shorter and skip: WHY"
+        "let SYMBOLS KIND, forget, define, assume, solve, claim, from LABELS, as PATH, shorter and "
+        "skip: WHY"
     )
 
 

@@ -64,7 +64,9 @@ class Files:
         outside: files that are input from outside the project, which are not read.
     """
 
-    def __init__(self, path: Path, root: Path | None = None) -> None:
+    def __init__(self, path: Path, root: Path | None = None, text: str | None = None) -> None:
+        """Read them all; ``text`` stands for what the first of them holds, as in an editor."""
+        self._unsaved = text
         self.path, self.folder = path, path.resolve().parent
         self.root = _project(self.folder) if root is None else root.resolve()
         if not self.folder.is_relative_to(self.root):
@@ -100,7 +102,8 @@ class Files:
         shown = "" if not around else os.path.relpath(here, self.folder)
         if here in around:
             raise InputError(f"{self.path}: {shown or path} includes itself")
-        text = self._visible(read_text(path), shown)
+        unsaved = None if around or preamble else self._unsaved
+        text = self._visible(read_text(path) if unsaved is None else unsaved, shown)
         self.size += len(text)
         if self.size > MAX_CHARACTERS or len(self.parts) > MAX_FILES:
             raise InputError(f"{self.path}: with all that it includes it is beyond all bounds")

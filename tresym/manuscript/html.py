@@ -49,7 +49,8 @@ def page(rows: Sequence[Row], name: str) -> str:
         f'<!doctype html>\n<html lang="en">\n<meta charset="utf-8">\n{MARK}\n'
         f"<title>{title}</title>\n"
         f'<meta name="viewport" content="width=device-width">\n<style>{_STYLE}</style>\n'
-        f"<h1>{title}</h1>\n<p>{len(rows)} links: {summary}</p>\n{_symbols(rows)}\n{body}\n</html>\n"
+        f"<h1>{title}</h1>\n<p>{len(rows)} links: {summary}</p>\n{_symbols(rows)}\n"
+        f"{body}\n</html>\n"
     )
 
 

@@ -1,4 +1,4 @@
-r"""What the print of a formula says its symbols are: ``A^T``, ``x \in \mathbb{R}^n``, ``AB`` and ``BA``."""
+r"""What print says of a formula's symbols: ``A^T``, ``x \in \mathbb{R}^n``, ``AB`` and ``BA``."""
 
 from __future__ import annotations
 
@@ -17,7 +17,6 @@ from tresym.manuscript.kinds_in_prose import (
     VECTOR,
 )
 from tresym.manuscript.symbols import (
-    INDICES,
     OPENING,
     Mention,
     factors,
@@ -25,6 +24,7 @@ from tresym.manuscript.symbols import (
     is_lone_argument,
     is_plain_number,
 )
+from tresym.reals.language.latex_cursor import INDICES
 
 Noted = Iterator[tuple[str, Mention, str]]
 _SETS = frozenset(
@@ -201,14 +201,10 @@ def _conjugates(tokens: Sequence[str], found: Sequence[Mention]) -> Noted:
         if pair[0].letter == pair[1].letter and "" in accents and accents & _CONJUGATE:
             yield from ((COMPLEX, m, f"{pair[0].shown} beside {pair[1].shown}") for m in pair)
     imaginary = any(one.letter == "i" and not one.subscript for one in found)
-    if (
-        imaginary
-        and len(found) > 1
-        and found[0].start == 0
-        and tokens[found[0].end : found[0].end + 1] == ["="]
-    ):
-        if "\\sum" not in tokens and "\\ldots" not in tokens:
-            yield COMPLEX, found[0], _shown(tokens, 0, found[0].end + 8)
+    counts = {"\\sum", "\\ldots"} & {*tokens}
+    heads = len(found) > 1 and found[0].start == 0 and tokens[found[0].end] == "="
+    if imaginary and heads and not counts:
+        yield COMPLEX, found[0], _shown(tokens, 0, found[0].end + 8)
 
 
 def _both_orders(tokens: Sequence[str], found: Sequence[Mention]) -> Noted:

@@ -77,7 +77,8 @@ _ADJECTIVE_BEFORE = (
     r"(?:(?!(?:the|an?|for|of|in|on|to|and|or|let|by|with|that|this|is|are|be)\b)[a-z-]+[\s~]+)??"
 )
 _BEFORE = re.compile(
-    rf"\b{_ADJECTIVE_BEFORE}(?:{_ANY}){_OTHER_NOUN}[\s~]*,?[\s~]*(?:(?:say|called|named|denoted(?: by)?|given by)[\s~]+)?"
+    rf"\b{_ADJECTIVE_BEFORE}(?:{_ANY}){_OTHER_NOUN}[\s~]*,?[\s~]*"
+    r"(?:(?:say|called|named|denoted(?: by)?|given by)[\s~]+)?"
     rf"{_LIST}",
     re.IGNORECASE,
 )
@@ -88,8 +89,8 @@ _AFTER = re.compile(
     re.IGNORECASE,
 )
 _NAMING = re.compile(
-    rf"\b(?:denote by|denoted by|write|call|writing|by)[\s~]+{_LIST}[\s~]+(?:for[\s~]+|we denote[\s~]+"
-    rf"|denote[\s~]+|the[\s~]+)+{_WORDS}(?:{_ANY}){_OTHER_NOUN}",
+    rf"\b(?:denote by|denoted by|write|call|writing|by)[\s~]+{_LIST}[\s~]+"
+    rf"(?:for[\s~]+|we denote[\s~]+|denote[\s~]+|the[\s~]+)+{_WORDS}(?:{_ANY}){_OTHER_NOUN}",
     re.IGNORECASE,
 )
 _ADJECTIVE = re.compile(
@@ -102,9 +103,7 @@ _ADJECTIVES = {
     "integer": INTEGER,
     "rational": REAL,
 }
-_IS_COMPLEX = re.compile(
-    rf"{_LIST}[\s~]*(?:is|are|be|being)[\s~]+(?:\w+[\s~]+)?complex\b"
-)
+_IS_COMPLEX = re.compile(rf"{_LIST}[\s~]*(?:is|are|be|being)[\s~]+(?:\w+[\s~]+)?complex\b")
 _COMPLEX_NOUN = re.compile(
     rf"\bcomplex[\s~-]+(?:valued[\s~]+)?(?!plane|analysis|field)[a-z]+[\s~]+{_LIST}", re.IGNORECASE
 )
@@ -124,7 +123,7 @@ OF_BARS = re.compile(
 )
 """Words by which a bar is no absolute value."""
 INVERSES = re.compile(
-    r"\binverse (?:trig\w*|circular|hyperbolic|sine|cosine|tangent|cotangent|secant|functions? of sin)"
+    r"\binverse (?:trig\w*|circular|hyperbolic|sine|cosine|tangent|cotangent|secant)"
     r"|\b(?:arc|inverse )(?:sine|cosine|tangent)s?\b|\\arc(?:sin|cos|tan)(?![a-zA-Z])",
     re.IGNORECASE,
 )
@@ -207,6 +206,6 @@ def of_sentence(sentence: str) -> Iterator[tuple[str, str, bool]]:
         yield _PLURAL[kind][0], found[0], True
     kinds = {d.kind for d in declared(sentence)}
     for found in _SINGULAR.finditer(words):
-        kind = OPERATOR if found[1] else MATRIX if found[2] else RANDOM
-        if kind not in kinds:
-            yield kind, found[0], False
+        one = OPERATOR if found[1] else MATRIX if found[2] else RANDOM
+        if one not in kinds:
+            yield one, found[0], False

@@ -45,7 +45,7 @@ _SUPPOSED = re.compile(
     re.IGNORECASE,
 )
 _CONDITIONAL = re.compile(
-    r"(?:\b(?:for|when|if|whenever|provided|unless|at|as long as|on|while|where)\b)[^.,;:$]*\Z",
+    r"(?:\b(?:for|when|if|whenever|provided|unless|as long as)\b)[^.,;:$]*\Z",
     re.IGNORECASE,
 )
 _NEXT = re.compile(
@@ -53,6 +53,42 @@ _NEXT = re.compile(
     r"|makes? sense|assum\w+|suppos\w+|legitimate|correct)\b[^.;$]*\Z",
     re.IGNORECASE,
 )
+
+
+_LOOSE = re.compile(
+    r"approximat\w*|neglect\w*|ignor\w*|\border\b|roughly|\bsmall\b|\blarge\b|asymptotic\w*"
+    r"|\bleading\b|lineari[sz]\w*|\bup to\b|\bmod(?:ulo)?\b|characteristic|formal(?:ly)?\b"
+    r"|\berrors?\b|mistakes?|\bwrong\w*|incorrect\w*|\bfalse\w*|fallac\w+|nonsense|naive\w*|tempt\w*"
+    r"|\b(?:may|might|could) (?:write|think|guess|try|say|be)|pretend\w*|heuristic\w*|vanish\w*|by symmetry"
+    r"|orthogonal\w*|\bnot true\b|\bbogus\b|students?\b|\bcases?\b|\binstead of\b|\bcompare\w*",
+    re.IGNORECASE,
+)
+_PHRASE = re.compile(
+    r"\s*(?:and |but |so |now |then |while )?((?:for|if|when|whenever|where|at|on|in|under|unless|near"
+    r"|with|without|inside|outside|along|during|after|before|only|except)\b"
+    r"(?!,? (?:all|any|every|each|example|instance|brevity|convenience|simplicity|clarity|this|these"
+    r"|that|the (?:right|left|following|last|first|above|next|other|same|end|meantime|sequel)|fact"
+    r"|particular|other words|general|summary|addition|order|short|turn|contrast|so|hand|which)\b)"
+    r"[^$,.;:]{3,60})[,:]?\s*(?:we\b|then\b|one\b|\Z)",
+    re.IGNORECASE,
+)
+_RETRACTED = re.compile(
+    r"\s*(?:this|it|that|which|these|they|but this|however, this|of course,? this)\b[^.$]{0,40}?"
+    r"\b(?:wrong|false|not|incorrect|nonsense|impossible|absurd|contradict\w*|fails?|approximat\w*)\b",
+    re.IGNORECASE,
+)
+
+
+def loose(before: str, after: str) -> str:
+    """Words around a display by which it is approximate, wrong, or true in a case that is not read.
+
+    Args:
+        before: the part of its sentence before it, with ``$`` for formulas.
+        after: the text behind it.
+    """
+    found = _LOOSE.search(before) or _PHRASE.match(before)
+    found = found or _RETRACTED.match(after.lstrip(" \n\t.,;"))
+    return " ".join(found[0].split())[:60] if found else ""
 
 
 def binding(before: str, after: str) -> str:

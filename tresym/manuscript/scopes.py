@@ -23,11 +23,13 @@ class Restriction(NamedTuple):
     Attributes:
         by: the other symbols that it is tied to, if it is to some.
         bounds: bounds that may be meant for it; what fails under them fails in any case.
+        within: the only paragraph in which it is tied, 0 for any.
     """
 
     why: str
     by: frozenset[str] = frozenset()
     bounds: tuple[Compared, ...] = ()
+    within: int = 0
 
 
 @dataclass

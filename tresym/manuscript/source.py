@@ -9,6 +9,7 @@ from __future__ import annotations
 import hashlib
 import re
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple, NoReturn, TypeAlias
@@ -144,18 +145,19 @@ class Missing(NamedTuple):
 Event: TypeAlias = Note | Section | Scope | Prose | Display | Missing
 
 
-def read_manuscript(path: Path, root: Path | None = None) -> list[Event]:
+def read_manuscript(path: Path, root: Path | None = None, text: str | None = None) -> list[Event]:
     """What a manuscript holds, in order, and first which files it lacks.
 
     Args:
         path: its main file.
         root: the top folder of the project, from which files are included; found if not given.
+        text: what the main file is to hold, where an editor has not saved it yet.
 
     Raises:
         InputError: it cannot be read, is not closed, includes itself, or holds no display; one
             line says which.
     """
-    source = Files(path, root)
+    source = Files(path, root, text)
     lacking = [Missing(name) for name in source.missing]
     lacking += [Missing(name, outside=True) for name in source.outside]
     events = [*lacking, *_Scanner(source).events()]
@@ -259,10 +261,8 @@ class _Scanner:
         start = max(start, stop - MAX_DISPLAY)
         text = self.text[start:stop]
         file, line = self.source.place(min(start, len(self.text) - 1)) if self.text else ("", 0)
-        try:
+        with suppress(InputError):
             text = written_out(text, self.macros) if len(text) < MAX_DISPLAY else text
-        except InputError:
-            pass
         return Prose(text, file, line)
 
     def display(self, kind: str, start: int, at: int, stop: int) -> tuple[Display, int]:

@@ -83,6 +83,7 @@ _DOUBTED = re.compile(
 """Reasons for which what fails is no misprint either."""
 _OPEN = re.compile(r"no real point was found where both sides|no antiderivative was found")
 """Why an equality is not decided that may be a misprint."""
+_STRICT = re.compile(r" ([<>])=? ")
 _RELATIONS = frozenset(("==", "<", "<=", ">", ">="))
 _HOLD = frozenset(("PROVED", "ENCLOSED"))
 
@@ -138,12 +139,14 @@ def _has_constants(*sides: Expr) -> bool:
     )
 
 
-def _question(row: Row) -> tuple[str, Definitions, bool]:
-    """What is looked for instead of, and whether it is not refuted or an inequality."""
-    relation = row.link.sides[1] if row.link.sides else ""
+def _question(row: Row) -> tuple[str, Definitions, bool, bool]:
+    """What is looked for instead of, whether with caution, and whether by unusual edits."""
+    relation, sure = row.link.sides[1] if row.link.sides else "", row.status == "REFUTED"
     if row.refuted:
-        return row.refuted, row.put, relation != "==" and row.status != "REFUTED"
-    return row.link.claims[0].text, (), True
+        return row.refuted, row.put, relation != "==" and not sure, sure
+    if sure:
+        return row.link.read_as, (), False, True
+    return row.link.claims[0].text, (), True, False
 
 
 def is_introduced(link: Link) -> bool:
@@ -194,6 +197,8 @@ def reason(row: Row, instead: Sequence[Alternative], others: Sequence[str]) -> s
     relation = row.link.sides[1] if row.link.sides else ""
     if any(one.edit.startswith(GIVEN) for one in instead) and not _is_free(row):
         return ""  # what is not read may well be the condition
+    if relation != "==" and instead and _STRICT.sub(r" \1 ", instead[0].claim) == _bare(row):
+        return ""  # at a point or two both sides are equal
     if instead:
         first = instead[0]
         condition = first.edit.startswith(GIVEN)
@@ -211,6 +216,11 @@ def reason(row: Row, instead: Sequence[Alternative], others: Sequence[str]) -> s
     if several and _TOLD.search(lead[-60:]) and not _INTRODUCED.search(lead):
         return f"{fails}; the words before it say that it holds"
     return ""
+
+
+def _bare(row: Row) -> str:
+    """What fails without its conditions, its relation not strict or strict alike."""
+    return _STRICT.sub(r" \1 ", row.refuted.partition(" given ")[0])
 
 
 def _is_free(row: Row) -> bool:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
-from tresym.reals.language.latex_cursor import allowed, is_letter, is_number
+from tresym.reals.language.latex_cursor import INDICES, WORDS_BELOW, allowed, is_letter, is_number
 from tresym.reals.language.latex_tokens import RELATIONS
 
 _ACCENTS = (
@@ -22,8 +23,6 @@ _UPRIGHT = re.compile(
     r"\\(?:text\w*|mathrm|operatorname\*?|mbox|hbox|label|tag|ref|eqref|cite|color|intertext)"
     r"\s*\{[^{}]*\}|\\(?:begin|end)\s*\{[^{}]*\}"
 )
-INDICES = frozenset("ijklmnpqrsIJKLMN")
-"""Letters that number things."""
 OPENING = ("(", "[", "\\{")
 _CLOSING = {"(": ")", "[": "]", "\\{": "\\}"}
 
@@ -63,8 +62,9 @@ class Mention(NamedTuple):
     @property
     def is_index(self) -> bool:
         """Whether its subscript numbers a term of a sequence: ``a_k``, ``a_{n+1}``, ``a_{ij}``."""
-        letters = [t for t in self.subscript if t.isalpha()]
-        return bool(letters) and set(letters) <= INDICES
+        letters = "".join(t for t in self.subscript if t.isalpha())
+        named = letters in WORDS_BELOW or any(t.startswith("\\") for t in self.subscript)
+        return bool(letters) and not named and {*letters} <= INDICES
 
 
 def group_end(tokens: Sequence[str], at: int) -> int:
@@ -94,7 +94,8 @@ def mentions(tokens: Sequence[str]) -> Iterator[Mention]:
             at += 1
             continue
         style, start = _style(tokens, at)
-        end, subscript = at + 1, ()
+        end = at + 1
+        subscript: tuple[str, ...] = ()
         if after == "_":
             braced = tokens[at + 2 : at + 3] == ["{"] or tokens[at + 2 : at + 3] == ("{",)
             last = group_end(tokens, at + 2) if braced else at + 2
@@ -144,7 +145,7 @@ def is_lone_argument(tokens: Sequence[str], at: int) -> bool:
 
 def factors(tokens: Sequence[str], found: Sequence[Mention]) -> Iterator[tuple[Mention, Mention]]:
     """Neighbours that are multiplied without a sign, powers of the first in between passed over."""
-    for one, other in zip(found, found[1:], strict=False):
+    for one, other in pairwise(found):
         at = one.end
         if tokens[at : at + 1] and tokens[at] == "^":
             at = group_end(tokens, at + 1) + 1 if tokens[at + 1 : at + 2] else at + 1

@@ -220,7 +220,7 @@ class Points:
     def _moved(self, point: Tried, k: int) -> Tried | None:
         """The point with small integers for some of its coordinates, and with roots for others."""
         point = [
-            arb((k * (j + 1) + k // 7) % 14 - 2) if name in self.integers else x
+            self._integer(name, (k * (j + 1) + k // 7) % 14) if name in self.integers else x
             for j, (name, x) in enumerate(zip(self.names, point, strict=True))
         ]
         for sides, n in self.steps:
@@ -229,6 +229,14 @@ class Points:
                 return None
             point[n] = root
         return point
+
+    def _integer(self, name: str, away: int) -> arb:
+        """An integer near an end of its range, or near 0."""
+        low, high = _range(name, self.bounds)
+        start = arb(-2) if low is None else low.ceil()
+        if low is None and high is not None and high < 9:
+            return (high.floor() - away).mid()
+        return (start + away).mid()
 
 
 def _all(sets: Sequence[frozenset[str]]) -> frozenset[str]:

@@ -285,7 +285,7 @@ def test_json_of_a_start(capsys):
         (["--gamma", "99"], "gamma: must be between -b and a"),
         (["--gamma", ""], "gamma: '' is not a number"),
         (["--gamma", "0", "--psi0", "1"], "not allowed with"),
-        (["--rate", "1"], "belong to --psi0"),
+        (["--rate", "1"], "need --psi0"),
         (["--psi0", "1"], "either a rate or theta0"),
         (["--psi0", "1", "--rate", "1", "--theta0", "1"], "not allowed with"),
         (["--psi0", "1", "--rate", "100"], "no body of this shape has it"),

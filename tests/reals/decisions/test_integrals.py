@@ -148,3 +148,18 @@ def test_either_order_of_the_ends_is_looked_at(monkeypatch: pytest.MonkeyPatch) 
 )
 def test_what_is_infinite_or_ends_at_a_parameter_is_compared_with_care(claim: str) -> None:
     assert not tresym.check(claim)
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        "limit(1/b*integral(cos(w*t), t, 0, b), b, 0) == 1",  # true: b is no parameter to put in
+        "integral(sum(sin(n*t)/n**3, n, 1, oo)*cos(t), t, -1, 1) == 0",
+        "integral(sum(x**k, k, 0, oo), x, 0, 1/2) == 0",
+        "x/(x + 1)**2 == x*sum((-1)**k*x**k, k, 0, oo)**2",
+    ],
+)
+def test_what_binds_a_variable_inside_is_not_entered(claim: str) -> None:
+    answer = tresym.check(claim)
+    assert answer.verdict is not Verdict.REFUTED
+    assert "procedure failed" not in answer.why

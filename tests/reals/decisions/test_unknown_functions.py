@@ -58,3 +58,35 @@ def test_what_fails_of_one_gives_its_values(claim: str) -> None:
 @pytest.mark.parametrize("claim", OPEN)
 def test_what_no_function_is_shown_to_be_is_not_decided(claim: str) -> None:
     assert tresym.check(claim).verdict is Verdict.UNDECIDED
+
+
+TERMS = {
+    "sum(f(k + 1) - f(k), k, 1, n) == f(n + 1) - f(1)": "PROVED",
+    "sum(fn_a(k) + c*fn_b(k), k, 1, n) == sum(fn_a(k), k, 1, n) + c*sum(fn_b(k), k, 1, n)": "PROVED",
+    "sum(fn_a(k + 1), k, 1, n) == sum(fn_a(k), k, 2, n + 1)": "PROVED",
+    "sum(fn_a(k)**2, k, 1, n) >= 0": "PROVED",
+    "product(fn_a(k + 1)/fn_a(k), k, 1, n) == fn_a(n + 1)/fn_a(1)": "PROVED",
+    "sum(fn_a(k), k, 1, n) == n*fn_a(k)": "",
+    "sum(fn_a(k)*fn_b(k), k, 1, n) == fn_b(k)*sum(fn_a(k), k, 1, n)": "",
+    "sum(f(k + 1) - f(k), k, 1, n) == f(n) - f(1)": "",
+    "sum(fn_a(k), k, 1, oo) == fn_a(1) + sum(fn_a(k), k, 2, oo)": "",
+    "limit(fn_a(k)/k, k, oo) == 0": "",
+}
+
+
+@pytest.mark.parametrize("claim", TERMS)
+def test_sums_of_terms_of_unknown_sequences(claim: str) -> None:
+    found = tresym.check(claim).verdict
+    assert (found is Verdict.PROVED) is (TERMS[claim] == "PROVED")
+
+
+@pytest.mark.parametrize(
+    ("claim", "verdict"),
+    [
+        ("f(n) + g(n) == g(n) + f(n) given n integer", "PROVED"),
+        ("(-1)**(2*n)*f(n) == f(n) given n integer", "PROVED"),
+        ("(-1)**n*f(n) == f(n) given n integer", "REFUTED"),
+    ],
+)
+def test_unknown_functions_of_integers(claim: str, verdict: str) -> None:
+    assert tresym.check(claim).verdict.value == verdict

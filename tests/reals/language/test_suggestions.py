@@ -64,7 +64,7 @@ def test_long_text_is_answered_briefly(text: str) -> None:
 @pytest.mark.parametrize(
     ("name", "keyword"),
     [
-        ("integrate", "antiderivative"),
+        ("integrate", "integral(f, x, a, b)"),
         ("gamma", "outside"),
         ("log2", "log(x, 2)"),
         ("log_10", "log(x, 10)"),

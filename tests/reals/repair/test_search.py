@@ -79,7 +79,7 @@ def test_caution_finds_nothing_beside_what_may_hold() -> None:
 
 
 def test_suggestions_come_in_order_and_none_where_nothing_is_read() -> None:
-    asked = [("sqrt(x**2) == x", (), False), ("what is this", (), False)]
+    asked = [("sqrt(x**2) == x", (), False, True), ("what is this", (), False, True)]
     one, none = suggestions(asked, 1, LONG)
     assert one[0].given == "x >= 0"
     assert none == ()

@@ -45,6 +45,7 @@ from tresym.ledger.evidence.remainders import (
     untied,
 )
 from tresym.ledger.evidence.sign_prover import is_manifest
+from tresym.ledger.statements import Rounds
 from tresym.reals.domain.binder_values import enclosed
 from tresym.reals.domain.evaluation import stands
 from tresym.reals.language.expression import ZERO, number, substitute, symbols
@@ -118,6 +119,10 @@ def unfit(claim: Claim) -> str | None:
     match proof:
         case _ if type(proof) not in KINDS or not (in_words or isinstance(says, Basic)):
             return "that is no kind of evidence"
+        case _ if (odd := _odd_condition(claim)) is not None:
+            return f"{odd} is not a condition such as a > 0"
+        case _ if not in_words and claim.means is None and _left_open(claim):
+            return "what is left open in an order is not said"
         case _ if claim.means is not None and not (in_words or is_open(claim.says)):
             return "two formulas are no statement: what is said is what is meant"
         case _ if claim.means is not None and not isinstance(proof, DECIDING):
@@ -139,6 +144,18 @@ def unfit(claim: Claim) -> str | None:
         case Boxes() if not in_words:
             return _other_meaning(claim, proof)
     return None
+
+
+def _odd_condition(claim: Claim) -> object | None:
+    """The first condition that is no relation, and no input as it is printed; or None."""
+    odd = (c for c in (*claim.given,) if not isinstance(c, Relational | Rounds))
+    return next(odd, None)
+
+
+def _left_open(claim: Claim) -> bool:
+    """Whether an order stands in what is said, and the evidence is for no order."""
+    orders = (Boxes, Asymptotics, Squeezed)
+    return is_open(claim.says) and not isinstance(claim.proof, orders)
 
 
 def _other_meaning(claim: Claim, proof: Boxes) -> str | None:

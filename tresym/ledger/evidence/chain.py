@@ -91,7 +91,8 @@ def _as_meant(before: Stage, reasons: tuple[Reason, ...], given: Conditions) -> 
         rules, _ = instantiated(used, with_bounds(given, reasons))
     except NotShownError:
         return before
-    assert not isinstance(before, Relation)
+    if isinstance(before, Relation):
+        raise NotShownError("a step from an equation names the next one")
     meant = tuple(put_in(e, rules) for e in before)
     opened = any(reason.name in OPENING for reason in reasons)
     return tuple(map(worked_out, meant)) if opened else meant

@@ -45,6 +45,7 @@ from tresym.ledger.reasons import citing
 from tresym.reals.balls.branch_and_bound import Bound, Box, BoxProof
 from tresym.reals.balls.tracing import Named, Part, Program, traced
 from tresym.reals.decisions.identity import decide_continuous
+from tresym.reals.language.binders import elementary
 from tresym.reals.language.expression import ZERO, Expr, number
 from tresym.reals.language.formula import Relation
 from tresym.reals.numbers.arithmetic import ball_precision, balls
@@ -310,6 +311,8 @@ class _Place:
 def _different(left: Expr, right: Expr, given: Conditions) -> str | None:
     if left == right:
         return None
+    if not elementary(left, right):
+        return "an integral, a derivative or a limit is no part of a margin"
     decision = decide_continuous(left, right, known(given))
     return None if decision.verdict is Verdict.PROVED else decision.why
 

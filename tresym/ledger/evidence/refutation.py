@@ -98,7 +98,9 @@ def _all_hold(conditions: tuple[Basic, ...], point: Values, unique: Unique) -> b
 
 def _holds_at(relation: Basic, point: Values, unique: Unique) -> bool:
     """Whether balls show that a relation holds at ``point``; an equation only where they are 0."""
-    return stands(_difference_at(relation, point, unique), relation.rel_op)
+    return isinstance(relation, Relational) and stands(
+        _difference_at(relation, point, unique), relation.rel_op
+    )
 
 
 def _difference_at(relation: Basic, point: Values, unique: Unique) -> arb:

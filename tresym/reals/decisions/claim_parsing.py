@@ -40,6 +40,7 @@ from tresym.reals.language.parsing import (
     parse_claim,
     parse_given,
 )
+from tresym.reals.language.sentences import spelled, spelled_conditions
 from tresym.reals.language.sympy import RELATIONS, atoms, unworked
 from tresym.reals.language.unicode_input import plain
 from tresym.reals.numbers.exact import InputError
@@ -376,6 +377,20 @@ def _written(claim: Any, given: Any, path: str | None) -> _Written:
     if not isinstance(claim, str):
         comparison, conditions = _from_sympy(claim)
         return _Written((comparison,), (*_given(given), *conditions), _path(path))
+    try:
+        return _strictly(claim, given, path)
+    except InputError:
+        found = spelled(claim)
+        if found is None:
+            raise
+    end = found.path or path
+    more = f" given {found.given}" if found.given else ""
+    again = _strictly(f"{found.claim}{more}", given, end)
+    return _read_again(str(again))
+
+
+def _strictly(claim: str, given: Any, path: str | None) -> _Written:
+    """A claim of text or LaTeX in the grammar as it stands."""
     text, own, own_path = _split(claim)
     under, end = (*_given(given), *_given(own)), _path(own_path or path)
     if not _LATEX.search(text):
@@ -574,7 +589,13 @@ def _given(given: Any) -> tuple[Compared, ...]:
         chains = read_latex(given.strip().strip("$"))
         return tuple(_condition(link) for chain in chains for link in chain.links)
     if isinstance(given, str):
-        return tuple(parse_given(_AND.sub(",", plain(given)).strip()))
+        try:
+            return tuple(parse_given(_AND.sub(",", plain(given)).strip()))
+        except InputError:
+            again = spelled_conditions(given)
+            if again is None:
+                raise
+            return tuple(parse_given(again))
     if isinstance(given, Iterable) and getattr(given, "ndim", None) != 0:
         return tuple(link for part in given for link in _given(part))
     if type(given).__name__ == "Equality":

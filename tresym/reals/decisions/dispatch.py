@@ -100,6 +100,13 @@ def _everywhere(comparison: Comparison, statement: Statement) -> Answer:
     answer = _bounded(comparison, statement)
     if answer:
         answer = beyond_positive_bases(answer, comparison, statement, _bounded)
+    if answer:
+        from tresym.reals.decisions.definedness_check import unspoken
+
+        missing = unspoken(comparison, statement)
+        if missing is not None:
+            why = f"{answer.why}; but {missing}, and nothing is proved vacuously"
+            return Answer(Verdict.UNDECIDED, why)
     if answer and any(holds_powers(e) for e in (comparison.left, comparison.right)):
         spent = time.perf_counter() - start
         return _attacked(answer, comparison, statement, spent, anywhere=True)

@@ -50,7 +50,7 @@ from tresym.reals.verdict import Verdict
 PRECISIONS = (128, 1000, 5000)
 STEPS = ((4, 12), (7, 40), (10, 120), (14, 380))
 """How near to a singular end (in powers of 2) an integral is computed, and how many terms."""
-SHRINKS = arb("0.6")
+SHRINKS = arb("0.1")
 """What gets smaller than this part of itself from step to step may vanish in the limit."""
 TINY = arb((1, -15))
 MOST_CORNERS = 6
@@ -268,8 +268,9 @@ def _cut(node: Expr, near: int, terms: int, pace: int = 1) -> Expr:
         return rebuild(node, (body, low, low + terms)) if high == INFINITY else node
     small = number(fmpq(1, 2 ** (3 * near)))
     far = number(2 ** (near // 2 + 1))
-    start = -far if low == -INFINITY else far if low == INFINITY else low
-    stop = pace * far if high == INFINITY else -pace * far if high == -INFINITY else high
+    far, less = 3 * far, -far  # not the same on both sides: a principal value is none
+    start = less if low == -INFINITY else far if low == INFINITY else low
+    stop = pace * far if high == INFINITY else pace * less if high == -INFINITY else high
     gap = (stop - start) * small
     return rebuild(node, (body, start + gap, stop - pace * gap))
 
@@ -290,7 +291,7 @@ def _in_box(witness: Mapping[str, str], claim: Comparison, statement: Statement)
     if (
         claim.relation not in (">", "<", "!=")
         or statement.equations
-        or box.keys() & {*statement.integers}
+        or any(box[n][0] != box[n][1] or box[n][0].q != 1 for n in statement.integers if n in box)
         or not frozenset().union(*map(symbols, (*sides, *said))) <= box.keys()
         or any(map(jumps, sides))
     ):
@@ -322,7 +323,7 @@ def _in_box(witness: Mapping[str, str], claim: Comparison, statement: Statement)
 
 
 def _vanishes_in(difference: Expr, box: Mapping[str, tuple[fmpq, fmpq]]) -> bool:
-    """Whether a rational function of one variable has a zero between the ends, even a double one."""
+    """Whether a rational function of one variable has a zero there, perhaps a double one."""
     if len(box) != 1:
         return False
     ((name, (low, high)),) = box.items()

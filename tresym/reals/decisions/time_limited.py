@@ -3,20 +3,25 @@
 from __future__ import annotations
 
 import pickle
+from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import BrokenExecutor, Future
+from contextlib import ExitStack
 from dataclasses import replace
-from itertools import islice, tee
+from itertools import islice
 from typing import Any, NamedTuple
 
 from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.answer_cache import current
 from tresym.reals.decisions.claim_parsing import Statement, read_as
 from tresym.reals.decisions.dispatch import decide_claim
 from tresym.reals.numbers.exact import InputError
-from tresym.reals.processes import Processes, cores
+from tresym.reals.processes import AHEAD, Processes, cores
 from tresym.reals.verdict import Verdict
 
 DEFAULT_LIMIT = 5.0
+_DIED = "its process ended, perhaps for want of memory"
+"""Such an answer is not kept: it says nothing of the claim."""
 
 
 class Task(NamedTuple):
@@ -56,11 +61,36 @@ def check_all(
         processes: how many at once; all cores unless given.
         forked: whether they are copies of this process, which must have no other threads then.
     """
-    tasks, asked = tee(tasks)
-    with Processes(processes or cores(), limit, deaths=1, forked=forked) as pool:
-        futures = pool.in_order(_judged, (task[:3] for task in asked))
-        for task, future in zip(tasks, futures, strict=True):
-            yield task, _found(task, future, limit)
+    cache = current()
+    under_way: deque[tuple[Task, Answer | Future[Any]]] = deque()
+    with ExitStack() as stack:
+        pool: Processes | None = None
+        for task in tasks:
+            asked: Answer | Future[Any] | None = (
+                cache.get(*task[:3], limit) if cache is not None else None
+            )
+            if asked is None:
+                pool = pool or stack.enter_context(
+                    Processes(processes or cores(), limit, deaths=1, forked=forked)
+                )
+                asked = next(pool.in_order(_judged, [task[:3]]))
+            under_way.append((task, asked))
+            if len(under_way) == AHEAD:
+                yield _told(*under_way.popleft(), limit)
+        while under_way:
+            yield _told(*under_way.popleft(), limit)
+
+
+def _told(
+    task: Task, asked: Answer | Future[Any], limit: float
+) -> tuple[Task, Answer | InputError]:
+    """A task with its answer, which is kept in the cache unless it comes from there."""
+    if isinstance(asked, Answer):
+        return task, replace(asked, line=task.line)
+    found, cache = _found(task, asked, limit), current()
+    if cache is not None and isinstance(found, Answer) and _DIED not in found.why:
+        cache.put(*task[:3], limit, found)
+    return task, found
 
 
 BATCH = 200
@@ -105,7 +135,7 @@ def _found(task: Task, future: Future[Any], limit: float) -> Answer | InputError
     except TimeoutError as error:
         return _given_up(task, str(error), limit)
     except BrokenExecutor:
-        return _given_up(task, "its process ended, perhaps for want of memory", limit)
+        return _given_up(task, _DIED, limit)
     return found if isinstance(found, InputError) else replace(found, line=task.line)
 
 

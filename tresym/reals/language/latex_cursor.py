@@ -30,6 +30,10 @@ FRACTIONS = ("\\frac", "\\dfrac", "\\tfrac", "\\cfrac", "\\nicefrac", "\\sfrac")
 OPERATORS = ("/", "\\cdot", "\\times", "*")
 DIFFERENTIALS = ("d", "\\partial")
 TIME = ("\\dot", "\\ddot")
+INDICES = frozenset("ijklmnpqrsIJKLMN")
+"""Letters that number things."""
+WORDS_BELOW = frozenset(("min", "in", "lim", "kin", "sim", "rms", "lin", "mn", "im"))
+"""Subscripts that are words, though all of their letters are indices."""
 SIGNS_BELOW = {"+": "plus", "-": "minus", "*": "star", "ast": "star", "/": "over"}
 OPENING, CLOSED = (*BRACKETS, "{"), (*BRACKETS.values(), "}")
 

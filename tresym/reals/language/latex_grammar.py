@@ -42,11 +42,13 @@ from tresym.reals.language.latex_cursor import (
     CLOSED,
     DIFFERENTIALS,
     FRACTIONS,
+    INDICES,
     INSTEAD,
     NO_DERIVATIVE,
     OPENING,
     OPERATORS,
     TIME,
+    WORDS_BELOW,
     Author,
     Cursor,
     Function,
@@ -162,8 +164,8 @@ class Reader(Cursor):
     def factor_in_brackets(self, last: Piece, name: str) -> Piece | None:
         """The bracket behind a symbol, where a product needs it: x(x + 1), and (a/r)² behind V.
 
-        Without that need, as in x(0) and V(2r), it may hold the argument of a function; so may a sum
-        behind a capital, a Greek or a subscripted letter that never stands alone. An author's
+        Without that need, as in x(0) and V(2r), it may hold the argument of a function; so may a
+        sum behind a capital, a Greek or a subscripted letter that never stands alone. An author's
         longer reading is the value of the function, for which None is the answer.
         """
         if self.is_list():
@@ -412,8 +414,8 @@ class Reader(Cursor):
     def check_bracket(self, opening: str, inner: Piece, start: int) -> None:
         """Refuse braces and square brackets that may be a fractional or an integer part.
 
-        They are brackets where they hold another bracket, and square ones where a product or a power
-        needs them.
+        They are brackets where they hold another bracket, and square ones where a product or a
+        power needs them.
         """
         inside = self.tokens[start + 1 : self.at - 1]
         if {*inside} & {"(", "[", "\\{", "\\left|", "\\frac", "\\sqrt", "\\dfrac", "\\tfrac"}:
@@ -806,7 +808,13 @@ class Reader(Cursor):
     def is_term(self) -> bool:
         """Whether a term of an author's sequence stands here, ``a_k``."""
         letter = self.peek().removeprefix("\\")
-        return bool(self.author) and letter in self.author.sequences and self.peek(1) == "_"
+        if not self.author or letter not in self.author.sequences or self.peek(1) != "_":
+            return False
+        first = self.at + 2
+        below = self.tokens[first : self.partner(first)] if self.peek(2) == "{" else [self.peek(2)]
+        letters = "".join(t for t in below if t.isalpha())
+        named = letters in WORDS_BELOW or any(t.startswith("\\") for t in below)
+        return not named and {*letters} <= INDICES
 
     def term(self) -> Piece:
         """``a_k`` as a(k), ``a_{ij}``, ``a_{1j}`` and ``a_{i,j}`` as functions of two indices."""

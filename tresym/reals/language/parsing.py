@@ -64,7 +64,7 @@ _ALIASES = {"ln": "log", "Abs": "abs", "sgn": "sign"} | {
         *("sinh", "cosh", "tanh", "coth", "sech", "csch"),
     )
 }
-_NOT_REAL = frozenset(("I", "oo", "zoo", "nan", "inf"))
+_NOT_REAL = frozenset(("I", "oo", "zoo", "nan", "inf", "infinity", "Infinity"))
 _RECIPROCALS = {
     "asec": "acos",
     "acsc": "asin",
@@ -97,7 +97,11 @@ FACTORIAL = "factorial"
 TOTALS = {"sum": "sum", "product": "product", "prod": "product"}
 INFINITY = symbol("oo")
 """No number, and read only where a path or an interval ends, or where a limit is claimed."""
-INFINITE = {"oo": INFINITY, "+oo": INFINITY, "-oo": -INFINITY}
+INFINITE = {
+    f"{sign}{name}": -INFINITY if sign == "-" else INFINITY
+    for sign in ("", "+", "-")
+    for name in ("oo", "inf", "infinity", "Infinity")
+}
 INTEGERS = symbol("ZZ")
 """What a variable is said to be ``in``, where it takes the values of integers alone."""
 

@@ -9,20 +9,30 @@ from difflib import get_close_matches
 MAX_TEXT = 300
 _OUTSIDE = frozenset(
     (
-        *("factorial", "gamma", "erf", "erfc", "zeta", "beta", "binomial", "conjugate", "re", "im"),
-        *("floor", "ceil", "ceiling", "mod", "sum", "Sum", "product", "Product", "lim", "limit"),
+        *("gamma", "erf", "erfc", "zeta", "beta", "conjugate", "re", "im"),
+        *("floor", "ceil", "ceiling", "mod"),
     )
 )
+_FORMS = {
+    **dict.fromkeys(
+        ("integrate", "int", "integral", "Integral"), "integral(f, x, a, b), or integral(f, x) == F"
+    ),
+    **dict.fromkeys(("sum", "Sum", "summation"), "sum(f, k, 1, n)"),
+    **dict.fromkeys(("product", "Product", "prod"), "product(f, k, 1, n)"),
+    **dict.fromkeys(("limit", "lim", "Limit"), "limit(f, x, a), at one side limit(f, x, a, 1)"),
+    **{"factorial": "factorial(n)", "binomial": "binomial(n, k)", "derivative": "diff(f, x)"},
+}
+"""How nodes that bind a variable are written, and functions of integers."""
 _SLIPS: tuple[tuple[str, str], ...] = (
     (r"\bd\s*/\s*d[a-z]\b|\w'", "a derivative is written diff(f, x)"),
     (r"[=<>!]\s*$|^\s*[=<>]", "one side of the comparison is missing"),
     (r"<>", "write !="),
-    (r"=>", "write >="),
+    (r"=>", "write >=, or CLAIM given CONDITION"),
     (r"=<", "write <="),
     (r":=", "write =="),
     (r"\*{4}|\^\^", "write one ^ or **"),
     (r"\d\s*%", "write a percentage as a fraction"),
-    (r"!(?!=)", "factorials are not read"),
+    (r"!(?!=)", "a factorial is written n! or factorial(n)"),
     (r";", "conditions are separated by commas"),
     (r"&&|\|\|", "conditions are separated by commas, claims go one by one"),
     (r"->", "a path goes after the word as, or to --as"),
@@ -78,8 +88,8 @@ def _parentheses(text: str) -> str:
 
 def about_function(name: str, known: frozenset[str]) -> str:
     """What to say of a function that is not known."""
-    if name in ("integrate", "int", "integral", "Integral"):
-        return "integrals are not read: claim diff(F, x) == f of an antiderivative F"
+    if name in _FORMS:
+        return f"write {_FORMS[name]}"
     if name in _OUTSIDE:
         return f"{name} is outside what is decided"
     if re.fullmatch(r"log_?\d+", name):
@@ -89,7 +99,8 @@ def about_function(name: str, known: frozenset[str]) -> str:
     if len(name) == 1:
         return f"{name} is no function; for a product write {name}*(…)"
     near = get_close_matches(name, sorted(known), 1, 0.75)
-    return f"did you mean {near[0]}?" if near else f"known are {', '.join(sorted(known))}"
+    names = (*sorted(known), "integral", "sum", "product", "limit", "factorial", "binomial")
+    return f"did you mean {near[0]}?" if near else f"known are {', '.join(names)}"
 
 
 def about_name(name: str) -> str:

@@ -36,12 +36,18 @@ def plain(text: str) -> str:
     Raises:
         InputError: a bar without its partner.
     """
-    if not text.isascii():
-        text = re.sub("[⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺]+", lambda m: f"**({m[0].translate(_UPPER)})", text)
-        text = re.sub("(?<=[A-Za-zα-ω])[₀-₉]+", lambda m: "_" + m[0].translate(_LOWER), text)
-        text = re.sub("([α-ω])(?=_)", lambda m: m[0].translate(_SIGNS).strip(), text)
-        text = text.translate(_SIGNS)
+    text = signs(text)
     return _without_bars(text) if "|" in text else text
+
+
+def signs(text: str) -> str:
+    """As :func:`plain`, with bars as they are."""
+    if text.isascii():
+        return text
+    text = re.sub("[⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺]+", lambda m: f"**({m[0].translate(_UPPER)})", text)
+    text = re.sub("(?<=[A-Za-zα-ω])[₀-₉]+", lambda m: "_" + m[0].translate(_LOWER), text)
+    text = re.sub("([α-ω])(?=_)", lambda m: m[0].translate(_SIGNS).strip(), text)
+    return text.translate(_SIGNS)
 
 
 def _without_bars(text: str) -> str:

@@ -8,11 +8,13 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterable, Iterator
+from contextlib import nullcontext
 from dataclasses import replace
 from typing import Any
 
 from tresym.reals.decisions import check as decided
 from tresym.reals.decisions.answer import Alternative, Answer
+from tresym.reals.decisions.answer_cache import current
 from tresym.reals.processes import Processes, cores
 from tresym.reals.repair.search import MOST, SECONDS, Definitions, alternatives
 from tresym.reals.verdict import Verdict
@@ -61,11 +63,11 @@ def check(
         return answer
     if limit is None:
         return replace(answer, instead=alternatives(answer.read_as))
-    return replace(answer, instead=next(suggestions([(answer.read_as, (), False)], 1)))
+    return replace(answer, instead=next(suggestions([(answer.read_as, (), False, True)], 1)))
 
 
 def suggestions(
-    claims: Iterable[tuple[str, Definitions, bool]],
+    claims: Iterable[tuple[str, Definitions, bool, bool]],
     processes: int | None = None,
     seconds: float = SECONDS,
 ) -> Iterator[tuple[Alternative, ...]]:
@@ -73,17 +75,31 @@ def suggestions(
 
     Args:
         claims: in the grammar of text, with their conditions and paths, what symbols in them stand
-            for, and whether to be cautious, see :func:`tresym.reals.repair.search.alternatives`.
+            for, whether to be cautious, and whether unusual edits count, see
+            :func:`tresym.reals.repair.search.alternatives`.
         processes: how many at once; all cores unless given.
         seconds: processor time for each.
     """
-    with _pool(processes or cores(), seconds) as pool:
-        asked = ((claim, seconds, MOST, *rest) for claim, *rest in claims)
-        for future in pool.in_order(alternatives, asked):
+    asked = [(claim, seconds, MOST, *rest) for claim, *rest in claims]
+    cache = current()
+    texts = [f"instead of {question[0]} {question[2:]}" for question in asked]
+    known = [cache.get(text, "", None, seconds) if cache else None for text in texts]
+    new = [question for question, found in zip(asked, known, strict=True) if found is None]
+    with _pool(processes or cores(), seconds) if new else nullcontext() as pool:
+        futures = pool.in_order(alternatives, new) if pool else iter(())
+        for text, found in zip(texts, known, strict=True):
+            if found is not None:
+                yield found.instead
+                continue
             try:
-                yield future.result()
+                instead = next(futures).result()
             except Exception:  # a search that fails, or is stopped, finds nothing
                 yield ()
+                continue
+            if cache is not None:
+                kept = Answer(Verdict.UNDECIDED, "suggestions", instead=instead)
+                cache.put(text, "", None, seconds, kept)
+            yield instead
 
 
 def suggested(answers: Iterable[tuple[Any, Any]]) -> Iterator[tuple[Any, Any]]:

@@ -56,6 +56,7 @@ _PARTNERS = (
     *((name, f"{name}h") for name in (*_FAMILIES[0], "asin", "atan")),
 )
 """Functions that are confused most often, in pairs."""
+STRICTNESS = {"<": "<=", "<=": "<", ">": ">=", ">=": ">"}
 RELATIONS = {"<": ("<=", ">"), "<=": ("<", ">="), ">": (">=", "<"), ">=": (">", "<=")}
 """The relations that stand for another one by a misprint."""
 RELATIONS |= {"O": ("o",), "o": ("O",), "!=": ("==",)}
@@ -110,7 +111,10 @@ def edits(
     """
     names = sorted(frozenset().union(*map(symbols, terms)) - symbols(INFINITY))
     found = [
-        Edit(NUMBER, relation, other, terms, (*relations[:n], other, *relations[n + 1 :]))
+        Edit(
+            SIGN if STRICTNESS.get(relation) == other else NUMBER,
+            *(relation, other, terms, (*relations[:n], other, *relations[n + 1 :])),
+        )
         for n, relation in enumerate(relations)
         for other in RELATIONS.get(relation, ())
     ]
@@ -123,6 +127,8 @@ def edits(
                 continue
             if n == 0 and tree == multiply(MINUS_ONE, terms[0]):
                 rank = FACTOR  # a sign in front of what the statement is about
+            if rank == WRAPPED and tree.op in ("^", "abs") and tree.args[0] == terms[n]:
+                rank = OTHER  # so is what is put around a whole side
             found.append(Edit(rank, old, new, chain, relations))
     unique = {(terms, relations): found[0]} if found else {}
     for edit in sorted(found, key=lambda edit: edit.rank):
@@ -251,7 +257,7 @@ def _terms(e: Expr) -> Iterator[Change]:
         yield Change(_signs(e, tree), _signed(term), _signed(other), tree)
         yield Change(OTHER, _signed(term), "", add(*rest))
     product = multiply(*e.args)
-    yield Change(OTHER, str(e), str(product), product)
+    yield Change(WRAPPED if len(e.args) == 2 else OTHER, str(e), str(product), product)
 
 
 def _signs(old: Expr, new: Expr) -> float:

@@ -31,9 +31,8 @@ from tresym.reals.numbers.exact import InputError
 def is_trivial(old: Compared, new: Compared) -> bool:
     """Whether a repaired comparison says nothing, or nothing of some variable of the old one."""
     left, right = collected(new[0]), collected(new[2])
-    names = _named(worked_out(old[0])) | _named(worked_out(old[2]))
-    values = [collected(worked_out(side)) for side in new[::2]]
-    if left == right or not names <= _named(values[0]) | _named(values[1]):
+    names = symbols(old[0]) | symbols(old[2])
+    if left == right or loses_names(old, new):
         return True
     if new[1] not in ("==", "<=", ">=", "<", ">"):
         return False
@@ -42,6 +41,15 @@ def is_trivial(old: Compared, new: Compared) -> bool:
     except InputError:
         return False
     return (not symbols(gap) and bool(names)) or (not symbols(share) and bool(names))
+
+
+def loses_names(old: Compared, new: Compared) -> bool:
+    """Whether a repaired comparison says nothing of some variable, or function, of the old one."""
+    before, after = (
+        frozenset().union(*(_named(collected(worked_out(side))) for side in link[::2]))
+        for link in (old, new)
+    )
+    return not before <= after
 
 
 def _named(e: Expr) -> frozenset[str]:

@@ -33,7 +33,7 @@ from tresym.reals.language.parsing import INFINITY, Compared, parse_claim, parse
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.repair.edits import FACTOR, FUNCTION, OTHER, WRAPPED, Edit, edits
 from tresym.reals.repair.floating import Points, UnsupportedError
-from tresym.reals.repair.like_terms import collected, is_trivial
+from tresym.reals.repair.like_terms import collected, is_trivial, loses_names
 from tresym.reals.repair.regions import holding
 from tresym.reals.repair.samples import held, near_end, sampled
 from tresym.reals.repair.values import values, worked_side
@@ -111,6 +111,7 @@ def alternatives(
     most: int = MOST,
     put: Definitions = (),
     cautious: bool = False,
+    unusual: bool = True,
 ) -> tuple[Alternative, ...]:
     """What is true instead of a claim that is refuted, the likeliest first.
 
@@ -122,6 +123,7 @@ def alternatives(
         cautious: whether nothing is to be found beside what may be true or meant otherwise: of
             inequalities only those whose sides touch, and none for an equality whose sides are not
             seen to differ.
+        unusual: whether unusual edits count as well.
 
     Example:
         >>> [found.claim for found in alternatives("cos(2*x) == 2*cos(x)**2 + 1", most=1)]
@@ -138,10 +140,13 @@ def alternatives(
         return ()
     end = time.process_time() + seconds
     found: list[Alternative] = []
-    for candidate, more, edit in _candidates(claim, time.process_time() + seconds / 2):
+    until = time.process_time() + seconds / 2
+    for rank, candidate, more, edit in _candidates(claim, until):
         left = end - time.process_time()
         if left <= 0 or len(found) >= most:
             break
+        if rank >= OTHER and not unusual:
+            continue
         if cautious and _is_inequality(claim) and (more or not _touches(candidate)):
             continue
         if more and any(one.edit.startswith(GIVEN) for one in found):
@@ -181,17 +186,17 @@ def _decided(text: str, seconds: float) -> str:
     return answer.verdict.value if answer else ""
 
 
-def _candidates(claim: _Claim, until: float) -> Iterator[tuple[_Claim, str, str]]:
-    """Claims to be decided, one more condition and the edit that makes them."""
+def _candidates(claim: _Claim, until: float) -> Iterator[tuple[float, _Claim, str, str]]:
+    """Claims to be decided: how usual the misprint is, one more condition, and the edit."""
     grid = _grid(claim)
     under = _regions(claim, grid)
     if _is_inequality(claim):  # which holds on some part nearly always
         usual = list(takewhile(lambda found: found[0] <= FUNCTION, _ranked(claim, grid, until)))
-        yield from (found[1:] for found in usual)
+        yield from usual
         yield from under
         return
     yield from under
-    yield from (found[1:] for found in _ranked(claim, grid, until))
+    yield from _ranked(claim, grid, until)
 
 
 def _grid(claim: _Claim) -> Points | None:
@@ -217,7 +222,7 @@ def _is_inequality(claim: _Claim) -> bool:
     return any(relation in _BOUNDS for relation in claim.relations)
 
 
-def _regions(claim: _Claim, grid: Points | None) -> Iterator[tuple[_Claim, str, str]]:
+def _regions(claim: _Claim, grid: Points | None) -> Iterator[tuple[float, _Claim, str, str]]:
     """The claim under natural conditions."""
     if grid is None or claim.path is not None:
         return
@@ -225,7 +230,7 @@ def _regions(claim: _Claim, grid: Points | None) -> Iterator[tuple[_Claim, str, 
         links = [_without_integrals(link) for link in claim.links]
         usual = (more for more in holding(links, grid, claim.integers) if _is_apart(claim, more))
         for more in islice(usual, MOST_REGIONS):
-            yield claim, more, ""
+            yield 0.0, claim, more, ""
     except (UnsupportedError, InputError):
         return
 
@@ -334,8 +339,13 @@ def _stands(claim: _Claim, edit: Edit, points: Points | None, until: float) -> b
         survives = edit.rank <= FACTOR
     except (InputError, OverflowError, ValueError):
         return False
-    changed = zip(claim.links, links, strict=True)
-    return survives and not any(is_trivial(a, b) for a, b in changed if a != b)
+    if not survives:
+        return False
+    changed = [(a, b) for a, b in zip(claim.links, links, strict=True) if a != b]
+    slopes = [tuple(map(_without_integrals, pair)) for pair in changed]
+    return not any(is_trivial(*pair) for pair in changed) and not any(
+        loses_names(*pair) for pair in slopes
+    )
 
 
 def _fails_at_first(links: Sequence[Compared], points: Points) -> bool:

@@ -8,6 +8,7 @@ waves of a phase of which nothing is known.
 from __future__ import annotations
 
 from functools import reduce
+from math import isqrt
 
 from flint import fmpq
 
@@ -30,11 +31,24 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.language.like_terms import collected
+from tresym.reals.normal.to_expression import normal_form
 
 MAX_ROUNDS = 8
 MAX_TURNS = 60
 CUBE_ROOT = number(fmpq(1, 3))
 HALF = fmpq(1, 2)
+
+
+def is_irrational(c: Expr) -> bool:
+    """Whether a constant is a rational multiple of π, or of a root of a rational number."""
+    for e in (c / PI, c * PI):
+        if normal_form(e, Given()).op == "number":
+            return bool(normal_form(e, Given()) != ZERO)
+    square = normal_form(c**2, Given())
+    if square.op != "number" or square == ZERO:
+        return False
+    q = square.args[0]
+    return any(isqrt(int(part)) ** 2 != int(part) for part in (q.p, q.q))
 
 
 class _FinerPhaseError(Exception):
@@ -199,8 +213,13 @@ class Rewritten:
             if first is None or steep is None or self.scale.compare(first.powers, steep.powers):
                 continue
             ratio = quotient(steep.coefficient, first.coefficient)
+            if ratio.op != "number" and not symbols(ratio):
+                ratio = normal_form(ratio, Given())
             rest = plus(u, -ratio * other)
             if ratio.op != "number" or self.expansions.growth(rest) > 0:
+                if is_irrational(ratio) and self.expansions.growth(rest) <= 0:
+                    pair = {f"_u{k}", f"_u{len(self.scale.waves)}"}
+                    self.scale.independent.add(frozenset(pair))
                 continue
             if ratio.args[0].q != 1:
                 raise _FinerPhaseError(int(ratio.args[0].q))

@@ -142,9 +142,9 @@ class _Distance:
         self.order = order
         self.bits = min((5 if waves else 8) * order + 400, MOST_BITS)
         self.fixed = [arb(ray.at[name]) for name in self.names]
-        self.start = (arb((149, order - 7)) + arb(61) / 257).mid()  # no special phase
         sides = [e for e in _sides(ray.claim) if e not in (INFINITY, -INFINITY)]
         with ball_precision(self.bits):
+            self.start = (arb((149, order - 7)) + arb(61) / 257).mid()  # at no special phase
             self.values = self._program(sides)
             end = [] if ray.path.point is None else [ray.path.point]
             self.end = self._program(end)([*self.fixed, self.start])

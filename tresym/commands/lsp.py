@@ -1,0 +1,33 @@
+"""``tresym lsp``: check a manuscript while you write it, in any editor."""
+
+from __future__ import annotations
+
+import argparse
+
+from tresym.commands.parser import Commands, parse_seconds
+from tresym.reals.numbers.exact import InputError
+
+
+def add(commands: Commands) -> None:
+    """Add `tresym lsp` to the command line."""
+    parser = commands.add_parser(
+        "lsp",
+        help="a language server for editors: diagnostics as you type",
+        description="A server of the Language Server Protocol on standard input and output. An "
+        "editor starts it for LaTeX files; it needs the extra tresym[editor].",
+        allow_abbrev=False,
+    )
+    parser.add_argument("--limit", default="2", metavar="SECONDS", help="for each claim (2)")
+    parser.add_argument("--stdio", action="store_true", help="as editors write it; always so")
+    parser.set_defaults(run=run)
+
+
+def run(args: argparse.Namespace) -> int:
+    """Serve until the editor leaves; returns the exit status."""
+    limit = parse_seconds(args.limit)
+    try:
+        from tresym.manuscript.language_server import server
+    except ImportError:
+        raise InputError("lsp: pygls is missing: pip install 'tresym[editor]'") from None
+    server(limit).start_io()
+    return 0

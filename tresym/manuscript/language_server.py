@@ -1,0 +1,269 @@
+"""A language server for manuscripts: diagnostics, hover and quick fixes in any editor.
+
+It speaks the Language Server Protocol (version 3.17) through pygls. A change of the text starts a
+look at it in a process of its own (``editor_rows``) after a short pause; a look that is outdated is
+ended.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import os
+import re
+import sys
+import tempfile
+from contextlib import suppress
+from dataclasses import dataclass, field
+from typing import Any
+
+from lsprotocol import types
+from pygls import uris
+from pygls.lsp.server import LanguageServer
+
+import tresym
+from tresym.reals.decisions.answer_cache import cache_file
+
+PAUSE = 0.4
+"""Seconds without a change after which the text is looked at."""
+_SEVERITY = {
+    "REFUTED": types.DiagnosticSeverity.Error,
+    "SUSPECT": types.DiagnosticSeverity.Warning,
+    "UNDECIDED": types.DiagnosticSeverity.Information,
+}
+_CLOSING = {"brackets": r"\]", "dollars": "$$"}
+_OPENING = {"brackets": r"\[", "dollars": "$$"}
+_KEPT = re.compile(r"\\label\s*\{[^{}]*\}")
+
+
+@dataclass
+class _Document:
+    """What is known of an open manuscript."""
+
+    text: str = ""
+    rows: list[dict[str, Any]] = field(default_factory=list)
+    task: asyncio.Task[None] | None = None
+
+
+class ManuscriptServer(LanguageServer):
+    """The server; ``limit`` is the seconds for each claim."""
+
+    def __init__(self, limit: float) -> None:
+        super().__init__("tresym", tresym.__version__)
+        self.limit = limit
+        self.documents: dict[str, _Document] = {}
+        self.environment = dict(os.environ)
+        if cache_file() is None:  # without one, each look would decide everything again
+            self.environment["TRESYM_CACHE"] = tempfile.mkdtemp(prefix="tresym")
+
+    def changed(self, uri: str) -> None:
+        """Look at a manuscript again, after a pause without changes."""
+        document = self.documents.setdefault(uri, _Document())
+        if document.task is not None:
+            document.task.cancel()
+        document.task = asyncio.get_running_loop().create_task(self._look(uri, document))
+
+    def closed(self, uri: str) -> None:
+        """Forget a manuscript."""
+        document = self.documents.pop(uri, None)
+        if document is not None and document.task is not None:
+            document.task.cancel()
+        self._publish(uri, [])
+
+    async def _look(self, uri: str, document: _Document) -> None:
+        await asyncio.sleep(PAUSE)
+        text = self.workspace.get_text_document(uri).source
+        path = uris.to_fs_path(uri) or "manuscript.tex"
+        asked = json.dumps({"path": path, "text": text, "limit": self.limit})
+        process = await asyncio.create_subprocess_exec(
+            sys.executable,
+            *("-m", "tresym.manuscript.editor_rows"),
+            stdin=asyncio.subprocess.PIPE,
+            stdout=asyncio.subprocess.PIPE,
+            stderr=asyncio.subprocess.DEVNULL,
+            env=self.environment,
+        )
+        try:
+            out, _ = await process.communicate(asked.encode())
+            found = json.loads(out or b'{"error": "the manuscript could not be checked"}')
+        finally:
+            if process.returncode is None:
+                with suppress(ProcessLookupError):
+                    process.kill()
+        document.text, document.rows = text, found.get("rows", [])
+        own = [row for row in document.rows if not row["file"]]
+        diagnostics = [self._diagnostic(row, text) for row in own if row["status"] in _SEVERITY]
+        if "error" in found:
+            diagnostics.append(_at(0, 0, found["error"], types.DiagnosticSeverity.Information))
+        self._publish(uri, diagnostics)
+
+    def _diagnostic(self, row: dict[str, Any], text: str) -> types.Diagnostic:
+        first, last = display_lines(row, text)
+        found = _at(first, last, said_of(row), _SEVERITY[row["status"]])
+        found.code = row["status"]
+        return found
+
+    def _publish(self, uri: str, diagnostics: list[types.Diagnostic]) -> None:
+        self.text_document_publish_diagnostics(
+            types.PublishDiagnosticsParams(uri=uri, diagnostics=diagnostics)
+        )
+
+    def rows_at(self, uri: str, line: int) -> list[dict[str, Any]]:
+        """The rows of the display at a line, as the text was when it was looked at."""
+        document = self.documents.get(uri)
+        if document is None:
+            return []
+        found = []
+        for row in document.rows:
+            first, last = display_lines(row, document.text)
+            if not row["file"] and first <= line <= last:
+                found.append(row)
+        return found
+
+
+def _at(
+    first: int, last: int, message: str, severity: types.DiagnosticSeverity
+) -> types.Diagnostic:
+    """A diagnostic of whole lines."""
+    span = types.Range(types.Position(first, 0), types.Position(last, 10_000))
+    return types.Diagnostic(span, message, severity=severity, source="tresym")
+
+
+def display_lines(row: dict[str, Any], text: str) -> tuple[int, int]:
+    """The first and the last line of a row's display, from 0."""
+    lines = text.split("\n")
+    first = min(max(row["line"] - 1, 0), len(lines) - 1)
+    kind = row["kind"]
+    end = _CLOSING.get(kind, f"\\end{{{kind}}}")
+    opening = _OPENING.get(kind, "")
+    for n in range(first, min(first + 200, len(lines))):
+        line = lines[n]
+        if n == first and opening:
+            line = line.partition(opening)[2]
+        if end in line:
+            return first, n
+    return first, first
+
+
+def said_of(row: dict[str, Any]) -> str:
+    """What is said of a row, in a few lines."""
+    parts = [f"{row['read_as'] or row['latex']}: {row['why']}"]
+    if row["witness"]:
+        values = ", ".join(f"{name} = {value}" for name, value in row["witness"].items())
+        parts.append(f"It fails at {values}.")
+    parts += [f"True instead: {one['claim']} ({one['edit']})" for one in row["instead"][:1]]
+    return "\n".join(parts)
+
+
+def hover_text(rows: list[dict[str, Any]]) -> str:
+    """What was read of a display, with the status of each link, in Markdown."""
+    parts = []
+    for row in rows:
+        read = row["read_as"] or row["latex"]
+        parts.append(f"**{row['status']}** `{read}`\n\n{row['why']}")
+        if row["witness"]:
+            values = ", ".join(f"`{name} = {value}`" for name, value in row["witness"].items())
+            parts.append(f"fails at {values}")
+    return "\n\n".join(parts)
+
+
+def quick_fixes(rows: list[dict[str, Any]], uri: str, text: str) -> list[types.CodeAction]:
+    """What may be done about a display that is refuted, suspect or undecided."""
+    found: list[types.CodeAction] = []
+    for row in rows:
+        if row["status"] not in _SEVERITY:
+            continue
+        first, _ = display_lines(row, text)
+        for latex in row["replacements"]:
+            edit = _replaced(row, text, latex)
+            if edit is not None:
+                found.append(_action(f"Replace by {latex}", uri, edit))
+        notes = {"This is an equation to be solved": "solve", "This is a definition": "define"}
+        notes |= {
+            f"Let {name} be an operator": f"let {name} operator"
+            for name in row["symbols"]
+            if len(name) == 1
+        }
+        for title, note in notes.items():
+            found.append(_action(title, uri, _inserted(text, first, note)))
+    return list({action.title: action for action in found}.values())
+
+
+def _action(title: str, uri: str, edit: types.TextEdit) -> types.CodeAction:
+    return types.CodeAction(
+        title,
+        kind=types.CodeActionKind.QuickFix,
+        edit=types.WorkspaceEdit(changes={uri: [edit]}),
+    )
+
+
+def _inserted(text: str, line: int, note: str) -> types.TextEdit:
+    """A directive on a line of its own before a display, or before it within its line."""
+    before = text.split("\n")[line]
+    opening = re.search(r"\\\[|\$\$|\\begin", before)
+    column = opening.start() if opening else 0
+    place = types.Position(line, len(before[:column].encode("utf-16-le")) // 2)
+    own = "" if not before[:column].strip() else "\n"
+    return types.TextEdit(types.Range(place, place), f"{own}% tresym: {note}\n")
+
+
+def _replaced(row: dict[str, Any], text: str, latex: str) -> types.TextEdit | None:
+    """The display with another formula; its labels and its last sign stay."""
+    first, last = display_lines(row, text)
+    lines = text.split("\n")
+    kind = row["kind"]
+    opening = _OPENING.get(kind, f"\\begin{{{kind}}}")
+    closing = _CLOSING.get(kind, f"\\end{{{kind}}}")
+    block = "\n".join(lines[first : last + 1])
+    start = block.find(opening)
+    stop = block.find(closing, start + len(opening))
+    if start < 0 or stop < 0:
+        return None
+    start += len(opening)
+    body = block[start:stop]
+    labels = "".join(f" {label}" for label in _KEPT.findall(body))
+    sign = re.search(r"[.,;]\s*$", _KEPT.sub("", body))
+    new = f"{labels} {latex}{f' {sign[0].strip()}' if sign else ''} "
+    span = types.Range(_position(block, start, first), _position(block, stop, first))
+    return types.TextEdit(span, new)
+
+
+def _position(block: str, at: int, first: int) -> types.Position:
+    before = block[:at]
+    line = before.rpartition("\n")[2]
+    return types.Position(first + before.count("\n"), len(line.encode("utf-16-le")) // 2)
+
+
+def server(limit: float) -> ManuscriptServer:
+    """The server with its features."""
+    made = ManuscriptServer(limit)
+
+    @made.feature(types.TEXT_DOCUMENT_DID_OPEN)
+    async def opened(ls: ManuscriptServer, params: types.DidOpenTextDocumentParams) -> None:
+        ls.changed(params.text_document.uri)
+
+    @made.feature(types.TEXT_DOCUMENT_DID_CHANGE)
+    async def changed(ls: ManuscriptServer, params: types.DidChangeTextDocumentParams) -> None:
+        ls.changed(params.text_document.uri)
+
+    @made.feature(types.TEXT_DOCUMENT_DID_CLOSE)
+    async def closed(ls: ManuscriptServer, params: types.DidCloseTextDocumentParams) -> None:
+        ls.closed(params.text_document.uri)
+
+    @made.feature(types.TEXT_DOCUMENT_HOVER)
+    async def hover(ls: ManuscriptServer, params: types.HoverParams) -> types.Hover | None:
+        rows = ls.rows_at(params.text_document.uri, params.position.line)
+        if not rows:
+            return None
+        return types.Hover(types.MarkupContent(types.MarkupKind.Markdown, hover_text(rows)))
+
+    @made.feature(types.TEXT_DOCUMENT_CODE_ACTION)
+    async def fixes(ls: ManuscriptServer, params: types.CodeActionParams) -> list[types.CodeAction]:
+        uri = params.text_document.uri
+        text = ls.workspace.get_text_document(uri).source
+        known = ls.documents.get(uri)
+        if known is None or known.text != text:  # the lines are those of another text
+            return []
+        return quick_fixes(ls.rows_at(uri, params.range.start.line), uri, text)
+
+    return made

@@ -1,0 +1,322 @@
+"""Claims as people type them, with their conditions: ``sqrt(x^2) = x for all x in [0, 1]``.
+
+The claim, its conditions and its path are written in the grammar of
+:mod:`tresym.reals.language.parsing`, which then reads them. Only what that grammar refuses comes
+here, so that nothing changes its meaning.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import NamedTuple
+
+from tresym.reals.language.spelling import NotSpelledError, Speller
+from tresym.reals.language.spelling_tokens import Token, tokens
+from tresym.reals.numbers.exact import InputError
+
+_RELATIONS = {
+    **{sign: sign for sign in ("==", "!=", "<", ">", "<=", ">=", "~", "->")},
+    **dict.fromkeys(("=", "===", "is", "equals"), "=="),
+    **{"<>": "!=", "=/=": "!=", "=<": "<="},
+}
+_IF = frozenset(("if", "for", "forall", "given", "when", "whenever", "where", "with", "provided"))
+_IF |= {"assuming", "suppose", "such", "let"}
+_THEN = frozenset(("=>", "==>", "implies", "then"))
+_KINDS = {"positive": "> 0", "negative": "< 0", "nonnegative": ">= 0", "nonzero": "!= 0"}
+_INTEGERS = frozenset(("integer", "integers", "ZZ", "Z", "Integers"))
+_REALS = frozenset(("real", "reals", "R", "RR", "Reals", "number", "numbers"))
+_NATURAL = frozenset(("N", "NN", "natural", "naturals", "Naturals"))
+_FILLING = frozenset(("all", "every", "any", "each", "that", "a", "an", "is", "are", "be", "some"))
+_SIMPLE = re.compile(
+    r"\\(?:leq?|geq?|neq?|to|infty|in|implies|land|[rR]ightarrow|forall|alpha|beta|"
+    r"gamma|delta|epsilon|eta|theta|kappa|lambda|mu|nu|xi|pi|rho|sigma|tau|phi|chi|psi|omega)\b"
+)
+
+
+class Spelled(NamedTuple):
+    """A claim in the strict grammar; ``given`` and ``path`` are empty where nothing is said."""
+
+    claim: str
+    given: str
+    path: str
+
+
+def spelled(text: str) -> Spelled | None:
+    """A claim in the strict grammar, or nothing if it is not understood here either.
+
+    Raises:
+        InputError: it can be read in two ways, or what to write instead is known.
+    """
+    return _read(text, claimed=True)
+
+
+def spelled_conditions(text: str) -> str | None:
+    """As :func:`spelled`, for conditions that are given apart."""
+    found = _read(text, claimed=False)
+    return None if found is None else found.given
+
+
+def _read(text: str, claimed: bool) -> Spelled | None:
+    if "\\" in text and "\\" in _SIMPLE.sub("", text):
+        return None
+    source, found = tokens(text)
+    if not found or sum(token.text == "given" for token in found) > 1:
+        return None
+    sentence = _Sentence(source, found)
+    try:
+        result = sentence.claim() if claimed else sentence.only_conditions()
+    except NotSpelledError:
+        return None
+    return _with_euler(result)
+
+
+class _Sentence(Speller):
+    """A claim among its conditions."""
+
+    def __init__(self, source: str, found: list[Token]) -> None:
+        super().__init__(found)
+        self.source = source
+        self.given: list[str] = []
+        self.path = ""
+
+    def claim(self) -> Spelled:
+        """All of it."""
+        if self.peek().text in _IF:
+            self.next()
+            self.conditions()
+            self.take(",", ";", ":")
+            self.take("then")
+            self.take(",")
+        first = self.chain()
+        if self.peek().text in _THEN and len(first) > 1:
+            self.next()
+            self.given.append(" ".join(first))
+            first = self.chain()
+        self.no_other_claim(first)
+        self.tails()
+        if self.at < len(self.tokens):
+            raise NotSpelledError
+        if len(first) < 3:
+            raise NotSpelledError
+        return Spelled(" ".join(first), ", ".join(self.given), self.path)
+
+    def only_conditions(self) -> Spelled:
+        """Conditions and nothing else."""
+        self.conditions()
+        if self.at < len(self.tokens) or not self.given:
+            raise NotSpelledError
+        return Spelled("", ", ".join(self.given), "")
+
+    def chain(self) -> list[str]:
+        """Expressions with relations between them."""
+        found = [self.sum()]
+        while self.peek().text in _RELATIONS:
+            found.append(_RELATIONS[self.next().text])
+            found.append(self.sum())
+        if self.peek().text in ("≈", "≅", "≃"):
+            raise InputError(
+                "how near is not said: write abs(a - b) <= 0.005, or with a path a ~ b"
+            )
+        return found
+
+    def no_other_claim(self, first: list[str]) -> None:
+        """Refuse what would be two claims, with both written out."""
+        one = " ".join(first)
+        after = self.peek().text
+        if after == "=>" and len(first) == 1:
+            self.next()
+            other = " ".join(self.chain())
+            raise InputError(
+                f"two readings remain: write {one} >= {other}, or, of a condition and what follows "
+                "from it, CLAIM given CONDITION"
+            )
+        if after in ("<=>", "iff") and len(first) > 1:
+            self.next()
+            other = " ".join(self.chain())
+            raise InputError(
+                f"an equivalence is two claims: {other} given {one}, and {one} given {other}"
+            )
+        if after in ("and", "&&", "or") and len(first) > 1:
+            word = self.next().text
+            other = " ".join(self.chain())
+            if word == "or":
+                raise InputError(f"one claim at a time: write {one}, or {other} by itself")
+            raise InputError(f"one claim at a time: write {one} and {other} apart")
+        if after in ("in", "not"):
+            raise InputError(f"{one} in … is a condition: write the claim as a <= {one} <= b")
+        if after == "±":
+            raise InputError("two signs are two claims: write one for each")
+
+    def tails(self) -> None:
+        """Conditions and a path behind the claim."""
+        while self.at < len(self.tokens):
+            self.take(",")
+            if self.peek().text == "as":
+                self.next()
+                name = self.name()
+                self.arrow()
+                start = self.peek().at
+                while self.at < len(self.tokens) and self.peek().text not in (*_IF, ","):
+                    self.next()
+                end = self.peek().at if self.at < len(self.tokens) else len(self.source)
+                self.path = f"{name} -> {self.source[start:end].strip()}"
+                for word in ("infinity", "Infinity", "inf"):
+                    self.path = self.path.replace(f" {word}", " oo").replace(f"-{word}", "-oo")
+            elif self.peek().text in _IF or (self.peek().text == "(" and self.peek(1).text in _IF):
+                closing = self.take("(")
+                self.next()
+                self.conditions()
+                if closing:
+                    self.need(")")
+            else:
+                raise NotSpelledError
+
+    def conditions(self) -> None:
+        """Conditions between commas and the word "and"."""
+        pending: list[str] = []
+        loose = False
+        while True:
+            kinds, integer, filled = self.adjectives()
+            loose = loose or filled
+            pending.append(self.sum())
+            more, known = self.predicate(pending)
+            kinds += more
+            if kinds or integer or known:
+                for name in pending:
+                    self.given += [f"{name} {kind}" for kind in kinds]
+                    if integer or known == "integer":
+                        self.given.append(f"{name} integer")
+                pending, loose = [], False
+            if self.at >= len(self.tokens) or self.peek().text not in (",", "and", "&&", ";"):
+                break
+            if self.ends_conditions():
+                break
+            self.next()
+            self.take("and")
+            if self.peek().text in _IF:
+                self.next()
+        if pending and not loose:
+            raise NotSpelledError
+
+    def ends_conditions(self) -> bool:
+        """Whether the claim follows behind a comma, as in ``if x > 0, x^2 > 0``."""
+        if self.peek().text not in (",", ";") or self.tokens[0].text not in _IF:
+            return False
+        if self.peek(1).text == "then":
+            return True
+        rest = self.tokens[self.at + 1 :]
+        depth = 0
+        for token in rest:
+            depth += (token.text in ("(", "[", "{")) - (token.text in (")", "]", "}"))
+            if depth == 0 and token.text in (",", "then"):
+                return False
+        return not any(token.text in ("then", "=>", *_IF, "in") for token in rest)
+
+    def adjectives(self) -> tuple[list[str], bool, bool]:
+        """Words before a variable: what they say of it, whether of integers, whether any."""
+        kinds, integer, filled = [], False, False
+        while True:
+            word, after = self.peek().text, self.peek(1)
+            if after.kind != "name" and word not in _FILLING:
+                break
+            if word in _FILLING and (after.kind == "name" or after.text in ("(", "|")):
+                filled = True
+            elif word in _KINDS:
+                kinds.append(_KINDS[word])
+            elif word in _REALS and word not in ("R", "RR"):
+                filled = True
+            elif word in ("integer", "integers"):
+                integer = True
+            elif word in ("natural", "naturals"):
+                raise _natural(after.text)
+            elif word == "nonnegative":
+                kinds.append(">= 0")
+            else:
+                break
+            self.next()
+        return kinds, integer, filled
+
+    def predicate(self, pending: list[str]) -> tuple[list[str], str]:
+        """What is said behind a variable: relations, ``in``, ``positive``, ``integer``."""
+        last = pending[-1]
+        if self.peek().text in _RELATIONS and self.peek().text != "is":
+            texts = []
+            while self.peek().text in _RELATIONS:
+                texts.append(f"{_RELATIONS[self.next().text]} {self.sum()}")
+            if len(pending) > 1 and texts[0].startswith("in"):
+                raise NotSpelledError
+            return [" ".join(texts)], "relation"
+        if self.take("in", "element"):
+            return self.set_of(last)
+        kinds: list[str] = []
+        known = ""
+        while True:
+            word = self.peek().text
+            if word in ("is", "are", "a", "an"):
+                self.next()
+            elif word in _KINDS:
+                kinds.append(_KINDS[self.next().text])
+                known = known or "kind"
+            elif word in ("integer", "integers"):
+                self.next()
+                known = "integer"
+            elif word in ("real", "reals"):
+                self.next()
+                known = known or "real"
+            elif word in ("natural", "naturals"):
+                raise _natural(last)
+            else:
+                return kinds, known
+
+    def set_of(self, name: str) -> tuple[list[str], str]:
+        """What ``in [0, 1)`` or ``in Z`` says."""
+        token = self.next()
+        if token.text in _NATURAL:
+            raise _natural(name)
+        if token.text in _INTEGERS or token.text in _REALS:
+            self.take("numbers")
+            if self.peek().text in ("+", "^", "**", "-"):
+                raise InputError(f"two readings remain: write {name} > 0 or {name} >= 0")
+            return [], "integer" if token.text in _INTEGERS else "real"
+        if token.text not in ("[", "(", "]"):
+            raise InputError(f"a variable is in an interval: write {name} in [a, b], or a < {name}")
+        low = self.sum()
+        self.need(",")
+        high = self.sum()
+        close = self.need("]", ")", "[")
+        kinds = []
+        if low not in ("(-oo)", "-oo"):
+            kinds.append(f"{'>=' if token.text == '[' else '>'} {low}")
+        if high != "oo":
+            kinds.append(f"{'<=' if close == ']' else '<'} {high}")
+        return kinds, "interval"
+
+
+def _natural(name: str) -> InputError:
+    return InputError(
+        f"two readings remain: write {name} integer, {name} >= 1 or {name} integer, {name} >= 0"
+    )
+
+
+_EULER = re.compile(r"(?<![\w.])e(?!\w)")
+_EULER_POWER = re.compile(r"(?<![\w.])e\*\*(\(?-?[\w.]+\(?)")
+
+
+def _with_euler(found: Spelled) -> Spelled:
+    """``e`` as Euler's number where it is the base of each of its powers, and one has a variable.
+
+    Raises:
+        InputError: it is so at one place, and not at another.
+    """
+    text = f"{found.claim} {found.given}"
+    places, powers = len(_EULER.findall(text)), _EULER_POWER.findall(text)
+    if not places or not any(re.search("[A-Za-z(]", power) for power in powers):
+        return found
+    if places != len(powers):
+        raise InputError(
+            "two readings remain of e: write exp(x) for its powers, or the variable e by another "
+            "name"
+        )
+    if re.search(r"\bi\b", found.claim):
+        raise InputError("complex numbers are not read: all variables are real")
+    return Spelled(_EULER.sub("E", found.claim), _EULER.sub("E", found.given), found.path)
