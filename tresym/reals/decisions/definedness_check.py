@@ -51,7 +51,8 @@ def unspoken(claim: Comparison, statement: Statement) -> str | None:
         part = _undefined_at_an_index(node)
         if part is not None:
             return f"{part} is not shown to be as {node} needs it at every index"
-    if any(n.op in ("nth", "integral") or is_infinite(n) for n in outermost(*sides)):
+    valued = ("nth", "integral", "derivative")
+    if any(n.op in valued or is_infinite(n) for n in outermost(*sides)):
         return None  # an improper integral may have a value where quadrature shows none
     own = [node for node in nodes if node.op != "unknown"]
     terms = [(n.args[2], ">=", n.args[1]) for n in own if symbols(n.args[2]) | symbols(n.args[1])]

@@ -140,7 +140,8 @@ def _quadrature(
     body: Expr, name: str, low: float, high: float, mirrored: bool, here: Mapping[str, float]
 ) -> float:
     """An integral over a finite range, a ray or the line; ``mirrored`` by −x."""
-    for substitution in _SUBSTITUTIONS[math.isfinite(low), math.isfinite(high)]:
+    ends = math.isfinite(low), math.isfinite(high)
+    for substitution in _SUBSTITUTIONS.get(ends, ()):  # no end of a range may be undefined
         steps = range(round(substitution.first / STEP), round(substitution.last / STEP) + 1)
         nodes = [substitution.node(k * STEP, low, high) for k in steps]
         places = [-x if mirrored else x for x, _ in nodes]
