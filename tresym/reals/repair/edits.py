@@ -22,6 +22,7 @@ from tresym.reals.language.expression import (
     LEAVES,
     MINUS_ONE,
     PI,
+    ZERO,
     Expr,
     add,
     apply,
@@ -132,6 +133,8 @@ def edits(
                 continue
             if n == 0 and tree == multiply(MINUS_ONE, terms[0]):
                 rank = FACTOR  # a sign in front of what the statement is about
+            if tree == ZERO and terms[n].op == "number":
+                rank = _later(0)  # another value, and no term left out
             if rank == WRAPPED and tree.op in ("^", "abs") and tree.args[0] == terms[n]:
                 rank = OTHER  # so is what is put around a whole side
             found.append(Edit(rank, old, new, chain, relations))
