@@ -6,6 +6,7 @@ import argparse
 import json
 import os
 import sys
+import time
 from collections import Counter
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
@@ -101,6 +102,9 @@ def run(args: argparse.Namespace) -> int:
         for paper in papers:
             rows = _rows(args, paper, settings, limit)
             found.append((rows, paper))
+            if _interrupted(rows):
+                _show(args, kind, found, [], False)
+                raise KeyboardInterrupt
     marked = [mark for rows, paper in found for mark in problems(rows, paper)]
     if args.update_baseline:
         write_text(baseline, baseline_text(marked))
@@ -148,8 +152,14 @@ def _rows(args: argparse.Namespace, paper: Path, settings: Settings, limit: floa
         found = (e.name for e in events if isinstance(e, Missing) and e.outside == outside)
         if names := [name[:100] for name in found]:
             print(f"{why}; left out: {', '.join(names[:5])}", file=sys.stderr)
-    rows = decided(read_links(events), limit, progress=_progress)
-    return proofread(rows) if args.suggest else rows
+    rows = decided(read_links(events), limit, progress=_Progress(), keep=True)
+    return proofread(rows) if args.suggest and not _interrupted(rows) else rows
+
+
+def _interrupted(rows: list[Row]) -> bool:
+    from tresym.manuscript.attempts import INTERRUPTED
+
+    return any(INTERRUPTED in row.why for row in rows)
 
 
 def _show(
@@ -244,7 +254,9 @@ def _shown(row: Row, colour: bool, name: str) -> Iterator[str]:
     which = f"display {display.number}{label}, link {row.link.number}"
     where = f"{display.file or name}:{display.line}"
     yield f"{bold(f'{row.status:<9}', colour)} {where}" + dim(f"  {which}", colour)
-    shown = [("printed", row.link.shown[:200])]
+    from tresym.manuscript.suspects import printed
+
+    shown = [("printed", printed(row.link)[:200])]
     shown += [("read as", row.refuted if row.instead else row.link.read_as), ("why", row.why)]
     if row.witness is not None:
         values = ", ".join(f"{name} = {value}" for name, value in row.witness.items())
@@ -299,6 +311,17 @@ def advice(rows: list[Row]) -> list[str]:
     return lines
 
 
-def _progress(done: int, total: int) -> None:
-    if sys.stderr is not None and sys.stderr.isatty() and not os.environ.get("NO_COLOR"):
-        print(f"\r{done} of {total} claims\r", end="", file=sys.stderr, flush=True)
+class _Progress:
+    """A counter on standard error, where that is a terminal, with the time that is left."""
+
+    def __init__(self) -> None:
+        self.start = time.monotonic()
+
+    def __call__(self, done: int, total: int) -> None:
+        """Show that ``done`` of ``total`` links are done."""
+        if sys.stderr is None or not sys.stderr.isatty() or os.environ.get("NO_COLOR"):
+            return
+        left = (time.monotonic() - self.start) / max(done, 1) * (total - done)
+        print(
+            f"\r{done} of {total} links, {left:.0f} s left \r", end="", file=sys.stderr, flush=True
+        )

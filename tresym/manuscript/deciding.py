@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from tresym.manuscript import accusations
+from tresym.manuscript.attempts import answers_to
 from tresym.manuscript.classification import EQUATION, UNREAD, Attempt, Link
 from tresym.manuscript.context import names_in
 from tresym.manuscript.instances import instances
@@ -70,10 +71,15 @@ def decided(
     limit: float,
     processes: int | None = None,
     progress: Callable[[int, int], None] = lambda done, total: None,
+    keep: bool = False,
 ) -> list[Row]:
-    """A row for each link; each claim is asked for at most ``limit`` seconds."""
+    """A row for each link; each claim is asked for at most ``limit`` seconds.
+
+    Args:
+        keep: at Ctrl-C, keep what is done; the other rows say that they were interrupted.
+    """
     asked = [*links, *(link.second for link in links if link.second is not None)]
-    answers = _answers(asked, limit, processes, progress)
+    answers = answers_to(asked, limit, processes, progress, keep)
     own = [(link, answers.get(n, [])) for n, link in enumerate(asked)]
     rows = [_failing(_row(link, found, limit), found) for link, found in own]
     rows = _varied(rows, answers, limit, processes)
@@ -83,34 +89,6 @@ def decided(
         row if link.second is None else _of_both((row, own), next(seconds))
         for link, (row, own) in zip(links, found[: len(links)], strict=True)
     ]
-
-
-def _answers(
-    links: Sequence[Link],
-    limit: float,
-    processes: int | None,
-    progress: Callable[[int, int], None],
-) -> dict[int, list[Answer | InputError]]:
-    """The answers to the attempts at each link, up to the first that passes."""
-    answers: dict[int, list[Answer | InputError]] = {}
-    open_ = [n for n, link in enumerate(links) if link.claims]
-    total, done, attempt = len(open_), 0, 0
-    while open_:
-        tasks = [Task(links[n].claims[attempt].text, line=n) for n in open_]
-        again = []
-        for n, (_, found) in zip(open_, check_all(tasks, limit, processes), strict=True):
-            answers.setdefault(n, []).append(found)
-            if (
-                attempt + 1 < len(links[n].claims)
-                and not isinstance(found, InputError)
-                and not found
-            ):
-                again.append(n)
-            else:
-                done += 1
-            progress(done, total)
-        open_, attempt = again, attempt + 1
-    return answers
 
 
 def _varied(

@@ -239,7 +239,14 @@ def test_an_echo_is_shown_with_the_answer() -> None:
 
 
 @pytest.mark.parametrize(
-    "text", ["(" * 5000 + "2x = 1", "2x" * 5000, "sin " * 500 + "x = 1", "||" * 200]
+    "text",
+    [
+        "(" * 5000 + "2x = 1",
+        "2x" * 5000,
+        "sin " * 500 + "x = 1",
+        "||" * 200,
+        "2x == " + "2**" * 900 + "2",
+    ],
 )
 def test_long_and_deep_text_is_left_to_the_strict_reader(text: str) -> None:
     assert spelled(text) is None

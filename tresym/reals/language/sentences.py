@@ -10,7 +10,8 @@ from __future__ import annotations
 import re
 from typing import NamedTuple
 
-from tresym.reals.language.spelling import NotSpelledError, Speller
+from tresym.reals.language.spelling import Speller
+from tresym.reals.language.spelling_operators import NotSpelledError
 from tresym.reals.language.spelling_tokens import Token, tokens
 from tresym.reals.numbers.exact import InputError
 
@@ -65,7 +66,7 @@ def _read(text: str, claimed: bool) -> Spelled | None:
     sentence = _Sentence(source, found)
     try:
         result = sentence.claim() if claimed else sentence.only_conditions()
-    except NotSpelledError:
+    except (NotSpelledError, RecursionError):
         return None
     return _with_euler(result)
 

@@ -1,0 +1,105 @@
+"""Ask what each link claims: a short look at everything first, then a long one where it helps.
+
+A link may be read in several ways, tried in order until one passes. One that takes long and comes
+to nothing would keep the others waiting, so each is asked with a short limit first. What was
+stopped is asked again with the full limit, unless another way has passed or nothing depends on it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from typing import TypeAlias
+
+from tresym.manuscript.classification import Link
+from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.time_limited import Task, check_all
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.verdict import Verdict
+
+SHORT = 1.0
+"""Seconds of the first look."""
+INTERRUPTED = "not decided: interrupted; run again to go on"
+Found: TypeAlias = dict[int, list[Answer | InputError]]
+Check: TypeAlias = Callable[..., Iterator[tuple[Task, Answer | InputError]]]
+
+
+def answers_to(
+    links: Sequence[Link],
+    limit: float,
+    processes: int | None,
+    progress: Callable[[int, int], None],
+    keep: bool = False,
+) -> Found:
+    """The answers to the attempts at each link, up to the first that passes.
+
+    Args:
+        keep: at Ctrl-C, keep what is done; the rest is UNDECIDED.
+    """
+    answers: Found = {}
+    asked = [n for n, link in enumerate(links) if link.claims]
+    finished: set[int] = set()
+    try:
+        _first(links, asked, min(limit, SHORT), processes, answers, finished, progress)
+        if limit > SHORT:
+            _again(links, asked, limit, processes, answers)
+    except KeyboardInterrupt:
+        if not keep:
+            raise
+        for n in {*asked} - finished:  # of some of whose attempts nothing is known
+            answers[n] = [Answer(Verdict.UNDECIDED, INTERRUPTED)]
+    return answers
+
+
+def _first(
+    links: Sequence[Link],
+    open_: list[int],
+    limit: float,
+    processes: int | None,
+    answers: Found,
+    finished: set[int],
+    progress: Callable[[int, int], None],
+) -> None:
+    """A look at all attempts, one after the other at each link."""
+    total, attempt = len(open_), 0
+    while open_:
+        tasks = [Task(links[n].claims[attempt].text, line=n) for n in open_]
+        again = []
+        for n, (_, found) in zip(open_, check_all(tasks, limit, processes), strict=True):
+            answers.setdefault(n, []).append(found)
+            more = attempt + 1 < len(links[n].claims)
+            if more and not isinstance(found, InputError) and not found:
+                again.append(n)
+            else:
+                finished.add(n)
+            progress(len(finished), total)
+        open_, attempt = again, attempt + 1
+
+
+def _again(
+    links: Sequence[Link],
+    asked: Sequence[int],
+    limit: float,
+    processes: int | None,
+    answers: Found,
+) -> None:
+    """A longer look at what was stopped, at links where no attempt has passed."""
+    places = {n: _stopped(links[n], answers[n]) for n in asked}
+    while open_ := {n: left.pop(0) for n, left in places.items() if left}:
+        tasks = [Task(links[n].claims[attempt].text, line=n) for n, attempt in open_.items()]
+        for (n, attempt), (_, found) in zip(
+            open_.items(), check_all(tasks, limit, processes), strict=True
+        ):
+            answers[n][attempt] = found
+            if found and not isinstance(found, InputError):
+                del answers[n][attempt + 1 :]
+                places[n] = []
+
+
+def _stopped(link: Link, found: Sequence[Answer | InputError]) -> list[int]:
+    """The attempts at a link that time stopped, if its status may depend on them."""
+    if link.unknown or link.otherwise[0] == "DEFINED":
+        return []
+    read = [answer for answer in found if isinstance(answer, Answer)]
+    if any(read) or len(read) < len(found):
+        return []
+    return [n for n, answer in enumerate(read) if "stopped after" in answer.why]
