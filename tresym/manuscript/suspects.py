@@ -68,7 +68,7 @@ _ANEW = re.compile(
     re.IGNORECASE,
 )
 """Words by which a second definition is another one on purpose."""
-_REAL = re.compile(r"[xyztuvw]\d*|theta|phi|alpha|beta|psi")
+_REAL = re.compile(r"[xyzuvw]\d*")
 """Letters that take all real values in most texts."""
 _SIGNED = re.compile(
     r"\b(?:positive|negative|non-?negative|integers?|natural|whole|acute|distances?|lengths?|radius"

@@ -10,6 +10,7 @@ from tresym.ledger.paper import corrections as all_corrections
 from tresym.ledger.verification import Report, Row
 from tresym.reals.numbers.exact import fraction_text
 from tresym.reals.verdict import Verdict
+from tresym.report.pages.found_repairs import search
 from tresym.report.typesetting.markdown import finding as found_text
 from tresym.report.typesetting.markdown import sentence
 from tresym.report.typesetting.paper_location import place_text
@@ -117,6 +118,7 @@ def _entry(correction: Correction, rows: dict[str, Row]) -> str:
     ]
     own = [r.claim for r in said_in if r is leading or not isinstance(r.claim.proof, AllOf)]
     lines += _true(tuple(dict.fromkeys(true for said_by in own for true in said_by.amended_by)))
+    lines += _searched(claim)
     if correction.why or claim.note:
         lines += [f"**Why:** {sentence(correction.why or claim.note)}", ""]
     return "\n".join([*lines, *_evidence(leading)])
@@ -146,6 +148,22 @@ def _true(claims: tuple[Claim, ...]) -> Iterator[str]:
         yield "**True instead:**"
         yield ""
         yield from (f"- {quoted(claim)} (`{claim.label}`)" for claim in claims)
+        yield ""
+
+
+def _searched(claim: Claim) -> Iterator[str]:
+    """What the search for repairs finds by itself."""
+    tried, found = search(claim)
+    if found is not None:
+        kind = (
+            "The misprint is found automatically"
+            if claim.fault is Fault.MISPRINT
+            else "Found automatically"
+        )
+        yield f"**{kind}:** `{found.claim}`, {found.verdict} ({found.edit})."
+        yield ""
+    elif tried:
+        yield "**Found automatically:** nothing that holds within one edit."
         yield ""
 
 
