@@ -35,12 +35,5 @@ AMPLITUDE = Axiom(
     r"\frac{d}{du}\operatorname{am}(u, k) = \operatorname{dn}(u, k)",
 )
 
-ITERATED = Axiom(
-    "iterated integrals",
-    "The integral of a continuous function over a box is that of its integrals over one variable "
-    "after the other, in any order.",
-    RUDIN + "10.2",
-)
-
 (IMPLICIT_FUNCTION,) = (axiom for axiom in RULES if axiom.name == "implicit function theorem")
 """The same theorem as the judge's rule, where a sentence applies it to functions of its own."""

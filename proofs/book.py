@@ -11,7 +11,6 @@ A box of length L, width W and height H has the principal axes e₁, e₂, e₃ 
 
 from __future__ import annotations
 
-from tresym.proofs.axioms import ITERATED
 from tresym.proofs.printed import inputs, number
 from tresym.proofs.table_of_objects import book, racket_1, racket_2, racket_3, standard_racket
 
@@ -61,7 +60,6 @@ moments_of_a_box = Claim(
     where=line(291),
     note="The moment about an axis is the integral of the squared distance from it over the mass, "
     "which is spread evenly: the sum of its means over the two directions across the axis.",
-    quotes=(ITERATED,),
 )
 
 box_order = Claim(

@@ -8,7 +8,7 @@
 - (11), `d11`: 0 ≤ a, 0 ≤ b ≤ 1 and −b ≤ γ ≤ a, by `range_of_shape` and `range_of_gamma`.
 """
 
-from tresym.proofs.axioms import INVERSE_FUNCTION
+from tresym.proofs.axioms import INVERSE_FUNCTION, MOTION
 from tresym.proofs.conditions import ordered_moments, shape, shape_of_a_body, tilted
 from tresym.proofs.model import angular_velocity, eq_Mi, velocity_from_momentum
 from tresym.proofs.momentum import energy_of_momentum
@@ -73,9 +73,15 @@ elimination_of_time = Claim(
     says=Tuple(equal(dtheta_dphi, dtheta_dt / dphi_dt), equal(dpsi_dphi, dpsi_dt / dphi_dt)),
     given=(dphi_dt > 0,),
     proof=Definition(),
-    note="The rates by φ along a motion, on which φ grows and so has an inverse: what they are is "
-    "the chain rule.",
-    quotes=(INVERSE_FUNCTION,),
+    note="Names for these quotients; what they are along a motion is `rates_along_the_path`.",
+)
+
+rates_along_the_path = Claim(
+    says="Along a motion φ grows, so that time is a function of φ, and the quotients of the rates "
+    "are the derivatives of θ and ψ by φ.",
+    proof=all_of(precession_forward),
+    where=line(126),
+    quotes=(MOTION, INVERSE_FUNCTION),
 )
 
 eq_Euler = Claim(

@@ -1,4 +1,4 @@
-"""The long hunts: ``python tests/deep.py known`` (claims, asymptotic, laws, cheap, hostile, classes, kills).
+"""The long hunts: ``python tests/deep.py known`` (or another of ``HUNTS``).
 
 Each hunt is a number of chunks, each with seeds of its own: a run of pytest, or of a script.
 What has passed is in ``build/deep.jsonl`` and is not run again: an interrupted hunt goes on when it

@@ -1,4 +1,4 @@
-"""Random claims of sums, products, integrals, integers, powers and unknown functions with conditions.
+"""Random claims of sums, products, integrals, integers, powers and unknown functions.
 
 ``python tests/finite_claims.py [N [SEED]]`` builds N claims, 300 unless told, together with their
 truth, decides them and prints every wrong verdict; the counts come at the end. As a hunt of
@@ -71,7 +71,7 @@ def sums(r: random.Random) -> Claim:
             ),
         ]
     )
-    here, before, at = (form.format(k=t) for t in ("k", "(k - 1)", "(n + 1)"))
+    here, before = (form.format(k=t) for t in ("k", "(k - 1)"))
     top, low = r.choice([("n", 1), ("n + 1", 1), ("n", 2), ("n", 3)])
     end = form.format(k="n" if top == "n" else "(n + 1)")
     true = r.random() < 0.5
@@ -96,7 +96,8 @@ def products(r: random.Random) -> Claim:
 
 
 def undefined_terms(r: random.Random) -> Claim:
-    j, low = r.randint(1, 4), r.choice([0, 1])
+    low = r.choice([0, 1])
+    j = low + r.randint(1, 3)
     term = r.choice(
         [
             *(
@@ -109,8 +110,14 @@ def undefined_terms(r: random.Random) -> Claim:
         ]
     ).format(j=j)
     end, relation, right = r.choice(
-        [("n", "==", f"sum({term}, k, {low}, n)"), ("n", ">=", "-100 - n**2"), ("n", "==", "0")]
-        + [("n", "==", f"n*(n + 1)/2 - {j}*n"), ("n", "<", "100 + n**2"), ("n", "!=", "-100 - n")]
+        [
+            ("n", "==", f"sum({term}, k, {low}, n)"),
+            ("n", ">=", "-100 - n**2"),
+            ("n", "==", "0"),
+            ("n", "==", f"n*(n + 1)/2 - {j}*n"),
+            ("n", "<", "100 + n**2"),
+            ("n", "!=", "-100 - n"),
+        ]
     )
     kind = r.choice(["sum", "sum", "product"])
     return f"{kind}({term}, k, {low}, {end}) {relation} {right}", beside(r, "n >= 5"), None
@@ -134,11 +141,20 @@ def integrals(r: random.Random) -> Claim:
         ]
     )
     low, high = r.choice(
-        [("0", "a"), ("a", "b"), ("b", "a"), ("0", "1"), ("-a", "a"), ("a", "a")]
-        + [("1", "b**2"), ("a", "2*a")]
+        [
+            ("0", "a"),
+            ("a", "b"),
+            ("b", "a"),
+            ("0", "1"),
+            ("-a", "a"),
+            ("a", "a"),
+            ("1", "b**2"),
+            ("a", "2*a"),
+        ]
     )
     true = r.random() < 0.5
-    claim = f"integral({f}, x, {low}, {high}) == ({F.format(x=f'({high})')}) - ({F.format(x=f'({low})')})"
+    above, below = (F.format(x=f"({end})") for end in (high, low))
+    claim = f"integral({f}, x, {low}, {high}) == ({above}) - ({below})"
     return claim + wrong(r, true), beside(r), true
 
 

@@ -83,6 +83,8 @@ def test_a_condition_at_a_point_or_a_hypothesis_defines_nothing(text: str, tmp_p
 @pytest.mark.parametrize(
     "text",
     [
+        r"Suppose we want $x > 0$. In general \[ |x| = x \]",
+        r"We need to find $x$ where $x > 0$. First \[ |x| = x \]",
         r"Suppose for contradiction that $x > 0$. In general \[ \sqrt{x^2} = x \]",
         r"\begin{itemize} \item Let $x > 0$. \item In general \end{itemize} \[ |x| = x \]",
         r"\begin{theorem} Let $x > 0$. \end{theorem} In general \[ |x| = x \]",

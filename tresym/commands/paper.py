@@ -254,7 +254,9 @@ def _shown(row: Row, colour: bool, name: str) -> Iterator[str]:
     which = f"display {display.number}{label}, link {row.link.number}"
     where = f"{display.file or name}:{display.line}"
     yield f"{bold(f'{row.status:<9}', colour)} {where}" + dim(f"  {which}", colour)
-    shown = [("printed", row.link.shown[:200])]
+    from tresym.manuscript.suspects import printed
+
+    shown = [("printed", printed(row.link)[:200])]
     shown += [("read as", row.refuted if row.instead else row.link.read_as), ("why", row.why)]
     if row.witness is not None:
         values = ", ".join(f"{name} = {value}" for name, value in row.witness.items())

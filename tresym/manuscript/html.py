@@ -11,7 +11,7 @@ from tresym.manuscript.deciding import STATUSES, Row
 from tresym.manuscript.kinds_in_prose import REAL
 from tresym.manuscript.mathml import relation
 from tresym.manuscript.source import DISPLAYS
-from tresym.manuscript.suspects import attention
+from tresym.manuscript.suspects import attention, printed
 from tresym.reals.language.parsing import parse_claim
 from tresym.reals.numbers.exact import InputError
 
@@ -110,7 +110,7 @@ def _attention(rows: Sequence[Row], name: str) -> Iterator[str]:
         display = row.link.display
         place = escape(f"{display.file or name}:{display.line}")
         text = f'<li><a href="#display-{display.number}">{place}</a> '
-        text += f'<span class="status">{row.status}</span> <code>{escape(row.link.shown)}</code>'
+        text += f'<span class="status">{row.status}</span> <code>{escape(printed(row.link))}</code>'
         text += f"<br>Read as <code>{escape(row.refuted or row.link.read_as)}</code>"
         yield text + _findings(row) + "</li>"
     yield "</ul>\n</section>"

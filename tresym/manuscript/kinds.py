@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 from tresym.manuscript import prose
@@ -45,6 +45,8 @@ READ = frozenset((REAL, INTEGER, FUNCTION, SEQUENCE))
 ONLY = "only statements about real numbers, integers, functions and sequences are checked"
 _DECLARED_IN_TEXT = re.compile(r"\\(?:text\w*|mbox|intertext)\s*\{((?:[^{}]|\{[^{}]*\})*)\}")
 _ALGEBRA = frozenset(("+", "-", "^", "{", "}", "_", "\\cdot", "\\times", "\\frac", "/", "\\,"))
+_NAMING_RELATIONS = ("=", ":=", "==", "\\equiv", ":", "\\colon", "\\in", "\\sim")
+"""What stands behind a symbol that the words before a formula name."""
 Key = tuple[str, str, bool]
 """A letter, its accent, and whether it has a subscript."""
 
@@ -60,6 +62,7 @@ class Evidence:
         place: the number of the event in which they stand.
         section: that of the section.
         said: in words or by a directive, and not in notation.
+        local: it holds in its section alone.
     """
 
     kind: str
@@ -69,6 +72,7 @@ class Evidence:
     place: int = 0
     section: int = 0
     said: bool = False
+    local: bool = False
 
     @property
     def where(self) -> str:
@@ -165,7 +169,9 @@ class Kinds:
         chapter = self.chapters[-1]
         for kind, one, words in noted(tokens, found, display):
             said = kind in (REAL, INTEGER)
-            self._add(_key(one), self._evidence(kind, words, file, line, place, said))
+            evidence = self._evidence(kind, words, file, line, place, said)
+            local = kind == COMPLEX and one.letter not in ("z", "w")
+            self._add(_key(one), replace(evidence, local=local))
         for letter, words in sequences(tokens, found):
             evidence = self._evidence(SEQUENCE, words, file, line, place, False)
             chapter.sequences.setdefault(letter, evidence)
@@ -203,7 +209,7 @@ class Kinds:
                 words = f"{' '.join(left)} = {' '.join(right)}"
                 self._add(
                     _key(head),
-                    self._evidence(of.kind, words, "", line, place, False),
+                    replace(self._evidence(of.kind, words, "", line, place, False), local=True),
                     self.chapter_of[place],
                 )
                 return
@@ -226,6 +232,7 @@ class Kinds:
         if settled:
             return max(settled, key=lambda e: e.place)
         section = self.section_of[place]
+        found = [e for e in found if e.section == section or not e.local]
         here = [e for e in found if e.said and e.section == section]
         before = [e for e in here if e.place <= place]
         latest = max(before, key=lambda e: e.place) if before else None
@@ -236,7 +243,7 @@ class Kinds:
             strange = [e for e in against if e.kind not in READ]
             near = [e for e in strange or against if e.section == section]
             return (near or strange or against)[0]
-        return latest or here[0] if here else _weak(one) or found[0]
+        return latest or here[0] if here else _weak(one) or next(iter(found), None)
 
     def against_link(
         self, left: list[str], op: str, right: list[str], place: int, words: str = ""
@@ -349,6 +356,8 @@ def _named(tex: str, kind: str) -> Iterator[Key]:
         chosen = found[:1]
     elif opens and "," in head and "(" not in head:
         chosen = found
+    elif stop is not None and tokens[stop] not in _NAMING_RELATIONS and kind not in (REAL, INTEGER):
+        chosen = []
     elif opens and (stop is not None or kind in (REAL, INTEGER) or "(" in head):
         chosen = found[:1]
     elif {*head} & {"(", "[", "\\{", "|"}:

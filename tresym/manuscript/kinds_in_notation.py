@@ -72,8 +72,10 @@ def _members(tokens: Sequence[str], found: Sequence[Mention]) -> Noted:
             if one.end != end:
                 break
             own.append(one)
-            comma = one.start and tokens[one.start - 1] == ","
-            end = one.start - 1 if comma else -1
+            before = tokens[one.start - 1] if one.start else ","
+            if before not in (",", ";", ":", "&", "\\\\"):
+                own.pop()
+            end = one.start - 1 if before == "," else -1
         kind = _member(tokens, at + 1) if token == "\\in" else _distributed(tokens, at + 1)
         words = _shown(tokens, own[-1].start if own else at, at + 9)
         yield from ((kind, one, words) for one in own if kind)
@@ -101,7 +103,7 @@ def _member(tokens: Sequence[str], at: int) -> str:
         return REAL
     if after[:2] in (["M", "_"], ["G", "L"], ["S", "L"], ["S", "O"], ["S", "U"], ["O", "("]):
         return MATRIX
-    if after[:1] in (["V"], ["W"]):
+    if after[:1] in (["V"], ["W"]) and after[1:2] != ["_"]:
         return VECTOR
     return UNKNOWN if after[:1] in (["G"], ["H"], ["\\mathcal"], ["\\mathfrak"]) else ""
 
@@ -183,10 +185,10 @@ def _normed(tokens: Sequence[str], found: Sequence[Mention]) -> Noted:
     for one in found:
         around = tokens[one.start - 1 : one.start], tokens[one.end : one.end + 1]
         words = _shown(tokens, one.start - 1, one.end + 1)
-        if one.start and around[0] == around[1] == ["\\|"]:
+        norm = around[0] == around[1] == ["\\|"]
+        product = around in ((["\\langle"], [","]), ([","], ["\\rangle"]))
+        if one.start and (norm or product):
             yield FUNCTION if one.letter in _FUNCTIONS else VECTOR, one, words
-        elif one.start and (around == (["\\langle"], [","]) or around == ([","], ["\\rangle"])):
-            yield VECTOR, one, words
 
 
 def _conjugates(tokens: Sequence[str], found: Sequence[Mention]) -> Noted:

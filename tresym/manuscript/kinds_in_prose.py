@@ -65,7 +65,8 @@ _F = r"\x02\d+\x03"
 _LIST = rf"(?P<list>{_F}(?:(?:\s*,\s*(?:and\s+|or\s+)?|\s+(?:and|or)\s+){_F})*)"
 _STOP = (
     r"(?!(?:of|in|on|for|to|with|by|at|from|that|which|if|when|where|whose|such|not|no|less|greater"
-    r"|between|under|over|as|into|than|via|through|per)\b)"
+    r"|between|under|over|as|into|than|via|through|per|along|across|around|near|about|against|after"
+    r"|before|during|within|inside|outside|onto|among|beyond|upon)\b)"
 )
 _WORDS = rf"(?:{_STOP}[\w\x02\x03'-]+[\s~]+){{0,6}}?"
 _OTHER_NOUN = (
@@ -77,14 +78,14 @@ _ADJECTIVE_BEFORE = (
     r"(?:(?!(?:the|an?|for|of|in|on|to|and|or|let|by|with|that|this|is|are|be)\b)[a-z-]+[\s~]+)??"
 )
 _BEFORE = re.compile(
-    rf"\b{_ADJECTIVE_BEFORE}(?:{_ANY}){_OTHER_NOUN}[\s~]*,?[\s~]*"
-    r"(?:(?:say|called|named|denoted(?: by)?|given by)[\s~]+)?"
+    rf"\b{_ADJECTIVE_BEFORE}(?:{_ANY}){_OTHER_NOUN}[\s~]*"
+    r"(?:,?[\s~]*(?:say|called|named|denoted(?: by)?|given by)[\s~]+)?"
     rf"{_LIST}",
     re.IGNORECASE,
 )
 _AFTER = re.compile(
-    rf"{_LIST}[\s~]*,?[\s~]*(?:(?:is|are|be|being|denotes?|represents?|stands? for|was|were)\b"
-    rf"|(?=\(?(?:an?|the|two|any)\b)|\()[\s~]*{_WORDS}(?:[\w-]+,[\s~]+an?[\s~]+{_WORDS})?(?:{_ANY})"
+    rf"{_LIST}[\s~]*(?:,?[\s~]*(?:is|are|be|being|denotes?|represents?|stands? for|was|were)\b"
+    rf"|,?[\s~]*(?=\(?(?:an?|two|any)\b)|(?=\(?the\b)|\()[\s~]*{_WORDS}(?:[\w-]+,[\s~]+an?[\s~]+{_WORDS})?(?:{_ANY})"
     rf"{_OTHER_NOUN}(?![\s~]+\x02)",
     re.IGNORECASE,
 )

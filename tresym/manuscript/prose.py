@@ -93,6 +93,11 @@ _PIECE = re.compile(
     r"|(?:only )?(?:for|if|when|whenever|on|in)\b[^.;$]{0,40}"
     r"\$[^$]*(?:[<>=,\[]|\\(?:[lg]eq?|neq?)(?![a-z])))"
 )
+_WANTED = re.compile(
+    r"\b(?:want\w*|wish\w*|need\w*|seek\w*|find|look\w* for|to show|to prove|ensure\w*|guarantee\w*"
+    r"|goal|make sure|require\w*|aim\w*)\b[^.;:$]*\Z",
+    re.IGNORECASE,
+)
 _INTRODUCED = re.compile(
     r"\b(?:let|consider|given|suppose(?: that)?|for|an?|any|every|each|two|some|another"
     r"|(?:let|consider|given|suppose|for) the)(?:[\s~]+(?:\w+[\s~]+){0,2}(?:functions?|curves?"
@@ -262,6 +267,8 @@ def inline(text: str) -> Iterator[Inline]:
                     bool(_DEFINING.search(words)),
                     bool(_TOLD.search(words) or _NAMED.search(words)),
                 )
+            if _WANTED.search(words):  # it is to be reached, and no condition
+                marks, conditional = (False, False, *marks[2:]), False
             tex, rest = found[1] or found[2], sentence[found.end() :]
             signed = _signed(tex, words, rest)
             if signed:  # spoken of anew, and then under its condition

@@ -58,20 +58,24 @@ _NEXT = re.compile(
 _LOOSE = re.compile(
     r"approximat\w*|neglect\w*|ignor\w*|\border\b|roughly|\bsmall\b|\blarge\b|asymptotic\w*"
     r"|\bleading\b|lineari[sz]\w*|\bup to\b|\bmod(?:ulo)?\b|characteristic|formal(?:ly)?\b"
-    r"|\berrors?\b|mistakes?|\bwrong\w*|incorrect\w*|\bfalse\w*|fallac\w+|nonsense|naive\w*|tempt\w*"
-    r"|\b(?:may|might|could) (?:write|think|guess|try|say|be)|pretend\w*|heuristic\w*|vanish\w*|by symmetry"
-    r"|orthogonal\w*|\bnot true\b|\bbogus\b|students?\b|\bcases?\b|\binstead of\b|\bcompare\w*",
+    r"|\berrors?\b|mistakes?|\bwrong\w*|incorrect\w*|\bfalse\w*|fallac\w+|nonsense|naive\w*"
+    r"|\b(?:may|might|could) (?:write|think|guess|try|say|be)|tempt\w*|pretend\w*|heuristic\w*"
+    r"|vanish\w*|by symmetry|orthogonal\w*|\bnot true\b|\bbogus\b|students?\b|\bcases?\b"
+    r"|\binstead of\b|\bcompare\w*",
     re.IGNORECASE,
 )
+"""Words by which a display is approximate, wrong, or true in a special case."""
 _PHRASE = re.compile(
-    r"\s*(?:and |but |so |now |then |while )?((?:for|if|when|whenever|where|at|on|in|under|unless|near"
-    r"|with|without|inside|outside|along|during|after|before|only|except)\b"
-    r"(?!,? (?:all|any|every|each|example|instance|brevity|convenience|simplicity|clarity|this|these"
-    r"|that|the (?:right|left|following|last|first|above|next|other|same|end|meantime|sequel)|fact"
-    r"|particular|other words|general|summary|addition|order|short|turn|contrast|so|hand|which)\b)"
+    r"\s*(?:and |but |so |now |then |while )?((?:for|if|when|whenever|where|at|on|in|under|unless"
+    r"|near|with|without|inside|outside|along|during|after|before|only|except)\b"
+    r"(?!,? (?:all|any|every|each|example|instance|brevity|convenience|simplicity|clarity|this"
+    r"|these|that|fact|particular|other words|general|summary|addition|order|short|turn|contrast"
+    r"|so|hand|which|the (?:right|left|following|last|first|above|next|other|same|end|meantime"
+    r"|sequel))\b)"
     r"[^$,.;:]{3,60})[,:]?\s*(?:we\b|then\b|one\b|\Z)",
     re.IGNORECASE,
 )
+"""A phrase in front of a statement that restricts it, and is not read."""
 _RETRACTED = re.compile(
     r"\s*(?:this|it|that|which|these|they|but this|however, this|of course,? this)\b[^.$]{0,40}?"
     r"\b(?:wrong|false|not|incorrect|nonsense|impossible|absurd|contradict\w*|fails?|approximat\w*)\b",

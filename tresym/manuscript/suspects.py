@@ -206,8 +206,8 @@ def reason(row: Row, instead: Sequence[Alternative], others: Sequence[str]) -> s
     if relation != "==" or not row.refuted:
         return ""
     link = row.link
-    sides = link.sides[::2] if link.sides else ()
-    if not link.same or any(not symbols(side) for side in sides):
+    sides = (link.sides[0], link.sides[2]) if link.sides else ()
+    if not sides or not link.same or any(not symbols(side) for side in sides):
         return ""
     if others and all(status in _HOLD for status in others):
         return f"{fails}; the other links of its display are identities"
@@ -267,6 +267,19 @@ def _differ(first: Link, second: Link) -> bool:
     if first.sides is None or second.sides is None or first.display == second.display:
         return False
     return is_one_edit(first.sides[2], second.sides[2])
+
+
+_SKIPPED = re.compile(r"[\s&{}]|\\(?:left|right|,|;|:|!|quad|qquad|nonumber|notag|label\{[^}]*\})")
+
+
+def printed(link: Link) -> str:
+    """The formula of a link as its source has it: the display, or the line in which it stands."""
+    whole = " ".join(link.display.text.split())
+    wanted = _SKIPPED.sub("", link.shown)
+    for line in re.split(r"\\\\(?:\[[^]]*\])?", whole):
+        if wanted and wanted in _SKIPPED.sub("", line):
+            return line.strip().rstrip(".,; ")
+    return whole
 
 
 def attention(rows: Iterable[Row]) -> list[Row]:

@@ -12,7 +12,7 @@ shown to be defined; it is contradicted by balls alone. What is not shown contra
 from __future__ import annotations
 
 import operator
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence, Set
 from functools import lru_cache, partial
 from itertools import pairwise
 from math import comb, factorial
@@ -44,6 +44,10 @@ QUADRATURE, TERMS, LONGEST_POWER, LARGEST_FACTORIAL = 600, 400, 10**5, 1000
 GRID = (-40, -9, -5, -3, -2, -1, 0, 1, 2, 3, 5, 9, 40)
 """Between which the root of an equation is looked for."""
 HALVINGS = 90
+EXPONENTS = (arb(2), arb(1) / 2, arb(-1), arb(1), arb(3))
+BASES = (arb(-1), arb(-2), arb(2), arb(-1) / 2)
+POWERS = 40
+"""Points at which powers are looked at first, and of what they are put together."""
 ROUGH = arb((1, -20))
 """What is less sharp is as good as unknown."""
 TOLERANCE = arb((1, -60))
@@ -117,8 +121,9 @@ def contradiction(
         value = program(trees, names, integers, field)
         without = field._replace(integral=lambda *_: arb(0))  # near equal ends it may diverge
         beside = program(trees, names, integers, without)
-        tried = Points(names, given, integers)
-        still = {*integers, *tried.solved, *(_exponents(trees) if anywhere else ())}
+        raised = _exponents(trees) if anywhere else set()
+        tried = Points(names, given, integers, raised)
+        still = {*integers, *tried.solved, *raised}
         fixed = [name in still for name in names]
         lowest: list[Any] | None = None
         for count, point in enumerate(tried, 1):
@@ -128,7 +133,10 @@ def contradiction(
             if found and point is not None and relation[0] in "<>" and not any(fixed):
                 room = _room(found, relation)
                 lowest = [room, point] if lowest is None or room < lowest[0] else lowest
-            enough = shown >= patience * ENOUGH or count >= (1 if shown else 5) * patience * TRIED
+            most = (1 if shown else 5) * patience * TRIED
+            enough = shown >= patience * ENOUGH or count >= most
+            if raised and count <= POWERS:
+                continue
             if enough and not has_time(1 if lowest is None else 2):
                 break
         for n, point in enumerate(_downhill(lowest, tried.holds)):
@@ -180,10 +188,18 @@ class Points:
     """
 
     def __init__(
-        self, names: Sequence[str], given: Sequence[Comparison], integers: Sequence[str] = ()
+        self,
+        names: Sequence[str],
+        given: Sequence[Comparison],
+        integers: Sequence[str] = (),
+        raised: Set[str] = frozenset(),
     ) -> None:
-        """Of an equation that is not solved here no point is found."""
-        self.names, self.integers = names, integers
+        """Of an equation that is not solved here no point is found.
+
+        Args:
+            raised: the variables in exponents; bases are negative at the first points.
+        """
+        self.names, self.integers, self.raised = names, integers, raised
         self.bounds = [c for c in given if c[1] != "=="]
         self.steps: list[tuple[Program, int]] = []
         self.solved: set[str] = set()
@@ -209,6 +225,16 @@ class Points:
         self.holds = conditions(names, [*self.bounds, *self.other], integers)
 
     def __iter__(self) -> Iterator[Tried | None]:
+        for k in range(POWERS if self.raised and not self.steps else 0):
+            point = [
+                EXPONENTS[(k + k // 5 * (j + 1) + j) % 5]
+                if name in self.raised
+                else BASES[(k // 2 + j + 2) % 4]
+                for j, name in enumerate(self.names)
+            ]
+            at = dict(zip(self.names, point, strict=True))
+            whole = all(at[name].is_integer() for name in self.integers if name in at)
+            yield point if whole and self.holds(point) else None
         if not self.steps and not self.integers:
             yield from points(self.names, self.bounds, self.holds)
             return

@@ -155,3 +155,34 @@ TRUE_ALONG_PATHS = [
 @pytest.mark.parametrize("claim", TRUE_ALONG_PATHS)
 def test_numbers_along_the_path_do_not_stop_what_is_true(claim: str) -> None:
     assert against(claim) is None
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        "integral(1/x, x, 0, a) == oo given a >= 0",
+        "integral(a/(x**2 + a**2), x, 0, a) == pi/4 given a >= 0",
+        "integral(x, x, a, b) == b - a",
+        "integral(exp(x), x, 0, a) == a given a == 2",
+        "(x**a)**b*y == x**(a*b)*y",
+        "((x + y)**a)**b == (x + y)**(a*b)",
+        "(x**2)**a == x**(2*a)",
+        "x**a >= 0",
+        "f(cos(n*pi)) == f(1) given n integer",
+        "f(x) == f(x + 1)",
+        "diff(f(x), x) == f(x)",
+        "x + y == 2 given x - y == 1",
+        "x == 2 given x**2 == 3, x > 0",
+        "n == 3 given n == 2*m, n integer, m integer",
+        "factorial(n) >= n + 1",
+        "product(k, k, 1, n) == n*(n + 1)/2",
+        "sum(k, k, 1, n) == n*(n + 1)/2 + n - 4 given n >= 1",
+        "diff(exp(2*x), x, n) == exp(2*x)",
+    ],
+)
+def test_it_stops_each_family_alone(monkeypatch: pytest.MonkeyPatch, claim: str) -> None:
+    monkeypatch.setattr(dispatch, "_decide", lambda *_: Answer(Verdict.PROVED, "so it is said"))
+    monkeypatch.setattr(dispatch, "beyond_positive_bases", lambda answer, *_: answer)
+    answer = tresym.check(claim)
+    assert answer.verdict is Verdict.UNDECIDED
+    assert "please report" in answer.why

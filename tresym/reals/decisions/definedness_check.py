@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from flint import arb
+from flint import arb, fmpq
 
 from tresym.reals.cross_check import SHOWN, program, somewhere
 from tresym.reals.decisions.claim_parsing import Comparison, Statement, functions
@@ -22,6 +22,7 @@ from tresym.reals.language.expression import (
     DOTS,
     LEAVES,
     ONE,
+    ZERO,
     Expr,
     integer,
     number,
@@ -31,14 +32,16 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.parsing import FACTORIAL
+from tresym.reals.language.parsing import FACTORIAL, INFINITY
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.signs.interior import PROVING
 from tresym.reals.signs.sign import sign_by
 
+INSIDE = fmpq(3, 7)
+"""Of the way between the ends of an integral: where its integrand is looked at."""
 ONE_BY_ONE = 12
 """So many indices are looked at one by one, and all beyond them at once."""
-NODES = frozenset(("sum", "product", "unknown"))
+NODES = frozenset(("sum", "product", "unknown", "integral", "nth"))
 
 
 def unspoken(claim: Comparison, statement: Statement) -> str | None:
@@ -51,9 +54,10 @@ def unspoken(claim: Comparison, statement: Statement) -> str | None:
         part = _undefined_at_an_index(node)
         if part is not None:
             return f"{part} is not shown to be as {node} needs it at every index"
-    if any(n.op in ("nth", "integral") or is_infinite(n) for n in outermost(*sides)):
-        return None  # an improper integral may have a value where quadrature shows none
-    own = [node for node in nodes if node.op != "unknown"]
+    if any(node.op == "derivative" for node in outermost(*sides)):
+        return None  # Leibniz's rule has shown a point where its result is defined
+    sides = tuple(map(_sampled, sides))
+    own = [node for node in outermost(*sides) if node.op in ("sum", "product")]
     terms = [(n.args[2], ">=", n.args[1]) for n in own if symbols(n.args[2]) | symbols(n.args[1])]
     equations = [(x, "==", y) for x, y in statement.equations]
     links = [*statement.given.comparisons, *equations, *terms]
@@ -68,6 +72,24 @@ def unspoken(claim: Comparison, statement: Statement) -> str | None:
     if somewhere(trees, given, statement.integers):
         return None
     return "no point was found at which all conditions hold and both sides are defined"
+
+
+def _sampled(e: Expr) -> Expr:
+    """``e`` with one value of what is integrated, summed to oo or differentiated in place of it."""
+    put = {}
+    for node in outermost(e):
+        (name,), body = opened(node) if node.names else (("",), node)
+        low, high = node.args[1:3] if len(node.args) > 2 else (ZERO, ZERO)
+        if node.op == "nth":
+            put[node] = substitute(body, {name: node.args[1]})
+        elif is_infinite(node):
+            put[node] = substitute(body, {name: ONE if low == -INFINITY else low})
+        elif node.op == "integral":
+            start = high - 3 if low == -INFINITY else low
+            stop = start + 3 if high == INFINITY else high
+            start, stop = (-ONE, ONE) if {low, high} >= {INFINITY, -INFINITY} else (start, stop)
+            put[node] = substitute(body, {name: start + (stop - start) * number(INSIDE)})
+    return replaced(e, put)
 
 
 def _sums(e: Expr) -> Iterator[Expr]:

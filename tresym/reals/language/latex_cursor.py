@@ -128,6 +128,7 @@ class Cursor:
             in two ways is refused.
         at: the next token.
         open_end: where the last operand without brackets ended.
+        counting: inside the subscript of a term.
         bar: where the limits of the last evaluation bar ended, and its variable.
     """
 
@@ -141,6 +142,7 @@ class Cursor:
         self.integrals = 0
         self.open_end = -1
         self.bar = -1, ""
+        self.counting = False
 
     def peek(self, ahead: int = 0) -> str:
         """The next token, or one further on; empty at the end."""
@@ -277,7 +279,7 @@ class Cursor:
     def check_name(self) -> None:
         """Refuse letters that are no variable of the author's."""
         token = self.peek()
-        if token in ("i", "j") and self.peek(1) != "_":
+        if token in ("i", "j") and self.peek(1) != "_" and not self.counting:
             self.refuse(INSTEAD["\\imath"])
         if token == "d" and is_letter(self.peek(1)):
             self.refuse(

@@ -820,6 +820,17 @@ class Reader(Cursor):
         """``a_k`` as a(k), ``a_{ij}``, ``a_{1j}`` and ``a_{i,j}`` as functions of two indices."""
         letter = self.take().removeprefix("\\")
         self.take("_")
+        self.counting = True  # i is an index there
+        try:
+            indices = self.indices_below()
+        finally:
+            self.counting = False
+        if self.peek() in ("(", "'"):
+            self.refuse(f"{letter} is a sequence, and what stands behind its term is not read,")
+        return Piece(unknown(letter, tuple(indices)))
+
+    def indices_below(self) -> list[Expr]:
+        """The indices in the subscript here."""
         inside = self.tokens[self.at + 1 : self.partner(self.at)] if self.peek() == "{" else []
         letters = [t for t in inside if t.isalpha() and len(t) == 1]
         numbered = len(inside) == 2 and inside[0] in "13456789" and len(letters) == 1
@@ -835,9 +846,7 @@ class Reader(Cursor):
             self.take("}")
         else:
             indices = [self.script().tree]
-        if self.peek() in ("(", "'"):
-            self.refuse(f"{letter} is a sequence, and what stands behind its term is not read,")
-        return Piece(unknown(letter, tuple(indices)))
+        return indices
 
     def is_argument(self, name: str) -> bool:
         """Whether the bracket here is the argument of ``name``: f(…), or one symbol, ε(γ)."""

@@ -21,7 +21,7 @@ from tresym.reals.verdict import Verdict
 
 __all__ = ["Alternative", "check", "suggested", "suggestions"]
 
-GRACE = 2.0
+GRACE = 15.0
 """Seconds on the wall beyond its processor time after which a search is ended."""
 SHARE, LEAST = 0.2, 0.01
 """Of a run over many claims: what searches may take; and seconds below which none begins."""

@@ -57,7 +57,12 @@ _PARTNERS = (
 )
 """Functions that are confused most often, in pairs."""
 STRICTNESS = {"<": "<=", "<=": "<", ">": ">=", ">=": ">"}
-RELATIONS = {"<": ("<=", ">"), "<=": ("<", ">="), ">": (">=", "<"), ">=": (">", "<=")}
+RELATIONS: dict[str, tuple[str, ...]] = {
+    "<": ("<=", ">"),
+    "<=": ("<", ">="),
+    ">": (">=", "<"),
+    ">=": (">", "<="),
+}
 """The relations that stand for another one by a misprint."""
 RELATIONS |= {"O": ("o",), "o": ("O",), "!=": ("==",)}
 
@@ -119,7 +124,7 @@ def edits(
         for other in RELATIONS.get(relation, ())
     ]
     plain = free and {*relations} == {"=="} and elementary(*terms)
-    lone = plain and _has_lone(terms, indices)
+    lone = plain and bool(lone_variables(terms, indices))
     for n in reversed(range(len(terms))):
         for rank, old, new, tree in changes(terms[n], names, indices):
             chain = (*terms[:n], tree, *terms[n + 1 :])
@@ -136,12 +141,12 @@ def edits(
     return list(unique.values())[1:]
 
 
-def _has_lone(terms: Sequence[Expr], indices: Sequence[str]) -> bool:
-    """Whether a variable stands in an equality but once: then it is no identity, and an edit that
-    makes it one is of variables."""
+def lone_variables(terms: Sequence[Expr], indices: Sequence[str] = ()) -> set[str]:
+    """The variables that stand in a chain but once: with one an equality is no identity, and an
+    edit that makes it one is of variables."""
     counts = Counter(name for term in terms for name in _leaves(term))
     apart = {*indices, *symbols(INFINITY), *symbols(DOTS)}
-    return any(n == 1 for name, n in counts.items() if name not in apart)
+    return {name for name, n in counts.items() if n == 1} - apart
 
 
 def _leaves(e: Expr) -> Iterator[str]:
@@ -194,7 +199,9 @@ def _built(change: Change, e: Expr, n: int) -> Iterator[Change]:
     yield change._replace(tree=tree)
 
 
-def _try(rank: int, old: str, new: str, make: Callable[..., Expr], *args: Expr) -> Iterator[Change]:
+def _try(
+    rank: float, old: str, new: str, make: Callable[..., Expr], *args: Expr
+) -> Iterator[Change]:
     """A change, none where the tree would be too large."""
     try:
         yield Change(rank, old, new, make(*args))
@@ -204,6 +211,7 @@ def _try(rank: int, old: str, new: str, make: Callable[..., Expr], *args: Expr) 
 
 def _inside(e: Expr, names: Sequence[str], indices: Sequence[str]) -> Iterator[Change]:
     """Changes of the body and of the ends of what binds a variable."""
+    bound: tuple[str, ...]
     if e.op in ("antiderivative", "derivative", "nth") and e.args[1].op == "symbol":
         bound, body = (str(e.args[1]),), instantiate(e.args[0], (e.args[1],))
     else:
@@ -232,7 +240,9 @@ def _here(e: Expr, names: Sequence[str], indices: Sequence[str]) -> Iterator[Cha
                 yield Change(VARIABLE, name, other, symbol(other))
         for step in (1, -1) if name in indices else ():
             yield Change(VARIABLE, name, str(e + step), e + step)
-    for pairs, rank in ((_PARTNERS, FUNCTION), (_FAMILIES, WRAPPED)):
+    families: tuple[tuple[tuple[tuple[str, ...], ...], int], ...]
+    families = ((_PARTNERS, FUNCTION), (_FAMILIES, WRAPPED))
+    for pairs, rank in families:
         for family in pairs:
             if e.op in family:
                 for other in family:
@@ -288,10 +298,10 @@ def _factors(e: Expr) -> Iterator[Change]:
     for n, m in permutations(range(len(e.args)), 2):
         above, below = e.args[n], e.args[m]
         if below.op == "^" and below.args[1] == MINUS_ONE and above.op != "number":
-            rest = [factor for k, factor in enumerate(e.args) if k not in (n, m)]
+            others = [factor for k, factor in enumerate(e.args) if k not in (n, m)]
             try:
                 turned = multiply(below.args[0], power(above, MINUS_ONE))
-                yield Change(WRAPPED, str(above * below), str(turned), multiply(*rest, turned))
+                yield Change(WRAPPED, str(above * below), str(turned), multiply(*others, turned))
             except InputError:
                 continue
 
@@ -313,10 +323,10 @@ def _wrapped(e: Expr) -> Iterator[Change]:
             yield from _try(WRAPPED, old, f"sqrt({old})", power, e, HALF)
         return
     plain = e.op == "symbol" or e.op in FUNCTIONS
-    square = NUMBER + 0.5 if plain else WRAPPED
-    for exponent, rank in ((number(2), square), (HALF, WRAPPED), (MINUS_ONE, WRAPPED)):
+    square: float = NUMBER + 0.5 if plain else WRAPPED
+    for exponent, usual in ((number(2), square), (HALF, WRAPPED), (MINUS_ONE, WRAPPED)):
         tree = power(e, exponent)
-        yield Change(rank, old, str(tree), tree)
+        yield Change(usual, old, str(tree), tree)
     yield Change(square + 0.4, old, str(power(e, number(3))), power(e, number(3)))
     if e.op != "abs":
         yield Change(WRAPPED, old, f"abs({old})", apply("abs", e))
@@ -337,6 +347,7 @@ def _exponents(e: Expr, names: Sequence[str], indices: Sequence[str]) -> Iterato
 
 def _numbers(e: Expr) -> Iterator[Change]:
     """A number changed, alone, as the factor in front of a product, or the 1 of a quotient."""
+    rest: tuple[Expr, ...]
     if e.op == "number":
         own, rest = e.args[0], ()
     elif e.op == "*" and e.args[0].op == "number":
@@ -348,9 +359,8 @@ def _numbers(e: Expr) -> Iterator[Change]:
     else:
         return
     for n, value in enumerate(v for v in _near(own, beside=False) if v != 0 or not rest):
-        yield Change(
-            _later(n), str(number(own)), str(number(value)), multiply(number(value), *rest)
-        )
+        tree, rank = multiply(number(value), *rest), _later(n) if value != 0 else OTHER
+        yield Change(rank, str(number(own)), str(number(value)), tree)
     sign = multiply(number(-own), *rest)
     yield Change(_signs(e, sign), str(number(own)), str(number(-own)), sign)
 

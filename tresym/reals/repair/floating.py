@@ -75,11 +75,13 @@ class Points:
             return self.values(found)
         if op == "unknown":
             return self._unknown(e)
+        if e.names:
+            raise UnsupportedError(op)
         rows = [self.values(arg) for arg in args if isinstance(arg, Expr)]
         if op == "^" and args[1].op == "number":
             return _powers(rows[0], int(args[1].args[0].p), int(args[1].args[0].q))
         function = _OPERATIONS.get(op)
-        if function is None or e.names:
+        if function is None:
             raise UnsupportedError(op)
         return [_applied(function, *values) for values in zip(*rows, strict=True)]
 
@@ -102,7 +104,7 @@ class Points:
         (name,), body = opened(e, self.at)
         lows, highs = (self._ends(arg) for arg in e.args[1:])
         free = symbols(e) & self.at.keys()
-        result = []
+        result: Row = []
         for n, (low, high) in enumerate(zip(lows, highs, strict=True)):
             if n and not free:
                 result.append(result[0])
@@ -126,6 +128,7 @@ def _integral(body: Expr, name: str, low: float, high: float, here: Mapping[str,
         return 0.0
     if low > high:
         return -_integral(body, name, high, low, here)
+    parts: tuple[tuple[float, float, bool], ...]
     if low == -math.inf and high < math.inf:
         middle = high - 1.0
         parts = ((middle, high, False), (-middle, math.inf, True))
@@ -138,7 +141,8 @@ def _quadrature(
     body: Expr, name: str, low: float, high: float, mirrored: bool, here: Mapping[str, float]
 ) -> float:
     """An integral over a finite range, a ray or the line; ``mirrored`` by −x."""
-    for substitution in _SUBSTITUTIONS[math.isfinite(low), math.isfinite(high)]:
+    ends = math.isfinite(low), math.isfinite(high)
+    for substitution in _SUBSTITUTIONS.get(ends, ()):  # no end of a range may be undefined
         steps = range(round(substitution.first / STEP), round(substitution.last / STEP) + 1)
         nodes = [substitution.node(k * STEP, low, high) for k in steps]
         places = [-x if mirrored else x for x, _ in nodes]

@@ -28,11 +28,15 @@ from tresym.reals.language.parsing import Compared
 from tresym.reals.numbers.exact import InputError
 
 
-def is_trivial(old: Compared, new: Compared) -> bool:
-    """Whether a repaired comparison says nothing, or nothing of some variable of the old one."""
+def is_trivial(old: Compared, new: Compared, mistaken: str = "") -> bool:
+    """Whether a repaired comparison says nothing, or nothing of some variable of the old one.
+
+    Args:
+        mistaken: a variable that another one was printed for, which may go.
+    """
     left, right = collected(new[0]), collected(new[2])
     names = symbols(old[0]) | symbols(old[2])
-    if left == right or loses_names(old, new):
+    if left == right or loses_names(old, new, mistaken):
         return True
     if new[1] not in ("==", "<=", ">=", "<", ">"):
         return False
@@ -43,13 +47,13 @@ def is_trivial(old: Compared, new: Compared) -> bool:
     return (not symbols(gap) and bool(names)) or (not symbols(share) and bool(names))
 
 
-def loses_names(old: Compared, new: Compared) -> bool:
+def loses_names(old: Compared, new: Compared, mistaken: str = "") -> bool:
     """Whether a repaired comparison says nothing of some variable, or function, of the old one."""
     before, after = (
         frozenset().union(*(_named(collected(worked_out(side))) for side in link[::2]))
         for link in (old, new)
     )
-    return not before <= after
+    return not before - {mistaken} <= after
 
 
 def _named(e: Expr) -> frozenset[str]:

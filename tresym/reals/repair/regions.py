@@ -10,13 +10,28 @@ from tresym.reals.language.parsing import Compared, parse_given
 from tresym.reals.repair.floating import Points
 from tresym.reals.repair.samples import held, satisfied
 
-_LINE = ("{x} != 0", "{x} >= 0", "{x} > 0", "{x} <= 0", "{x} < 0", "abs({x}) <= 1", "abs({x}) < 1")
+_LINE: tuple[str, ...] = (
+    "{x} != 0",
+    "{x} >= 0",
+    "{x} > 0",
+    "{x} <= 0",
+    "{x} < 0",
+    "abs({x}) <= 1",
+    "abs({x}) < 1",
+)
 _LINE += ("{x} >= 1", "{x} > 1", "abs({x}) >= 1", "abs({x}) > 1", "{x} <= 1", "{x} < 1", "{x} != 1")
 _LINE += ("{x} >= -1", "{x} > -1", "-pi/2 < {x}, {x} < pi/2", "-pi/2 <= {x}, {x} <= pi/2")
 _LINE += ("0 < {x}, {x} < pi", "0 <= {x}, {x} <= pi", "-pi < {x}, {x} < pi", "0 < {x}, {x} < pi/2")
 _LINE += ("0 <= {x}, {x} <= 1", "0 < {x}, {x} < 1")
 _WHOLE = ("{x} >= 0", "{x} >= 1", "{x} >= 2", "{x} != 0")
-_PLANE = ("{x} <= {y}", "{x} < {y}", "{y} <= {x}", "{y} < {x}", "{x} != {y}", "{x} + {y} != 0")
+_PLANE: tuple[str, ...] = (
+    "{x} <= {y}",
+    "{x} < {y}",
+    "{y} <= {x}",
+    "{y} < {x}",
+    "{x} != {y}",
+    "{x} + {y} != 0",
+)
 _PLANE += ("{x} + {y} >= 0", "{x} + {y} > 0", "{x}*{y} > 0", "{x}*{y} >= 0", "{x}*{y} < 1")
 _ALL = ("{x} > 0", "{x} >= 0")
 FEWEST = 3

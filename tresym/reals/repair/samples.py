@@ -10,7 +10,20 @@ from tresym.reals.language.expression import Expr, substitute, symbols
 from tresym.reals.language.parsing import INFINITY, Compared
 from tresym.reals.repair.floating import Points, Row, UnsupportedError
 
-_LINE = (0.37, 1.71, -0.62, 2.43, -1.31, 0.83, 3.19, -2.77, 0.14, 5.9, -0.21, 1.13)
+_LINE: tuple[float, ...] = (
+    0.37,
+    1.71,
+    -0.62,
+    2.43,
+    -1.31,
+    0.83,
+    3.19,
+    -2.77,
+    0.14,
+    5.9,
+    -0.21,
+    1.13,
+)
 _LINE += (12.3, 0.55, -4.6, 2.05, -0.87, 0.71, -6.4, 4.4, 0.29, 1.37)
 """Where an unbounded variable is tried: in (0, 1), in (1, 2.5), negative and large."""
 _SPECIAL = (0.0, 1.0, -1.0)

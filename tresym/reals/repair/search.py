@@ -31,7 +31,16 @@ from tresym.reals.language.expression import (
 )
 from tresym.reals.language.parsing import INFINITY, Compared, parse_claim, parse_given
 from tresym.reals.numbers.exact import InputError
-from tresym.reals.repair.edits import FACTOR, FUNCTION, OTHER, WRAPPED, Edit, edits
+from tresym.reals.repair.edits import (
+    FACTOR,
+    FUNCTION,
+    OTHER,
+    VARIABLE,
+    WRAPPED,
+    Edit,
+    edits,
+    lone_variables,
+)
 from tresym.reals.repair.floating import Points, UnsupportedError
 from tresym.reals.repair.like_terms import collected, is_trivial, loses_names
 from tresym.reals.repair.regions import holding
@@ -343,8 +352,10 @@ def _stands(claim: _Claim, edit: Edit, points: Points | None, until: float) -> b
         return False
     changed = [(a, b) for a, b in zip(claim.links, links, strict=True) if a != b]
     slopes = [tuple(map(_without_integrals, pair)) for pair in changed]
-    return not any(is_trivial(*pair) for pair in changed) and not any(
-        loses_names(*pair) for pair in slopes
+    lone = edit.rank == VARIABLE and edit.old in lone_variables(claim.terms, claim.integers)
+    mistaken = edit.old if lone else ""
+    return not any(is_trivial(*pair, mistaken) for pair in changed) and not any(
+        loses_names(*pair, mistaken) for pair in slopes
     )
 
 

@@ -135,12 +135,11 @@ def values(comparison: Compared, given: Sequence[Compared]) -> Iterator[Expr]:
     side = worked_side(comparison)
     if side is None or comparison[1] == "->":
         return
-    tree = comparison[side]
+    tree, other = comparison[::2] if side == 0 else comparison[::-2]
     names = symbols(tree) - symbols(INFINITY)
     try:
         if not names:
             (value,) = Points({}).values(tree)
-            other = comparison[2 - side]
             shares = () if math.isfinite(value) else (HALF, number(2), number(-1), HALF * HALF)
             yield from (share * other for share in shares)
             yield from recognised(value)
@@ -157,9 +156,9 @@ def _closed_forms(tree: Expr, name: str) -> Iterator[Expr]:
     places = [fmpq(n) for n in range(1, DEGREE + 6)]
     rows = Points({name: [float(n.p) for n in places]}).values(tree)
     known = [
-        (n, fmpq(found.numerator, found.denominator))
+        (n, fmpq(value.numerator, value.denominator))
         for n, y in zip(places, rows, strict=True)
-        if (found := _rational(y, 100_000)) is not None
+        if (value := _rational(y, 100_000)) is not None
     ]
     if len(known) < DEGREE + 3:
         return

@@ -120,6 +120,14 @@ RECHECKED = {
         *("reals.decisions.identity._generator_count", "reals.signs.taylor._seen"),
     ),
     "it refutes alone": (
+        "reals.decisions.asymptotics.refutation_check",
+        "reals.decisions.asymptotics.numerical_evidence",
+        *(
+            f"reals.decisions.asymptotics.leading_terms.{name}"
+            for name in ("_fails_at_a_phase", "_remains_beside_zero", "_phases")
+        ),
+        "reals.decisions.asymptotics.path_claims._at_integers",
+        "reals.decisions.asymptotics.integral_limits._differs",
         *("reals.decisions.identity._refutation", "reals.decisions.answer.refuted"),
         *("reals.signs.discontinuities.Case.point", "reals.decisions.dispatch._exact"),
         *("reals.decisions.inequalities._at_corners", "reals.decisions.inequalities._refuted_at"),
