@@ -299,7 +299,10 @@ def _natural(name: str) -> InputError:
     )
 
 
-_TWO_E = "two readings remain of e: write E or exp(x) for Euler's number, or the variable e by another name"
+_TWO_E = (
+    "two readings remain of e: write E or exp(x) for Euler's number, "
+    "or the variable e by another name"
+)
 _EULER = re.compile(r"(?<![\w.])e(?!\w)")
 _EULER_POWER = re.compile(r"(?<![\w.])e\*\*(\(+-?\w+|-?\w+)")
 
