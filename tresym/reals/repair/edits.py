@@ -269,6 +269,11 @@ def _terms(e: Expr) -> Iterator[Change]:
         tree = add(*e.args[:n], other, *e.args[n + 1 :])
         yield Change(_signs(e, tree), _signed(term), _signed(other), tree)
         yield Change(OTHER, _signed(term), "", add(*rest))
+        if term.op == "number" or (term.op == "*" and term.args[0].op == "number"):
+            continue
+        for value in range(3, 10):  # 1 is not printed in front of a term
+            more = add(*e.args[:n], multiply(number(value), term), *e.args[n + 1 :])
+            yield Change(_later(value), str(term), f"{value}*{term}", more)
     product = multiply(*e.args)
     yield Change(WRAPPED if len(e.args) == 2 else OTHER, str(e), str(product), product)
 
