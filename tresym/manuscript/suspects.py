@@ -18,13 +18,14 @@ import re
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from itertools import groupby
+from itertools import groupby, pairwise
 
 from tresym.manuscript import prose
-from tresym.manuscript.classification import CONSTANTS, DEFINED, EQUATION, Link
+from tresym.manuscript.classification import CONSTANTS, DEFINED, EQUATION, UNREAD, Link
 from tresym.manuscript.deciding import Row
 from tresym.manuscript.terms import base_of
-from tresym.reals.decisions.answer import Alternative
+from tresym.reals.decisions.answer import Alternative, Answer
+from tresym.reals.decisions.time_limited import Task, check_all
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.expression import Expr, differentiate, symbols
 from tresym.reals.repair import suggestions
@@ -81,6 +82,8 @@ _DOUBTED = re.compile(
     r"|how near|of a sequence|stands under|another paragraph"
 )
 """Reasons for which what fails is no misprint either."""
+_FAR = re.compile("another paragraph")
+"""One of them, which a claim close to the one that fails removes: it shows what was meant."""
 _OPEN = re.compile(r"no real point was found where both sides|no antiderivative was found")
 """Why an equality is not decided that may be a misprint."""
 _STRICT = re.compile(r" ([<>])=? ")
@@ -98,6 +101,7 @@ def proofread(
         processes: how many at once; all cores unless given.
     """
     asked = {n: row for n, row in enumerate(rows) if row.status == "REFUTED" or may_be(row)}
+    closed = _closing(rows, processes)
     texts = [_question(row) for row in asked.values()]
     found = dict(zip(asked, suggestions(texts, processes, seconds), strict=True)) if texts else {}
     blocks = _blocks(rows)
@@ -111,7 +115,33 @@ def proofread(
         if why:
             witness = row.fails_at
             result[n] = replace(row, status=SUSPECT, why=why, instead=instead, witness=witness)
+    for n, chain in closed.items():
+        if result[n].status not in (SUSPECT, "REFUTED"):
+            row, why = rows[n], "it fails, and so does the next link, but the chain holds without"
+            why = f"{why} the term between them"
+            result[n] = replace(row, status=SUSPECT, why=why, instead=chain, witness=row.fails_at)
     return _defined_twice(result)
+
+
+def _closing(rows: Sequence[Row], processes: int | None) -> dict[int, tuple[Alternative, ...]]:
+    """What holds between the ends of two links, by the number of the first: both fail, and the end
+    of the first is the start of the second, so the term between them is a misprint."""
+    found: dict[int, Task] = {}
+    for n, (row, after) in enumerate(pairwise(rows)):
+        (left, equal, middle), (start, same, right) = (
+            one.refuted.partition(" given ")[0].partition(" == ") for one in (row, after)
+        )
+        chained = row.link.display == after.link.display
+        chained = chained and row.link.number + 1 == after.link.number
+        given = {one.refuted.partition(" given ")[2] for one in (row, after)}
+        if chained and equal and same and middle == start and len(given) == 1:
+            found[n] = Task(f"{left} == {right}", given.pop(), line=n)
+    answers = check_all(found.values(), SECONDS, processes) if found else ()
+    return {
+        task.line: (Alternative(task.claim, task.given, "without the term", answer.verdict.value),)
+        for task, answer in answers
+        if isinstance(answer, Answer) and answer.verdict.value in _HOLD
+    }
 
 
 def may_be(row: Row) -> bool:
@@ -122,7 +152,9 @@ def may_be(row: Row) -> bool:
     left, relation, right = link.sides
     if relation not in _RELATIONS or is_introduced(link) or _stands_alone(left, right):
         return False
-    if any(_DOUBTED.search(doubt) for doubt in link.ground.doubts) or _has_constants(left, right):
+    vary = link.same and bool(symbols(left)) and bool(symbols(right))
+    doubts = [doubt for doubt in link.ground.doubts if not (vary and _FAR.search(doubt))]
+    if any(_DOUBTED.search(doubt) for doubt in doubts) or _has_constants(left, right):
         return False
     if relation != "==":
         return bool(row.refuted) and not row.put
@@ -130,12 +162,15 @@ def may_be(row: Row) -> bool:
 
 
 def _has_constants(*sides: Expr) -> bool:
-    """Whether a constant that is to be determined stands in both sides, each linear in it."""
+    """Whether a constant that is to be determined stands in both sides, each linear in it; one that
+    is added to both, as to antiderivatives, is not determined."""
     if not elementary(*sides):
         return False
     names = [name for name in symbols(sides[0]) & symbols(sides[1]) if CONSTANTS.fullmatch(name)]
+    slopes = [[differentiate(side, name) for side in sides] for name in names]
     return any(
-        all(name not in symbols(differentiate(side, name)) for side in sides) for name in names
+        all(name not in symbols(slope) for slope in found) and found[0] != found[1]
+        for name, found in zip(names, slopes, strict=True)
     )
 
 
@@ -209,7 +244,10 @@ def reason(row: Row, instead: Sequence[Alternative], others: Sequence[str]) -> s
     sides = (link.sides[0], link.sides[2]) if link.sides else ()
     if not sides or not link.same or any(not symbols(side) for side in sides):
         return ""
-    if others and all(status in _HOLD for status in others):
+    if any(_FAR.search(doubt) for doubt in link.ground.doubts):
+        return ""
+    read = [status for status in others if status != UNREAD]
+    if read and all(status in _HOLD for status in read):
         return f"{fails}; the other links of its display are identities"
     lead = _words(link.around[0])
     several = len(symbols(sides[0])) > 1  # of one variable it may be an equation on the way
