@@ -128,14 +128,16 @@ def _closing(rows: Sequence[Row], processes: int | None) -> dict[int, tuple[Alte
     of the first is the start of the second, so the term between them is a misprint."""
     found: dict[int, Task] = {}
     for n, (row, after) in enumerate(pairwise(rows)):
-        (left, equal, middle), (start, same, right) = (
-            one.refuted.partition(" given ")[0].partition(" == ") for one in (row, after)
+        (first, _, given), (second, _, same) = (
+            one.refuted.partition(" given ") for one in (row, after)
         )
-        chained = row.link.display == after.link.display
-        chained = chained and row.link.number + 1 == after.link.number
-        given = {one.refuted.partition(" given ")[2] for one in (row, after)}
-        if chained and equal and same and middle == start and len(given) == 1:
-            found[n] = Task(f"{left} == {right}", given.pop(), line=n)
+        left, equal, middle = first.partition(" == ")
+        if not equal or given != same or not _goes_on(row, after):
+            continue
+        for start in (f"{middle} == ", f"abs({middle} - ("):  # the second is of printed digits
+            if second.startswith(start):
+                claim = start.replace(middle, left, 1) + second.removeprefix(start)
+                found[n] = Task(claim, given, line=n)
     answers = check_all(found.values(), SECONDS, processes) if found else ()
     return {
         task.line: (Alternative(task.claim, task.given, "without the term", answer.verdict.value),)
@@ -144,15 +146,22 @@ def _closing(rows: Sequence[Row], processes: int | None) -> dict[int, tuple[Alte
     }
 
 
+def _goes_on(row: Row, after: Row) -> bool:
+    """Whether a link goes on with the chain of the one before it."""
+    one, other = row.link, after.link
+    in_order = one.display == other.display and one.number + 1 == other.number
+    return in_order and bool(one.sides and other.sides) and one.sides[2] == other.sides[0]
+
+
 def may_be(row: Row) -> bool:
     """Whether a row is a comparison that fails, and that nothing introduces as something else."""
     link = row.link
     if row.status not in (EQUATION, "UNDECIDED") or link.sides is None:
         return False
     left, relation, right = link.sides
+    vary = link.same and bool(symbols(left)) and bool(symbols(right))
     if relation not in _RELATIONS or is_introduced(link) or _stands_alone(left, right):
         return False
-    vary = link.same and bool(symbols(left)) and bool(symbols(right))
     doubts = [doubt for doubt in link.ground.doubts if not (vary and _FAR.search(doubt))]
     if any(_DOUBTED.search(doubt) for doubt in doubts) or _has_constants(left, right):
         return False
