@@ -1,22 +1,24 @@
 """The theorem of Section 6: judged as printed, repaired with constants, and extended to all shapes.
 
-ε* = 2√(a/(a+b)) e^{−√(ab)(π + arcsin √(b/(a+b)))} is the leading term with its arcsine kept.
+ε* = 2√(a/(a+b)) e^{−√(ab)(π + arcsin √(b/(a+b)))} is the leading term, with the arcsine kept.
 
-- `printed_error`: how far the printed leading term is off, so that it is right in the limit,
-  `printed_leading_term`; the remainder o(e^{−π√(ab)}) of `eps0` is not;
-- `repaired`, `second_order`, `third_order`: ε₀ by powers of ε*² with constants that cannot be
-  improved by one per cent on ab ≥ 1/4 (in `constants` on a ≥ a₀, down to a₀ = 1/100);
-  `every_order`: what is left out after N terms, for every N;
-  `everywhere`: one bound for all shapes, with its best constant 10/3, where the corner that boxes
-  cannot close is closed by `corner_margin`;
-- `one_line`, `balanced_line`, `newton_line`, `balanced_newton`: explicit formulas,
-  together `uniform_formulas`, for every shape;
-- `one_line_side`, `newton_side`: on which side each errs;
-- `printed_relative_error`: the printed formula's own error, between two multiples of b²/a;
-- `slope_leading_term`: dε/dγ at γ = 0; `bend`: the linear formula as a root, `bend_leaves` where
-  it leaves what is possible (and `bend_carries` in `orders` how far it is good).
+- `printed_error`: the error of the printed leading term; it tends to 0, so that term is correct in
+  the limit (`printed_leading_term`), but the printed remainder o(e^{−π√(ab)}) of `eps0` is not;
+- `repaired`, `second_order`, `third_order`: expansions of ε₀ in powers of ε*², with constants for
+  ab ≥ 1/4 that cannot be improved by one per cent (in `constants`: for a ≥ a₀, down to a₀ = 1/100);
+  `every_order`: a bound on the remainder after N terms, for every N;
+  `everywhere`: one bound for all shapes with the best constant 10/3; near the corner that boxes
+  cannot cover, `corner_margin` proves it;
+- `one_line`, `balanced_line`, `newton_line`, `balanced_newton`: explicit formulas for every shape,
+  combined in `uniform_formulas`;
+- `one_line_side`, `newton_side`: the sign of the error of two of these formulas;
+- `printed_relative_error`: the relative error of the printed formula lies between two multiples
+  of b²/a;
+- `slope_leading_term`: dε/dγ at γ = 0; `bend`: the linear formula as an approximate root,
+  `bend_leaves`: where it leaves the admissible range (`bend_carries` in `orders`: up to where it
+  is accurate).
 
-What the steps of a margin are in the paper's symbols is read in `near`.
+`near` states what the steps of a margin are in the paper's symbols.
 """
 
 from __future__ import annotations
@@ -514,7 +516,7 @@ phase_steepness = Claim(
 
 
 def _newton_beyond(label: str, room: Expr, direction: int, ends: tuple[Expr, Expr]) -> Claim:
-    """That a Newton step from x ends beyond the root T, where ``room`` is positive."""
+    """That a Newton step from x ends beyond the root T, where the argument is positive."""
     low, high = ends
     bend = direction * (T - psi) * _at(_curvature, psi) * _at(_steepness, x)
     slope = 1 - k * r / _at(_D, psi)

@@ -1,11 +1,11 @@
 """Section 7, end: the book as a box, and the units and columns of Table 1.
 
-A box of length L, width W and height H has the principal axes e₁, e₂, e₃ along them.
+A box of length L, width W and height H has the principal axes e₁, e₂, e₃ along its edges.
 
 - display (30), `d30`: the a and b of a book;
-- `box_a`, `box_b`: the shape of a box; `box_order`: its moments are in the paper's order;
-- `book_length`, `book_height`: the proportions that the printed a and b need, a box that exists;
-- `table_units`: the printed unit is none of a moment of inertia;
+- `box_a`, `box_b`: the shape of a box; `box_order`: its moments are ordered as in the paper;
+- `book_length`, `book_height`: the proportions that the printed a and b require; such a box exists;
+- `table_units`: the printed unit is not a unit of a moment of inertia;
 - `last_column`: the last column is π − 2ε₀.
 """
 

@@ -1,8 +1,9 @@
 """Section 8: ethylene, from its printed rotational constants.
 
 - `rotational_constants`: a = B₁/B₂ − 1 and b = 1 − B₃/B₂;
-- `ethylene_flip` is not what the constants give; `ethylene_flip_exact` and
-  `ethylene_flip_formula` are; `ethylene_without_prefactor` is where the printed number comes from.
+- `ethylene_flip`: the printed flip does not follow from the constants; `ethylene_flip_exact` and
+  `ethylene_flip_formula` give the values that do; `ethylene_without_prefactor` explains the printed
+  number.
 """
 
 from __future__ import annotations

@@ -1,10 +1,10 @@
 """Section 4: the equations of the Euler angles, the shape of the body, and the planar system.
 
-- display (7), `eq_euler_angle`: the rates of θ, φ, ψ, solved from Ω = M/I;
+- display (7), `eq_euler_angle`: the rates of θ, φ, ψ, obtained from Ω = M/I;
 - (8), `d08`: a, b and γ;
-- `precession_forward`: φ always grows, so it can replace time;
-- (9), `eq_Euler`: the planar system for θ and ψ over φ;
-- (10), `eq_gamma`: γ as a function of θ and ψ, by substitution; `gamma_conserved`, by dγ/dφ = 0;
+- `precession_forward`: φ increases strictly, so it can be used in place of time;
+- (9), `eq_Euler`: the planar system for θ and ψ as functions of φ;
+- (10), `eq_gamma`: γ as a function of θ and ψ, by substitution; `gamma_conserved`: dγ/dφ = 0;
 - (11), `d11`: 0 ≤ a, 0 ≤ b ≤ 1 and −b ≤ γ ≤ a, by `range_of_shape` and `range_of_gamma`.
 """
 

@@ -5,11 +5,11 @@
 - `logarithmic_equation`: the stable equation is log(ε₀/ε*) = Q(ε₀), where
   Q(e) = log(e/sin e) + log((cos e + ρ)/2) + √(ab)(arcsin μ − arcsin(μ cos e)),
   ρ = √(1 + (b/a) sin²e);
-- `sine_of_turn`: the sine of that difference of angles, in a form that does not cancel;
+- `sine_of_turn`: the sine of that difference of angles, in a form without cancellation;
 - `residual_increases`: log e − Q(e) increases with e, so that ε₀ ≤ e exactly when
-  Q(e) ≤ log(e/ε*): a bound on ε₀ is one sign at an explicit candidate;
+  Q(e) ≤ log(e/ε*). To bound ε₀ it therefore suffices to find one sign at an explicit candidate e;
 - `exponent_gap`: Q(e) − log(e/ε*) without logarithms, for candidates e that are angles;
-- `arctangent_concave`, `arsinh_concave`: what concave functions do to a share of their argument;
+- `arctangent_concave`, `arsinh_concave`: f(tx) ≥ t f(x) for these concave functions, 0 ≤ t ≤ 1;
 - `half_exponent`, `half_tangent`: log(tan(ε₀/2)/(ε*/2)) is a sum of two terms, positive by
   `root_above_one` and by `turn_increases`, as the turn vanishes at e = 0. Hence `leading_below`:
   ε₀ > 2 arctan(ε*/2), and by `arctangent_above` ε₀/ε* > 1 − ε*²/12, for every shape.

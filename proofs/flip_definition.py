@@ -1,12 +1,12 @@
 """Section 6, up to the theorem: what a flip is, and which motions are studied.
 
-- display (18), `eq_robust_gen`: Δφ is the integral of f, here (33), `d33`; `full_turn`:
-  the turn that is studied;
-- `elementary_at_the_top`: the equation of the flip can be integrated for some γ;
+- display (18), `eq_robust_gen`: Δφ is the integral of f, which is (33), `d33`; `full_turn`:
+  the paper considers one full turn;
+- `elementary_at_the_top`: for some γ the equation of the flip has an elementary solution;
 - (20), `eq_psi0psif`: the symmetric motion; (21), `eqdefect`: its flip is π − 2ε;
-- `symmetric_is_extreme`: what is true of the symmetric motion among all with its γ;
+- `symmetric_is_extreme`: the symmetric motion is extremal among all motions with the same γ;
 - (25), `d25`: ε₀ by an exponential equation;
-- (28), `eq_TRE`: when a flip counts.
+- (28), `eq_TRE`: when a motion counts as a flip.
 """
 
 from __future__ import annotations

@@ -1,12 +1,12 @@
 """Section 2, continued: what the frames and the angles say of the racket.
 
-- `handle_in_space`, `line_of_nodes`: e₁ and the line of nodes in the laboratory;
-- `angles_of_the_reference`: they are not the z-x-z angles of the reference named there;
-- `laboratory_turned`: X and Y may be chosen at will;
+- `handle_in_space`, `line_of_nodes`: e₁ and the line of nodes in the laboratory frame;
+- `angles_of_the_reference`: they are not the z-x-z angles of the reference cited there;
+- `laboratory_turned`: the axes X and Y may be chosen freely;
 - display (2), `d02`: the flip starts with e₂ near M; `near_intermediate_axis`: how near;
-- (3), `d03`: what is seen after a turn; `perfect_flip`: Δφ = 2π with Δψ = π is a half
+- (3), `d03`: the observed effect after a turn; `perfect_flip`: Δφ = 2π with Δψ = π is a half
   turn of the body about its handle;
-- `cross_product`: a rotation about one principal axis has M along that axis;
+- `cross_product`: in a rotation about one principal axis, M is parallel to that axis;
 - `angles_from_momentum`: θ and ψ from M, and why the poles are excluded.
 """
 

@@ -266,7 +266,7 @@ G_at_origin = Claim(
 def _at_origin(
     label: str, says: str, slope: Claim, value: int, *reasons: Reason, **rest: Any
 ) -> tuple[Claim, Claim]:
-    """That a derivative of G, as ``slope`` says it is, has this value at the origin."""
+    """The claim that a derivative of G, which ``slope`` states, has this value at the origin."""
     says_value = equal(at(parts_of(slope.says)[0].args[1], at_origin), value)
     name = label.removeprefix("G_").removesuffix("_at_origin")
     letter = name if len(name) == 1 else "\\" + name

@@ -1,15 +1,16 @@
 """Section 3: the motion of M in Jacobi's elliptic functions.
 
 With the amplitude χ and the parameter m, sn = sin χ, cn = cos χ, dn = √(1 − m sin²χ) and
-dχ/dt = p dn, for every 0 < m < 1. Put into Euler's equations:
+dχ/dt = p dn, for every 0 < m < 1. Substituted into Euler's equations:
 
-- `rotating_solution` (2I₁E < M² < 2I₂E): M₁, M₂, M₃ go with dn, sn, cn;
-- `oscillating_solution` (2I₂E < M² < 2I₃E): they go with cn, sn, dn;
-- `separatrix_solution` (2I₂E = M²): they go with sech, tanh, sech;
+- `rotating_solution` (2I₁E < M² < 2I₂E): M₁, M₂, M₃ are proportional to dn, sn, cn;
+- `oscillating_solution` (2I₂E < M² < 2I₃E): they are proportional to cn, sn, dn;
+- `separatrix_solution` (2I₂E = M²): they are proportional to sech, tanh, sech;
 - `rotating_start`, `oscillating_start`, `separatrix_start`: each M with the given energy and
-  length is on one of these curves, for some χ and some signs; `motions_part_slowly`: from each
-  start there is one motion;
-- `meeting_point`: the surfaces meet whenever 2I₁E ≤ M² ≤ 2I₃E; `momentum_between`: never otherwise.
+  length lies on one of these curves, for some χ and some signs; `motions_part_slowly`: each start
+  determines the motion uniquely;
+- `meeting_point`: the energy ellipsoid and the momentum sphere intersect if 2I₁E ≤ M² ≤ 2I₃E;
+  `momentum_between`: only then.
 """
 
 from tresym.proofs.axioms import AMPLITUDE, MOTION

@@ -1,17 +1,19 @@
 """Beyond the paper: where ε(γ) decreases on (−b, a], and where it does not.
 
-ε(γ) is the flip angle half a turn before the motion passes ψ = π/2. Until the motion has turned it
-solves F(ε, γ) = π, and F falls in ε, by ∂F/∂ε = −f, and in γ, as f does, so that ε falls too:
+ε(γ) is the flip angle half a turn before the motion passes ψ = π/2. Until the motion has reached a
+turning point, it solves F(ε, γ) = π. F decreases in ε, since ∂F/∂ε = −f, and in γ, since f does, so
+ε decreases in γ:
 
 - `rotating_decrease`, `unturned_decrease`: −dε/dγ = (∂F/∂γ)/(∂F/∂ε) > 0, for γ > 0 with ε < π/2
   and for 0 < ε < π/2 with γ > −b sin²ε.
 
-With what the file before shows of the motion once it has turned:
+Together with the results of `turning` on motions beyond their turning points:
 
-- `decrease_in_gamma`: ε falls strictly on [γ°, a], where ε(γ°) = π/2 and Φ(π, γ°) = π;
-- `one_level`: a value below π/2 has one level above that with Φ(2π, γ) = π, the largest it has;
-- `decrease_of_bodies`: there is no γ° exactly for b ≤ 1/(a+2), and only then is ε monotone;
-- `always_decreasing`: it is not for other shapes, and `up_and_down` is one.
+- `decrease_in_gamma`: ε decreases strictly on [γ°, a], where ε(γ°) = π/2 and Φ(π, γ°) = π;
+- `one_level`: a value below π/2 is taken at exactly one level above the one with Φ(2π, γ) = π, the
+  largest of all levels that have it;
+- `decrease_of_bodies`: no γ° exists if and only if b ≤ 1/(a+2), and only then is ε monotone;
+- `always_decreasing`: for other shapes ε is not monotone; `up_and_down` is an example.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """Appendix: what is said between the displays, of limits and of what dominates.
 
 - `zero_asymptotic`, `any_delta`: ε₀ → 0, as fast as e^{−π/λ};
-- `dominant_exponential`: the exponent is −2π√(ab) but for a part that stays bounded;
-- `implicit_solution`: what the implicit function theorem gives, on λ ≥ 0;
+- `dominant_exponential`: the exponent is −2π√(ab) plus a bounded term;
+- `implicit_solution`: the conclusion of the implicit function theorem, on λ ≥ 0;
 - `uniform_convergence`, `more_difficult`, `terms_dominant`, `remainder_constant`: the remarks on
   dε/dγ.
 """

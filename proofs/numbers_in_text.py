@@ -1,14 +1,14 @@
 """Sections 6 and 7: every number in running text, and what is concluded from the numbers.
 
-Printed inputs and outputs are intervals of half a unit in the last place. A printed value is read
-of the quantity it is printed for; where it belongs to the asymptotic formula and not to the exact
-equation there is a claim for each reading.
+Printed inputs and outputs are intervals of half a unit in the last place. A printed value is
+compared with the quantity that it is printed for. If it belongs to the asymptotic formula and not
+to the exact equation, there is a claim for each interpretation.
 
 - `d26` … `accuracy`: ε₀ of the standard racket; `d27`: the slope at the separatrix;
-- `d29`: the levels at which the tolerance is reached, exactly and by the linear formula, and
-  `lower_level_unturned`: by the integral of the appendix one of them is not;
-- `each_eps0_one_a`, `larger_ab_less_robust`, `linear_range`: what the formula is said to show;
-- `zero_on_separatrix`, `slow_on_separatrix`, …: what the figures are said to show.
+- `d29`: the levels at which the tolerance is reached, exactly and by the linear formula;
+  `lower_level_unturned`: the integral of the appendix does not give one of them;
+- `each_eps0_one_a`, `larger_ab_less_robust`, `linear_range`: conclusions drawn from the formula;
+- `zero_on_separatrix`, `slow_on_separatrix`, …: conclusions drawn from the figures.
 """
 
 from __future__ import annotations

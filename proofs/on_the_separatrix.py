@@ -1,8 +1,8 @@
 """Section 6: near and on the separatrix, and what becomes of it for a symmetric top.
 
 - `level_of_a_start`: γ from the initial flip angle and rate;
-- `turn_to_the_middle`, `time_of_a_turn`: the unstable points are reached
-  in infinite time only, and never crossed;
+- `turn_to_the_middle`, `time_of_a_turn`: reaching the unstable points takes infinite time, and they
+  are never crossed;
 - `cotangent_form`, `rest_of_the_time`, `hyperbolic_sine_at_most`, `angle_below_tangent`: ε₀ → π/2
   as b → 0;
 - `separatrix_horizontal`, `separatrix_equilibria`: the separatrix of a top with I₂ = I₃.

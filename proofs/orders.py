@@ -1,18 +1,18 @@
 """Every O, o and "hot" of the paper as printed, each judged with its constant or its witness.
 
-S = +1 throughout; constants are uniform on ab ≥ 1/4, 0 < b ≤ 1 unless they are of one body.
+S = +1 throughout. Constants are uniform on ab ≥ 1/4, 0 < b ≤ 1 unless they are for one body.
 
 - `d24`, `eps0` (in `asymptotics`): the remainder of the theorem, which is not exponentially small;
-  `d38`, `eqnew`: what the higher orders left out on the way are, with constants;
-- `u_flat_order`: u = O(λ²) holds, so that du/dλ is 0 at the origin, `dudlam`; it is far from sharp:
-  `u_exponentially_small`;
+  `d38`, `eqnew`: the higher orders omitted in its derivation, with constants;
+- `u_flat_order`: u = O(λ²) holds, so that du/dλ is 0 at the origin, `dudlam`; but this is far from
+  sharp: `u_exponentially_small`;
 - `d52`, `d56`, `d57`: the printed orders hold; `d52_true_order`, `d56_true_order` and
-  `d57_true_order` say what they are in truth, with lower and upper constants;
-- `eq_epsilon_gen`: ε is quadratically close to its tangent, with a constant for every shape with
-  ab ≥ 1/4, and near the printed line: `bend_everywhere`, `bend_carries`; without the remainder
-  (`d31`) or with −1/(4bε₀) for the slope (`eq_pavao`, `d58`) that is false, and so is the theorem
-  `prop1` as a whole;
-- `remark1`: ε₀ tends to zero exponentially; `remark1_speed`: not at the printed speed.
+  `d57_true_order` give the exact orders, with lower and upper constants;
+- `eq_epsilon_gen`: ε differs quadratically from its tangent, with a constant for every shape with
+  ab ≥ 1/4, and it is near the printed line: `bend_everywhere`, `bend_carries`. Without the
+  remainder (`d31`), or with the slope −1/(4bε₀) (`eq_pavao`, `d58`), this is false, and
+  so is the theorem `prop1` as a whole;
+- `remark1`: ε₀ tends to zero exponentially; `remark1_speed`: but not at the printed rate.
 """
 
 from __future__ import annotations

@@ -1,14 +1,14 @@
 """Section 5, continued: the phase portraits of ψ and of θ.
 
 - `sign_constant_rotating`, `turning_points`: where dψ/dφ may change its sign;
-- display (14), `eq_borne_psi`: the flip stays between ψ_min and ψ_max, named by
-  `flip_bounds`; `flip_between`: no ψ outside them has this γ;
-- `linear_at_e2`, `linear_at_e3`: the planar system at its equilibria;
-- `width_of_flip`, `width_of_pendulum`: how far they swing;
+- display (14), `eq_borne_psi`: the flip stays between ψ_min and ψ_max, defined by `flip_bounds`;
+  `flip_between`: no ψ outside this interval occurs for this γ;
+- `linear_at_e2`, `linear_at_e3`: the planar system linearised at its equilibria;
+- `width_of_flip`, `width_of_pendulum`: the amplitudes of the oscillations;
 - (15), `d15`, and (16), `eq_dthetadphi`: the equation of the tilt, with S₂ the sign of
   sin ψ cos ψ;
-- (17), `eq_borne_theta`: the tilt stays between θ_min and θ_max, which `tilt_bounds_rotating` and
-  `tilt_bounds_oscillating` name.
+- (17), `eq_borne_theta`: the tilt stays between θ_min and θ_max, defined by `tilt_bounds_rotating`
+  and `tilt_bounds_oscillating`.
 """
 
 from tresym.proofs.axioms import MOTION

@@ -1,8 +1,8 @@
 """Abstract and introduction: what they promise, judged by what the proofs have shown.
 
-- `planar_constraint`: the one case treated before, I₃ = I₁ + I₂, in terms of the shape;
+- `planar_constraint`: the only case treated before the paper, I₃ = I₁ + I₂, in terms of the shape;
 - `abstract_general_formula`: the closed formula for bodies of every shape;
-- `abstract_flip`: the effect itself.
+- `abstract_flip`: the tennis racket effect itself.
 """
 
 from tresym.proofs.asymptotics import printed_error, uniform_formulas

@@ -1,11 +1,12 @@
 """Sections 3 and 4: oscillating and rotating motions, told apart by γ.
 
-- `energy_by_gamma`: 2I₂E, 2I₃E and 2I₁E against M², each as a multiple of γ, γ + b, a − γ;
-- `tilt_by_flip`: cos²θ from ψ alone, hence θ comes back when ψ has turned by π;
-- `theta_half`, `psi_unbounded`: for γ > 0 the handle stays on one side, ψ is unbounded;
-- `psi_half_oscillating`, `handle_crosses`: for γ < 0 the racket oscillates, the handle crosses;
+- `energy_by_gamma`: 2I₂E, 2I₃E and 2I₁E compared with M², as multiples of γ, γ + b, a − γ;
+- `tilt_by_flip`: cos²θ depends on ψ alone, so θ returns to its value when ψ has changed by π;
+- `theta_half`, `psi_unbounded`: for γ > 0 the handle stays on one side, and ψ is unbounded;
+- `psi_half_oscillating`, `handle_crosses`: for γ < 0 the racket oscillates, and the handle crosses
+  the plane;
 - `symmetry_half`: the symmetries of the planar system;
-- `depth_at_e1`, `depth_at_e3`: γ = a and γ = −b, and where the angles rest.
+- `depth_at_e1`, `depth_at_e3`: γ = a and γ = −b, and where the angles are constant.
 """
 
 from tresym.proofs.axioms import MOTION

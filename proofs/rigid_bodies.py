@@ -1,15 +1,15 @@
 """Rigid bodies: what I₃ ≤ I₁ + I₂ means for the shape, and how perfect a flip can be.
 
 - `realizable`: I₁ + I₂ − I₃ has the sign of 1 − b(a + 2);
-- `product_below_one`: ab < 1 for every rigid body, and `product_is_approached`: no less will do;
+- `product_below_one`: ab < 1 for every rigid body; `product_is_approached`: the bound 1 is sharp;
 - `rigid_body_floor`: on b = 1/(a+2) (planar bodies) ε₀ > 2 arctan e^{−π}, for every a > 0;
-- `floor_is_approached`: and ε₀ < 2 arctan e^{−π} + 1/(a+1) there, for every a ≥ 7, so it is the
-  infimum; with `monotonicity` that is so for every body, `floor_of_every_body`.
+- `floor_is_approached`: there ε₀ < 2 arctan e^{−π} + 1/(a+1) for every a ≥ 7, so this is the
+  infimum; by `monotonicity` the bound holds for every body, `floor_of_every_body`.
 
-With u = 1/(a + 1) planar bodies have μ = u and √(ab) = c/(1 + u), c = √(1 − u²). For the candidate
+With u = 1/(a + 1), planar bodies have μ = u and √(ab) = c/(1 + u), c = √(1 − u²). For the candidate
 e = 2 arctan e^{−π} (tan e = 1/sinh π, cos e = tanh π) the claim ε₀ > e is
-arsinh(c sinh π) > c/(1+u) (π + arcsin(u tanh π)); arsinh is concave, so the left side is at least
-cπ (`arsinh_concave`), and what is left is c u/(1+u) (π − arcsin(u tanh π)/u) > 0:
+arsinh(c sinh π) > c/(1+u) (π + arcsin(u tanh π)). Since arsinh is concave, the left side is at
+least cπ (`arsinh_concave`), and it remains to show c u/(1+u) (π − arcsin(u tanh π)/u) > 0:
 `floor_candidate`.
 """
 

@@ -1,9 +1,9 @@
 """Sections 2 and 3: the permanent rotations and their stability.
 
-Around M along a principal axis, Euler's equations are linearised; the eigenvalues λ solve
-λ(λ² − …) = 0 exactly. Where λ² < 0 the energy on the sphere of M has a strict extremum, and the
-distance from the axis stays below a constant times what it was; where λ² > 0 one eigenvalue is
-positive, and a product of two components grows exponentially.
+Euler's equations are linearised at M along a principal axis; the eigenvalues λ solve
+λ(λ² − …) = 0 exactly. Where λ² < 0, the energy on the sphere of M has a strict extremum, and the
+distance from the axis stays below a constant times its initial value. Where λ² > 0, one eigenvalue
+is positive, and a product of two components grows exponentially.
 
 - `eigenvalues_e1`, `eigenvalues_e2`, `eigenvalues_e3`, and the signs of λ²;
 - `energy_near_e1`, `energy_near_e3`: the energy on the sphere of M, with its extrema;

@@ -1,12 +1,12 @@
 """Section 7, continued: which starts show a flip.
 
-- `two_rectangles`: starts that flip by π within π/6, each of them;
-- `faster_at_higher_level`: f = dφ/dψ falls as γ grows, and `level_grows_with_the_rate`: γ grows
-  with the initial rate;
-- `near_flip_likely`: near enough to the unstable point no start flips; `likely_near`: in a
-  rectangle about it most do;
-- `far_from_separatrix`: where the standard racket shows no effect from any start, and
-  `no_tre_far`: the same, read literally.
+- `two_rectangles`: rectangles of initial conditions that all flip by π to within π/6;
+- `faster_at_higher_level`: f = dφ/dψ decreases as γ increases; `level_grows_with_the_rate`: γ
+  increases with the initial rate;
+- `near_flip_likely`: sufficiently near the unstable point no start flips; `likely_near`: in a
+  rectangle around it most starts flip;
+- `far_from_separatrix`: where the standard racket shows no effect from any start;
+  `no_tre_far`: the same statement, read literally.
 """
 
 from __future__ import annotations
@@ -45,12 +45,12 @@ _level = _rate**2 * (1 - b * sin(psi0) ** 2) ** 2 / (a + b * sin(psi0) ** 2) - b
 
 
 def _time(level: Expr, start: Expr, end: Expr) -> Integral:
-    """Δφ in which ψ goes from ``start`` to ``end``."""
+    """Δφ while ψ goes from ``start`` to ``end``."""
     return Integral(printed.integrand(psi, a, b, level, 1, sympy), (psi, start, end))
 
 
 def _of_starts(label: str, least: str, low: str, high: str) -> Claim:
-    """That starts with ``least`` ≤ ψ₀ ≤ 1/10 and such rates flip by π within π/6 in one turn."""
+    """That starts with ``least`` ≤ ψ₀ ≤ 1/10 and such rates flip by π to within π/6 in one turn."""
     needed = [_time(_level, psi0, psi0 + flip) for flip in (5 * pi / 6, 7 * pi / 6)]
     ends = psi0 >= Rational(least), psi0 <= Rational(1, 10)
     return Claim(
