@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 from tresym.commands.parser import UNEXPECTED, Commands, add_output, deliver, parse_seconds
 from tresym.output import bold, colour_wanted, dim
+from tresym.reals.notebook import abbreviated
 from tresym.reals.numbers.exact import InputError
 
 if TYPE_CHECKING:
@@ -257,7 +258,8 @@ def _shown(row: Row, colour: bool, name: str) -> Iterator[str]:
     from tresym.manuscript.suspects import printed
 
     shown = [("printed", printed(row.link)[:200])]
-    shown += [("read as", row.refuted if row.instead else row.link.read_as), ("why", row.why)]
+    read_as = row.refuted if row.instead else row.link.read_as
+    shown += [("read as", abbreviated(read_as)), ("why", row.why)]
     if row.witness is not None:
         values = ", ".join(f"{name} = {value}" for name, value in row.witness.items())
         shown.append(("witness", values or "the constants themselves"))

@@ -351,7 +351,7 @@ def _stands(claim: _Claim, edit: Edit, points: Points | None, until: float) -> b
     if not survives:
         return False
     changed = [(a, b) for a, b in zip(claim.links, links, strict=True) if a != b]
-    slopes = [tuple(map(_without_integrals, pair)) for pair in changed]
+    slopes = [(_without_integrals(a), _without_integrals(b)) for a, b in changed]
     lone = edit.rank == VARIABLE and edit.old in lone_variables(claim.terms, claim.integers)
     mistaken = edit.old if lone and _are_alike(edit.old, edit.new) else ""
     return not any(is_trivial(*pair, mistaken) for pair in changed) and not any(
