@@ -437,17 +437,36 @@ class Claim:
 
     @property
     def decided(self) -> Basic | str:
-        """What others may put in or cite: the formula that is decided, never an order left open."""
+        """What others may put in or cite: the formula that is decided, never an order left open.
+
+        Example:
+            >>> import tresym
+            >>> tresym.verify("eq_gamma")["eq_gamma"].claim.decided
+            Eq(gamma, a - (a + b*sin(psi)**2)*sin(theta)**2)
+        """
         return self.says if self.means is None else self.means
 
     @property
     def in_formulas(self) -> bool:
-        """Whether what others may put in or cite consists of relations."""
+        """Whether what others may put in or cite consists of relations.
+
+        Example:
+            >>> import tresym
+            >>> tresym.verify("eq_gamma")["eq_gamma"].claim.in_formulas
+            True
+        """
         return isinstance(self.decided, Basic) and not isinstance(self.decided, Statement)
 
     @cached_property
     def symbols(self) -> frozenset[Symbol]:
-        """All symbols that the claim and its evidence write down."""
+        """All symbols that the claim and its evidence write down.
+
+        Example:
+            >>> import tresym
+            >>> claim = tresym.verify("eq_gamma")["eq_gamma"].claim
+            >>> {"a", "b", "gamma"} <= {symbol.name for symbol in claim.symbols}
+            True
+        """
         written = (e for e in expressions(self) if isinstance(e, Basic))
         return frozenset(s for e in written for s in e.atoms(Symbol))
 

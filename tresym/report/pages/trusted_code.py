@@ -77,6 +77,7 @@ RECHECKED = {
     ),
     "the advocate takes passes away and gives none": (
         *("reals.decisions.claim_cross_check", "reals.cross_check", "ledger.judge._attacked"),
+        "reals.decisions.definedness_check",
     ),
     "a point to try counts once its conditions are shown there": (
         *("reals.domain.sample_points._sample", "reals.domain.sample_points.corners"),
@@ -120,6 +121,7 @@ RECHECKED = {
         *("reals.decisions.identity._generator_count", "reals.signs.taylor._seen"),
     ),
     "it refutes alone": (
+        "reals.decisions.point_check",
         "reals.decisions.asymptotics.refutation_check",
         "reals.decisions.asymptotics.numerical_evidence",
         *(
