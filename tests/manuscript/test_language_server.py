@@ -105,7 +105,9 @@ def test_a_misprint_is_shown_and_put_right_in_an_editor(tmp_path: Path) -> None:
         assert (wrong.range.start.line, wrong.range.end.line) == (3, 3)
         assert "sin(2*x) == 3*sin(x)*cos(x)" in wrong.message
         assert "**PROVED** `(x + 1)**2" in await editor.hover(5)
-        assert "**REFUTED**" in await editor.hover(3)
+        hover = await editor.hover(3)
+        assert "**REFUTED**" in hover
+        assert "x: a real number" in hover
         assert await editor.hover(0) == ""
         fixes = await editor.fixes(3)
         assert {"This is an equation to be solved", "This is a definition"} <= fixes.keys()

@@ -294,7 +294,12 @@ def test_nothing_is_shared_with_the_provers() -> None:
         "tresym.reals.language.expression",
     }
     taken = [n for n in ast.walk(tree) if isinstance(n, ast.ImportFrom) and "language" in n.module]
-    assert [alias.name for n in taken for alias in n.names] == ["LEAVES", "Expr", "opened", "symbols"]
+    assert [alias.name for n in taken for alias in n.names] == [
+        "LEAVES",
+        "Expr",
+        "opened",
+        "symbols",
+    ]
 
 
 def test_every_operation_has_a_meaning() -> None:

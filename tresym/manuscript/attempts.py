@@ -2,7 +2,7 @@
 
 A link may be read in several ways, tried in order until one passes. One that takes long and comes
 to nothing would keep the others waiting, so each is asked with a short limit first. What was
-stopped is asked again with the full limit, unless another way has passed or nothing depends on it.
+stopped is asked again with the full limit, unless another way has passed.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from tresym.reals.verdict import Verdict
 
 SHORT = 1.0
 """Seconds of the first look."""
-INTERRUPTED = "not decided: interrupted; run again to go on"
+INTERRUPTED = "not decided: interrupted; run again to continue"
 Found: TypeAlias = dict[int, list[Answer | InputError]]
 Check: TypeAlias = Callable[..., Iterator[tuple[Task, Answer | InputError]]]
 
@@ -83,7 +83,7 @@ def _again(
     answers: Found,
 ) -> None:
     """A longer look at what was stopped, at links where no attempt has passed."""
-    places = {n: _stopped(links[n], answers[n]) for n in asked}
+    places = {n: _stopped(answers[n]) for n in asked}
     while open_ := {n: left.pop(0) for n, left in places.items() if left}:
         tasks = [Task(links[n].claims[attempt].text, line=n) for n, attempt in open_.items()]
         for (n, attempt), (_, found) in zip(
@@ -95,11 +95,9 @@ def _again(
                 places[n] = []
 
 
-def _stopped(link: Link, found: Sequence[Answer | InputError]) -> list[int]:
-    """The attempts at a link that time stopped, if its status may depend on them."""
-    if link.unknown or link.otherwise[0] == "DEFINED":
+def _stopped(found: Sequence[Answer | InputError]) -> list[int]:
+    """The attempts at a link that time stopped, where none has passed."""
+    read = [(n, answer) for n, answer in enumerate(found) if isinstance(answer, Answer)]
+    if any(answer for _, answer in read):
         return []
-    read = [answer for answer in found if isinstance(answer, Answer)]
-    if any(read) or len(read) < len(found):
-        return []
-    return [n for n, answer in enumerate(read) if "stopped after" in answer.why]
+    return [n for n, answer in read if "stopped after" in answer.why]

@@ -22,6 +22,9 @@ from tresym.reals.decisions.claim_parsing import in_latex
 from tresym.reals.language.expression import symbols
 from tresym.reals.numbers.exact import InputError
 
+MOST_KINDS = 12
+"""Symbols of a link whose kinds are shown at most."""
+
 
 def editor_rows(path: Path, text: str, limit: float) -> list[dict[str, Any]]:
     """The rows of a manuscript, with what an editor offers for them.
@@ -49,6 +52,7 @@ def _value(row: Row, alone: bool) -> dict[str, Any]:
         "replacements": [one for one in latex if one],
         "symbols": [name for name in names if name != "oo"][:6],
         "kind": row.link.display.kind,
+        "kinds": [f"{name}: {kind}" for name, kind, _ in row.link.symbols][:MOST_KINDS],
     }
 
 

@@ -47,6 +47,8 @@ _DECLARED_IN_TEXT = re.compile(r"\\(?:text\w*|mbox|intertext)\s*\{((?:[^{}]|\{[^
 _ALGEBRA = frozenset(("+", "-", "^", "{", "}", "_", "\\cdot", "\\times", "\\frac", "/", "\\,"))
 _NAMING_RELATIONS = ("=", ":=", "==", "\\equiv", ":", "\\colon", "\\in", "\\sim")
 """What stands behind a symbol that the words before a formula name."""
+_NAMES_BELOW = (("p",), ("q",), ("r",), ("s",))
+"""Subscripts that are mostly names where nothing is summed: ``y_p`` is a particular solution."""
 Key = tuple[str, str, bool]
 """A letter, its accent, and whether it has a subscript."""
 
@@ -299,7 +301,12 @@ class Kinds:
         found, chapter = list(mentions(tokens)), self.chapters[self.chapter_of[place]]
         kinds = {one.name: self.at(one, place) for one in found}
         said = {n for n, e in kinds.items() if e is not None and e.kind == FUNCTION and e.said}
-        numbered = {one.letter for one in found if one.is_index and not one.accent}
+        counts = {"\\sum", "\\prod", "\\lim"} & {*tokens}
+        numbered = {
+            one.letter
+            for one in found
+            if one.is_index and not one.accent and (counts or one.subscript not in _NAMES_BELOW)
+        }
         return Uses(
             frozenset(n for n, e in kinds.items() if e is not None and e.kind in (REAL, INTEGER)),
             frozenset(chapter.applied.keys() | said),

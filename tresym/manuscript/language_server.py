@@ -164,6 +164,8 @@ def hover_text(rows: list[dict[str, Any]]) -> str:
         if row["witness"]:
             values = ", ".join(f"`{name} = {value}`" for name, value in row["witness"].items())
             parts.append(f"fails at {values}")
+    kinds = dict.fromkeys(kind for row in rows for kind in row["kinds"])
+    parts += [", ".join(kinds)] if kinds else []
     return "\n\n".join(parts)
 
 

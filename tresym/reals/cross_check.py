@@ -239,8 +239,8 @@ class Points:
             yield from points(self.names, self.bounds, self.holds)
             return
         anywhere: Callable[[Tried], bool] = lambda _: True  # noqa: E731
-        for k, point in enumerate(points(self.names, self.bounds, anywhere), 1):
-            moved = None if point is None else self._moved(point, k)
+        for k, free in enumerate(points(self.names, self.bounds, anywhere), 1):
+            moved = None if free is None else self._moved(free, k)
             yield moved if moved is not None and self.holds(moved) else None
 
     def _moved(self, point: Tried, k: int) -> Tried | None:

@@ -44,6 +44,10 @@ HOLD = [
     "x != 0 given x*y == 1 + x",
     "x*y + y*z + z*x <= 1 given x**2 + y**2 + z**2 == 1",
     "x == y given x**3 == y**3",
+    "a*b*c <= 1 given a + b + c == 3, a > 0, b > 0, c > 0",
+    "a + b + c >= 3 given a*b*c == 1, a > 0, b > 0, c > 0",
+    "(1 - a)*(1 - b)*(1 - c) >= 8*a*b*c given a + b + c == 1, a > 0, b > 0, c > 0",
+    "1/a + 1/b + 1/c >= 9 given a + b + c == 1, a > 0, b > 0, c > 0",
 ]
 NEAR_ONE = f"({10**40 - 1}/{10**40})"
 FAIL = [
@@ -76,6 +80,9 @@ FAIL = [
     "x + y == 3 given x**2 + 2*x*y + y**2 == 9",
     "sin(x) == sin(y) given cos(x) == cos(y)",
     "x*y + y*z + z*x <= 9/10 given x**2 + y**2 + z**2 == 1",
+    "a*b*c <= 99/100 given a + b + c == 3, a > 0, b > 0, c > 0",
+    "a + b + c >= 31/10 given a*b*c == 1, a > 0, b > 0, c > 0",
+    "a + b + c >= 3 given a*b*c == 1",  # two of them negative
     "x + y <= 1 given x*y == 1/4",  # of one degree only where both are positive
 ]
 OPEN = [

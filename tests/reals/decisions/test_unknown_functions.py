@@ -65,7 +65,6 @@ TERMS = {
     "sum(f(k) + c*g(k), k, 1, n) == sum(f(k), k, 1, n) + c*sum(g(k), k, 1, n)": "PROVED",
     "sum(fn_a(k + 1), k, 1, n) == sum(fn_a(k), k, 2, n + 1)": "PROVED",
     "sum(fn_a(k)**2, k, 1, n) >= 0": "PROVED",
-    "product(fn_a(k + 1)/fn_a(k), k, 1, n) == fn_a(n + 1)/fn_a(1)": "PROVED",
     "sum(fn_a(k), k, 1, n) == n*fn_a(k)": "",
     "sum(fn_a(k)*fn_b(k), k, 1, n) == fn_b(k)*sum(fn_a(k), k, 1, n)": "",
     "sum(f(k + 1) - f(k), k, 1, n) == f(n) - f(1)": "",

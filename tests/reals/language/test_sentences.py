@@ -11,6 +11,8 @@ from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
 READ = [
+    ("∫_0^∞ e^(-x) dx = 1", "integral(E**(-x), x, 0, oo) == 1"),
+    ("1 - e^2 = (1-e)(1+e) given 0 < e < 1", "1 - e**2 == (1 - e)*(e + 1) given 0 < e < 1"),
     ("n! >= 1 given n integer, n >= 0", "factorial(n) >= 1 given n integer, n >= 0"),
     (
         "(n+1)! = (n+1)*n! given n integer, n>=0",
@@ -147,12 +149,18 @@ READ = [
 
 REFUSED = [
     (
+        "ln e = 1",
+        "two readings remain of e: write E or exp(x) for Euler's number, or the variable e by "
+        "another name",
+    ),
+    (
         "(n+1)! = (n+1)n! for all n in N",
         "two readings remain: write n integer, n >= 1 or n integer, n >= 0",
     ),
     (
         "e^x = exp(x) given 0 < e < 1",
-        "two readings remain of e: write exp(x) for its powers, or the variable e by another name",
+        "two readings remain of e: write E or exp(x) for Euler's number, or the variable e by "
+        "another name",
     ),
     (
         "a+b >= 2sqrt(ab) given a,b >= 0",

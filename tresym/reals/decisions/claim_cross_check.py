@@ -60,6 +60,8 @@ def attack(
     claim = (comparison.left, comparison.relation, comparison.right)
     if any(DOTS.args[0] in symbols(e) for e in claim[::2]):
         return None  # its cases were attacked themselves
+    if any(node.op == "derivative" for node in outermost(*claim[::2])):
+        return None  # what Leibniz's rule makes of it was attacked itself
     equations = tuple((x, "==", y) for x, y in statement.equations)
     given = (*statement.given.comparisons, *equations)
     trees = (*claim[::2], *statement.said)

@@ -514,7 +514,7 @@ def _derivatives(e: Expr, work: Callable[[Expr], Expr]) -> Iterator[Derivative]:
     for node in outermost(e):
         place = node.args[-1]
         if node.op in VALUED:
-            if not all(map(_is_valued, node.args)):
+            if not all(map(_is_valued, work(node).args)):
                 raise InputError("what is integrated or summed holds no derivative, limit or order")
             continue
         if _is_slope_of_unknown(node):

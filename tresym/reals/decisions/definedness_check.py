@@ -46,7 +46,7 @@ NODES = frozenset(("sum", "product", "unknown", "integral", "nth"))
 
 def unspoken(claim: Comparison, statement: Statement) -> str | None:
     """Why a claim that passes may speak of nothing, in words; None where it is shown not to."""
-    sides = (claim.left, claim.right)
+    sides: tuple[Expr, ...] = (claim.left, claim.right)
     nodes = [node for node in outermost(*sides) if node.op in NODES]
     if not nodes or statement.path is not None or any(DOTS.args[0] in symbols(e) for e in sides):
         return None
@@ -54,6 +54,8 @@ def unspoken(claim: Comparison, statement: Statement) -> str | None:
         part = _undefined_at_an_index(node)
         if part is not None:
             return f"{part} is not shown to be as {node} needs it at every index"
+    if any(node.op == "derivative" for node in outermost(*sides)):
+        return None  # Leibniz's rule has shown a point where its result is defined
     sides = tuple(map(_sampled, sides))
     own = [node for node in outermost(*sides) if node.op in ("sum", "product")]
     terms = [(n.args[2], ">=", n.args[1]) for n in own if symbols(n.args[2]) | symbols(n.args[1])]

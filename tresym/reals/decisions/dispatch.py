@@ -21,9 +21,12 @@ from tresym.reals.decisions.equalities import decide_equality
 from tresym.reals.decisions.identity import JUMP
 from tresym.reals.decisions.variable_exponents import beyond_positive_bases, holds_powers
 from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import evaluate
+from tresym.reals.domain.operation_domains import bound, needs
 from tresym.reals.language.binders import is_infinite, outermost
 from tresym.reals.language.expression import DOTS, ZERO, Expr, symbols
 from tresym.reals.language.parsing import FACTORIAL, parse
+from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.resource_limits import collecting_seldom
 from tresym.reals.signs.discontinuities import cases_at_jumps, jumps, zeros
@@ -31,6 +34,8 @@ from tresym.reals.verdict import Verdict
 
 SELDOM = 20_000
 """New objects, a few megabytes of them, after which memory is searched for circles."""
+LOOKED_AT = 40
+"""Points of the conditions at which it is seen where a claim is defined."""
 _LOOK_ALIKE = {
     "e": "the number is E",
     "Pi": "the number is pi",
@@ -59,6 +64,8 @@ def decide_claim(claim: Any, given: Any = "", path: str | None = None) -> Answer
         answer = replace(answer, why=which + answer.why)
     if not answer:
         answer = replace(answer, why=answer.why + _mistaken(statement))
+    elif answer.region is None and statement.path is None:
+        answer = replace(answer, region=_part_spoken_of(statement))
     return replace(
         answer,
         statement=_short(statement.text),
@@ -66,6 +73,25 @@ def decide_claim(claim: Any, given: Any = "", path: str | None = None) -> Answer
         read_as=statement.read_as,
         seconds=time.perf_counter() - start,
     )
+
+
+def _part_spoken_of(statement: Statement) -> str | None:
+    """Which part of the conditions a claim speaks of, where its sides are undefined in another."""
+    sides = [side for c in statement.comparisons for side in (c.left, c.right)]
+    given = statement.given
+    if not given.comparisons or any(e.hidden for e in (*sides, *statement.said)):
+        return None
+    names = sorted(frozenset().union(*map(symbols, sides)))
+    missing: list[tuple[Expr, str]] = []
+    with ball_precision():
+        points = list(given.points(names, LOOKED_AT))
+        for e, relation in needs(sides):
+            values = (evaluate(e, point) for point in points) if symbols(e) else ()
+            if any(value < 0 if relation != "!=" else value.is_zero() for value in values):
+                missing.append((e, relation))
+    links = (bound(*part) for part in missing)
+    shown = ", ".join(sorted(f"{left} {relation} {right}" for left, relation, right in links))
+    return f"where both sides are defined: {shown}" if missing else None
 
 
 def _everywhere(comparison: Comparison, statement: Statement) -> Answer:
@@ -125,8 +151,13 @@ def _bounded(comparison: Comparison, statement: Statement) -> Answer:
 
 def _decide(comparison: Comparison, statement: Statement) -> Answer:
     left, relation, right = comparison.left, comparison.relation, comparison.right
-    if any(node.op != "unknown" for node in outermost(*comparison.differentiated)):
-        return Answer(Verdict.UNDECIDED, "the derivative of an integral or a sum is not worked out")
+    hiding = {node.op for node in outermost(*comparison.differentiated)} - {"unknown"}
+    if hiding == {"integral"}:
+        from tresym.reals.decisions.leibniz import decide_by_leibniz
+
+        return decide_by_leibniz(comparison, statement, _bounded)
+    if hiding:
+        return Answer(Verdict.UNDECIDED, "the derivative of a sum or a limit is not worked out")
     door = _door(comparison, statement)
     if door is not None:
         return door(comparison, statement, _bounded)

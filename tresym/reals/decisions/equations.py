@@ -162,11 +162,12 @@ def _homogeneous(claim: Comparison, statement: Statement, decided: Decide) -> An
         equal, negated = (((pair[0] - pair[1]) * side, ">=", ZERO) for side in (1, -1))
         for way in ways(difference, Given((equal, negated))):
             made = sum((part * power(way.form, number(n)) for part, n in way.parts), ZERO)
-            others = tuple(other for other in statement.equations if other is not pair)
-            free = replace(statement, equations=others)
-            if any(n < 0 for _, n in way.parts) or (
-                any(n.q != 1 for _, n in way.parts)
-                and sign(way.form, statement.given) not in PROVING[">"]
+            free = _without(statement, pair)
+            is_root = any(n.q != 1 for _, n in way.parts)
+            if (
+                any(n < 0 for _, n in way.parts)
+                or (is_root and sign(way.form, statement.given) not in PROVING[">"])
+                or not is_zero(sum((part for part, _ in way.parts), -difference), Given())
             ):
                 continue
             found = decided(Comparison(made, claim.relation, ZERO), free)

@@ -27,6 +27,7 @@ from tresym.reals.decisions.asymptotics.limit_values import limit_of
 from tresym.reals.decisions.claim_parsing import Comparison, Statement, functions
 from tresym.reals.decisions.divergence import has_no_limit
 from tresym.reals.decisions.identity import decide, shown
+from tresym.reals.decisions.integral_identities import Antiderivatives
 from tresym.reals.decisions.known_integrals import standard
 from tresym.reals.decisions.readable_witnesses import constants_hold, simple_points
 from tresym.reals.domain import binder_values
@@ -115,6 +116,7 @@ def decide_integrals(claim: Comparison, statement: Statement, decided: Decide) -
         sides = [_without(side, given, work) for side in (claim.left, claim.right)]
     except _OpenError as error:
         found = _without_value(claim, error)
+        found = _by_identity(claim, statement, decided) if found is None else found
         found = _at_parameters(claim, statement, decided) if found is None else found
         return Answer(Verdict.UNDECIDED, str(error)) if found is None else found
     except InputError as error:
@@ -163,6 +165,17 @@ def _infinite(relation: str, sides: list[Expr], said: str, points: list[dict[str
             if all(evaluate(side, at).is_finite() for side in finite):
                 return refuted(said, at)
     return Answer(Verdict.UNDECIDED, f"{said}; the other side was found to be defined nowhere")
+
+
+def _by_identity(claim: Comparison, statement: Statement, decided: Decide) -> Answer | None:
+    """A proof for all values of the integrals, which exist; None without one."""
+    values = Antiderivatives(statement.given)
+    left, right = values.put_in(claim.left), values.put_in(claim.right)
+    if left is None or right is None or claim.derivatives or statement.path is not None:
+        return None
+    answer = decided(replace(claim, left=left, right=right), statement)
+    why = f"by linearity of integrals and joined intervals; {answer.why}"
+    return replace(answer, why=why) if answer.verdict is Verdict.PROVED else None
 
 
 def _without_value(claim: Comparison, error: _OpenError) -> Answer | None:

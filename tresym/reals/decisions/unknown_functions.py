@@ -16,6 +16,7 @@ from flint import fmpq
 from tresym.reals.decisions.answer import Answer, Decide
 from tresym.reals.decisions.claim_parsing import Comparison, Statement, functions
 from tresym.reals.decisions.identity import decide
+from tresym.reals.decisions.integral_identities import Antiderivatives
 from tresym.reals.decisions.readable_witnesses import exact_witness
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
@@ -43,6 +44,11 @@ def decide_unknown(claim: Comparison, statement: Statement, decided: Decide) -> 
     Args:
         decided: decides what holds no function left unknown.
     """
+    found = Antiderivatives(statement.given)
+    sides = None if claim.derivatives else [found.put_in(e) for e in (claim.left, claim.right)]
+    if sides is not None and None not in sides and statement.path is None:
+        left, right = (side for side in sides if side is not None)
+        claim = replace(claim, left=left, right=right)
     trees = outermost(claim.left, claim.right, *statement.said)
     if statement.path is not None or any(node.op != "unknown" for node in trees):
         why = "of a function left unknown, integrals, sums, limits and orders are not decided"
@@ -51,12 +57,12 @@ def decide_unknown(claim: Comparison, statement: Statement, decided: Decide) -> 
 
     def variable(e: Expr) -> Expr:
         """``e`` with variables for the values of unknown functions, inner ones first."""
-        while found := [node for node in functions(e) if not any(functions_inside(node))]:
-            for node in found:
+        while inner := [node for node in functions(e) if not any(functions_inside(node))]:
+            for node in inner:
                 if node not in atoms:
                     same = next((v for a, v in atoms.items() if _is_same(a, node)), None)
                     atoms[node] = symbol(str(node)) if same is None else same
-            e = replaced(e, {node: atoms[node] for node in found})
+            e = replaced(e, {node: atoms[node] for node in inner})
         return e
 
     left, right = variable(claim.left), variable(claim.right)
@@ -68,6 +74,9 @@ def decide_unknown(claim: Comparison, statement: Statement, decided: Decide) -> 
     answer = decided(Comparison(left, claim.relation, right), replace(plain, given=given))
     if answer.verdict is Verdict.REFUTED:
         answer = _realised(atoms, answer)
+    if answer.verdict is Verdict.REFUTED and not found.any_values:
+        why = f"{answer.why}, where it is not shown that integrals have all of these values"
+        answer = Answer(Verdict.UNDECIDED, why)
     names = sorted({node.args[0].args[0] for node in atoms})
     what = "a" if answer.verdict is Verdict.REFUTED else "every"
     return replace(answer, why=f"{answer.why}, for {what} smooth {', '.join(names)}")

@@ -125,7 +125,7 @@ def worked_out(e: Expr) -> Expr:
     if e.op not in ("at", "derivative"):
         if e.op not in UNWORKED or e.op == "unknown":
             return rebuild(e, tuple(map(worked_out, e.args)))
-        return e
+        return _slopes_worked_out(e) if e.op == "integral" else e
     place = e.args[1]
     if e.op == "derivative" and place.op == "symbol" and symbols(e.args[0]).isdisjoint(place.args):
         body = instantiate(e.args[0], (place,))
@@ -139,6 +139,17 @@ def worked_out(e: Expr) -> Expr:
     if _hides(body, names[0]):
         return derivative(body, names[0], points[0])
     return substitute(differentiate(body, names[0]), values)
+
+
+def _slopes_worked_out(e: Expr) -> Expr:
+    """An integral with f' for the derivatives of unknown functions in its integrand."""
+    inner = [node for node in outermost(e.args[0]) if node.op == "derivative"]
+    while any(node.op == "derivative" for node in inner):
+        inner = [node.args[0] if node.op == "derivative" else node for node in inner]
+    if not inner or any(node.op != "unknown" for node in inner):
+        return e
+    (name,), body = opened(e)
+    return integral(worked_out(body), name, *e.args[1:])
 
 
 def _hides(e: Expr, name: str) -> bool:

@@ -299,8 +299,12 @@ def _natural(name: str) -> InputError:
     )
 
 
+_TWO_E = (
+    "two readings remain of e: write E or exp(x) for Euler's number, "
+    "or the variable e by another name"
+)
 _EULER = re.compile(r"(?<![\w.])e(?!\w)")
-_EULER_POWER = re.compile(r"(?<![\w.])e\*\*(\(?-?[\w.]+\(?)")
+_EULER_POWER = re.compile(r"(?<![\w.])e\*\*(\(+-?\w+|-?\w+)")
 
 
 def _with_euler(found: Spelled) -> Spelled:
@@ -309,15 +313,17 @@ def _with_euler(found: Spelled) -> Spelled:
     Raises:
         InputError: it is so at one place, and not at another.
     """
-    text = f"{found.claim} {found.given}"
-    places, powers = len(_EULER.findall(text)), _EULER_POWER.findall(text)
-    if not places or not any(re.search("[A-Za-z(]", power) for power in powers):
+    places = len(_EULER.findall(found.claim))
+    powers = _EULER_POWER.findall(found.claim)
+    varied = any(re.search("[A-Za-z]", power) for power in powers)
+    if _EULER.search(found.given):
+        if varied:
+            raise InputError(_TWO_E)
+        return found  # a condition speaks of it: a variable
+    if not places:
         return found
-    if places != len(powers):
-        raise InputError(
-            "two readings remain of e: write exp(x) for its powers, or the variable e by another "
-            "name"
-        )
+    if not varied or places != len(powers):
+        raise InputError(_TWO_E)
     if re.search(r"\bi\b", found.claim):
         raise InputError("complex numbers are not read: all variables are real")
     return Spelled(_EULER.sub("E", found.claim), _EULER.sub("E", found.given), found.path)

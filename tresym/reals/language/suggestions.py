@@ -99,7 +99,8 @@ def about_function(name: str, known: frozenset[str]) -> str:
     if len(name) == 1:
         return f"{name} is no function; for a product write {name}*(…)"
     near = get_close_matches(name, sorted(known), 1, 0.75)
-    names = (*sorted(known), "integral", "sum", "product", "limit", "factorial", "binomial")
+    shown = sorted(n for n in known if n.islower() and not n.startswith(("arc", "ag", "gd")))
+    names = (*shown, "integral", "sum", "product", "limit", "factorial", "binomial")
     return f"did you mean {near[0]}?" if near else f"known are {', '.join(names)}"
 
 

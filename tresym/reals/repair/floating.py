@@ -20,6 +20,7 @@ from tresym.reals.language.parsing import FACTORIAL, INFINITY
 NAN = math.nan
 Row = list[float]
 MOST_TERMS = 400
+FEWEST_TERMS = 8
 LEVIN_TERMS = 22
 STEP = 0.05
 """The distance of the nodes of a quadrature."""
@@ -75,11 +76,13 @@ class Points:
             return self.values(found)
         if op == "unknown":
             return self._unknown(e)
+        if e.names:
+            raise UnsupportedError(op)
         rows = [self.values(arg) for arg in args if isinstance(arg, Expr)]
         if op == "^" and args[1].op == "number":
             return _powers(rows[0], int(args[1].args[0].p), int(args[1].args[0].q))
         function = _OPERATIONS.get(op)
-        if function is None or e.names:
+        if function is None:
             raise UnsupportedError(op)
         return [_applied(function, *values) for values in zip(*rows, strict=True)]
 
@@ -139,7 +142,8 @@ def _quadrature(
     body: Expr, name: str, low: float, high: float, mirrored: bool, here: Mapping[str, float]
 ) -> float:
     """An integral over a finite range, a ray or the line; ``mirrored`` by −x."""
-    for substitution in _SUBSTITUTIONS[math.isfinite(low), math.isfinite(high)]:
+    ends = math.isfinite(low), math.isfinite(high)
+    for substitution in _SUBSTITUTIONS.get(ends, ()):  # no end of a range may be undefined
         steps = range(round(substitution.first / STEP), round(substitution.last / STEP) + 1)
         nodes = [substitution.node(k * STEP, low, high) for k in steps]
         places = [-x if mirrored else x for x, _ in nodes]
@@ -215,10 +219,12 @@ def _terms(body: Expr, name: str, low: float, high: float, here: Mapping[str, fl
 
 def _levin(terms: Row) -> float:
     """The sum of a series from its first terms by Levin's u-transform; NaN where it is not seen."""
-    while terms and terms[-1] == 0:
-        terms = terms[:-1]
-    if not all(map(math.isfinite, terms)) or 0 in terms[1:]:
-        return _total(terms) if 0 in terms else NAN
+    if not all(map(math.isfinite, terms)):
+        return NAN
+    ends = terms[-1] == 0
+    terms = [term for term in terms if term != 0]  # the transform divides by each term
+    if ends and len(terms) < FEWEST_TERMS:
+        return _total(terms)
     found = [_transformed(terms, n) for n in range(len(terms) - 8, len(terms) - 2)]
     steps = [(abs(y - x), y) for x, y in pairwise(found)]
     gap, value = min(steps, default=(math.inf, NAN))

@@ -346,14 +346,14 @@ def _stands(claim: _Claim, edit: Edit, points: Points | None, until: float) -> b
         survives = edit.rank <= FACTOR if points is None else _survives(claim, links, points)
     except UnsupportedError:
         survives = edit.rank <= FACTOR
-    except (InputError, OverflowError, ValueError):
+    except (InputError, ArithmeticError, ValueError):
         return False
     if not survives:
         return False
     changed = [(a, b) for a, b in zip(claim.links, links, strict=True) if a != b]
-    slopes = [tuple(map(_without_integrals, pair)) for pair in changed]
+    slopes = [(_without_integrals(a), _without_integrals(b)) for a, b in changed]
     lone = edit.rank == VARIABLE and edit.old in lone_variables(claim.terms, claim.integers)
-    mistaken = edit.old if lone else ""
+    mistaken = edit.old if lone and _are_alike(edit.old, edit.new) else ""
     return not any(is_trivial(*pair, mistaken) for pair in changed) and not any(
         loses_names(*pair, mistaken) for pair in slopes
     )
@@ -365,6 +365,11 @@ def _fails_at_first(links: Sequence[Compared], points: Points) -> bool:
         return False
     one = Points({name: row[:1] for name, row in points.at.items()})
     return any(held(one, link) == [False] for link in links)
+
+
+def _are_alike(one: str, other: str) -> bool:
+    """Whether two variables are taken for each other: neighbours in the alphabet, or indexed."""
+    return abs(ord(one[0]) - ord(other[0])) <= 2 and (len(one) == 1) is (len(other) == 1)
 
 
 def _sharp_first(claim: _Claim, found: Iterator[Edit]) -> list[Edit]:

@@ -1,0 +1,131 @@
+"""Derivatives of integrals with variable ends and parameters, by Leibniz's rule.
+
+d/dp ∫ f dt from a to b is f(b) b′ − f(a) a′ + ∫ ∂f/∂p dt where f is analytic at all t from a to b
+and all p in question, which is shown, as are a and b. Functions left unknown are smooth. The claim
+is then decided with the value of the derivative put in, at all points of the conditions.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from tresym.reals.decisions.answer import Answer, Decide
+from tresym.reals.decisions.claim_parsing import Comparison, Statement, functions
+from tresym.reals.domain.conditions import Given
+from tresym.reals.language.binders import elementary, integral, outermost
+from tresym.reals.language.expression import (
+    LEAVES,
+    ZERO,
+    Expr,
+    add,
+    differentiate,
+    fresh,
+    instantiate,
+    opened,
+    rebuild,
+    replaced,
+    substitute,
+    symbol,
+    symbols,
+)
+from tresym.reals.signs.closure import has_inside, is_regular
+from tresym.reals.signs.definedness import continuous_on
+from tresym.reals.signs.sign import proof, sign
+from tresym.reals.verdict import Verdict
+
+
+class _OpenError(Exception):
+    """The rule is not shown to apply; the text says why."""
+
+
+def decide_by_leibniz(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
+    """The answer with derivatives of integrals worked out.
+
+    Args:
+        decided: decides the claim without them.
+    """
+    given = statement.given
+    if statement.path is not None or statement.equations or statement.integers:
+        why = "the derivative of an integral is decided under inequalities alone"
+        return Answer(Verdict.UNDECIDED, why)
+    if not (is_regular(given) and has_inside(given)):
+        return Answer(Verdict.UNDECIDED, "the conditions are not shown to have inner points")
+    try:
+        left, right = (_worked_out(side, given) for side in (claim.left, claim.right))
+    except _OpenError as error:
+        return Answer(Verdict.UNDECIDED, str(error))
+    kept = tuple(d for d in claim.derivatives if not _integrals(d.function))
+    answer = decided(Comparison(left, claim.relation, right, kept), statement)
+    return replace(answer, why=f"by Leibniz's rule for derivatives of integrals; {answer.why}")
+
+
+def _integrals(e: Expr) -> list[Expr]:
+    return [node for node in outermost(e) if node.op != "unknown"]
+
+
+def _worked_out(e: Expr, given: Given) -> Expr:
+    """``e`` with the derivatives of integrals in it worked out."""
+    if e.op in LEAVES or not e.hidden:
+        return e
+    if e.op != "derivative":
+        known = e.op in ("unknown", "integral")
+        return e if known else rebuild(e, tuple(_worked_out(arg, given) for arg in e.args))
+    place = e.args[1]
+    if place.op != "symbol" or symbols(place) & symbols(e.args[0]):
+        raise _OpenError("the derivative of an integral is decided at a variable alone")
+    body = _worked_out(instantiate(e.args[0], (place,)), given)
+    return _slope(body, str(place), given)
+
+
+def _slope(body: Expr, name: str, given: Given) -> Expr:
+    """The derivative of an expression with integrals, by the chain rule."""
+    nodes = [node for node in dict.fromkeys(_integrals(body)) if name in symbols(node)]
+    if any(node.op != "integral" for node in nodes):
+        raise _OpenError("the derivative of a sum or a limit is not worked out")
+    marks = {node: symbol(f"[{n}]") for n, node in enumerate(nodes)}
+    plain = replaced(body, marks)
+    back = {str(mark): node for node, mark in marks.items()}
+    terms = [differentiate(plain, name)]
+    for node, mark in marks.items():
+        terms.append(differentiate(plain, str(mark)) * _rule(node, name, given))
+    return substitute(add(*terms), back)
+
+
+def _rule(node: Expr, name: str, given: Given) -> Expr:
+    """Leibniz's rule for one integral."""
+    (t,), f = opened(node, given.names | {name})
+    low, high = node.args[1:]
+    if not elementary(low, high) or _integrals(f) or "oo" in symbols(low) | symbols(high):
+        raise _OpenError(f"{node}: its ends and its integrand are not elementary")
+    if any(continuous_on(end, given, proof) is not None for end in (low, high)):
+        raise _OpenError(f"{node}: its ends are not shown to be smooth")
+    regions = between(t, low, high, given)
+    if not (is_smooth(f, Given()) or all(is_smooth(f, inside) for inside in regions)):
+        raise _OpenError(f"{node}: its integrand is not shown to be smooth from {low} to {high}")
+    ends = (
+        sign_ * substitute(f, {t: end}) * differentiate(end, name)
+        for sign_, end in ((1, high), (-1, low))
+    )
+    inner = differentiate(f, name)
+    return add(*ends, ZERO if inner == ZERO else integral(inner, t, low, high))
+
+
+def between(t: str, low: Expr, high: Expr, given: Given) -> list[Given]:
+    """The conditions, and that t is from one end to the other, in each order that may be."""
+    x, found = symbol(t), []
+    for a, b in ((low, high), (high, low)):
+        if sign(b - a, given, "<") != "-":
+            found.append(given & Given(((b, ">=", a), (x, ">=", a), (x, "<=", b))))
+    return found
+
+
+def is_smooth(f: Expr, given: Given) -> bool:
+    """Whether ``f`` is shown to be smooth, for all smooth functions left unknown in it."""
+    while found := list(dict.fromkeys(functions(f))):
+        inner = [arg for node in found for arg in node.args[1:]]
+        marks: dict[Expr, Expr] = {}
+        for node in found:
+            taken = symbols(f) | given.names | {str(mark) for mark in marks.values()}
+            marks[node] = symbol(fresh("u", taken))
+        f = add(replaced(f, marks), *(arg * symbol(fresh("v", symbols(f))) for arg in inner))
+    return continuous_on(f, given, proof) is None

@@ -1,0 +1,50 @@
+"""Search for repairs of refuted claims of the ledger, to compare them with the corrections.
+
+The search is :func:`tresym.reals.repair.search.alternatives`: statements that differ by one edit,
+or that have a natural condition added. It is tried only for a single comparison of elementary
+expressions of moderate size. The time limit is generous, so that slow machines find the same.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from tresym.ledger.claim import Claim
+from tresym.reals.decisions.answer import Alternative
+from tresym.reals.decisions.claim_parsing import Statement, read
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.repair.search import alternatives
+
+SECONDS = 60.0
+"""Time limit for one claim."""
+MOST_SIZE = 60
+"""The largest expression size of a claim for which a repair is searched."""
+
+
+class Searched(NamedTuple):
+    """Whether a repair was looked for, and what was found."""
+
+    tried: bool
+    found: Alternative | None = None
+
+
+def search(claim: Claim) -> Searched:
+    """Search for a true statement near a refuted claim.
+
+    Returns:
+        ``tried`` is False if the claim is a sentence, not elementary, or too large; ``found`` is
+        None if no repair was found.
+    """
+    formula = claim.says if claim.means is None else claim.means
+    try:
+        statement = read(formula, claim.given)
+    except (InputError, TypeError, AttributeError):
+        return Searched(False)
+    if isinstance(formula, str) or _size(statement) > MOST_SIZE:
+        return Searched(False)
+    found = alternatives(statement.read_as, SECONDS, 1, (), False, False)
+    return Searched(True, found[0] if found else None)
+
+
+def _size(statement: Statement) -> int:
+    return sum(c.left.size + c.right.size for c in statement.comparisons)
