@@ -81,7 +81,10 @@ flat_bends = Claim(
     ),
     given=(k > 0, x > 0),
     proof=by(differentiation),
-    note="The slope of e^{−k/x} rises up to x = k/2, where it is 4e^{−2}/k, and falls after it.",
+    note=(
+        "The derivative of e^{−k/x} increases up to x = k/2, where "
+        "it is 4e^{−2}/k, and decreases after it."
+    ),
 )
 
 # -- the theorem as printed -----------------------------------------------------------------------
@@ -113,7 +116,7 @@ printed_error = below(
     1 / (a * b),
     _printed_error,
     put=_BY_LEADING,
-    note="The printed formula's own relative error; b²/(6a) = b³/(6ab) is its leading term.",
+    note="The relative error of the printed formula; b²/(6a) = b³/(6ab) is its leading term.",
 )
 
 printed_leading_term = Claim(
@@ -158,7 +161,10 @@ printed_relative_error = bound(
     ),
     put=_BY_LEADING,
     given=_BESIDE,
-    note="It is too large there, by b²/(6a) in the limit. As b → 0 at fixed a it is too small.",
+    note=(
+        "The formula is too large there, by b²/(6a) in the limit. As "
+        "b → 0 at fixed a it is too small."
+    ),
 )
 
 printed_relative_too_small = too_small(
@@ -305,8 +311,10 @@ corner_margin = Claim(
     >= 3 * x**2 / 8,
     given=(b > 0, b <= 1, x > 0, x <= Rational(1, 2)),
     proof=manifest,
-    note="With x for κ: towards b = 1, κ = 0 the margin of `everywhere` falls like 3κ²/8, and what "
-    "is against it is flat in κ.",
+    note=(
+        "x stands for κ. Towards b = 1, κ = 0 the margin of "
+        "`everywhere` decreases like 3κ²/8, and the terms that oppose it are flat in κ."
+    ),
 )
 
 _at_kappa = Instance(corner_margin, ((x, 1 / sqrt(a * b)),))
@@ -396,7 +404,10 @@ everywhere = bound(
     put=(*_BY_LEADING, first_coefficient),
     given=shape,
     constant="10/3",
-    note="The one bound with a single constant; 10/3 is its best, attained as a → ∞, b → 1.",
+    note=(
+        "A bound with a single constant for all shapes; 10/3 is the "
+        "best constant, approached as a → ∞, b → 1."
+    ),
 )
 
 everywhere_too_small = Claim(
@@ -456,7 +467,7 @@ one_line = bound(
     put=misses_from_pi[-1:],
     given=shape,
     constant="0.028",
-    note="It errs on the side of too large an ε₀, as the phase exceeds π (`one_line_side`).",
+    note="The approximation is too large, since the phase exceeds π (`one_line_side`).",
 )
 
 one_line_too_small = too_small(
@@ -577,7 +588,7 @@ newton_side = Claim(
         newton_from_below,
         newton_from_above,
     ),
-    note="A tangent of a convex increasing function meets the axis beyond the root: T₂ ≥ T.",
+    note="The tangent of a convex increasing function meets the axis beyond the root: T₂ ≥ T.",
 )
 
 # -- the slope and the bend -----------------------------------------------------------------------
@@ -658,8 +669,10 @@ bend_leaves = bound(
     put=(),
     given=(*shape, epsilon0 <= Rational(3, 4)),
     constant="6",
-    note="At γ = −4bε₀² the linear formula gives ε = 2ε₀, and γ + b sin²ε is less than 0 by this "
-    "much. There is no such trajectory: √(γ + b sin²ε) is not real.",
+    note=(
+        "At γ = −4bε₀² the linear formula gives ε = 2ε₀, where γ + b "
+        "sin²ε is negative by this amount. No such motion exists, since √(γ + b sin²ε) is not real."
+    ),
 )
 
 label_claims(globals())

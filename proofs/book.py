@@ -67,7 +67,7 @@ box_order = Claim(
     given=_box,
     proof=by(substituting(box_moments)),
     where=line(291),
-    note="With L > W > H the axes are in the order the paper assumes.",
+    note="With L > W > H the axes are in the order that the paper assumes.",
 )
 
 _a, _b = printed.shape(I1, I2, I3)
@@ -144,7 +144,7 @@ table_units = Claim(
     where=line(295),
     expect=Verdict.REFUTED,
     amended_by=(unit_of_inertia,),
-    note="It is a unit of pressure; the numbers are those of the bibliography in kg mm².",
+    note="It is a unit of pressure; the numbers agree with those of the bibliography in kg mm².",
     fault=Fault.MISPRINT,
 )
 

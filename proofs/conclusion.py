@@ -30,7 +30,7 @@ rotational_constants = Claim(
     given=_ordered,
     proof=by(evaluating),
     where=line(320),
-    note="The constants are inversely proportional to the moments; the factor drops out.",
+    note="The constants are inversely proportional to the moments; the factor cancels.",
     shown=r"\frac{I_2}{I_1}-1 = \frac{B_1}{B_2}-1,\quad 1-\frac{I_2}{I_3} = 1-\frac{B_3}{B_2}",
 )
 

@@ -66,14 +66,17 @@ precession_forward = Claim(
     says=dphi_dt > 0,
     given=(*ordered_moments, *tilted, *shape_of_a_body),
     proof=by(substituting(precession_rate)),
-    note="The handle always precesses forward, so φ can take the place of time.",
+    note="φ increases strictly, so it can be used in place of time.",
 )
 
 elimination_of_time = Claim(
     says=Tuple(equal(dtheta_dphi, dtheta_dt / dphi_dt), equal(dpsi_dphi, dpsi_dt / dphi_dt)),
     given=(dphi_dt > 0,),
     proof=Definition(),
-    note="Names for these quotients; what they are along a motion is `rates_along_the_path`.",
+    note=(
+        "These are only names for the quotients; "
+        "`rates_along_the_path` shows that they are derivatives along a motion."
+    ),
 )
 
 rates_along_the_path = Claim(
@@ -123,7 +126,7 @@ gamma_conserved = Claim(
     given=(*ordered_moments, *tilted, *shape_of_a_body),
     proof=by(substituting(eq_Euler)),
     where=line(134),
-    note="The second route to the constant of motion: its derivative along the flow.",
+    note="A second proof that γ is constant: its derivative along the flow vanishes.",
 )
 
 range_of_shape = Claim(

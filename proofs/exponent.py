@@ -54,7 +54,7 @@ logarithmic_equation = Claim(
             *(exponentials, inverses, roots),
         ),
     ),
-    note="Solved for the logarithm of ε₀/ε*; what is left on the other side is Q(ε₀).",
+    note="Solved for the logarithm of ε₀/ε*; the other side is Q(ε₀).",
 )
 
 exponent_gap = Claim(
@@ -63,8 +63,10 @@ exponent_gap = Claim(
     ),
     given=(*shape, *defect),
     proof=by(exponentials, inverses, roots, trigonometry),
-    note="As log e − Q(e) increases, ε₀ exceeds an e at which this is positive, and is below one "
-    "at which it is negative.",
+    note=(
+        "Since log e − Q(e) increases, ε₀ is larger than e if this "
+        "is positive, and smaller than e if it is negative."
+    ),
 )
 
 sine_of_turn = Claim(
@@ -118,7 +120,7 @@ arctangent_concave = Claim(
     says=atan(share * x) - share * atan(x) >= 0,
     given=_part,
     proof=manifest,
-    note="The ratio of two angles below π/2 is between 1 and that of their tangents.",
+    note="The ratio of two angles below π/2 lies between 1 and the ratio of their tangents.",
 )
 
 arsinh_concave = Claim(says=asinh(share * x) - share * asinh(x) >= 0, given=_part, proof=manifest)
@@ -135,7 +137,7 @@ leading_below = Claim(
         turn_increases,
         arctangent_above,
     ),
-    note="Equality would be the limit b → 0, b/a → 0, where tan(ε₀/2) = e^{−π√(ab)}.",
+    note="Equality would be attained in the limit b → 0, b/a → 0, where tan(ε₀/2) = e^{−π√(ab)}.",
 )
 
 label_claims(globals())

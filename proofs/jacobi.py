@@ -95,7 +95,10 @@ separatrix_solution = Claim(
     says=_solves(separatrix_motion, _rate),
     given=_separatrix,
     proof=by(*_opening, exponentials),
-    note="M comes from −e₂ and ends at +e₂, each in infinite time.",
+    note=(
+        "M tends to −e₂ backward in time and to +e₂ forward in time; "
+        "neither is reached in finite time."
+    ),
 )
 
 _first_integrals = tuple(
@@ -214,7 +217,10 @@ jacobi_solutions = Claim(
         motions_part_slowly,
     ),
     where=line(90),
-    note="On the separatrix they are hyperbolic functions. Two signs may be changed together.",
+    note=(
+        "On the separatrix they are hyperbolic functions. The signs "
+        "of two components may be changed together."
+    ),
     quotes=(
         MOTION,
         AMPLITUDE,
@@ -234,7 +240,7 @@ meeting_point = Claim(
     ),
     given=(*ordered_moments, I3 - I1 > 0, up >= 0, down >= 0),
     proof=by(),
-    note="Between the two bounds the surfaces meet in the plane of e₁ and e₃.",
+    note="Between the two bounds the surfaces intersect in the plane of e₁ and e₃.",
 )
 
 intersection_condition = Claim(

@@ -138,7 +138,7 @@ one_level = Claim(
     says="A value below π/2 is taken by ε at one γ at most with Φ(2π, γ) > π, which is the "
     "largest with that value.",
     proof=all_of(decrease_in_gamma, phase_rises_in_gamma, beyond_right_angle),
-    note="Φ(2π, γ) = 2Φ(π, γ), so these γ are all above one level.",
+    note="Φ(2π, γ) = 2Φ(π, γ), so these γ are exactly those above one level.",
 )
 
 decrease_of_bodies = Claim(
@@ -154,7 +154,7 @@ decrease_of_bodies = Claim(
         beyond_right_angle,
         near_right_angle,
     ),
-    note="Where Φ(π, γ) < π near −b, ε exceeds π/2, its limit at −b, before it falls.",
+    note="If Φ(π, γ) < π near −b, ε first exceeds π/2, its limit at −b, before it decreases.",
 )
 
 
@@ -172,7 +172,7 @@ up_and_down = Claim(
     ),
     given=(equal(a, 10), equal(b, Rational(1, 2))),
     proof=Evaluated((one_time,)),
-    note="It has the value ε(−19/60) twice more at least, once above −3/20 and once below −7/15.",
+    note="It takes the value ε(−19/60) at least twice more, once above −3/20 and once below −7/15.",
 )
 
 always_decreasing = Claim(
@@ -182,7 +182,10 @@ always_decreasing = Claim(
     proof=formally(slope_at_turns),
     expect=Verdict.REFUTED,
     amended_by=(decrease_in_gamma, decrease_of_bodies, up_and_down),
-    note="It rises at every level with χ = 3π/2, 7π/2, …: the formula is dε/dγ at the first.",
+    note=(
+        "It increases at every level with χ = 3π/2, 7π/2, …: the "
+        "formula is dε/dγ at the first of them."
+    ),
 )
 
 perfect_level = number(

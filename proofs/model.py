@@ -86,7 +86,7 @@ spin_matrix = Claim(
     ),
     says=Tuple(equal(W1, spin[1, 0]), equal(W2, spin[2, 1]), equal(W3, spin[0, 2])),
     proof=Definition(),
-    note="The angular velocity is what RᵀṘ is made of.",
+    note="The entries of RᵀṘ are, up to sign, the components of the angular velocity.",
 )
 
 angular_velocity = Claim(
@@ -110,7 +110,7 @@ spin_is_velocity = Claim(
     ),
     says=equal(spin, hat),
     proof=by(substituting(spin_matrix), trigonometry),
-    note="All nine entries, not only the three that define Ω.",
+    note="All nine entries are checked, not only the three that define Ω.",
 )
 
 eq_omega = Claim(

@@ -65,7 +65,7 @@ moment_falls = Claim(
             roots,
         ),
     ),
-    note="The moment less its value at the mean has the sign of cos ψ − z.",
+    note="The difference of the moment and its value at the mean has the sign of cos ψ − z.",
 )
 
 _weighted = Integral(_moment(_root) * (y - z) * _cosecant, _ends)
@@ -137,7 +137,7 @@ split_rest = Claim(
     ),
     given=(*shape, *_inside),
     proof=by(roots),
-    note="What is left of it after its value at ψ = 0 times cos ψ has sin²ψ as a factor.",
+    note="The remainder after subtracting its value at ψ = 0 times cos ψ has sin²ψ as a factor.",
 )
 
 split_logarithm = Claim(

@@ -62,14 +62,17 @@ cotangent_series = Claim(
     says=equal(x * Derivative(_u, x) + 2 * _u, x + x * _u**2),
     given=_half_turn,
     proof=by(differentiation),
-    note="On the left n + 2 times the coefficient, on the right sums of products of earlier ones.",
+    note=(
+        "On the left is n + 2 times the coefficient, on the right "
+        "are sums of products of earlier coefficients."
+    ),
 )
 
 cosecant_series = Claim(
     says=equal(x * Derivative(_v, x) + _v, _u + x * _u * _v),
     given=_half_turn,
     proof=by(differentiation),
-    note="On the left n + 1 times the coefficient.",
+    note="On the left is n + 1 times the coefficient.",
 )
 
 exponent_slope = Claim(

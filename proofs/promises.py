@@ -31,7 +31,7 @@ planar_constraint = Claim(
     says="The case studied before, I₃ = I₁ + I₂, is that of the shapes with b = 1/(a + 2).",
     proof=all_of(d08, realizable),
     where=line(45),
-    note="These are the flat bodies; their shape has one parameter.",
+    note="These are the planar bodies; their shapes form a one-parameter family.",
 )
 
 _below_root = (
@@ -55,8 +55,11 @@ abstract_general_formula = Claim(
     proof=_far_off,
     where=line(38),
     amended_by=(one_flip_defect, uniform_formulas),
-    note="For a → 0 at fixed b the formula goes to 0 and the defect does not. The exact equation "
-    "has one root for every shape; the formula is its limit for large ab.",
+    note=(
+        "As a → 0 at fixed b the formula tends to 0 and the defect "
+        "does not. The exact equation has one root for every shape; "
+        "the formula is its limit for large ab."
+    ),
 )
 
 intro_any_body = Claim(

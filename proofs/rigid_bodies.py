@@ -44,7 +44,7 @@ product_is_approached = Claim(
     says="For planar bodies, b = 1/(a + 2), the product ab = a/(a + 2) tends to 1 as a → ∞.",
     means=order(equal(a / (a + 2), 1 + Function("o")(Integer(1))), a, oo),
     proof=Squeezed(Integer(2)),
-    note="So no bound below 1 holds for every rigid body.",
+    note="Hence no bound below 1 holds for every rigid body.",
 )
 
 _u = Symbol("u", real=True)
@@ -69,7 +69,7 @@ _angle = 2 * atan(exp(-pi))
 floor_angle = Claim(
     says=Tuple(equal(cos(_angle) / sin(_angle), sinh(pi)), equal(cos(_angle), tanh(pi))),
     proof=by(exponentials, inverses, trigonometry),
-    note="The candidate for the floor.",
+    note="The candidate for the lower bound.",
 )
 
 _turned = asin(_u * tanh(pi))
@@ -102,7 +102,7 @@ rigid_body_floor = Claim(
     says="ε₀ > 2 arctan e^{−π} = 0.08637… for every planar body, b = 1/(a + 2), a > 0.",
     kind="bound",
     proof=all_of(floor_candidate, *_planar, floor_angle),
-    note="At fixed a the defect decreases in b, so that planar bodies have the least.",
+    note="At fixed a the defect decreases in b, so planar bodies have the smallest.",
 )
 
 _above = _angle + _u
@@ -132,7 +132,7 @@ floor_is_approached = Claim(
 floor_of_every_body = Claim(
     says="2 arctan e^{−π} is the infimum of ε₀ over all rigid bodies, and none attains it.",
     proof=all_of(realizable, monotonicity, rigid_body_floor, floor_is_approached),
-    note="Of the bodies with one a, ε₀ decreases in b up to the planar b = 1/(a + 2).",
+    note="Among the bodies with the same a, ε₀ decreases in b up to the planar body b = 1/(a + 2).",
 )
 
 label_claims(globals())

@@ -66,8 +66,10 @@ unfolded_motion = Claim(
     ),
     given=(*oscillating, b < 1),
     proof=by(differentiation, trigonometry, roots),
-    note="The curve solves the planar system, φ falling at the rate N/(Q√R), and passes ψ = π/2 "
-    "at χ = 0.",
+    note=(
+        "The curve solves the planar system, with φ decreasing at "
+        "the rate N/(Q√R), and passes ψ = π/2 at χ = 0."
+    ),
 )
 
 phase = Integral(_here.rate, (x, 0, chi))
@@ -80,7 +82,7 @@ unfolded_turn = Claim(
     given=(*oscillating, chi > 0, chi < pi / 2),
     knowing=(Under(gamma + b * sin(_here.flip) ** 2 > 0, (x >= 0, x <= chi)),),
     proof=by(changing_variable(_here.flip)),
-    note="Before the motion has turned Φ is F.",
+    note="Before the first turning point Φ equals F.",
 )
 
 edge, higher = Symbol("e", real=True), Symbol("d", real=True)
@@ -114,7 +116,7 @@ longest_turn = Claim(
     ),
     shown=r"\int_e^{\frac{\pi}{2}}f(\psi, \gamma)\,d\psi \le "
     r"\Phi\left(\frac{\pi}{2}, -b\sin^2e\right),\quad \gamma = d-b\sin^2e",
-    note="F falls as the level rises, from Φ of the motion that turns at e.",
+    note="F decreases as the level increases, from Φ of the motion that turns at e.",
 )
 
 
@@ -133,7 +135,7 @@ precession_goes_on = Claim(
     ),
     given=(*oscillating, b < 1, _y >= 0, _y <= 1),
     proof=manifest,
-    note="N and R, with y for sin²χ.",
+    note="The signs of N and R, with y for sin²χ.",
 )
 
 _always = Instance(precession_goes_on, ((_y, sin(chi) ** 2),))
@@ -156,7 +158,7 @@ one_time = Claim(
             ),
         )
     ),
-    note="Φ rises with χ.",
+    note="Φ increases with χ.",
 )
 
 flip_defect_on_level = _end.flip.xreplace({chi: TheRoot(*_one_time.args)})
@@ -175,7 +177,7 @@ half_a_turn_before = Claim(
     says=equal(_phase(c), pi),
     given=(*shape, c > -b, c < 0, *half_time),
     proof=Definition(assumes="half a turn of the handle, at the time chi before psi = pi/2"),
-    note="Where ε is read.",
+    note="The point at which ε is defined.",
 )
 
 unfolded_slope = Claim(
@@ -280,7 +282,7 @@ one_turned_level = Claim(
             ),
         )
     ),
-    note="Φ rises with γ, here c, and so does χ.",
+    note="Φ increases with γ, here c, and so does χ.",
 )
 
 label_claims(globals())

@@ -80,10 +80,12 @@ def export(theorems: Sequence[Theorem], seconds: float = 120) -> Outcome:
                 return Outcome(False, says, file_of(theorems, found))
             found.append(proof)
     text = file_of(theorems, found)
-    accepted, said, took = run(text, seconds)
+    accepted, output, took = run(text, seconds)
     if not accepted:
-        return Outcome(False, f"Coq does not accept the proof ({said})", text)
-    return Outcome(True, f"accepted by Coq {version()} in {took:.1f} s; {assumptions(said)}", text)
+        return Outcome(False, f"Coq does not accept the proof ({output})", text)
+    return Outcome(
+        True, f"accepted by Coq {version()} in {took:.1f} s; {assumptions(output)}", text
+    )
 
 
 def file_of(theorems: Sequence[Theorem], found: Sequence[str | None]) -> str:
@@ -164,9 +166,9 @@ def version() -> str:
     return match[1] if match else "?"
 
 
-def assumptions(said: str) -> str:
+def assumptions(output: str) -> str:
     """Summarise the output of ``Print Assumptions`` in a sentence."""
-    found = set(re.findall(r"^([^\s:]+)\s*:", said, re.MULTILINE)) - {"Axioms"}
+    found = set(re.findall(r"^([^\s:]+)\s*:", output, re.MULTILINE)) - {"Axioms"}
     names = {name for name in found if not name.startswith("make")}
     others = sorted(name for name in names if name not in _REALS)
     numbers = [

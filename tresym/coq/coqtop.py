@@ -80,10 +80,10 @@ class Dialogue:
 
     def holds(self, sentence: str) -> bool:
         """Return whether Coq accepts the sentence; an error leaves its state unchanged."""
-        said = None if self.process is None else self.said(sentence, self.patience)
-        if said is None:
+        answer = None if self.process is None else self.said(sentence, self.patience)
+        if answer is None:
             self.end()
-        return said is not None and "Error:" not in said
+        return answer is not None and "Error:" not in answer
 
     def accepts(self, text: str, seconds: float) -> bool:
         """Return whether Coq accepts the text without an error; its definitions remain in force.
@@ -99,11 +99,11 @@ class Dialogue:
             if _worked(self.process.pid) - begun > seconds:
                 self.said("Abort All.", 60)
                 return False
-            said = self.said(sentence, self.patience)
-            if said is None:
+            answer = self.said(sentence, self.patience)
+            if answer is None:
                 self.end()
                 return False
-            if "Error:" in said:
+            if "Error:" in answer:
                 self.said("Abort All.", 60)
                 return False
         return True

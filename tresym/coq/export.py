@@ -98,12 +98,12 @@ def entries(store: Mapping[str, Any], wanted: Iterable[str] | None = None) -> di
             why = f"{missing[0]} is not exported: {found[missing[0]].why}"
             found[claim.label] = Entry(None, "", None, (), why)
             continue
-        kept = store["claims"].get(claim.label)
-        if kept is None or kept["statement"] != stamp(whole):
+        proof_row = store["claims"].get(claim.label)
+        if proof_row is None or proof_row["statement"] != stamp(whole):
             why = "no proof is stored for this statement"
             found[claim.label] = Entry(whole, "", None, (), why)
             continue
-        open_ = tuple(used for used in kept["uses"] if found[used].status != "proved")
+        open_ = tuple(used for used in proof_row["uses"] if found[used].status != "proved")
         if any(found[used].theorem is None for used in open_):
             found[claim.label] = Entry(
                 whole, "", None, (), "its proof applies a theorem that is not exported"
@@ -113,7 +113,7 @@ def entries(store: Mapping[str, Any], wanted: Iterable[str] | None = None) -> di
             found[claim.label] = Entry(whole, "", None, (), "none of its parts is proved")
             continue
         why = f"{', '.join(open_)} not proved" if open_ else ""
-        found[claim.label] = Entry(whole, kept["lemmas"], kept["script"], open_, why)
+        found[claim.label] = Entry(whole, proof_row["lemmas"], proof_row["script"], open_, why)
     return found
 
 
@@ -260,12 +260,12 @@ def closed(chosen: Mapping[str, Entry], parts: Iterable[str], store: Mapping[str
     return "\n".join(lines) + "\n"
 
 
-def assumed(folder: Path, said: str) -> dict[str, str]:
+def assumed(folder: Path, output: str) -> dict[str, str]:
     """Return what each theorem depends on, by name, from Coq's output for ``Ledger.v``.
 
     Args:
         folder: the folder with the exported files.
-        said: what Coq printed.
+        output: what Coq printed.
 
     Raises:
         InputError: the output has another number of blocks than ``Ledger.v`` has groups.
@@ -275,7 +275,7 @@ def assumed(folder: Path, said: str) -> dict[str, str]:
         (folder / "Ledger.v").read_text(encoding="utf-8"),
         re.MULTILINE,
     )
-    blocks = re.split(r"^(?=Axioms:|Closed under)", said, flags=re.MULTILINE)[1:]
+    blocks = re.split(r"^(?=Axioms:|Closed under)", output, flags=re.MULTILINE)[1:]
     blocks = blocks[-len(groups) :]  # Ledger.v is read last
     if len(groups) != len(blocks):
         raise InputError(

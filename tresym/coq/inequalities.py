@@ -75,14 +75,14 @@ def inequality_proofs(theorem: Theorem, depth: int = 3) -> Iterator[str]:
 
 def expected(theorem: Theorem, d: Expr, strict: bool, given: Given) -> Iterator[str]:
     """Yield the proofs that correspond to the methods of the sign prover."""
-    said = directly(d, ">" if strict else ">=", given)
-    if said is None or any(e.op == "abs" for e in nodes([d])):
+    reason = directly(d, ">" if strict else ">=", given)
+    if reason is None or any(e.op == "abs" for e in nodes([d])):
         yield QUICK
-        if said is None:
+        if reason is None:
             yield from by_intervals(theorem, given)
-    elif "concave" in said:
+    elif "concave" in reason:
         yield from by_concavity(theorem, d, given)
-    elif "about" in said:
+    elif "about" in reason:
         yield from by_taylor(theorem, d, given)
     else:
         if len({e.args[0] for e in nodes([d]) if e.op in ("sin", "cos")}) > 1:

@@ -65,7 +65,7 @@ class Memory:
             self.count += 1
             coq = self.dialogue()
             if self.count % TEXTS == 0:
-                coq.end()  # what it has defined takes room
+                coq.end()  # its definitions accumulate and use memory
             coq.patience = patience
             ok = coq.accepts(text.replace("@", str(self.count)), 4.0 * patience)
             self.known[key if ok else lost] = ok
@@ -246,10 +246,10 @@ def _found_soon(proofs: Iterator[str]) -> Iterator[str]:
 def _trial(claim: Claim, whole: Theorem | Joint, plan: Plan) -> str | None:
     """Return a theorem with the lemmas and the applied theorems as premises, or None."""
 
-    def whole_of(told: Theorem | Joint) -> str:
-        if isinstance(told, Theorem):
-            return f"({told.body})"
-        return f"({_AND.join(whole_of(theorem_of(part)) for part in told.parts)})"
+    def whole_of(theorem: Theorem | Joint) -> str:
+        if isinstance(theorem, Theorem):
+            return f"({theorem.body})"
+        return f"({_AND.join(whole_of(theorem_of(part)) for part in theorem.parts)})"
 
     behind = {used.label: used for used in claim.rests_on}
     try:

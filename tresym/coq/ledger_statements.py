@@ -42,7 +42,7 @@ from tresym.ledger.conversion import conditions
 from tresym.ledger.evidence.refutation import denied_at
 from tresym.ledger.paper import file_of
 from tresym.ledger.statements import Rounds
-from tresym.reals.language import sympy as door
+from tresym.reals.language import sympy as sympy_reader
 from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.expression import (
     ZERO,
@@ -176,21 +176,21 @@ def read(says: Basic) -> Formula:
     if kind == "Under":
         return Wherever(tuple(conditions_of(says.args[1].args)), read(says.args[0]))
     if kind == "ExactlyOne":
-        x, low, high = map(door.unworked, says.args[:3])
+        x, low, high = map(sympy_reader.unworked, says.args[:3])
         between = Relation(x, ">", low), Relation(x, "<", high)
         return One(x.args[0], Conjunction((*between, read(says.args[3]))))  # type: ignore[arg-type]
     if kind == "AtMostOne":
-        return _at_most_one(door.unworked(says.args[0]), says)
+        return _at_most_one(sympy_reader.unworked(says.args[0]), says)
     if isinstance(says, Rounds):
-        return _rounded(door.unworked(says.term), says)
-    return door.formula(says)
+        return _rounded(sympy_reader.unworked(says.term), says)
+    return sympy_reader.formula(says)
 
 
 def _at_most_one(x: Expr, says: Basic) -> Formula:
     """Return that two values between the ends that both satisfy the equation are equal."""
-    low, high = map(door.unworked, says.args[1:3])
-    said = read(says.args[3])
-    other = symbol(fresh(f"{x.args[0]}'", free(said)))
+    low, high = map(sympy_reader.unworked, says.args[1:3])
+    inner_formula = read(says.args[3])
+    other = symbol(fresh(f"{x.args[0]}'", free(inner_formula)))
     there = [
         part
         for one in (x, other)
@@ -203,7 +203,7 @@ def _at_most_one(x: Expr, says: Basic) -> Formula:
                     p.sign,
                     substitute(p.right, {x.args[0]: one}),
                 )
-                for p in relations(said)
+                for p in relations(inner_formula)
             ),
         )
     ]
@@ -308,7 +308,7 @@ def tending(claim: Claim, says: Basic) -> Theorem:
         NotExportedError: the order contains derivatives.
     """
     equation, what, points, side = says.args
-    left, right = door.unworked(equation.lhs), door.unworked(equation.rhs)
+    left, right = sympy_reader.unworked(equation.lhs), sympy_reader.unworked(equation.rhs)
     (node,) = {e for e in outermost(right) if e.op in ("O", "o")}
     if not elementary(left):
         raise NotExportedError("orders of derivatives are not exported to Coq yet")
@@ -319,7 +319,7 @@ def tending(claim: Claim, says: Basic) -> Theorem:
     pairs = zip(what.args, points.args, strict=True) if several else [(what, points)]
     where = [part for x, p in pairs for part in _beside(x, p, int(side), d)]
     if not several and not int(side):
-        where.append(Relation(door.unworked(what), "!=", door.unworked(points)))
+        where.append(Relation(sympy_reader.unworked(what), "!=", sympy_reader.unworked(points)))
     given = [*conditions_of(claim.given), *where]
     sides = [e for c in given for e in (c.left, c.right)]
     used = frozenset().union(free(small), *map(symbols, sides)) - {"bound", "near"}
@@ -339,11 +339,11 @@ def tending(claim: Claim, says: Basic) -> Theorem:
 
 def _beside(x: Basic, point: Basic, side: int, d: Expr) -> Iterator[Relation]:
     """Return that ``x`` is within ``d`` of the point on its side, or beyond ``d`` at infinity."""
-    e = door.unworked(x)
+    e = sympy_reader.unworked(x)
     if point.is_infinite:
         yield Relation(e, ">", d)
         return
-    p = door.unworked(point)
+    p = sympy_reader.unworked(point)
     yield from [
         Relation(e, ">", p if side > 0 else p - d),
         Relation(e, "<", p if side < 0 else p + d),
@@ -395,9 +395,9 @@ def existence(claim: Claim, says: Formula) -> Theorem:
     whole = theorem(claim, made)
     needs = [part for p in parts for part in defined(p.right) if symbols(part[0])]
     shown = [Relation(e, sign, ZERO) for e, sign in dict.fromkeys(needs) if not symbols(e) & {*new}]
-    kept = tuple(part for part in whole.defined if (part[0], part[1]) not in set(needs))
+    remaining = tuple(part for part in whole.defined if (part[0], part[1]) not in set(needs))
     every: Formula = Conjunction((*shown, made)) if shown else made  # type: ignore[arg-type]
-    return Theorem(whole.name, whole.variables, whole.definitions, whole.given, kept, every)
+    return Theorem(whole.name, whole.variables, whole.definitions, whole.given, remaining, every)
 
 
 def stamp(found: Theorem | Joint) -> str:

@@ -244,14 +244,14 @@ class _Planner:
         parts = tuple(dict.fromkeys((*(p for p in extra if symbols(p[0])), *whole.defined)))
         sides = [e for x, _, y in given for e in (x, y)] + [e for e, _ in parts]
         used = frozenset().union(free(says), *map(symbols, sides))
-        kept: list[Relation] = []
+        retained: list[Relation] = []
         for rule in reversed([*once.values()]):
             if symbols(rule.left) & used:
                 used |= symbols(rule.right)
-                kept.insert(0, rule)
+                retained.insert(0, rule)
         name = f"{stem(self.claim.label)}_{len(self.lemmas) + 1}"
         lemma = Theorem(
-            name, tuple(sorted(used)), tuple(((), rule) for rule in kept), given, parts, says
+            name, tuple(sorted(used)), tuple(((), rule) for rule in retained), given, parts, says
         )
         self.lemmas.append(lemma)
         return lemma
@@ -339,30 +339,30 @@ class _Planner:
             self.facts[used.label] = tuple(parts)
             return self.facts[used.label]
         try:
-            told = theorem_of(used)
+            theorem = theorem_of(used)
         except NotExportedError:
             return ()
-        if isinstance(told, Joint) or told.exists:
+        if isinstance(theorem, Joint) or theorem.exists:
             return ()
-        says = [*relations(told.says)]
+        says = [*relations(theorem.says)]
         if not says:
             return ()
         known = {*self.whole.variables, *self.posed}
-        for name in told.variables:
+        for name in theorem.variables:
             if name not in known:
                 meaning = next(
-                    (m.right for _, m in told.definitions if m.left == symbol(name)), None
+                    (m.right for _, m in theorem.definitions if m.left == symbol(name)), None
                 )
                 if meaning is None or not elementary(meaning) or not symbols(meaning) <= known:
                     return ()
                 self.head.append(f"pose ({variable(name)} := {term(meaning)}).")
                 self.posed.append(name)
                 known.add(name)
-        names = " ".join([name_of(used.label), *map(variable, told.variables)])
+        names = " ".join([name_of(used.label), *map(variable, theorem.variables)])
         fact = f"F_{len(self.facts)}"
-        self.head.append(f"assert ({fact} : {formula(told.says)}) by (apply ({names}); give).")
+        self.head.append(f"assert ({fact} : {formula(theorem.says)}) by (apply ({names}); give).")
         if len(says) > 1:
-            self.head.append(f"destruct {fact} as {_pattern(told.says, fact)}.")
+            self.head.append(f"destruct {fact} as {_pattern(theorem.says, fact)}.")
         self.uses[used.label] = None
         self.facts[used.label] = tuple(says)
         return tuple(says)
@@ -497,8 +497,8 @@ def candidates(lemma: Theorem) -> Iterator[str]:
             f" match goal with H : {term(e)} = _ |- _ => try rewrite H in *; clear H end."
             for e in rewritten
         )
-        kept = replace(lemma, given=tuple(c for c in lemma.given if c[0] not in rewritten))
-        for proof in islice(candidates(_put_in(kept, rewritten)), 4):
+        retained = replace(lemma, given=tuple(c for c in lemma.given if c[0] not in rewritten))
+        for proof in islice(candidates(_put_in(retained, rewritten)), 4):
             yield f"intros.{lines} {proof}"
     turns = turned(lemma)
     if turns and lemma.by is None:
@@ -563,13 +563,15 @@ def _put_in(lemma: Theorem, meanings: Mapping[Expr, Expr]) -> Theorem:
     given = tuple(Relation(whole(x), relation, whole(y)) for x, relation, y in lemma.given)
     parts = tuple((whole(e), sign) for e, sign in lemma.defined)
     names = tuple(name for name in lemma.variables if symbol(name) not in meanings)
-    said = lemma.says
-    assert isinstance(said, Relation)
+    conclusion = lemma.says
+    assert isinstance(conclusion, Relation)
     if lemma.by is None:
-        said = Relation(whole(said.left), said.sign, whole(said.right))
+        conclusion = Relation(whole(conclusion.left), conclusion.sign, whole(conclusion.right))
     else:
-        said = Relation(exchanged_under(said.left, whole), said.sign, whole(said.right))
-    return Theorem(f"{lemma.name}_put", names, (), given, parts, said)
+        conclusion = Relation(
+            exchanged_under(conclusion.left, whole), conclusion.sign, whole(conclusion.right)
+        )
+    return Theorem(f"{lemma.name}_put", names, (), given, parts, conclusion)
 
 
 def exchanged_under(node: Expr, whole: object) -> Expr:

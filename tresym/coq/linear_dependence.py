@@ -144,7 +144,7 @@ def without_squares(terms: Vector, angles: Sequence[Expr]) -> Iterator[Vector]:
 def without_square(terms: Vector, name: str, angle: Expr) -> Vector:
     """Reduce to terms in which the sine (or cosine) of the angle occurs at most once."""
     gone = apply(name, angle)
-    kept = apply("cos" if name == "sin" else "sin", angle)
+    cofunction = apply("cos" if name == "sin" else "sin", angle)
     found: Vector = {}
     for monomial, c in terms.items():
         powers = dict(monomial)
@@ -156,7 +156,7 @@ def without_square(terms: Vector, name: str, angle: Expr) -> Vector:
         for k in range(half + 1):  # (1 − kept²)^half
             own = dict(powers)
             if k:
-                own[kept] = own.get(kept, 0) + 2 * k
+                own[cofunction] = own.get(cofunction, 0) + 2 * k
             key = frozenset((part, m) for part, m in own.items() if m)
             found[key] = found.get(key, Fraction(0)) + c * coefficient
             coefficient = -coefficient * (half - k) / (k + 1)

@@ -105,7 +105,7 @@ class Writing:
             for point in known.points(theorem.variables, POINTS, start)
         ]
 
-    # What is said to Coq.
+    # Sentences sent to Coq.
 
     def say(self, sentence: str) -> bool:
         """Send a sentence to Coq; keep it in the script if Coq accepts it."""
@@ -230,7 +230,7 @@ class Writing:
                     left.remove(f)
         return left
 
-    # What the values at the points say.
+    # Values at the sample points
 
     def values(self, e: Expr) -> list[arb]:
         """Return the values at the sample points."""

@@ -179,8 +179,8 @@ class _Steps(Bases):
             case.refused = set()
             case.quotients = Quotients()
             case.quotients.powers = dict(self.quotients.powers)
-            kept = zip(self.points, values, strict=True)
-            case.points = [dict(p) for p, v in kept if (v > 0 if want > 0 else v < 0)]
+            pairs = zip(self.points, values, strict=True)
+            case.points = [dict(p) for p, v in pairs if (v > 0 if want > 0 else v < 0)]
             self.must("{")
             if want or not case.at_zero(u, name, self.points):
                 case.go_on()
@@ -191,9 +191,9 @@ class _Steps(Bases):
         """Prove the case ``u = 0`` if that is immediate; otherwise set a variable to zero."""
         if self.say("exfalso; absurd_."):
             return True
-        kept, self.points = self.points, points
+        saved_points, self.points = self.points, points
         zeros = [f for f, n in self.quotients.factors(u)[1] if n > 0 and self.sign(f) is None]
-        self.points = kept
+        self.points = saved_points
         if len(zeros) != 1 or zeros[0].op != "symbol":
             raise StuckError
         x = zeros[0]
@@ -492,8 +492,8 @@ class _Steps(Bases):
         for f, _ in self.quotients.factors(u)[1]:
             if self.sign(f) is None:
                 above = copy(self)
-                kept = zip(self.points, self.values(f), strict=True)
-                above.points = [point for point, v in kept if v > 0]
+                pairs = zip(self.points, self.values(f), strict=True)
+                above.points = [point for point, v in pairs if v > 0]
                 if next(above.like(e), None) is not None:
                     raise CasesError(f, True)
 

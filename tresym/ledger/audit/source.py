@@ -214,17 +214,19 @@ def _running_text(
     text: str, body: tuple[int, int], apart: list[_Found], words: Sequence[str]
 ) -> Iterator[Piece]:
     """Yield lines outside displays, floats and theorems with a formula or one of the words."""
-    kept = [*text]
+    masked = [*text]
     for _, start, stop in apart:
-        kept[start:stop] = ["\n" if c == "\n" else " " for c in text[start:stop]]
-    told = re.compile(rf"\b(?:{'|'.join(map(re.escape, words))})" if words else r"(?!)", re.I)
+        masked[start:stop] = ["\n" if c == "\n" else " " for c in text[start:stop]]
+    marking = re.compile(rf"\b(?:{'|'.join(map(re.escape, words))})" if words else r"(?!)", re.I)
     first = text.count("\n", 0, body[0]) + 1
-    for n, line in enumerate("".join(kept)[body[0] : body[1]].split("\n"), first):
-        said = _body(line)
-        if _HEADING.match(said):
+    for n, line in enumerate("".join(masked)[body[0] : body[1]].split("\n"), first):
+        cleaned = _body(line)
+        if _HEADING.match(cleaned):
             continue
-        if _FORMULA.search(said) or (told.search(said) and not said.startswith("\\bibitem")):
-            yield Piece("text", f"line{n}", n, n, said)
+        if _FORMULA.search(cleaned) or (
+            marking.search(cleaned) and not cleaned.startswith("\\bibitem")
+        ):
+            yield Piece("text", f"line{n}", n, n, cleaned)
 
 
 _Found = tuple[str, int, int]

@@ -163,7 +163,7 @@ def _statements(claim: Claim) -> Iterator[_Statement]:
         if isinstance(claim.proof, AllOf):
             for part in claim.proof.claims:
                 yield from _statements(part)
-    trees = [_tree(relation) for said in says for relation in _relations(said)]
+    trees = [_tree(relation) for statement in says for relation in _relations(statement)]
     yield _Statement(_conditions(claim), [tree for tree in trees if tree is not None], numbers)
 
 
