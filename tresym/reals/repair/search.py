@@ -346,7 +346,7 @@ def _stands(claim: _Claim, edit: Edit, points: Points | None, until: float) -> b
         survives = edit.rank <= FACTOR if points is None else _survives(claim, links, points)
     except UnsupportedError:
         survives = edit.rank <= FACTOR
-    except (InputError, OverflowError, ValueError):
+    except (InputError, ArithmeticError, ValueError):
         return False
     if not survives:
         return False
