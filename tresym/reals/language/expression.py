@@ -1,5 +1,4 @@
-"""Represent expressions as immutable trees of numbers, symbols, sums, products, powers and
-functions.
+"""Represent expressions as immutable trees of numbers, symbols, operations and functions.
 
 A tree records what was written. Constructors fold numbers and flatten sums and products, but
 simplify nothing else: ``0*log(x)`` is not defined everywhere, though ``0`` is, and ``1/0`` is a
