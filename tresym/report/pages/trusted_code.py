@@ -79,6 +79,7 @@ RECHECKED = {
     ),
     "the independent numerical check can withdraw a verdict but never gives one": (
         *("reals.decisions.claim_cross_check", "reals.cross_check", "ledger.judge._attacked"),
+        "reals.decisions.definedness_check",
     ),
     "it proposes sample points; a point counts only after its conditions are verified there": (
         *("reals.domain.sample_points._sample", "reals.domain.sample_points.corners"),
@@ -122,6 +123,7 @@ RECHECKED = {
         *("reals.decisions.identity._generator_count", "reals.signs.taylor._seen"),
     ),
     "it can only refute": (
+        "reals.decisions.point_check",
         "reals.decisions.asymptotics.refutation_check",
         "reals.decisions.asymptotics.numerical_evidence",
         *(
