@@ -1,8 +1,8 @@
 """When a link that fails somewhere is reported as false: the statement is known, and it is whole.
 
 A counterexample refutes the formula as it was read, but the text around it may restrict its
-symbols in ways that were not understood. A refutation is therefore withheld, with the reason, if a symbol is
-not free, if it needs a definition from another paragraph, or if the equality holds at other points,
+symbols in ways that were not understood. A refutation is therefore withheld, with the reason, if a
+symbol is not free, if it needs a definition from another paragraph, or if the equality holds at other points,
 so that a condition is missing rather than the equality wrong.
 """
 

@@ -3,8 +3,8 @@
 The manuscript is read once, from first to last. Definitions, conditions and labelled displays are
 remembered and used for later links. Without a directive of the author's, a link is called false
 only if it must be a claim: if it continues a chain (``… = a = b``) with the same variables on both
-sides, or if its sentence says "identity" or "for all". Any other equality that does not hold everywhere is
-read as an equation to be solved.
+sides, or if its sentence says "identity" or "for all". Any other equality that does not hold
+everywhere is read as an equation to be solved.
 """
 
 from __future__ import annotations
