@@ -2,8 +2,8 @@
 
 A counterexample refutes the formula as it was read, but the text around it may restrict its
 symbols in ways that were not understood. A refutation is therefore withheld, with the reason, if a
-symbol is not free, if it needs a definition from another paragraph, or if the equality holds at other points,
-so that a condition is missing rather than the equality wrong.
+symbol is not free, if it needs a definition from another paragraph, or if the equality holds at
+other points, so that a condition is missing rather than the equality wrong.
 """
 
 from __future__ import annotations
