@@ -254,9 +254,8 @@ class Memory(ConditionReader):
             varies = name in self.uses.functions or may_depend(name, e, body, self.partial)
             if on & {"", *e.names} or (free and varies):
                 advice = f"write {name}({e.names[0]}), or % tresym: let {name} real"
-                raise InputError(
-                    f"the text does not say whether {name} is a function of {e.names[0]}: {advice}"
-                )
+                why = f"the text does not say whether {name} is a function of {e.names[0]}"
+                raise InputError(f"{why}: {advice}")
         inner = self.under_binders(body, known, constants | {*e.names})
         return Expr(e.op, (bind(inner, e.names), *args), e.names)
 
@@ -350,10 +349,7 @@ class Memory(ConditionReader):
         self.scopes.now.restricted.pop(name, None)
 
     def defined_in_line(self, said: Said, found: prose.Inline) -> bool:
-        """Store an inline definition, by the words before it or as f(x) = …; whether it is one.
-
-        A mere statement, as in "then $m = 2k + 1$", may help to prove the next display.
-        """
+        """Store an inline definition, and return whether it is one; "then $m = 2k + 1$" is not."""
         head = self.head(said.terms[0])
         if head is None or head.derived:
             return False
