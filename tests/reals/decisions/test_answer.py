@@ -106,7 +106,7 @@ def test_text_shows_what_there_is_and_nothing_empty() -> None:
 
 
 def test_constants_refute_without_a_point() -> None:
-    assert dict(refuted("why", {}).rows())["witness"] == "the constants themselves"
+    assert dict(refuted("why", {}).rows())["witness"] == "the claim has no variables"
 
 
 def test_notebooks_get_text_that_is_escaped() -> None:

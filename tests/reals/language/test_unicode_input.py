@@ -71,7 +71,7 @@ def test_printed_signs_are_read(claim: str) -> None:
         ("diff(pi*x, pi) == x", "no variable"),
         ("integral(x, x) > 1/2", r"compared with what it is"),
         ("at(diff(x**2, x), x, 3) == 6", "write the derivative out"),
-        ("at(y, x, 3) == y", "put the point in"),
+        ("at(y, x, 3) == y", "substitute the point"),
         ("limit(x, x, 0) + 1 == 1", "f -> L as x -> a"),
         ("limit(x, x, y) > 1", "stands alone on one side"),
         ("limit(x, x, 0) == 0 as x -> 0", "path in it"),
@@ -79,7 +79,7 @@ def test_printed_signs_are_read(claim: str) -> None:
         (r"x \le \infty", "oo is no real number"),
         (r"x = \pm 1", "write x == 1 and x == -1"),
         (r"x\to 0", "needs its path"),
-        (r"x\ll 1", "<< is no claim"),
+        (r"x\ll 1", "<< does not make a claim"),
         (r"x\sim x\sim x as x\to 0", "no chain"),
         ("x == x == x + O(x) as x -> 0", "no chain"),
         (r"\text{for } x > 0", "relation such as a = b"),
@@ -97,8 +97,8 @@ def test_a_slip_is_told_in_one_line(claim: str, advice: str) -> None:
 def test_variables_that_look_like_numbers_are_named(name: str) -> None:
     answer = tresym.check(f"{name}**2 == x")
     assert answer.verdict is Verdict.REFUTED
-    assert f"{name} is a variable here" in answer.why
-    assert "is a variable here" not in tresym.check(f"{name} == {name}").why
+    assert f"{name} is read as a variable" in answer.why
+    assert "is read as a variable" not in tresym.check(f"{name} == {name}").why
 
 
 def test_bars_open_where_an_operand_is_expected() -> None:

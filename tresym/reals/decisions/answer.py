@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 from flint import arb, fmpq
 
 from tresym.reals.decisions.claim_parsing import Comparison, Statement, in_latex
-from tresym.reals.decisions.identity import shown
+from tresym.reals.decisions.identity import with_point
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.expression import Expr
 from tresym.reals.normal.to_expression import normal_form
@@ -126,7 +126,7 @@ class Answer:
         rows.append(("why", self.why))
         if self.witness is not None:
             shown = ", ".join(f"{name} = {value}" for name, value in self.witness.items())
-            rows.append(("witness", shown or "the constants themselves"))
+            rows.append(("witness", shown or "the claim has no variables"))
         if self.values is not None:
             rows.append(("left side", ball_text(self.values[0])))
             rows.append(("right side", ball_text(self.values[1])))
@@ -180,9 +180,9 @@ def ball_text(ball: Decimal) -> str:
     return ball.mid if ball.rad == "0" else f"{ball.mid} ± {ball.rad}"
 
 
-def exactly(point: Mapping[str, fmpq | Expr]) -> str:
-    """An exact point in words, roots of whole numbers among its coordinates."""
-    return shown(point, exact_text)
+def exactly(sentence: str, point: Mapping[str, fmpq | Expr]) -> str:
+    """Return the sentence followed by an exact point, which may have irrational coordinates."""
+    return with_point(sentence, point, exact_text)
 
 
 def exact_text(value: fmpq | Expr) -> str:

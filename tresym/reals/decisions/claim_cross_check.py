@@ -109,7 +109,10 @@ def _attack_order(claim: Comparison, statement: Statement, answer: Answer) -> st
             found = value([*at.values(), x])
             if found is not None and abs(found[0]) > constant * abs(found[1]):
                 sides = f"{said(found[0])} and {said(found[1])}"
-                return f"at {where([path.name], [x])} its sides are {sides}, beyond the constant"
+                return (
+                    f"at {where([path.name], [x])} its sides are {sides}, which "
+                    "violates the bound with the constant C"
+                )
     return None
 
 
@@ -122,7 +125,7 @@ def _attack_path(claim: Comparison, statement: Statement, path: Path) -> str | N
         for side in path.sides:
             if fails(Ray(claim, path, side, at, statement.integers)):
                 given = f" for {where([*at], [*at.values()])}" if at else ""
-                return f"numbers near the end of the path show it to fail{given}"
+                return f"numerical values near the end of the path contradict it{given}"
     return None
 
 

@@ -37,11 +37,11 @@ SELDOM = 20_000
 LOOKED_AT = 40
 """Points of the conditions at which it is seen where a claim is defined."""
 _LOOK_ALIKE = {
-    "e": "the number is E",
-    "Pi": "the number is pi",
-    "PI": "the number is pi",
-    "i": "and real as all are",
-    "j": "and real as all are",
+    "e": "not the number 2.718…, which is E",
+    "Pi": "not the number pi",
+    "PI": "not the number pi",
+    "i": "not the imaginary unit; all variables are real",
+    "j": "not the imaginary unit; all variables are real",
 }
 
 
@@ -105,7 +105,7 @@ def _everywhere(comparison: Comparison, statement: Statement) -> Answer:
 
         missing = unspoken(comparison, statement)
         if missing is not None:
-            why = f"{answer.why}; but {missing}, and nothing is proved vacuously"
+            why = f"undecided: {missing}, so there may be nothing to prove ({answer.why})"
             return Answer(Verdict.UNDECIDED, why)
     if answer and any(holds_powers(e) for e in (comparison.left, comparison.right)):
         spent = time.perf_counter() - start
@@ -134,7 +134,9 @@ def _bounded(comparison: Comparison, statement: Statement) -> Answer:
     try:
         answer = _decide(comparison, statement)
     except InputError as error:
-        return Answer(Verdict.UNDECIDED, f"an expression on the way grew too large: {error}")
+        return Answer(
+            Verdict.UNDECIDED, (f"an intermediate expression exceeds the size limit: {error}")
+        )
     if answer.verdict is Verdict.REFUTED and statement.path is not None:
         from tresym.reals.decisions.asymptotics.refutation_check import checked
 
@@ -157,7 +159,7 @@ def _decide(comparison: Comparison, statement: Statement) -> Answer:
 
         return decide_by_leibniz(comparison, statement, _bounded)
     if hiding:
-        return Answer(Verdict.UNDECIDED, "the derivative of a sum or a limit is not worked out")
+        return Answer(Verdict.UNDECIDED, "derivatives of sums and limits are not supported")
     door = _door(comparison, statement)
     if door is not None:
         return door(comparison, statement, _bounded)
@@ -284,7 +286,7 @@ def _mistaken(statement: Statement) -> str:
     """A remark on variables that may have been meant as numbers."""
     names = frozenset().union(*(symbols(c.left) | symbols(c.right) for c in statement.comparisons))
     remarks = [
-        f"; {name} is a variable here, {other}"
+        f"; {name} is read as a variable, {other}"
         for name, other in _LOOK_ALIKE.items()
         if name in names
     ]

@@ -59,7 +59,9 @@ def decide_factorials(claim: Comparison, statement: Statement, decided: Decide) 
         or statement.path is not None
         or claim.derivatives
     ):
-        why = "of a factorial, sums, derivatives, limits and conditions are not decided"
+        why = (
+            "factorials are not supported together with sums, derivatives, limits or in conditions"
+        )
         return Answer(Verdict.UNDECIDED, why)
     found = _looked_at(claim, statement, list(nodes), decided)
     if found is not None:
@@ -69,7 +71,14 @@ def decide_factorials(claim: Comparison, statement: Statement, decided: Decide) 
     given = statement.given & Given(tuple(positive))
     found = decided(Comparison(left, claim.relation, right), replace(statement, given=given))
     if found.verdict is Verdict.REFUTED:
-        return Answer(Verdict.UNDECIDED, f"it is open; of any numbers for factorials, {found.why}")
+        return Answer(
+            Verdict.UNDECIDED,
+            (
+                "undecided: no counterexample was found at small integers, "
+                "but the claim fails when "
+                f"factorials are replaced by arbitrary numbers >= 1 ({found.why})"
+            ),
+        )
     return found
 
 
@@ -99,7 +108,13 @@ def _looked_at(
             witness = where | dict(found.witness or {})
             return replace(found, why=f"at {shown}: {found.why}", witness=witness)
         seen = seen or bool(found)
-    return None if seen else Answer(Verdict.UNDECIDED, "it is shown at no small integers")
+    return (
+        None
+        if seen
+        else Answer(
+            Verdict.UNDECIDED, "undecided: the claim could not be proved at any small integers"
+        )
+    )
 
 
 def _small(names: list[str]) -> Iterator[dict[str, Expr]]:

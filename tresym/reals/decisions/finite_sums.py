@@ -60,13 +60,13 @@ def decide_totals(claim: Comparison, statement: Statement, decided: Decide) -> A
         decided: decides claims with fewer of them, and with none.
     """
     if claim.derivatives or statement.path is not None:
-        return Answer(Verdict.UNDECIDED, "of sums, derivatives and limits are not decided")
+        return Answer(Verdict.UNDECIDED, "derivatives and limits of sums are not supported")
     long = _long_totals(claim, statement, decided)
     claim = claim.mapped(partial(replaced, known=long))
     try:
         claim = replace(claim, left=written_out(claim.left), right=written_out(claim.right))
     except InputError as error:
-        return Answer(Verdict.UNDECIDED, f"a sum is not written out: {error}")
+        return Answer(Verdict.UNDECIDED, f"a sum cannot be expanded: {error}")
     nodes = _nodes(claim)
     if not nodes:
         return decided(claim, statement)
@@ -81,8 +81,8 @@ def decide_totals(claim: Comparison, statement: Statement, decided: Decide) -> A
     if None in ends.values() or len(names) != 1:
         return Answer(
             Verdict.UNDECIDED,
-            "a sum is decided from an integer to n + c, with one n in all sums, and without "
-            "a sum in it",
+            "sums are supported from an integer to n + c, with the same n in all sums and without "
+            "nested sums",
         )
     (n,) = names
     least = max(end[2] - 1 - end[1] for end in ends.values() if end is not None)
@@ -130,7 +130,7 @@ def first_terms(claim: Comparison, statement: Statement, decided: Decide) -> Ans
         (k,), body = opened(node)
         low = integer(node.args[1])
         if node.args[2] != INFINITY or low is None:
-            return Answer(Verdict.UNDECIDED, "a series goes from an integer to oo")
+            return Answer(Verdict.UNDECIDED, "a series must run from an integer to oo")
         first = total(node.op, body, k, node.args[1], symbol(n))
         for form in summed(node.op, body, k, node.args[1], symbol(n)):
             whole = replace(statement, integers=(*statement.integers, n))
@@ -143,11 +143,13 @@ def first_terms(claim: Comparison, statement: Statement, decided: Decide) -> Ans
                 known[node] = value
                 break
         else:
-            return Answer(Verdict.UNDECIDED, f"{node}: no closed form of its first terms is shown")
+            return Answer(
+                Verdict.UNDECIDED, (f"{node}: no closed form of its partial sums could be proved")
+            )
     left, right = (replaced(side, known) for side in (claim.left, claim.right))
     found = decided(Comparison(left, claim.relation, right), statement)
     values = ", ".join(f"{node} = {value}" for node, value in known.items())
-    return replace(found, why=f"{values} as the limit of its first terms; {found.why}")
+    return replace(found, why=f"{values}, the limit of the partial sums; {found.why}")
 
 
 def _tends(form: Expr, n: str, given: Given) -> Expr | None:
@@ -195,7 +197,7 @@ def written_out(e: Expr) -> Expr:
     if low is None or high is None:
         return e
     if not -1 <= high - low < TERMS:
-        raise InputError(f"{high - low + 1} terms; it has from 0 to {TERMS}")
+        raise InputError(f"it has {high - low + 1} terms; from 0 to {TERMS} are supported")
     (name,), body = opened(e)
     terms = (written_out(substitute(body, {name: number(k)})) for k in range(low, high + 1))
     return add(ZERO, *terms) if e.op == "sum" else multiply(ONE, *terms)
@@ -260,10 +262,14 @@ def _looked_at(
             return replace(found, why=f"at {n} = {value}: {found.why}", witness=witness)
         seen = seen or (bool(found) and not _has_no_term(claim, n, value))
     if empty:
-        why = f"it fails of a sum without a term: say from which {n} on it is claimed"
+        why = f"it fails where a sum is empty: add a condition that says from which {n} on it holds"
         return Answer(Verdict.UNDECIDED, why)
     if not seen:
-        return Answer(Verdict.UNDECIDED, f"it is shown at no small {n}, and not by induction")
+        return Answer(
+            Verdict.UNDECIDED,
+            f"undecided: the claim could not be proved at any small {n}, "
+            "so induction has no base case",
+        )
     return None
 
 
@@ -296,7 +302,10 @@ def _induction(
     fixed = replace(statement, integers=tuple(m for m in statement.integers if m != n))
     base = decided(_at(claim, n, number(least)), fixed)
     if not base:
-        why = f"induction has no base at {n} = {least}: {base.why}"
+        why = (
+            f"undecided: the base case of the induction, {n} = {least}, "
+            f"could not be proved: {base.why}"
+        )
         return Answer(Verdict.UNDECIDED, why)
     taken = {*symbols(claim.left), *symbols(claim.right), *statement.given.names}
     now: dict[Expr, Expr] = {}
@@ -318,7 +327,10 @@ def _induction(
     beyond = statement.given & Given(((symbol(n), ">=", number(least)),))
     under = replace(statement, given=beyond)
     if not is_lasting((left, right), beyond, n, *map(str, now.values())):
-        why = f"it is not shown to be spoken of at every {n} from {least} on"
+        why = (
+            "undecided by induction: the sides could not be shown to be "
+            f"defined at every {n} >= {least}"
+        )
         return Answer(Verdict.UNDECIDED, why)
     steps = _smaller_step(Comparison(left, claim.relation, right), after, ends)
     smaller = [decided(part, under) for part in steps]
@@ -330,13 +342,13 @@ def _induction(
         under = replace(under, equations=(*statement.equations, (left, right)))
     step = worst(smaller) if smaller and all(smaller) else decided(after, under)
     if not step:
-        why = f"the step of the induction from {n} to {n} + 1 is open: {step.why}"
+        why = f"undecided: the induction step from {n} to {n} + 1 could not be proved: {step.why}"
         return Answer(Verdict.UNDECIDED, why)
     weaker = base if base.verdict is Verdict.ENCLOSED else step
     begin = f"{n} = {least}"
     if _has_no_term(claim, n, least):
-        begin += ", where a sum has no term and below which none is spoken of"
-    why = f"by induction from {begin}: {base.why}; from {n} to {n} + 1, {step.why}"
+        begin += ", where a sum is empty and below which no claim is made"
+    why = f"by induction from {begin}: {base.why}; step from {n} to {n} + 1: {step.why}"
     return replace(weaker, why=why, region=None, constant=None)
 
 

@@ -78,15 +78,15 @@ def decide_inequality(
     if defined is None and (moved := at_domain_ends((left, right), given)):
         (left, right), given = moved
         answer = decide_inequality(left, relation, right, given, differentiated, by)
-        return replace(answer, why=f"as {left} {relation} {right}: {answer.why}")
+        return replace(answer, why=f"rewritten as {left} {relation} {right}: {answer.why}")
     if defined is None and not names:
         return Answer(Verdict.UNDECIDED, no_point((left, right), inside))
     if defined is None:
         return Answer(
             Verdict.UNDECIDED,
-            "no exact point was found inside the conditions where both sides "
-            f"{'and what is differentiated ' if differentiated else ''}are defined, "
-            "and nothing is proved vacuously; a condition that bounds the variables may help",
+            "no point was found that satisfies the conditions and where both sides "
+            f"{'and the differentiated functions ' if differentiated else ''}are defined, "
+            "so there may be nothing to prove; check the conditions, or bound the variables",
         )
     if not symbols(left) | symbols(right):
         return _constants(left, relation, right)
@@ -94,7 +94,7 @@ def decide_inequality(
     found = proof(left - right, relation, region)
     partly = found is not None and not is_regular(given)
     if found is not None and not partly:
-        return Answer(Verdict.PROVED, f"{found}; both sides are defined at {exactly(defined)}")
+        return Answer(Verdict.PROVED, exactly(f"{found}; both sides are defined", defined))
     for zero_of in (equal_at_algebraic, equal_at_turns) if relation != ">=" else ():
         zero = zero_of(left, right, inside)
         if zero is not None:
@@ -153,9 +153,9 @@ def _sampled(
         for point, (x, y) in sampled_values(left, right, given, names, count, bits):
             defined = point
             if relation != "!=" and x < y:
-                return defined, refuted(f"it fails at {exactly(point)}", point, x, y)
+                return defined, refuted(exactly("it fails", point), point, x, y)
             if relation != ">=" and x.overlaps(y) and equal_at(left, right, point):
-                return defined, refuted(f"both sides are equal at {exactly(point)}", point, x, y)
+                return defined, refuted(exactly("both sides are equal", point), point, x, y)
     return defined, _at_corners(left, relation, right, given, names) if defined else None
 
 
@@ -195,9 +195,9 @@ def _refuted_at(
         if not (x.is_finite() and y.is_finite()):
             continue
         if relation != "!=" and x < y:
-            return refuted(f"it fails at {exactly(point)}", point, x, y)
+            return refuted(exactly("it fails", point), point, x, y)
         if relation != ">=" and x.overlaps(y) and equal_at(left, right, point):
-            return refuted(f"both sides are equal at {exactly(point)}", point, x, y)
+            return refuted(exactly("both sides are equal", point), point, x, y)
     return None
 
 
@@ -209,8 +209,11 @@ def _constants(left: Expr, relation: str, right: Expr) -> Answer:
         return refuted("the two constants are equal", {})
     found = sign(left - right, Given())
     if found in PROVING[relation]:
-        return Answer(Verdict.ENCLOSED, "the balls of the two constants are apart")
-    return Answer(Verdict.UNDECIDED, "the balls of the two constants overlap at 1024 bits")
+        return Answer(Verdict.ENCLOSED, "interval arithmetic separates the two constants")
+    return Answer(
+        Verdict.UNDECIDED,
+        ("undecided: the two constants agree to 1024 bits, and could not be shown to be equal"),
+    )
 
 
 def _apart(
@@ -230,7 +233,7 @@ def _apart(
             return zero
     above = bool(signs[True])
     if above and signs[False]:
-        why = "the difference has both signs, so it may vanish; no zero of it was found"
+        why = "undecided: the difference takes both signs, so it may vanish, but no zero was found"
         return Answer(Verdict.UNDECIDED, why)
     pair = (left, right) if above else (right, left)
     found = search(*pair, True, region, inside)
@@ -238,13 +241,13 @@ def _apart(
         return found
     point = {name: parse(text) for name, text in (found.witness or {}).items()}
     if equal_at(left, right, point):
-        return replace(found, why=f"both sides are equal at {exactly(point)}")
+        return replace(found, why=exactly("both sides are equal", point))
     if all(value.op == "number" for value in point.values()):
         exact = defined | {name: value.args[0] for name, value in point.items()}
         zero = _zero_between(left - right, region, defined, exact)
         if zero is not None:
             return zero
-    why = "the difference changes its sign, so it may vanish; no zero of it was found"
+    why = "undecided: the difference changes sign, so it may vanish, but no zero was found"
     return Answer(Verdict.UNDECIDED, why)
 
 
@@ -292,7 +295,7 @@ def _on_both_sides(left: Expr, right: Expr, one: Given, other: Given, answer: An
     if not all(found):
         return answer
     weakest = next((each for each in found if each.verdict is Verdict.ENCLOSED), found[0])
-    why = f"on both sides of what the conditions exclude: {weakest.why}"
+    why = f"in each of the two cases left by the condition with !=: {weakest.why}"
     return replace(weakest, why=why, region=None)
 
 
@@ -321,5 +324,8 @@ def _zero_between(
         name: f"[{fraction_text(low)}, {fraction_text(high)}]" if low < high else fraction_text(low)
         for name, (low, high) in ends.items()
     }
-    why = "the difference is continuous there and changes its sign, so it vanishes between"
+    why = (
+        "the difference is continuous and changes sign between the "
+        "ends of the intervals given as witness, so it vanishes there"
+    )
     return Answer(Verdict.REFUTED, why, witness=witness)

@@ -32,10 +32,10 @@ def decide_infinite(claim: Comparison, statement: Statement, decided: Decide) ->
     nodes = [node for node in outermost(claim.left, claim.right) if is_infinite(node)]
     limit = statement.path is not None
     if claim.derivatives or statement.equations or (limit and not is_infinite(claim.right)):
-        why = "a series with derivatives, limits or equations beside it is not decided"
+        why = "a series together with derivatives, limits or conditions with == is not supported"
         return Answer(Verdict.UNDECIDED, why)
     if claim.relation not in ("==", "->") and any(symbols(node) - {"oo"} for node in nodes):
-        return Answer(Verdict.UNDECIDED, "of a series with variables an equation is decided alone")
+        return Answer(Verdict.UNDECIDED, "for a series with variables only equations are supported")
     found = None
     if len(set(nodes)) == 1 and claim.relation == "==" and not statement.integers:
         side = claim.solved(nodes[0])
@@ -48,7 +48,7 @@ def decide_infinite(claim: Comparison, statement: Statement, decided: Decide) ->
     for node in dict.fromkeys(nodes):
         form = quoted_total(node, others, statement.given)
         if form is None and limit:
-            return Answer(Verdict.UNDECIDED, f"{node}: no theorem says what it is")
+            return Answer(Verdict.UNDECIDED, f"{node}: no known theorem gives its value")
         if form is None:
             answer = first_terms(claim, statement, decided)
             return answer if found is None or answer.verdict is not Verdict.UNDECIDED else found

@@ -75,7 +75,7 @@ CUTS, DENOMINATOR = 12, 5040
 TURNS = 40
 """Multiples of π at which a sine or a cosine in the integrand is looked at."""
 PARAMETERS = 3
-_OPEN = "no antiderivative was found that is shown to be one on the whole interval"
+_OPEN = "no antiderivative could be found and verified on the whole interval"
 
 
 class _Work(NamedTuple):
@@ -93,7 +93,7 @@ class _DivergentError(_OpenError):
     """An integral is shown to have no value, infinite or not, wherever ``given`` holds."""
 
     def __init__(self, f: Expr, why: str, given: Given) -> None:
-        super().__init__(f"the integral of {f} {why}, and so it has no value")
+        super().__init__(f"the integral of {f} has no value: it {why}")
         self.given = given
 
 
@@ -104,9 +104,7 @@ def decide_integrals(claim: Comparison, statement: Statement, decided: Decide) -
         decided: decides what holds no integral.
     """
     if any(next(functions(side), None) for side in (claim.left, claim.right)):
-        return Answer(
-            Verdict.UNDECIDED, "the integral of a function left unknown is not worked out"
-        )
+        return Answer(Verdict.UNDECIDED, "integrals of arbitrary functions cannot be evaluated")
     found = _by_quadrature(claim, statement)
     if found is not None:
         return found
@@ -120,13 +118,18 @@ def decide_integrals(claim: Comparison, statement: Statement, decided: Decide) -
         found = _at_parameters(claim, statement, decided) if found is None else found
         return Answer(Verdict.UNDECIDED, str(error)) if found is None else found
     except InputError as error:
-        return Answer(Verdict.UNDECIDED, f"an expression on the way grew too large: {error}")
+        return Answer(
+            Verdict.UNDECIDED, (f"an intermediate expression exceeds the size limit: {error}")
+        )
     said = "; ".join(dict.fromkeys(work.notes))
     if any(side in (INFINITY, MINUS_INFINITY) for side in sides):
         points = simple_points(_parameters(claim), given, PARAMETERS, statement.integers)
         return _infinite(claim.relation, sides, said, points)
     if any(INFINITY.args[0] in symbols(side) for side in sides):
-        return Answer(Verdict.UNDECIDED, f"an infinite value stands in a sum or product; {said}")
+        return Answer(
+            Verdict.UNDECIDED,
+            f"an integral is infinite and part of a sum or product, which is not supported; {said}",
+        )
     plain = replace(statement, given=given)
     answer = decided(replace(claim, left=sides[0], right=sides[1]), plain)
     return replace(answer, why=f"{said}; {answer.why}")
@@ -156,7 +159,12 @@ def _where_defined(claim: Comparison, given: Given) -> Given:
 def _infinite(relation: str, sides: list[Expr], said: str, points: list[dict[str, fmpq]]) -> Answer:
     """The comparison of values of which one is infinite wherever the conditions hold."""
     if relation != "==" or not points:
-        return Answer(Verdict.UNDECIDED, f"{said}; a value that is infinite is claimed by ==")
+        return Answer(
+            Verdict.UNDECIDED,
+            f"{said}; the value is infinite; such a claim is supported "
+            "only with ==, and where some simple point satisfies the conditions",
+        )
+    said = f"{said}; the left side is {sides[0]} and the right side is {sides[1]}"
     if sides[0] == sides[1]:
         return Answer(Verdict.PROVED, said)
     finite = [side for side in sides if not _ends(side)]
@@ -164,7 +172,7 @@ def _infinite(relation: str, sides: list[Expr], said: str, points: list[dict[str
         with ball_precision():
             if all(evaluate(side, at).is_finite() for side in finite):
                 return refuted(said, at)
-    return Answer(Verdict.UNDECIDED, f"{said}; the other side was found to be defined nowhere")
+    return Answer(Verdict.UNDECIDED, f"{said}; no point was found where the other side is defined")
 
 
 def _by_identity(claim: Comparison, statement: Statement, decided: Decide) -> Answer | None:
@@ -174,7 +182,7 @@ def _by_identity(claim: Comparison, statement: Statement, decided: Decide) -> An
     if left is None or right is None or claim.derivatives or statement.path is not None:
         return None
     answer = decided(replace(claim, left=left, right=right), statement)
-    why = f"by linearity of integrals and joined intervals; {answer.why}"
+    why = f"by linearity and additivity of integrals; {answer.why}"
     return replace(answer, why=why) if answer.verdict is Verdict.PROVED else None
 
 
@@ -270,9 +278,15 @@ def _integral(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Wo
         value = _between(name, f, low, high, rising, work)
         backward = _between(name, f, high, low, falling, work)
         if _ends(value) or decide(value + backward, ZERO, given).verdict is not Verdict.PROVED:
-            raise _OpenError(f"which of {low} and {high} is the greater one is not known")
+            raise _OpenError(
+                f"it could not be determined which of {low} and {high} is "
+                "larger; a condition may help"
+            )
     if found not in PROVING["!="] and not _vanishes_where_they_meet(value, low, high, given):
-        raise _OpenError(f"where {low} and {high} are equal the integral is 0: say {low} != {high}")
+        raise _OpenError(
+            f"the integral is 0 where {low} = {high}, unlike the formula: "
+            f"add the condition {low} != {high}"
+        )
     return value
 
 
@@ -323,10 +337,12 @@ def _between(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Wor
     inside = given & _inside(name, low, high)
     f = _without(f, inside, work)
     if not elementary(f):
-        raise _OpenError(f"integral of {f}: a sum or a limit in it is not worked out")
+        raise _OpenError(
+            f"integral of {f}: a sum or a limit in the integrand could not be evaluated"
+        )
     for root, size in _roots_of_squares(f, inside):
         f = replaced(f, {root: size})
-        work.notes.append(f"{root} is {size}")
+        work.notes.append(f"{root} = {size} on the interval")
     known = standard(f, name, low, high, given)
     if known is not None:
         work.notes.append(f"the integral of {f} is {known.value} by {known.source}")
@@ -338,7 +354,7 @@ def _between(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Wor
     values = [_piece(name, f, start, end, given, work) for start, end in pieces]
     infinite = {value for value in values if _ends(value)}
     if len(infinite) > 1:
-        raise _DivergentError(f, "has parts that are oo and -oo", given)
+        raise _DivergentError(f, "has both parts that are oo and parts that are -oo", given)
     return infinite.pop() if infinite else add(*values)
 
 
@@ -481,7 +497,7 @@ def _piece(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Work)
             shown = [value for value in values if value is not None]
             infinite = {value for value in shown if _ends(value)}
             if len(infinite) > 1:
-                raise _DivergentError(f, "has parts that are oo and -oo", given)
+                raise _DivergentError(f, "has both parts that are oo and parts that are -oo", given)
             where = f" for {inside}" if inside.comparisons else ""
             work.notes.append(f"{candidate} is an antiderivative of {f}{where}")
             return infinite.pop() if infinite else add(*shown)
@@ -529,14 +545,16 @@ def _difference(
         if value is None:
             value = limit_of(function, name, point, toward, given)
         if value is None and point is None and has_no_limit(function, name, toward, given):
-            raise _DivergentError(f, f"oscillates, as {function} does towards {end}", given)
+            raise _DivergentError(
+                f, f"oscillates without a limit, as {function} does towards {end}", given
+            )
         if value is None:
             return None
         ends.append(value)
     above, below = ends
     if _ends(above) or _ends(below):
         if above == below:
-            raise _DivergentError(f, "has parts that are oo and -oo", given)
+            raise _DivergentError(f, "has both parts that are oo and parts that are -oo", given)
         return above if _ends(above) else -below
     return above - below
 
@@ -584,10 +602,10 @@ def _by_quadrature(claim: Comparison, statement: Statement) -> Answer | None:
                 if not (left.is_finite() and right.is_finite()):
                     break
                 if _fails(left - right, claim.relation):
-                    why = "certified quadrature has the two sides apart"
+                    why = "rigorous numerical integration shows that the two sides differ"
                     return refuted(why, at, left, right)
                 if not names and claim.relation != "==" and stands(left - right, claim.relation):
-                    return Answer(Verdict.ENCLOSED, "certified quadrature of the integrals")
+                    return Answer(Verdict.ENCLOSED, "by rigorous numerical integration")
     return None
 
 
