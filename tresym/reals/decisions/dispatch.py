@@ -105,7 +105,7 @@ def _everywhere(comparison: Comparison, statement: Statement) -> Answer:
 
         missing = unspoken(comparison, statement)
         if missing is not None:
-            why = f"undecided: {missing}, so there may be nothing to prove ({answer.why})"
+            why = f"{missing}, so there may be nothing to prove ({answer.why})"
             return Answer(Verdict.UNDECIDED, why)
     if answer and any(holds_powers(e) for e in (comparison.left, comparison.right)):
         spent = time.perf_counter() - start

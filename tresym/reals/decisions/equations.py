@@ -373,8 +373,7 @@ def _with_value(answer: Answer, case: Case, name: str) -> Answer:
     if point is None:
         return Answer(
             Verdict.UNDECIDED,
-            f"undecided: the claim seems false ({answer.why}), but no "
-            "exact counterexample was found",
+            f"the claim seems false ({answer.why}), but no exact counterexample was found",
         )
     for missing in symbols(value) - point.keys():
         point[missing] = ONE
@@ -383,7 +382,7 @@ def _with_value(answer: Answer, case: Case, name: str) -> Answer:
         if not evaluate(at, {}).is_finite():
             return Answer(
                 Verdict.UNDECIDED,
-                f"undecided: the claim seems false ({answer.why}), but {name} "
+                f"the claim seems false ({answer.why}), but {name} "
                 "could not be shown to be real there",
             )
     point[name] = at

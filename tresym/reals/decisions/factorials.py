@@ -74,7 +74,7 @@ def decide_factorials(claim: Comparison, statement: Statement, decided: Decide) 
         return Answer(
             Verdict.UNDECIDED,
             (
-                "undecided: no counterexample was found at small integers, "
+                "no counterexample was found at small integers, "
                 "but the claim fails when "
                 f"factorials are replaced by arbitrary numbers >= 1 ({found.why})"
             ),
@@ -111,9 +111,7 @@ def _looked_at(
     return (
         None
         if seen
-        else Answer(
-            Verdict.UNDECIDED, "undecided: the claim could not be proved at any small integers"
-        )
+        else Answer(Verdict.UNDECIDED, "the claim could not be proved at any small integers")
     )
 
 

@@ -267,8 +267,7 @@ def _looked_at(
     if not seen:
         return Answer(
             Verdict.UNDECIDED,
-            f"undecided: the claim could not be proved at any small {n}, "
-            "so induction has no base case",
+            f"the claim could not be proved at any small {n}, so induction has no base case",
         )
     return None
 
@@ -302,10 +301,7 @@ def _induction(
     fixed = replace(statement, integers=tuple(m for m in statement.integers if m != n))
     base = decided(_at(claim, n, number(least)), fixed)
     if not base:
-        why = (
-            f"undecided: the base case of the induction, {n} = {least}, "
-            f"could not be proved: {base.why}"
-        )
+        why = f"the base case of the induction, {n} = {least}, could not be proved: {base.why}"
         return Answer(Verdict.UNDECIDED, why)
     taken = {*symbols(claim.left), *symbols(claim.right), *statement.given.names}
     now: dict[Expr, Expr] = {}
@@ -328,7 +324,7 @@ def _induction(
     under = replace(statement, given=beyond)
     if not is_lasting((left, right), beyond, n, *map(str, now.values())):
         why = (
-            "undecided by induction: the sides could not be shown to be "
+            "induction does not apply: the sides could not be shown to be "
             f"defined at every {n} >= {least}"
         )
         return Answer(Verdict.UNDECIDED, why)
@@ -342,7 +338,7 @@ def _induction(
         under = replace(under, equations=(*statement.equations, (left, right)))
     step = worst(smaller) if smaller and all(smaller) else decided(after, under)
     if not step:
-        why = f"undecided: the induction step from {n} to {n} + 1 could not be proved: {step.why}"
+        why = f"the induction step from {n} to {n} + 1 could not be proved: {step.why}"
         return Answer(Verdict.UNDECIDED, why)
     weaker = base if base.verdict is Verdict.ENCLOSED else step
     begin = f"{n} = {least}"

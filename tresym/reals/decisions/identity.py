@@ -452,6 +452,4 @@ def _obstacle(field: Field, value: Fraction) -> str:
             )
     if "opaque" in kinds:
         return "the difference could not be shown to be zero with the allowed theories alone"
-    return (
-        "undecided: the normal form of the difference is not zero, and no counterexample was found"
-    )
+    return "the normal form of the difference is not zero, and no counterexample was found"

@@ -212,7 +212,7 @@ def _constants(left: Expr, relation: str, right: Expr) -> Answer:
         return Answer(Verdict.ENCLOSED, "interval arithmetic separates the two constants")
     return Answer(
         Verdict.UNDECIDED,
-        ("undecided: the two constants agree to 1024 bits, and could not be shown to be equal"),
+        ("the two constants agree to 1024 bits, and could not be shown to be equal"),
     )
 
 
@@ -233,7 +233,7 @@ def _apart(
             return zero
     above = bool(signs[True])
     if above and signs[False]:
-        why = "undecided: the difference takes both signs, so it may vanish, but no zero was found"
+        why = "the difference takes both signs, so it may vanish, but no zero was found"
         return Answer(Verdict.UNDECIDED, why)
     pair = (left, right) if above else (right, left)
     found = search(*pair, True, region, inside)
@@ -247,7 +247,7 @@ def _apart(
         zero = _zero_between(left - right, region, defined, exact)
         if zero is not None:
             return zero
-    why = "undecided: the difference changes sign, so it may vanish, but no zero was found"
+    why = "the difference changes sign, so it may vanish, but no zero was found"
     return Answer(Verdict.UNDECIDED, why)
 
 

@@ -92,7 +92,7 @@ def decide_whole(claim: Comparison, statement: Statement, decided: Decide) -> An
             )
         seen = seen or bool(found)
     if not seen:
-        why = f"undecided: the claim could not be proved at any small integer {', '.join(names)}"
+        why = f"the claim could not be proved at any small integer {', '.join(names)}"
         return Answer(Verdict.UNDECIDED, why)
     exact = _by_divisors(claim, statement, names)
     if exact is not None:

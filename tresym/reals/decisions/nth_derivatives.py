@@ -75,16 +75,13 @@ def decide_repeated(claim: Comparison, statement: Statement, decided: Decide) ->
             return replace(found, why=f"at {n} = {k}: {found.why}", witness=witness)
         first = decided(same, plain) if k == least else first
     if not first:
-        why = (
-            f"undecided: the base case of the induction, {n} = {least}, "
-            f"could not be proved: {first.why}"
-        )
+        why = f"the base case of the induction, {n} = {least}, could not be proved: {first.why}"
         return Answer(Verdict.UNDECIDED, why)
     beyond = plain.given & Given(((order, ">=", number(least)),))
     whole = tuple(dict.fromkeys((*statement.integers, n)))
     if not is_lasting((g,), beyond, n) or not _is_smooth(g, f, x, beyond, whole):
         why = (
-            "undecided by induction: the other side could not be shown "
+            "induction does not apply: the other side could not be shown "
             f"to be smooth for every {n} >= {least}"
         )
         return Answer(Verdict.UNDECIDED, why)
@@ -94,7 +91,7 @@ def decide_repeated(claim: Comparison, statement: Statement, decided: Decide) ->
         replace(plain, given=beyond, integers=whole),
     )
     if not step:
-        why = f"undecided: the induction step from {n} to {n} + 1 could not be proved: {step.why}"
+        why = f"the induction step from {n} to {n} + 1 could not be proved: {step.why}"
         return Answer(Verdict.UNDECIDED, why)
     why = f"by induction from {n} = {least}: {first.why}; step from {n} to {n} + 1: {step.why}"
     return replace(step, why=why, region=None)

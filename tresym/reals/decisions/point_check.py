@@ -77,7 +77,7 @@ def confirmed(answer: Answer, claim: Comparison, statement: Statement) -> Answer
         else:
             _at_point(answer, claim, statement)
     except (_UnsupportedError, InputError) as error:
-        why = f"undecided: a counterexample was found ({answer.why}), but {error}"
+        why = f"a counterexample was found ({answer.why}), but {error}"
         return replace(answer, verdict=Verdict.UNDECIDED, why=why, witness=None, values=None)
     return answer
 

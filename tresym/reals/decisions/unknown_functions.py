@@ -76,8 +76,7 @@ def decide_unknown(claim: Comparison, statement: Statement, decided: Decide) -> 
         answer = _realised(atoms, answer)
     if answer.verdict is Verdict.REFUTED and not found.any_values:
         why = (
-            f"undecided: the claim seems false ({answer.why}), but "
-            "integrals may not take all of these values"
+            f"the claim seems false ({answer.why}), but integrals may not take all of these values"
         )
         answer = Answer(Verdict.UNDECIDED, why)
     names = sorted({node.args[0].args[0] for node in atoms})
@@ -108,8 +107,7 @@ def _realised(atoms: Atoms, answer: Answer) -> Answer:
             shown = {name: str(value) for name, value in free.items()}
             return replace(answer, witness=dict(answer.witness or {}) | shown)
     why = (
-        f"undecided: the claim seems false ({answer.why}), but no "
-        "function with all of these values was found"
+        f"the claim seems false ({answer.why}), but no function with all of these values was found"
     )
     return Answer(Verdict.UNDECIDED, why)
 

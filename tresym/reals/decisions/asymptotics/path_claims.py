@@ -455,7 +455,7 @@ def _from_somewhere_on(
         if found is not None:
             return found
     why = (
-        "undecided: the claim could not be proved on any of a few neighbourhoods of the end of the "
+        "the claim could not be proved on any of a few neighbourhoods of the end of the "
         "path, and no sequence of counterexamples was found"
     )
     return Answer(Verdict.UNDECIDED, why)

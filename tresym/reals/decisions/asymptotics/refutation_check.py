@@ -51,7 +51,7 @@ def checked(answer: Answer, claim: Comparison, statement: Statement) -> Answer:
         break
     else:
         why = "the values found could not be shown to satisfy the conditions"
-    why = f"undecided: a refutation was found ({answer.why}), but {why}"
+    why = f"a refutation was found ({answer.why}), but {why}"
     return replace(answer, verdict=Verdict.UNDECIDED, why=why, witness=None, values=None)
 
 
