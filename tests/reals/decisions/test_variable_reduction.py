@@ -95,7 +95,7 @@ def test_what_is_said_of_one_variable_holds_of_several(claim: str, why: str) -> 
     answer = by_one_variable(left, relation, right, Given.parse(given), decide_inequality)
     assert answer is not None
     assert answer
-    assert answer.why.startswith(why)
+    assert why in answer.why
 
 
 @pytest.mark.parametrize("claim", FAIL)

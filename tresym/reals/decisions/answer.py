@@ -189,7 +189,7 @@ Decide = Callable[[Comparison, Statement], Answer]
 
 
 def worst(answers: Iterable[Answer]) -> Answer:
-    """What several claims come to together."""
+    """Return the weakest of several answers: REFUTED, then UNDECIDED, ENCLOSED, PROVED."""
     return min(answers, key=lambda found: _WORST.index(found.verdict))
 
 
@@ -198,7 +198,7 @@ def _unspaced(text: str) -> str:
 
 
 def ball_text(ball: Decimal) -> str:
-    """A ball in decimal: exact, or with its radius."""
+    """Return a ball in decimal, with its radius unless it is exact."""
     return ball.mid if ball.rad == "0" else f"{ball.mid} ± {ball.rad}"
 
 
@@ -217,7 +217,7 @@ def exact_text(value: fmpq | Expr) -> str:
 def refuted(
     why: str, point: Mapping[str, fmpq | Expr], left: arb | None = None, right: arb | None = None
 ) -> Answer:
-    """A refutation at an exact point, with both sides there."""
+    """Return a refutation at an exact point, with the values of both sides if they are given."""
     witness = {name: exact_text(value) for name, value in point.items()}
     values = None
     if left is not None and right is not None:
@@ -240,6 +240,6 @@ def _apart(left: arb, right: arb) -> tuple[Decimal, Decimal]:
 
 
 def constant_ball(x: arb) -> Decimal:
-    """The constant of an order statement in decimal."""
+    """Return the constant of an O claim in decimal, to 6 digits."""
     with ball_precision(128):
         return decimal_ball(x, 6)

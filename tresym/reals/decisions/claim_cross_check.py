@@ -45,7 +45,7 @@ def attack(
     spent: float,
     anywhere: bool = False,
 ) -> str | None:
-    """What contradicts a comparison that is about to pass, in words, or None.
+    """Return a numerical contradiction to a proved comparison, in words, or None.
 
     Args:
         spent: seconds that its decision took.
@@ -82,7 +82,7 @@ def attack(
 
 
 def with_orders(e: Expr, put: Mapping[str, Expr]) -> Expr:
-    """``e`` with derivatives whose orders are numbers worked out."""
+    """Return ``e`` with ``put`` substituted and derivatives of fixed order carried out."""
     e = substitute(e, put)
     known = {}
     for node in outermost(e):

@@ -122,7 +122,7 @@ class Comparison:
         return frozenset(found.by for found in self.derivatives)
 
     def solved(self, node: Expr) -> Expr | None:
-        """What an equation says that ``node`` is, where it is linear in it."""
+        """Solve the equation for ``node``; None if it is not linear in it."""
         mark = symbol("[S]")
         left, right = (replaced(side, {node: mark}) for side in (self.left, self.right))
         gap = left - right
@@ -188,7 +188,7 @@ class Statement:
 
     @property
     def said(self) -> list[Expr]:
-        """The sides of all conditions."""
+        """Both sides of every condition."""
         pairs = (*((left, right) for left, _, right in self.given.comparisons), *self.equations)
         return [side for pair in pairs for side in pair]
 
@@ -202,7 +202,7 @@ class Statement:
 
     @property
     def under(self) -> str:
-        """All conditions in words."""
+        """The conditions as text, separated by commas."""
         equal = ((left, "==", right) for left, right in self.equations)
         whole = ((symbol(name), "in", INTEGERS) for name in self.integers)
         return chained((*self.given.comparisons, *equal, *whole))
@@ -222,7 +222,7 @@ class _Written(NamedTuple):
 
 
 def in_latex(text: str) -> str:
-    """A claim in the grammar of text, in LaTeX with its conditions and path; empty if not read."""
+    """Return a claim in the grammar of text as LaTeX; empty if it cannot be read."""
     try:
         comparisons, given, path = _written(text, "", None)
     except InputError:
@@ -237,7 +237,7 @@ def in_latex(text: str) -> str:
 
 
 def chained(comparisons: Iterable[Compared]) -> str:
-    """Comparisons in the grammar of text, ``0 < x <= 1`` for two with a side in common."""
+    """Return comparisons as text, with a common side written once, as in ``0 < x <= 1``."""
     text = ""
     last: tuple[Expr | None, str] = (None, "")
     for left, relation, right in comparisons:
@@ -249,7 +249,7 @@ def chained(comparisons: Iterable[Compared]) -> str:
 
 
 def read(claim: Any, given: Any = "", path: str | None = None) -> Statement:
-    """A claim with its conditions.
+    """Read a claim with its conditions and its path.
 
     Args:
         claim: text, LaTeX or a SymPy relation. Text may end in ``given CONDITIONS`` and
@@ -258,7 +258,7 @@ def read(claim: Any, given: Any = "", path: str | None = None) -> Statement:
         path: such as ``"x -> 0+"``.
 
     Raises:
-        InputError: what is not read; one line says why.
+        InputError: the input cannot be read; the message is one line and says what to write.
     """
     written = _written(claim, given, path)
     text = _split(claim)[0] if isinstance(claim, str) else str(claim)
@@ -329,7 +329,7 @@ def _need_apart(comparisons: Iterable[Comparison], said: Iterable[Compared]) -> 
 
 
 def functions(e: Expr) -> Iterator[Expr]:
-    """The functions left unknown in ``e``, at their arguments."""
+    """Yield the applications of arbitrary functions in ``e``, such as f(x)."""
     if e.hidden:
         for arg in e.args:
             yield from functions(arg)
@@ -338,7 +338,7 @@ def functions(e: Expr) -> Iterator[Expr]:
 
 
 def implied_integers(trees: Iterable[Expr], known: Iterable[str] = ()) -> tuple[str, ...]:
-    """The variables that are integers because ends of sums, orders and factorials are.
+    """Return the variables that must be integers: in ends of sums, orders and factorials.
 
     Args:
         known: those that are integers already.
@@ -371,7 +371,7 @@ def _integer_places(e: Expr) -> Iterator[Expr]:
 
 
 def read_as(claim: Any, given: Any = "", path: str | None = None) -> str:
-    """The claim with its conditions and path in the grammar; nothing where it is not read.
+    """Return the claim with conditions and path in the grammar of text; empty if unreadable.
 
     Nothing is worked out of it, so that it is at hand also where deciding did not end.
     """

@@ -67,7 +67,7 @@ _OPEN = Verdict.UNDECIDED
 
 
 def decide_dotted(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
-    """PROVED, REFUTED or UNDECIDED for an equation with dots in a sum.
+    """Decide an equation with dots in a sum, such as ``1 + x + x**2 + ... == 1/(1 - x)``.
 
     Args:
         decided: not asked; every such claim is decided here.

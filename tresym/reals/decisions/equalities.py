@@ -36,10 +36,11 @@ def decide_equality(
     differentiated: tuple[Expr, ...] = (),
     by: Iterable[str] = (),
 ) -> Decision:
-    """Whether ``left = right`` wherever both are defined, and what is differentiated too.
+    """Decide ``left = right`` wherever both sides and the differentiated functions are real.
 
     Args:
-        differentiated: the functions of which derivatives, by the variables ``by``, are compared.
+        differentiated: the functions whose derivatives occur in the claim.
+        by: the variables of differentiation.
     """
     found = decide(left, right, given)
     if not differentiated:

@@ -59,10 +59,12 @@ NO_POINT = Answer(
 
 
 def decide_under_equations(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
-    """The answer at the points that satisfy the equations of the statement.
+    """Decide a claim at the points that satisfy the equations of the statement.
 
     Args:
-        decided: decides the claim under what is left.
+        claim: the comparison to decide.
+        statement: its conditions, equations among them.
+        decided: the procedure for the claim under the remaining conditions.
     """
     statement = among_integers(statement) or statement
     for pair in statement.equations:
@@ -79,7 +81,7 @@ def decide_under_equations(claim: Comparison, statement: Statement, decided: Dec
 def _without_variables(
     claim: Comparison, statement: Statement, pair: tuple[Expr, Expr], decided: Decide
 ) -> Answer | None:
-    """The answer where an equation holds at every point, or at none; None for others."""
+    """Handle an equation that holds everywhere or nowhere; return None for other equations."""
     left, right = pair
     e = left - right
     if symbols(e) and not is_zero(e, Given()):
@@ -98,19 +100,19 @@ def _without_variables(
 
 
 def is_contradictory(statement: Statement) -> bool:
-    """Whether the equations have no common point, by their ideal."""
+    """Return whether the ideal of the equations shows that they have no common solution."""
     return bool(statement.equations) and follows(ONE, *_known(statement), vanishes=True)
 
 
 def _known(statement: Statement) -> tuple[list[Expr], list[Expr]]:
-    """What is 0 at the points in question, and what is not."""
+    """Return the expressions that are 0, and those that are not 0, under the conditions."""
     zero = [left - right for left, right in statement.equations]
     nonzero = [c.expression for c in statement.given.conditions if c.relation != ">="]
     return zero, nonzero
 
 
 def _speaking(claim: Comparison, statement: Statement) -> Statement:
-    """The statement under the condition that no denominator of both sides vanishes."""
+    """Return the statement with the condition that no denominator vanishes."""
     parts = (e for e, relation in needs((claim.left, claim.right)) if relation == "!=")
     links = tuple(bound(e, "!=") for e in parts if symbols(e) and not e.loose)
     if claim.relation != "==" or statement.path is not None:
@@ -124,7 +126,7 @@ def _speaking(claim: Comparison, statement: Statement) -> Statement:
 
 
 def _as_consequence(claim: Comparison, statement: Statement, decided: Decide) -> Answer | None:
-    """A proof of an equation, or of ``!=``, by the ideal of the equations; None without one."""
+    """Return a proof of ``==`` or ``!=`` by the ideal of the equations, or None."""
     left, relation, right = claim.left, claim.relation, claim.right
     if relation not in ("==", "!=") or claim.derivatives or statement.path is not None:
         return None
@@ -140,7 +142,7 @@ def _as_consequence(claim: Comparison, statement: Statement, decided: Decide) ->
 def _with_a_point(
     answer: Answer, claim: Comparison, statement: Statement, decided: Decide
 ) -> Answer | None:
-    """A proof, if a point is found that satisfies the conditions, and none that contradicts it."""
+    """Return the proof if some point satisfies the conditions, and no point contradicts it."""
     sides = claim.left, claim.right
     if any(side.hidden for side in sides):
         return None

@@ -40,10 +40,10 @@ MOST, FAR, LOOKED_AT = 600, 50, 6
 
 
 def decide_factorials(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
-    """PROVED, ENCLOSED, REFUTED or UNDECIDED for a claim with factorials.
+    """Decide a claim with factorials.
 
     Args:
-        decided: decides what holds none.
+        decided: the procedure for claims without factorials.
     """
     folded = {node: _value(node.args[-1]) or node for node in outermost(claim.left, claim.right)}
     sides = replaced(claim.left, folded), replaced(claim.right, folded)
@@ -85,7 +85,7 @@ def decide_factorials(claim: Comparison, statement: Statement, decided: Decide) 
 def _looked_at(
     claim: Comparison, statement: Statement, nodes: list[Expr], decided: Decide
 ) -> Answer | None:
-    """A refutation at small integers, or that it is shown at none; None where it may be true."""
+    """Return a refutation at small integers, or UNDECIDED if none is proved; None otherwise."""
     names = sorted({name for node in nodes for name in symbols(node)})
     seen = False
     for at in islice(_small(names), MOST):

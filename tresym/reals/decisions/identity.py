@@ -102,10 +102,12 @@ def decide(
     theories: frozenset[str] = ALL_THEORIES,
     stated: Given | None = None,
 ) -> Decision:
-    """Whether ``left = right`` at every real point of ``given`` where both are defined.
+    """Decide whether ``left = right`` at every real point of ``given`` where both are defined.
 
     Args:
-        stated: the conditions in ``given`` that may not hold at single points; None where all are.
+        left, right: elementary expressions.
+        given: inequalities that hold at the points in question.
+        stated: the conditions that the user wrote, if ``given`` contains further ones.
         theories: what the proof may use beyond algebra; a function of another theory is a mere
             name whose equal arguments give equal values. Refutation is not limited by it.
     """
@@ -131,7 +133,7 @@ def decide_continuous(
     given: Given = Given(),  # noqa: B008 - frozen
     theories: frozenset[str] = ALL_THEORIES,
 ) -> Decision:
-    """As :func:`decide`, by the normal form alone; UNDECIDED where a side may jump."""
+    """Decide as :func:`decide`, by the normal form alone; UNDECIDED if a side may jump."""
     found = _almost_everywhere(left, right, given, theories, None)
     if found.verdict is not Verdict.PROVED:
         return found
@@ -196,7 +198,7 @@ def _at_limits(
     stated: Given,
     further: Further | None,
 ) -> Decision | None:
-    """What is not shown at points of the conditions that are no limits of those inside them."""
+    """Return UNDECIDED if the proof may miss isolated points of the conditions, else None."""
     if left == right or is_regular(stated):
         return None
     names, fewer = sorted(symbols(left) | symbols(right)), _open(given)
@@ -211,14 +213,14 @@ def _at_limits(
 
 
 def _open(given: Given) -> Given:
-    """The conditions, less those with equality, or with roots, that are no bounds of a variable."""
+    """Return the conditions without those with >= or with roots that do not bound a variable."""
     beyond = {c for c in given.beyond_box if c.relation == ">=" or needs((c.expression,))}
     pairs = zip(given.comparisons, given.conditions, strict=True)
     return Given(tuple(comparison for comparison, c in pairs if c not in beyond))
 
 
 def _at_jumps(sides: tuple[Expr, ...], given: Given, theories: frozenset[str]) -> Decision | None:
-    """What fails, or is not shown, at points that a proof at almost all points leaves out."""
+    """Return a failure, or UNDECIDED, at jumps, which the proof leaves out; None if it holds."""
     left, right = sides
     if left == right:
         return None
@@ -244,7 +246,7 @@ def sampled_values(
     count: int,
     bits: int = WORKING,
 ) -> Iterator[tuple[dict[str, fmpq], tuple[arb, arb]]]:
-    """Points where both sides are defined, at most ``count``, with their values."""
+    """Yield at most ``count`` points where both sides are defined, with their values in balls."""
     trees: tuple[Expr, ...] = (left, right)
     found = 0
     for point in given.points(names, SEARCH_POINTS):
@@ -287,7 +289,7 @@ def with_point(
 
 
 def no_point(parts: tuple[Expr, ...], given: Given) -> str:
-    """Why nothing is proved where no point is found at which all ``parts`` are defined."""
+    """Return the reason of UNDECIDED if no point is found where all ``parts`` are defined."""
     names = sorted(frozenset().union(*map(symbols, parts)))
     if not names:
         with ball_precision():
@@ -317,7 +319,7 @@ _POLES = {"tan": "cos", "sec": "cos", "cot": "sin", "csc": "sin"}
 
 
 def _is_undefined(part: Expr) -> bool:
-    """Whether a constant, whose operands are numbers, is shown to be none."""
+    """Return whether a constant expression is proved to be undefined."""
     inner = part.args[0]
     if part.op in _POLES:
         return equal_at(apply(_POLES[part.op], inner), ZERO, {})
@@ -339,7 +341,7 @@ def _prove(
     further: Further | None,
     depth: int = 0,
 ) -> tuple[str | None, str, Expr | None]:
-    """A sentence on the proof, or None, a sentence on what stopped it, and whose sign did so."""
+    """Return the proof as a sentence or None, the obstacle, and the part whose sign is open."""
     left, right = sides
     if left == right:
         return "both sides are the same expression", "", None
@@ -367,7 +369,7 @@ def _by_constants(
     given: Given,
     theories: frozenset[str],
 ) -> tuple[str | None, Fraction, Expr | None]:
-    """A proof by what is known of constants, or by derivatives, or None; and what is left."""
+    """Return a proof by relations between constants or by derivatives, or None; and the rest."""
     proof = None
     with suppress(TooLargeError, UndefinedError):
         value = settled(field, value, functions=any(map(symbols, sides)))
@@ -388,7 +390,7 @@ def _prove_by_branch(
     points: Points,
     further: Further | None,
 ) -> str | None:
-    """A sentence on the proof of the sides without an inverse function, or None."""
+    """Return a proof of an equivalent equation without inverse functions, or None."""
     for pair in without_inverse(*sides, given, theories):
         if _prove(pair, given, theories, points, further, MAX_CASES)[0]:
             return (
@@ -401,7 +403,7 @@ def _prove_by_branch(
 def _difference(
     sides: tuple[Expr, Expr], given: Given, theories: frozenset[str], points: Points
 ) -> tuple[Field, Fraction]:
-    """The normal form of the first side less the second."""
+    """Return the normal form of the difference of the two sides, with its field."""
     fewest = _generator_count(sides)
     for size in (size for size in SIZES if size >= fewest):
         field = Field(given, theories, size, lambda: points(given))
@@ -415,7 +417,7 @@ def _difference(
 
 
 def _generator_count(sides: tuple[Expr, ...]) -> int:
-    """About how many generators the normal forms will need: parts that are not rational."""
+    """Estimate how many generators the normal forms need: the subexpressions not rational."""
     seen: set[Expr] = set()
     stack = list(sides)
     count = 0
@@ -431,7 +433,7 @@ def _generator_count(sides: tuple[Expr, ...]) -> int:
 
 
 def _sign_in_doubt(field: Field, value: Fraction) -> Expr | None:
-    """A polynomial in the symbols, not zero, on whose sign the normal form depends."""
+    """Return a nonzero polynomial on whose sign the normal form depends, or None."""
     for i in field.used(value.num):
         generator = field.at(i)
         if generator.kind == "sign":

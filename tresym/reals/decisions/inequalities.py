@@ -1,7 +1,7 @@
 """Decide inequalities: counterexamples, exact sign proofs, Taylor's theorem, then boxes.
 
-A claim ``left >= right`` speaks of every real point of ``given`` where both sides are defined, like
-an identity, and nothing is proved where no such point is found.
+A claim ``left >= right`` is about every real point of ``given`` where both sides are defined. It is
+proved only if such a point is found.
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ def decide_inequality(
     differentiated: Iterable[Expr] = (),
     by: Iterable[str] = (),
 ) -> Answer:
-    """PROVED, ENCLOSED, REFUTED or UNDECIDED for ``left relation right``.
+    """Decide the inequality ``left relation right`` under ``given``.
 
     Args:
         differentiated: the functions of which derivatives, by the variables ``by``, are compared.
@@ -123,14 +123,14 @@ def decide_inequality(
 
 
 def _shown_under(given: Given, found: Answer) -> Answer:
-    """What boxes enclose, with the conditions that were typed."""
+    """Return an enclosed answer with the conditions as the user wrote them."""
     if found.verdict is not Verdict.ENCLOSED or not given.comparisons:
         return found
     return replace(found, region=str(given))
 
 
 def _one_period(difference: Expr, region: Given, given: Given) -> Given:
-    """The region, cut down to one period where the claim has one."""
+    """Return the region, reduced to one period if the claim is periodic."""
     names = symbols(difference)
     if len(names) != 1 or names & given.names:
         return region
@@ -147,7 +147,7 @@ def _one_period(difference: Expr, region: Given, given: Given) -> Given:
 def _sampled(
     left: Expr, relation: str, right: Expr, given: Given, names: list[str]
 ) -> tuple[dict[str, fmpq] | None, Answer | None]:
-    """A point where both sides are defined, and a refutation where a point gives one."""
+    """Return a point where both sides are defined, and a refutation if a sample gives one."""
     defined = None
     for bits, count in LOOKS:
         for point, (x, y) in sampled_values(left, right, given, names, count, bits):
@@ -160,7 +160,7 @@ def _sampled(
 
 
 def _in_cells(difference: Expr, region: Given) -> Iterator[dict[str, fmpq]]:
-    """A point of an open cell in which a polynomial is negative, where there is one."""
+    """Yield a point of each open cell in which the polynomial difference is negative."""
     with suppress(TooLargeError):
         found = cells(difference, region)
         if found is not None and found.against is not None:
@@ -170,7 +170,7 @@ def _in_cells(difference: Expr, region: Given) -> Iterator[dict[str, fmpq]]:
 def _at_corners(
     left: Expr, relation: str, right: Expr, given: Given, names: list[str]
 ) -> Answer | None:
-    """A refutation where variables are 0, 1 or at closed ends of their ranges."""
+    """Return a refutation with variables at 0, 1 or the closed ends of their ranges, or None."""
     for point in dict.fromkeys(tuple(p.items()) for p in corners(names, given.box)):
         found = _refuted_at(dict(point), left, relation, right, given)
         if found is not None:
@@ -181,7 +181,7 @@ def _at_corners(
 def _refuted_at(
     point: dict[str, fmpq], left: Expr, relation: str, right: Expr, given: Given
 ) -> Answer | None:
-    """A refutation where the exact point satisfies the conditions and violates the claim."""
+    """Return a refutation if the point satisfies the conditions and violates the claim."""
     if not given.names <= point.keys():  # found where the claim's own variables are
         return None
     if is_isolated({name: arb(value) for name, value in point.items()}, (left, right)):
@@ -202,7 +202,7 @@ def _refuted_at(
 
 
 def _constants(left: Expr, relation: str, right: Expr) -> Answer:
-    """Both sides are constants, and no ball refuted the claim."""
+    """Decide an inequality between two constants that no ball refutes."""
     if equal_at(left, right, {}):
         if relation == ">=":
             return Answer(Verdict.PROVED, "the two constants are equal")
@@ -219,7 +219,7 @@ def _constants(left: Expr, relation: str, right: Expr) -> Answer:
 def _apart(
     left: Expr, right: Expr, region: Given, inside: Given, defined: dict[str, fmpq]
 ) -> Answer:
-    """``left != right``: refuted by a zero between two points, or by a strict inequality."""
+    """Decide ``left != right``: a zero refutes it, a strict inequality proves it."""
     names = sorted(defined)
     signs: dict[bool, list[dict[str, fmpq]]] = {True: [], False: []}
     sampled = sampled_values(left, right, region, names, *LOOKS[0][::-1])
@@ -254,7 +254,7 @@ def _apart(
 def _on_grid(
     left: Expr, right: Expr, given: Given, names: list[str]
 ) -> Iterator[tuple[dict[str, fmpq], tuple[arb, arb]]]:
-    """Values at equal steps along the line, for poles and zeros that take turns."""
+    """Yield values on a regular grid, which finds zeros between neighbouring poles."""
     for k in GRID if len(names) == 1 else ():
         point = {names[0]: fmpq(k, GRID_STEPS)}
         with ball_precision():
@@ -268,7 +268,7 @@ def _on_grid(
 def _neighbours(
     signs: dict[bool, list[dict[str, fmpq]]],
 ) -> Iterator[tuple[dict[str, fmpq], dict[str, fmpq]]]:
-    """Points of one variable next to each other at which the signs differ: no pole is between."""
+    """Yield neighbouring points of one variable at which the signs of the difference differ."""
     points = [(*p.values(), above, p) for above, found in signs.items() for p in found]
     if points and len(points[0]) == 3:
         for (_, above, p), (_, below, q) in pairwise(sorted(points, key=itemgetter(0))):
@@ -277,7 +277,7 @@ def _neighbours(
 
 
 def _sides(given: Given) -> tuple[Given, Given] | None:
-    """The conditions on both sides of one that excludes the zeros of an expression."""
+    """Split the conditions at one of the form ``u != v`` into u > v and u < v, or None."""
     for k, comparison in enumerate(given.comparisons):
         left, relation, right = comparison
         if relation == "!=":
@@ -287,7 +287,7 @@ def _sides(given: Given) -> tuple[Given, Given] | None:
 
 
 def _on_both_sides(left: Expr, right: Expr, one: Given, other: Given, answer: Answer) -> Answer:
-    """``left != right`` by cases, or the ``answer`` where they do not settle it."""
+    """Decide ``left != right`` in two cases; return ``answer`` if they do not decide it."""
     found = [decide_inequality(left, "!=", right, case) for case in (one, other)]
     for each in found:
         if each.verdict is Verdict.REFUTED:
@@ -302,7 +302,7 @@ def _on_both_sides(left: Expr, right: Expr, one: Given, other: Given, answer: An
 def _zero_between(
     difference: Expr, region: Given, start: dict[str, fmpq], end: dict[str, fmpq]
 ) -> Answer | None:
-    """A refutation of ``difference != 0``, which has two signs at two points, by halving.
+    """Refute ``difference != 0`` by bisection between two points of opposite sign, or return None.
 
     The difference is continuous on the small box about the last two points, as its ball there is
     finite, so it vanishes on the segment between them.

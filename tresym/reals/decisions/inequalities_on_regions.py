@@ -47,7 +47,7 @@ _ONE, _NAN = arb(1), arb.nan()
 
 
 def is_isolated(at: Mapping[str, arb], sides: tuple[Expr, Expr]) -> bool:
-    """Whether no point is found close by where both sides are defined: no claim speaks of it."""
+    """Return whether no point nearby is found where both sides are defined."""
     with ball_precision(2 * PRECISION):
         for signs in product((1, -1), repeat=len(at)):
             steps = (arb(fmpq(sign, (1 << 40) + 7**k)) for k, sign in enumerate(signs))
@@ -58,11 +58,14 @@ def is_isolated(at: Mapping[str, arb], sides: tuple[Expr, Expr]) -> bool:
 
 
 def search(left: Expr, right: Expr, strict: bool, region: Given, inside: Given) -> Answer:
-    """ENCLOSED, REFUTED or UNDECIDED for ``left > right`` (or ``>=``).
+    """Decide ``left > right`` (or ``>=`` if not ``strict``) by branch and bound.
 
     Args:
-        region: what holds wherever the claim speaks.
-        inside: what a point must satisfy besides at which it is refuted.
+        region: conditions that hold wherever the claim is made.
+        inside: further conditions that a counterexample must satisfy.
+
+    Returns:
+        ENCLOSED, REFUTED, or UNDECIDED with the region that could not be closed.
     """
     region = _about(region, symbols(left) | symbols(right))
     names = sorted(symbols(left) | symbols(right) | region.names)

@@ -60,10 +60,10 @@ MOST_TRIED, MOST_SIZE = 5000, 200
 
 
 def decide_whole(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
-    """The answer where some variables are integers.
+    """Decide a claim in which some variables are integers.
 
     Args:
-        decided: decides what holds for real values.
+        decided: the procedure for claims about real variables.
     """
     sides = [claim.left, claim.right, *statement.said]
     if statement.path is not None and statement.path.point is not None:
@@ -109,7 +109,7 @@ def decide_whole(claim: Comparison, statement: Statement, decided: Decide) -> An
 
 
 def with_integer_bounds(given: Given, integers: Iterable[str]) -> Given:
-    """The conditions, and the bounds of the integers by integers: n > 1/2 is n >= 1."""
+    """Return the conditions with integer bounds for the integers: n > 1/2 becomes n >= 1."""
     links = []
     for name in integers:
         low, high = given.box.get(name, Interval())[:2]

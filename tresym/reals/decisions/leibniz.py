@@ -39,10 +39,10 @@ class _OpenError(Exception):
 
 
 def decide_by_leibniz(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
-    """The answer with derivatives of integrals worked out.
+    """Decide a claim with derivatives of integrals, by differentiation under the integral sign.
 
     Args:
-        decided: decides the claim without them.
+        decided: the procedure for claims without derivatives of integrals.
     """
     given = statement.given
     if statement.path is not None or statement.equations or statement.integers:

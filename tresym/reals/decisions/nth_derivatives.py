@@ -1,8 +1,7 @@
 """Derivatives of integer order n, by induction on n.
 
-``d^n f/dx^n = g(n, x)`` for all n from the least on holds where it does for that n, and where the
-derivative of g(n, x) by x is g(n + 1, x). It is refuted at small n, where it is a derivative of
-that order.
+``d^n f/dx^n = g(n, x)`` holds for all n from n0 on if it holds for n0 and if the derivative of
+g(n, x) with respect to x is g(n + 1, x). It is refuted at small n by carrying out the derivatives.
 """
 
 from __future__ import annotations
@@ -38,10 +37,10 @@ _SMOOTH = frozenset(("+", "*", "^", "exp", "sin", "cos", "sinh", "cosh", "atan",
 
 
 def decide_repeated(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
-    """PROVED, ENCLOSED, REFUTED or UNDECIDED for a claim with such a derivative.
+    """Decide a claim with a derivative of order n.
 
     Args:
-        decided: decides claims without one.
+        decided: the procedure for claims without such a derivative.
     """
     nodes = [n for n in outermost(claim.left, claim.right) if n.op == "nth"]
     g = claim.solved(nodes[0]) if len(set(nodes)) == 1 else None

@@ -77,7 +77,7 @@ APART = "partial sums with a bound on the remainder show that the two sides diff
 
 
 def decide_power_series(side: Expr, node: Expr, given: Given) -> Answer:
-    """PROVED, REFUTED or UNDECIDED for ``side == node``, a sum to oo of hypergeometric terms.
+    """Decide ``side == node`` for an infinite sum ``node`` of hypergeometric terms.
 
     Args:
         side: an elementary expression.
@@ -115,7 +115,7 @@ def decide_power_series(side: Expr, node: Expr, given: Given) -> Answer:
 
 
 def _shown(side: Expr, s: Series, given: Given) -> str:
-    """The proof in words."""
+    """Return the proof in words; raise OpenError if there is none."""
     y = fresh("y", symbols(side) | symbols(s.u) | symbols(s.head) | given.names)
     need_range(side, s, given)
     for x in sorted(symbols(s.u), key=lambda name: (name not in symbols(side), name)):
@@ -280,7 +280,7 @@ def _coefficient_is(g: Expr, y: str, m: int, s: Series, q: int, scale: Expr, giv
 
 
 def _at_points(side: Expr, s: Series, given: Given) -> Answer | None:
-    """A refutation: where the sides are apart, or where it diverges and the conditions hold."""
+    """Return a refutation where the sides differ or the series diverges, or None."""
     names = symbols(side) | symbols(s.u) | symbols(s.head)
     for at in given.points(names, POINTS):
         with ball_precision(256):
@@ -300,7 +300,7 @@ def _at_points(side: Expr, s: Series, given: Given) -> Answer | None:
 
 
 def _at_ends(side: Expr, s: Series, given: Given) -> Answer | None:
-    """A refutation at an end of its range, where it diverges and the other side has a value."""
+    """Return a refutation at an end of the interval of convergence, or None."""
     names = sorted(symbols(s.u))
     if len(names) != 1 or not s.rate or symbols(side) - {*names}:
         return None

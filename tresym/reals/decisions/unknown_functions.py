@@ -39,10 +39,10 @@ Atoms = dict[Expr, Expr]
 
 
 def decide_unknown(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
-    """The answer to a claim about every smooth function.
+    """Decide a claim about all smooth functions.
 
     Args:
-        decided: decides what holds no function left unknown.
+        decided: the procedure for claims without arbitrary functions.
     """
     found = Antiderivatives(statement.given)
     sides = None if claim.derivatives else [found.put_in(e) for e in (claim.left, claim.right)]

@@ -23,18 +23,21 @@ LARGEST = arb((1, 10**8))
 SHOWN_AT = tuple(fmpq(1, 2**n) for n in (4, 2, 6, 3, 1, 0))
 """Where on the path both sides are shown, if they are not real where a refutation would."""
 
-_SUCCESSES = {"o": "the ratio tends to 0", "~": "the ratio tends to 1"}
+_SUCCESSES = {"o": "the ratio left/right tends to 0", "~": "the ratio left/right tends to 1"}
 _FAILURES = {
-    "O": "left/right is not bounded",
-    "o": "left/right does not tend to 0",
-    "~": "left/right does not tend to 1",
+    "O": "the ratio left/right is not bounded",
+    "o": "the ratio left/right does not tend to 0",
+    "~": "the ratio left/right does not tend to 1",
 }
 
 
 def decide_order(claim: Comparison, path: Path) -> Answer:
-    """ENCLOSED with a range and, for O, a constant; REFUTED with the true order; UNDECIDED.
+    """Decide an O, o or ~ claim in one variable.
 
-    What is differentiated must be real on the path: a side on which it is not is not spoken of.
+    Sides of the path on which the differentiated functions are not real are ignored.
+
+    Returns:
+        ENCLOSED with a range and, for O, a constant; REFUTED with the true order; or UNDECIDED.
     """
     real = {side: _real_upto(claim, path, side) for side in path.sides}
     if None in real.values() or not any(real.values()):

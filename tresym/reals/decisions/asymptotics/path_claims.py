@@ -1,10 +1,10 @@
 """Claims along a path: limits, orders, and what holds eventually.
 
-``f -> L`` is ``f - L == o(1)``, and ``f -> oo`` is ``exp(-f) == o(1)``; from two sides it claims
-both. ``f == Theta(g)`` is two O, and ``f == omega(g)`` is ``g == o(f)``. Where parameters occur, a
-claim speaks of each of their values that the conditions allow, and of the path for each of them by
-itself: it is proved by the exact limit of what is compared (approach.py), and refuted at values of
-the parameters.
+``f -> L`` means ``f - L == o(1)``, and ``f -> oo`` means ``exp(-f) == o(1)``; on a two-sided path
+both one-sided claims are made. ``f == Theta(g)`` is ``f == O(g)`` and ``g == O(f)``, and
+``f == omega(g)`` is ``g == o(f)``. A claim with parameters is made for each value that the
+conditions allow, without uniformity. It is proved by the exact limit of the ratio or difference
+(limit_values.py), and refuted at values of the parameters.
 """
 
 from __future__ import annotations
@@ -79,7 +79,7 @@ _OPEN = (
 
 
 def decide_tending(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
-    """PROVED, ENCLOSED, REFUTED or UNDECIDED for a claim along the path of the statement.
+    """Decide a claim along the path of the statement.
 
     Args:
         decided: decides what is no claim along a path.
@@ -116,7 +116,7 @@ def decide_tending(claim: Comparison, statement: Statement, decided: Decide) -> 
 
 
 def _where_defined(claim: Comparison, path: Path, given: Given) -> Path:
-    """The path without a side on which a part of the claim is shown to have no real value.
+    """Return the path without the sides on which the claim is proved not to be real.
 
     A power with a variable as exponent may have one also where its base is negative.
     """
@@ -230,7 +230,7 @@ def _with_parameters(
 
 
 def _among_integers(claim: Comparison, path: Path, statement: Statement, decided: Decide) -> Answer:
-    """The answer where the variable of the path, or parameters, are integers."""
+    """Decide a claim in which the variable of the path, or parameters, are integers."""
     if path.name in statement.integers:
         return _through_integers(claim, path, statement, decided)
     given = with_integer_bounds(statement.given, statement.integers)
@@ -336,7 +336,7 @@ def _at_ends(
 
 
 def compared_of(claim: Comparison) -> tuple[Expr, str]:
-    """What has a limit that decides the claim, and what it is."""
+    """Return the expression whose limit decides the claim, and a phrase for it."""
     left, right = claim.left, claim.right
     if claim.relation == LIMIT:
         return left, "left side"
@@ -350,7 +350,7 @@ def compared_of(claim: Comparison) -> tuple[Expr, str]:
 def _by_exact_limit(
     claim: Comparison, path: Path, given: Given, same: Same | None = None
 ) -> Answer | None:
-    """The claim by the exact limit of a side, of their ratio, or of their difference.
+    """Prove the claim by the exact limit of a side, of the ratio, or of the difference.
 
     Args:
         same: decides whether two constants are equal; by the conditions alone unless told.
@@ -389,7 +389,7 @@ def _by_signs(claim: Comparison, path: Path, given: Given) -> Answer | None:
 
 
 def allows(relation: str, value: Expr, right: Expr, given: Given, same: Same | None = None) -> bool:
-    """Whether the claim holds where what is compared has this limit."""
+    """Return whether the claim follows if the compared expression has the limit ``value``."""
     infinite = value in (INFINITY, -INFINITY)
     if relation == LIMIT:
         return _are_equal(value, right, given, same)
@@ -408,7 +408,7 @@ def allows(relation: str, value: Expr, right: Expr, given: Given, same: Same | N
 
 
 def _eventually(claim: Comparison, path: Path, statement: Statement, decided: Decide) -> Answer:
-    """An inequality on a whole neighbourhood of the end of the path."""
+    """Decide an inequality on some neighbourhood of the end of the path."""
     difference = claim.left - claim.right
     signs = [sign_towards(difference, path.name, path.point, side) for side in path.sides]
     for side, found in zip(path.sides, signs, strict=True):
@@ -426,7 +426,7 @@ def _eventually(claim: Comparison, path: Path, statement: Statement, decided: De
 
 
 def _fails_beside(claim: Comparison, path: Path, side: int, found: int, reach: fmpq) -> Answer:
-    """A refutation: the difference has the wrong sign for all 0 < t <= reach."""
+    """Refute: the difference has the wrong sign for all 0 < t <= reach."""
     sign_of = {0: "0", 1: "positive", -1: "negative"}[found]
     why = f"left - right is {sign_of} for all {region(replace(path, sides=(side,)), reach)}"
     at = number(side / reach) if path.point is None else path.point + number(side * reach)
