@@ -145,6 +145,15 @@ SPEAKERS = (
 """Words, and the letter that is usual for the operator that they name."""
 
 
+_LETTERS = r"[A-Z](?:_\d)?(?:\s*,\s*[A-Z](?:_\d)?)*(?![a-zA-Z^])"
+_CAPITALS = rf"(?:\$\s*{_LETTERS}[^$]{{0,60}}\$(?:[\s~]*(?:,|and|or)[\s~]*)*)+"
+_INTERVALS_AFTER = re.compile(rf"\bintervals?[\s~]+{_CAPITALS}")
+_INTERVALS_BEFORE = re.compile(
+    rf"{_CAPITALS}[\s~]*(?:is|are|be)[\s~]+(?:an?[\s~]+)?"
+    r"(?:(?:open|closed|bounded|compact|nonempty|real|two|nontrivial|finite|any)[\s~]+)*intervals?\b"
+)
+
+
 class Declared(NamedTuple):
     """What words say of the symbols of formulas in the line.
 
@@ -194,6 +203,13 @@ def declared(text: str) -> Iterator[Declared]:
     for pattern in (_IS_COMPLEX, _HOLOMORPHIC, _COMPLEX_NOUN):
         for found in pattern.finditer(marked):
             yield made(COMPLEX, found)
+
+
+def intervals_in(text: str) -> set[str]:
+    """The capital letters that the words of a text call intervals of real numbers."""
+    found = (m[0] for words in (_INTERVALS_AFTER, _INTERVALS_BEFORE) for m in words.finditer(text))
+    lists = (m[1] for words in found for m in re.finditer(rf"\$\s*({_LETTERS})", words))
+    return {letter for letters in lists for letter in re.findall("[A-Z]", letters)}
 
 
 def of_sentence(sentence: str) -> Iterator[tuple[str, str, bool]]:

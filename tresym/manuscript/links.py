@@ -230,6 +230,8 @@ class _Reading:
             why = "it states nothing: there is no relation in it"
             if said.words:
                 why = f"the words {said.words[0]!a} are not read"
+            elif not isinstance(self.piece(said.terms[0], said), str):
+                return  # an expression alone
             yield replace(blank, status=UNREAD, why=why, shown=shown)
             return
         if said.values:
