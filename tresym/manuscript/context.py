@@ -55,6 +55,9 @@ _DERIVATIVES = (
     (rf"\\[dt]?frac\s*\{{{_D}{_L}\s*\}}\s*\{{{_D}{_L}", ""),
 )
 """How derivatives of symbols are written."""
+_ITERATES = re.compile(
+    r"\b(?:iterat|with itself|compositional power|period-\w|n-fold)", re.IGNORECASE
+)
 _PRIMED_TIME = re.compile(r"(?<![a-zA-Z\\])t'(?!')")
 _TIME_WITHIN = re.compile(r"(?<![a-zA-Z\\])d\s*\}?\s*\{?t'|''")
 """Where t' is a variable of integration, or derivatives are marked by primes."""
@@ -103,6 +106,7 @@ class Memory(ConditionReader):
         by: the one variable by which a chain integrates, if it is one.
         uses: what the names of the display are elsewhere.
         seen: names that stood in a display before.
+        counts_derivatives: whether ``f^{(4)}(x)`` is a derivative, and no iterate of f.
         primes: whether primes make other symbols, as where there is a time t', and no derivatives.
         where: conditions of the sentences that define symbols, by the symbol.
         told: values that the lines before the display tell, without defining by them.
@@ -124,6 +128,7 @@ class Memory(ConditionReader):
         self.ahead: dict[str, Expr] = {}
         self.by = ""
         self.partial = False
+        self.counts_derivatives = "derivative" in text and not _ITERATES.search(text)
         self.primes = bool(_PRIMED_TIME.search(text)) and not _TIME_WITHIN.search(text)
         self.dependent = _dependent(text)
         self.called = frozenset(

@@ -41,8 +41,8 @@ _TOTALS = frozenset(
 )
 _ARROWS = ("\\to", "\\rightarrow", "\\longrightarrow")
 _NO_DOMAIN = frozenset((*_ARROWS, *RELATIONS, "\\}", "\\lim", "\\sup", "\\inf")) - {":", "\\colon"}
-"""What ends the domain behind the colon of ``f : [a, b] \\to \\mathbb{R}``; a relation says that the
-colon was that of a set, as in ``\\{ x_k : k \\ge n \\}``."""
+"""What ends the domain behind the colon of ``f : [a, b] \\to \\mathbb{R}``; a relation says that
+the colon was that of a set, as in ``\\{ x_k : k \\ge n \\}``."""
 _FUNCTIONS = frozenset(("f", "g", "h", "phi", "psi", "varphi"))
 _GREEK_CAPITALS = frozenset(
     ("Gamma", "Theta", "Lambda", "Xi", "Sigma", "Upsilon", "Phi", "Psi", "Omega")

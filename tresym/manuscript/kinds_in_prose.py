@@ -89,6 +89,11 @@ _AFTER = re.compile(
     rf"{_OTHER_NOUN}(?![\s~]+\x02)",
     re.IGNORECASE,
 )
+_DOMAIN_OF = re.compile(
+    r"\b(?:domain|range|image|graph|codomain|support)[\s~]+of[\s~]+(?:the function[\s~]+)?\Z",
+    re.IGNORECASE,
+)
+"""Before a name of which not itself is a set."""
 _NAMING = re.compile(
     rf"\b(?:denote by|denoted by|write|call|writing|by)[\s~]+{_LIST}[\s~]+"
     rf"(?:for[\s~]+|we denote[\s~]+|denote[\s~]+|the[\s~]+)+{_WORDS}(?:{_ANY}){_OTHER_NOUN}",
@@ -196,6 +201,10 @@ def declared(text: str) -> Iterator[Declared]:
 
     for pattern in (_BEFORE, _AFTER, _NAMING):
         for found in pattern.finditer(marked):
+            if pattern is _AFTER and _DOMAIN_OF.search(
+                marked, max(found.start() - 40, 0), found.start()
+            ):
+                continue
             named = next(k for k in range(len(_NOUNS)) if found[f"n{k}"] is not None)
             yield made(_NOUNS[named][0], found, found[f"n{named}"], pattern is not _AFTER)
     for found in _ADJECTIVE.finditer(marked):
