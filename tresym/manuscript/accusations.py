@@ -85,20 +85,22 @@ def ground(
         if not r.bounds and (not r.by or r.by & tied)
     ]
     if under.stated:
-        doubts.append(f"it stands under '{under.stated}'")
-    doubts += [f"nothing is said of the function {name}" for name in sorted(unknown)]
-    doubts += [f"{x} depends on what is not read" for x in sorted(names) if base_of(x) != x]
+        doubts.append(f"the sentence says '{under.stated}'")
+    doubts += [f"the text does not say what the function {name} is" for name in sorted(unknown)]
+    doubts += [
+        (f"{x} depends on something that was not read") for x in sorted(names) if base_of(x) != x
+    ]
     if n == 0 and head is not None and not explicit:
         doubts.append(f"it may define {head.name}")
     if relation in _BOUNDS and names and not explicit:
-        doubts.append("for which values the bound is claimed is not said")
+        doubts.append("the text does not say for which values the bound is claimed")
     terms = said.terms[n : n + 2]
     if not names and _within_print(memory, compared, terms):
         doubts.append("the numbers may be rounded")
     if not names and n == 0 and all(_is_number(term) for term in terms):
         doubts.append("a contradiction may be meant")
     if not names and "\\approx" in said.ops[n : n + 1] and _is_near(compared):
-        doubts.append("how near is not said")
+        doubts.append("the text does not say how close the numbers are")
     if any(node.op == "limit" and _may_be_sequence(node) for node in outermost(left, right)):
         doubts.append("the limit may be that of a sequence")
     far = _far_functions(memory, terms)

@@ -18,7 +18,7 @@ from tresym.reals.verdict import Verdict
 
 SHORT = 1.0
 """Seconds of the first look."""
-INTERRUPTED = "not decided: interrupted; run again to go on"
+INTERRUPTED = "not decided: interrupted; run again to continue"
 Found: TypeAlias = dict[int, list[Answer | InputError]]
 Check: TypeAlias = Callable[..., Iterator[tuple[Task, Answer | InputError]]]
 

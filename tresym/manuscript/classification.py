@@ -35,8 +35,8 @@ from tresym.reals.numbers.exact import InputError, parse_number
 DEFINED, ASSUMED, EQUATION, UNREAD = "DEFINED", "ASSUMED", "EQUATION", "UNREAD"
 CONSTANTS = re.compile(r"[CcAB]_?\d*|[CcA]_\w")
 TOLD = "as the text before it says, with"
-WHERE = "under what is said where that is defined, with"
-EARLIER = "under what sections before it say"
+WHERE = "under the conditions of the definition, with"
+EARLIER = "under conditions from earlier sections"
 _WORKED = frozenset(("antiderivative", "derivative", "nth", "limit"))
 """What is written to be worked out: an equality with one of these, or with a series, is no equation
 to be solved."""
@@ -130,7 +130,7 @@ def claim(
     except InputError as error:
         return replace(read_so(link, compared), status=UNREAD, why=str(error))
     if signed and said.either and relation != "==":
-        why = "which sign is meant is not said"
+        why = "the text does not say which sign is meant"
         return replace(read_so(link, compared), status=UNREAD, why=why)
     if signed and said.either:
         left, right = left**2, right**2
@@ -150,7 +150,7 @@ def claim(
             return _printed(link, compared, pieces[1])
         path = under.path or _usual_path(right)
         if not path:
-            advice = "write % tresym: as x -> 0, or whichever it is, before the display"
+            advice = "write % tresym: as x -> 0 (or another path) before the display"
             why = f"it has no path: {advice}"
             return replace(read_so(link, compared), status=UNREAD, why=why)
         as_path = f" as {path}"
@@ -208,7 +208,7 @@ def claim(
     if fallback[0] == EQUATION and unknown_in(left, right):
         link = replace(link, same=False, unknown=True)
     if under.unread and not under.noted:
-        unread = UNREAD, f"its condition is not read: {under.unread}"
+        unread = UNREAD, f"its condition is not understood: {under.unread}"
         return replace(link, firm=False, unknown=True, otherwise=unread)
     return replace(link, otherwise=undecided if keep and fallback[0] != DEFINED else fallback)
 
@@ -315,19 +315,19 @@ def _forms(
     known, equal = memory.known(under), {name for name, _ in under.sources}
     given = [c for c in given if c[1] != "==" or str(c[0]) not in equal]
     steps = [*_put_in(known, left, right, given)]
-    found = [(*step[:3], f"with {_spoken(step[3])} put in", step[3]) for step in steps]
+    found = [(*step[:3], f"with {_spoken(step[3])} substituted", step[3]) for step in steps]
     named = [f for f in found if (symbols(f[0]) | symbols(f[1])).isdisjoint(equal)]
     yield from (*found[:1], *(named[:1] if equal else ()), *found[1:][-1:])
     for one, other, conditions, put in steps[-1:]:
         where = [c for name in put for c in memory.where.get(name, ())]
         if where:
-            yield one, other, [*conditions, *where], f"{WHERE} {_spoken(put)} put in", put
+            yield one, other, [*conditions, *where], f"{WHERE} {_spoken(put)} substituted", put
     if not memory.told or under.noted:
         return
     told = {name: value for name, value in known.items() if name not in memory.told} | memory.told
     for one, other, conditions, put in [*_put_in(told, left, right, given)][-1:]:
         if not put.keys().isdisjoint(memory.told):
-            yield one, other, conditions, f"{TOLD} {_spoken(put)} put in", put
+            yield one, other, conditions, f"{TOLD} {_spoken(put)} substituted", put
 
 
 def _put_in(
@@ -362,17 +362,17 @@ def _fallback(
         return "UNDECIDED", ""
     known = head is not None and head.name in memory.functions and not head.derived
     if head is not None and known and head.name not in symbols(right):
-        return DEFINED, "defined before, and otherwise: from here on it is this"
+        return DEFINED, "defined differently before; this definition holds from here on"
     names = (symbols(left) | symbols(right)) - NO_VARIABLES
     unknown = unknown_in(left, right)
     if unknown:
-        return EQUATION, f"to be solved for {' or '.join(sorted(unknown))}"
+        return EQUATION, f"read as an equation for {' or '.join(sorted(unknown))}"
     derived = sorted({base for name in names if (base := base_of(name)) != name})
     if head is not None and not derived and head.name in symbols(right):
         derived = [head.name]
     new = names - memory.functions.keys() - names_in(memory.noted) - names_in(memory.lasting)
     unknowns = derived or sorted(new or names)
-    return EQUATION, f"to be solved for {' or '.join(unknowns) or 'nothing'}"
+    return EQUATION, f"read as an equation for {' or '.join(unknowns) or 'nothing'}"
 
 
 def _printed(link: Link, compared: Compared, piece: Piece) -> Link:
@@ -380,7 +380,7 @@ def _printed(link: Link, compared: Compared, piece: Piece) -> Link:
     left, _, right = compared
     digits = piece.printed.strip("-")
     if not digits:
-        why = "how near is not said, and the right side is no decimal"
+        why = "the text does not say how close, and the right side is not a decimal"
         return replace(read_so(link, compared), status=UNREAD, why=why)
     mantissa, _, exponent = digits.partition("e")
     places = len(mantissa.partition(".")[2])

@@ -202,7 +202,7 @@ class Memory(ConditionReader):
     def undefine(self, name: str) -> None:
         """A symbol is another from here on, and how is not read."""
         self.functions.pop(name, None)
-        self.restrict({name}, "it is defined in a way that is not read")
+        self.restrict({name}, "it has a definition that was not understood")
 
     def section(self, chapter: bool) -> None:
         """A section begins: conditions end, and what is said in scopes."""
@@ -258,7 +258,7 @@ class Memory(ConditionReader):
             if on & {"", *e.names} or (free and varies):
                 advice = f"write {name}({e.names[0]}), or % tresym: let {name} real"
                 raise InputError(
-                    f"whether {name} is a function of {e.names[0]} is not said: {advice}"
+                    f"the text does not say whether {name} is a function of {e.names[0]}: {advice}"
                 )
         inner = self.under_binders(body, known, constants | {*e.names})
         return Expr(e.op, (bind(inner, e.names), *args), e.names)
@@ -292,7 +292,7 @@ class Memory(ConditionReader):
             self.lasting += conditions[0] if conditions else ()
             understood = conditions is not None and not conditions[1]
         why = f"'{found.binds}'" if found.binds else f"${' '.join(found.tex.split())[:60]}$"
-        why = f"the text says {why} of it"
+        why = f"the text says {why} about it"
         head = self.head(said.terms[0]) if said.ops in (("=",), (":=",)) else None
         if found.binds:
             self.restrict(self.spoken_of(said), why)
@@ -449,7 +449,9 @@ class Memory(ConditionReader):
             return replace(around, sources=tuple(values))
         for label in orders.sources:
             if label not in self.labels:
-                raise InputError(f"the note 'from {label[:60]}': no display before has that label")
+                raise InputError(
+                    f"the directive 'from {label[:60]}': no earlier display has that label"
+                )
             for left, op, right in self.labels[label]:
                 name = str(left)
                 if op == "==" and left.op == "symbol" and name not in symbols(right):

@@ -113,7 +113,7 @@ def _varied(
     if tasks:
         for (n, values), (_, found) in zip(told, check_all(tasks, limit, processes), strict=True):
             if isinstance(found, Answer) and found.verdict is Verdict.REFUTED:
-                why = f"it was taken to be proved, but fails with {values}: please report it"
+                why = f"it seemed to be proved, but fails with {values}; please report this"
                 rows[n] = replace(rows[n], status=Verdict.UNDECIDED.value, why=why)
     return rows
 
@@ -125,7 +125,7 @@ def _of_both(
     (one, _), (other, _) = first, second
     if one.status in PASSES and other.status in PASSES:
         weaker = max((one, other), key=lambda row: PASSES.index(row.status))
-        both = f"in both readings of print, {one.link.read_as} and {other.link.read_as}"
+        both = f"in both readings of the formula, {one.link.read_as} and {other.link.read_as}"
         return replace(weaker, why=f"{weaker.why}; {both}")
     told = " and ".join(
         f"{row.link.read_as} is {_verdict(found)}" for row, found in (first, second)
@@ -227,7 +227,7 @@ def _uncounted(link: Link, answer: Answer) -> str:
     """Why a refutation at a number that counts nothing is not reported."""
     witness = answer.witness or {}
     wrong = [n for n in sorted(link.counted) if not witness.get(n, "1").isdecimal()]
-    return f"{', '.join(wrong)} numbers things elsewhere" if wrong else ""
+    return f"{', '.join(wrong)} is an index elsewhere, so an integer" if wrong else ""
 
 
 def _row(link: Link, answers: list[Answer | InputError], limit: float) -> Row:
@@ -263,14 +263,14 @@ def _row(link: Link, answers: list[Answer | InputError], limit: float) -> Row:
         if status != "DEFINED":
             status, fallback = "UNDECIDED", ""
         at = ", ".join(f"{k} = {v}" for k, v in (witness or {}).items())
-        why = fallback or f"not reported as false, for {doubt}; it fails at {at or 'the constants'}"
+        why = fallback or f"not reported as false: {doubt}; it fails at {at or 'the constants'}"
         return replace(row, status=status, why=why, witness=None)
     if last.verdict is Verdict.REFUTED:
         if (not link.same and status != "UNDECIDED") or status == "DEFINED":
             return replace(row, status=status, why=fallback, witness=None)
         at = ", ".join(f"{k} = {v}" for k, v in (witness or {}).items())
-        where = f"it does not hold at {at or 'the constants'}"
-        advice = "if it is meant for all values, write % tresym: claim before the display"
+        where = f"it fails, for example, at {at or 'the constants'}"
+        advice = "if you meant an identity, write % tresym: claim before the display"
         if status == "UNDECIDED":
             return replace(row, status=status, why=f"{where}; {advice}", witness=None)
         return replace(row, status=status, why=f"{fallback}; {where}: {advice}", witness=None)

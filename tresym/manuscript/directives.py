@@ -80,8 +80,8 @@ def orders_of(note: Note) -> Orders:
     if word == "skip":
         return Orders(skip=rest or "no reason is given")
     raise InputError(
-        f"{place}: the note {note.text[:60]!a} is not understood; there are given CONDITIONS, "
-        "let SYMBOLS KIND, forget, define, assume, solve, claim, from LABELS, as PATH, shorter and "
+        f"{place}: the directive {note.text[:60]!a} is not understood; write given CONDITIONS, "
+        "let SYMBOLS KIND, forget, define, assume, solve, claim, from LABELS, as PATH, shorter or "
         "skip: WHY"
     )
 
@@ -102,7 +102,8 @@ def _let(text: str, place: str) -> Orders:
         kind = BY_NAME.get(found[2].replace("matrice", "matrix")) if found else None
         if found is None or kind is None:
             raise InputError(
-                f"{place}: {part[:60]!a} is not understood; write let SYMBOLS KIND with one of "
+                f"{place}: {part[:60]!a} is not understood; write let SYMBOLS "
+                "KIND with one of the kinds "
                 f"{', '.join(BY_NAME)}, or a condition"
             )
         lets.append((found[1], kind))
@@ -131,9 +132,14 @@ def with_notes(events: list[Event], path: Path) -> list[Event]:
         digest, _, note = rest.strip().partition(" ")
         display = displays.get(int(number)) if number.isdecimal() and len(number) < 6 else None
         if display is None or len(digest) < 8:
-            raise InputError(f"{path}, line {line}: a display, its hash and a note are expected")
+            raise InputError(
+                f"{path}, line {line}: write a display's number, its hash and a directive"
+            )
         if not display.sha256.startswith(digest):
-            raise InputError(f"{path}, line {line}: display {number} is not the one it speaks of")
+            raise InputError(
+                f"{path}, line {line}: the hash is not that of display "
+                f"{number}; the text has changed"
+            )
         found[display.number] = (*found.get(display.number, ()), Note(note, path.name, line))
     return [
         replace(e, notes=(*e.notes, *found.get(e.number, ()))) if isinstance(e, Display) else e

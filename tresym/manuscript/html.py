@@ -76,8 +76,8 @@ def _symbols(rows: Sequence[Row]) -> str:
     )
     names = escape(", ".join(plain)) or "none"
     return (
-        "<details open>\n<summary>What the symbols are</summary>\n"
-        f"<p>Taken for real numbers, as nothing speaks against it: {names}.</p>\n"
+        "<details open>\n<summary>Kinds of symbols</summary>\n"
+        f"<p>Taken to be real numbers by default: {names}.</p>\n"
         f"{table if lines else ''}</details>"
     )
 
@@ -105,7 +105,8 @@ def _attention(rows: Sequence[Row], name: str) -> Iterator[str]:
     found = attention(rows)
     if not found:
         return
-    yield f'<section id="attention" class="REFUTED">\n<h2>To look at: {len(found)}</h2>\n<ul>'
+    heading = f"Formulas to look at: {len(found)}"
+    yield f'<section id="attention" class="REFUTED">\n<h2>{heading}</h2>\n<ul>'
     for row in found:
         display = row.link.display
         place = escape(f"{display.file or name}:{display.line}")

@@ -72,7 +72,7 @@ _FUNCTION = re.compile(r"\\(?:a?(?:rc)?(?:sin|cos|tan|cot|sec|csc)h?|exp|ln|log|
 EITHER = "either"
 """What leads in a chain that "or" follows."""
 BOUNDS = frozenset(("<", ">", "<=", ">=", "!="))
-FIRST = "of what the chain begins with, which it equals"
+FIRST = "compared with the first side of the chain, which is equal"
 
 
 class _Reading:
@@ -149,7 +149,7 @@ class _Reading:
         around = self.memory.following(replace(around, told=prose.is_told(before)), orders)
         blank = Link(display, 1, shown=" ".join(display.text.split()))
         if orders.skip is not None:
-            yield replace(blank, status=UNREAD, why=f"skipped by a note: {orders.skip}")
+            yield replace(blank, status=UNREAD, why=f"skipped by a directive: {orders.skip}")
             return
         if display.problem:
             yield replace(blank, status=UNREAD, why=display.problem)
@@ -165,7 +165,7 @@ class _Reading:
             yield replace(blank, status=UNREAD, why=plain(str(error)))
             return
         if not found:
-            yield replace(blank, status=UNREAD, why="it is empty")
+            yield replace(blank, status=UNREAD, why="the display is empty")
             return
         self.memory.remember(prose.first_sentence(after))
         count, self.cases = 0, []
@@ -229,9 +229,9 @@ class _Reading:
         """The links of one chain."""
         if not said.ops:
             shown = " ".join(said.tokens)
-            why = "it states nothing: there is no relation in it"
+            why = "it has no relation such as = or <, so there is nothing to check"
             if said.words:
-                why = f"the words {said.words[0]!a} are not read"
+                why = f"the words {said.words[0]!a} in it are not understood"
             elif not isinstance(self.piece(said.terms[0], said), str):
                 return  # an expression alone
             yield replace(blank, status=UNREAD, why=why, shown=shown)
@@ -245,7 +245,7 @@ class _Reading:
             found = self.memory.integers(said) if listed else None
             shown = " ".join(said.tokens)
             if found is None:
-                why = "a list of values, or a number with commas, is not read"
+                why = "it may be a list of values or a number with commas; neither is read"
                 yield replace(blank, status=UNREAD, why=why, shown=shown)
             else:
                 self.memory.lasting += found[0]
@@ -332,7 +332,9 @@ class _Reading:
                 else self.other_cases(said, condition)
             )
             if found is None:
-                problem = problem or f"its condition is not read: {' '.join(condition.tokens)}"
+                problem = problem or (
+                    f"its condition is not understood: {' '.join(condition.tokens)}"
+                )
             else:
                 given += found[0]
                 put_in += found[1]
@@ -391,9 +393,13 @@ class _Reading:
             return replace(link, status=UNREAD, why=left)
         if relation in ("<<", ">>") and n == 0:
             link = read_so(link, (left.tree, relation, right.tree))
-            return replace(link, status=ASSUMED, why="how much is not said, so it is not used")
+            return replace(
+                link,
+                status=ASSUMED,
+                why="a condition that does not say by how much; it is not used",
+            )
         if op in STRANGE or relation in ("<<", ">>"):
-            return replace(link, status=UNREAD, why=f"the relation {op} is not read")
+            return replace(link, status=UNREAD, why=f"the relation {op} is not supported")
         self.memory.seen |= symbols(left.tree) | symbols(right.tree)
         compared = (left.tree, relation, right.tree)
         if op == ":=":
@@ -403,7 +409,7 @@ class _Reading:
         bound = relation in NEGATED and relation != "=="
         lone = bound and all(map(is_plain, said.terms))
         if lone and said.before in (OR, EITHER):
-            why = "which of several holds is not said"
+            why = "the text does not say which of the alternatives holds"
             return replace(read_so(link, compared), status=UNREAD, why=why)
         assumed = n == 0 and under.kind == prose.ASSUME
         if bound and not said.before and (assumed or lone):
@@ -439,7 +445,7 @@ class _Reading:
                 f"limit({found[2].split(' -> ')[0]}, {name}, {end.rstrip('+-')}{side}) == {value}"
             )
             return replace(link, read_as=text, claims=(Attempt(text, "", text),), firm=False)
-        return replace(link, status=UNREAD, why="of a limit the path is not read")
+        return replace(link, status=UNREAD, why="the path of the limit is not understood")
 
     def is_new(self, head: Head, value: Expr, under: Under) -> bool:
         """Whether ``head = value`` defines: it was not defined before and is not in the value."""
@@ -469,9 +475,7 @@ class _Reading:
         )
         link = replace(link, sides=(symbol(head.name), "==", value), read_as=f"{shown} == {value}")
         if any(node.op in ("O", "o") for node in outermost(value)):
-            return replace(
-                link, status=DEFINED, why="a definition, up to the order that is written"
-            )
+            return replace(link, status=DEFINED, why="a definition up to the order given")
         constants = sorted(
             name
             for name in symbols(value) - self.memory.seen - {*head.parameters}
@@ -488,8 +492,10 @@ class _Reading:
             return replace(link, status=ASSUMED, why=why)
         if under.kind == prose.ASSUME:
             return replace(link, status=ASSUMED, why="an assumption")
-        why = "a definition; put in later where that decides"
-        return replace(link, status=DEFINED, why="one of several values" if several else why)
+        why = "a definition; it is substituted later if that decides a link"
+        return replace(
+            link, status=DEFINED, why="one of several values of its left side" if several else why
+        )
 
     def assumption(self, link: Link, compared: Compared, why: str) -> Link:
         finite = not {compared[0], compared[2]} & {INFINITY, -INFINITY}
@@ -501,11 +507,11 @@ class _Reading:
     def piece(self, tokens: Sequence[str], said: Said) -> Piece | str:
         """A term, or why it is not read."""
         if "hot" in tokens:
-            return "how small the terms of higher order are is not said"
+            return "the text does not say how small the terms of higher order are"
         if any(tuple(tokens[n : n + 3]) == ("{", ",", "}") for n in range(len(tokens))):
-            return "a number with one comma, as 1,000, may be a decimal or a list"
+            return "a number with one comma, such as 1,000, may be a decimal or a list"
         if WORDS in tokens:
-            return f"the words {(said.words or ('in it',))[0]!a} are not read"
+            return f"the words {(said.words or ('in it',))[0]!a} are not understood"
         try:
             lone = len(said.ops) == 1 and self.memory.head(said.terms[0]) is not None
             tokens = with_primed_variables(without_units(tokens) if lone else tokens)

@@ -24,7 +24,7 @@ PROBLEMS = ("REFUTED", "SUSPECT", "UNDECIDED", "UNREAD")
 """The statuses that a baseline holds, worst first."""
 _LEVELS = {"REFUTED": "error", "SUSPECT": "warning"}
 _RULES = {
-    "REFUTED": "A formula is false at a point that is shown",
+    "REFUTED": "A formula is false at the point shown",
     "SUSPECT": "A formula looks like a misprint",
     "UNDECIDED": "A formula could not be decided",
     "UNREAD": "A formula could not be read",
@@ -76,7 +76,7 @@ def read_baseline(path: Path) -> Counter[str]:
     """
     head, *lines = read_text(path).splitlines() or [""]
     if head.strip() != _HEAD:
-        raise InputError(f"{path}: no baseline of tresym; write one with --update-baseline")
+        raise InputError(f"{path}: not a baseline file of tresym; write one with --update-baseline")
     return Counter(line.split()[0] for line in lines if line.strip())
 
 

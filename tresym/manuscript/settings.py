@@ -98,7 +98,9 @@ def _settings(found: dict[str, Any], path: Path) -> Settings:
     for key, value in found.items():
         field = known.get(key)
         if field is None:
-            raise InputError(f"{path}: no setting {key[:60]!a}; there are {', '.join(known)}")
+            raise InputError(
+                f"{path}: unknown setting {key[:60]!a}; the settings are {', '.join(known)}"
+            )
         if field.name in ("files", "ignore_macros", "directives"):
             fits = isinstance(value, list) and all(isinstance(item, str) for item in value)
             wanted = "a list of strings"
@@ -110,16 +112,16 @@ def _settings(found: dict[str, Any], path: Path) -> Settings:
         else:
             fits, wanted = isinstance(value, str), "a string"
         if not fits:
-            raise InputError(f"{path}: the setting {key} is {wanted}")
+            raise InputError(f"{path}: the setting {key} must be {wanted}")
         value = str(value) if field.name == "limit" else value
         values[field.name] = tuple(value) if isinstance(value, list) else value
     for text in values.get("directives", ()):
         orders_of(Note(text, path.name, 0))
         if text.split()[0] not in ("given", "let"):
-            raise InputError(f"{path}: a directive that holds everywhere is given … or let …")
+            raise InputError(f"{path}: only the directives given … and let … can be settings")
     for name in values.get("ignore_macros", ()):
         if not re.fullmatch(r"\\?[A-Za-z@]+", name):
-            raise InputError(f"{path}: {name[:60]!a} is no name of a macro")
+            raise InputError(f"{path}: {name[:60]!a} is not the name of a macro")
     return Settings(**values)
 
 

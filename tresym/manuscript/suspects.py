@@ -77,8 +77,8 @@ _SIGNED = re.compile(
 )
 """What says of variables that they do not take all real values."""
 _DOUBTED = re.compile(
-    r"nothing is said of|depends on what is not read|may be summed|may be rounded|contradiction"
-    r"|how near|of a sequence|stands under|another paragraph"
+    r"what the function|something that was not read|may be summed|may be rounded|contradiction"
+    r"|how close|of a sequence|the sentence says|another paragraph"
 )
 """Reasons for which what fails is no misprint either."""
 _OPEN = re.compile(r"no real point was found where both sides|no antiderivative was found")
@@ -202,7 +202,11 @@ def reason(row: Row, instead: Sequence[Alternative], others: Sequence[str]) -> s
     if instead:
         first = instead[0]
         condition = first.edit.startswith(GIVEN)
-        return f"{fails}; it holds {first.edit}" if condition else f"{fails}; a claim near it holds"
+        return (
+            (f"{fails}; it holds {first.edit}")
+            if condition
+            else f"{fails}; a statement close to it holds"
+        )
     if relation != "==" or not row.refuted:
         return ""
     link = row.link
@@ -214,7 +218,7 @@ def reason(row: Row, instead: Sequence[Alternative], others: Sequence[str]) -> s
     lead = _words(link.around[0])
     several = len(symbols(sides[0])) > 1  # of one variable it may be an equation on the way
     if several and _TOLD.search(lead[-60:]) and not _INTRODUCED.search(lead):
-        return f"{fails}; the words before it say that it holds"
+        return f"{fails}; the words before it claim that it holds"
     return ""
 
 
@@ -257,7 +261,7 @@ def _defined_twice(rows: list[Row]) -> list[Row]:
         if first is None or not row.refuted or row.given or derived or _ANEW.search(words):
             continue
         value = first.link.read_as
-        why = f"it is defined otherwise in display {first.link.display.number}: {value}"
+        why = f"it is defined differently in display {first.link.display.number}: {value}"
         instead = (Alternative(value, "", "as it is defined first", "DEFINED"),)
         rows[n] = replace(row, status=SUSPECT, why=why, instead=instead, witness=row.fails_at)
     return rows

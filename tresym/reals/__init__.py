@@ -36,6 +36,7 @@ Where to start reading. The rooms, each of which imports only from those above i
 - ``decisions``: a statement is read (``reading.py``), each comparison goes to the procedure of its
   kind (``statement.py``), and the answer is put into words (``answer.py``). Begin at
   ``identity.py``, which states the promise for equalities.
+- ``repair``: what is true instead of a refuted claim: one edit away, conditions, other values.
 - ``corpus``: true and false claims with known answers, for tests and measurements.
 
 ``advocate.py`` shares nothing with the provers: it attacks in balls what is about to pass, at

@@ -13,7 +13,7 @@ from tresym.reals.decisions.identity import shown
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.expression import Expr
 from tresym.reals.normal.to_expression import normal_form
-from tresym.reals.notebook import html_table, in_one_line
+from tresym.reals.notebook import abbreviated, html_table, in_one_line
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import (
     Decimal,
@@ -107,12 +107,33 @@ class Answer:
         return in_one_line(f"Answer({self.verdict.value}: {self.read_as}; {self.why})")
 
     def __str__(self) -> str:
-        return "\n".join([self.verdict.value, *(f"  {name}: {text}" for name, text in self.rows())])
+        sentence, rows = self.in_text()
+        lines = (f"  {name}: {text}" for name, text in rows)
+        return "\n".join([f"{self.verdict.value}: {sentence}", *lines])
+
+    def in_text(self) -> tuple[str, list[tuple[str, str]]]:
+        """Return what text output shows: the reason's first clause, and the details.
+
+        Returns:
+            The clause that follows the verdict on the first line, and names with texts for the
+            lines below it; what else the reason says is the detail ``note``.
+
+        Example:
+            >>> import tresym
+            >>> tresym.check("sin(2*x) == sin(x)").in_text()[0]
+            'the two sides differ at x = 441/388'
+        """
+        sentence, _, rest = abbreviated(self.why).partition("; ")
+        if sentence.count("(") != sentence.count(")"):  # the semicolon stands in brackets
+            sentence, rest = abbreviated(self.why), ""
+        rows = [("note", rest) if name == "why" else (name, text) for name, text in self.rows()]
+        return sentence, [row for row in rows if row[1]]
 
     def rows(self) -> list[tuple[str, str]]:
-        """Everything but the verdict, as names and text.
+        """Return everything but the verdict, as names and text.
 
-        How the claim was read is shown where it is not what was written, spaces aside.
+        The row ``read as`` is left out if the claim was read as it was written, spaces aside.
+        Numbers of more than 60 digits are abbreviated in ``read as`` and ``given``.
 
         Example:
             >>> import tresym
@@ -122,7 +143,8 @@ class Answer:
         written = (self.statement, f"{self.statement} given {self.given}")
         same = any(_unspaced(text) == _unspaced(self.read_as) for text in written)
         read_as = "" if same else self.read_as
-        rows = [("claim", self.statement), ("read as", read_as), ("given", self.given)]
+        rows = [("claim", self.statement), ("read as", abbreviated(read_as))]
+        rows.append(("given", abbreviated(self.given)))
         rows.append(("why", self.why))
         if self.witness is not None:
             shown = ", ".join(f"{name} = {value}" for name, value in self.witness.items())

@@ -46,7 +46,7 @@ NODES = frozenset(("sum", "product", "unknown", "integral", "nth"))
 
 def unspoken(claim: Comparison, statement: Statement) -> str | None:
     """Why a claim that passes may speak of nothing, in words; None where it is shown not to."""
-    sides = (claim.left, claim.right)
+    sides: tuple[Expr, ...] = (claim.left, claim.right)
     nodes = [node for node in outermost(*sides) if node.op in NODES]
     if not nodes or statement.path is not None or any(DOTS.args[0] in symbols(e) for e in sides):
         return None

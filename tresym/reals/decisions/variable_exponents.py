@@ -101,8 +101,7 @@ def beyond_positive_bases(
 
 def _sign(e: Expr, given: Given) -> str | None:
     """The sign of ``e`` by the cheap methods; what binds a variable counts as one."""
-    sides = (side for link in given.comparisons for side in link[::2])
-    e, *sides = generalised(e, *sides)
+    e, *sides = generalised(e, *(side for link in given.comparisons for side in link[::2]))
     pairs = zip(given.comparisons, sides[::2], sides[1::2], strict=True)
     return sign(e, Given(tuple((x, link[1], y) for link, x, y in pairs)), dear=False)
 

@@ -22,6 +22,7 @@ from tresym.reals.language.expression import (
     LEAVES,
     MINUS_ONE,
     PI,
+    ZERO,
     Expr,
     add,
     apply,
@@ -132,6 +133,8 @@ def edits(
                 continue
             if n == 0 and tree == multiply(MINUS_ONE, terms[0]):
                 rank = FACTOR  # a sign in front of what the statement is about
+            if tree == ZERO and terms[n].op == "number":
+                rank = _later(0)  # another value, and no term left out
             if rank == WRAPPED and tree.op in ("^", "abs") and tree.args[0] == terms[n]:
                 rank = OTHER  # so is what is put around a whole side
             found.append(Edit(rank, old, new, chain, relations))
@@ -266,6 +269,11 @@ def _terms(e: Expr) -> Iterator[Change]:
         tree = add(*e.args[:n], other, *e.args[n + 1 :])
         yield Change(_signs(e, tree), _signed(term), _signed(other), tree)
         yield Change(OTHER, _signed(term), "", add(*rest))
+        if term.op == "number" or (term.op == "*" and term.args[0].op == "number"):
+            continue
+        for value in range(3, 10):  # 1 is not printed in front of a term
+            more = add(*e.args[:n], multiply(number(value), term), *e.args[n + 1 :])
+            yield Change(_later(value), str(term), f"{value}*{term}", more)
     product = multiply(*e.args)
     yield Change(WRAPPED if len(e.args) == 2 else OTHER, str(e), str(product), product)
 

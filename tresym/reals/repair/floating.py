@@ -20,6 +20,7 @@ from tresym.reals.language.parsing import FACTORIAL, INFINITY
 NAN = math.nan
 Row = list[float]
 MOST_TERMS = 400
+FEWEST_TERMS = 8
 LEVIN_TERMS = 22
 STEP = 0.05
 """The distance of the nodes of a quadrature."""
@@ -218,10 +219,12 @@ def _terms(body: Expr, name: str, low: float, high: float, here: Mapping[str, fl
 
 def _levin(terms: Row) -> float:
     """The sum of a series from its first terms by Levin's u-transform; NaN where it is not seen."""
-    while terms and terms[-1] == 0:
-        terms = terms[:-1]
-    if not all(map(math.isfinite, terms)) or 0 in terms[1:]:
-        return _total(terms) if 0 in terms else NAN
+    if not all(map(math.isfinite, terms)):
+        return NAN
+    ends = terms[-1] == 0
+    terms = [term for term in terms if term != 0]  # the transform divides by each term
+    if ends and len(terms) < FEWEST_TERMS:
+        return _total(terms)
     found = [_transformed(terms, n) for n in range(len(terms) - 8, len(terms) - 2)]
     steps = [(abs(y - x), y) for x, y in pairwise(found)]
     gap, value = min(steps, default=(math.inf, NAN))

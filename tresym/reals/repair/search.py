@@ -346,12 +346,12 @@ def _stands(claim: _Claim, edit: Edit, points: Points | None, until: float) -> b
         survives = edit.rank <= FACTOR if points is None else _survives(claim, links, points)
     except UnsupportedError:
         survives = edit.rank <= FACTOR
-    except (InputError, OverflowError, ValueError):
+    except (InputError, ArithmeticError, ValueError):
         return False
     if not survives:
         return False
     changed = [(a, b) for a, b in zip(claim.links, links, strict=True) if a != b]
-    slopes = [tuple(map(_without_integrals, pair)) for pair in changed]
+    slopes = [(_without_integrals(a), _without_integrals(b)) for a, b in changed]
     lone = edit.rank == VARIABLE and edit.old in lone_variables(claim.terms, claim.integers)
     mistaken = edit.old if lone and _are_alike(edit.old, edit.new) else ""
     return not any(is_trivial(*pair, mistaken) for pair in changed) and not any(
