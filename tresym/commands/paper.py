@@ -290,10 +290,11 @@ def summary(rows: list[Row]) -> str:
 
 
 _ADVICE = {  # of a part of its reason
-    "write % tresym: as": "has no path: % tresym: as x -> 0, or whichever it is, before display",
-    "write % tresym: claim": "fails somewhere: % tresym: claim or solve before display",
-    "two readings remain": "can be read in two ways: brackets, or % tresym: shorter, in display",
-    "its condition is not read": "has a condition not read: % tresym: given … before display",
+    "write % tresym: as": "has no path; write % tresym: as x -> 0 (or another path) before display",
+    "write % tresym: claim": "fails somewhere; write % tresym: claim or solve before display",
+    "two readings remain": "has two readings; write brackets or % tresym: shorter in display",
+    "its condition is not "
+    "understood": "has an unread condition; write % tresym: given … before display",
 }
 """What is said of rows that a note would settle, and the note."""
 

@@ -449,17 +449,36 @@ class Claim:
 
     @property
     def decided(self) -> Basic | str:
-        """The formula that other claims may substitute or cite; prose if there is no formula."""
+        """The formula that other claims may substitute or cite; prose if there is no formula.
+
+        Example:
+            >>> import tresym
+            >>> tresym.verify("eq_gamma")["eq_gamma"].claim.decided
+            Eq(gamma, a - (a + b*sin(psi)**2)*sin(theta)**2)
+        """
         return self.says if self.means is None else self.means
 
     @property
     def in_formulas(self) -> bool:
-        """Whether `decided` consists of SymPy relations (not prose and not a `Statement`)."""
+        """Whether `decided` consists of SymPy relations (not prose and not a `Statement`).
+
+        Example:
+            >>> import tresym
+            >>> tresym.verify("eq_gamma")["eq_gamma"].claim.in_formulas
+            True
+        """
         return isinstance(self.decided, Basic) and not isinstance(self.decided, Statement)
 
     @cached_property
     def symbols(self) -> frozenset[Symbol]:
-        """All symbols that occur in the claim or in its evidence."""
+        """All symbols that occur in the claim or in its evidence.
+
+        Example:
+            >>> import tresym
+            >>> claim = tresym.verify("eq_gamma")["eq_gamma"].claim
+            >>> {"a", "b", "gamma"} <= {symbol.name for symbol in claim.symbols}
+            True
+        """
         written = (e for e in expressions(self) if isinstance(e, Basic))
         return frozenset(s for e in written for s in e.atoms(Symbol))
 

@@ -37,7 +37,7 @@ Place = Mapping[str, Interval]
 BITS = 40
 CELLS = 32
 """Number of cells into which an interval of integration is divided."""
-ROOM = arb((1, -8))
+WIDENING = arb((1, -8))
 """Relative widening of a segment, because integrals are enclosed only roughly."""
 BY_END = (Step(None, (differentiating_integral(Integer(0)),)),)
 """The chain that proves an equation for the derivative of an integral by one of its ends."""
@@ -99,7 +99,7 @@ def hold(asked: Iterable[Relation], rules: Rules, places: Iterable[Place]) -> bo
 
 def _widened(where: Interval) -> arb:
     """Return a ball for a number, or for a segment slightly widened on both sides."""
-    return where.ball() * (1 + ROOM * arb(0, 1)) if where.low != where.high else where.ball()
+    return where.ball() * (1 + WIDENING * arb(0, 1)) if where.low != where.high else where.ball()
 
 
 def _is_identity(equation: Relation, given: Conditions) -> bool:

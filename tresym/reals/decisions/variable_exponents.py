@@ -51,7 +51,10 @@ ELSEWHERE = (*map(fmpq, (-1, 0, 2, -2)), fmpq(-1, 2), *map(fmpq, (1, -4)), fmpq(
 MOST, STRIDE = 512, 317811
 """Points that are tried; of more there are those that come at this stride, in no pattern."""
 MOST_BASES = 3
-OPEN = "{}; but where a base of {} is not positive it is open: {}; say that it is positive"
+OPEN = (
+    "undecided where the base of a power ({1}) is not positive: "
+    "{2}; add the condition that it is positive (for positive bases: {0})"
+)
 
 
 def beyond_positive_bases(
@@ -85,7 +88,7 @@ def beyond_positive_bases(
             return found
     bases = ", ".join(sorted(map(str, doubtful)))
     if len(doubtful) > MOST_BASES:
-        return Answer(Verdict.UNDECIDED, OPEN.format(answer.why, bases, "there are too many"))
+        return Answer(Verdict.UNDECIDED, OPEN.format(answer.why, bases, "too many bases"))
     given = statement.given & Given(tuple(bound(*part) for part in asked))
     statement = replace(statement, given=given)
     for case, inside in chain(
@@ -95,14 +98,15 @@ def beyond_positive_bases(
             found = decided(case, inside)
             if not found:
                 return Answer(Verdict.UNDECIDED, OPEN.format(answer.why, bases, found.why))
-    note = f"; powers were taken first where their base is positive: {bases}; it holds elsewhere"
+    note = (
+        f"; proved first where the bases of powers are positive ({bases}), then where they are not"
+    )
     return replace(answer, why=answer.why + note)
 
 
 def _sign(e: Expr, given: Given) -> str | None:
     """The sign of ``e`` by the cheap methods; what binds a variable counts as one."""
-    sides = (side for link in given.comparisons for side in link[::2])
-    e, *sides = generalised(e, *sides)
+    e, *sides = generalised(e, *(side for link in given.comparisons for side in link[::2]))
     pairs = zip(given.comparisons, sides[::2], sides[1::2], strict=True)
     return sign(e, Given(tuple((x, link[1], y) for link, x, y in pairs)), dear=False)
 
@@ -226,7 +230,7 @@ def _against(
         if failing is None:
             x, y = at(claim.left)(near), at(claim.right)(near)
             if stands(x - y, NEGATED[claim.relation]):
-                yield refuted("the powers have values there too, and it fails", point, x, y)
+                yield refuted("the powers are defined there, and the claim fails", point, x, y)
         else:
             links.sort(key=lambda link: link is not failing)  # it may fail at the next point, too
 
