@@ -207,3 +207,10 @@ def test_sizes_of_type_and_orders_of_integration_are_no_approximations(
     words: str, status: str, tmp_path: Path
 ) -> None:
     assert statuses(tmp_path, rf"{words} \[ \frac{{1}}{{2}} + \frac{{1}}{{3}} = 1. \]") == [status]
+
+
+def test_a_symbol_whose_new_value_is_not_read_has_not_its_old_one(tmp_path: Path) -> None:
+    text = r"""\begin{align*} u &= x^2 & v &= \sin x \\ du &= 2x\ dx & dv &= \cos x\ dx
+    \end{align*}
+    \begin{align*} u &= 2x & v &= \text{?} \\ du &= \text{?} & dv &= \sin x\ dx \end{align*}"""
+    assert not {"SUSPECT", "REFUTED"} & {*statuses(tmp_path, text)}

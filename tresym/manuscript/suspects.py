@@ -112,7 +112,7 @@ def proofread(
         if row.status == "REFUTED":
             result[n] = replace(row, instead=instead)
             continue
-        why = reason(row, instead, blocks[n])
+        why = "" if _redefined(row, rows) else reason(row, instead, blocks[n])
         if why:
             witness = row.fails_at
             result[n] = replace(row, status=SUSPECT, why=why, instead=instead, witness=witness)
@@ -152,6 +152,17 @@ def _closing(rows: Sequence[Row], processes: int | None) -> dict[int, tuple[Alte
         for task, answer in answers
         if isinstance(answer, Answer) and answer.verdict.value in _HOLD
     }
+
+
+def _redefined(row: Row, rows: Sequence[Row]) -> bool:
+    """Whether its display gives a symbol of the link a value that was not read, as ``v = ?``."""
+    unread = {
+        one.link.shown.partition(" = ")[0]
+        for one in rows
+        if one.link.display == row.link.display and one.status in (UNREAD, "UNDECIDED")
+        if " = " in one.link.shown and one.link is not row.link
+    }
+    return not unread.isdisjoint(row.link.shown.split())
 
 
 def _goes_on(row: Row, after: Row) -> bool:
