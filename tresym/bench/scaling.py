@@ -84,7 +84,7 @@ def flips(count: int) -> float:
     largest = 0.0
     for begin in range(0, count, PIECE):
         size = min(PIECE, count - begin)
-        # No name for the piece: it is let go before the next is made.
+        # The piece is not bound to a name, so that it is freed before the next one is made.
         largest = max(largest, float(np.abs(flip_map(a, b, psi[:size], rate[:size])).max()))
     return largest
 

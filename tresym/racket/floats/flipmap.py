@@ -120,11 +120,11 @@ def flip_uncertainty(
     for change in np.eye(4):
         there = _changed(p, q, psi, speed, precession, 1 - step * change)
         if np.isnan(there).any():
-            # Next to the largest rate the start may exist on one side only.
+            # Near the largest rate, the start may exist on one side only.
             other = _changed(p, q, psi, speed, precession, 1 + step * change)
             there = np.where(np.isnan(there), other, there)
         total = total + np.abs(there - here) / step
-    # On an oscillating orbit no answer is off by more than the range of ψ.
+    # On an oscillating orbit the error is at most the range of ψ.
     error = np.minimum(64 * np.finfo(float).eps * total, 2 * reach)
     error = np.where(np.isnan(error) | (error > 0.01), np.inf, error)
     return np.where(np.isnan(here), np.nan, error)
@@ -146,7 +146,7 @@ def _floats(a: Exact | float, b: Exact | float) -> tuple[float, float]:
         raise InputError("flip map: a and b must be finite")
     shape = exact_shape(*(Fraction(x) if isinstance(x, float) else x for x in (a, b)))
     if not (shape.a < WIDEST and shape.a * WIDEST > 1 and shape.b * WIDEST > 1):
-        raise InputError("flip map: beyond 1e±100 float64 fails; flip_angle takes such a shape")
+        raise InputError("flip map: a or b is beyond 1e±100; use flip_angle for such a shape")
     return int(shape.a.p) / int(shape.a.q), int(shape.b.p) / int(shape.b.q)
 
 

@@ -88,7 +88,7 @@ def orbit(
     third, far, other = np.sqrt(b * above), np.sqrt(total * above), np.sqrt(b * total)
     first, reach, drift, weight, steps = third, far, third - b, 1.0, 0
     work[SQUARES, 0] = high * high
-    # (G − H)/2 from G² − H², which is not found by subtraction.
+    # (G − H)/2 is computed from G² − H², without subtraction.
     apart = root * (root / (high + low)) / 2
     while True:
         product, inner = far * other, high * low
@@ -277,7 +277,7 @@ def depart(a: float, b: float, psi: Any, rate: Any, work: Any) -> tuple[FloatOrb
     x, y = np.maximum(on.reach * up, TINY), math.sqrt(a + b) * rise
     time, phase, far_time, far_phase = entries(on, x, y, np.sqrt(above * scale), long)
     far_time, far_phase = of_fast_rotation(on, far_time, far_phase)
-    # What is not above its rounding: b = 1 and ψ = π/2, where the precession stands still.
+    # Below its rounding error: b = 1 and ψ = π/2, where the precession stands still.
     far_phase = np.maximum(far_phase, 1e-16 * far_time)
     mirror = choose(rotating & (handle < 0), -1.0, 1.0)
     before = choose(mirror * sine * cosine >= 0, 0.5, -0.5)
@@ -374,7 +374,7 @@ def arrive(
     around = start.far_time * (1 + 2 * np.abs(end.halves))
     phases = (1 + np.abs(on.drift)) * around + end.phase
     size = end.sum_ + np.abs(handle) * scale / clock * phases
-    # At a turning point the speed vanishes and the phase acts by its square.
+    # At a turning point the speed vanishes, and the phase enters by its square.
     reach = choose(on.rotating, math.pi, 2 * np.arctan2(on.reach, on.root))
     size = size + reach * (phases / start.far_phase) * (phases / start.far_phase) * 6e-14
     exists = start.exists

@@ -76,18 +76,18 @@ def thetas(q: arb, sin: arb, cos: arb, hyperbolic: bool) -> tuple[arb, arb, arb,
     Raises:
         ArithmeticError: the balls are too wide to show q < ½ or, if hyperbolic, cosh > ½.
     """
-    # cosh y ≥ 1: where the ball does not show half of that, or q < ½, it holds nothing worth adding
-    # up, and no term need ever come to lie below a part of it.
+    # cosh y ≥ 1. If the ball does not even show cosh y > ½ and q < ½, it is too wide to be useful,
+    # and the loop below might not end.
     if not q < 0.5 or (hyperbolic and not (cos > 0.5 and cos.is_finite())):
         raise ArithmeticError("the argument of the theta functions is too wide")
     sign = -1 if hyperbolic else 1
-    # Multiples of the argument by rotations through twice the argument.
+    # Sine and cosine of multiples of the argument, by the addition theorem.
     turn_sin, turn_cos = 2 * sin * cos, 1 - 2 * sign * sin * sin
     odd_sin, odd_cos, even_sin, even_cos = sin, cos, turn_sin, turn_cos
     growth = 2 * turn_cos if hyperbolic else arb(1)
     one, two, three, four = sin, cos, arb(1) / 2, arb(1) / 2
     power, qn, sigma = q, q, -1
-    # A number, not a ball: that of a wide cosh might hold 0, and no term ever come to lie below.
+    # A number, not a ball: a wide ball might contain 0, and no term would ever be smaller.
     small = arb((1, -ctx.prec - 4)) * (cos.abs_lower() if hyperbolic else 1)
     while True:
         odd_sin, odd_cos = (
