@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 KINDS = ("svg", "pdf", "png", "gif", "mp4")
 WIDTHS, DOTS = (40, 600), (20, 1200)
-"""The least and the most of --width, in millimetres, and of --dpi."""
+"""The smallest and the largest --width, in millimetres, and --dpi."""
 
 
 def add(commands: Commands) -> None:
@@ -51,7 +51,7 @@ def add(commands: Commands) -> None:
 
 
 def run(args: argparse.Namespace) -> int:
-    """Run it; returns the exit status."""
+    """Run the command and return its exit status."""
     from tresym.report import figures
 
     if args.name is None:
@@ -81,7 +81,7 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _level(shape: Shape, text: str) -> float:
-    """The γ of a level that is neither the separatrix nor at rest."""
+    """Return γ of a level; it must be neither that of the separatrix nor of an equilibrium."""
     from tresym.racket.flip.defect import checked_gamma
     from tresym.reals.numbers.exact import parse_number
 
@@ -98,5 +98,5 @@ def _within(text: str, ends: tuple[int, int], what: str) -> float:
 
     value = parse_number(text, what)
     if not ends[0] <= value <= ends[1]:
-        raise InputError(f"{what}: from {ends[0]} to {ends[1]}")
+        raise InputError(f"{what}: must be from {ends[0]} to {ends[1]}")
     return int(value.p) / int(value.q)
