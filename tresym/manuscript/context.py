@@ -55,6 +55,9 @@ _DERIVATIVES = (
     (rf"\\[dt]?frac\s*\{{{_D}{_L}\s*\}}\s*\{{{_D}{_L}", ""),
 )
 """How derivatives of symbols are written."""
+_ITERATES = re.compile(
+    r"\b(?:iterat|with itself|compositional power|period-\w|n-fold)", re.IGNORECASE
+)
 _PRIMED_TIME = re.compile(r"(?<![a-zA-Z\\])t'(?!')")
 _TIME_WITHIN = re.compile(r"(?<![a-zA-Z\\])d\s*\}?\s*\{?t'|''")
 """Where t' is a variable of integration, or derivatives are marked by primes."""
@@ -109,6 +112,7 @@ class Memory(ConditionReader):
         own: symbols that the sentence of the next display defines.
         line: the line of the current display, 0 in running text.
         lines: the lines in which symbols were defined.
+        counts_derivatives: whether ``f^{(4)}(x)`` is a derivative, not an iterate of f.
     """
 
     def __init__(self, text: str) -> None:
@@ -124,6 +128,7 @@ class Memory(ConditionReader):
         self.ahead: dict[str, Expr] = {}
         self.by = ""
         self.partial = False
+        self.counts_derivatives = "derivative" in text and not _ITERATES.search(text)
         self.primes = bool(_PRIMED_TIME.search(text)) and not _TIME_WITHIN.search(text)
         self.dependent = _dependent(text)
         self.called = frozenset(

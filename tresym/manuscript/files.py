@@ -2,7 +2,8 @@
 
 ``\\input``, ``\\include`` and ``\\subfile`` are followed inside the project: the nearest folder
 with one of ``PROJECT`` in it, or the manuscript's own folder. Of a conditional that ``\\newif``
-declares, and of ``\\iftrue`` and ``\\iffalse``, the branch that TeX takes is read.
+declares, and of ``\\iftrue`` and ``\\iffalse``, the branch that TeX takes is read. The macros of
+the author's own packages are read, and for a chapter alone those of the main file that inputs it.
 """
 
 from __future__ import annotations
@@ -10,6 +11,9 @@ from __future__ import annotations
 import os
 import re
 from bisect import bisect_right
+from collections.abc import Iterator
+from contextlib import suppress
+from itertools import islice
 from pathlib import Path
 from typing import NamedTuple
 
@@ -19,6 +23,9 @@ from tresym.reals.numbers.exact import InputError
 
 MAX_CHARACTERS = 20_000_000
 MAX_FILES = 500
+MAX_DEPTH = 4
+"""Folders around a chapter in which its main file is sought, and inputs in inputs there."""
+MAX_PREAMBLE = 400_000
 PROJECT = (".git", "latexmkrc", ".latexmkrc", "pyproject.toml")
 """Files and folders that mark the top folder of a project."""
 _HIDDEN = re.compile(
@@ -32,6 +39,7 @@ _HIDDEN = re.compile(
 )
 _NOTE = re.compile(r"\s*tresym:\s*(.*)", re.IGNORECASE)
 _INPUT = re.compile(r"\\(?:input|include|subfile)(?![a-zA-Z])\s*(?:\{\s*([^{}]*?)\s*\}|([\w./-]+))")
+_PACKAGES = re.compile(r"\\(?:usepackage|RequirePackage)\s*(?:\[[^\[\]]*\]\s*)?\{([\w./,\s-]*)\}")
 _SUBFILE = re.compile(r"\\documentclass\s*\[\s*([^\[\]]*?)\s*\]\s*\{subfiles\}")
 _BODY = re.compile(r"\\begin\s*\{document\}(.*?)(?:\\end\s*\{document\}|\Z)", re.DOTALL)
 _CONDITIONAL = re.compile(
@@ -76,6 +84,7 @@ class Files:
         self.outside: list[str] = []
         self.parts: list[tuple[str, int, str]] = []
         self.size = 0
+        self._add_macros_around()
         self._add(path, ())
         self._write_out_environments()
         self.text = _taken("".join(text for _, _, text in self.parts))
@@ -124,6 +133,58 @@ class Files:
             self._add(found, (*around, here))
             start = mark.end()
         self._part(shown, text, start, stop)
+
+    def _add_macros_around(self) -> None:
+        """Add the macros of the author's packages; of a chapter that is read alone, those of the
+        main file that inputs it."""
+        text = read_text(self.path) if self._unsaved is None else self._unsaved
+        if "\\documentclass" in text or "\\begin{document}" in text:
+            made = self._definitions(self.path, text, True)
+        else:
+            main = next(self._main_files(), None)
+            made = "" if main is None else self._definitions(main, _text_of(main))
+        if made:
+            self.parts.append(("", 0, made + "\n"))
+
+    def _main_files(self) -> Iterator[Path]:
+        """The main files that input this one, from its own folder outwards."""
+        own = self.path.resolve()
+        folders = (f for f in (self.folder, *self.folder.parents) if f.is_relative_to(self.root))
+        for folder in islice(folders, MAX_DEPTH):
+            for main in sorted(folder.glob("*.tex"))[:MAX_FILES]:
+                text = "" if main.resolve() == own else _shown(_text_of(main))
+                if "\\documentclass" in text and "\\begin{document}" in text:
+                    names = (mark[1] or mark[2] or "" for mark in _INPUT.finditer(text))
+                    if any(
+                        (folder / name).with_suffix("") == own.with_suffix("") for name in names
+                    ):
+                        yield main
+
+    def _definitions(
+        self, path: Path, text: str, packages: bool = False, depth: int = MAX_DEPTH
+    ) -> str:
+        """The definitions before the document of a file, and of what it inputs there.
+
+        Args:
+            packages: only those of the author's packages.
+        """
+        text = _shown(text).partition("\\begin{document}")[0]
+        names = [
+            f"{name.strip()}.sty" for m in _PACKAGES.finditer(text) for name in m[1].split(",")
+        ]
+        for mark in () if packages else _INPUT.finditer(text):
+            name = mark[1] or mark[2] or ""
+            names += [name, f"{name}.tex"]
+        made = []
+        for name in names if depth else ():
+            found = (path.parent / name).resolve()
+            if found.is_relative_to(self.root) and found.is_file():
+                made.append(self._definitions(found, _text_of(found), False, depth - 1))
+        for command in () if packages else DEFINITIONS.finditer(text):
+            with suppress(InputError):
+                _, end = definition(text, command)
+                made.append(" ".join(text[command.start() : end].split()))
+        return " ".join(made)
 
     def _part(self, file: str, text: str, start: int, end: int) -> None:
         self.parts.append((file, text.count("\n", 0, start) + 1, text[start:end]))
@@ -204,6 +265,18 @@ class _Lines:
         self.line += self.text.count("\n", self.seen, place)
         self.seen = place
         return self.line
+
+
+def _text_of(path: Path) -> str:
+    """What a file holds; nothing where it cannot be read as text."""
+    with suppress(InputError, OSError, ValueError):
+        return read_text(path) if path.stat().st_size < MAX_PREAMBLE else ""
+    return ""
+
+
+def _shown(text: str) -> str:
+    """The text without comments and verbatim text."""
+    return _HIDDEN.sub(lambda found: found["command"] or "", text)
 
 
 def _project(folder: Path) -> Path:

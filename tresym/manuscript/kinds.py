@@ -33,6 +33,7 @@ from tresym.manuscript.kinds_in_prose import (
     UNKNOWN,
     VECTOR,
     declared,
+    intervals_in,
     of_sentence,
 )
 from tresym.manuscript.source import Display, Event, Prose, Section
@@ -65,6 +66,7 @@ class Evidence:
         section: the number of the section; -1 for a directive.
         said: whether it is stated in words or by a directive, not only by notation.
         local: whether it counts in its section only.
+        onward: whether it does not count in earlier sections.
     """
 
     kind: str
@@ -75,6 +77,7 @@ class Evidence:
     section: int = 0
     said: bool = False
     local: bool = False
+    onward: bool = False
 
     @property
     def where(self) -> str:
@@ -116,6 +119,7 @@ class Chapter:
         sequences: letters whose subscripts are indices.
         indices: letters that are indices, or bound by a sum or a product.
         inverses: whether it mentions inverse trigonometric functions.
+        intervals: letters that the text calls intervals, from there on.
     """
 
     found: dict[Key, list[Evidence]] = field(default_factory=dict)
@@ -124,6 +128,7 @@ class Chapter:
     sequences: dict[str, Evidence] = field(default_factory=dict)
     indices: set[str] = field(default_factory=set)
     inverses: bool = False
+    intervals: set[str] = field(default_factory=set)
 
 
 class Kinds:
@@ -155,12 +160,14 @@ class Kinds:
     def _words(self, text: str, file: str, line: int, place: int) -> None:
         """Collect the evidence in a text."""
         self.chapters[-1].inverses |= bool(INVERSES.search(text))
+        self.chapters[-1].intervals |= intervals_in(text)
         for found in declared(text):
             at = line + text.count("\n", 0, found.at)
             for tex in found.formulas:
                 evidence = self._evidence(found.kind, found.words, file, at, place, True)
                 for key in _named(tex, found.kind):
-                    self._add(key, evidence)
+                    onward = found.kind == COMPLEX and key[0] not in ("z", "w")
+                    self._add(key, replace(evidence, onward=onward))
 
     def _formula(self, tex: str, file: str, line: int, place: int, display: bool) -> None:
         """Collect the evidence in the notation of a formula."""
@@ -170,7 +177,7 @@ class Kinds:
             return
         found = list(mentions(tokens))
         chapter = self.chapters[-1]
-        for kind, one, words in noted(tokens, found, display):
+        for kind, one, words in noted(tokens, found, display, chapter.intervals):
             said = kind in (REAL, INTEGER)
             evidence = self._evidence(kind, words, file, line, place, said)
             local = kind == COMPLEX and one.letter not in ("z", "w")
@@ -235,7 +242,11 @@ class Kinds:
         if settled:
             return max(settled, key=lambda e: e.place)
         section = self.section_of[place]
-        found = [e for e in found if e.section == section or not e.local]
+        found = [
+            e
+            for e in found
+            if e.section == section or not (e.local or (e.onward and e.place > place))
+        ]
         here = [e for e in found if e.said and e.section == section]
         before = [e for e in here if e.place <= place]
         latest = max(before, key=lambda e: e.place) if before else None

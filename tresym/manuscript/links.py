@@ -37,12 +37,14 @@ from tresym.manuscript.source import Display, Event, Missing, Prose, Scope, Sect
 from tresym.manuscript.terms import (
     SIGNS,
     Head,
+    as_derivatives,
     base_of,
     is_plain,
     plain,
     read_term,
     unknown_in,
     variables_of_integrals,
+    with_derivatives_counted,
     with_primed_variables,
     without_units,
 )
@@ -240,8 +242,14 @@ class _Reading:
             why = "it has no relation such as = or <, so there is nothing to check"
             if said.words:
                 why = f"the words {said.words[0]!a} in it are not understood"
+            elif not isinstance(self.piece(said.terms[0], said), str):
+                return  # an expression alone
             yield replace(blank, status=UNREAD, why=why, shown=shown)
             return
+        if said.values == (("\\ldots",),) and {*said.ops} == {"="} and len(said.ops) > 1:
+            said = replace(said, values=())  # more of the kind follows
+        if (derived := as_derivatives(said.terms)) and {*said.ops} == {"="}:
+            said = replace(said, terms=derived)
         if said.values:
             listed = said.ops == ("=",) and said.values[-1] == ("\\ldots",)
             found = self.memory.integers(said) if listed else None
@@ -517,6 +525,8 @@ class _Reading:
         try:
             lone = len(said.ops) == 1 and self.memory.head(said.terms[0]) is not None
             tokens = with_primed_variables(without_units(tokens) if lone else tokens)
+            if self.memory.counts_derivatives:
+                tokens = with_derivatives_counted(tokens)
             if said.either and tokens[:1] in (("\\pm",), ("\\mp",)):
                 tokens = tokens[1:]
             return read_term(tokens, self.memory.author)
@@ -576,7 +586,8 @@ def _is_condition(said: Said, before: Said, others: Sequence[Said]) -> bool:
         return True
     if not relations <= {"<", ">", "<=", ">=", "!=", "in"}:
         value = bool(others or before.conditions) and all(map(is_plain, said.terms))
-        return (bool(said.values) or value) and relations == {"=="}
+        listed = bool(said.values) and len(said.ops) == 1
+        return (listed or value) and relations == {"=="}
     short = any(len(term) <= 4 for term in said.terms)
     if "=" not in before.ops:  # an inequality behind an inequality may be one more
         powers = {pair for term in said.terms for pair in pairwise(term)}

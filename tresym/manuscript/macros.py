@@ -63,8 +63,10 @@ USUAL = {
     "\\arcosh": Macro(0, r"\operatorname{arcosh}"),
     "\\arsinh": Macro(0, r"\operatorname{arsinh}"),
     "\\artanh": Macro(0, r"\operatorname{artanh}"),
+    **{f"\\{letter}": Macro(0, rf"\mathbb{{{letter}}}") for letter in "RNZQC"},
 }
-"""Commands of usual packages, for documents that do not define them."""
+"""Commands of usual packages, and usual names of sets of numbers, for documents (a chapter alone,
+say) that do not define them."""
 
 
 def group(text: str, at: int) -> tuple[str, int]:
