@@ -209,7 +209,7 @@ def _by_elimination(claim: Comparison, statement: Statement, decided: Decide) ->
     return Answer(
         Verdict.UNDECIDED,
         f"the condition {left} == {right} could not be solved for a "
-        "variable: write it solved for one",
+        "variable: give it in the form x == …",
     )
 
 

@@ -71,13 +71,11 @@ def decide_factorials(claim: Comparison, statement: Statement, decided: Decide) 
     given = statement.given & Given(tuple(positive))
     found = decided(Comparison(left, claim.relation, right), replace(statement, given=given))
     if found.verdict is Verdict.REFUTED:
+        meant = ", ".join(f"{node} = {value}" for node, value in known.items())
         return Answer(
             Verdict.UNDECIDED,
-            (
-                "no counterexample was found at small integers, "
-                "but the claim fails when "
-                f"factorials are replaced by arbitrary numbers >= 1 ({found.why})"
-            ),
+            "no counterexample was found at small integers, but the claim fails when factorials "
+            f"are replaced by arbitrary numbers >= 1 (with {meant}: {found.why})",
         )
     return found
 

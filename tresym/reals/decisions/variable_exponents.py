@@ -17,7 +17,7 @@ from math import prod
 
 from flint import arb, fmpq
 
-from tresym.reals.decisions.answer import Answer, Decide, refuted
+from tresym.reals.decisions.answer import Answer, Decide, exactly, refuted
 from tresym.reals.decisions.claim_parsing import Comparison, Statement
 from tresym.reals.decisions.equations import is_empty
 from tresym.reals.domain.binder_values import jumps
@@ -230,7 +230,8 @@ def _against(
         if failing is None:
             x, y = at(claim.left)(near), at(claim.right)(near)
             if stands(x - y, NEGATED[claim.relation]):
-                yield refuted("the powers are defined there, and the claim fails", point, x, y)
+                why = exactly("it fails", point) + ", where the base of a power is not positive"
+                yield refuted(why, point, x, y)
         else:
             links.sort(key=lambda link: link is not failing)  # it may fail at the next point, too
 
