@@ -447,9 +447,11 @@ def _anywhere(x: arb, y: arb) -> arb:
 
 
 def _to_integer(x: arb, y: arb) -> arb:
-    """A power whose exponent takes the values of integers alone."""
+    """A power whose exponent is made of integers; if its value is none, as of n + 1/2, x > 0."""
     n = y.unique_fmpz()
-    if n is None or x.contains(0):
+    if n is None:
+        return _general(x, y)
+    if x.contains(0):
         raise _UndefinedError
     if abs(n) <= LONGEST_POWER:
         return x ** int(n)
