@@ -1,13 +1,15 @@
-"""tresym takes one physics paper apart, statement by statement, and gives each a verdict.
+"""Verify mathematics: a physics paper statement by statement, your own claims, and manuscripts.
 
-The paper: L. Van Damme, P. Mardešić, D. Sugny, *The tennis racket effect in a three-dimensional
-rigid body*, Physica D 338 (2017) 17. Importing this package imports nothing heavy; names are
-loaded when first used.
+The paper is L. Van Damme, P. Mardešić, D. Sugny, *The tennis racket effect in a three-dimensional
+rigid body*, Physica D 338 (2017) 17. Importing this package is fast: names are loaded when first
+used.
 
 Example:
     >>> import tresym
     >>> tresym.flip_defect(tresym.bodies["book"]).realizable
     True
+    >>> tresym.check("sin(x)^2 + cos(x)^2 == 1").verdict.value
+    'PROVED'
 """
 
 from __future__ import annotations
@@ -15,8 +17,10 @@ from __future__ import annotations
 import os
 import sys
 
-TYPE_CHECKING = False  # typing itself is not loaded: before the command listens, Ctrl-C is Python's
-if TYPE_CHECKING:  # what editors and type checkers see, and refuse what is not here
+# The module typing is not imported, because until the command handles signals, Ctrl-C would end in
+# a traceback; every import here makes that time longer.
+TYPE_CHECKING = False
+if TYPE_CHECKING:  # for editors and type checkers, which would accept any name without it
     from tresym.ledger.verification import verify
     from tresym.racket.body import NAMED_BODIES as bodies  # noqa: N811 - the name it is known by
     from tresym.racket.body import Body
@@ -64,14 +68,14 @@ __all__ = [
     "verify",
 ]
 
-# In a wheel the proofs lie inside the package; in a checkout they lie beside it.
+# In a wheel the proofs are inside the package; in a checkout they are beside it.
 _PROOFS = f"{__name__}.proofs"
 _package = os.path.dirname(os.path.realpath(__file__))
 _beside = os.path.join(os.path.dirname(_package), "proofs")
 
 
 class _Beside:
-    """Finds the proofs beside the package, and nothing else that lies there."""
+    """Import hook that finds the proofs beside the package, and nothing else there."""
 
     @staticmethod
     def find_spec(name: str, path: object = None, target: object = None) -> object:
@@ -94,7 +98,7 @@ if not TYPE_CHECKING:
             from importlib import import_module
 
             there = "NAMED_BODIES" if name == "bodies" else name
-            # Kept: looked up anew, the name costs a tenth of what ``flip_defect`` does.
+            # Stored, since a new lookup would take a tenth of the time of ``flip_defect``.
             found = globals()[name] = getattr(import_module(_HOMES[name]), there)
             return found
         raise AttributeError(f"module 'tresym' has no attribute {name!r}")

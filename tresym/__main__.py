@@ -1,9 +1,9 @@
-"""``python -m tresym`` and the ``tresym`` script: the command, with Ctrl-C answered in one line.
+"""Run the ``tresym`` command and end it with one line when it is interrupted.
 
-From its first moment on: until the libraries are loaded, and again when the command is over, an
-interrupt ends the process at once. In between it is a ``KeyboardInterrupt``, so that files written
-aside are removed and other processes ended. So it is when it is asked to end by ``kill`` or by a
-terminal that closes. (Nothing is imported above that is not loaded anyway.)
+While libraries are loaded, and after the command has finished, an interrupt (Ctrl-C, ``kill``, or a
+terminal that closes) ends the process at once. While the command runs it is raised as
+``KeyboardInterrupt``, so that temporary files are removed and worker processes ended. This module
+imports only modules that Python has already loaded, to be ready for interrupts early.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ INTERRUPTED = 128 + SIGINT
 
 
 class _Interrupts:
-    """What Ctrl-C and kill do: leave, or unwind the command where it runs."""
+    """Signal handler: end the process, or raise KeyboardInterrupt while the command runs."""
 
     def __init__(self) -> None:
         self.process = os.getpid()
@@ -24,24 +24,28 @@ class _Interrupts:
         self.heard = 0
 
     def signal(self, number: int, _: object) -> None:
-        """Answer the signal itself."""
+        """Handle a signal."""
         if os.getpid() != self.process:
             os._exit(128 + number)
         if not self.unwind or (self.heard and number == SIGINT):
             leave(128 + number)
-        if not self.heard:  # `timeout` sends its signal twice
+        if not self.heard:  # once only: `timeout` sends its signal twice
             self.heard = number
             raise KeyboardInterrupt
 
     def unraisable(self, found: sys.UnraisableHookArgs) -> None:
-        """Leave where an interrupt fell into a callback that nobody waits for."""
+        """End the process if the interrupt was raised where no caller can catch it."""
         if issubclass(found.exc_type, KeyboardInterrupt):
             leave()
         sys.__unraisablehook__(found)
 
 
 def leave(status: int = INTERRUPTED) -> None:
-    """End the process at once, with one line."""
+    """End the process at once with one line.
+
+    Args:
+        status: the exit status.
+    """
     try:
         os.write(2, b"tresym: interrupted\n")
     finally:
@@ -49,14 +53,18 @@ def leave(status: int = INTERRUPTED) -> None:
 
 
 def main() -> int:
-    """Run the command line of this process; returns the exit status."""
+    """Run the command line of this process.
+
+    Returns:
+        The exit status of the command, or 128 plus the number of the signal that interrupted it.
+    """
     sys.excepthook = lambda kind, *rest: (
         leave() if issubclass(kind, KeyboardInterrupt) else sys.__excepthook__(kind, *rest)
     )
     import signal
 
     interrupts = _Interrupts()
-    # A shell may have its jobs ignore Ctrl-C, nohup a closed terminal; then so do we.
+    # A signal that the process was started to ignore, as under nohup, stays ignored.
     for name in ("SIGINT", "SIGTERM", "SIGHUP"):
         number = getattr(signal, name, None)
         if signal.getsignal(number or SIGINT) in (signal.default_int_handler, signal.SIG_DFL):
@@ -69,7 +77,7 @@ def main() -> int:
         status = command()
         interrupts.unwind = False
     except BaseException:
-        # A library may have turned the interrupt into an error of its own.
+        # A library may have replaced the interrupt by an exception of its own.
         if not interrupts.heard:
             raise
         leave(128 + interrupts.heard)

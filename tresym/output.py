@@ -1,4 +1,4 @@
-"""Write files completely or not at all, never over the user's own, and print to terminals."""
+"""Write files completely or not at all, never over the user's own files, and print to terminals."""
 
 from __future__ import annotations
 
@@ -14,14 +14,15 @@ if TYPE_CHECKING:
     from rich.console import Console
 
 RECORDED = 20_000
-"""How many checksums of written files are remembered: 65 bytes each."""
+"""The number of checksums of written files that are kept; each takes 65 bytes."""
 
 
 def replaceable(path: str) -> bool:
-    """Whether writing to ``path`` destroys nothing: no file, an empty one, or one we wrote.
+    """Return whether writing to ``path`` destroys nothing that is not tresym's own.
 
-    A file counts as ours only if the SHA-256 of its present content is in the record of files
-    written on this machine, so a file that was edited since is not replaced.
+    This is so if there is no file, if the file is empty, or if tresym wrote it. A file counts as
+    written by tresym only if the SHA-256 of its present content is in the record of files written
+    on this machine, so a file that was edited since is not replaced.
     """
     if not os.path.isfile(path) or not os.path.getsize(path):
         return True
@@ -34,7 +35,7 @@ def replaceable(path: str) -> bool:
 
 
 def _record() -> str:
-    """The file with the checksums of what was written, in the user's state directory."""
+    """The file with the checksums of files written, in the user's state directory."""
     home = os.environ.get("XDG_STATE_HOME") or os.path.expanduser("~/.local/state")
     return os.path.join(home, "tresym", "written")
 
@@ -47,7 +48,7 @@ def _checksum(path: str) -> str:
 
 
 def _remember(path: str) -> None:
-    """Record the checksum of a file just written; without a record it needs --force later."""
+    """Record the checksum of a file just written; if that fails, replacing it will need --force."""
     record = _record()
     with suppress(OSError, ValueError):
         os.makedirs(os.path.dirname(record), exist_ok=True)
@@ -68,24 +69,33 @@ def _remember(path: str) -> None:
 
 
 def write_text(path: str, text: str) -> None:
-    """Write ``text`` (UTF-8) to ``path``, whole or not at all (:func:`writing`)."""
+    """Write ``text`` to ``path`` in UTF-8, completely or not at all.
+
+    Raises:
+        InputError: the file cannot be written.
+    """
     write_bytes(path, text.encode("utf-8", errors="backslashreplace"))
 
 
 def write_bytes(path: str, data: bytes) -> None:
-    """Write ``data`` to ``path``, whole or not at all (:func:`writing`)."""
+    """Write ``data`` to ``path``, completely or not at all.
+
+    Raises:
+        InputError: the file cannot be written.
+    """
     with writing(path) as aside, open(aside, "wb") as file:
         file.write(data)
 
 
 @contextmanager
 def writing(path: str) -> Iterator[str]:
-    """What the block writes to: a file aside, renamed at its end, so no half file is ever seen.
+    """Yield the path of a temporary file, which replaces ``path`` when the block succeeds.
 
-    A device or a pipe is written to as it is; of a link, the file it leads to is replaced.
+    No reader ever sees a partly written file. Exceptions: a device or pipe is written to directly,
+    and for a symbolic link the file that it points to is replaced.
 
     Raises:
-        InputError: the file cannot be written there.
+        InputError: the file cannot be written.
     """
     aside = None
     try:
@@ -94,7 +104,7 @@ def writing(path: str) -> Iterator[str]:
         else:
             goal = os.path.realpath(path)
             aside = f"{goal}.{os.getpid()}.part"
-            _remove_what_the_dead_left(goal)
+            _remove_leftovers(goal)
             yield aside
             os.replace(aside, goal)
             _remember(goal)
@@ -111,38 +121,38 @@ def writing(path: str) -> Iterator[str]:
 
 
 def check_replaceable(paths: Iterable[str], force: bool = False) -> None:
-    """Check, before any work, that no file of the user's would be replaced.
+    """Check, before any work is done, that no file of the user's would be replaced.
 
     Args:
         paths: the files that are going to be written.
-        force: replace whatever is there.
+        force: whether to replace whatever is there; then nothing is checked.
 
     Raises:
-        InputError: a file is there that tresym did not write, or that was changed since.
+        InputError: there is a file that tresym did not write, or that was changed since.
     """
     for path in paths:
         if not force and not replaceable(path):
             shown = path if path.isprintable() else ascii(path)
             raise InputError(
                 f"{shown}: exists, and tresym did not write it or it was changed since; "
-                "name another file, or replace it with --force where the command has it"
+                "choose another file, or replace this one with --force if the command has it"
             )
 
 
 def make_folder(folder: str) -> None:
-    """Make a folder to write in, where there is none.
+    """Create a folder, with its parents, if it does not exist.
 
     Raises:
-        InputError: it cannot be made.
+        InputError: it cannot be created.
     """
     try:
         os.makedirs(folder, exist_ok=True)
     except (OSError, ValueError) as error:
         reason = error.strerror or error if isinstance(error, OSError) else error
-        raise InputError(f"{folder!a}: no folder to write in ({reason})") from None
+        raise InputError(f"{folder!a}: cannot be used as a folder ({reason})") from None
 
 
-def _remove_what_the_dead_left(goal: str) -> None:
+def _remove_leftovers(goal: str) -> None:
     """Remove the files aside of processes that were killed while they wrote."""
     folder, name = os.path.split(goal)
     for found in os.listdir(folder or "."):
@@ -164,7 +174,7 @@ def _is_alive(process: int) -> bool:
 
 
 def terminal() -> Console:
-    """A console of rich that raises BrokenPipeError, as print does, when a reader leaves.
+    """Return a rich console that raises BrokenPipeError, as print does, when the reader leaves.
 
     rich itself would end the command with exit status 1, which stands for a refuted statement.
     """
@@ -178,15 +188,15 @@ def terminal() -> Console:
 
 
 def colour_wanted() -> bool:
-    """Whether standard output is a terminal and the user has not set ``NO_COLOR``."""
+    """Return whether standard output is a terminal and the user has not set ``NO_COLOR``."""
     return sys.stdout is not None and sys.stdout.isatty() and not os.environ.get("NO_COLOR")
 
 
 def bold(text: str, colour: bool) -> str:
-    """``text`` in bold where colour is wanted."""
+    """Return ``text`` in bold if ``colour``, else unchanged."""
     return f"\x1b[1m{text}\x1b[0m" if colour else text
 
 
 def dim(text: str, colour: bool) -> str:
-    """``text`` dimmed where colour is wanted."""
+    """Return ``text`` dimmed if ``colour``, else unchanged."""
     return f"\x1b[2m{text}\x1b[0m" if colour else text

@@ -133,7 +133,7 @@ def test_values_that_are_put_in_are_worked_out(name: str) -> None:
 
 
 def test_a_derivative_is_not_taken_at_equal_values() -> None:
-    with pytest.raises(ValueError, match="equal values"):
+    with pytest.raises(ValueError, match="get the same value"):
         at(Derivative(x**2 * y, x), {x: 1, y: 1})
 
 
@@ -261,7 +261,7 @@ def test_what_jumps_over_zero_has_no_root() -> None:
     stated = ExactlyOne(x, 0, 1, equal(at_the_end, 0))
     ends = [(step(at_the_end.subs(x, end)),) for end in (0, 1)]
     found = judge(claim(stated, UniqueRoot((step(ONE, differentiation),), *ends)), {})
-    assert "stays off its singularity" in found.why
+    assert "stays away from its singularity" in found.why
 
 
 def test_a_root_needs_all_of_its_chains() -> None:
@@ -379,13 +379,13 @@ def test_that_something_is_somewhere_is_denied_by_its_contrary_everywhere() -> N
         assert verdict(claim(says, formally())) is Verdict.UNDECIDED
     assert verdict(replace(nowhere, given=(x > 1, x < 0))) is Verdict.UNDECIDED
     both = claim(ForSome(And(x > 5, x < 1, evaluate=False)), formally())
-    assert judge(both, {}).why == "nothing shows that it holds nowhere"
+    assert judge(both, {}).why == "could not show that the relation holds at no point"
 
 
 def test_what_is_not_shown_says_what_is_open() -> None:
     open_ = judge_evidence(claim(sin(x) < x, formally(), (x > 0,)))
     assert open_ is not None
-    assert "two sides is open" in open_.why
+    assert "could not determine the sign" in open_.why
     sentence = judge(claim(Tuple(Gt(x**2, -1, evaluate=False), ForSome(x > 5)), formally()), {})
     assert "is not a relation" in sentence.why
 
@@ -777,7 +777,7 @@ def test_the_ends_do_not_depend_on_the_unknown() -> None:
     assert verdict(caught) is Verdict.UNDECIDED
     ends = [(step(y - 1),), (step(y + 1),)]
     caught = claim(ExactlyOne(y, y - 1, y + 1, equal(y, 0)), UniqueRoot(chain, *ends))
-    assert "the ends depend" in judge(caught, {}).why
+    assert "must not depend on the bound variable" in judge(caught, {}).why
 
 
 # -- implicit functions ---------------------------------------------------------------------------
@@ -806,10 +806,10 @@ def test_the_slope_of_a_cubic() -> None:
 @pytest.mark.parametrize(
     ("left", "right", "slope", "given", "why"),
     [
-        (CUBIC, 2 + x, 3 * y**2 + 1, (), "depends on what varies"),
-        (CUBIC, 2 * y, 3 * y**2 + 1, (), "depends on what varies"),
-        (y**3 - 3 * y + x * y, -2, 3 * y**2 - 3, (), "is not manifest"),
-        (y**2 + x * y, 1, 2 * y, (), "is not manifest"),
+        (CUBIC, 2 + x, 3 * y**2 + 1, (), "must not depend on the unknown"),
+        (CUBIC, 2 * y, 3 * y**2 + 1, (), "must not depend on the unknown"),
+        (y**3 - 3 * y + x * y, -2, 3 * y**2 - 3, (), "could not show the sign"),
+        (y**2 + x * y, 1, 2 * y, (), "could not show the sign"),
         (CUBIC, 2, 3 * y**2 + 1, (y > 5,), "no point"),
         (y + exp(x * y), 1, S.One, (y > 5,), "no point"),
     ],

@@ -75,8 +75,8 @@ REASONS = {
     r"\[ \{2x\} = 2\{x\} \]": "may be a fractional part",
     r"\[ [2x] = 2[x] \]": "may be an integer part",
     r"\[ (AB)^{-1} = A^{-1}B^{-1} \]": "may be an inverse matrix or function",
-    r"\[ \int_0^1 f\,dx = f \]": "whether f is a function of x is not said",
-    r"\[ \sum_{i=1}^n \bar x_i = n \bar x_i \]": "whether x_ibar is a function of i is not said",
+    r"\[ \int_0^1 f\,dx = f \]": "the text does not say whether f is a function of x",
+    r"\[ \sum_{i=1}^n \bar x_i = n \bar x_i \]": "whether x_ibar is a function of i",
     r"\[ (f^2)' = 2f \]": "whether f is a function is not said",
     r"Let $w = Az$ for a matrix $A$. \[ w = A z \] \[ w^2 \ge 0 \]": "w is a matrix (line 1",
 }
@@ -106,7 +106,7 @@ def test_of_two_readings_both_are_decided(text: str, tmp_path: Path) -> None:
 def test_two_readings_that_agree_have_their_status(tmp_path: Path) -> None:
     (row,) = read(tmp_path, r"\[ V(2r) + V(3r) = V(3r) + V(2r) \]")
     assert row.status == "PROVED"
-    assert "in both readings of print" in row.why
+    assert "in both readings of the formula" in row.why
 
 
 def test_words_say_which_reading_is_meant(tmp_path: Path) -> None:
@@ -215,6 +215,6 @@ def test_the_page_shows_what_each_symbol_was_taken_for(tmp_path: Path) -> None:
     (tmp_path / "m.tex").write_text(text)
     main(["paper", str(tmp_path / "m.tex"), "--html", str(tmp_path / "h")])
     page = (tmp_path / "h" / "index.html").read_text()
-    assert "Taken for real numbers, as nothing speaks against it: x, y." in page
+    assert "Taken to be real numbers by default: x, y." in page
     assert "<td>A</td><td>a matrix</td><td>line 1: &#x27;$A$ be a matrix&#x27;</td>" in page
     assert "<td>Phi</td><td>a real number or a function</td>" in page

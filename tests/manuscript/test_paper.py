@@ -69,7 +69,7 @@ def test_each_link_of_a_small_manuscript_has_its_status(
     assert found[0]["line"] == 9
     assert found[0]["label"] == "eq:r"
     assert found[8]["witness"]
-    assert found[9]["why"] == "skipped by a note: a drawing"
+    assert found[9]["why"] == "skipped by a directive: a drawing"
     assert found[-1]["read_as"] == "sqrt(a**2) == a given a > 0"
 
 

@@ -127,7 +127,7 @@ def test_refuted_pages_say_what_is_true(ledger: claims.Record) -> None:
     assert "(/claims/racket_3_third_moment.md)" in page
 
 
-def test_the_page_of_a_sharper_reading_says_what_the_paper_does(ledger: claims.Record) -> None:
+def test_the_page_of_a_stricter_reading_quotes_the_paper(ledger: claims.Record) -> None:
     pages = dict(claims.pages(ledger, {}))
     page = pages["hyperbolic_levels.md"]
     assert page.index(
@@ -135,7 +135,7 @@ def test_the_page_of_a_sharper_reading_says_what_the_paper_does(ledger: claims.R
     ) < (
         page.index(r"The level curves of $\epsilon_{0}$ are the hyperbolas $a b = \mathrm{const}$.")
     )
-    assert "Sect. 7, read more sharply" in page
+    assert "Sect. 7, read more strictly" in page
     assert "tresym derive --refuted hyperbolic_levels" in page
     assert "The paper: “Racket 3: 448, 7126, 1818, 14.88, 0.12”." in pages["table_racket_3_b.md"]
     assert "The paper:" not in pages["eq_gamma.md"]

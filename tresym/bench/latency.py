@@ -1,7 +1,7 @@
 """Command latency: wall time of complete commands, each with a budget.
 
-The goals are for a machine with two quiet cores. Beside them stand Python importing python-flint
-and SymPy, which no command of ours can be faster than where it needs them.
+The budgets are for a machine with two idle cores. For comparison, Python importing python-flint and
+SymPy is measured too: no command that needs them can be faster.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from tresym.bench.run import Contender, Pace, Workload
 
 
 class Wait(NamedTuple):
-    """Words for Python, and the seconds they may take; ``needs`` is a library of an extra."""
+    """Arguments for Python, the budget in seconds, and a library that is needed."""
 
     words: str
     goal: float | None = None
@@ -43,7 +43,7 @@ WAITS = {
 
 
 def launch(words: list[str]) -> Callable[[], float]:
-    """A sample: the seconds on the clock that Python takes with these words, start to end."""
+    """Return a sample function: the wall time of Python with these arguments, start to end."""
     environment = {**os.environ, "PYTHONPATH": str(Path(tresym.__file__).parent.parent)}
 
     def sample() -> float:
@@ -56,7 +56,7 @@ def launch(words: list[str]) -> Callable[[], float]:
 
 
 def contenders(_: Any) -> Iterator[Contender]:
-    """Whole processes, interleaved."""
+    """Yield the commands as complete processes, to be measured in turn."""
     for name, (words, _, needs) in WAITS.items():
         if find_spec(needs):
             run = launch([word.replace("~", " ") for word in words.split(" ")])

@@ -11,13 +11,14 @@ from tresym.bench.run import RIGHT, WRONG, Judged
 from tresym.reals.numbers.arithmetic import ball_precision
 
 SLACK = 1.5
-"""Digits by which a method may miss what it was asked for and still count as right."""
+"""The number of digits by which a result may miss the request and still count as right."""
 
 
 def true_digits(value: Any, truth: arb, *, most: float = 1e6) -> float:
-    """−log₁₀ of the relative error of ``value``; never negative, at most ``most``.
+    """Return −log₁₀ of the relative error of ``value``, at least 0 and at most ``most``.
 
-    A ball counts by its midpoint. What is no number (NaN, complex, None) has 0 digits.
+    A ball counts by its midpoint. A value that is not a real number (NaN, complex, None) has 0
+    digits.
     """
     found = as_ball(value)
     if found is None or not found.is_finite():
@@ -32,7 +33,7 @@ def true_digits(value: Any, truth: arb, *, most: float = 1e6) -> float:
 
 
 def as_ball(value: Any) -> arb | None:
-    """A float, an mpmath number, a fraction or a ball's midpoint, exactly; None if it is none."""
+    """Return a float, mpmath number, fraction or ball's midpoint exactly; None for other values."""
     if isinstance(value, arb):
         return value.mid()
     if isinstance(value, float | int | fmpq):
@@ -43,7 +44,13 @@ def as_ball(value: Any) -> arb | None:
 
 
 def by_digits(truth: arb, asked: float, claims: float | None = None) -> Callable[[Any], Judged]:
-    """A judge that counts true digits against those asked for, and notes those claimed."""
+    """Return a judge that compares the correct digits with those asked for.
+
+    Args:
+        truth: a ball around the true value.
+        asked: the digits asked for.
+        claims: the digits that the method claims, to be recorded.
+    """
 
     def judge(value: Any) -> Judged:
         digits = true_digits(value, truth, most=asked + 50)

@@ -1,4 +1,4 @@
-"""The workloads by name, how to run one, and where saved measurements are."""
+"""Run the workloads by name, and save and print their measurements."""
 
 from __future__ import annotations
 
@@ -9,50 +9,62 @@ from pathlib import Path
 from typing import Any
 
 import tresym
-from tresym.bench.names import WORKLOADS
+from tresym.bench.names import MODULES, WORKLOADS
 from tresym.bench.run import Keep, Measurement, Pace, Tables, Timing, Workload, forget
 from tresym.output import write_text
 from tresym.reals.numbers.exact import InputError, quoted
 
 KEEP_EVERY = 0.2
-"""Seconds between two writings of what has been measured so far."""
+"""Seconds between two writes of the measurement so far."""
 
 
 def measure(name: str, keep: Keep = forget, pace: Pace | None = None) -> Measurement:
-    """Run one workload; ``keep`` is called with what it has after each sample.
+    """Run one workload.
+
+    Args:
+        name: one of :data:`~tresym.bench.names.WORKLOADS`.
+        keep: called with the samples so far after each one.
+        pace: how many samples to take and for how long; None uses the workload's own.
 
     Raises:
-        InputError: an unknown name, or a library that the workload needs is not installed.
+        InputError: there is no such workload, or a library that it needs is not installed.
     """
     if name not in WORKLOADS:
         raise InputError(f"workload: {quoted(name)} is not known; known: {', '.join(WORKLOADS)}")
     try:
-        found: Workload = import_module(f"tresym.bench.{name}").WORKLOAD
+        found: Workload = import_module(MODULES[name]).WORKLOAD
         return found.measure(name, WORKLOADS[name], keep, pace)
     except ModuleNotFoundError as error:
         raise InputError(f"bench: needs {error.name} (pip install -e '.[bench]')") from None
 
 
 def folder() -> Path:
-    """docs/measurements of the checkout.
+    """Return docs/measurements of the source checkout.
 
     Raises:
-        InputError: this is not a checkout.
+        InputError: tresym does not run from a checkout.
     """
     docs = Path(tresym.__file__).resolve().parent.parent / "docs"
     if not docs.is_dir():
-        raise InputError("--save: measurements are kept in a checkout's docs/ folder; this is none")
+        raise InputError(
+            "--save: measurements are saved in the docs/ folder of a "
+            "source checkout, and tresym is "
+            "not running from one"
+        )
     (docs / "measurements").mkdir(exist_ok=True)
     return docs / "measurements"
 
 
 def save(measurement: Measurement, home: Path | None = None) -> str:
-    """Write the measurement to docs/measurements/ of the checkout; returns its path there.
+    """Write a measurement to docs/measurements/.
 
-    An interrupted one is written beside, as NAME.partial.json, and what stood there before stays.
+    An interrupted measurement is written to NAME.partial.json, and the complete one stays.
+
+    Returns:
+        The path of the file, relative to the checkout.
 
     Raises:
-        InputError: this is not a checkout.
+        InputError: tresym does not run from a checkout.
     """
     home = home or folder()
     partial = home / f"{measurement.workload}.partial.json"
@@ -64,7 +76,7 @@ def save(measurement: Measurement, home: Path | None = None) -> str:
 
 
 def keeper(name: str, home: Path) -> Keep:
-    """Keeps the samples of a running workload in NAME.partial.json, whole at every moment."""
+    """Return a function that saves the samples so far in NAME.partial.json, at most every 0.2 s."""
     last = time.monotonic()
 
     def keep(timings: list[Timing], tables: Tables | None = None) -> None:
@@ -79,7 +91,7 @@ def keeper(name: str, home: Path) -> Keep:
 
 
 def json_text(value: dict[str, Any]) -> str:
-    """JSON with one line for each key and for each row, so that changes can be read."""
+    """Return JSON with one line for each key and each row, so that differences can be read."""
     lines = []
     for key, item in value.items():
         if isinstance(item, list):
@@ -92,7 +104,7 @@ def json_text(value: dict[str, Any]) -> str:
 
 
 def measurement_text(measurement: Measurement) -> str:
-    """The timings as a table for people, with machine and versions."""
+    """Return the timings as a table for people, with machine and versions."""
     found = measurement.as_json()
     lines = [f"{measurement.workload}: {measurement.says}"]
     machine, versions = found["machine"], found["versions"]

@@ -261,12 +261,14 @@ def _lines(file: str) -> Iterator[str]:
 
 
 def answer_text(answer: Answer, colour: bool = False) -> str:
-    """An answer in lines for people."""
-    head = bold(answer.verdict.value, colour)
-    where = "" if answer.line is None else dim(f"  line {answer.line}", colour)
+    """Return an answer as text: the verdict and one sentence, then the details, one a line."""
+    sentence, rows = answer.in_text()
+    if answer.line is not None:
+        rows.insert(0, ("line", str(answer.line)))
     time = f"{1000 * answer.seconds:.3g} ms" if answer.seconds < 1 else f"{answer.seconds:.3g} s"
-    rows = [*answer.rows(), ("time", time)]
-    return "\n".join([head + where, *(f"  {dim(f'{n:<11}', colour)}{t}" for n, t in rows)]) + "\n"
+    rows.append(("time", time))
+    head = f"{bold(answer.verdict.value, colour)}: {sentence}"
+    return "\n".join([head, *(f"  {dim(f'{n:<11}', colour)}{t}" for n, t in rows)]) + "\n"
 
 
 def _bad_line(task: Task, error: InputError) -> str:

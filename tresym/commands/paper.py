@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 from tresym.commands.parser import UNEXPECTED, Commands, add_output, deliver, parse_seconds
 from tresym.output import bold, colour_wanted, dim
+from tresym.reals.notebook import abbreviated
 from tresym.reals.numbers.exact import InputError
 
 if TYPE_CHECKING:
@@ -257,7 +258,8 @@ def _shown(row: Row, colour: bool, name: str) -> Iterator[str]:
     from tresym.manuscript.suspects import printed
 
     shown = [("printed", printed(row.link)[:200])]
-    shown += [("read as", row.refuted if row.instead else row.link.read_as), ("why", row.why)]
+    read_as = row.refuted if row.instead else row.link.read_as
+    shown += [("read as", abbreviated(read_as)), ("why", row.why)]
     if row.witness is not None:
         values = ", ".join(f"{name} = {value}" for name, value in row.witness.items())
         shown.append(("witness", values or "the constants themselves"))
@@ -288,10 +290,11 @@ def summary(rows: list[Row]) -> str:
 
 
 _ADVICE = {  # of a part of its reason
-    "write % tresym: as": "has no path: % tresym: as x -> 0, or whichever it is, before display",
-    "write % tresym: claim": "fails somewhere: % tresym: claim or solve before display",
-    "two readings remain": "can be read in two ways: brackets, or % tresym: shorter, in display",
-    "its condition is not read": "has a condition not read: % tresym: given … before display",
+    "write % tresym: as": "has no path; write % tresym: as x -> 0 (or another path) before display",
+    "write % tresym: claim": "fails somewhere; write % tresym: claim or solve before display",
+    "two readings remain": "has two readings; write brackets or % tresym: shorter in display",
+    "its condition is not "
+    "understood": "has an unread condition; write % tresym: given … before display",
 }
 """What is said of rows that a note would settle, and the note."""
 

@@ -1,8 +1,8 @@
 """Quoted theorems on which claims rest, each named once with its source.
 
-A claim names those that its evidence quotes, and lists with them those of all that it rests on, as
-``#print axioms`` of Lean does. `RULES` are the theorems of the calculus that make the judge's own
-rules sound; every claim may rest on them, and the lists of claims do not repeat them.
+A claim names the theorems that its evidence quotes. Its report also lists those of all claims it
+depends on, as Lean's ``#print axioms`` does. `RULES` are the theorems of calculus that justify the
+judge's own rules; every claim may depend on them, so they are not repeated for each claim.
 """
 
 from __future__ import annotations
@@ -12,14 +12,14 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Axiom:
-    """A theorem that is quoted.
+    """A theorem that is quoted without proof.
 
     Attributes:
-        name: what it is called.
-        says: the theorem, in a sentence or two.
+        name: the usual name of the theorem.
+        says: the theorem, in one or two sentences.
         source: where it is proved: book and number of the theorem.
-        formula: LaTeX of its conclusion, where it has one.
-        rule: for one of `RULES`, the rule of the judge that applies it.
+        formula: LaTeX of its conclusion, or None.
+        rule: for a member of `RULES`, the rule of the judge that applies it.
     """
 
     name: str
@@ -93,4 +93,4 @@ RULES = (
         "implicit function",
     ),
 )
-"""Theorems by which the judge's rules are sound; `tresym verify` quotes them for all claims."""
+"""Theorems that make the judge's rules sound; `tresym verify` quotes them for all claims."""

@@ -1,6 +1,8 @@
 """Evaluate SymPy expressions as written in ball arithmetic, including integrals.
 
-Nothing is shared with the trees and the decision procedures that the second look contradicts.
+Used by the counterexample search. It shares no code with the expression trees and decision
+procedures, so that an error there cannot hide a counterexample. Integrals are enclosed by
+`acb.integral` (Arb's adaptive Gauss–Legendre integration); SymPy is only used to differentiate.
 """
 
 from __future__ import annotations
@@ -33,20 +35,20 @@ Values = Mapping[Symbol, Any]
 Program = Callable[["At"], Any]
 
 EVALUATIONS = 120
-"""How far an integral is refined."""
+"""Maximal number of evaluations of an integrand (the limit of `acb.integral`)."""
 NODES = 1 << 15
-"""Expressions kept in the form in which balls walk over them."""
+"""Number of compiled expressions in the cache."""
 NO_RULES: dict[Symbol, Basic] = {}
 
 
 class At:
-    """A point, and the balls that are known there: each part of an expression is met once.
+    """A point of evaluation with a cache: each subexpression is evaluated once per point.
 
     Attributes:
-        values: symbols to real or complex balls.
-        analytic: for integrands: not finite, too, where a part is not shown to be analytic.
-        outer: where all other symbols have their values.
-        rules: what symbols without a value stand for, where nothing is outside.
+        values: real or complex balls by symbol.
+        analytic: for integrands: whether to return NaN also where a part is not analytic.
+        outer: the enclosing point, which has the values of all other symbols; or None.
+        rules: the meanings of symbols without a value; used at the outermost point only.
     """
 
     __slots__ = ("analytic", "known", "outer", "rules", "values")
@@ -62,12 +64,12 @@ class At:
         self.known: dict[_Node, Any] = {}
 
     def of(self, name: Symbol) -> Any:
-        """What a symbol comes to."""
+        """Return the value of a symbol, evaluating its rule if it has no value."""
         return self.values[name] if name in self.values else value(self.rules[name], self)
 
 
 class _Node:
-    """An expression as a function of a point, made once: integrands are met thousands of times."""
+    """An expression compiled to a function of a point; integrands are called thousands of times."""
 
     __slots__ = ("compute", "names")
 
@@ -85,11 +87,19 @@ class _Node:
 
 
 def value(e: Basic, point: Values | At, analytic: bool = False) -> Any:
-    """A ball that contains ``e`` at ``point``; not finite where ``e`` is not shown to be defined.
+    """Return a ball that contains the value of ``e``; not finite if ``e`` may be undefined.
 
     Args:
-        point: symbols to real or complex balls, or a place at which some balls are known.
-        analytic: for integrands: not finite, too, where ``e`` is not shown to be analytic.
+        e: a SymPy expression.
+        point: real or complex balls by symbol, or a point of evaluation.
+        analytic: for integrands: return a non-finite ball also where ``e`` may not be analytic.
+
+    Example:
+        >>> from flint import arb
+        >>> from sympy import Symbol, log
+        >>> x = Symbol("x", real=True)
+        >>> value(log(x), {x: arb(1)})
+        0
     """
     return _node(e)(point if isinstance(point, At) else At(point, analytic))
 
@@ -150,7 +160,7 @@ def _substituted(e: Subs) -> _Node:
 
 
 def differentiated(e: Derivative) -> Basic:
-    """The derivative by SymPy's rules: Leibniz's for integrals, which stay unevaluated."""
+    """Carry out a derivative by SymPy's rules, including Leibniz's rule for integrals."""
     found = e.expr
     for variable in e.variables:
         found = found.diff(variable)
@@ -198,7 +208,7 @@ def _function(name: str, x: Any, analytic: bool) -> Any:
 
 
 def _integral(e: Integral) -> _Node:
-    """A proper integral over one variable, enclosed; widely where it is hard."""
+    """Compile a proper integral over one variable; the enclosure may be wide if it is difficult."""
     variable, *ends = e.limits[0]
     function, (first, last) = _node(e.function), map(_node, ends)
 

@@ -21,9 +21,14 @@ def _trees() -> dict[str, list[str]]:
 
 
 def certificate(label: str) -> Callable[[], tuple[BoxProof, ...] | None]:
-    """The stored proofs of the claim ``label``, one for each bound; None if there are none.
+    """Return a function that reads the stored proofs of a claim when it is called.
 
-    What it gives raises a CertificateError where the file holds something else.
+    Args:
+        label: the label of the claim.
+
+    Returns:
+        A function without arguments that returns one proof per bound, or None if none are stored,
+        and raises CertificateError if the file is malformed.
     """
 
     def stored() -> tuple[BoxProof, ...] | None:
@@ -31,33 +36,33 @@ def certificate(label: str) -> Callable[[], tuple[BoxProof, ...] | None]:
         if trees is None:
             return None
         if not isinstance(trees, list) or not all(isinstance(tree, str) for tree in trees):
-            raise CertificateError(f"{FILE} has no list of trees for {label}")
+            raise CertificateError(f"the entry for {label} in {FILE} is not a list of strings")
         return tuple(BoxProof(tree) for tree in trees)
 
     return stored
 
 
 def save(found: Mapping[str, tuple[str, ...]]) -> None:
-    """Write the trees of these claims over the stored ones.
+    """Store the bisection trees of these claims, replacing their old ones.
 
     Args:
-        found: for each label the tree of each of its bounds.
+        found: for each label, one tree per bound.
 
     Raises:
-        InputError: the proofs are installed and not a checkout's.
+        InputError: tresym does not run from a checkout of its repository.
     """
     path = checkout_file()
-    kept = {**_trees(), **{label: list(trees) for label, trees in found.items()}}
-    text = json.dumps(dict(sorted(kept.items())), ensure_ascii=False, indent=1)
+    merged = {**_trees(), **{label: list(trees) for label, trees in found.items()}}
+    text = json.dumps(dict(sorted(merged.items())), ensure_ascii=False, indent=1)
     path.write_text(text + "\n", encoding="utf-8")
     _trees.cache_clear()
 
 
 def checkout_file() -> Path:
-    """The file of the stored proofs, in a checkout.
+    """Return the path of the stored proofs in a checkout of the repository.
 
     Raises:
-        InputError: the proofs are installed and not a checkout's.
+        InputError: tresym does not run from a checkout of its repository.
     """
     path = file_of(FILE)
     if not (path.parent.parent / "pyproject.toml").is_file():

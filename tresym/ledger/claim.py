@@ -1,12 +1,13 @@
 """Claims: frozen values with a statement, conditions, and the evidence for it.
 
-Nothing here decides anything. `tresym.ledger.judge` turns a claim into a finding, reports turn
-it into LaTeX and ledger rows, and what a claim rests on is read off its evidence, so the graph
-of dependencies cannot drift from the proofs.
+This module only describes claims; it decides nothing. `tresym.ledger.judge` checks the evidence
+of a claim and returns a finding, and the reports print the claim in LaTeX and in the ledger. The
+claims that a claim depends on are collected from its evidence, so the dependency graph always
+agrees with the proofs.
 
-A proof by a chain is a tuple of steps. Each step writes out the next expression and the reasons
-why it equals the one before; the first step starts at the left side of what the claim says and
-the last must arrive at its right side. A step may use only the reasons it names.
+The most common evidence is a chain: a tuple of steps. Each step states the next expression and
+the reasons why it equals the previous one. The chain starts at the left side of the statement and
+must end at its right side. A step may use only the reasons that it names.
 """
 
 from __future__ import annotations
@@ -29,37 +30,39 @@ from tresym.reals.verdict import Verdict
 
 
 def equal(left: Basic, right: Basic) -> Eq:
-    """The equation ``left = right``, as a statement: SymPy must not evaluate it."""
+    """Return the equation ``left = right``, which SymPy is not allowed to evaluate."""
     return Eq(left, right, evaluate=False)
 
 
 def parts_of(says: Basic | str) -> tuple[Basic, ...]:
-    """The relations a statement consists of."""
+    """Return the relations of a statement: the entries of a `Tuple`, or the statement itself."""
     return says.args if isinstance(says, Tuple) else (says,)
 
 
 def equations(left: tuple[Basic, ...], right: tuple[Basic, ...]) -> Tuple:
-    """A system of equations, side by side."""
+    """Return the system of equations ``left[i] = right[i]``; both tuples have the same length."""
     return Tuple(*(equal(p, q) for p, q in zip(left, right, strict=True)))
 
 
 def at(e: Expr, values: Mapping[Symbol, Any]) -> Subs:
-    """``e`` at these values of its symbols, written and not yet worked out.
+    """Return ``e`` with its symbols replaced by ``values``, as an unevaluated `Subs`.
 
-    SymPy would work it out by itself, and leave nothing to decide.
+    If SymPy evaluated the substitution, nothing would be left to prove.
 
     Raises:
-        ValueError: a derivative at one value of several symbols. SymPy takes the symbols for one
-            there, and two derivatives for equal that are not.
+        ValueError: ``e`` contains a derivative and two symbols get the same value. SymPy would
+            confuse the two symbols and identify different derivatives.
     """
     if e.has(Derivative) and len(set(values.values())) < len(values):
-        raise ValueError("a derivative at equal values: put them in one after the other")
+        raise ValueError(
+            "two symbols get the same value inside a derivative; substitute one after the other"
+        )
     return Subs(e, tuple(values), tuple(values.values()))
 
 
 @dataclass(frozen=True)
 class Place:
-    """Where the paper says it: number of the display (1…58), line of the source, table cell."""
+    """A place in the paper: the number of a display (1…58), a line of the source, a table cell."""
 
     display: int | None = None
     line: int | None = None
@@ -67,31 +70,32 @@ class Place:
 
 
 def display(number: int) -> Place:
-    """A display of the paper, by its number."""
+    """Return the place of the display with this number."""
     return Place(display=number)
 
 
 def line(number: int) -> Place:
-    """A line of the paper's source."""
+    """Return the place of a line of the paper's source."""
     return Place(line=number)
 
 
 @dataclass(frozen=True)
 class Reason:
-    """Why one expression equals the next: theories that may be used, and claims it rests on."""
+    """Why one expression equals the next: the theories allowed and the claims used."""
 
     name: str
     theories: frozenset[str] = frozenset()
     claims: tuple[Claim, ...] = ()
     function: str | None = None
-    """For ``applying``: the one-to-one function applied to both sides of an equation."""
+    """For ``applying``: the injective function that is applied to both sides of an equation."""
     expression: Expr | None = None
     """For ``changing_variable`` the new variable, for ``integrating`` the antiderivative, for
-    ``cutting`` the point, for ``differentiating_integral`` the derivative of the integrand."""
+    ``cutting`` the point where the interval is divided, for ``differentiating_integral`` the
+    derivative of the integrand."""
     factor: Expr | None = None
-    """For ``multiplying``: the non-zero factor of both sides of an equation."""
+    """For ``multiplying``: the non-zero factor that multiplies both sides of an equation."""
     term: Expr | None = None
-    """For ``adding``: what is added to both sides of an equation."""
+    """For ``adding``: the term that is added to both sides of an equation."""
 
 
 @dataclass(frozen=True)
@@ -99,35 +103,36 @@ class Step:
     """The next expression (or equation) of a chain, and the reasons that lead to it."""
 
     expression: Basic | None
-    """None stands for the right side of what the claim says."""
+    """None stands for the right side of the statement."""
     reasons: tuple[Reason, ...]
 
 
 def step(expression: Basic, *reasons: Reason) -> Step:
-    """The next link of a chain: ``expression``, because of ``reasons``."""
+    """Return the step of a chain that arrives at ``expression`` because of ``reasons``."""
     return Step(expression, reasons)
 
 
 def by(*reasons: Reason) -> tuple[Step, ...]:
-    """A chain of one step, straight to the right side of what the claim says, or to its sign.
+    """Return a chain of one step that leads from the left side directly to the right side.
 
-    Of a system it shows each part.
+    For an inequality, the step proves its sign. For a system, the step is applied to each part.
     """
     return (Step(None, reasons),)
 
 
 manifest = by()
-"""An inequality, or each of several, that the prover of signs decides as it stands."""
+"""Evidence for an inequality, or for several, that the sign prover decides without help."""
 
 Chain = tuple[Step, ...]
 
 
 @dataclass(frozen=True)
 class Definition:
-    """The claim introduces symbols: each is new, defined once, by symbols known before.
+    """Evidence that the claim defines new symbols, each once, in terms of symbols known before.
 
-    ``assumes`` names what is put in: an equation for symbols that are defined elsewhere, or for one
-    under an integral.
+    Attributes:
+        assumes: the name of the physical assumption, if the claim is one rather than a definition:
+            an equation for symbols that are defined elsewhere or that occur in an integrand.
     """
 
     assumes: str = ""
@@ -135,16 +140,16 @@ class Definition:
 
     @property
     def expect(self) -> Premise:
-        """What the claim is: a definition, or assumed."""
+        """The ruling on the claim: ASSUMED if it names an assumption, else DEFINED."""
         return Premise.ASSUMED if self.assumes else Premise.DEFINED
 
 
 @dataclass(frozen=True)
 class Root:
-    """The claim introduces ``symbol`` for the one root that ``unique`` shows there to be.
+    """Evidence that the claim defines ``symbol`` as the only root of an equation.
 
-    It says that the function vanishes there, what is subtracted in it on the right side, and
-    between which ends the root lies.
+    The claim ``unique`` proves that there is exactly one root. The defining statement consists of
+    the equation at the root and of the two ends between which the root lies.
     """
 
     symbol: Symbol
@@ -154,12 +159,12 @@ class Root:
 
     @property
     def claims(self) -> tuple[Claim, ...]:
-        """What the definition rests on: that there is one root."""
+        """The claim that the definition uses: that there is exactly one root."""
         return (self.unique,)
 
     @property
     def says(self) -> Tuple:
-        """The equation for the root, and the interval that it lies in."""
+        """The equation that the root satisfies, and the interval that contains it."""
         root, x = self.unique.statement, self.symbol
         assert isinstance(root, ExactlyOne)
         sides = (side.xreplace({root.variable: x}) for side in root.args[3].args)
@@ -176,41 +181,42 @@ class Together:
 
 
 def together(*chains: Chain) -> Together:
-    """Chains for the parts of a system of equations or inequalities, in order."""
+    """Return chains for the parts of a system of equations or inequalities, in order."""
     return Together(chains)
 
 
 @dataclass(frozen=True)
 class UniqueRoot:
-    """An equation has exactly one root between two ends, where its sides differ in sign.
+    """Evidence that an equation has exactly one root in an interval (the statement: `ExactlyOne`).
 
-    The statement is an `ExactlyOne`; the difference of the sides of its equation is continuous and
-    monotone.
+    The difference of the two sides is continuous on the interval, has opposite signs at its ends
+    (intermediate value theorem) and a derivative of one sign inside (mean value theorem).
     """
 
     derivative: Chain
-    """A chain from the derivative of the difference to a form whose sign is manifest."""
+    """A chain from the derivative of the difference to a form with a provable sign."""
     at_low: Chain
     at_high: Chain
-    """Chains from the values at the ends to forms whose signs are manifest."""
+    """Chains from the values at the two ends to forms with provable signs."""
 
 
 @dataclass(frozen=True)
 class Monotone:
-    """The statement is that an equation has one root at most: left side less right side rises."""
+    """Evidence that an equation has at most one root: left side minus right side is increasing."""
 
     slope: Chain
-    """A chain from the derivative of the difference to a form that is manifestly positive."""
+    """A chain from the derivative of the difference to a form that is provably positive."""
 
 
 @dataclass(frozen=True)
 class ImplicitFunction:
-    """The claim says what the slope of a function is that an earlier equation defines implicitly.
+    """Evidence for the derivative of a function that an earlier equation defines implicitly.
 
-    ``equation`` relates ``unknown`` and ``parameter``, and its right side does not depend on them.
-    Where the left side L is smooth and its derivative by the unknown is not zero, the implicit
-    function theorem gives the unknown as a smooth function of the parameter, all else held; its
-    slope at parameter = ``at`` is a new symbol, −L_parameter/L_unknown there.
+    ``equation`` relates ``unknown`` and ``parameter``; its right side depends on neither. Let L be
+    its left side. Where L is smooth and ∂L/∂unknown is not zero, the implicit function theorem
+    gives the unknown as a smooth function of the parameter, with all other symbols fixed. The
+    claim defines a new symbol for its derivative at parameter = ``at``:
+    −(∂L/∂parameter)/(∂L/∂unknown).
     """
 
     equation: Claim
@@ -218,15 +224,15 @@ class ImplicitFunction:
     parameter: Symbol
     at: Expr
     slope: Chain
-    """A chain from the derivative by the unknown, at ``at``, to a form whose sign is manifest."""
+    """A chain from ∂L/∂unknown at ``at`` to a form with a provable sign."""
 
 
 @dataclass(frozen=True)
 class Printed:
-    """The statement is a number as the paper prints it, under its inputs as they are printed.
+    """Evidence for a number that the paper prints, computed from inputs as the paper prints them.
 
-    It is a `Rounds`; so are the conditions on the inputs, or equations for what is exact. The
-    claims say what the other symbols are, and which roots are one.
+    The statement is a `Rounds`. The conditions on the inputs are also `Rounds`, or equations where
+    an input is exact. ``claims`` define the other symbols and prove that roots are unique.
     """
 
     claims: tuple[Claim, ...] = ()
@@ -236,41 +242,42 @@ class Printed:
 
 @dataclass(frozen=True)
 class AllOf:
-    """The statement is the conjunction of formal claims."""
+    """Evidence for a sentence that is the conjunction of formal claims."""
 
     claims: tuple[Claim, ...]
 
     @property
     def expect(self) -> Ruling:
-        """As strong as the weakest part."""
+        """The verdict of the weakest part."""
         return min((c.expect for c in self.claims), key=WEAKEST_FIRST.index, default=Verdict.PROVED)
 
 
 def all_of(*claims: Claim) -> AllOf:
-    """Evidence for a sentence that says what several formal claims say together."""
+    """Return the evidence for a sentence that is the conjunction of ``claims``."""
     return AllOf(claims)
 
 
 @dataclass(frozen=True)
 class Formally:
-    """The relations of the statement, decided as they stand, by normal form and by proven signs.
+    """Evidence for relations that are decided without a chain, by normal forms and proven signs.
 
-    ``claims`` are put in. A false relation falls to an exact point at which a ball violates it.
+    The equations of ``claims`` are substituted first. A false relation is refuted by an exact
+    point at which ball arithmetic violates it.
     """
 
     claims: tuple[Claim, ...] = ()
 
 
 def formally(*using: Claim) -> Formally:
-    """Evidence without a chain, with earlier equations put in."""
+    """Return evidence without a chain, with the equations of ``using`` substituted."""
     return Formally(using)
 
 
 @dataclass(frozen=True)
 class Counterexample:
-    """An exact point under every condition of the claim at which the statement does not hold.
+    """Evidence against a statement: an exact point that satisfies the conditions and violates it.
 
-    ``claims`` define the symbols that have no value at the point itself.
+    ``claims`` define the symbols that the point gives no value.
     """
 
     point: Mapping[str, fmpq]
@@ -280,9 +287,10 @@ class Counterexample:
 
 @dataclass(frozen=True)
 class Instance:
-    """What ``claim`` says with these values for its variables, where its conditions hold of them.
+    """Evidence that the statement is ``claim`` with ``values`` substituted for its variables.
 
-    ``cited`` are claims whose bounds show that.
+    The values must satisfy the conditions of ``claim``; bounds from ``cited`` may be used to show
+    that.
     """
 
     claim: Claim
@@ -291,20 +299,22 @@ class Instance:
 
     @property
     def claims(self) -> tuple[Claim, ...]:
-        """What is used."""
+        """The claims that the instance uses."""
         return (self.claim, *self.cited)
 
     def put(self, relation: Basic) -> Basic:
-        """A relation with the values put in, not worked out."""
+        """Return ``relation`` with the values substituted, unevaluated."""
         sides = (side.xreplace(dict(self.values)) for side in relation.args)
         return relation.func(*sides, evaluate=False)
 
     @property
     def says(self) -> Basic:
-        """The instance, part by part."""
+        """The statement of the instance; a `Tuple` if the general claim is one."""
         general = self.claim.says
         if not isinstance(general, Basic):
-            raise InputError(f"{self.claim.label} is said in words: it has no instance")
+            raise InputError(
+                f"{self.claim.label} is stated in words; only a formula can be instantiated"
+            )
         parts = tuple(map(self.put, parts_of(general)))
         return Tuple(*parts) if isinstance(general, Tuple) else parts[0]
 
@@ -330,10 +340,10 @@ class Fault(Enum):
     """What is wrong with a statement of the paper that is refuted."""
 
     THEOREM = "the remainder of the theorem, wherever it is printed"
-    STATEMENT = "what is said does not hold for everything it is said of"
+    STATEMENT = "the statement does not hold in all the cases that it covers"
     REASON = "the conclusion holds; the reason given for it does not"
-    ROUNDING = "near the truth, and not as near as it is printed"
-    MISPRINT = "what is meant is plain from the context"
+    ROUNDING = "the printed number is close, but not correct to all its digits"
+    MISPRINT = "a misprint: the intended formula is clear from the context"
 
 
 @dataclass(frozen=True)
@@ -341,25 +351,25 @@ class Claim:
     """One statement: what it says, under which conditions, and the evidence for it.
 
     Attributes:
-        label: the paper's own ``\\label``, or a name of ours; see :func:`label_claims`.
+        label: the paper's own ``\\label``, or a name given in proofs/; see :func:`label_claims`.
         says: a SymPy relation, a `Tuple` of them, an `Equivalent`, or prose.
-        means: for prose, and for a formula that leaves an order open, the formula that is decided.
-        given: SymPy relations that hold wherever the claim is made.
-        proof: the evidence; its type decides how the claim is judged.
-        where: the place in the paper; None for a lemma of ours.
-        expect: the verdict this claim must get, where it is not the one for which evidence of its
-            type is given; of a definition, what its evidence says.
-        amended_by: for a claim expected REFUTED, the claims that are true instead.
+        means: the formula that is decided, if ``says`` is prose or a formula with an open order.
+        given: the conditions of the claim, as SymPy relations.
+        proof: the evidence; its type determines how the claim is judged.
+        where: the place in the paper; None for an auxiliary lemma.
+        expect: the verdict that this claim must get; by default, the usual verdict for its type of
+            evidence. For a definition it is always taken from the evidence.
+        amended_by: for a claim expected to be REFUTED, the true claims that replace it.
         note: one or two sentences for the reader.
-        kind: identity, number, bound, order, limit, statement or definition, where the evidence
-            and the form of what is said do not tell.
-        shown: LaTeX for reports, where the statement written out would hide what it says.
-        paper_says: what the paper prints, with all its hedges, in our words, and how that is read;
-            where ``says`` is a sharper reading, which is ours.
-        fault: for a claim expected REFUTED, what is wrong with the paper there.
-        quotes: theorems that the evidence applies and no claim shows.
-        knowing: local facts, each shown by the prover of signs under the conditions of the claim
-            and by those before it; ``Under(φ, (condition, …))`` is one of what is bound.
+        kind: identity, number, bound, order, limit, statement or definition; by default, derived
+            from the evidence and from the form of the statement.
+        shown: LaTeX for the reports, if the written-out statement would be hard to read.
+        paper_says: what the paper prints, with its qualifications, and how it is read here; used
+            if ``says`` is a stricter reading than the paper's.
+        fault: for a claim expected to be REFUTED, what is wrong with the paper.
+        quotes: theorems that the evidence applies and that no claim proves.
+        knowing: local facts. The sign prover shows each from the conditions of the claim and from
+            the facts before it; ``Under(φ, (condition, …))`` is a fact about a bound variable.
 
     Example:
         >>> import tresym
@@ -393,20 +403,22 @@ class Claim:
 
     def __hash__(self) -> int:
         if not self.label:
-            raise ValueError("a claim without a label: the last line of its part gives it one")
+            raise ValueError(
+                "the claim has no label; call label_claims at the end of its module in proofs/"
+            )
         return hash(self.label)
 
     def __repr__(self) -> str:
         return in_one_line(f"Claim({self.label}: {self.says})")
 
     def _repr_html_(self) -> str:
-        """A small table for notebooks."""
+        """Return a small HTML table for notebooks."""
         given = ", ".join(map(str, self.given))
         rows = [("says", str(self.says)), ("given", given), ("expected", self.expect.value)]
         return html_table(self.label, [row for row in rows if row[1]])
 
     def _repr_latex_(self) -> str:
-        """The formula that is decided; of prose alone, the prose."""
+        """Return LaTeX of the formula that is decided, or the prose if there is no formula."""
         from sympy import latex
 
         if self.statement is None:
@@ -417,8 +429,8 @@ class Claim:
     def statement(self) -> Basic | None:
         """The formula that is decided, for all values of its free symbols under ``given``.
 
-        A conjunction means what its parts mean, each under its own conditions. None where words
-        are all there is.
+        The formula of a conjunction combines those of its parts, each under its own conditions.
+        None if the claim is prose without a formula.
 
         Example:
             >>> import tresym
@@ -437,7 +449,7 @@ class Claim:
 
     @property
     def decided(self) -> Basic | str:
-        """What others may put in or cite: the formula that is decided, never an order left open.
+        """The formula that other claims may substitute or cite; prose if there is no formula.
 
         Example:
             >>> import tresym
@@ -448,7 +460,7 @@ class Claim:
 
     @property
     def in_formulas(self) -> bool:
-        """Whether what others may put in or cite consists of relations.
+        """Whether `decided` consists of SymPy relations (not prose and not a `Statement`).
 
         Example:
             >>> import tresym
@@ -459,7 +471,7 @@ class Claim:
 
     @cached_property
     def symbols(self) -> frozenset[Symbol]:
-        """All symbols that the claim and its evidence write down.
+        """All symbols that occur in the claim or in its evidence.
 
         Example:
             >>> import tresym
@@ -472,7 +484,7 @@ class Claim:
 
     @property
     def parts(self) -> tuple[Basic, ...]:
-        """What the statement consists of; nothing where there is none.
+        """The relations of the statement; empty if there is no formula.
 
         Example:
             >>> import tresym
@@ -483,7 +495,7 @@ class Claim:
 
     @cached_property
     def uses(self) -> tuple[Claim, ...]:
-        """The claims that the evidence names, each once, in order.
+        """The claims that the evidence names, in order and without repetition.
 
         Example:
             >>> import tresym
@@ -494,7 +506,7 @@ class Claim:
 
     @cached_property
     def rests_on(self) -> tuple[Claim, ...]:
-        """All that the claim rests on, directly or not, foundations first.
+        """All claims that this claim depends on, directly or indirectly, dependencies first.
 
         Example:
             >>> import tresym
@@ -509,7 +521,7 @@ class Claim:
 
     @cached_property
     def axioms(self) -> tuple[Axiom, ...]:
-        """The theorems quoted by the claim or by anything that it rests on, each once.
+        """The theorems quoted by the claim or by any claim that it depends on, each once.
 
         Example:
             >>> import tresym
@@ -521,14 +533,17 @@ class Claim:
 
 
 def label_claims(names: Mapping[str, Any]) -> None:
-    """Label each claim that has no label with its name among ``names``: the last line of a part."""
+    """Give each unlabelled claim in ``names`` the name of its variable as its label.
+
+    Every module of proofs/ ends with ``label_claims(globals())``.
+    """
     for name, value in names.items():
         if isinstance(value, Claim) and not value.label:
             object.__setattr__(value, "label", name)
 
 
 def saying(claim: Claim, changed: Basic) -> Claim:
-    """The claim with another statement."""
+    """Return a copy of the claim that states ``changed`` instead; used to make mutants."""
     if isinstance(changed, As) and isinstance(claim.says, Basic):
         return replace(claim, says=changed.args[0], means=changed)
     meant = isinstance(claim.says, str) or claim.means is not None
@@ -536,7 +551,7 @@ def saying(claim: Claim, changed: Basic) -> Claim:
 
 
 def _conditions(given: Iterable[Basic]) -> Iterator[Basic]:
-    """Conditions one by one: SymPy's conjunctions are taken apart, and ``True`` is left out."""
+    """Yield the single conditions: conjunctions are split, and ``True`` is dropped."""
     for condition in given:
         if isinstance(condition, And):
             yield from _conditions(condition.args)
@@ -545,7 +560,7 @@ def _conditions(given: Iterable[Basic]) -> Iterator[Basic]:
 
 
 def _kind(says: Basic | str, proof: Evidence) -> str:
-    """What kind of claim it is: by its evidence, where that is for one kind, else by its form."""
+    """Return the kind of a claim: determined by its evidence if possible, else by its form."""
     if isinstance(says, str | Statement):
         return getattr(proof, "kind", "statement")
     inequalities = all(isinstance(part, Ge | Gt | Le | Lt) for part in parts_of(says))
@@ -553,14 +568,14 @@ def _kind(says: Basic | str, proof: Evidence) -> str:
 
 
 def _expected(proof: Evidence) -> Ruling:
-    """The verdict that evidence of its type is given for; no more exact than what it rests on."""
+    """Return the usual verdict for this type of evidence; ENCLOSED if it uses an ENCLOSED claim."""
     by_type: Ruling = getattr(proof, "expect", Verdict.PROVED)
     enclosed = any(claim.expect is Verdict.ENCLOSED for claim in _named(proof))
     return Verdict.ENCLOSED if by_type is Verdict.PROVED and enclosed else by_type
 
 
 def expressions(claim: Claim) -> Iterator[Basic]:
-    """Everything that the claim and its evidence write down: what is said, given, and each step."""
+    """Yield all expressions of the claim and its evidence: statement, conditions and steps."""
     proof = claim.proof
     yield from (e for e in (claim.says, claim.means) if isinstance(e, Basic))
     yield from claim.given
@@ -577,7 +592,7 @@ def expressions(claim: Claim) -> Iterator[Basic]:
 
 
 def chains_of(says: Basic, proof: Chain | Together) -> tuple[tuple[Basic, Chain], ...] | None:
-    """What is said, part by part with its chain; None where the parts are not as many."""
+    """Pair each part of the statement with its chain; None if their numbers differ."""
     if isinstance(proof, Together):
         parts = parts_of(says)
         same = len(parts) == len(proof.chains)
@@ -587,7 +602,7 @@ def chains_of(says: Basic, proof: Chain | Together) -> tuple[tuple[Basic, Chain]
 
 
 def _chains(proof: Evidence) -> tuple[Chain, ...]:
-    """The chains that a piece of evidence consists of."""
+    """Return the chains that the evidence contains."""
     match proof:
         case Together(chains):
             return chains
@@ -602,7 +617,13 @@ def _chains(proof: Evidence) -> tuple[Chain, ...]:
 
 
 def with_reasons(proof: Evidence, changed: Callable[[Reason], Reason], *more: Reason) -> Evidence:
-    """The evidence with each reason of its chains changed, after ``more`` reasons in each step."""
+    """Return the evidence with ``changed`` applied to each reason of its chains.
+
+    Args:
+        proof: the evidence; evidence without chains is returned as it is.
+        changed: a function from reason to reason.
+        more: reasons that are prepended to those of every step.
+    """
 
     def chain(links: Chain) -> Chain:
         return tuple(Step(k.expression, (*more, *map(changed, k.reasons))) for k in links)
@@ -621,7 +642,7 @@ def with_reasons(proof: Evidence, changed: Callable[[Reason], Reason], *more: Re
 
 
 def put_in_by(claim: Claim) -> tuple[Claim, ...]:
-    """The claims that the evidence puts in: they hold here where all their conditions do."""
+    """Return the claims whose equations are substituted; their conditions must hold here."""
     if isinstance(claim.proof, Formally):
         return claim.uses
     reasons = (r for chain in _chains(claim.proof) for link in chain for r in link.reasons)
@@ -629,7 +650,7 @@ def put_in_by(claim: Claim) -> tuple[Claim, ...]:
 
 
 def asked_by(claim: Claim) -> dict[str, tuple[Basic, ...]]:
-    """By label, under which conditions what is said together, or is put in, holds."""
+    """Return the conditions of the claims that are conjoined or substituted, by label."""
     conjoined = isinstance(claim.proof, AllOf)
     asked: dict[str, tuple[Basic, ...]] = {}
     for part in claim.uses if conjoined else put_in_by(claim):
@@ -639,7 +660,7 @@ def asked_by(claim: Claim) -> dict[str, tuple[Basic, ...]]:
 
 
 def _named(proof: Evidence) -> Iterator[Claim]:
-    """Every claim that a piece of evidence names."""
+    """Yield every claim that the evidence names."""
     if isinstance(proof, ImplicitFunction):
         yield proof.equation
     for chain in _chains(proof):

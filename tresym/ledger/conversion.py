@@ -1,8 +1,9 @@
 """Convert a claim's SymPy expressions to trees, once each.
 
-Claims are written in SymPy, which proofs read well in and reports print. What decides them gets
-trees and formulas alone, in which integrals, derivatives, values and orders are nodes that bind
-their variables. Definitions are put in here, and only those that a reason names.
+Claims are written in SymPy, because SymPy expressions are easy to read and to print. The decision
+procedures work on expression trees and formulas (`tresym.reals.language`) instead, in which
+integrals, derivatives, substitutions and orders are nodes that bind their variables. This module
+also substitutes definitions, but only those that a reason names.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ from sympy import Expr as Expression
 
 from tresym.ledger.claim import Claim, Definition, ImplicitFunction, Root
 from tresym.reals.domain.conditions import Given
-from tresym.reals.language import sympy as door
+from tresym.reals.language import sympy as sympy_reader
 from tresym.reals.language.binders import elementary, ordered
 from tresym.reals.language.expression import (
     BINDERS,
@@ -31,38 +32,38 @@ from tresym.reals.numbers.exact import InputError
 Rules = dict[Expr, Expr]
 Conditions = tuple[Relation, ...]
 Behind = Mapping[str, frozenset[str]]
-"""What each symbol is defined by, by name."""
+"""For each defined symbol, the names of the symbols that its definition depends on."""
 Stage = Relation | tuple[Expr, ...]
-"""What a chain passes through: an equation, or the entries of a matrix; a number has one."""
+"""A stage of a chain: an equation, or the entries of a matrix (one entry for a number)."""
 
 MAX_PASSES = 20
 DEFINING = (Definition, ImplicitFunction)
 """Evidence that introduces symbols."""
 REMEMBERED = 4096
-"""Translations and signs kept: the same conditions come back at every step of a chain."""
+"""Size of the caches: the same conditions occur at every step of a chain."""
 
 
 class CircularError(ValueError):
-    """Definitions that define a symbol by itself, or reach a variable that is bound."""
+    """Definitions are circular, or a substitution would capture a bound variable."""
 
 
 @lru_cache(maxsize=REMEMBERED)
 def tree(e: Basic) -> Expr:
-    """The expression tree of ``e``, nothing of it worked out."""
-    return door.unworked(e)
+    """Return the expression tree of ``e`` without evaluating or simplifying anything."""
+    return sympy_reader.unworked(e)
 
 
 @lru_cache(maxsize=REMEMBERED)
 def formula(says: Basic) -> Formula:
-    """The formula that a statement is."""
-    return door.formula(says)
+    """Return the formula of a SymPy statement."""
+    return sympy_reader.formula(says)
 
 
 def stage(e: Basic) -> Stage:
-    """What a step of a chain writes down.
+    """Return the stage that a step of a chain states.
 
     Raises:
-        InputError: an inequality, or what is neither a formula nor a number.
+        InputError: ``e`` is neither an equation nor a number nor a matrix.
     """
     if isinstance(e, MatrixBase):
         return tuple(map(tree, e))
@@ -71,11 +72,11 @@ def stage(e: Basic) -> Stage:
     found = formula(e)
     if isinstance(found, Relation) and found.sign == "==":
         return found
-    raise InputError(f"{e} is no step of a chain")
+    raise InputError(f"{e} cannot be a step of a chain: state an expression or an equation")
 
 
 def sides(e: Basic) -> Iterator[Expr]:
-    """The trees that a formula, a matrix or a number consists of."""
+    """Yield the trees of a formula's sides, a matrix's entries, or a number."""
     if isinstance(e, MatrixBase):
         yield from map(tree, e)
     elif isinstance(e, Expression):
@@ -86,7 +87,7 @@ def sides(e: Basic) -> Iterator[Expr]:
 
 
 def conjuncts(formula: Formula) -> Iterator[Formula]:
-    """What a formula says together, conjunctions taken apart."""
+    """Yield the conjuncts of a formula, flattening nested conjunctions."""
     if isinstance(formula, Conjunction):
         for part in formula.parts:
             yield from conjuncts(part)
@@ -96,27 +97,27 @@ def conjuncts(formula: Formula) -> Iterator[Formula]:
 
 @lru_cache(maxsize=REMEMBERED)
 def conditions(given: tuple[Basic, ...]) -> Conditions:
-    """What is written under "given", as relations.
+    """Return the conditions of a claim (``given``) as relations.
 
     Raises:
-        InputError: an equation, or an equivalence.
+        InputError: a condition is an equation or an equivalence.
     """
     found = []
     for part in (part for e in given for part in conjuncts(formula(e))):
         if not isinstance(part, Relation) or part.sign == "==":
-            raise InputError(f"{part} is not a condition such as a > 0")
+            raise InputError(f"{part} is not an inequality such as a > 0, as a condition must be")
         found.append(part)
     return tuple(found)
 
 
 @lru_cache(maxsize=REMEMBERED)
 def known(given: Conditions) -> Given:
-    """The conditions that are decided under: those without integrals, derivatives and values."""
+    """Return the conditions without integrals, derivatives and substitutions, for the provers."""
     return Given(tuple(c for c in given if elementary(c.left, c.right)))
 
 
 def definitions(claims: Iterable[Claim]) -> Rules:
-    """The equations that the claims say, as replacements of left sides, entry by entry."""
+    """Return the equations that the claims state, as rules from left side to right side."""
     rules: Rules = {}
     for claim in claims:
         if claim.in_formulas:
@@ -127,9 +128,9 @@ def definitions(claims: Iterable[Claim]) -> Rules:
 
 
 def defined(claim: Claim) -> frozenset[str]:
-    """The symbols that are no variables of ``claim``: what it rests on says what they are.
+    """Return the symbols of ``claim`` that are defined by it or by a claim it depends on.
 
-    An equation for an integral may define any symbol in it.
+    An equation for an integral may define any symbol in it, so all of them are included.
     """
     claims = (claim, *claim.rests_on)
     roots = (c.proof.symbol.name for c in claims if isinstance(c.proof, Root))
@@ -138,9 +139,9 @@ def defined(claim: Claim) -> frozenset[str]:
 
 
 def dependencies(claims: Iterable[Claim]) -> Behind:
-    """What each symbol that the claims define depends on, directly or by way of others.
+    """Return, for each symbol that the claims define, all symbols it depends on (transitively).
 
-    A symbol of an equation that is assumed for an integral depends on all others in it.
+    In an assumed equation for an integral, each symbol depends on all others.
     """
     found: dict[str, frozenset[str]] = {}
     for claim in claims:
@@ -154,7 +155,7 @@ def dependencies(claims: Iterable[Claim]) -> Behind:
 
 
 def _dependencies(claim: Claim) -> Iterator[tuple[Expr, frozenset[str]]]:
-    """What a claim defines, and the symbols by which it does."""
+    """Yield each defined symbol (or integral) of a claim with the symbols of its definition."""
     if isinstance(claim.proof, Root):
         unique = claim.proof.unique.statement
         yield tree(claim.proof.symbol), frozenset(map(str, unique.free_symbols if unique else ()))
@@ -164,9 +165,15 @@ def _dependencies(claim: Claim) -> Iterator[tuple[Expr, frozenset[str]]]:
 
 
 def dependent(written: Iterable[str], replaced: Iterable[str], behind: Behind) -> str | None:
-    """A symbol among those written that is defined by one that is replaced, and keeps its name.
+    """Return a symbol in ``written`` whose definition depends on a replaced symbol, or None.
 
-    To put values into a claim is to put them into all that depends on its variables.
+    Such a symbol makes an instantiation unsound, because it would keep its name although its value
+    changes.
+
+    Args:
+        written: names of the symbols in the formula.
+        replaced: names of the symbols that are replaced.
+        behind: the dependencies of defined symbols, see :func:`dependencies`.
     """
     changed = frozenset(replaced)
     found = (n for n in sorted(written) if not changed.isdisjoint(behind.get(n, ())))
@@ -174,10 +181,10 @@ def dependent(written: Iterable[str], replaced: Iterable[str], behind: Behind) -
 
 
 def put_in(e: Expr, rules: Rules) -> Expr:
-    """Replace left sides by right sides until none is left; what is bound is left alone.
+    """Replace left sides by right sides until nothing changes; bound variables are not touched.
 
     Raises:
-        CircularError: the definitions go round in a circle.
+        CircularError: the definitions are circular.
     """
     names = {str(left.args[0]): right for left, right in rules.items() if left.op == "symbol"}
     whole = {ordered(p): q for p, q in rules.items()} if len(names) < len(rules) else None
@@ -186,20 +193,20 @@ def put_in(e: Expr, rules: Rules) -> Expr:
         if changed == e:
             return e
         e = changed
-    raise CircularError(f"definitions of {sorted(map(str, rules))} never end")
+    raise CircularError(f"the definitions of {sorted(map(str, rules))} are circular")
 
 
 def put_into(given: Conditions, rules: Rules) -> Conditions:
-    """The conditions with definitions put in, each once."""
+    """Return the conditions with the rules substituted, without repetition."""
     changed = (Relation(put_in(c.left, rules), c.sign, put_in(c.right, rules)) for c in given)
     return tuple(dict.fromkeys(changed))
 
 
 def misread(e: Expr, behind: Behind) -> str | None:
-    """The symbol in ``e``, as it was written, that seems to say something else than it does.
+    """Return a symbol in ``e`` that a reader would misunderstand, or None.
 
-    What is defined by x is a number of its own where x is bound, as y = x² is in ``∫ y dx``; a
-    reader would take it for a function.
+    If y is defined as x², then y is a constant in ``∫ y dx``, because the x of the integral is a
+    bound variable; a reader would take y for a function of x.
     """
     if e.op in LEAVES:
         return None

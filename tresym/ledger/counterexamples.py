@@ -1,9 +1,14 @@
 """Search for counterexamples to a claim, and confirm them in ball arithmetic.
 
-The equations a claim uses are put in: each is read as a rule for a symbol, solved for one in which
-it is linear, or, when neither will do, met on a tiny segment across which it changes sign. Balls
-walk over the SymPy expression as it was written, integrals included: nothing is shared with the
-trees and the decision procedures that a violation is to contradict, nor with their making.
+The equations that a claim uses are eliminated first. Each equation either defines a symbol, or is
+solved for a symbol in which it is linear, or (at most one equation) is satisfied numerically: the
+search finds a tiny segment at whose ends the difference of its sides has opposite signs. The
+statement is then evaluated in ball arithmetic at exact points that satisfy the conditions; it is
+violated if the balls of its two sides exclude the relation.
+
+Balls are computed from the SymPy expression as it was written, integrals included
+(`tresym.ledger.ball_evaluation`). The code shares nothing with the expression trees and decision
+procedures whose results it may contradict.
 """
 
 from __future__ import annotations
@@ -47,34 +52,36 @@ from tresym.reals.verdict import Verdict
 Conditions = tuple[Basic, ...]
 Rules = dict[Basic, Basic]
 Place = Mapping[Symbol, Interval]
-"""Exact values, or tiny segments."""
+"""Exact values (intervals of width 0) or tiny segments, by symbol."""
 
 BITS, ROUGH = 128, 64
 POINTS = 40
-"""Exact points tried before a relation is taken to be unviolated."""
+"""Exact points that are tried before the search for a violation gives up."""
 LOOKS = ((BITS, POINTS), (1024, 2))
+"""Pairs of a precision in bits and the number of points tried with it."""
 ENOUGH, TRIED, SHARE = (2, 1), (8, 2), 0.02
-"""The advocate's points: those looked at, those tried (also where an integral or a root makes them
-dear), and the part of a decision's time that more may take."""
+"""Effort of the independent check: points evaluated and points tried (each for cheap relations, and
+for those with an integral or an implicit equation), and the share of the decision's time that
+further points may take."""
 ROOTS = 2
-"""Points on an implicit equation that are looked for."""
+"""Points on an implicit equation that are searched for."""
 SPAN, GRID = fmpq(8), 16
-"""Where a root is looked for along an unbounded coordinate, and in how many steps."""
+"""Length of the interval searched for a root along an unbounded coordinate, and its grid steps."""
 PARAMETERS, CELLS = 2, 256
-"""Points tried, and cells cut, to show an interval without a root."""
+"""Points tried, and subintervals per point, to show that an interval contains no root."""
 LARGE = 400
-"""Parts of the largest expression that symbols are replaced in."""
+"""Size (number of nodes) of the largest expression in which symbols are substituted."""
 COARSE = 32
-"""Bits with which signs on the grid are told."""
+"""Precision in bits for the signs on the grid."""
 FINEST = 3**20
-"""One over this is as finely as a chord is told to cross a segment."""
+"""Denominator to which the points of the bracketing search are rounded."""
 WIDTH = fmpq(1, 2**24)
-"""Width of the segment on which an implicit equation holds somewhere."""
+"""Width of the segment that brackets a root of an implicit equation."""
 
 
 @dataclass(frozen=True)
 class Violation:
-    """The point (its centre, where it is a segment) and a sentence on what happens there."""
+    """A point of violation (the centre, if it is a segment) and a sentence that describes it."""
 
     point: Mapping[str, fmpq]
     why: str
@@ -82,31 +89,36 @@ class Violation:
 
 @dataclass(frozen=True)
 class World:
-    """Where a claim is tried: conditions, symbols that have a meaning, equations met by search."""
+    """The setting of a search: conditions, rules for defined symbols, implicit equations.
+
+    Attributes:
+        conditions: conditions with the rules substituted.
+        rules: pairs of a defined symbol and its meaning.
+        implicit: differences of sides that vanish where the equations hold.
+        large: conditions without substitution, because the result would be too long.
+    """
 
     conditions: Conditions
     rules: tuple[tuple[Symbol, Basic], ...]
     implicit: tuple[Basic, ...]
-    """Differences that vanish where the equations used hold."""
     large: Conditions = ()
-    """Conditions in which the symbols stand as they are: their meanings would be too long."""
 
     def names(self, *sides: Basic) -> frozenset[Symbol]:
-        """The symbols that these hang on, and that are free to take values.
+        """Return the free variables (not the defined symbols) on which ``sides`` depend.
 
         Raises:
-            CircularError: a variable is bound where a symbol stands whose meaning hangs on it.
+            CircularError: a symbol occurs where a variable is bound on which its meaning depends.
         """
         rules = dict(self.rules)
         _need_unbound(sides, rules)
         return _reached(_names(*sides), rules).difference(rules)
 
     def at(self, place: Place) -> At:
-        """A place, where balls are taken."""
+        """Return the point of evaluation that corresponds to ``place``."""
         return At({s: i.ball() for s, i in place.items()}, rules=dict(self.rules))
 
     def values(self, sides: Iterable[Basic], place: Place) -> tuple[Any, ...]:
-        """Balls for these at a place."""
+        """Return a ball for each of ``sides`` at ``place``."""
         here = self.at(place)
         return tuple(value(side, here) for side in sides)
 
@@ -116,7 +128,7 @@ def _names(*sides: Basic) -> frozenset[Symbol]:
 
 
 def _reached(names: Iterable[Symbol], rules: Mapping[Symbol, Basic]) -> frozenset[Symbol]:
-    """These symbols, and all that their meanings hang on."""
+    """Return the symbols ``names`` and all symbols on which their meanings depend."""
     found, waiting = set[Symbol](), [*names]
     while waiting:
         name = waiting.pop()
@@ -127,19 +139,31 @@ def _reached(names: Iterable[Symbol], rules: Mapping[Symbol, Basic]) -> frozense
 
 
 def _need_unbound(sides: Iterable[Basic], rules: Mapping[Symbol, Basic]) -> None:
+    """Require that no symbol occurs where a variable is bound on which its meaning depends."""
     for node in {n for e in sides for n in e.atoms(Integral, Derivative, Subs)}:
         for name in node.free_symbols.intersection(rules):
             if not _reached((name,), rules).isdisjoint(node.variables):
-                raise CircularError(f"a definition reaches {name}, where a variable is bound")
+                raise CircularError(
+                    f"{name} is defined in terms of a variable that is bound where {name} occurs"
+                )
 
 
 @lru_cache(maxsize=4096)
 def violation(says: Basic, given: Conditions, known: tuple[Basic, ...] = ()) -> Violation | None:
-    """A point under ``given`` where all of ``known`` holds and balls violate ``says``, or None.
+    """Return a point where ``given`` and ``known`` hold but ``says`` fails; None if not found.
 
     Args:
-        says: a relation, a `Tuple` of them (one must fail), or an `Equivalent` of two equations.
+        says: a relation, a `Tuple` of relations (one of them must fail), or an `Equivalent` of two
+            equations.
+        given: the conditions of the claim.
         known: relations of the claims that are used.
+
+    Example:
+        >>> from sympy import Symbol
+        >>> from tresym.ledger.claim import equal
+        >>> x = Symbol("x", real=True)
+        >>> violation(equal(x**2, x), (x > 3,)).why[:14]
+        'violated at x '
     """
     for relation, there in _relations(says, known):
         world = _world(given, there)
@@ -156,16 +180,22 @@ def violation(says: Basic, given: Conditions, known: tuple[Basic, ...] = ()) -> 
 def contradiction(
     says: Basic, given: Conditions, known: tuple[Basic, ...] = (), spent: float = 0.0
 ) -> str | None:
-    """As :func:`violation`, but at the advocate's points: what is seen there, in words, or None.
+    """Look for a violation at the points of the independent check; describe it, or return None.
+
+    The points come from `tresym.reals.cross_check`, not from the sampling that the provers and
+    :func:`violation` use.
 
     Args:
-        spent: seconds that the decision took; with more of them, more points are tried.
+        says: the statement, as for :func:`violation`.
+        given: the conditions of the claim.
+        known: relations that are assumed.
+        spent: seconds that the decision took; the longer it took, the more points are tried.
     """
     relations = tuple(_relations(says, known))
     for relation, there in relations:
         world = _world(given, there)
         start, shown = perf_counter(), 0
-        dear = bool(world.implicit) or relation.has(Integral)
+        expensive = bool(world.implicit) or relation.has(Integral)
         with ball_precision(BITS):
             for tried, place in enumerate(_places(world, world.names(*relation.args)), 1):
                 if place is not None:
@@ -174,7 +204,7 @@ def contradiction(
                     if excluded(sides[0] - sides[1], relation.rel_op):
                         seen = " and ".join(map(cross_check.said, sides))
                         return f"{_violated_at(place).why}: the sides are {seen}"
-                enough = shown >= ENOUGH[dear] or tried >= TRIED[dear]
+                enough = shown >= ENOUGH[expensive] or tried >= TRIED[expensive]
                 if enough and perf_counter() - start > SHARE * spent / len(relations):
                     break
     return None
@@ -183,7 +213,10 @@ def contradiction(
 def _relations(
     says: Basic, known: tuple[Basic, ...]
 ) -> Iterator[tuple[Relational, tuple[Basic, ...]]]:
-    """The relations between numbers that ``says`` consists of, each with what is known there."""
+    """Yield the scalar relations of ``says``, each with the relations assumed for it.
+
+    For an equivalence, each side is tested under the assumption of the other.
+    """
     if isinstance(says, Equivalent) and len(says.args) == 2:
         first, second = says.args
         yield from _relations(second, (*known, first))
@@ -198,7 +231,10 @@ def _relations(
 def rootless(
     function: Basic, variable: Symbol, ends: tuple[Basic, Basic], given: Conditions
 ) -> Violation | None:
-    """A point under ``given`` at which balls show ``function`` without root between ``ends``."""
+    """Return a point under ``given`` where ``function`` has no root between ``ends``, or None.
+
+    The interval is cut into cells, and a ball on each cell shows one and the same sign.
+    """
     names = _names(function, *ends) - {variable}
     for place in _points(_world(given, ()), names).first(PARAMETERS):
         with ball_precision(BITS):
@@ -215,9 +251,10 @@ def rootless(
 
 
 def somewhere(given: Conditions, known: tuple[Basic, ...]) -> tuple[Rules, tuple[Place, ...]]:
-    """Where ``given`` and ``known`` may hold: what is put in, and points or tiny segments.
+    """Return the substitution rules of ``known`` and points (or segments) where all may hold.
 
-    What a condition speaks of is put in with derivatives of integrals by their ends carried out.
+    Derivatives in the rules of symbols that occur in ``given`` are carried out where this removes
+    the integral.
     """
     world, rules = _world(given, known), {}
     spoken_of = _names(*given)
@@ -228,7 +265,12 @@ def somewhere(given: Conditions, known: tuple[Basic, ...]) -> tuple[Rules, tuple
 
 
 def excluded(difference: arb, relation: str) -> bool:
-    """Whether a ball shows that ``difference`` does not stand in ``relation`` to zero."""
+    """Return whether the ball ``difference`` shows that ``difference relation 0`` is false.
+
+    Args:
+        difference: a ball that contains left minus right side.
+        relation: one of ``== != > >= < <=``.
+    """
     if not difference.is_finite():
         return False
     return bool(
@@ -244,6 +286,7 @@ def excluded(difference: arb, relation: str) -> bool:
 
 
 def _violated_at(place: Mapping[Symbol, Interval]) -> Violation:
+    """Describe the violation at a place."""
     named = sorted((s.name, (i.low + i.high) / 2, i.low == i.high) for s, i in place.items())
     where = [f"{n} = {fraction_text(v)}" for n, v, exact in named if exact]
     where += [f"a root {n} near {float(v.p) / float(v.q)!r}" for n, v, exact in named if not exact]
@@ -252,18 +295,19 @@ def _violated_at(place: Mapping[Symbol, Interval]) -> Violation:
 
 
 def scalars(equation: Basic) -> list[Basic]:
-    """The entries of an equation of matrices; anything else is its own."""
+    """Return the entries of an equation of matrices; any other relation alone in a list."""
     left, right = equation.args if isinstance(equation, Relational) else (None, None)
     if isinstance(left, MatrixBase) and isinstance(right, MatrixBase):
         return [equal(p, q) for p, q in zip(left, right, strict=True)]
     return [equation]
 
 
-# Where everything that is used holds
+# Points where the conditions and all used equations hold
 
 
 @lru_cache(maxsize=512)
 def _world(given: Conditions, known: tuple[Basic, ...]) -> World:
+    """Turn the equations of ``known`` into rules where possible; keep the others as implicit."""
     relations = [entry for relation in known for entry in scalars(relation)]
     equations = [r for r in relations if isinstance(r, Eq)]
     rules: dict[Symbol, Basic] = {}
@@ -275,22 +319,22 @@ def _world(given: Conditions, known: tuple[Basic, ...]) -> World:
         elif left != right:
             pending.append((left, right))
     _need_unbound(rules.values(), rules)
-    kept = _names(*given)
+    conditioned = _names(*given)
     plain = tuple(c for c in given if not c.has(Integral, Derivative, Subs, Eq))
     implicit = []
     for left, right in pending:
         large = _size((left, right), rules) > LARGE
-        solved = _solved(left - right, kept, rules) if large else None
+        solved = _solved(left - right, conditioned, rules) if large else None
         if solved is None:
             left, right = put_in(left, rules), put_in(right, rules)
             if left == right or _identical(left, right, plain):
                 continue
-            solved = _solved(left - right, kept, rules)
+            solved = _solved(left - right, conditioned, rules)
         if solved is None:
             implicit.append(left - right)
         else:
             rules[solved[0]] = solved[1]
-    # What was left may hold by what was solved for after it.
+    # An equation that could not be solved may have become an identity by the rules found later.
     same = (_identical(put_in(e, rules), Integer(0), plain) for e in implicit)
     implicit = [e for e, holds in zip(implicit, same, strict=True) if not holds]
     asked = dict.fromkeys((*given, *(r for r in relations if not isinstance(r, Eq))))
@@ -302,7 +346,7 @@ def _world(given: Conditions, known: tuple[Basic, ...]) -> World:
 
 
 def _size(sides: Iterable[Basic], rules: Mapping[Symbol, Basic]) -> int:
-    """How many parts these would have, with all that symbols stand for put in."""
+    """Return the number of nodes that ``sides`` would have with all rules substituted."""
     known: dict[Basic, int] = {}
 
     def size(e: Basic) -> int:
@@ -315,45 +359,52 @@ def _size(sides: Iterable[Basic], rules: Mapping[Symbol, Basic]) -> int:
 
 @lru_cache(maxsize=512)
 def _identical(left: Basic, right: Basic, given: Conditions) -> bool:
+    """Return whether the two sides are proved equal under ``given``."""
     one, other = generalised(tree(left), tree(right))
     return decide(one, other, Given.from_sympy(*given)).verdict is Verdict.PROVED
 
 
 def rules_of(claims: Iterable[Claim]) -> Rules:
-    """The equations that claims say, entry by entry, as replacements of their left sides."""
+    """Return the equations stated by the claims, as rules from left side to right side."""
     parts = (p for claim in claims for p in parts_of(claim.says) if isinstance(p, Eq))
     return {e.lhs: e.rhs for part in parts for e in scalars(part) if not e.lhs.is_number}
 
 
 def put_in(expression: Basic, rules: Rules) -> Basic:
-    """Replace left sides by right sides until none is left, in SymPy's own way.
+    """Replace left sides by right sides until nothing changes, using SymPy's ``xreplace``.
 
     Raises:
-        CircularError: a symbol is defined by itself, or by a variable that is bound where it is.
+        CircularError: a symbol is defined in terms of itself, or occurs where a variable is bound
+            on which its definition depends.
     """
     for _ in range(MAX_PASSES):
         for node in expression.atoms(Integral, Derivative, Subs):
             bound = set(node.variables)
             for left, right in rules.items():
-                if node == left:  # it is replaced as it stands, where nothing binds its point
+                if node == left:  # the node itself is replaced as a whole, so nothing is captured
                     continue
                 if bound & (left.free_symbols | right.free_symbols) and node.has(left):
-                    raise CircularError(f"a definition reaches {left}, where a variable is bound")
+                    raise CircularError(
+                        f"{left} is defined in terms of a variable that is bound where it occurs"
+                    )
         replaced = expression.xreplace(rules)
         if replaced == expression:
             return expression
         expression = replaced
-    raise CircularError(f"definitions of {sorted(map(str, rules))} never end")
+    raise CircularError(f"the definitions of {sorted(map(str, rules))} are circular")
 
 
 def _solved(
-    difference: Basic, kept: frozenset[Symbol], rules: Mapping[Symbol, Basic]
+    difference: Basic, conditioned: frozenset[Symbol], rules: Mapping[Symbol, Basic]
 ) -> tuple[Symbol, Basic] | None:
-    """A symbol in which ``difference`` is linear, preferably a free one, and its root."""
+    """Solve ``difference = 0`` for a symbol in which it is linear; None if there is none.
+
+    Symbols that occur in no condition (not in ``conditioned``) are preferred.
+    """
     names = difference.free_symbols
     if difference.has(Integral):
         return None
-    for symbol in sorted(names.difference(rules), key=lambda s: (s in kept, s.name)):
+    for symbol in sorted(names.difference(rules), key=lambda s: (s in conditioned, s.name)):
         slope = difference.diff(symbol)
         alone = symbol not in _reached(names - {symbol}, rules)
         if alone and slope != 0 and symbol not in slope.free_symbols:
@@ -365,7 +416,13 @@ def _solved(
 def _points(
     world: World, names: frozenset[Symbol], enough: int = ROOTS
 ) -> Kept[dict[Symbol, Interval]]:
-    """Points, or tiny segments, on which every condition and equation holds somewhere."""
+    """Return points (or tiny segments that contain one) where all conditions and equations hold.
+
+    Args:
+        world: the setting; with more than one implicit equation no points are found.
+        names: the variables that need values.
+        enough: the number of segments to find on an implicit equation.
+    """
     if len(world.implicit) > 1 or false in world.conditions:
         return Kept(lambda: iter(()))
     symbols, plain, hard = _parts(world, names)
@@ -392,13 +449,16 @@ def _points(
 def _roots(
     world: World, starts: Iterator[dict[Symbol, Interval]], grid: Sequence[int], enough: int
 ) -> Iterator[dict[Symbol, Interval]]:
-    """At most so many segments across the implicit equation."""
+    """Yield at most ``enough`` segments that bracket a root of the implicit equation."""
     segments = (segment for exact in starts for segment in _on_equation(world, exact, grid))
     return islice(segments, enough)
 
 
 def _places(world: World, names: frozenset[Symbol]) -> Iterator[dict[Symbol, Interval] | None]:
-    """As :func:`_points`, from those of the advocate; None where one is not shown to be inside."""
+    """Yield points as `_points` does, but from the independent check's own sampling.
+
+    None stands for a point that is not shown to satisfy all conditions.
+    """
     if len(world.implicit) > 1 or false in world.conditions:
         return
     symbols, plain, hard = _parts(world, names)
@@ -422,7 +482,7 @@ def _places(world: World, names: frozenset[Symbol]) -> Iterator[dict[Symbol, Int
 def _parts(
     world: World, names: frozenset[Symbol]
 ) -> tuple[dict[str, Symbol], list[Basic], list[Basic]]:
-    """All symbols by name, the conditions that are plain, and those that are not."""
+    """Return the symbols by name, and the conditions without and with integrals or derivatives."""
     conditions = world.conditions
     symbols = {s.name: s for s in names | world.names(*world.implicit, *world.large)}
     symbols |= {s.name: s for condition in conditions for s in condition.free_symbols}
@@ -431,7 +491,7 @@ def _parts(
 
 
 def _grids(world: World) -> tuple[Sequence[int], ...]:
-    """An integral is dear: it is first looked at near both ends only."""
+    """Return the grids to search for a root; with an integral, a grid of two points comes first."""
     (difference,) = world.implicit
     rules = dict(world.rules)
     meanings = (rules[s] for s in _reached(difference.free_symbols, rules) if s in rules)
@@ -442,7 +502,7 @@ def _grids(world: World) -> tuple[Sequence[int], ...]:
 def _on_equation(
     world: World, exact: dict[Symbol, Interval], grid: Sequence[int]
 ) -> Iterator[dict[Symbol, Interval]]:
-    """At most one segment across the implicit equation, along one coordinate through a point."""
+    """Yield at most one segment that brackets a root, along one coordinate through a point."""
     (difference,) = world.implicit
     plain = (c for c in world.conditions if not c.has(Integral, Derivative, Subs))
     box = Given.from_sympy(*plain).box
@@ -468,12 +528,13 @@ def _on_equation(
 
 
 def _reach(where: Range) -> tuple[fmpq, fmpq]:
+    """Return the ends of the interval to search; missing ends are replaced by finite ones."""
     low = -SPAN / 2 if where.low is None else where.low
     return low, low + SPAN if where.high is None else where.high
 
 
 def _segment(function: Callable[[fmpq], arb], grid: Sequence[fmpq]) -> Interval | None:
-    """A tiny segment at whose ends ``function`` has opposite signs, between two on ``grid``."""
+    """Return a tiny segment with opposite signs of ``function`` at its ends, or None."""
     with ball_precision(COARSE):
         signed = [(v, s) for v in grid if (s := side(function(v)))]
     changes = [(v, w) for (v, first), (w, second) in pairwise(signed) if first != second]
@@ -481,11 +542,12 @@ def _segment(function: Callable[[fmpq], arb], grid: Sequence[fmpq]) -> Interval 
 
 
 def _narrowed(function: Callable[[fmpq], arb], start: fmpq, end: fmpq) -> Interval | None:
-    """A tiny part of the segment at whose ends the signs are opposite too, by chords."""
+    """Shrink a bracket of a root by the secant method; None if a sign cannot be determined."""
     first, last = function(start), function(end)
     while end - start > WIDTH:
         width, share = end - start, first / (first - last)
-        # Not halved: roots like to lie on halves, where a ball cannot tell the sign.
+        # Bisection would often hit the root itself, where a ball cannot determine the sign;
+        # hence the fraction 5/9 and denominators that are powers of 3.
         parts = round(float(share.mid()) * FINEST) if share.is_finite() else FINEST * 5 // 9
         middle = start + width * fmpq(min(max(parts, 1), FINEST - 1), FINEST)
         half = max(WIDTH * 4 / 9, min(width / 32, width * width))
@@ -506,7 +568,7 @@ def _narrowed(function: Callable[[fmpq], arb], start: fmpq, end: fmpq) -> Interv
 
 
 def _holds(condition: Basic, here: At) -> bool:
-    """Whether balls show an inequality, strictly."""
+    """Return whether balls show the inequality strictly (``>=`` and ``<=`` as ``>`` and ``<``)."""
     difference = value(condition.lhs, here) - value(condition.rhs, here)
     if condition.rel_op == "!=":
         return bool(side(difference))

@@ -1,9 +1,14 @@
 """The table of definitions of the whole paper, checked before any claim is judged.
 
-Each symbol is defined once, or once in each of several cases, by symbols that do not come back to
-it and by a term that exists under the conditions of its definition. Two definitions of one symbol
-together prove anything, and so do two that go round in a circle. What is defined is a constant: it
-is bound nowhere, nor does it stand where what it is defined by is bound.
+The rules are those of conservative definitions in logic:
+
+- A symbol is defined once, or once in each of several mutually exclusive cases. Two definitions of
+  the same symbol could prove anything.
+- Definitions are not circular.
+- The defining term exists under the conditions of the definition.
+- A defined symbol is a constant: it is never a bound variable, and it never occurs where a variable
+  is bound on which its definition depends. If y is defined as x², then ∫ y dx is rejected, because
+  a reader would take y for a function of x.
 """
 
 from __future__ import annotations
@@ -39,32 +44,34 @@ from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
 UNDECIDED = Verdict.UNDECIDED
+CAPTURED = "{} occurs where a variable is bound on which its definition depends"
 INTRODUCING = (*DEFINING, Root)
-"""Evidence that puts symbols on the table."""
+"""Types of evidence that add symbols to the table."""
 
 
 class Entry(NamedTuple):
-    """A line of the table: what is defined, by what, and the claim that says so."""
+    """A row of the table: a symbol, its meaning, and the claim that defines it."""
 
     symbol: Expr
-    """A symbol; or the integral of an equation for what stands under it."""
+    """A symbol; or an integral, if an equation for it determines a symbol in its integrand."""
     meaning: Expr
+    """The defining term; for a root, the function that vanishes at it."""
     claim: Claim
     written: Eq
 
     @property
     def explicit(self) -> bool:
-        """Whether the symbol stands for its meaning; else that is what vanishes at it."""
+        """Whether the symbol can be replaced by its meaning (not so for roots and integrals)."""
         return self.symbol.op == "symbol" and not isinstance(self.claim.proof, Root)
 
     @property
     def names(self) -> frozenset[str]:
-        """The symbols of both sides."""
+        """The names of the symbols on both sides."""
         return symbols(self.symbol) | symbols(self.meaning)
 
 
 def table(claims: Iterable[Claim]) -> tuple[Entry, ...]:
-    """What the claims define, or assume, in order."""
+    """Return the definitions and assumptions among ``claims`` as rows of the table, in order."""
     return tuple(
         Entry(tree(e.lhs), tree(e.rhs), claim, e)
         for claim in claims
@@ -74,9 +81,10 @@ def table(claims: Iterable[Claim]) -> tuple[Entry, ...]:
 
 
 def _equations(claim: Claim) -> Iterator[Eq]:
-    """The equations of a claim, entry by entry, as they are written.
+    """Yield the scalar equations of a claim as written.
 
-    A root is put beside the function that vanishes at it, of a variable that nothing binds.
+    For a root, the equation relates the symbol to the function that vanishes at it, with a fresh
+    variable in place of the bound one.
     """
     if isinstance(claim.proof, Root):
         new, root = claim.proof.symbol, claim.proof.unique.statement
@@ -89,9 +97,10 @@ def _equations(claim: Claim) -> Iterator[Eq]:
 
 
 def restrictions(claims: Iterable[Claim]) -> tuple[Eq, ...]:
-    """The equations for integrals that the claims assume, and that restrict their symbols.
+    """Return the assumed equations for integrals that restrict the values of their symbols.
 
-    One that only gives a symbol of its own its value restricts nothing.
+    An equation whose right side is a symbol that occurs nowhere else only names the integral, so
+    it restricts nothing.
     """
     entries = table(claims)
 
@@ -105,10 +114,11 @@ def restrictions(claims: Iterable[Claim]) -> tuple[Eq, ...]:
 
 
 def judge_definition(claim: Claim, proof: Definition | Root) -> Finding:
-    """A definition holds when its symbols are new, each defined once, by what has a value.
+    """Return DEFINED or ASSUMED if the definition is well-formed, else UNDECIDED with the reason.
 
-    An equation for an integral defines a symbol in it only where it is assumed, by name, that there
-    is one; a point is looked for that satisfies it.
+    Each symbol must be new, defined once, and defined by a term that has a value. An equation for
+    an integral may define a symbol in the integrand only if the existence of a solution is assumed
+    by name; a point that satisfies the equation must then be found.
     """
     why = _ill_defined(claim, proof) if isinstance(proof, Definition) else _no_root(claim, proof)
     if why is not None:
@@ -120,35 +130,39 @@ def judge_definition(claim: Claim, proof: Definition | Root) -> Finding:
 
 
 def _ill_defined(claim: Claim, proof: Definition) -> str | None:
+    """Return why the definition is not well-formed, or None if it is."""
     given, entries = conditions(claim.given), table((claim,))
     if known(given).satisfying_point() is None:
-        return "no exact point is found that satisfies the conditions"
+        return "no exact point was found that satisfies the conditions; check the conditions"
     if not all(isinstance(part, Eq) for part in parts_of(claim.says)):
-        return "a definition consists of equations"
+        return "a definition must consist of equations"
     explicit = {e.symbol: e.meaning for e in entries if e.symbol.op == "symbol"}
     integrals = [e.symbol for e in entries if e.symbol.op == "integral"]
     if not entries or len(explicit) + len(integrals) < len(entries):
-        return "a definition gives each of its symbols one value"
+        return "a definition must give each of its symbols exactly one value"
     try:
         for e in (*explicit.values(), *integrals):
             need_value(e, given)
     except NotShownError as error:
         return str(error)
     if integrals and not proof.assumes:
-        return "that an equation has a solution, and one, is shown or assumed by name"
+        return (
+            "the equation must have exactly one solution: prove this with UniqueRoot, or name the "
+            "assumption in Definition(assumes=...)"
+        )
     if integrals and not satisfiable(claim.given, parts_of(claim.says)):
-        return "no point is found that satisfies the equation"
+        return "no point was found that satisfies the equation"
     return None
 
 
 def _no_root(claim: Claim, proof: Root) -> str | None:
-    """Why the symbol is no name for the one root: another is said to be meant, or it is not new."""
+    """Return why the symbol does not name the unique root, or None if it does."""
     unique = proof.unique.statement
     shown = isinstance(proof.unique.proof, UniqueRoot) and proof.unique.given == claim.given
     if not shown or not isinstance(unique, ExactlyOne) or unique.difference is None:
-        return "that there is one root is not shown, or under other conditions"
+        return "no claim with the same conditions proves that there is exactly one root"
     if claim.says != proof.says:
-        return "what is said is not what the root is"
+        return "the statement must be the equation of the root and the interval that contains it"
     asked = (unique.difference, unique.low, unique.high, *claim.given)
     if any(proof.symbol in e.free_symbols for e in asked):
         return f"{proof.symbol} is not a new symbol"
@@ -157,9 +171,10 @@ def _no_root(claim: Claim, proof: Root) -> str | None:
 
 
 def captured(claim: Claim) -> str | None:
-    """Why the claim does not keep its symbols apart: one is bound, and defined.
+    """Return why a defined symbol is captured by a bound variable, or None if none is.
 
-    Nor may a symbol stand where what it is defined by is bound: it is a number there.
+    A symbol must not be both defined and bound, and it must not occur where a variable is bound on
+    which its definition depends: there it denotes a number, not a function of that variable.
     """
     entries = table((*claim.rests_on, claim))
     written = [e for e in expressions(claim) if isinstance(e, Basic)]
@@ -169,41 +184,49 @@ def captured(claim: Claim) -> str | None:
         bound |= {v.name for node in binders for v in node.variables}
     for entry in entries:
         if entry.symbol.op == "symbol" and symbols(entry.symbol) <= bound:
-            return f"{entry.symbol} is defined by {entry.claim.label}, and bound here"
+            return (
+                f"{entry.symbol} is defined by {entry.claim.label}, so it must not be used as a "
+                "bound variable"
+            )
     behind = _behind(entries)
     roots = [root for e in written for root in e.atoms(Binding)]
     for root in roots:
         for symbol in sorted(root.free_symbols, key=str):
             if root.variable.name in behind.get(symbol.name, ()):
-                return f"{symbol} stands where what it is defined by is bound"
+                return CAPTURED.format(symbol)
     found = next((name for e in written if bound for name in _misread(e, behind)), None)
-    return None if found is None else f"{found} stands where what it is defined by is bound"
+    return None if found is None else CAPTURED.format(found)
 
 
 def confused(claim: Claim) -> str | None:
-    """Why symbols are not what their names say: SymPy assumes more of one than that it is real.
+    """Return why the SymPy assumptions of a symbol are not allowed, or None if they are.
 
-    What it assumes is in no condition, and two symbols of one name are one to all that decides.
+    Symbols are identified by name, and the only assumption that a symbol may carry is that it is
+    real. Any other assumption would be used by SymPy without standing among the conditions.
     """
     known: dict[str, Symbol] = {}
     for one in (*claim.rests_on, claim):
         for symbol in one.symbols:
             if known.setdefault(symbol.name, symbol) != symbol:
-                return f"two symbols of {one.label} are called {symbol}, with other assumptions"
+                return f"{one.label} contains two symbols named {symbol} with different assumptions"
             if symbol not in (Symbol(symbol.name, real=True), Symbol(symbol.name)):
-                return f"what is assumed of {symbol} beside that it is real belongs under given"
+                return (
+                    f"SymPy assumes more about {symbol} than that it is real; state such "
+                    "assumptions as conditions (given)"
+                )
     return None
 
 
 def _misread(e: Basic, behind: Behind) -> Iterator[str]:
+    """Yield the symbols in ``e`` whose definitions depend on a variable that is bound there."""
     try:
         yield from (name for side in sides(e) if (name := misread(side, behind)) is not None)
-    except InputError:  # what is no expression of ours decides nothing
+    except InputError:  # an expression that cannot be converted plays no part in a decision
         return
 
 
 def _behind(entries: Iterable[Entry]) -> Behind:
-    """What each symbol is defined by, or under a condition on, directly or by way of others."""
+    """Return all symbols on which each definition or its conditions depend, also indirectly."""
     found: dict[str, frozenset[str]] = {}
     for entry in entries:
         if entry.symbol.op == "symbol":
@@ -216,7 +239,11 @@ def _behind(entries: Iterable[Entry]) -> Behind:
 
 
 def conflict(claims: Iterable[Claim]) -> str | None:
-    """Why the definitions among ``claims`` are no table: two of one symbol, or a circle."""
+    """Return why the definitions among ``claims`` conflict, or None if they are consistent.
+
+    They conflict if a symbol has two definitions that are not for exclusive cases, or if they are
+    circular.
+    """
     return _conflict(tuple(c for c in claims if isinstance(c.proof, INTRODUCING)))
 
 
@@ -237,7 +264,7 @@ def _conflict(claims: tuple[Claim, ...]) -> str | None:
 
 
 def _where(claim: Claim) -> str:
-    """The claim and its place in the paper."""
+    """Return the label of the claim and its place in the paper."""
     place = claim.where
     if place is None:
         return claim.label
@@ -246,9 +273,10 @@ def _where(claim: Claim) -> str:
 
 
 def _agree(one: Entry, two: Entry, once: tuple[Eq, ...]) -> bool:
-    """Whether two equations for a symbol are for different cases, or one is assumed by name.
+    """Return whether two equations for one symbol are compatible.
 
-    What is assumed must be possible as the other symbols are defined.
+    They are if their conditions exclude each other, or if one of them is an assumption and a point
+    is found that satisfies both, with the other symbols as defined.
     """
     given, others = conditions(one.claim.given), conditions(two.claim.given)
     if _exclude(given, others) or _exclude(others, given):
@@ -258,12 +286,12 @@ def _agree(one: Entry, two: Entry, once: tuple[Eq, ...]) -> bool:
     both, pair = (*one.claim.given, *two.claim.given), (one.written, two.written)
     try:
         return satisfiable(both, (*once, *pair))
-    except CircularError:  # a symbol is bound there: the equations are taken as they stand
+    except CircularError:  # substitution would capture a symbol; leave the definitions out
         return satisfiable(both, pair)
 
 
 def _exclude(given: Conditions, others: Conditions) -> bool:
-    """Whether one of ``others`` is shown to fail wherever ``given`` holds."""
+    """Return whether one of ``others`` is proved to fail wherever ``given`` holds."""
     return any(is_manifest(condition.negated, given) for condition in others)
 
 
@@ -272,9 +300,9 @@ def _assumes(claim: Claim) -> bool:
 
 
 def _circle(meanings: dict[Expr, list[Entry]]) -> str | None:
-    """A symbol that is defined by itself, by way of others."""
+    """Return a sentence on a symbol that is defined in terms of itself, or None."""
     behind = _behind(entry for found in meanings.values() for entry in found)
     for left, found in meanings.items():
         if left.op == "symbol" and symbols(left) <= behind[str(left.args[0])]:
-            return f"{left} is defined by itself in {_where(found[0].claim)}"
+            return f"{left} is defined in terms of itself in {_where(found[0].claim)}"
     return None

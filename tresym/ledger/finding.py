@@ -1,6 +1,7 @@
 """Findings: the result of judging a claim, as a frozen value.
 
-What is shown gets a verdict. What is put in gets the name of that, and is counted apart.
+A statement that is proved or refuted gets a verdict. A definition or an assumption is marked as
+such and counted separately, because nothing is proved about it.
 """
 
 from __future__ import annotations
@@ -17,32 +18,32 @@ from tresym.reals.verdict import Verdict
 
 
 class Premise(Enum):
-    """What a claim is that shows nothing: others may use it. The value is the word printed."""
+    """The status of a claim that is not proved but used by others; the value is what is printed."""
 
     DEFINED = "DEFINED"
-    """A definition: its symbols are new, and what they stand for exists under its conditions."""
+    """A well-formed definition: its symbols are new, and their values exist."""
     ASSUMED = "ASSUMED"
-    """Put in, and named: physics, or the case that is studied."""
+    """A named assumption: a law of physics, or the case that is studied."""
 
     @property
     def holds(self) -> bool:
-        """True: one that is none, or contradicts others, is UNDECIDED."""
+        """Always True; a definition that is not well-formed is UNDECIDED instead."""
         return True
 
 
 Ruling = Verdict | Premise
 RULINGS: tuple[Ruling, ...] = (*Verdict, *Premise)
-"""All that the ledger says of claims, in the order in which it is counted."""
+"""All possible results of judging a claim, in the order in which they are counted."""
 WEAKEST_FIRST: tuple[Ruling, ...] = (
     *(Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED, Verdict.PROVED),
     *(Premise.ASSUMED, Premise.DEFINED),
 )
-"""Claims said together are what the weakest is: what premises alone say is no more than they."""
+"""The order of strength: a conjunction gets the ruling of its weakest part."""
 
 
 @dataclass(frozen=True)
 class StepFinding:
-    """Verdict on one step of a chain, with the reason it is not PROVED when it is not."""
+    """The verdict on one step of a chain; ``why`` is the reason if it is not PROVED."""
 
     verdict: Verdict
     why: str
@@ -51,22 +52,23 @@ class StepFinding:
 
 @dataclass(frozen=True)
 class Finding:
-    """Verdict on a claim, with the evidence that a report shows.
+    """The verdict on a claim, with the details that a report shows.
 
     Attributes:
-        verdict: one of the four, or what kind of premise it is.
-        why: one sentence.
-        value: for a number, the ball in decimal.
-        constant: for an order claim or a bound, the constant found, in decimal.
+        verdict: one of the four verdicts, or the kind of premise.
+        why: the reason, in one sentence.
+        value: for a number, its enclosure in decimal.
+        constant: for an order or a bound, its constant in decimal.
         region: where the constant holds, in words.
-        witness: exact point that refutes the claim (or exhibits it, for a printed number).
+        parameter: for an order, the limit or the path.
+        witness: an exact point that refutes the claim; for a printed number, inputs that give it.
         steps: one finding for each step of a chain, in order.
-        conditions: by label, the conditions of each claim that it uses: of a conjunction those
-            under which its parts hold, else those that were shown.
-        trees: for bounds on boxes, the bisection tree that closes each.
-        seconds: time taken.
-        of: the claim that was judged; None where nobody was asked.
-        stopped: whether it was about to pass, and the advocate contradicted it.
+        conditions: the conditions of the claims used, by label. For a conjunction, its parts hold
+            under these conditions; otherwise, they have been shown.
+        trees: for bounds on boxes, the bisection trees that prove them.
+        seconds: the time taken.
+        stopped: whether the claim was about to pass but the independent check contradicted it.
+        of: the claim that was judged, or None.
     """
 
     verdict: Ruling

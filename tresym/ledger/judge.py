@@ -1,8 +1,13 @@
 """Judge a claim: the only place where verdicts on the ledger's claims are given.
 
-A claim is PROVED when its evidence checks; otherwise it is tried at exact points, and REFUTED
-only when a ball excludes it at one of them. A claim that rests on one that does not hold is
-UNDECIDED, whatever its own evidence.
+The type of the evidence selects a checking function (`_by_kind`). A claim is PROVED if its
+evidence passes every check. Otherwise a counterexample is searched for, and the claim is REFUTED
+only if ball arithmetic shows at an exact point that it is false. A claim that uses another claim
+which does not hold is UNDECIDED, whatever its own evidence.
+
+Before a claim passes, an independent check tries to contradict it at other points
+(`_attacked`, `tresym.reals.cross_check`); if it succeeds, the claim is UNDECIDED and the
+contradiction is reported.
 """
 
 from __future__ import annotations
@@ -106,37 +111,39 @@ Findings = Mapping[str, Finding]
 NEVER_ATTACKED = (
     *(Definition, Root, ImplicitFunction, AllOf, UniqueRoot, Monotone, Asymptotics, Squeezed),
 )
-"""What says nothing that a point could contradict, and conjunctions, whose parts were attacked."""
+"""Evidence whose claims skip the independent check: a single point cannot contradict their
+statements, or (for conjunctions) the parts have been checked already."""
 
 UNDECIDED, PROVED, REFUTED = Verdict.UNDECIDED, Verdict.PROVED, Verdict.REFUTED
 ENCLOSED = Verdict.ENCLOSED
 
 
 def judge(claim: Claim, found: Findings, evidence: Finding | None = None) -> Finding:
-    """The finding on ``claim``, given those on the claims it uses.
+    """Return the finding on ``claim``, given the findings on the claims it uses.
 
     Args:
-        claim: what to judge.
-        found: findings by label, those on all that the claim uses among them.
-        evidence: what :func:`judge_evidence` has found, where it was asked before.
+        claim: the claim to judge.
+        found: findings by label; they must include all claims that ``claim`` uses.
+        evidence: the result of :func:`judge_evidence` if it is known already; None to compute it.
 
     Raises:
-        InputError: there is no finding on a claim that is used.
+        InputError: ``found`` lacks a claim that is used.
     """
     began = time.perf_counter()
     before = evidence.seconds if evidence else 0.0
     finding = _resting_on_sand(claim, found) or evidence or _guarded(claim, found)
     if finding.verdict is PROVED and any(found[u.label].verdict is ENCLOSED for u in claim.uses):
-        # An exact passage from what balls show is no more exact than that.
+        # An exact argument from an enclosed premise gives an enclosed conclusion only.
         finding = replace(finding, verdict=ENCLOSED)
     seconds = before + time.perf_counter() - began
     return replace(finding, seconds=seconds, of=claim, conditions=asked_by(claim))
 
 
 def judge_evidence(claim: Claim) -> Finding | None:
-    """The finding on the claim's own evidence, all it uses taken to hold; needs no other finding.
+    """Return the finding on the claim's own evidence, assuming that the claims it uses hold.
 
-    None for a conjunction, which has no evidence but the findings on its parts.
+    Needs no other findings, so claims can be judged in parallel. None for a conjunction, whose
+    only evidence is the findings on its parts.
     """
     if isinstance(claim.proof, AllOf):
         return None
@@ -145,6 +152,7 @@ def judge_evidence(claim: Claim) -> Finding | None:
 
 
 def _guarded(claim: Claim, found: Findings) -> Finding:
+    """Judge the evidence and cross-check the result; errors in the input give UNDECIDED."""
     start = perf_counter()
     try:
         finding = _judge(claim, found)
@@ -157,7 +165,7 @@ def _guarded(claim: Claim, found: Findings) -> Finding:
 
 
 def _attacked(claim: Claim, finding: Finding, spent: float) -> Finding:
-    """The finding, unless balls contradict the formula at the advocate's points."""
+    """Return the finding, or UNDECIDED if the independent check contradicts the statement."""
     if not finding.verdict.holds or isinstance(claim.proof, NEVER_ATTACKED):
         return finding
     says = claim.statement
@@ -177,10 +185,11 @@ def _attacked(claim: Claim, finding: Finding, spent: float) -> Finding:
 
 
 def _worlds(claim: Claim, says: Basic) -> tuple[tuple[Basic, ...], ...]:
-    """What is taken to hold where a claim is attacked: what it uses may be what is wrong.
+    """Return the sets of equations that the independent check assumes, one attempt for each.
 
-    Of symbols that nothing defines, nothing is taken to hold but the conditions; of others what is
-    used, and again the definitions behind it alone.
+    If no symbol of the statement is defined anywhere, only the conditions are assumed. Otherwise
+    the claims used are assumed first, and then only the definitions behind them, because a used
+    claim may itself be wrong.
     """
     spoken_of = {str(s) for e in (says, *claim.given) for s in e.free_symbols}
     if all(spoken_of.isdisjoint(entry.names) for entry in table(claim.rests_on)):
@@ -189,9 +198,10 @@ def _worlds(claim: Claim, says: Basic) -> tuple[tuple[Basic, ...], ...]:
 
 
 def _can_be_evaluated(says: Basic, claim: Claim) -> bool:
-    """Whether every symbol may take all values that the conditions allow.
+    """Return whether every symbol may take all values that the conditions allow.
 
-    In what boxes enclose, symbols may stand for what is defined nowhere, as higher orders are.
+    In claims shown on boxes, a symbol may stand for a quantity without a definition, such as a
+    term of higher order; such a claim can only be checked if its conditions name the symbol.
     """
     known = frozenset().union(*(condition.free_symbols for condition in claim.given))
     attacked = isinstance(claim.proof, tuple | Together | Formally | Instance)
@@ -199,13 +209,14 @@ def _can_be_evaluated(says: Basic, claim: Claim) -> bool:
 
 
 def _resting_on_sand(claim: Claim, found: Findings) -> Finding | None:
-    """UNDECIDED when what is used is no ground: definitions that conflict, a claim that fails.
+    """Return UNDECIDED if the definitions conflict or a used claim does not hold, else None.
 
-    A conjunction is as strong as its parts are found to be.
+    Conjunctions are exempt from the second test: `_judge_all` gives them the verdict of their
+    weakest part.
     """
     for used in claim.uses:
         if used.label not in found:
-            raise InputError(f"{claim.label} uses {used.label}, on which no finding is given")
+            raise InputError(f"{claim.label} uses {used.label}, which has not been judged yet")
         if found[used.label].of not in (None, used):
             return Finding(UNDECIDED, f"another claim labelled {used.label} was judged")
     try:
@@ -219,24 +230,28 @@ def _resting_on_sand(claim: Claim, found: Findings) -> Finding | None:
     for used in claim.uses:
         if not found[used.label].verdict.holds:
             verdict = found[used.label].verdict.value
-            return Finding(UNDECIDED, f"rests on {used.label}, which is {verdict}")
+            return Finding(UNDECIDED, f"depends on {used.label}, which is {verdict}")
     return None
 
 
 def _judge(claim: Claim, found: Findings) -> Finding:
-    """The finding by the kind of evidence; where what that asks for is not shown, UNDECIDED."""
+    """Return the finding on the evidence; UNDECIDED if a side condition could not be shown."""
     try:
         why = unfit(claim)
         need(why is None, f"{why}")
         finding = _judge_with_facts(claim, found) if claim.knowing else _by_kind(claim, found)
         slope = isinstance(claim.says, Basic) and isinstance(claim.means, Eq)
-        need(not (slope and finding.verdict.holds), "that a slope is right shows no order")
+        need(
+            not (slope and finding.verdict.holds),
+            "the formula only confirms a derivative, which does not prove the stated order",
+        )
         return finding
     except NotShownError as error:
         return Finding(UNDECIDED, str(error), steps=error.steps)
 
 
 def _by_kind(claim: Claim, found: Findings) -> Finding:
+    """Call the checking function for the claim's type of evidence."""
     match claim.proof:
         case Definition() | Root():
             return judge_definition(claim, claim.proof)
@@ -265,7 +280,9 @@ def _by_kind(claim: Claim, found: Findings) -> Finding:
             return judge_evaluated(claim, claim.proof)
         case Asymptotics():
             shown = failing_order(claim)
-            return shown or Finding(UNDECIDED, "no expansion shows that the order fails")
+            return shown or Finding(
+                UNDECIDED, "no asymptotic expansion was found that contradicts the order"
+            )
         case Squeezed():
             return _unless(partial(failing_order, claim), judge_squeezed, claim, claim.proof)
         case Boxes():
@@ -273,13 +290,15 @@ def _by_kind(claim: Claim, found: Findings) -> Finding:
         case Denied():
             return claim.proof.judge()
         case _:
-            raise NotShownError("that is no kind of evidence")
+            raise NotShownError(
+                f"{type(claim.proof).__name__} is not a supported type of evidence for this claim"
+            )
 
 
 def _unless(
     other: Callable[[], Finding | None], judged: Callable[..., Finding], *asked: Any
 ) -> Finding:
-    """What is found; where something is not shown, the ``other`` finding, if there is one."""
+    """Return ``judged(*asked)``; if it fails to show something, the result of ``other``."""
     try:
         return judged(*asked)
     except NotShownError:
@@ -290,16 +309,16 @@ def _unless(
 
 
 def _need_all(steps: tuple[StepFinding, ...]) -> None:
-    """That every step is PROVED, and that there is one."""
+    """Require that there is at least one step and that every step is PROVED."""
     why = next((s.why for s in steps if s.verdict is not PROVED), None)
     need(why is None, f"{why}", steps)
     need(bool(steps), "there is nothing to prove")
 
 
 def _judge_with_facts(claim: Claim, found: Findings) -> Finding:
-    """The finding by the claim's local facts, in the order in which each is shown.
+    """Prove the claim's local facts in order, then judge the claim with their help.
 
-    Where one is not, what is said may still be false.
+    If a fact cannot be shown, the claim is still judged without the facts: it may be false.
     """
     steps: tuple[StepFinding, ...] = ()
     facts = facts_of(claim)
@@ -308,16 +327,18 @@ def _judge_with_facts(claim: Claim, found: Findings) -> Finding:
         steps += shown.steps
         if shown.verdict is not PROVED:
             alone = _judge(replace(claim, knowing=()), found)
-            why = f"the fact {fact.says} is not shown: {shown.why}"
+            why = f"the local fact {fact.says} could not be shown: {shown.why}"
             return alone if alone.verdict is REFUTED else Finding(UNDECIDED, why, steps=steps)
     finding = _judge(by_facts(claim, facts), found)
     return replace(finding, steps=steps + finding.steps)
 
 
 def _judge_chains(claim: Claim, parts: tuple[tuple[Basic, Chain], ...] | None) -> Finding:
-    """PROVED when every step of every chain is; otherwise tried at exact points."""
+    """Return PROVED if every step of every chain is; otherwise search for a counterexample."""
     if parts is None:
-        raise NotShownError("the statement has another number of parts than the proof")
+        raise NotShownError(
+            "the proof must have one chain for each part of the statement, but their numbers differ"
+        )
     _need_possible(claim)
     given = conditions(claim.given)
     steps = tuple(s for says, chain in parts for s in check_chain(formula(says), chain, given))
@@ -333,11 +354,16 @@ def _judge_chains(claim: Claim, parts: tuple[tuple[Basic, Chain], ...] | None) -
 
 
 def _need_possible(claim: Claim) -> None:
-    need(_possible(claim), "no exact point is found that satisfies the conditions")
+    """Require a point that satisfies the conditions: nothing is proved from impossible ones."""
+    need(
+        _possible(claim),
+        "no exact point was found that satisfies the conditions, so nothing is proved; "
+        "check the conditions",
+    )
 
 
 def _possible(claim: Claim) -> bool:
-    """Whether an exact point satisfies the conditions, as the symbols in them are defined."""
+    """Return whether a point satisfies the conditions, with the definitions substituted."""
     given = conditions(claim.given)
     if not all(elementary(c.left, c.right) for c in given):
         return False
@@ -352,7 +378,11 @@ def _possible(claim: Claim) -> bool:
 
 
 def refute(says: Basic, claim: Claim) -> Finding | None:
-    """REFUTED with a point at which balls violate ``says`` and all that is used holds, or None."""
+    """Return REFUTED with a point that violates ``says``, or None if no such point is found.
+
+    The point satisfies the conditions of ``claim`` and the equations of the claims it uses; ball
+    arithmetic proves that ``says`` fails there.
+    """
     try:
         for known in dict.fromkeys((_known(claim), _behind(claim))):
             found = violation(says, claim.given, known)
@@ -364,21 +394,22 @@ def refute(says: Basic, claim: Claim) -> Finding | None:
 
 
 def seen_false(claim: Claim) -> Finding:
-    """The finding on a claim without its evidence: REFUTED where a point shows it, else open."""
+    """Return REFUTED if a counterexample is found without using the evidence, else UNDECIDED."""
     found = denied_somewhere(claim) if isinstance(claim.proof, Charted) else _refuted(claim)
-    return found or Finding(UNDECIDED, "nothing shows it, and nothing shows it to be false")
+    return found or Finding(UNDECIDED, "neither a proof nor a counterexample was found")
 
 
 def _refuted(claim: Claim) -> Finding | None:
-    """The first part of the statement that is refuted, or None."""
+    """Return REFUTED for the first part of the statement with a counterexample, or None."""
     found = (refute(says, claim) for says in claim.parts)
     return next((finding for finding in found if finding is not None), None)
 
 
 def _behind(claim: Claim) -> tuple[Basic, ...]:
-    """The definitions behind all that is used: where they hold, so does what follows from them.
+    """Return the equations and conditions of all definitions that the claim depends on.
 
-    What is used, where that is definitions, or where two of them define one symbol.
+    If the claim uses definitions only, or if two different claims have the same label, this is the
+    same as `_known`.
     """
     defining = Definition | Root | ImplicitFunction
     if all(isinstance(c.proof, defining) for c in claim.uses):
@@ -392,10 +423,11 @@ def _behind(claim: Claim) -> tuple[Basic, ...]:
 
 
 def _known(claim: Claim) -> tuple[Basic, ...]:
-    """What the claims that are used say of what is defined, and under which conditions.
+    """Return the statements and conditions of the used claims that concern defined symbols.
 
-    Where no definition stands behind a claim it restricts nothing: it holds wherever its conditions
-    do, and whether they do is what a user of it may have got wrong.
+    A used claim without any definition behind it is left out: it holds for all values that satisfy
+    its conditions, so it restricts nothing, and whether its conditions hold is just what may be
+    wrong.
     """
     known: dict[Basic, None] = {}
     for used in claim.uses:
@@ -406,7 +438,7 @@ def _known(claim: Claim) -> tuple[Basic, ...]:
 
 
 def _judge_all(claims: tuple[Claim, ...], found: Findings) -> Finding:
-    """A conjunction: as strong as its weakest part; one refuted part refutes it."""
+    """Judge a conjunction: the verdict of its weakest part; a refuted part refutes it."""
     if not claims:
         return Finding(UNDECIDED, "there is nothing to prove")
     for claim in claims:
@@ -421,10 +453,13 @@ def _judge_all(claims: tuple[Claim, ...], found: Findings) -> Finding:
 
 
 def _judge_unique_root(claim: Claim, proof: UniqueRoot) -> Finding:
-    """PROVED by its evidence, or REFUTED where balls show that there is no root at all."""
+    """Return PROVED if there is exactly one root, REFUTED if balls exclude any root."""
     root = claim.statement
     if not isinstance(root, ExactlyOne) or root.difference is None:
-        raise NotShownError("the statement is not that an equation has exactly one root")
+        raise NotShownError(
+            "this evidence proves that an equation has exactly one root, but the claim states "
+            "something else"
+        )
     _need_bound(claim, root)
     stated = root.variable, root.difference, root.low, root.high
     try:
@@ -437,21 +472,24 @@ def _judge_unique_root(claim: Claim, proof: UniqueRoot) -> Finding:
 
 
 def _need_bound(claim: Claim, says: ExactlyOne | AtMostOne) -> None:
-    """That the variable of a statement on roots is a name of its own, and something is given."""
+    """Require that the ends do not depend on the bound variable and the conditions are possible."""
     x = says.variable
     free = x not in says.low.free_symbols | says.high.free_symbols
-    need(free, f"{x} is bound, and the ends depend on it")
+    need(free, f"the ends of the interval must not depend on the bound variable {x}")
     _need_possible(claim)
 
 
 def _one_root(proof: UniqueRoot, stated: tuple[Basic, ...], given: Conditions) -> Finding:
-    """Continuity, a derivative of one sign inside, and opposite signs at the ends."""
+    """Prove existence and uniqueness: continuity, opposite signs at the ends, a monotone function.
+
+    ``stated`` is the variable, the function (difference of the sides) and the two ends.
+    """
     v, h, low, high = map(tree, stated)
     name = str(v)
-    # The root is looked for in the whole interval, whatever is assumed of the symbol.
+    # The root may lie anywhere in the interval, so conditions on the variable must not be used.
     given = without(name, given)
     gap = continuous_on(h, (*given, Relation(v, ">=", low), Relation(v, "<=", high)))
-    need(gap is None, f"nothing shows that {gap} stays off its singularity")
+    need(gap is None, f"could not show that {gap} stays away from its singularity")
     inside = (*given, Relation(v, ">", low), Relation(v, "<", high))
     start = derivative(h, name)
     steps, slope = _chain_to_sign(start, proof.derivative, inside)
@@ -461,17 +499,23 @@ def _one_root(proof: UniqueRoot, stated: tuple[Basic, ...], given: Conditions) -
         steps += found
         signs.append(sign)
     _need_all(steps)
-    why = f"signs found: derivative {slope}, ends {signs[0]} and {signs[1]}"
+    why = (
+        "exactly one root needs a derivative of one sign and opposite signs at the ends, but the "
+        f"signs found are: derivative {slope}, ends {signs[0]} and {signs[1]}"
+    )
     need(slope in ("+", "-") and sorted(map(str, signs)) == ["+", "-"], why, steps)
-    why = "opposite signs at the ends, derivative of one sign"
+    why = "the signs at the ends are opposite and the derivative has one sign"
     return Finding(PROVED, why, steps=steps)
 
 
 def _judge_at_most_one(claim: Claim, proof: Monotone) -> Finding:
-    """PROVED where the left side less the right one is smooth, and rises, between the ends."""
+    """Return PROVED if left minus right side is smooth and increasing between the ends."""
     says = claim.statement
     if not isinstance(says, AtMostOne) or says.difference is None:
-        raise NotShownError("the evidence is for an equation with one root at most")
+        raise NotShownError(
+            "this evidence proves that an equation has at most one root, but the claim states "
+            "something else"
+        )
     _need_bound(claim, says)
     v, low, high, difference = map(tree, (*says.args[:3], says.difference))
     name = says.variable.name
@@ -481,78 +525,96 @@ def _judge_at_most_one(claim: Claim, proof: Monotone) -> Finding:
     rising = Relation(differentiate(difference, name), ">", ZERO)
     steps = check_chain(rising, proof.slope, inside)
     _need_all(steps)
-    return Finding(PROVED, "the difference of the sides rises throughout", steps=steps)
+    return Finding(PROVED, "left side minus right side is increasing on the interval", steps=steps)
 
 
 def without(name: str, given: Conditions) -> Conditions:
-    """The conditions that do not speak of a symbol."""
+    """Return the conditions in which the symbol ``name`` does not occur."""
     return tuple(c for c in given if name not in symbols(c.left) | symbols(c.right))
 
 
 def _chain_to_sign(
     start: Expr, chain: Chain, given: Conditions
 ) -> tuple[tuple[StepFinding, ...], str | None]:
-    """A chain from ``start`` to a form of manifest sign, and that sign."""
+    """Check a chain that starts at ``start``; return its steps and the sign of its last form."""
     if not chain or chain[-1].expression is None:
-        return (StepFinding(UNDECIDED, "the chain ends at no expression"),), None
+        why = "the last step of the chain must state an expression whose sign can be proved"
+        return (StepFinding(UNDECIDED, why),), None
     last = tree(chain[-1].expression)
     steps = check_chain(Relation(start, "==", last), chain, given)
     return steps, manifest_sign(last, given)
 
 
 def _judge_instance(claim: Claim, proof: Instance) -> Finding:
-    """PROVED when the values are of variables, and every condition of the claim holds of them."""
+    """Return PROVED if the statement is an instance of an earlier claim.
+
+    The values must be given to variables (not to defined or bound symbols), and they must satisfy
+    every condition of the general claim.
+    """
     general = proof.claim
     parts = parts_of(general.says) if isinstance(general.says, Basic) else ()
     written = (*parts, *general.given)
     plain = (
         bool(parts) and general.means is None and all(isinstance(e, Relational) for e in written)
     )
-    need(plain, f"{general.label} is no formula of relations, of which there are instances")
+    need(plain, f"{general.label} has no instances, because it does not consist of relations")
     variables = all(isinstance(x, Symbol) for x, _ in proof.values)
-    need(variables, "values are given to variables, and to nothing else")
+    need(variables, "an instance may only replace variables, not expressions")
     bound = any(e.atoms(Integral, Derivative, Subs, Binding) for e in written)
     bound = bound or any(x.name in defined(general) for x, _ in proof.values)
-    need(not bound, "the values are of symbols that are bound, or defined")
+    need(not bound, "an instance must not replace a symbol that is bound or defined")
     _need_independent(general, written, {x.name for x, _ in proof.values})
-    need(claim.says == proof.says, "what is said is no instance of the claim")
+    need(
+        claim.says == proof.says,
+        f"the statement is not {general.label} with these values substituted",
+    )
     _need_possible(claim)
     given = with_bounds(conditions(claim.given), (citing(*proof.cited),))
     for condition in conditions(tuple(map(proof.put, general.given))):
         met = condition in given or is_manifest(condition, given)
-        need(met, f"{condition} is not shown, but the instance needs it")
+        need(met, f"the instance needs {condition}, which could not be shown")
     says = relations(formula(claim.says))
     _need_values([side for part in says for side in (part.left, part.right)], given)
     return Finding(PROVED, f"it is an instance of {general.label}")
 
 
 def _need_independent(claim: Claim, written: Iterable[Basic], names: Iterable[str]) -> None:
-    """That no symbol in what is written is defined by those that are replaced, or vary."""
+    """Require that no symbol in ``written`` is defined in terms of the symbols ``names``.
+
+    If y is defined as x², then replacing x alone would leave y unchanged and prove a falsehood.
+    """
     spoken_of = {s.name for e in written for s in e.free_symbols if isinstance(s, Symbol)}
     name = dependent(spoken_of, names, dependencies((*claim.rests_on, claim)))
-    need(name is None, f"{name} is defined by what is replaced, and would keep its name")
+    need(
+        name is None,
+        f"{name} is defined in terms of a symbol that is replaced, but would stay unchanged",
+    )
 
 
 def _need_values(sides: Sequence[Expr], given: Conditions) -> None:
-    """That all in the sides exists."""
+    """Require that both sides are defined, integrals included."""
     for side in sides:
         gap = undefined(side, given)
-        need(gap is None, f"nothing shows that {gap} allows its operation")
+        need(gap is None, f"could not show that {gap} lies in the domain of its operation")
     need_integrals(sides, given)
 
 
 def _judge_implicit_function(claim: Claim, proof: ImplicitFunction) -> Finding:
-    """PROVED when the claim says the slope of the implicit function, and the theorem applies."""
+    """Return PROVED if the implicit function theorem applies and gives the stated derivative."""
+    needs_equations = "implicit differentiation needs an equation and states an equation"
     if not (isinstance(proof.equation.decided, Eq) and isinstance(claim.says, Eq)):
-        raise NotShownError("an equation is differentiated")
+        raise NotShownError(needs_equations)
     equation, says = formula(proof.equation.decided), formula(claim.says)
     if not isinstance(equation, Relation) or not isinstance(says, Relation):
-        raise NotShownError("an equation is differentiated")
-    need(equation.sign == says.sign == "==", "an equation is differentiated, and is its slope")
+        raise NotShownError(needs_equations)
+    need(equation.sign == says.sign == "==", needs_equations)
     u, p, at = proof.unknown.name, proof.parameter.name, tree(proof.at)
     left, right = equation.left, equation.right
     fixed = u != p and not {u, p} & (symbols(right) | symbols(at))
-    need(fixed, "the right side depends on what varies")
+    need(
+        fixed,
+        "the right side of the equation must not depend on the unknown or on the parameter",
+    )
     new = says.left.op == "symbol" and says.left not in definitions(claim.rests_on)
     need(new and not symbols(says.left) & symbols(left), f"{says.left} is not a new symbol")
     outside = without(p, conditions(claim.given))
@@ -560,27 +622,28 @@ def _judge_implicit_function(claim: Claim, proof: ImplicitFunction) -> Finding:
     by_unknown = derivative(there, u)
     slope = -derivative(left, p, at) / by_unknown
     if not under_binder(says.right, slope, outside):
-        other = Finding(UNDECIDED, "that is not the slope of the implicit function")
+        why = "the stated derivative differs from the derivative of the implicit function"
+        other = Finding(UNDECIDED, why)
         return _refuted_slope(claim, proof) or other
     _need_possible(claim)
     place = tree(proof.parameter)
     near = (*outside, Relation(place, ">=", at), Relation(place, "<=", at))
     unmet = unmet_condition(proof.equation, {}, near)
-    need(unmet is None, f"{unmet} is not shown, but the equation needs it")
+    need(unmet is None, f"the equation holds only under {unmet}, which could not be shown")
     need_smooth(left, near)
     steps, sign = _chain_to_sign(by_unknown, proof.slope, outside)
     _need_all(steps)
     manifest = sign in ("+", "-")
-    need(manifest, "the sign of the derivative by the unknown is not manifest", steps)
+    need(manifest, f"could not show the sign of the derivative with respect to {u}", steps)
     written = tuple(c for c in claim.given if proof.parameter not in c.free_symbols)
     on_curve = (proof.equation.decided.xreplace({proof.parameter: proof.at}),)
-    need(satisfiable(written, on_curve), "no point is found that satisfies the equation", steps)
-    why = f"the equation is smooth and its derivative by {u} is not zero"
+    need(satisfiable(written, on_curve), "no point was found that satisfies the equation", steps)
+    why = f"the equation is smooth and its derivative with respect to {u} is not zero"
     return Finding(PROVED, why, steps=steps)
 
 
 def _refuted_slope(claim: Claim, proof: ImplicitFunction) -> Finding | None:
-    """REFUTED with a point of the equation at which what is said is not the slope, or None."""
+    """Return REFUTED with a point of the curve where the stated derivative is wrong, or None."""
     says, equation = claim.says, proof.equation.decided
     assert isinstance(says, Basic)
     assert isinstance(equation, Basic)
@@ -593,20 +656,22 @@ def _refuted_slope(claim: Claim, proof: ImplicitFunction) -> Finding | None:
 
 
 def _judge_relations(claim: Claim) -> Finding:
-    """All relations of the statement hold, or the first that does not decides.
+    """Judge the relations one by one; the first that is not PROVED determines the finding.
 
-    That there is a point is refuted by what holds at none.
+    A statement "for some values, φ" is refuted by proving the negation of φ for all values.
     """
     says = claim.statement
     if isinstance(says, ForSome):
         (some,) = says.args
         never = some.negated if isinstance(some, Relational) else None
-        need(isinstance(never, Relational), "nothing shows that it holds nowhere")
+        need(isinstance(never, Relational), "could not show that the relation holds at no point")
         _without_chain(never, claim)
         where = known(conditions(claim.given)).satisfying_point()
-        return Finding(REFUTED, f"{never} everywhere, as at the witness", witness=where)
+        return Finding(
+            REFUTED, f"{never} holds for all values, for example at the witness", witness=where
+        )
     relations = [entry for part in claim.parts for entry in scalars(part)]
-    need(bool(relations), "there is no relation to decide")
+    need(bool(relations), "the statement contains no relation that could be decided")
     for relation in relations:
         need(isinstance(relation, Relational), f"{relation} is not a relation")
         refuted = partial(refute, relation, claim)
@@ -617,7 +682,7 @@ def _judge_relations(claim: Claim) -> Finding:
 
 
 def _without_chain(written: Relational, claim: Claim) -> Finding:
-    """PROVED by normal form or by a manifest sign."""
+    """Prove one relation: an equation by normal forms, an inequality by the sign prover."""
     _need_possible(claim)
     relation, given = formula(written), conditions(claim.given)
     if not isinstance(relation, Relation):
@@ -632,7 +697,11 @@ def _without_chain(written: Relational, claim: Claim) -> Finding:
         shown, why = decision.verdict is PROVED, decision.why
     else:
         shown = is_manifest(Relation(left, relation.sign, right), plain)
-        why = "the sign of the difference of the two sides is " + ("proven" if shown else "open")
+        why = (
+            "the sign of the difference of the two sides is proven"
+            if shown
+            else "could not determine the sign of the difference of the two sides"
+        )
     need(shown, why)
     _need_values((left, right), plain)
     return Finding(PROVED, why)

@@ -10,26 +10,29 @@ T = TypeVar("T")
 
 
 class Kept(Generic[T]):
-    """What an iterator gives, as often as it is asked for, made once and no further than asked."""
+    """The items of an iterator, cached: each is computed once, and only when it is needed."""
 
     def __init__(self, make: Callable[[], Iterator[T]]) -> None:
-        """``make`` starts the iterator, which always gives the same; again after an exception."""
+        """Store ``make``, which starts the iterator and is called again after an exception.
+
+        Every call of ``make`` must produce the same items.
+        """
         self._make, self._source = make, make()
         self._kept: list[T] = []
 
     def __iter__(self) -> Iterator[T]:
-        """All of it, from the start."""
+        """Yield all items from the first one."""
         for n in count():
             if n == len(self._kept):
                 try:
                     self._kept.append(next(self._source))
                 except StopIteration:
                     return
-                except BaseException:  # as a time limit: what was cut short has not ended
+                except BaseException:  # such as a time limit: restart after the cached items
                     self._source = islice(self._make(), n, None)
                     raise
             yield self._kept[n]
 
     def first(self, n: int) -> Iterable[T]:
-        """At most ``n`` of it."""
+        """Return an iterator over at most ``n`` items."""
         return islice(self, n)

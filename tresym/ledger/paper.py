@@ -1,6 +1,7 @@
 """The paper whose claims are in the ledger, loaded on demand.
 
-The judge knows no paper; the proofs import the ledger, never the other way round.
+The judge does not depend on a particular paper: the package of proofs imports the ledger, and the
+ledger loads it by name.
 """
 
 from __future__ import annotations
@@ -20,15 +21,15 @@ from tresym.ledger.claim import Claim
 
 QUOTED = re.compile("“([^”]*)”")
 PAPER = "tresym.proofs"
-"""A package with ``claims()`` and ``parts()``, an index of the paper and stored box proofs."""
+"""The package of proofs: it has ``claims()``, ``parts()``, an index of the paper and box proofs."""
 
 
 def all_claims(labels: Iterable[str] = ()) -> tuple[Claim, ...]:
-    """Every claim of the proofs, each after all that it rests on.
+    """Return the claims of the proofs, each after the claims that it depends on.
 
     Args:
-        labels: where they are given, no more files are loaded than those in which they are written
-            and what these rest on; all, where one is written nowhere.
+        labels: if given, only the modules that contain these claims and their dependencies are
+            loaded. If empty, or if a label is not found, all modules are.
     """
     proofs, asked = import_module(PAPER), set(labels)
     found = _each_after_its_own(proofs.claims(proofs.written_in(asked))) if asked else ()
@@ -45,53 +46,53 @@ def _each_after_its_own(claims: Iterable[Claim]) -> tuple[Claim, ...]:
 
 
 def sections() -> tuple[tuple[str, tuple[Claim, ...]], ...]:
-    """The parts of the proofs in the paper's order: a title and the claims stated there."""
+    """Return the parts of the proofs in the paper's order: a title and the claims of each."""
     stated: tuple[tuple[str, tuple[Claim, ...]], ...] = import_module(PAPER).parts()
     return stated
 
 
 class Correction(NamedTuple):
-    """What the paper prints and does not hold, once, wherever it is printed."""
+    """A printed statement that does not hold; listed once, however often it is printed."""
 
     title: str
     quote: str
-    """The paper's own words, short."""
+    """A short quotation from the paper."""
     labels: tuple[str, ...]
-    """The refuted claims that say it; the first leads."""
+    """The refuted claims that state it; the first one is the main one."""
     why: str = ""
-    """Why it does not hold, where the note of the leading claim does not say it."""
+    """Why it does not hold, if the note of the main claim does not say so."""
 
 
 def corrections() -> tuple[Correction, ...]:
-    """What the paper prints and does not hold, the weightiest first."""
+    """Return the printed statements that do not hold, the most important ones first."""
     found: tuple[Correction, ...] = import_module(f"{PAPER}.corrections").CORRECTIONS
     return found
 
 
 def quotes(claims: Iterable[Claim]) -> dict[str, str]:
-    """The paper's words, as these claims and the corrections quote them, by the claim's label."""
+    """Return the passages of the paper that the claims and the corrections quote, by label."""
     own = {claim.label: " ".join(QUOTED.findall(claim.paper_says)) for claim in claims}
     return {c.labels[0]: c.quote for c in corrections()} | {k: v for k, v in own.items() if v}
 
 
 def alike() -> tuple[Symbol, Symbol]:
-    """The two symbols of the paper that are most easily taken for each other."""
+    """Return the two symbols of the paper that are most easily confused."""
     pair: tuple[Symbol, Symbol] = import_module(PAPER).alike()
     return pair
 
 
 def file_of(name: str) -> Path:
-    """A file that lies beside the proofs."""
+    """Return the path of a file in the package of proofs."""
     return Path(str(files(PAPER))) / name
 
 
 @lru_cache(maxsize=1)
 def index() -> dict[str, Any]:
-    """The displays, theorems, tables and figures of the paper, without its text."""
+    """Return the index of the displays, theorems, tables and figures of the paper."""
     found: dict[str, Any] = json.loads(file_of("index.json").read_text(encoding="utf-8"))
     return found
 
 
 def display_lines() -> dict[int | None, int]:
-    """The line of the paper's source on which each display begins."""
+    """Return the line of the paper's source on which each display begins, by display number."""
     return {display["number"]: display["line"] for display in index()["displays"]}

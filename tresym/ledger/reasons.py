@@ -7,34 +7,38 @@ from sympy import Expr
 from tresym.ledger.claim import Claim, Reason
 
 algebra = Reason("algebra")
-"""Rational functions; equal arguments give equal values. Always allowed, named for the reader."""
+"""Rational functions, and equality of function values at equal arguments. Every step may use it;
+it is named only for the reader."""
 roots = Reason("roots", frozenset({"roots"}))
 trigonometry = Reason("trigonometry", frozenset({"trigonometry"}))
 exponentials = Reason("exponentials", frozenset({"exponentials"}))
 inverses = Reason("inverse functions", frozenset({"inverses"}))
 differentiation = Reason("differentiation")
-"""Opens derivatives (`sympy.Derivative`), which are symbols of their own elsewhere."""
+"""Carries out derivatives (`sympy.Derivative`), which otherwise count as variables."""
 evaluating = Reason("evaluating")
-"""Opens values (`sympy.Subs`, see `at`), which are symbols of their own elsewhere."""
+"""Carries out substitutions (`sympy.Subs`, see `at`), which otherwise count as variables."""
 
 
 def substituting(*claims: Claim) -> Reason:
-    """Put in what earlier claims say of single symbols, on both sides."""
+    """Substitute the equations of earlier claims for symbols, on both sides of the step."""
     return Reason("substituting", claims=claims)
 
 
 def citing(*claims: Claim) -> Reason:
-    """Use bounds proved earlier as conditions, where their own conditions are met."""
+    """Use the bounds of earlier claims as conditions, if their own conditions are met."""
     return Reason("citing", claims=claims)
 
 
 def applying(function: str) -> Reason:
-    """Apply a one-to-one function (``exp``, ``sinh``, …) to both sides of an equation."""
+    """Apply an injective function (``"exp"``, ``"sinh"``, …) to both sides of an equation.
+
+    For an inequality, the function must be monotone (``"cos"`` or ``"sin"``).
+    """
     return Reason("applying", function=function)
 
 
 def multiplying(factor: Expr) -> Reason:
-    """Multiply both sides of an equation by a factor that is shown not to vanish."""
+    """Multiply both sides of an equation by a factor that is proved not to be zero."""
     return Reason("multiplying", factor=factor)
 
 
@@ -46,30 +50,36 @@ def adding(term: Expr) -> Reason:
 def changing_variable(new: Expr, *bounds: Claim) -> Reason:
     """Change the variable of an integral to ``new``, an expression in the old variable.
 
-    ``bounds`` are proved inequalities that hold on the interval of integration.
+    Args:
+        new: the new variable as a function of the old one.
+        bounds: proved inequalities that hold on the interval of integration.
     """
     return Reason("changing the variable", expression=new, claims=bounds)
 
 
 def integrating(antiderivative: Expr, *bounds: Claim) -> Reason:
-    """Integrate by an antiderivative: its derivative and its continuity are checked."""
+    """Evaluate an integral by an antiderivative; its derivative and continuity are checked."""
     return Reason("integrating", expression=antiderivative, claims=bounds)
 
 
 def cutting(at: Expr, *bounds: Claim) -> Reason:
-    """Cut an integral at a point of its interval; its integrand must be continuous there."""
+    """Split an integral at a point of its interval; the integrand must be continuous."""
     return Reason("cutting", expression=at, claims=bounds)
 
 
 def collecting(*bounds: Claim) -> Reason:
-    """Write a sum of multiples of integrals over one interval as one integral."""
+    """Combine a linear combination of integrals over one interval into a single integral."""
     return Reason("collecting", claims=bounds)
 
 
 def differentiating_integral(slope: Expr, *bounds: Claim) -> Reason:
-    """Differentiate an integral by a parameter, or by an end of it: Leibniz's rule.
+    """Differentiate an integral with respect to a parameter or to one of its ends (Leibniz's rule).
 
-    ``slope`` is the derivative of the integrand by the parameter, 0 where it has none. That it
-    is, and that the integrand is smooth on the closed interval, is checked.
+    That ``slope`` is correct and that the integrand is smooth on the closed interval is checked.
+
+    Args:
+        slope: the derivative of the integrand with respect to the parameter; 0 if the integrand
+            does not depend on it.
+        bounds: proved inequalities that hold on the interval of integration.
     """
     return Reason("differentiating the integral", expression=slope, claims=bounds)

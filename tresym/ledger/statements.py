@@ -1,7 +1,8 @@
 """Statements for which SymPy has no class, as unevaluated expressions.
 
-A statement is a relation, several in a `Tuple`, an equivalence, or one of these. Its free symbols
-are meant for all their values under the conditions of the claim, but for those that are defined.
+A statement is a relation, a `Tuple` of relations, an equivalence, or an instance of one of the
+classes below. It is meant for all values of its free symbols that satisfy the conditions of the
+claim; symbols with a definition have the value that the definition gives them.
 """
 
 from __future__ import annotations
@@ -15,128 +16,141 @@ from sympy.core.sympify import _sympify
 
 
 class Statement(Basic):
-    """A statement with a head of its own."""
+    """Base class of the statements in this module."""
 
     def __new__(cls, *args: Any) -> Statement:
-        """The head over these arguments, SymPy's or Python's numbers."""
+        """Create the statement, unevaluated; Python numbers become SymPy numbers."""
         made: Statement = Basic.__new__(cls, *map(_sympify, args))
         return made
 
 
 class Binding:
-    """``(x, low, high, φ)``: the name x is bound in φ, and only there; the ends do not count."""
+    """Mixin for nodes ``(x, low, high, φ)`` that bind x in φ, for x in the open interval."""
 
     args: tuple[Any, ...]
 
     @property
     def variables(self) -> tuple[Symbol]:
-        """The name that is bound."""
+        """The bound variable, as a tuple of one."""
         return (self.args[0],)
 
     @property
     def free_symbols(self) -> set[Basic]:
-        """The symbols of which it speaks."""
+        """The free symbols: those of the ends, and those of φ other than x."""
         inner: Basic = self.args[3]
         return self.low.free_symbols | self.high.free_symbols | inner.free_symbols - {self.variable}
 
     @property
     def variable(self) -> Symbol:
-        """What is bound."""
+        """The bound variable x."""
         return self.args[0]
 
     @property
     def low(self) -> Expr:
-        """The end below."""
+        """The lower end of the interval."""
         return self.args[1]
 
     @property
     def high(self) -> Expr:
-        """The end above."""
+        """The upper end of the interval."""
         return self.args[2]
 
     @property
     def difference(self) -> Expr | None:
-        """What vanishes at the one, where φ is an equation."""
+        """Left minus right side of φ; None if φ is not an equation."""
         inner = self.args[3]
         return inner.lhs - inner.rhs if isinstance(inner, Eq) else None
 
 
 class ExactlyOne(Binding, Statement):
-    """``ExactlyOne(x, low, high, φ)``: one x between the ends, and no other, is such that φ."""
+    """``ExactlyOne(x, low, high, φ)``: exactly one x between the ends satisfies φ."""
 
 
 class AtMostOne(Binding, Statement):
-    """``AtMostOne(x, low, high, φ)``: no two x between the ends are such that φ."""
+    """``AtMostOne(x, low, high, φ)``: at most one x between the ends satisfies φ."""
 
 
 class TheRoot(Binding, Expr):
-    """``TheRoot(x, low, high, φ)``, a number: the x of which φ, an equation, is true, where there
-    is one and no other. To have it takes a claim that there is one at most."""
+    """``TheRoot(x, low, high, φ)``: the number x between the ends that solves the equation φ.
+
+    It has a value only if there is exactly one root; a claim must state that there is at most one.
+    """
 
     is_commutative = True
     is_real = True
 
     def __new__(cls, *args: Any) -> TheRoot:
-        """As written."""
+        """Create the root, unevaluated."""
         made: TheRoot = Expr.__new__(cls, *map(_sympify, args))
         return made
 
 
 class Rounds(Statement):
-    """``Rounds(e, "0.1150")``: e lies within half a unit of the last place that is printed.
+    """``Rounds(e, "0.1150")``: e lies within half a unit of the last printed decimal place.
 
-    As a condition on a symbol it is an input as it is printed. What is stated under such conditions
-    is that some inputs that round to those printed give what rounds to what is printed.
+    As a condition on a symbol, it states an input as the paper prints it. A statement under such
+    conditions means: some inputs that round to the printed inputs give a value that rounds to the
+    printed value.
     """
 
     def __new__(cls, term: Any, text: Any, half_units: Any = 1) -> Rounds:
-        """The text as it is printed, digits and all."""
+        """Create the statement.
+
+        Args:
+            term: the number.
+            text: the decimal as printed, with trailing zeros.
+            half_units: the tolerance in half units of the last place: 1, or 2 for a whole unit.
+        """
         text = text if isinstance(text, Str) else Str(text)
         made: Rounds = Basic.__new__(cls, _sympify(term), text, _sympify(half_units))
         return made
 
     @property
     def term(self) -> Expr:
-        """What is printed a number for."""
+        """The expression whose value is printed."""
         return self.args[0]
 
     @property
     def text(self) -> str:
-        """The number as it is printed."""
+        """The decimal as printed."""
         return str(self.args[1])
 
     @property
     def half_units(self) -> int:
-        """Half the width of what is meant, in half units of the last place."""
+        """The tolerance on each side, in half units of the last place."""
         return int(self.args[2])
 
 
 class Under(Statement):
-    """``Under(φ, (condition, …))``: φ wherever the conditions hold; a part of a conjunction."""
+    """``Under(φ, (condition, …))``: φ holds wherever the conditions do; part of a conjunction."""
 
 
 class ForSome(Statement):
-    """``ForSome(φ)``: φ at one point at least under the conditions of the claim."""
+    """``ForSome(φ)``: φ holds for at least one point that satisfies the claim's conditions."""
 
 
 class As(Statement):
-    """``As(φ, e, p, side)``: the order φ as e tends to p: from above (1), below (−1), or both (0).
+    """``As(φ, e, p, side)``: the order φ as e tends to p from above (1), below (−1) or both (0).
 
-    φ is an equation with one O(…) or o(…); it holds uniformly in what else is free under the
+    φ is an equation with one O(…) or o(…). It holds uniformly in all other free symbols, under the
     conditions of the claim.
     """
 
 
 def order(relation: Basic, x: Basic, point: Any = 0, side: int = 1) -> As:
-    """``relation``, an equation with one O(…) or o(…), as ``x`` tends to ``point``.
+    """Return the statement that ``relation`` holds as ``x`` tends to ``point``.
 
-    Several things may tend at once: then both are tuples. Infinity is reached from below.
+    Args:
+        relation: an equation with one O(…) or o(…).
+        x: the expression that tends to ``point``, or a tuple of several.
+        point: the limit, or a tuple of as many limits.
+        side: 1 from above, −1 from below, 0 from both sides.
     """
     return As(relation, x, point, Integer(side))
 
 
 def together_under(parts: Iterable[tuple[Basic, tuple[Basic, ...]]]) -> Tuple:
-    """A conjunction, each of its parts under its own conditions, each part once."""
+    """Return the conjunction of pairs of a statement and its conditions, without repeats."""
     whole: dict[Basic, None] = {}
     for says, given in parts:
         conjoined = isinstance(says, Tuple) and all(isinstance(p, Under) for p in says.args)

@@ -27,20 +27,21 @@ from tresym.reals.verdict import Verdict
 
 JSON_VERSION = 1
 BATCH = 6
-"""Claims that a process takes at once: neighbours, for they share what is remembered."""
+"""Number of consecutive claims per task of a process; neighbours share cached results."""
 
 
-SELDOM = 400_000
-"""New objects after which Python looks for circles; its own 700 cost a tenth of the time."""
+GC_THRESHOLD = 400_000
+"""Number of new objects between runs of Python's garbage collector; the default of 700 would cost a
+tenth of the time."""
 
 
 SHOWN = 40
-"""Claims that a notebook shows of a report."""
+"""Maximal number of claims that a notebook shows of a report."""
 
 
 @dataclass(frozen=True)
 class Row:
-    """A claim, what was found, and whether it was asked for by name (or only rested on).
+    """A claim with its finding; ``requested`` is False if it is only a dependency of others.
 
     Example:
         >>> import tresym
@@ -57,17 +58,17 @@ class Row:
         return in_one_line(f"Row({self.claim.label}: {self.finding.verdict.value}{beside})")
 
     def _repr_html_(self) -> str:
-        """A small table for notebooks."""
+        """Return a small HTML table for notebooks."""
         rows = [("verdict", self.finding.verdict.value), ("why", self.finding.why)]
         return html_table(self.claim.label, rows) + self.claim._repr_html_()
 
     def _repr_latex_(self) -> str:
-        """The claim, which the verdict is on."""
+        """Return LaTeX of the claim."""
         return self.claim._repr_latex_()
 
     @property
     def as_expected(self) -> bool:
-        """True when the verdict is the one the claim must get.
+        """Whether the verdict is the expected one, or stronger (PROVED instead of ENCLOSED).
 
         Example:
             >>> import tresym
@@ -78,7 +79,7 @@ class Row:
 
 
 def _meets(expected: Ruling, verdict: Ruling) -> bool:
-    """A stronger verdict than expected is welcome: PROVED where ENCLOSED would do."""
+    """Return whether the verdict is the expected one, or PROVED where ENCLOSED is expected."""
     return verdict is expected or (expected is Verdict.ENCLOSED and verdict is Verdict.PROVED)
 
 
@@ -100,11 +101,11 @@ class Report:
 
     @property
     def refuted(self) -> dict[str, int]:
-        """How many refuted claims are of each kind.
+        """The number of refuted claims of each kind.
 
-        ``paper``: statements of the paper that do not hold as printed. ``stricter``: readings
-        that are stricter than the paper's words. ``sharpness``: claims of our own that are meant
-        to fail, which show that a bound cannot be improved.
+        ``paper`` counts statements of the paper that do not hold as printed; ``stricter`` counts
+        readings that are stricter than the paper's words; ``sharpness`` counts auxiliary claims
+        that are false on purpose, to show that a bound cannot be improved.
 
         Example:
             >>> import tresym
@@ -125,18 +126,18 @@ class Report:
         return f"{len(self.rows)} claims: {counts}; {outcome}"
 
     def _repr_html_(self) -> str:
-        """The counts, and the claims that were asked for, what is not as expected first."""
+        """Return the counts and the requested claims, unexpected verdicts first."""
         chosen = sorted((row for row in self.rows if row.requested), key=lambda r: r.as_expected)
         rows = [(row.claim.label, row.finding.verdict.value) for row in chosen[:SHOWN]]
         more = [(f"and {len(chosen) - SHOWN} more",)] if len(chosen) > SHOWN else []
         return html_table(self._said, [*rows, *more])
 
     def _repr_latex_(self) -> str:
-        """The counts."""
+        """Return the counts as LaTeX text."""
         return f"$\\text{{{self._said}}}$"
 
     def to_frame(self) -> Any:
-        """The rows as a pandas DataFrame, a line a claim.
+        """Return the rows as a pandas DataFrame, one row per claim.
 
         Raises:
             InputError: pandas is not installed.
@@ -150,7 +151,7 @@ class Report:
         try:
             import pandas
         except ImportError:
-            raise InputError("to_frame: pandas is not installed") from None
+            raise InputError("to_frame needs pandas, which is not installed") from None
         return pandas.DataFrame(
             {
                 "label": row.claim.label,
@@ -165,7 +166,7 @@ class Report:
 
     @property
     def counts(self) -> dict[str, int]:
-        """How many claims got each verdict; all are always present.
+        """The number of claims with each verdict; verdicts that do not occur are counted as 0.
 
         Example:
             >>> import tresym
@@ -177,7 +178,7 @@ class Report:
 
     @property
     def as_expected(self) -> bool:
-        """True when every verdict is the expected one.
+        """Whether every verdict is the expected one.
 
         Example:
             >>> import tresym
@@ -188,7 +189,7 @@ class Report:
 
     @property
     def axioms(self) -> dict[Axiom, tuple[Claim, ...]]:
-        """The theorems that are quoted, each with the claims of the report that rest on it.
+        """The quoted theorems, each with the claims of the report that depend on it.
 
         Example:
             >>> import tresym
@@ -213,16 +214,16 @@ class Report:
 def verify(
     *labels: str | Iterable[str], on_row: Callable[[Row], None] | None = None, workers: int = 1
 ) -> Report:
-    """Judge every claim, or those named by ``labels`` with all that they rest on.
+    """Judge all claims of the ledger, or those with these labels and their dependencies.
 
     Args:
-        labels: labels, or lists of them; none means all.
-        on_row: called with each row as it is found, for progress.
-        workers: processes to look at the evidence in; with 1, this very process.
+        labels: labels, or lists of labels; without any, all claims are judged.
+        on_row: a function that is called with each row as soon as it is known, or None.
+        workers: the number of processes that check evidence; 1 uses the current process.
 
     Raises:
-        InputError: a label that no claim has, claims that no ledger can hold together, or
-            processes that keep dying.
+        InputError: no claim has one of the labels, two claims have the same label or conflicting
+            definitions, or worker processes die repeatedly.
 
     Example:
         >>> import tresym
@@ -232,7 +233,7 @@ def verify(
     asked, workers = _labels(labels), checked_workers(workers)
     found: dict[str, Finding] = {}
     rows = []
-    with collecting_seldom(SELDOM):
+    with collecting_seldom(GC_THRESHOLD):
         claims = paper.all_claims(asked)
         _need_coherent(claims)
         chosen, requested = _choose(claims, asked)
@@ -245,20 +246,21 @@ def verify(
 
 
 def _labels(asked: tuple[Any, ...]) -> tuple[Any, ...]:
-    """The labels asked for, one by one or in lists; InputError for anything else."""
+    """Flatten the labels, given one by one or in lists; InputError for anything else."""
     try:
         found = tuple(x for each in asked for x in ((each,) if isinstance(each, str) else each))
     except TypeError:
         found = asked
     if not all(isinstance(label, str) for label in found):
-        raise InputError("verify: labels are text, such as eq_gamma")
+        raise InputError("verify: labels must be strings, such as 'eq_gamma'")
     return found
 
 
 def _evidence(claims: tuple[Claim, ...], workers: int) -> Iterator[Finding | None]:
-    """What each claim's own evidence comes to, looked at in ``workers`` processes.
+    """Yield the finding on each claim's own evidence, computed in ``workers`` processes.
 
-    They are copies of this one, in which all claims are at hand.
+    The processes are forks of the current one, so they have all claims in memory. With one worker
+    None is yielded for each claim, and `judge` checks the evidence itself.
     """
     batches = [claims[n : n + BATCH] for n in range(0, len(claims), BATCH)]
     if workers == 1 or len(batches) == 1:
@@ -274,20 +276,20 @@ def _evidence(claims: tuple[Claim, ...], workers: int) -> Iterator[Finding | Non
 
 
 def _evidence_of(labels: tuple[str, ...], anew: bool) -> list[Finding | None]:
-    """In a process of its own: the evidence of the claims with these labels."""
+    """Judge the evidence of the claims with these labels; runs in a worker process."""
     known = {claim.label: claim for claim in paper.all_claims(labels)}
     with finding_anew() if anew else nullcontext():
         return [judge_evidence(known[label]) for label in labels]
 
 
 def save_certificates(report: Report) -> int:
-    """Store the box proofs that ``report`` found, for the claims that look for stored ones.
+    """Store the box proofs in ``report`` of those claims that read stored proofs.
 
     Returns:
-        How many claims were written.
+        The number of claims whose proofs were written.
 
     Raises:
-        InputError: the proofs are installed and not a checkout's.
+        InputError: tresym does not run from a checkout of its repository.
     """
     from tresym.ledger.certificates import save
 
@@ -303,17 +305,17 @@ def save_certificates(report: Report) -> int:
 
 
 def _foundations_first(claims: Iterable[Claim]) -> tuple[Claim, ...]:
-    """These claims and all that they use, each after what it rests on.
+    """Return the claims and their dependencies in topological order, dependencies first.
 
     Raises:
-        InputError: a claim that rests on itself.
+        InputError: a claim depends on itself.
     """
     done: dict[int, Claim] = {}
     open_: set[int] = set()
 
     def visit(claim: Claim) -> None:
         if id(claim) in open_:
-            raise InputError(f"the ledger: {claim.label} rests on itself")
+            raise InputError(f"the ledger is circular: {claim.label} depends on itself")
         if id(claim) not in done:
             open_.add(id(claim))
             for used in claim.uses:
@@ -327,10 +329,10 @@ def _foundations_first(claims: Iterable[Claim]) -> tuple[Claim, ...]:
 
 
 def _need_coherent(claims: tuple[Claim, ...]) -> None:
-    """That a ledger can hold these claims: each label and each symbol once, and nothing in circles.
+    """Require that labels are unique, definitions consistent and dependencies not circular.
 
     Raises:
-        InputError: it cannot.
+        InputError: one of these does not hold.
     """
     claims = _foundations_first(claims)
     counted = Counter(claim.label for claim in claims)
@@ -341,7 +343,7 @@ def _need_coherent(claims: tuple[Claim, ...]) -> None:
 
 
 def choose(labels: tuple[str, ...]) -> tuple[Claim, ...]:
-    """The claims named by ``labels`` with all that they rest on, foundations first."""
+    """Return the claims with these labels and their dependencies, dependencies first."""
     return _choose(paper.all_claims(labels), labels)[0]
 
 
@@ -363,7 +365,11 @@ def _choose(
 
 
 def graph(labels: tuple[str, ...] = ()) -> str:
-    """What rests on what, as a Mermaid flow chart."""
+    """Return the dependency graph of the claims as a Mermaid flow chart.
+
+    Args:
+        labels: the claims to show with their dependencies; all if empty.
+    """
     chosen = choose(labels)
     lines = ["flowchart BT"]
     lines += [f'  {_node(claim)}["{claim.label}"]' for claim in chosen]

@@ -1,6 +1,7 @@
 """The names in which the files of ``proofs/`` write claims and evidence.
 
-They take it whole, with the paper's symbols beside it (`tresym.racket.notation`).
+Every module there imports all of these names, and the paper's symbols from
+`tresym.racket.notation`.
 """
 
 # fmt: off

@@ -16,7 +16,9 @@ _DEFINED = re.compile(
 _DROPPED = re.compile(
     r"\\(?:nonumber|notag|displaystyle|ds|textstyle|allowbreak|nobreak|noindent|hfill|hfil|qedhere"
     r"|pause|null|small|footnotesize|scriptsize|normalsize"
-    r"|mathstrut|strut|Biggl|Biggr|middle)(?![a-zA-Z])"
+    r"|mathstrut|strut|Biggl|Biggr|middle|qed|postdisplaypenalty\s*=\s*-?\d+)(?![a-zA-Z])"
+    r"|\\(?:display|page|no|line)break(?![a-zA-Z])\s*(?:\[\d\])?"
+    r"|\\rule\s*(?:\[[^\[\]]*\]\s*)?\{[^{}]*\}\s*\{[^{}]*\}"
     r"|\\(?:hspace|vspace|vphantom|hphantom|phantom|tag|label|cite|footnote|eqref|ref|color|raisebox"
     r"|smash)\*?\s*(?:\[[^\[\]]*\]\s*)?\{[^{}]*\}|\\hskip\s*-?[\d.]+\s*[a-z]{2}|\\hline"
 )
@@ -75,7 +77,7 @@ def prepared(text: str, words: list[str]) -> str:
     text = _ONE_COMMA.sub(r"{\1{,}\2}", text)
     text = _REPEATING.sub(_repeating, text)
     text = _BRACED_ARRAY.sub(r"\\begin{cases} \1 \\end{cases}", text)
-    text = re.sub(r"\\boxed(?![a-zA-Z])", " ", text)
+    text = re.sub(r"\\boxed(?![a-zA-Z])|\\tcboxmath(?![a-zA-Z])(?:\s*\[[^\[\]]*\])?", " ", text)
     text = _without_braces_under(text)
     text = _INTEGER.sub(lambda m: rf"\text{{for }} {m[3]} \in {_set(m[1] or m[2] or '')}", text)
     text = re.sub(r"\\\\\s*\*?\s*(?:\[\s*-?[\d.]+\s*[a-z]{2}\s*\])?", r"\\\\ ", text)

@@ -89,6 +89,11 @@ _AFTER = re.compile(
     rf"{_OTHER_NOUN}(?![\s~]+\x02)",
     re.IGNORECASE,
 )
+_DOMAIN_OF = re.compile(
+    r"\b(?:domain|range|image|graph|codomain|support)[\s~]+of[\s~]+(?:the function[\s~]+)?\Z",
+    re.IGNORECASE,
+)
+"""Before a name of which not itself is a set."""
 _NAMING = re.compile(
     rf"\b(?:denote by|denoted by|write|call|writing|by)[\s~]+{_LIST}[\s~]+"
     rf"(?:for[\s~]+|we denote[\s~]+|denote[\s~]+|the[\s~]+)+{_WORDS}(?:{_ANY}){_OTHER_NOUN}",
@@ -145,6 +150,15 @@ SPEAKERS = (
 """Words, and the letter that is usual for the operator that they name."""
 
 
+_LETTERS = r"[A-Z](?:_\d)?(?:\s*,\s*[A-Z](?:_\d)?)*(?![a-zA-Z^])"
+_CAPITALS = rf"(?:\$\s*{_LETTERS}[^$]{{0,60}}\$(?:[\s~]*(?:,|and|or)[\s~]*)*)+"
+_INTERVALS_AFTER = re.compile(rf"\bintervals?[\s~]+{_CAPITALS}")
+_INTERVALS_BEFORE = re.compile(
+    rf"{_CAPITALS}[\s~]*(?:is|are|be)[\s~]+(?:an?[\s~]+)?"
+    r"(?:(?:open|closed|bounded|compact|nonempty|real|two|nontrivial|finite|any)[\s~]+)*intervals?\b"
+)
+
+
 class Declared(NamedTuple):
     """What words say of the symbols of formulas in the line.
 
@@ -187,6 +201,10 @@ def declared(text: str) -> Iterator[Declared]:
 
     for pattern in (_BEFORE, _AFTER, _NAMING):
         for found in pattern.finditer(marked):
+            if pattern is _AFTER and _DOMAIN_OF.search(
+                marked, max(found.start() - 40, 0), found.start()
+            ):
+                continue
             named = next(k for k in range(len(_NOUNS)) if found[f"n{k}"] is not None)
             yield made(_NOUNS[named][0], found, found[f"n{named}"], pattern is not _AFTER)
     for found in _ADJECTIVE.finditer(marked):
@@ -194,6 +212,13 @@ def declared(text: str) -> Iterator[Declared]:
     for pattern in (_IS_COMPLEX, _HOLOMORPHIC, _COMPLEX_NOUN):
         for found in pattern.finditer(marked):
             yield made(COMPLEX, found)
+
+
+def intervals_in(text: str) -> set[str]:
+    """The capital letters that the words of a text call intervals of real numbers."""
+    found = (m[0] for words in (_INTERVALS_AFTER, _INTERVALS_BEFORE) for m in words.finditer(text))
+    lists = (m[1] for words in found for m in re.finditer(rf"\$\s*({_LETTERS})", words))
+    return {letter for letters in lists for letter in re.findall("[A-Z]", letters)}
 
 
 def of_sentence(sentence: str) -> Iterator[tuple[str, str, bool]]:

@@ -176,5 +176,5 @@ class Scopes:
         if scope.kind in (STATEMENT, EXAMPLE):
             self._statement = added
         elif scope.kind in (LIST, ITEM):
-            why = Restriction("an item of a list before speaks of it")
+            why = Restriction("an item of an earlier list is about it")
             before.restricted |= {n: why for n in added.names() if n not in before.restricted}

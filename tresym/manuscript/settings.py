@@ -60,10 +60,10 @@ class Settings:
 
 
 def settings_for(folder: Path) -> Settings:
-    """The settings that hold in a folder.
+    """Return the settings for a folder, from the nearest settings file upwards.
 
     Raises:
-        InputError: a file of settings that is not understood; one line says why.
+        InputError: the settings file is not understood; the message says why.
     """
     folder = folder.resolve()
     for place in (folder, *folder.parents)[:_MOST]:
@@ -78,11 +78,11 @@ def settings_for(folder: Path) -> Settings:
 
 
 def _table(path: Path, names: Sequence[str]) -> dict[str, Any] | None:
-    """A table of a TOML file, or nothing if it has none."""
+    """Return a table of a TOML file, None if it has no such table."""
     try:
         found: Any = tomllib.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError, RecursionError) as error:
-        if names:  # a pyproject.toml that is wrong is for others to refuse
+        if names:  # other tools report an invalid pyproject.toml
             return None
         said = str(error).splitlines()[0][:100] if str(error) else "it cannot be read"
         raise InputError(f"{path}: {said}") from None
@@ -98,7 +98,9 @@ def _settings(found: dict[str, Any], path: Path) -> Settings:
     for key, value in found.items():
         field = known.get(key)
         if field is None:
-            raise InputError(f"{path}: no setting {key[:60]!a}; there are {', '.join(known)}")
+            raise InputError(
+                f"{path}: unknown setting {key[:60]!a}; the settings are {', '.join(known)}"
+            )
         if field.name in ("files", "ignore_macros", "directives"):
             fits = isinstance(value, list) and all(isinstance(item, str) for item in value)
             wanted = "a list of strings"
@@ -110,21 +112,21 @@ def _settings(found: dict[str, Any], path: Path) -> Settings:
         else:
             fits, wanted = isinstance(value, str), "a string"
         if not fits:
-            raise InputError(f"{path}: the setting {key} is {wanted}")
+            raise InputError(f"{path}: the setting {key} must be {wanted}")
         value = str(value) if field.name == "limit" else value
         values[field.name] = tuple(value) if isinstance(value, list) else value
     for text in values.get("directives", ()):
         orders_of(Note(text, path.name, 0))
         if text.split()[0] not in ("given", "let"):
-            raise InputError(f"{path}: a directive that holds everywhere is given … or let …")
+            raise InputError(f"{path}: only the directives given … and let … can be settings")
     for name in values.get("ignore_macros", ()):
         if not re.fullmatch(r"\\?[A-Za-z@]+", name):
-            raise InputError(f"{path}: {name[:60]!a} is no name of a macro")
+            raise InputError(f"{path}: {name[:60]!a} is not the name of a macro")
     return Settings(**values)
 
 
 def with_settings(events: Sequence[Event], settings: Settings) -> list[Event]:
-    """The manuscript with the notes that hold everywhere, and without the macros left out."""
+    """Return the manuscript with the directives of the settings, and without ignored macros."""
     notes = [Note(text, "settings", 0) for text in settings.directives]
     names = {name.removeprefix("\\") for name in settings.ignore_macros}
     result: list[Event] = [*notes]
@@ -134,13 +136,13 @@ def with_settings(events: Sequence[Event], settings: Settings) -> list[Event]:
         elif names and isinstance(event, Prose):
             event = event._replace(text=_without(event.text, names))
         result.append(event)
-        if isinstance(event, Section):  # where conditions end
+        if isinstance(event, Section):  # conditions end there, so they are repeated
             result += notes
     return result
 
 
 def _without(text: str, names: set[str]) -> str:
-    """The text without some macros and the arguments behind them."""
+    """Return the text without some macros and their arguments."""
     result, at = [], 0
     for match in re.finditer(r"\\([A-Za-z@]+)\*?", text):
         if match.start() < at or match[1] not in names:

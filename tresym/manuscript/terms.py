@@ -9,13 +9,14 @@ from itertools import pairwise
 
 from tresym.reals.decisions.claim_parsing import functions
 from tresym.reals.language.expression import Expr
-from tresym.reals.language.latex_cursor import Author
+from tresym.reals.language.latex_cursor import Author, is_letter
 from tresym.reals.language.latex_grammar import Reader
 from tresym.reals.language.latex_operands import Piece
 from tresym.reals.language.parsing import FACTORIAL
 from tresym.reals.numbers.exact import InputError
 
 _DERIVED = re.compile(r"(?:d|partial)\d?([A-Za-z]\w*?)_(?:d|partial)[A-Za-z]\w*|(\w+?)_prime\d?")
+_COUNTED = frozenset("123456789")
 _UNITS = frozenset(("\\mathrm", "\\text", "\\textrm", "\\rm", "\\unit"))
 
 
@@ -113,6 +114,50 @@ def with_primed_variables(tokens: Sequence[str]) -> tuple[str, ...]:
         else:
             result.append(token)
     return tuple(result)
+
+
+def with_derivatives_counted(tokens: Sequence[str]) -> tuple[str, ...]:
+    """``f^{(4)}(x)`` with primes."""
+    result: list[str] = []
+    at = 0
+    while at < len(tokens):
+        above = tuple(tokens[at : at + 6])
+        counted = above[:3] == ("^", "{", "(") and above[4:] == (")", "}")
+        counted = counted and above[3] in _COUNTED and tokens[at + 6 : at + 7] in (["("], ("(",))
+        if counted and result and is_letter(result[-1]):
+            result += ["'"] * int(above[3])
+            at += 6
+            continue
+        result.append(tokens[at])
+        at += 1
+    return tuple(result)
+
+
+def as_derivatives(terms: Sequence[Sequence[str]]) -> tuple[tuple[str, ...], ...] | None:
+    """The terms of ``du = 2x\\,dx`` as those of ``du/dx = 2x``; None of another form."""
+    head, *others = terms
+    if len(head) != 2 or head[0] != "d" or not is_letter(head[1]) or not others:
+        return None
+    bodies = []
+    for term in others:
+        *body, d, x = ("", "", *term)
+        body = [token for token in body if token]
+        last = body[-1] if body else ""
+        if (d, x) != ("d", others[0][-1]) or x == head[1] or not is_letter(x):
+            return None
+        depth = 0
+        for n, (token, after) in enumerate(pairwise([*body, ""])):
+            depth += (token in ("(", "[", "{", "\\{")) - (token in (")", "]", "}", "\\}"))
+            if token == "\\int" or (token == "d" and is_letter(after)):
+                return None
+            if depth == 0 and n and token in ("+", "-", "\\pm", "\\mp"):
+                return None
+        if depth or last in ("/", "^", "_", "+", "-", ":"):
+            return None
+        bodies.append(tuple(body[:-1] if last in ("\\cdot", "\\times") else body) or ("1",))
+        if bodies[-1] in (("-",), ("+",)):
+            return None
+    return ("\\frac", "{", "d", head[1], "}", "{", "d", others[0][-1], "}"), *bodies
 
 
 def variables_of_integrals(tokens: Sequence[str]) -> set[str]:

@@ -34,26 +34,26 @@ _RATIONAL_SQUARES = {
 
 
 class Angle(NamedTuple):
-    """The angle ``halves``·π + ``radians``; one of the two is zero."""
+    """The angle ``halves``·π + ``radians``, both exact; at least one of them is zero."""
 
     halves: fmpq
     radians: fmpq
 
     def ball(self) -> arb:
-        """The angle in radians at the working precision."""
+        """Return the angle in radians as a ball at the working precision."""
         return self.halves * arb.pi() + self.radians
 
     def sin_cos(self) -> tuple[arb, arb]:
-        """Sine and cosine; exact where they are 0 or ±1."""
+        """Return sine and cosine as balls; they are exact where they are 0 or ±1."""
         if self.halves == 0:
             return arb(self.radians).sin_cos()
         return arb.sin_pi_fmpq(self.halves), arb.cos_pi_fmpq(self.halves)
 
     def rational_square(self) -> fmpq | None:
-        """sin² of the angle where it is a rational number, else None.
+        """Return sin² of the angle if it is rational, else None.
 
-        A non-zero rational number of radians has a transcendental sine, and a rational multiple of
-        π a rational sin² only at the multiples of π/6 and π/4.
+        The sine of a non-zero rational number of radians is transcendental (Lindemann). For a
+        rational multiple of π, sin² is rational only at multiples of π/6 and π/4 (Niven).
         """
         if self.radians != 0:
             return None
@@ -66,11 +66,11 @@ class Angle(NamedTuple):
         return bool(self.halves == 0 and self.radians == 0)
 
     def __neg__(self) -> Angle:
-        """The opposite angle."""
+        """Return the opposite angle."""
         return Angle(-self.halves, -self.radians)
 
     def __str__(self) -> str:
-        """As one would type it."""
+        """Return the angle as one would type it."""
         if self.halves == 0:
             return fraction_text(self.radians)
         top = {1: "", -1: "-"}.get(int(self.halves.p), f"{self.halves.p}*")
@@ -78,14 +78,22 @@ class Angle(NamedTuple):
 
 
 FULL_TURN = Angle(fmpq(2), fmpq(0))
-"""Δφ = 2π: the handle comes round once."""
+"""Δφ = 2π: one full turn of the handle."""
 
 
 def parse_angle(text: str, what: str = "angle") -> Angle:
-    """The exact angle that ``0.1``, ``1/3``, ``pi/2`` or ``-3*pi/4`` names.
+    """Parse an exact angle such as ``0.1``, ``1/3``, ``pi/2`` or ``-3*pi/4``.
+
+    Args:
+        text: a number of radians, or a rational multiple of ``pi``.
+        what: what the angle is, for the error message.
 
     Raises:
         InputError: anything else.
+
+    Example:
+        >>> str(parse_angle("-3*pi/4"))
+        '-3*pi/4'
     """
     if len(text) > MAX_CHARACTERS:
         raise InputError(f"{what}: {len(text)} characters are beyond the limit of {MAX_CHARACTERS}")
@@ -106,10 +114,14 @@ def parse_angle(text: str, what: str = "angle") -> Angle:
 
 
 def as_angle(x: Exact | Angle, what: str = "angle") -> Angle:
-    """``x`` (text, integer, fraction, or an angle already) as an exact angle in radians.
+    """Return ``x`` as an exact angle in radians.
+
+    Args:
+        x: text as for :func:`parse_angle`, an integer, a fraction, or an angle.
+        what: what the angle is, for the error message.
 
     Raises:
-        InputError: floats and other types.
+        InputError: a float or another type.
     """
     if isinstance(x, Angle):
         return x

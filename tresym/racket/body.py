@@ -1,7 +1,7 @@
-"""A rigid body: three moments of inertia, or the two shape parameters a and b.
+"""Rigid bodies: three moments of inertia, or the two shape parameters a and b.
 
-a = I₂/I₁ − 1 and b = 1 − I₂/I₃ are formed exactly, from exact input. Named bodies carry the printed
-data of the paper and nothing else.
+a = I₂/I₁ − 1 and b = 1 − I₂/I₃ are computed exactly from exact input. The named bodies have exactly
+the data that the paper prints.
 """
 
 from __future__ import annotations
@@ -17,29 +17,34 @@ from tresym.reals.notebook import html_table
 from tresym.reals.numbers.exact import InputError, as_rational, fraction_text, quoted
 
 Exact: TypeAlias = str | int | Rational | fmpq
-"""What a number may be given as; never a float."""
+"""The types of a number in exact input; floats are refused."""
 
 
 class Shape(NamedTuple):
-    """The shape parameters a = I₂/I₁ − 1 > 0 and b = 1 − I₂/I₃, 0 < b ≤ 1, as exact rationals."""
+    """The shape parameters a = I₂/I₁ − 1 > 0 and b = 1 − I₂/I₃ in (0, 1], as exact rationals."""
 
     a: fmpq
     b: fmpq
 
     @property
     def realizable(self) -> bool:
-        """Whether a body can have this shape: I₃ ≤ I₁ + I₂, which is b ≤ 1/(a+2)."""
+        """Whether a rigid body can have this shape: I₃ ≤ I₁ + I₂, equivalently b ≤ 1/(a + 2)."""
         return bool(self.b * (self.a + 2) <= 1)
 
 
 def shape(a: Exact, b: Exact) -> Shape:
-    """The shape with parameters ``a`` and ``b``.
+    """Return the shape with parameters ``a`` and ``b``.
 
     Raises:
-        InputError: unless a > 0 and 0 < b ≤ 1; b = 0 is told apart as the symmetric top.
+        InputError: unless a > 0 and 0 < b ≤ 1. For a = 0 and b = 0 the message explains that the
+            body is a symmetric top.
+
+    Example:
+        >>> shape("1", "1/10").realizable
+        True
     """
     p, q = as_rational(a, "shape parameter a"), as_rational(b, "shape parameter b")
-    if p.p > 0 and 0 < q.p <= q.q:  # as integers, which are compared at a third of the cost
+    if p.p > 0 and 0 < q.p <= q.q:  # comparing integers takes a third of the time
         return Shape(p, q)
     if p < 0:
         raise InputError("shape parameter a: must be positive (a = I2/I1 - 1 with I1 < I2)")
@@ -57,7 +62,9 @@ def shape(a: Exact, b: Exact) -> Shape:
 
 
 class Body:
-    """Three principal moments of inertia in any one unit, smallest first, exact.
+    """A rigid body, given by its three principal moments of inertia, smallest first, in any unit.
+
+    The moments are exact. A body cannot be changed, and bodies with equal moments are equal.
 
     Example:
         >>> import tresym
@@ -72,10 +79,16 @@ class Body:
     I3: fmpq
 
     def __init__(self, I1: Exact, I2: Exact, I3: Exact) -> None:
-        """Take the moments as text, integers or fractions.
+        """Make a body of three moments of inertia.
+
+        Args:
+            I1: the smallest moment, as text (``"1210"``, ``"0.3"``, ``"1/3"``), integer or
+                fraction.
+            I2: the intermediate moment.
+            I3: the largest moment.
 
         Raises:
-            InputError: moments that are not positive, out of order, or of a symmetric top.
+            InputError: the moments are not positive, not in order, or those of a symmetric top.
         """
         moments = [as_rational(x, f"moment I{i}") for i, x in enumerate((I1, I2, I3), start=1)]
         for i, x in enumerate(moments, start=1):
@@ -97,12 +110,12 @@ class Body:
             object.__setattr__(self, name, value)
 
     def __setattr__(self, name: str, value: object) -> None:
-        """Refuse: a body is a value."""
+        """Refuse, since a body cannot be changed."""
         raise AttributeError("a Body cannot be changed")
 
     @property
     def shape(self) -> Shape:
-        """The exact shape parameters.
+        """The exact shape parameters a and b.
 
         Example:
             >>> print(*Body(2, 3, 4).shape)
@@ -121,17 +134,17 @@ class Body:
         return bool(self.I3 <= self.I1 + self.I2)
 
     def __eq__(self, other: object) -> bool:
-        """Equal moments."""
+        """Return whether all moments are equal."""
         if not isinstance(other, Body):
             return NotImplemented
         return (self.I1, self.I2, self.I3) == (other.I1, other.I2, other.I3)
 
     def __hash__(self) -> int:
-        """By the moments."""
+        """Return a hash of the moments."""
         return hash((self.I1, self.I2, self.I3))
 
     def __repr__(self) -> str:
-        """As one would type it."""
+        """Return the expression that makes this body."""
         return f"Body('{self.I1}', '{self.I2}', '{self.I3}')"
 
     def _repr_html_(self) -> str:
@@ -141,13 +154,13 @@ class Body:
         return html_table("Body", (*moments, *shape, ("realizable", str(self.realizable))))
 
     def _repr_latex_(self) -> str:
-        """The moments."""
+        """The moments in LaTeX."""
         moments = [f"I_{i} = {fraction_text(getattr(self, f'I{i}'))}" for i in (1, 2, 3)]
         return "$" + ",\\ ".join(moments) + "$"
 
 
 def _order(moments: list[fmpq]) -> str:
-    """The order the moments are in, as one writes it."""
+    """The order of the moments as text, such as ``I2 < I1 = I3``."""
     ranked = sorted((x, f"I{i}") for i, x in enumerate(moments, start=1))
     text = ranked[0][1]
     for (x, _), (y, name) in pairwise(ranked):
@@ -156,12 +169,22 @@ def _order(moments: list[fmpq]) -> str:
 
 
 def shape_of_moments(I1: Exact, I2: Exact, I3: Exact) -> Shape:
-    """The shape of a body with these moments; raises InputError as :class:`Body` does."""
+    """Return the shape of a body with these moments of inertia.
+
+    Raises:
+        InputError: as for :class:`Body`.
+    """
     return Body(I1, I2, I3).shape
 
 
 def shape_of_rotational_constants(B1: Exact, B2: Exact, B3: Exact) -> Shape:
-    """The shape of a molecule: rotational constants, largest first, are inverse moments."""
+    """Return the shape of a molecule from its rotational constants, largest first.
+
+    A rotational constant is inversely proportional to a moment of inertia.
+
+    Raises:
+        InputError: the constants are not positive, or as for :class:`Body`.
+    """
     constants = [as_rational(x, f"constant B{i}") for i, x in enumerate((B1, B2, B3), start=1)]
     if min(constants) <= 0:
         raise InputError("rotational constants: must be positive")
@@ -169,24 +192,27 @@ def shape_of_rotational_constants(B1: Exact, B2: Exact, B3: Exact) -> Shape:
 
 
 def as_shape(a: Exact | Shape | Body | NamedBody, b: Exact | None = None) -> Shape:
-    """The shape that two numbers give, or a body alone.
+    """Return the shape given by two numbers, or by a body alone.
 
     Raises:
-        InputError: as :func:`shape` does, or one number alone.
+        InputError: as for :func:`shape`, or one number without the other.
     """
     if b is not None:
         if type(a) in (Shape, Body, NamedBody):
-            raise InputError("shape: a body has its b in it; the rest is named, as digits=30")
+            raise InputError(
+                "shape: a body has its b in it, so no second value is taken; name further "
+                "arguments, as digits=30"
+            )
         return shape(a, b)
     if isinstance(a, Shape):
         return shape(*a)
     if isinstance(a, Body | NamedBody):
         return a.shape
-    raise InputError("shape: give a and b, or a body alone")
+    raise InputError("shape: give a and b, or a body")
 
 
 class NamedBody(NamedTuple):
-    """A body the paper prints data of: what it is, where the data stand, and how they are read."""
+    """A body of the paper: title, place of its data, how they determine the shape, and the data."""
 
     title: str
     source: str
@@ -207,13 +233,13 @@ class NamedBody(NamedTuple):
         return html_table(self.title, rows)
 
     def _repr_latex_(self) -> str:
-        """The shape."""
+        """The shape in LaTeX."""
         a, b = (fraction_text(x) for x in self.shape)
         return f"$a = {a},\\ b = {b}$"
 
     @property
     def shape(self) -> Shape:
-        """The exact shape of the printed data."""
+        """The exact shape computed from the printed data."""
         return self.read(*self.data)
 
 
@@ -245,14 +271,18 @@ NAMED_BODIES: Mapping[str, NamedBody] = {
         ("4.64", "1.001", "0.828"),
     ),
 }
-"""The bodies ``tresym flip --body`` knows, by name."""
+"""The bodies of ``tresym flip --body``, by name."""
 
 
 def named_body(name: str) -> NamedBody:
-    """The named body ``name``.
+    """Return the named body ``name``.
 
     Raises:
-        InputError: an unknown name; the nearest known one is suggested.
+        InputError: there is no such body; the nearest name is suggested.
+
+    Example:
+        >>> print(*named_body("racket-3").shape)
+        372/25 3/25
     """
     if name in NAMED_BODIES:
         return NAMED_BODIES[name]

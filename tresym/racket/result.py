@@ -14,14 +14,14 @@ from tresym.reals.numbers.arithmetic import ball_precision, balls, bits
 from tresym.reals.numbers.exact import decimal_ball, fraction_text
 
 GUARD_BITS = 4
-"""Bits beyond the digits promised that a ball must have, so that rounding to decimal is covered."""
+"""Extra bits that a ball must have, so that rounding to decimal keeps the promised digits."""
 
 
 class Flip(NamedTuple):
-    """The flip of one body after one full turn Δφ = 2π, on the symmetric trajectory, certified.
+    """The certified flip of a body in one full turn Δφ = 2π, on the symmetric trajectory.
 
-    ``defect`` (ε) and ``turn`` (Δψ) are balls in radians that contain the truth; ``rung`` is the
-    model that gave them and ``why`` says why that one was enough.
+    ``defect`` (ε) and ``turn`` (Δψ = π − 2ε) are balls in radians that contain the true values.
+    ``rung`` is the model that computed them, and ``why`` says why that model was sufficient.
 
     Example:
         >>> import tresym
@@ -63,7 +63,7 @@ class Flip(NamedTuple):
 
     @property
     def paper(self) -> arb | None:
-        """ε as the paper's asymptotic formula has it, which is for γ = 0 alone.
+        """The defect by the paper's asymptotic formula, or None if γ ≠ 0, for which it has none.
 
         Example:
             >>> import tresym
@@ -84,11 +84,11 @@ class Flip(NamedTuple):
         return html_table("Flip", (*_shown(self), ("rung", f"{self.rung}: {self.why}")))
 
     def _repr_latex_(self) -> str:
-        """Defect and flip."""
+        """Defect and flip in LaTeX."""
         return _latex_of(self)
 
     def as_json(self) -> dict[str, Any]:
-        """The answer under the keys of ``tresym flip --json``; numbers are decimal strings.
+        """Return the result under the keys of ``tresym flip --json``; numbers are decimal strings.
 
         Example:
             >>> import tresym
@@ -99,9 +99,9 @@ class Flip(NamedTuple):
 
 
 class Journey(NamedTuple):
-    """Where one start comes to, certified: Δψ, ψ and θ in radians, as balls.
+    """The certified end of a motion from a given start: Δψ, ψ and θ in radians, as balls.
 
-    ``gamma`` is an exact rational where the start makes it one, else a ball.
+    ``gamma`` is an exact rational if the start makes it rational, else a ball.
 
     Example:
         >>> import tresym
@@ -138,11 +138,11 @@ class Journey(NamedTuple):
         return html_table("Journey", (*_shown(self), ("rung", f"{self.rung}: {self.why}")))
 
     def _repr_latex_(self) -> str:
-        """Where the start comes to."""
+        """Δψ, ψ and θ in LaTeX."""
         return _latex_of(self)
 
     def as_json(self) -> dict[str, Any]:
-        """The same keys as for a flip; there is no defect away from the symmetric trajectory.
+        """Return the result under the keys of ``tresym flip --json``; ``defect`` is None.
 
         Example:
             >>> import tresym
@@ -154,11 +154,11 @@ class Journey(NamedTuple):
 
 
 MOST_DIGITS = 50
-"""Digits that are shown of a ball where a value is shown in one line."""
+"""Most digits of a ball in a one-line representation."""
 
 
 def _shown(answer: Flip | Journey) -> list[tuple[str, str]]:
-    """The names and numbers of an answer, the balls first."""
+    """The names and values of a result, the balls first."""
     if isinstance(answer, Flip):
         found = [("ε", answer.defect), ("Δψ", answer.turn)]
     else:
@@ -173,7 +173,12 @@ def _shown(answer: Flip | Journey) -> list[tuple[str, str]]:
 
 
 def radians(x: arb, digits: int) -> str:
-    """A ball with every digit shown correct to within the radius beside it."""
+    """Return a ball as text in radians, with as many digits as it proves.
+
+    Args:
+        x: the ball.
+        digits: the digits wanted. If the ball proves fewer, midpoint and radius are shown.
+    """
     if not proves(x, digits):
         mid, rad = decimal_ball(x, digits)
         return f"{mid} ± {rad} rad"
@@ -228,12 +233,15 @@ def _answer_json(
 
 
 def proves(x: arb, digits: int) -> bool:
-    """Whether the ball is narrow enough to be printed with ``digits`` certified digits."""
+    """Return whether the ball is narrow enough to be printed with ``digits`` certified digits."""
     return bool(x.is_zero() or x.rel_accuracy_bits() >= bits(digits, GUARD_BITS))
 
 
 def ball_json(x: arb, digits: int) -> dict[str, Any]:
-    """A ball as ``{"mid", "rad"}``, outward; ``"relative": false`` where it is not told from 0."""
+    """Return a ball as ``{"mid": …, "rad": …}`` in decimal, rounded outward.
+
+    ``"relative": false`` is added if the ball does not prove ``digits`` significant digits.
+    """
     with ball_precision(bits(digits, 64)):
         mid, rad = decimal_ball(x, digits)
     if proves(x, digits):

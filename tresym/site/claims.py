@@ -1,4 +1,4 @@
-"""Pages of the ledger: one for each claim, and one that lists them all."""
+"""Write the pages of the ledger: one for each claim, and one that lists them all."""
 
 from __future__ import annotations
 
@@ -17,19 +17,19 @@ from tresym.site.markdown import badge, chain, inline, link, statement, titled
 Record = dict[str, Any]
 
 SHARP = Fraction(1, 10**15)
-"""How narrow a ball is about a constant that was typed."""
+"""A ball narrower than this is shown as the short decimal that it contains."""
 ANNOTATED = "the-paper.md"
-"""The page that goes through the paper; a hyphen is in no label."""
+"""The page that follows the paper; it cannot clash with a label, as labels have no hyphens."""
 AXIOMS = "quoted-theorems.md"
-"""The page of the theorems that are quoted; a hyphen is in no label."""
+"""The page of the quoted theorems."""
 
 
 def pages(ledger: Record, seconds: dict[str, float]) -> Iterator[tuple[str, str]]:
-    """Every page as its name and its text.
+    """Yield every page as its file name and its text.
 
     Args:
-        ledger: as `tresym.report.pages.site_data.record` makes it.
-        seconds: saved cost of judging, by label; claims without one show none.
+        ledger: as :func:`tresym.report.pages.site_data.record` makes it.
+        seconds: saved times of the verdicts, by label; a claim without one shows none.
     """
     yield "index.md", index(ledger)
     yield ANNOTATED, annotated(ledger)
@@ -44,14 +44,14 @@ def pages(ledger: Record, seconds: dict[str, float]) -> Iterator[tuple[str, str]
 
 
 def index(ledger: Record) -> str:
-    """Every claim with its verdict, place and statement, in the order of the proofs."""
+    """Write the list of all claims with verdict, place and statement, in the order of proofs."""
     total = sum(ledger["counts"].values())
     counts = ", ".join(f"{n} {badge(name)}" for name, n in ledger["counts"].items() if n)
     lines = [
         "# The ledger",
         f"{total} claims: {counts}. A claim without a place in the paper is a lemma of the proofs. "
-        f"{_resting(ledger)[0]} of them rest on {_resting(ledger)[1]}. What a letter stands for is "
-        "in the [table of symbols](/pages/symbols.md).",
+        f"{_resting(ledger)[0]} of them depend on {_resting(ledger)[1]}. Symbols are explained in "
+        "the [table of symbols](/pages/symbols.md).",
     ]
     for part in ledger["parts"]:
         lines.append(f"## {part['title'][:1].upper()}{part['title'][1:]}")
@@ -62,16 +62,16 @@ def index(ledger: Record) -> str:
 
 
 def annotated(ledger: Record) -> str:
-    """The paper from its abstract to its references: what each sentence and display got."""
+    """Write the page that follows the paper: each statement in its order, with its verdict."""
     claims: dict[str, Record] = ledger["claims"]
     placed = sorted(
         (c["line"], n, label) for n, (label, c) in enumerate(claims.items()) if c["place"]
     )
     lines = [
         "# The paper, annotated",
-        f"The {len(placed)} statements of the paper in the order in which they stand there, each "
-        "with its verdict; what is read more sharply than it is printed says so. The lemmas "
-        "between them are in [the ledger](index.md). The paper: "
+        f"The {len(placed)} statements of the paper in its order, each with its verdict. A note "
+        "marks a statement that is read more strictly than it is printed. The lemmas that the "
+        "proofs need are in [the ledger](index.md). The paper: "
         "[Physica D 338 (2017) 17](https://doi.org/10.1016/j.physd.2016.07.010), "
         "[arXiv:1606.08237](https://arxiv.org/abs/1606.08237).",
     ]
@@ -87,7 +87,7 @@ def annotated(ledger: Record) -> str:
 
 
 def _section(place: str) -> str:
-    """The section of a place; theorem and remark are Section 6's."""
+    """The section of a place; theorems and remarks are in Section 6."""
     first = place.split(", ")[0]
     return "Sect. 6" if first.startswith(("Theorem", "Remark")) else first
 
@@ -98,7 +98,7 @@ def _counted(section: str, claims: Iterable[Record]) -> str:
 
 
 def _annotation(label: str, claim: Record) -> str:
-    """A statement at its place, and what is true instead where it is refuted."""
+    """A statement with its place, and what is true instead if it is refuted."""
     place = claim["place"].removeprefix(f"{_section(claim['place'])}, ")
     quote = f" “{sentence(claim['quote'])}”\\\n" if claim["quote"] else "\\\n"
     true = ", ".join(map(link, claim["amended_by"]))
@@ -108,25 +108,25 @@ def _annotation(label: str, claim: Record) -> str:
 
 
 def _resting(ledger: Record) -> tuple[int, str]:
-    """How many claims rest on theorems that are quoted, and how many these are."""
+    """How many claims depend on quoted theorems, and a link that says how many these are."""
     resting = sum(bool(claim["axioms"]) for claim in ledger["claims"].values())
     return resting, f"[{len(ledger['axioms'])} theorems]({AXIOMS}) that are quoted and not proved"
 
 
 def axioms(ledger: Record) -> str:
-    """The theorems that are quoted, each with what rests on it, and those of the judge's rules."""
+    """Write the page of quoted theorems, with what depends on each, and of the rules of proof."""
     lines = [
         "---\norphan: true\n---\n\n# Quoted theorems",
-        f"{len(ledger['axioms'])} theorems are quoted and not proved. Each is named by the claims "
-        f"whose evidence applies it, and listed by every claim above them: {_resting(ledger)[0]} "
-        "in all.",
+        f"{len(ledger['axioms'])} theorems are quoted and not proved. {_resting(ledger)[0]} claims "
+        "depend on them, directly or through other claims; the page of each claim says so.",
     ]
     for name, axiom in ledger["axioms"].items():
         lines += [f"## {sentence(name[:1].upper() + name[1:])}", *_quoted(axiom)]
-        lines.append("Claims that rest on it: " + ", ".join(map(link, axiom["claims"])) + ".")
+        lines.append("Claims that depend on it: " + ", ".join(map(link, axiom["claims"])) + ".")
     lines += [
-        "## In the rules of the judge",
-        "A step of a chain is right by these, so that any claim may rest on them.",
+        "## Theorems behind the rules of proof",
+        "The rules by which the steps of a proof are checked are sound by these textbook theorems, "
+        "so any claim may depend on them.",
     ]
     for name, axiom in ledger["rules"].items():
         lines += [f"### {sentence(name[:1].upper() + name[1:])}", *_quoted(axiom)]
@@ -150,7 +150,7 @@ def _item(label: str, claim: Record) -> str:
 
 
 def _beside(label: str, order: list[str], claims: dict[str, Record]) -> str:
-    """Links to the claims before and after it, in the order of the proofs."""
+    """Links to the claims before and after this one, in the order of the proofs."""
 
     def named(other: str) -> str:
         return f"[{sentence(claims[other]['title'])}](/claims/{other}.md)"
@@ -162,7 +162,7 @@ def _beside(label: str, order: list[str], claims: dict[str, Record]) -> str:
 
 
 def _cited(label: str, claim: Record) -> str:
-    """What the buttons of the page copy: its formula in LaTeX, and an entry for BibTeX."""
+    """The data that the buttons of the page copy: the formula in LaTeX, and a BibTeX entry."""
     formula = claim["formula"] or ", \\quad ".join(claim["means"])
     entry = "\n".join(
         [
@@ -178,7 +178,14 @@ def _cited(label: str, claim: Record) -> str:
 
 
 def page(label: str, ledger: Record, title: str | None, seconds: float | None) -> str:
-    """The page of one claim."""
+    """Write the page of one claim.
+
+    Args:
+        label: its label.
+        ledger: as for :func:`pages`.
+        title: the title of its part of the proofs, or None.
+        seconds: the saved time of its verdict, or None.
+    """
     claims = ledger["claims"]
     claim = claims[label]
     sections = [
@@ -209,24 +216,27 @@ def _heading(claim: Record, title: str | None) -> str:
 
 
 def _printed(claim: Record) -> Iterator[str]:
-    """The paper's own words, where it is refuted, or read more strictly than it is printed."""
+    """The paper's own words, if the claim is refuted or read more strictly than printed."""
     if claim["paper_says"]:
-        yield f"The paper: {sentence(claim['paper_says'])} We read it more strictly:"
+        yield f"The paper: {sentence(claim['paper_says'])} Read more strictly, this says:"
     elif claim["quote"]:
         yield f"The paper: “{sentence(claim['quote'])}”."
 
 
 def _decided(claim: Record) -> Iterator[str]:
-    """What it says, the formula that is decided, the verdict, and where that holds."""
+    """The statement, the formula that is decided, the verdict, and the conditions."""
     found = of_record(claim)
     yield from stated(found)
     if found.means:
-        yield "Decided as"
+        yield "As a formula:"
         yield from map(display, found.means)
     elif claim["conjunction"]:
-        yield f"Decided as the conjunction of {', '.join(map(link, claim['conjunction']))}."
+        yield f"This is the conjunction of {', '.join(map(link, claim['conjunction']))}."
     elif found.says and not claim["formal"]:
-        yield "The reader must judge that the evidence supports this sentence."
+        yield (
+            "No single formula expresses this sentence; please judge whether the evidence below "
+            "supports it."
+        )
     given = conditions(found, in_dollars, sentence, link)
     yield f"{badge(claim['verdict'])} {given}".strip()
     yield from _uses_where_it_holds(claim)
@@ -237,12 +247,14 @@ def _if_refuted(claim: Record) -> str:
 
 
 def _uses_where_it_holds(claim: Record) -> Iterator[str]:
-    """The conditions of what is put in, which were shown; a conjunction has said them."""
+    """The conditions of the claims used, which were verified; a conjunction lists them already."""
     asked = [
         f"{link(label)} for {_formulas(given)}" for label, given in claim["conditions"].items()
     ]
     if asked and not claim["parts"] and claim["chains"]:
-        yield f"The claims it uses are applied where they hold: {'; '.join(asked)}."
+        yield (
+            f"The claims that it uses hold under conditions that are met here: {'; '.join(asked)}."
+        )
 
 
 def _formulas(conditions: list[str]) -> str:
@@ -255,7 +267,7 @@ def _proof(claim: Record) -> Iterator[str]:
     for lines in claim["chains"]:
         yield chain(lines)
     if not claim["chains"]:
-        yield f"Found: {_found(claim['why'])}."
+        yield f"Result: {_found(claim['why'])}."
     if claim["verdict"] == "REFUTED" and claim["witness"]:
         point = ", ".join(f"{name} = {value}" for name, value in claim["witness"].items())
         yield f"**Witness.** {finding(point)}."
@@ -264,7 +276,7 @@ def _proof(claim: Record) -> Iterator[str]:
 
 
 def _found(why: str) -> str:
-    """What judging found; where that is the claims that it follows from, links to them."""
+    """The result of the check; if the claim follows from others, with links to them."""
     _, follows, labels = why.partition("follows from ")
     return follows + ", ".join(map(link, labels.split(", "))) if follows else finding(why)
 
@@ -280,11 +292,11 @@ def _numbers(claim: Record) -> Iterator[str]:
 
 
 def _ball(ball: dict[str, str]) -> str:
-    """A ball in decimal; a short number that it holds stands for one that is that narrow."""
+    """A ball in decimal; if it is very narrow, the short decimal that it contains."""
     mid, rad = Fraction(ball["mid"]), Fraction(ball["rad"])
     short = f"{float(mid):.10g}"
-    told = rad and rad < SHARP and abs(Fraction(short) - mid) <= rad
-    text = short if told else f"{ball['mid']}, to within {ball['rad']}"
+    is_short = rad and rad < SHARP and abs(Fraction(short) - mid) <= rad
+    text = short if is_short else f"{ball['mid']}, to within {ball['rad']}"
     return f"−{text[1:]}" if text.startswith("-") else text
 
 
@@ -316,18 +328,18 @@ def _relations(claim: Record, claims: dict[str, Record]) -> Iterator[str]:
 
 
 def _axioms(claim: Record, known: dict[str, Record]) -> Iterator[str]:
-    """The theorems that it rests on, directly or not, with their sources."""
+    """The quoted theorems that it depends on, directly or through other claims, with sources."""
     if claim["axioms"]:
-        yield f"It rests on [quoted theorems]({AXIOMS}):"
+        yield f"It depends on [quoted theorems]({AXIOMS}):"
         yield "\n".join(
             f"- {sentence(name)}: {sentence(known[name]['source'])}" for name in claim["axioms"]
         )
     elif claim["kind"] != "definition":
-        yield "It rests on no quoted theorem."
+        yield "It depends on no quoted theorem."
 
 
 def _coq(claim: Record) -> Iterator[str]:
-    """The theorem that Coq has proved of it, and what that rests on."""
+    """The theorem that Coq proves about it, with its premises."""
     coq = claim["coq"]
     if coq is None:
         return
@@ -344,7 +356,7 @@ def _coq(claim: Record) -> Iterator[str]:
 
 
 def _symbols(claim: Record) -> Iterator[str]:
-    """The symbols that it uses, each a link to its line in the table of symbols."""
+    """The symbols that it uses, each a link to its row in the table of symbols."""
     links = (
         f'<a href="../pages/symbols.html#{symbol["anchor"]}">{escape(symbol["letters"])}</a>'
         for symbol in claim["symbols"]

@@ -1,4 +1,4 @@
-"""The command reference, generated from the parsers, and examples with their output."""
+"""Write the command reference from the argument parsers, and run examples."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _TIME = re.compile(r"\b\d[\d.e-]*( ?)(ms|s|µs)\b")
 
 
 def reference() -> str:
-    """Every command with its usage, arguments and exit status, in Markdown."""
+    """Write every command with its usage, arguments and exit status in Markdown."""
     from tresym.commands import build_parser
 
     parser = build_parser()
@@ -56,10 +56,10 @@ def _argument(action: argparse.Action) -> str:
 
 
 def transcript(command: str) -> str:
-    """A command line and what it prints; times are left out, for they are the machine's.
+    """Return a command line and its output, with times replaced by dots, since they vary.
 
     Raises:
-        ValueError: the command is not of ours, or was refused.
+        ValueError: the command is not a tresym command, or its input was refused.
     """
     from tresym.commands import main
 
@@ -68,5 +68,5 @@ def transcript(command: str) -> str:
     with contextlib.redirect_stdout(printed):
         status = main(words) if name == "tresym" else 2
     if status == 2:
-        raise ValueError(f"{command}: is refused")
+        raise ValueError(f"{command}: is not a tresym command, or its input was refused")
     return f"$ {command}\n{_TIME.sub('…', printed.getvalue()).rstrip()}\n"

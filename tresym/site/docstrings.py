@@ -9,9 +9,10 @@ _ALIAS = re.compile(r"TypeAliasForwardRef\('(\w+)'\)")
 
 
 def restructured(lines: list[str]) -> list[str]:
-    """The lines of a docstring with its sections as fields.
+    """Return the lines of a docstring with its sections as field lists.
 
-    Napoleon is not told of what: of an attribute it takes the words before a colon for its type.
+    Napoleon is not told the kind of object, since for an attribute it would take the words before a
+    colon for its type.
     """
     from sphinx.ext.napoleon import Config, GoogleDocstring
 
@@ -19,18 +20,18 @@ def restructured(lines: list[str]) -> list[str]:
 
 
 def process(app: Any, what: str, name: str, value: Any, options: Any, lines: list[str]) -> None:
-    """Sphinx's hook: rewrite a docstring in place."""
+    """Sphinx hook: rewrite a docstring in place."""
     lines[:] = restructured(lines)
 
 
 def skip(app: Any, what: str, name: str, value: Any, skipped: bool, options: Any) -> bool | None:
-    """Sphinx's hook: the fields of named tuples are told by the tuple's own text."""
+    """Sphinx hook: skip the fields of named tuples, which the class docstring describes."""
     return True if type(value).__name__ == "_tuplegetter" else None
 
 
 def signature(
     app: Any, what: str, name: str, value: Any, options: Any, arguments: str, result: str
 ) -> tuple[str, str]:
-    """Sphinx's hook: type aliases by their names, also where they stand in a union."""
+    """Sphinx hook: write type aliases by their names, also within a union."""
     plain = [_ALIAS.sub(r"\1", text) if text else text for text in (arguments, result)]
     return plain[0], plain[1]

@@ -1,4 +1,4 @@
-"""The Sphinx extension: claim pages, formulas, and examples that run."""
+"""The Sphinx extension: pages of claims, formulas, and examples that are run."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from tresym.site import claims, commands, docstrings, mathematics
 from tresym.site.markdown import badge, inline, link, statement, titled
 
 BUILT = "_built"
-"""Folder of the source tree that the build writes style sheets to; like claims/, not kept."""
+"""The folder for style sheets that the build writes; like claims/, it is not versioned."""
 
 
 @cache
@@ -33,10 +33,10 @@ def _ledger(path: Path) -> dict[str, Any]:
 
 
 def ledger_of(source: Path) -> dict[str, Any]:
-    """The saved ledger of the source tree.
+    """Return the saved ledger of the source tree.
 
     Raises:
-        ExtensionError: `tresym docs` was not run.
+        ExtensionError: ``tresym docs`` was not run.
     """
     path = source / "generated" / "ledger.json"
     if not path.is_file():
@@ -45,7 +45,7 @@ def ledger_of(source: Path) -> dict[str, Any]:
 
 
 def costs(source: Path) -> dict[str, float]:
-    """Seconds that judging took, by label, where a measurement of the ledger is saved."""
+    """Return the saved seconds of each verdict by label; empty without a saved measurement."""
     path = source / "measurements" / "ledger.json"
     if not path.is_file():
         return {}
@@ -54,7 +54,7 @@ def costs(source: Path) -> dict[str, float]:
 
 
 def write_pages(app: Sphinx) -> None:
-    """Write what is made rather than written: claim pages, command reference, the font."""
+    """Write what is generated: pages of claims, the command reference, the font."""
     source = Path(app.srcdir)
     written = {
         source / "claims" / name: text
@@ -77,7 +77,7 @@ _MADE = ("generated/corrections", "claims/", "pages/coq", "pages/symbols")
 
 
 def link_labels(app: Sphinx, doctree: nodes.document) -> None:
-    """On the pages that are made, every label leads to the page of its claim."""
+    """On generated pages, link every label to the page of its claim."""
     name = app.env.docname
     if not name.startswith(_MADE):
         return
@@ -104,7 +104,7 @@ _TOUCHES_AFTER = re.compile(r"[,.;:)”’!?]+")
 
 
 def set_formulas(app: Sphinx, doctree: nodes.document) -> None:
-    """Set the formulas of every sentence, but for titles, code and what machines have written."""
+    """Typeset the formulas in sentences, except in titles, code and output of commands."""
     if app.env.docname.startswith(("reference/", "pages/api", "pages/coq")):
         return
     for parent in list(doctree.findall(nodes.TextElement)):
@@ -120,7 +120,7 @@ def set_formulas(app: Sphinx, doctree: nodes.document) -> None:
 
 
 def glue(formula: nodes.math) -> None:
-    """Let no line end between a formula and the comma or the bracket that touches it."""
+    """Keep a formula on one line with the comma or bracket that touches it."""
     parent, at = formula.parent, formula.parent.index(formula)
     before, after = parent.children[:at][-1:], parent.children[at + 1 : at + 2]
     opens = _TOUCHES_BEFORE.search(before[0]) if before and _is_text(before[0]) else None
@@ -143,7 +143,7 @@ def _is_text(node: nodes.Node) -> bool:
 
 
 def join_lines(parent: nodes.TextElement) -> None:
-    """Make one text of the lines of a sentence, which Markdown keeps apart."""
+    """Join the lines of a sentence, which Markdown keeps apart, to one text node."""
     joined: list[nodes.Node] = []
     for child in parent.children:
         if joined and isinstance(child, nodes.Text) and isinstance(joined[-1], nodes.Text):
@@ -159,19 +159,19 @@ def _node(piece: Piece) -> nodes.Node:
 
 
 def copy_explorer(app: Sphinx, error: Exception | None) -> None:
-    """The explorer is a page of its own, beside the others."""
+    """Copy the explorer, a page of its own, beside the other pages."""
     source = Path(app.srcdir) / "explorer"
     if error is None and source.is_dir():
         shutil.copytree(source, Path(app.outdir) / "explorer", dirs_exist_ok=True)
 
 
 class ClaimDirective(SphinxDirective):
-    """``{claim} LABEL``: the statement, its verdict and a link to its page."""
+    """The directive ``{claim} LABEL``: a statement, its verdict and a link to its page."""
 
     required_arguments = 1
 
     def run(self) -> list[nodes.Node]:
-        """The statement in a frame."""
+        """Return the statement in a frame."""
         (label,) = self.arguments
         claim = _named(self, label)
         box = nodes.container(classes=["claim"])
@@ -181,12 +181,12 @@ class ClaimDirective(SphinxDirective):
 
 
 class FindingsDirective(SphinxDirective):
-    """``{findings}``, each line a claim of the paper, a colon, and what is true instead."""
+    """The directive ``{findings}``: each line a claim of the paper, a colon, and what is true."""
 
     has_content = True
 
     def run(self) -> list[nodes.Node]:
-        """A table of three columns; on a narrow screen a list."""
+        """Return a table of three columns, which becomes a list on a narrow screen."""
         rows = ["| the paper | verdict | what is true |", "|---|---|---|"]
         for line in self.content:
             label, truths = line.split(":")
@@ -208,35 +208,35 @@ def _named(directive: SphinxDirective, label: str) -> dict[str, Any]:
 
 
 class ChartsDirective(SphinxDirective):
-    """``{charts}``: every chart of saved measurements that is there, under its title."""
+    """The directive ``{charts}``: every chart of saved measurements, with its title."""
 
     def run(self) -> list[nodes.Node]:
-        """A figure for each; what a chart shows is told in it, and stands in its stead."""
+        """Return a figure for each chart, with its description as alternative text."""
         folder = Path(self.env.srcdir) / "generated" / "charts"
         found: list[nodes.Node] = []
         for name, chart in CHARTS.items():
             path = folder / f"{name}.svg"
             if path.is_file():
-                told = _told(path.read_text(encoding="utf-8")) or chart.title
-                picture = nodes.image(uri=f"/generated/charts/{path.name}", alt=told, width="100%")
+                alt = _description(path.read_text(encoding="utf-8")) or chart.title
+                picture = nodes.image(uri=f"/generated/charts/{path.name}", alt=alt, width="100%")
                 found += [nodes.rubric(chart.title, chart.title), picture]
         return found
 
 
-def _told(svg: str) -> str:
-    """What a picture says of itself for those who do not see it."""
+def _description(svg: str) -> str:
+    """The description within an SVG file, for readers who cannot see the picture."""
     found = re.search(r"<desc>(.*?)</desc>", svg, re.DOTALL)
     return " ".join(html.unescape(found[1]).split()) if found else ""
 
 
 class RunDirective(SphinxDirective):
-    """``{run} tresym …``: the command and what it prints, run while the page is built."""
+    """The directive ``{run} tresym …``: a command and its output, run while the page is built."""
 
     required_arguments = 1
     final_argument_whitespace = True
 
     def run(self) -> list[nodes.Node]:
-        """A block of console text."""
+        """Return a block of console text."""
         try:
             text = commands.transcript(self.arguments[0])
         except ValueError as error:
@@ -245,13 +245,13 @@ class RunDirective(SphinxDirective):
 
 
 class DrawDirective(SphinxDirective):
-    """``{draw} tresym figure …``: the picture that the command draws while the page is built."""
+    """The directive ``{draw} tresym figure …``: a picture, drawn while the page is built."""
 
     required_arguments = 1
     final_argument_whitespace = True
 
     def run(self) -> list[nodes.Node]:
-        """The command, and its SVG within the page."""
+        """Return the command, and its SVG within the page."""
         command = self.arguments[0]
         try:
             text = commands.transcript(command)
@@ -264,12 +264,12 @@ class DrawDirective(SphinxDirective):
 
 
 class NotebookDirective(SphinxDirective):
-    """``{notebook} PATH``: the cells of a notebook with the outputs that it holds."""
+    """The directive ``{notebook} PATH``: the cells of a notebook with their saved outputs."""
 
     required_arguments = 1
 
     def run(self) -> list[nodes.Node]:
-        """Text as it is, code as code, and beneath it what it shows, as HTML where it can."""
+        """Return text cells as text, and code cells as code with their outputs."""
         path = Path(self.env.srcdir) / self.arguments[0]
         self.env.note_dependency(str(path))
         found: list[nodes.Node] = []
@@ -286,21 +286,21 @@ class NotebookDirective(SphinxDirective):
 
 
 def visit_inline(translator: HTML5Translator, node: nodes.math) -> None:
-    """A formula in a line."""
+    """Write an inline formula as MathML."""
     translator.body.append(mathematics.mathml(node.astext(), block=False))
     raise nodes.SkipNode
 
 
 def visit_block(translator: HTML5Translator, node: nodes.math_block) -> None:
-    """A formula on its own; the theme sets it in a frame that scrolls where it is too wide."""
+    """Write a displayed formula as MathML, in a frame that scrolls if the formula is too wide."""
     shown = mathematics.mathml(node.astext(), block=True)
     translator.body.append(f'<div class="math">{shown}</div>\n')
     raise nodes.SkipNode
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
-    """What Sphinx asks of an extension."""
-    (Path(app.srcdir) / BUILT).mkdir(exist_ok=True)  # looked for before anything is built
+    """Register the extension with Sphinx."""
+    (Path(app.srcdir) / BUILT).mkdir(exist_ok=True)  # Sphinx checks it before the build starts
     app.connect("builder-inited", write_pages)
     app.connect("autodoc-process-docstring", docstrings.process)
     app.connect("autodoc-process-signature", docstrings.signature)

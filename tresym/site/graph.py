@@ -1,7 +1,7 @@
-"""Draw the neighbourhood of a claim: what it rests on, and what uses it.
+"""Draw the neighbourhood of a claim as SVG: what it depends on, and what depends on it.
 
-Columns go from what is used to what uses; a box is a link to the page of its claim, and its edge
-has the colour of the verdict.
+Dependencies are at the left, claims that use the claim at the right. A box links to the page of its
+claim, and the colour of its edge shows the verdict.
 """
 
 from __future__ import annotations
@@ -14,15 +14,15 @@ from typing import Any
 Record = dict[str, Any]
 
 MOST = 7
-"""Boxes of a column; the rest are counted."""
+"""Most boxes in a column; the number of further ones is shown."""
 LETTERS = 24
-"""Letters of a title that fit a line of a box, which has two."""
+"""Letters of a title that fit on one of the two lines of a box."""
 BOX, HIGH, ACROSS, DOWN = 170, 38, 190, 46
-"""Width and height of a box, and the steps from one to the next."""
+"""Width and height of a box, and the distances between boxes."""
 
 
 def picture(label: str, claims: dict[str, Record]) -> str:
-    """An SVG to stand in a page of the claims' folder; empty for a claim without neighbours."""
+    """Return an SVG for the page of a claim; empty for a claim without neighbours."""
     columns = [column for column in _columns(label, claims) if column]
     if len(columns) < 2:
         return ""
@@ -40,15 +40,15 @@ def picture(label: str, claims: dict[str, Record]) -> str:
         if n:
             below = places[kept[-1]][1] + DOWN + HIGH / 2 + 4
             parts.append(f'<text x="{ACROSS * x + 8}" y="{below:g}">and {n} more</text>')
-    told = f"What {claims[label]['title']} uses, and what uses it"
+    description = f"What {claims[label]['title']} uses, and what uses it"
     return (
         f'<div class="graph"><svg viewBox="-2 -2 {wide + 4} {high + 4:g}" width="{wide + 4}" '
-        f'role="img" aria-label="{escape(told)}">{"".join(parts)}</svg></div>'
+        f'role="img" aria-label="{escape(description)}">{"".join(parts)}</svg></div>'
     )
 
 
 def _columns(label: str, claims: dict[str, Record]) -> tuple[list[str], ...]:
-    """What its parts rest on, what it rests on, itself, and what rests on it."""
+    """Dependencies of its dependencies, its direct dependencies, the claim, and what uses it."""
     first = claims[label]["uses"]
     deeper = dict.fromkeys(other for name in first for other in claims[name]["uses"])
     direct = [name for name in first if name not in deeper]

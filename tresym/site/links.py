@@ -1,8 +1,8 @@
 """Check the links of the built site: ``python -m tresym.site.links build/site``.
 
-Every link within the site leads to a file and a place that are there, every picture has a text in
-its stead, and nothing that a page loads comes from a network. Links for readers to other sites are
-allowed and not followed.
+Every link within the site must lead to an existing file and anchor, every image must have an
+alternative text, and no page may load anything from a network. Links to other sites are allowed and
+not followed.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ _IN_STYLE = re.compile(r"(?:url\(|@import)\s*['\"]?(?:https?:)?//")
 
 
 class _Page(HTMLParser):
-    """The places of a page, what it links to, what it loads, and its pictures without a text."""
+    """The anchors of a page, its links, what it loads, and its images without alternative text."""
 
     def __init__(self, text: str) -> None:
         super().__init__()
@@ -31,7 +31,7 @@ class _Page(HTMLParser):
         self.feed(text)
 
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        """Collect from one element."""
+        """Collect the data of one element."""
         found = {name: value or "" for name, value in attrs}
         self.places.update(found[name] for name in ("id", "name") if name in found)
         if tag == "a" and "href" in found:
@@ -43,7 +43,7 @@ class _Page(HTMLParser):
 
 
 def faults(site: Path) -> Iterator[str]:
-    """What is wrong, one line each; none when the site is whole."""
+    """Yield one line for each fault of the site."""
     pages = {
         path.resolve(): _Page(path.read_text(encoding="utf-8"))
         for path in sorted(site.rglob("*.html"))
@@ -52,18 +52,19 @@ def faults(site: Path) -> Iterator[str]:
         name = path.relative_to(site.resolve())
         for target in (*page.links, *page.loads):
             if not _leads_somewhere(path, target, pages):
-                yield f"{name}: {target} leads nowhere"
+                yield f"{name}: the link {target} is broken"
         for target in page.loads:
             if _OUTSIDE.match(target):
                 yield f"{name}: {target} is loaded from a network"
         for picture in page.wordless:
-            yield f"{name}: {picture} has no text in its stead"
+            yield f"{name}: the image {picture} has no alternative text"
     for path in sorted(site.rglob("*.css")):
         if _IN_STYLE.search(path.read_text(encoding="utf-8")):
             yield f"{path.relative_to(site)}: a style is loaded from a network"
 
 
 def _leads_somewhere(path: Path, target: str, pages: dict[Path, _Page]) -> bool:
+    """Whether the target of a link exists; links to other sites count as existing."""
     split = urlsplit(target)
     if split.scheme or split.netloc:
         return True
@@ -75,14 +76,18 @@ def _leads_somewhere(path: Path, target: str, pages: dict[Path, _Page]) -> bool:
 
 
 def main(arguments: list[str]) -> int:
-    """Print every fault; exit status 1 when there is one, 2 when there is no site."""
+    """Print every fault.
+
+    Returns:
+        The exit status: 1 if there is a fault, 2 if there is no site.
+    """
     site = Path(arguments[0] if arguments else "build/site")
     if not (site / "index.html").is_file():
-        print(f"{site}: there is no site here", file=sys.stderr)
+        print(f"{site}: there is no index.html here; build the site first", file=sys.stderr)
         return 2
     found = list(faults(site))
     pages = sum(1 for _ in site.rglob("*.html"))
-    print("\n".join(found) or f"{pages} pages: every link leads somewhere, nothing is fetched")
+    print("\n".join(found) or f"{pages} pages: no broken link, nothing is loaded from a network")
     return 1 if found else 0
 
 

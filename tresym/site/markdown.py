@@ -1,4 +1,4 @@
-"""Markdown shared by several pages: statements, verdicts, derivations."""
+"""Markdown that several pages share: statements, verdicts, derivations."""
 
 from __future__ import annotations
 
@@ -10,32 +10,32 @@ from tresym.report.typesetting.statements import display, in_line, of_record, on
 
 
 def badge(verdict: str) -> str:
-    """The word of a verdict, in its colour."""
+    """Return the verdict, in its colour."""
     return f"[{verdict}]{{.verdict .{verdict.lower()}}}"
 
 
 def link(label: str, folder: str = "/claims/") -> str:
-    """A link to the page of a claim."""
+    """Return a link to the page of a claim."""
     return f"[`{label}`]({folder}{label}.md)"
 
 
 def titled(label: str, claim: dict[str, Any]) -> str:
-    """Its title, its label as a link to its page, and its verdict."""
+    """Return the title of a claim, its label as a link to its page, and its verdict."""
     return f"**{sentence(claim['title'])}** {link(label)} {badge(claim['verdict'])}"
 
 
 def statement(claim: dict[str, Any]) -> str:
-    """What a claim says, with its conditions, on lines of their own."""
+    """Return the statement with its conditions, on lines of their own."""
     return on_lines(of_record(claim))
 
 
 def inline(claim: dict[str, Any]) -> str:
-    """What a claim says, with its conditions, within a line."""
+    """Return the statement with its conditions, within a line."""
     return in_line(of_record(claim), claim["title"])
 
 
 def chain(lines: list[dict[str, Any]]) -> str:
-    """A chain: each expression with its reasons, which name the claims they rest on."""
+    """Return a derivation: each expression with its reasons and the claims that they cite."""
     rows = []
     for line in lines:
         if line["left"] and line["left"] != EQUIVALENT:

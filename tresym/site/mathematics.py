@@ -13,7 +13,7 @@ _SIGNS = (
     "ℎ𝖳−±∓×·⋅÷=≠≈≃∼≤≥<>≪≫∝→←↦⇒⇔⟹⟺∈∉∥∞∂∇∫∑∏√′″…⋯⟨⟩|‖⊤˙"
     "\u00a0\u2009\u2061\u2062\u2063\u0302\u0307\u0308\u20d7"
 )
-"""What the font keeps: letters upright and italic, and the signs of our formulas."""
+"""Characters that are kept in the font besides upright and italic letters."""
 
 FAMILY = "tresym mathematics"
 
@@ -26,16 +26,20 @@ def _converter() -> object:
 
 
 def mathml(formula: str, block: bool) -> str:
-    """A formula as MathML.
+    """Return a formula as MathML.
+
+    Args:
+        formula: LaTeX.
+        block: whether it is displayed on a line of its own.
 
     Raises:
-        math_core.LatexError: the formula is not understood.
+        math_core.LatexError: the formula cannot be parsed.
     """
     return str(_converter().convert_with_local_state(formula, displaystyle=block))  # type: ignore
 
 
 def stylesheet(font: Path) -> str:
-    """CSS that brings the mathematical font along, cut down to letters, operators and fences."""
+    """Return CSS with the mathematical font embedded, reduced to the characters that are used."""
     from fontTools import subset
 
     logging.getLogger("fontTools").setLevel(logging.WARNING)
@@ -57,7 +61,7 @@ def stylesheet(font: Path) -> str:
 
 
 def font_file() -> Path:
-    """The file of STIX Two Math, which comes with ziamath (SIL Open Font License)."""
+    """Return the file of STIX Two Math, which comes with ziamath (SIL Open Font License)."""
     import ziamath
 
     return Path(ziamath.__file__).parent / "fonts" / "STIXTwoMath-Regular.ttf"

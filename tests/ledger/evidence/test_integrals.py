@@ -556,28 +556,38 @@ ALONE = {
         area(5 * t),
         Integral(y, (y, 0, 2)),
         changing_variable(2 * t),
-        "other integrands",
+        "integrands correspond",
     ),
     "two intervals": (
         area(t + t**2, 0, 2),
         area(t) + area(t**2, 0, 2),
         collecting(),
-        "one interval",
+        "same interval",
     ),
-    "a square of an integral": (area(t), area(t) ** 2 + area(0 * t + 1), collecting(), "multiples"),
+    "a square of an integral": (
+        area(t),
+        area(t) ** 2 + area(0 * t + 1),
+        collecting(),
+        "linear combination",
+    ),
     "two integrals": (area(t) * area(t**2), ONE, integrating(t**2 / 2), "exactly one"),
-    "a point that is outside": (area(t), area(t, 0, 2) + area(t, 2, 1), cutting(ONE * 2), "lie in"),
+    "a point that is outside": (
+        area(t),
+        area(t, 0, 2) + area(t, 2, 1),
+        cutting(ONE * 2),
+        "lies in",
+    ),
     "a parameter that is in the point": (
         Subs(Derivative(area(x * y * t), y), y, x),
         x,
         differentiating_integral(2 * x * t),
-        "is not shown to be",
+        "could not show .* = ",
     ),
     "a parameter that hides": (
         by_parameter(Integral(x * y * t, (y, 0, 1))),
         ZERO,
         differentiating_integral(ZERO),
-        "hides its parameter",
+        "must not contain integrals",
     ),
 }
 
@@ -606,7 +616,7 @@ def test_each_part_has_a_value() -> None:
     for hidden in (slope + pole, pole + slope, Subs(1 / y, y, 0) + slope, slope + 1 / (t - t**2)):
         with pytest.raises(NotShownError):
             need_value(tree(hidden), ())
-    with pytest.raises(NotShownError, match="is not shown to exist"):
+    with pytest.raises(NotShownError, match=r"could not show that .* exists"):
         need_value(parse("limit(sin(1/x), x, 0)"), ())
 
 

@@ -101,12 +101,35 @@ def test_text_shows_what_there_is_and_nothing_empty() -> None:
     assert rows["witness"] == "x = 2"
     assert rows["right side"] == "1 ± 1e-9"
     assert all(rows.values())
-    assert str(FULL).splitlines()[0] == "REFUTED"
+    assert str(FULL).splitlines()[0] == "REFUTED: it <fails>"
     assert {name for name, _ in Answer(Verdict.PROVED, "why").rows()} <= {"why", "read as"}
 
 
+def test_the_first_line_has_the_verdict_and_the_first_clause_of_the_reason() -> None:
+    answer = Answer(Verdict.PROVED, "it holds (a; b) everywhere; defined at x = 0", statement="s")
+    assert str(answer).splitlines() == [
+        "PROVED: it holds (a; b) everywhere; defined at x = 0",
+        "  claim: s",
+    ]
+    answer = Answer(Verdict.PROVED, "it holds; defined at x = 0; and y = 1", statement="s")
+    assert str(answer).splitlines() == [
+        "PROVED: it holds",
+        "  claim: s",
+        "  note: defined at x = 0; and y = 1",
+    ]
+
+
+def test_long_numbers_are_abbreviated_in_text_and_whole_in_json() -> None:
+    read_as = f"x > 1/{10**1000} + {10**59}"
+    answer = Answer(Verdict.PROVED, f"at x = {10**100}", statement="s", read_as=read_as)
+    short = f"x > 1/1000000000…[981 digits]…0000000000 + {10**59}"
+    assert dict(answer.rows())["read as"] == short
+    assert "1000000000…[81 digits]…0000000000" in str(answer)
+    assert answer.as_json()["read_as"] == read_as
+
+
 def test_constants_refute_without_a_point() -> None:
-    assert dict(refuted("why", {}).rows())["witness"] == "the constants themselves"
+    assert dict(refuted("why", {}).rows())["witness"] == "the claim has no variables"
 
 
 def test_notebooks_get_text_that_is_escaped() -> None:

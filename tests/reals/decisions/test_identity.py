@@ -377,7 +377,7 @@ def test_conditions_that_hold_at_a_point_alone_prove_nothing_by_what_holds_besid
     for decider in (decide, decide_continuous):
         found = decider(parse("sqrt((x - 1)**2)"), parse("x - 1"), Given.parse(given))
         assert found.verdict is Verdict.UNDECIDED
-        assert "single points" in found.why
+        assert "isolated points" in found.why
 
 
 @pytest.mark.parametrize("given", ALONE)

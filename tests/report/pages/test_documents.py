@@ -78,18 +78,18 @@ HEDGED = (
     *("one_circle_e1", "only_about_the_handle", "slow_on_separatrix", "three_equilibria"),
     "threshold_impossible",
 )
-"""Where the paper hedges or prints no number, and what is refuted is a sharper reading of ours."""
+"""The paper qualifies these or prints no number; what is refuted is a stricter reading of ours."""
 
 
-def test_a_sharper_reading_is_kept_apart_from_what_the_paper_says() -> None:
+def test_stricter_readings_are_listed_apart_from_statements_of_the_paper() -> None:
     found = verify([*HEDGED, "d27", "zero_on_separatrix"])
     rows = [row for row in found.rows if row.finding.verdict is Verdict.REFUTED]
     said = {row.claim.label for row in rows if is_correction(row)}
     assert said == {"d27", "zero_on_separatrix"}
     assert {c.label for c in all_claims() if c.paper_says} == set(HEDGED)
-    page, apart = corrections(found).split("## Read more sharply than printed")
+    page, apart = corrections(found).split("## Fails only if read more strictly")
     assert all(f" (`{label}`)\n" in apart and label not in page for label in HEDGED)
-    assert apart.count("**Printed:** ") == apart.count("**More sharply, and ours:**")
+    assert apart.count("**Printed:** ") == apart.count("**Stricter reading:**")
     assert apart.count("Read as:") == len(HEDGED)
     for word in ("approximately", "very likely", r"\simeq", "hyperbolic shape", "very slow"):
         assert word in apart

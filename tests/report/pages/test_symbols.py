@@ -18,7 +18,7 @@ from tresym.site.claims import page
 
 def test_every_definition_and_every_assumption_has_its_line() -> None:
     report = verify(["d24", "eq_gamma", "unturned_decrease"])
-    defined, assumed = symbols(report).split("## What is assumed")
+    defined, assumed = symbols(report).split("## Physical assumptions")
     for row in report.rows:
         entries = table((row.claim,))
         if row.finding.verdict is Premise.ASSUMED:

@@ -1,7 +1,8 @@
 """Decide which kinds of evidence may support which kinds of statement.
 
-A formula is proved by evidence that is about that formula; what is said in words is compared with
-its evidence by the reader, and is marked as such (``formal: false``).
+A formula may only be proved by evidence about that very formula. Whether a sentence in words
+follows from its evidence has to be judged by the reader; such claims are marked ``formal: false``
+in the ledger.
 """
 
 from __future__ import annotations
@@ -54,44 +55,47 @@ from tresym.reals.numbers.arithmetic import ball_precision, balls
 
 BITS = 400
 CLOSE = arb("1e-6")
-"""How well a remainder and what a margin bounds must agree, where both are known well enough."""
+"""Tolerance for the agreement of the formula's remainder with the quantity that a margin bounds."""
 IN_WORDS = (AllOf, Denied)
-"""Evidence for sentences: it says nothing of any formula."""
+"""Evidence for sentences in words; it proves no formula."""
 WITHOUT_CONDITIONS = (AllOf, Denied)
-"""Evidence that no condition of the claim reaches."""
+"""Evidence that cannot use the conditions of the claim."""
 HOLDS_FUNCTIONS = (Boxes, Denied)
-"""Evidence that does not say yet how it decides the statement of its claim."""
+"""Evidence whose relation to the statement is only checked at sample points, or by the reader."""
 DECIDING = (
     *(tuple, Together, UniqueRoot, Monotone, Printed, Formally, Counterexample),
     *(Asymptotics, Squeezed, Charted, Evaluated, Boxes),
 )
-"""Evidence that decides the formula that is meant, whatever is said beside it."""
+"""Evidence that decides the formula in ``means``, also if ``says`` is different."""
 KINDS = (
     *(tuple, Definition, Root, Instance, Charted, Together, UniqueRoot, ImplicitFunction),
     *(Printed, AllOf, Formally, Counterexample, Boxes, Asymptotics, Squeezed, Denied, Evaluated),
     Monotone,
 )
-"""All kinds of evidence there are; a subclass may judge itself, and is none of them."""
+"""All accepted types of evidence. Subclasses are not accepted: they could judge themselves."""
+
+BESIDE = "this type of evidence cannot decide a formula in `means` that differs from `says`"
+UNRELATED = "the evidence does not say how its bounds are related to the formula"
 
 LOCAL = re.compile(
     r"smooth|analytic|holomorph|regular|continu|differentiab|derivative|lipschitz|class C|"
     r"C\^|bounded|\bflat\b|limit|tends?\b|converg|approach|asymptot|vanish|\bnear|neighbou?r|→|\bo\(",
     re.IGNORECASE,
 )
-"""Words for what a function does as it comes near a point, of which no single point tells."""
+"""Words for local properties of functions, which no single point can refute."""
 
 
 @dataclass(frozen=True)
 class Meant:
-    """What a formula's symbols are where its evidence is looked at.
+    """How the symbols of a formula correspond to the coordinates of its box proof.
 
     Attributes:
-        samples: for points of the box, or small parameters of an order, what each symbol (or
-            value at a point, as it stands) of the formula and of its conditions is there.
-        gauge: the quantity by which the formula's remainder is divided, in these symbols.
-        coordinates: of the box, in these symbols: they take the region, which the conditions of
-            the claim are, into the box, and the point at which the order holds inside it.
-        remainder: how the order is read, and what tends to 0 in it.
+        samples: returns sample points of the box, each with balls for the symbols of the formula
+            and of its conditions.
+        gauge: the quantity by which the remainder of the formula is divided.
+        coordinates: the coordinates of the box as functions of the symbols. They map the region
+            given by the conditions into the box, and the limit point into its interior.
+        remainder: how the printed order is interpreted, and which symbol tends to 0.
     """
 
     samples: Callable[[], Iterable[tuple[tuple[arb, ...], Mapping[Basic, arb]]]]
@@ -101,9 +105,10 @@ class Meant:
 
 
 def is_formal(claim: Claim) -> bool:
-    """Whether the evidence decides the claim's statement, and nothing else.
+    """Return whether the evidence decides the claim's statement itself.
 
-    Evidence that holds functions is compared with the statement by a reader, or at points.
+    False for prose, and for evidence that is compared with the statement by the reader or at
+    sample points only.
     """
     if isinstance(claim.proof, AllOf):
         return all(map(is_formal, claim.proof.claims))
@@ -113,58 +118,64 @@ def is_formal(claim: Claim) -> bool:
 
 
 def unfit(claim: Claim) -> str | None:
-    """Why the evidence cannot decide what is said, whatever it comes to; None where it can."""
+    """Return why this evidence cannot support this statement, or None if it can.
+
+    The answer depends only on the types and formulas involved, not on whether the evidence checks.
+    """
     proof, says = claim.proof, claim.says
     in_words = isinstance(says, str)
     match proof:
         case _ if type(proof) not in KINDS or not (in_words or isinstance(says, Basic)):
-            return "that is no kind of evidence"
+            return f"{type(proof).__name__} is not a supported type of evidence for this statement"
         case _ if (odd := _odd_condition(claim)) is not None:
             return f"{odd} is not a condition such as a > 0"
         case _ if not in_words and claim.means is None and _left_open(claim):
-            return "what is left open in an order is not said"
+            return "the statement contains an order; state the formula that is decided in `means`"
         case _ if claim.means is not None and not (in_words or is_open(claim.says)):
-            return "two formulas are no statement: what is said is what is meant"
+            return "`says` is already a decidable formula, so `means` must not give another one"
         case _ if claim.means is not None and not isinstance(proof, DECIDING):
-            return "this evidence decides no formula beside what is said"
+            return BESIDE
         case _ if (why := untied(claim)) is not None:
             return why
         case AllOf() if not in_words:
-            return "a conjunction proves a sentence; a formula needs a chain"
+            return "all_of is evidence for a sentence; a formula needs a chain"
         case _ if isinstance(proof, IN_WORDS) and not in_words:
-            return "the evidence is for a sentence and mentions no formula"
+            return "this evidence is for a sentence in words, but the claim states a formula"
         case _ if isinstance(proof, WITHOUT_CONDITIONS) and claim.given:
-            return "the conditions decide nothing here"
+            return "this evidence cannot use conditions; remove `given`"
         case Counterexample() | Denied() if in_words and LOCAL.search(says):
-            return "one point tells nothing of smoothness or of a limit"
+            return "a single point cannot refute a statement about smoothness or a limit"
         case Boxes() if in_words and claim.means is not None:
-            return "this evidence decides no formula beside what is said"
+            return BESIDE
         case Boxes() if in_words and claim.given:
-            return "the conditions decide nothing here: a box stands for them"
+            return "this evidence cannot use conditions, because its box replaces them"
         case Boxes() if not in_words:
             return _other_meaning(claim, proof)
     return None
 
 
 def _odd_condition(claim: Claim) -> object | None:
-    """The first condition that is no relation, and no input as it is printed; or None."""
+    """Return the first condition that is neither a relation nor a `Rounds`, or None."""
     odd = (c for c in (*claim.given,) if not isinstance(c, Relational | Rounds))
     return next(odd, None)
 
 
 def _left_open(claim: Claim) -> bool:
-    """Whether an order stands in what is said, and the evidence is for no order."""
+    """Return whether the statement contains an order but the evidence is not about orders."""
     orders = (Boxes, Asymptotics, Squeezed)
     return is_open(claim.says) and not isinstance(claim.proof, orders)
 
 
 def _other_meaning(claim: Claim, proof: Boxes) -> str | None:
-    """Where the formula says something else than its bounds or its order, or None."""
+    """Return why the bounds on boxes do not show the formula, or None.
+
+    The formula's remainder divided by the gauge is compared with the margins at sample points.
+    """
     says, meant = claim.says, proof.meant
     if meant is None or not isinstance(says, Equality):
-        return "nothing says what the evidence has to do with the formula"
+        return UNRELATED
     if claim.means is not None and not _is_stated(claim.means, proof):
-        return "the bound is not the one that the boxes show"
+        return "the stated bound differs from the bound that the boxes prove"
     orders = {*says.atoms(AppliedUndef)}
     rest, gap = says.args[0] - says.args[1], _gauge_gap(says, orders, meant.gauge)
     gap = gap or _elsewhere(claim, proof, meant)
@@ -172,7 +183,7 @@ def _other_meaning(claim: Claim, proof: Boxes) -> str | None:
         return gap
     plain = rest.xreplace({**dict.fromkeys(orders, Integer(0)), HOT: Integer(0)})
     if not _is_of_kind(proof, orders, HOT in says.free_symbols):
-        return "the evidence is not for a formula with such an order"
+        return "the number of bounds does not fit the kind of order in the formula"
     with ball_precision(BITS):
         samples = list(meant.samples())
     for at, known in samples:
@@ -181,17 +192,17 @@ def _other_meaning(claim: Claim, proof: Boxes) -> str | None:
             point = {names.get(e, e): ball for e, ball in known.items()}
             spoken_of = (e.xreplace(names) for e in (plain, meant.gauge, *claim.given))
             if any(not e.free_symbols <= {*point} for e in spoken_of):
-                return "a symbol of the formula has no value where the evidence is"
+                return "a symbol of the formula has no value at a sample point of the evidence"
             if not all(_met(condition.xreplace(names), point) for condition in claim.given):
-                return "the conditions do not hold where the evidence is"
+                return "the conditions do not hold at a sample point of the evidence"
             remainder = _at(plain.xreplace(names), point) / _at(meant.gauge, point)
             if not _is_bounded(proof, at, remainder):
-                return "the evidence is not about what the formula leaves out"
-    return None if samples else "nothing says what the evidence has to do with the formula"
+                return "at a sample point, the bounds do not bound the remainder of the formula"
+    return None if samples else UNRELATED
 
 
 def _is_stated(means: Basic, proof: Boxes) -> bool:
-    """Whether a bound is that of the boxes: their constant times their gauge."""
+    """Return whether ``means`` states |…| ≤ constant · gauge, with those of the box proof."""
     if proof.constant is None or not isinstance(means, Le):
         return False
     constant = Rational(int(proof.constant.p), int(proof.constant.q))
@@ -199,7 +210,7 @@ def _is_stated(means: Basic, proof: Boxes) -> bool:
 
 
 def _elsewhere(claim: Claim, proof: Boxes, meant: Meant) -> str | None:
-    """Why the boxes do not hold the region, or not the point at which the order is, or None."""
+    """Return why the boxes do not contain the region or the limit point, or None if they do."""
     assert isinstance(claim.says, Basic)
     given, x = conditions(claim.given), meant.remainder.tends.name
     coordinates = tuple(map(tree, meant.coordinates))
@@ -212,58 +223,67 @@ def _elsewhere(claim: Claim, proof: Boxes, meant: Meant) -> str | None:
     near = tuple(c for c in given if x not in symbols(c.left) | symbols(c.right))
     for box in (bound.box for bound in proof.bounds):
         if len(box) != len(coordinates):
-            return "the box has another number of sides than there are coordinates"
+            return f"the box has {len(box)} sides, but there are {len(coordinates)} coordinates"
         for e, side in zip(coordinates, box, strict=True):
             for end, sign in ((number(side.low), ">"), (number(side.high), "<")):
                 inside = Relation(e, f"{sign}=", end)
-                # What the coordinate does not speak of may be in the prover's way.
+                # Conditions on other symbols can distract the prover, so try without them first.
                 own = tuple(c for c in given if symbols(c.left) | symbols(c.right) <= symbols(e))
                 if not (is_manifest(inside, own) or is_manifest(inside, given)):
-                    return f"{e} {sign}= {end} is not shown: the region is not in the box"
+                    return f"the region must lie in the box, but could not show {e} {sign}= {end}"
                 there = Relation(substitute(e, {x: ZERO}), sign, end)
                 if x in symbols(e) and not is_manifest(there, near):
-                    return f"{e} {sign} {end} is not shown at the point: no box is around it"
+                    return (
+                        "the box must contain the limit point in its interior, but could not show "
+                        f"{e} {sign} {end} there"
+                    )
     return None
 
 
 def _gauge_gap(says: Basic, orders: set[Basic], gauge: Basic) -> str | None:
-    """Whether the gauge is the order that the formula names, but for a factor without its symbols.
+    """Return why the gauge is not a multiple of the order in the formula, or None if it is.
 
-    The factor is what an order leaves open: the other symbols are held.
+    The factor may depend on symbols that do not occur in the order; they are fixed in the limit.
     """
     if len(orders) > 1 or any(str(node.func) not in ("O", "o") for node in orders):
-        return "a formula has one order"
+        return "the formula must contain exactly one order, O(…) or o(…)"
     for node in orders:
         stand_in = Symbol("[order]", real=True)
         named = node.args[0] * (says.args[0] - says.args[1]).xreplace({node: stand_in}).diff(
             stand_in
         )
         if (gauge / named).free_symbols & node.args[0].free_symbols:
-            return "the gauge is not the order that the formula names"
+            return "the gauge of the evidence is not a multiple of the order in the formula"
     return None
 
 
 def _is_of_kind(proof: Boxes, orders: set[Basic], hot: bool) -> bool:
-    """A bounded remainder shows O or "hot"; one margin denies that there is none; o needs an o."""
+    """Return whether the number of bounds fits the order.
+
+    Two bounds enclose the remainder and show O(…) or higher-order terms; one bound shows that a
+    remainder is not zero. No bound with a constant shows o(…).
+    """
     names = {str(node.func) for node in orders}
     return len(proof.bounds) == (2 if hot or orders else 1) and "o" not in names
 
 
 def _met(condition: Basic, point: Mapping[Symbol, arb]) -> bool:
+    """Return whether balls confirm the condition at the point."""
     if not isinstance(condition, Relational):
         return False
     return stands(_at(condition.lhs - condition.rhs, point), condition.rel_op)
 
 
 def _at(e: Basic, point: Mapping[Symbol, arb]) -> arb:
+    """Return a ball for ``e`` at the point."""
     return enclosed(tree(e), {symbol.name: value for symbol, value in point.items()})
 
 
 def _is_bounded(proof: Boxes, at: tuple[arb, ...], remainder: arb) -> bool:
-    """Whether the evidence bounds this remainder, up to its sign.
+    """Return whether the margins at a point belong to this remainder e, up to its sign.
 
-    Two margins C − e and C + e bound e, one margin −|e| denies that e is 0. Where margins only
-    suffice, the remainder must keep to the constant.
+    Two margins C − e and C + e bound e; one margin −|e| shows that e is not 0. If the margins are
+    only sufficient for the bound, |e| ≤ C is checked instead.
     """
     inside = (
         side.low <= x.upper() and x.lower() <= side.high
@@ -283,6 +303,6 @@ def _is_bounded(proof: Boxes, at: tuple[arb, ...], remainder: arb) -> bool:
 
 
 def _same(x: arb, y: arb) -> bool:
-    """Equal up to the sign, as far as both are known, and that is well enough."""
+    """Return whether two narrow balls overlap up to the sign."""
     sharp = all(ball.is_finite() and ball.rad() < CLOSE * (1 + abs(ball)) for ball in (x, y))
     return bool(sharp and abs(x).overlaps(abs(y)))

@@ -1,11 +1,14 @@
 """Orders as something tends to a point: shown by a bound, refuted by expansions along a path.
 
-An order in one variable is shown by an inequality on the whole side of the point, which the prover
-of signs proves; expansions show none here, and only refute. One in several variables is never
-shown along a path; where it fails along one, the path is evidence: every condition must hold on it,
-and what tends must tend there. A symbol that stands for the one root of a function has no expansion
-of its own; on the path it is above, or below, a candidate where the function has the sign of that
-end.
+- Proof (`Squeezed`, one variable): the sign prover shows |difference| ≤ C·rᵏ·gauge on the whole
+  side of the point, with r the distance from it (or 1/|x| at infinity).
+- Refutation (`Asymptotics`): the asymptotic expansion of the difference contradicts the order, in
+  one variable or along a path. On the path all conditions must hold and the limit must be reached.
+  A path never proves an order in several variables.
+
+A symbol defined as the root of a function has no expansion of its own. On a path it is compared
+with a candidate expression: it lies above or below the candidate, depending on the sign of the
+function there.
 """
 
 from __future__ import annotations
@@ -37,18 +40,21 @@ from tresym.reals.signs.interior import PROVING
 from tresym.reals.verdict import Verdict
 
 t = Symbol("t", real=True)
-"""The small parameter of a path."""
+"""The parameter of a path; it tends to 0 from above."""
+UNASSIGNED = "the path does not give every symbol a value"
 SIDES = {1: (1,), -1: (-1,), 0: (1, -1)}
 
 
 @dataclass(frozen=True)
 class Asymptotics:
-    """Expansions that refute an order, of one variable or along a path; they show none.
+    """Evidence against an order: an asymptotic expansion in one variable or along a path.
 
     Attributes:
-        along: what each symbol is on the path, in the small parameter ``t`` from above.
-        beside: for a symbol that is one root, on which side of a candidate it lies there.
-        claims: the definition of that symbol, and equations put in for the function of the root.
+        along: each symbol as a function of the path's parameter ``t``, t → 0+; empty for an order
+            in one variable.
+        beside: for a symbol defined as a root, the inequality between it and a candidate on the
+            path.
+        claims: the definition of that symbol, and equations for the function whose root it is.
     """
 
     along: Mapping[Symbol, Expr] = field(default_factory=dict)
@@ -60,9 +66,13 @@ class Asymptotics:
 
 @dataclass(frozen=True)
 class Squeezed:
-    """The difference is at most ``constant``·rᵏ times the gauge, k the ``power``, in size.
+    """Evidence for an order in one variable: |difference| ≤ ``constant``·rᵏ·|gauge| for all r > 0.
 
-    r is the distance from the point, or 1/|x|, and what is shown holds for all r > 0.
+    r is the distance from the limit point, or 1/|x| at infinity.
+
+    Attributes:
+        constant: a number.
+        power: the exponent k; at least 0 for O(…), positive for o(…).
     """
 
     constant: Expr
@@ -72,7 +82,7 @@ class Squeezed:
 
 
 class Ordered(NamedTuple):
-    """``difference`` is O or o of ``gauge``."""
+    """The statement that ``difference`` is O(``gauge``) or o(``gauge``), as ``kind`` says."""
 
     difference: Expr
     kind: str
@@ -80,53 +90,58 @@ class Ordered(NamedTuple):
 
 
 class NotAlongError(ValueError):
-    """What the path was to show is not shown on it."""
+    """A requirement on the path of a refutation could not be shown; the text says which."""
 
 
 def failing_order(claim: Claim) -> Finding | None:
-    """REFUTED, where expansions show that the order fails; None otherwise."""
+    """Return REFUTED if an asymptotic expansion contradicts the order, else None."""
     proof = claim.proof if isinstance(claim.proof, Asymptotics) else Asymptotics()
     found = _expanded(claim, proof)
     return found if found.verdict is Verdict.REFUTED else None
 
 
 def judge_squeezed(claim: Claim, proof: Squeezed) -> Finding:
-    """PROVED where the inequality is, on the whole side of the point.
+    """Return PROVED if the inequality is proved on the whole side of the limit point.
 
     Raises:
-        NotShownError: it is not, or the statement is no such order.
+        NotShownError: the inequality could not be proved, or the statement is not an order in one
+            variable.
     """
     says = claim.statement
     stated = ordered(says.args[0]) if isinstance(says, As) else None
     if stated is None or not isinstance(says, As) or not isinstance(says.args[1], Symbol):
-        raise NotShownError("the statement is not an equation with one order in a variable")
+        raise NotShownError("the statement must be an equation with one order in one variable")
     _, x, point, side = says.args
     infinite = point in (oo, -oo)
     away = (x if point == oo else -x) if infinite else side * (x - point)
     distance = 1 / away if infinite else away
-    need(x not in point.free_symbols, "it has no side of a point")
-    need(not claim.given, "the conditions decide nothing here")
+    need(x not in point.free_symbols, f"the limit point must not depend on {x}")
+    need(not claim.given, "evidence by an inequality on one side of the point takes no conditions")
     small = isinstance(proof.power, int | Fraction) and not proof.constant.free_symbols
     enough = proof.power > 0 if stated.kind == "o" else proof.power >= 0
-    need(small and enough, "the bound does not make it that small")
+    need(
+        small and enough,
+        "the bound is too weak: it needs a constant without symbols and a power of at least 0 for "
+        "O(…), or above 0 for o(…)",
+    )
     near = conditions((away > 0,))
     rises = is_manifest(Relation(tree(stated.gauge), ">=", ZERO), near)
     size = proof.constant * distance**proof.power * (stated.gauge if rises else -stated.gauge)
     most = tree(size)
     for e in (tree(stated.difference), tree(-stated.difference)):
         gap = undefined(e, near) or undefined(most, near)
-        need(gap is None and elementary(e, most), f"nothing shows that {gap or e} is a number")
-        need(is_manifest(Relation(e, "<=", most), near), f"{e} <= {most} is not shown")
-    why = f"±({stated.difference}) <= {size} for all {x} on that side"
+        need(gap is None and elementary(e, most), f"could not show that {gap or e} is defined")
+        need(is_manifest(Relation(e, "<=", most), near), f"could not show {e} <= {most}")
+    why = f"±({stated.difference}) <= {size} for all {x} on that side of the limit point"
     return Finding(Verdict.PROVED, why, region=f"{away} > 0")
 
 
 def _expanded(claim: Claim, proof: Asymptotics) -> Finding:
-    """What expansions say of an order."""
+    """Expand the difference, in one variable or along the path, and compare it with the gauge."""
     says = claim.statement
     stated = ordered(says.args[0]) if isinstance(says, As) else None
     if stated is None or not isinstance(says, As):
-        return Finding(Verdict.UNDECIDED, "the statement is not an equation with one order")
+        return Finding(Verdict.UNDECIDED, "the statement must be an equation with one order")
     try:
         if proof.along:
             return _along(claim, proof, says, stated)
@@ -136,7 +151,12 @@ def _expanded(claim: Claim, proof: Asymptotics) -> Finding:
 
 
 def ordered(says: Basic) -> Ordered | None:
-    """An equation that is linear in its one O(…) or o(…), solved for it."""
+    """Solve an equation for its only O(…) or o(…), in which it must be linear.
+
+    Returns:
+        The difference, the kind (``"O"`` or ``"o"``) and the gauge; None if ``says`` is not such
+        an equation.
+    """
     orders = [node for node in says.atoms(AppliedUndef) if str(node.func) in ("O", "o")]
     if not isinstance(says, Eq) or len(orders) != 1 or len(orders[0].args) != 1:
         return None
@@ -149,16 +169,23 @@ def ordered(says: Basic) -> Ordered | None:
 
 
 def _in_one_variable(claim: Claim, says: As, stated: Ordered) -> Finding:
+    """Decide an order in one variable, without conditions, by expansions."""
     _, x, point, side = says.args
     if not isinstance(x, Symbol) or point.free_symbols:
-        return Finding(Verdict.UNDECIDED, "several variables tend, and no path is given")
+        return Finding(
+            Verdict.UNDECIDED,
+            "the order is in several variables; a refutation needs a path (Asymptotics(along=...))",
+        )
     if claim.given or claim.uses:
-        return Finding(Verdict.UNDECIDED, "the conditions decide nothing here")
+        return Finding(
+            Verdict.UNDECIDED, "expansions in one variable take no conditions and use no claims"
+        )
     end = None if point in (oo, -oo) else _tree(point)
     return _decided(stated, Path(x.name, end, SIDES[int(side)]))
 
 
 def _decided(stated: Ordered, path: Path) -> Finding:
+    """Decide the order on a path and convert the result to a finding."""
     left, right = _tree(stated.difference), _tree(stated.gauge)
     found = decide_order(Comparison(left, stated.kind, right), path)
     witness = found.witness and {name: parse_number(v) for name, v in found.witness.items()}
@@ -176,7 +203,7 @@ def _decided(stated: Ordered, path: Path) -> Finding:
 
 
 def _along(claim: Claim, proof: Asymptotics, says: As, stated: Ordered) -> Finding:
-    """REFUTED where the order fails on the path; a path shows no order."""
+    """Return REFUTED if the order fails on the path, else UNDECIDED."""
     path = {name: _tree(e) for name, e in proof.along.items()}
     names = {symbol.name: e for symbol, e in zip(proof.along, path.values(), strict=True)}
     _need_path(claim, says, stated, names)
@@ -184,7 +211,7 @@ def _along(claim: Claim, proof: Asymptotics, says: As, stated: Ordered) -> Findi
         substitute(_tree(e), names) for e in (_beyond(proof, stated, names), stated.gauge)
     )
     if (symbols(difference) | symbols(gauge)) - {t.name}:
-        raise NotAlongError("the path leaves a symbol open")
+        raise NotAlongError(UNASSIGNED)
     found = decide_order(Comparison(difference, stated.kind, gauge), Path(t.name, ZERO, (1,)))
     if found.verdict is not Verdict.REFUTED or found.witness is None:
         return Finding(Verdict.UNDECIDED, f"the order does not fail on the path: {found.why}")
@@ -198,20 +225,20 @@ def _along(claim: Claim, proof: Asymptotics, says: As, stated: Ordered) -> Findi
 
 
 def _need_path(claim: Claim, says: As, stated: Ordered, names: Mapping[str, Tree]) -> None:
-    """That the path is one of the statement: in its conditions, to its end, of free symbols.
+    """Require that the path satisfies the conditions, reaches the limit and sets free symbols only.
 
     Raises:
-        NotAlongError: it is not.
+        NotAlongError: one of these could not be shown.
     """
     spoken_of = says.free_symbols.union(*(c.free_symbols for c in claim.given))
     if t in spoken_of:
-        raise NotAlongError("the path is not in a parameter of its own")
+        raise NotAlongError(f"the parameter {t} of the path must not occur in the statement")
     if {*names} & (defined(claim) | {t.name}):
-        raise NotAlongError("the path gives a value to what is defined")
+        raise NotAlongError("the path must not give a value to a defined symbol")
     _need(claim.given, names)
     what, ends = (e.args if isinstance(e, Tuple) else (e,) for e in says.args[1:3])
     if len(what) != len(ends):
-        raise NotAlongError("what tends, and to where, is not told of each")
+        raise NotAlongError("the statement must give one limit for each expression that tends")
     for e, end in zip(what, ends, strict=True):
         here, side = substitute(_tree(e), names), int(says.args[3])
         if end in (oo, -oo):
@@ -220,23 +247,24 @@ def _need_path(claim: Claim, says: As, stated: Ordered, names: Mapping[str, Tree
             off = here - _tree(end)
         vanishing = decide_order(Comparison(off, "o", ONE), Path(t.name, ZERO, (1,)))
         if not vanishing.verdict.holds or side not in (0, _sign(off)):
-            raise NotAlongError(f"{e} does not tend there on the path")
+            raise NotAlongError(f"could not show that {e} tends to {end} on the path")
 
 
 def _need(given: tuple[Basic, ...], names: Mapping[str, Tree]) -> None:
+    """Require that the conditions hold on the path for small t."""
     for condition in conditions(given):
         up = condition.upward
         sign = _sign(substitute(up.left - up.right, names))
         shown = {1: "+", -1: "-", 0: "0", None: None}[sign]
         if shown not in PROVING[up.sign]:
-            raise NotAlongError(f"{condition} is not shown on the path")
+            raise NotAlongError(f"could not show the condition {condition} on the path")
 
 
 def _beyond(proof: Asymptotics, stated: Ordered, names: Mapping[str, Tree]) -> Expr:
-    """The difference at the candidate, which is smaller in size than at the root.
+    """Return the difference with the candidate in place of the root, which makes it smaller.
 
     Raises:
-        NotAlongError: where that is not shown.
+        NotAlongError: it could not be shown that this makes the difference smaller in size.
     """
     if proof.beside is None:
         return stated.difference
@@ -244,30 +272,32 @@ def _beyond(proof: Asymptotics, stated: Ordered, names: Mapping[str, Tree]) -> E
     unique = None if root is None else root.unique.statement
     symbol, candidate = proof.beside.args
     if root is None or not isinstance(unique, ExactlyOne) or symbol != root.symbol:
-        raise NotAlongError(f"{symbol} is not defined as one root")
+        raise NotAlongError(f"{symbol} is not defined as the root of a function")
     side = {">": 1, "<": -1}.get(proof.beside.rel_op)
     if side is None:
-        raise NotAlongError(f"{proof.beside} is no bound to one side")
+        raise NotAlongError(f"{proof.beside} must be a strict inequality, with > or <")
     at_candidate = {**names, unique.variable.name: substitute(_tree(candidate), names)}
     _need(root.unique.given, names)
     for low, high in ((unique.low, candidate), (candidate, unique.high)):
         if _sign(substitute(_tree(high - low), names)) != 1:
-            raise NotAlongError("the candidate is not between the ends")
+            raise NotAlongError("could not show that the candidate lies between the ends")
     vanishing = _tree(unique.difference)
     end = substitute(_tree(unique.low if side == 1 else unique.high), names)
     here = _sign(substitute(_put_in(vanishing, proof, at_candidate), at_candidate))
     there = _sign(substitute(vanishing, {**names, unique.variable.name: end}))
     if {here, there} not in ({1}, {-1}):
-        raise NotAlongError(f"{proof.beside} is not shown on the path")
+        raise NotAlongError(f"could not show {proof.beside} on the path")
     slope, beyond = stated.difference.diff(symbol), stated.difference.xreplace({symbol: candidate})
     signs = [_sign(substitute(_tree(e), names)) for e in (slope * side, beyond)]
     if signs not in ([1, 1], [-1, -1]):
-        raise NotAlongError("the difference may be smaller at the root than at the candidate")
+        raise NotAlongError(
+            "could not show that the difference is larger in size at the root than at the candidate"
+        )
     return beyond
 
 
 def _put_in(e: Tree, proof: Asymptotics, names: Mapping[str, Tree]) -> Tree:
-    """``e`` by the equation that is claimed of it, where its conditions hold on the path."""
+    """Replace ``e`` by the right side of a used claim's equation for it, if there is one."""
     for claim in proof.claims:
         rules = {} if isinstance(claim.proof, Root) else definitions((claim,))
         if e in rules:
@@ -277,16 +307,17 @@ def _put_in(e: Tree, proof: Asymptotics, names: Mapping[str, Tree]) -> Tree:
 
 
 def _sign(e: Tree) -> int | None:
-    """The sign of ``e`` for small t, 0 where it is 0 there; None where that is open.
+    """Return the sign of ``e`` for small t > 0 (1, −1 or 0), or None if it is unknown.
 
     Raises:
-        NotAlongError: it speaks of more than t.
+        NotAlongError: ``e`` contains a symbol other than t.
     """
     if symbols(e) - {t.name}:
-        raise NotAlongError("the path leaves a symbol open")
+        raise NotAlongError(UNASSIGNED)
     found = sign_towards(e, t.name, ZERO, 1)
     return None if found is None else found[0]
 
 
 def _tree(e: Basic) -> Tree:
+    """Return the expression tree with derivatives and substitutions carried out."""
     return worked_out(tree(e))

@@ -23,10 +23,14 @@ Values = Mapping[str, fmpq | arb]
 
 
 def values_at(point: Mapping[str, fmpq], claims: Iterable[Claim]) -> dict[str, arb]:
-    """Balls around the coordinates, and around what the claims define by them.
+    """Return balls for the coordinates and for the symbols that the claims define from them.
 
-    What is defined has no value of its own, and none where balls do not confirm the conditions
-    under which it is.
+    A defined symbol is computed from its definition, even if ``point`` gives it a value. It is left
+    out if balls do not confirm the conditions of its definition.
+
+    Args:
+        point: exact coordinates by symbol name.
+        claims: the claims whose definitions are used.
     """
     waiting = [e for e in table(claims) if e.symbol.op == "symbol"]
     defined = {str(e.symbol.args[0]) for e in waiting}
@@ -46,13 +50,14 @@ def values_at(point: Mapping[str, fmpq], claims: Iterable[Claim]) -> dict[str, a
 
 
 def _asked(entry: Entry) -> frozenset[str]:
+    """Return the symbols that must have values before the entry can be evaluated."""
     own = {f"[{entry.symbol.args[0]}]"}
     asked = (symbols(side) for c in conditions(entry.claim.given) for side in (c.left, c.right))
     return (symbols(entry.meaning) - own).union(*asked)
 
 
 def _root(entry: Entry, known: Values) -> arb:
-    """A ball around the one root between the ends, where the function changes its sign."""
+    """Return a ball around the unique root of the entry, located by a change of sign."""
     assert isinstance(entry.claim.proof, Root)
     one = entry.claim.proof.unique.statement
     assert isinstance(one, ExactlyOne)
@@ -62,12 +67,12 @@ def _root(entry: Entry, known: Values) -> arb:
 
 
 def one_root(unique: Claim) -> Expr:
-    """The root of which a claim says that there is one, or one at most."""
+    """Return the root whose uniqueness the claim states (`ExactlyOne` or `AtMostOne`)."""
     return tree(TheRoot(*cast(Basic, unique.statement).args))
 
 
 def roots_of(claims: Iterable[Claim]) -> Iterator[tuple[Expr, Conditions, Claim]]:
-    """The roots of which claims say that there is one at most, and under which conditions."""
+    """Yield the roots that the claims state to be unique, with the conditions and the claim."""
     for claim in claims:
         says = claim.statement
         if isinstance(says, ExactlyOne | AtMostOne) and says.difference is not None:
@@ -77,7 +82,7 @@ def roots_of(claims: Iterable[Claim]) -> Iterator[tuple[Expr, Conditions, Claim]
 
 
 def unique_by(claims: Iterable[Claim]) -> Unique:
-    """Whether one of the claims says that a root is one at most, at the values it is asked for."""
+    """Return a test whether one of the claims guarantees that a root is unique at given values."""
     known = {ordered(node): given for node, given, _ in roots_of(claims)}
 
     def unique(node: Expr, at: At) -> bool:
@@ -90,10 +95,15 @@ def unique_by(claims: Iterable[Claim]) -> Unique:
 
 
 def changing_sign(low: arb, high: arb, function: Callable[[arb], arb]) -> arb:
-    """A ball around the one place between two ends where a function changes its sign.
+    """Return a ball around the sign change of a function between two ends.
 
-    By secants and, where these meet no change of sign, by halving. Not finite where its values at
-    the ends do not differ in sign.
+    Uses the secant method, and bisection if that fails. The ball is not finite if the values at
+    the ends do not have opposite signs.
+
+    Args:
+        low: the lower end.
+        high: the upper end.
+        function: a function from balls to balls.
     """
     first = side(function(low))
     if {first, side(function(high))} != {1, -1}:

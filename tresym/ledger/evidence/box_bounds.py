@@ -30,7 +30,7 @@ _anew: ContextVar[bool] = ContextVar("_anew", default=False)
 
 @contextmanager
 def finding_anew() -> Iterator[None]:
-    """Inside the block box proofs are searched for again, and stored ones are not looked at."""
+    """Search for box proofs anew inside the ``with`` block, ignoring the stored ones."""
     token = _anew.set(True)
     try:
         yield
@@ -39,7 +39,7 @@ def finding_anew() -> Iterator[None]:
 
 
 def searching_anew() -> bool:
-    """Whether this is inside :func:`finding_anew`."""
+    """Return whether the code runs inside :func:`finding_anew`."""
     return _anew.get()
 
 
@@ -48,34 +48,40 @@ def decisions_of(
     stored: Callable[[], tuple[BoxProof, ...] | None] | None,
     budget: int,
 ) -> tuple[BoxProof | Counterexample | Open, ...]:
-    """What each bound comes to, by its stored proof where there is one.
+    """Return the result for each bound, checking its stored proof if there is one.
+
+    Args:
+        bounds: the bounds, each on its box.
+        stored: returns the stored proofs, one per bound, or None; None to search in any case.
+        budget: maximal number of boxes in a search, per bound.
 
     Raises:
-        CertificateError: stored proofs that do not prove the bounds.
+        CertificateError: the stored proofs do not prove the bounds.
     """
     proofs = None if searching_anew() or stored is None else stored()
     if proofs is None:
         return tuple(decide_bound(bound, budget) for bound in bounds)
     if len(proofs) != len(bounds):
-        raise CertificateError("stored proofs of another number of bounds")
+        raise CertificateError(f"{len(proofs)} proofs are stored for {len(bounds)} bounds")
     pairs = zip(bounds, proofs, strict=True)
     return tuple(decide_bound(bound, budget, proof) for bound, proof in pairs)
 
 
 @dataclass(frozen=True)
 class Boxes:
-    """Every bound holds on its box.
+    """Evidence that a statement holds because each of several functions is positive on a box.
 
     Attributes:
-        bounds: the bounds; together they are the statement.
+        bounds: the bounds; together they imply the statement.
         names: names of the coordinates, for witnesses and regions.
         region: where the statement holds, in words.
-        constant: the constant of the statement, where it has one.
-        claims: claims the reduction to these bounds rests on.
-        stored: gives the stored proofs, or None where there are none; None itself where none are
-            kept, because the search is short or ends at a counterexample.
-        budget: boxes a search may look at, for each bound.
-        meant: for a formula, what its symbols are in the box (see meant.py).
+        constant: the constant of the statement, or None.
+        claims: claims that the reduction to these bounds uses.
+        stored: returns the stored proofs, or None if there are none. None itself if no proofs are
+            stored for this claim, because the search is short or ends at a counterexample.
+        budget: maximal number of boxes in a search, per bound.
+        meant: for a formula, the meaning of its symbols on the box; see
+            `tresym.ledger.evidence.admissible.Meant`.
     """
 
     bounds: tuple[Bound, ...]
@@ -90,18 +96,19 @@ class Boxes:
     expect: ClassVar[Ruling] = Verdict.ENCLOSED
 
     def decisions(self) -> tuple[BoxProof | Counterexample | Open, ...]:
-        """What each bound came to, by its stored proof where there is one.
+        """Return the result for each bound, checking its stored proof if there is one.
 
         Raises:
-            CertificateError: stored proofs that do not prove the bounds.
+            CertificateError: the stored proofs do not prove the bounds.
         """
         return decisions_of(self.bounds, self.stored, self.budget)
 
     def judge(self, region: str = "") -> Finding:
-        """ENCLOSED when all bounds are, REFUTED at a point where one fails.
+        """Return ENCLOSED if all bounds are proved, REFUTED with a point if one fails.
 
         Args:
-            region: where the statement holds, by the conditions of the claim.
+            region: the region as stated by the conditions of the claim; if empty, that of the
+                evidence is reported.
         """
         for bound in self.bounds:
             with ball_precision(bound.precision):
@@ -124,17 +131,27 @@ def closed(
     region: str | None,
     constant: Decimal | None = None,
 ) -> Finding:
-    """ENCLOSED where all boxes are closed, and there is one."""
+    """Return ENCLOSED if there is a proof for every bound, else UNDECIDED.
+
+    Args:
+        decisions: the results for the bounds; empty gives UNDECIDED.
+        region: where the statement holds, for the report.
+        constant: the constant of the statement, for the report.
+    """
     proofs = [found for found in decisions if isinstance(found, BoxProof)]
     if not decisions or len(proofs) < len(decisions):
         points = [found.point for found in decisions if isinstance(found, Counterexample)]
-        why = "the search left boxes open" if decisions else "there is no bound to show"
-        why += f", at {points[0]}" if points else ""
+        why = (
+            "the search ended before the bound was proved on all boxes"
+            if decisions
+            else "the evidence contains no bound"
+        )
+        why += f"; it fails at {points[0]}" if points else ""
         return Finding(Verdict.UNDECIDED, why, constant=constant)
     leaves = sum(found.leaves for found in proofs)
     return Finding(
         Verdict.ENCLOSED,
-        f"closed in {leaves} box" + "es" * (leaves != 1),
+        f"proved on {leaves} box" + "es" * (leaves != 1),
         constant=constant,
         region=region,
         trees=tuple(found.tree for found in proofs),
@@ -142,6 +159,6 @@ def closed(
 
 
 def decimal(x: fmpq) -> Decimal:
-    """An exact constant, as it is shown."""
+    """Return an exact constant as a decimal with 12 digits, for reports."""
     with ball_precision(64):
         return decimal_ball(Interval(x, x).ball(), 12)

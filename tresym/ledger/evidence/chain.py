@@ -35,8 +35,9 @@ from tresym.reals.language.expression import HALF, PI, ZERO, Expr, apply, replac
 from tresym.reals.language.formula import Conjunction, Equivalence, Formula, Relation
 from tresym.reals.verdict import Verdict
 
+OUTSIDE = "could not show that {} lies in the domain of the operation applied to it"
 OPENING = ("differentiation", "evaluating")
-"""Reasons by which derivatives and values are worked out."""
+"""Reasons that allow derivatives and substitutions to be carried out."""
 
 ONE_TO_ONE = {
     "exp": (),
@@ -48,17 +49,32 @@ ONE_TO_ONE = {
     "sqrt": ("+", "0", ">=0"),
     "square": ("+", "0", ">=0"),
 }
-"""Strictly monotone functions, and the sign that both sides must be shown to have."""
+"""Injective functions that may be applied to an equation, and the signs that both sides may have
+(empty: any sign)."""
 
 MONOTONE = {"cos": (-1, ZERO, PI), "sin": (1, -PI * HALF, PI * HALF)}
-"""Functions that may be applied to both sides of an inequality: −1 where they turn it round, and
-the closed interval, on which they are strictly monotone, that must hold both sides."""
+"""Functions that may be applied to both sides of an inequality: the direction (−1 if decreasing),
+and the closed interval of strict monotonicity that must contain both sides."""
 
 
 def check_chain(says: Formula, chain: Chain, given: Conditions) -> tuple[StepFinding, ...]:
-    """Findings for every step; all are PROVED exactly when the chain proves ``says``."""
+    """Check each step of a chain; the chain proves ``says`` if all findings are PROVED.
+
+    A step is checked by substituting the claims that it names, applying the rules for integrals
+    that it names, and comparing exact normal forms with the theories that it allows. Both sides
+    must be defined under the conditions.
+
+    Args:
+        says: an equation, an inequality, a system of equations or an equivalence of two equations.
+        chain: the steps, each with its reasons.
+        given: the conditions.
+
+    Returns:
+        One finding per step, and one more if the last step does not arrive at the right side or at
+        a provable sign.
+    """
     try:
-        need(bool(chain), "the chain has no step")
+        need(bool(chain), "the chain has no steps")
         before, goal = _ends(says, chain, given)
     except NotShownError as error:
         return (StepFinding(Verdict.UNDECIDED, str(error)),)
@@ -75,7 +91,7 @@ def check_chain(says: Formula, chain: Chain, given: Conditions) -> tuple[StepFin
 
 
 def _found(check: Callable[..., None], *asked: Any) -> StepFinding:
-    """What checking a step comes to: PROVED where nothing that it asks for is missing."""
+    """Run a check; return PROVED, or UNDECIDED with the reason if it raises NotShownError."""
     began = time.perf_counter()
     try:
         check(*asked)
@@ -85,21 +101,21 @@ def _found(check: Callable[..., None], *asked: Any) -> StepFinding:
 
 
 def _as_meant(before: Stage, reasons: tuple[Reason, ...], given: Conditions) -> Stage:
-    """What a step leads to that names no form: all put in and worked out by which it has a sign."""
+    """Return the result of a step that states no expression: all substitutions carried out."""
     used = tuple(c for reason in reasons if reason.name == "substituting" for c in reason.claims)
     try:
         rules, _ = instantiated(used, with_bounds(given, reasons))
     except NotShownError:
         return before
     if isinstance(before, Relation):
-        raise NotShownError("a step from an equation names the next one")
+        raise NotShownError("a step that starts at an equation must state the next equation")
     meant = tuple(put_in(e, rules) for e in before)
     opened = any(reason.name in OPENING for reason in reasons)
     return tuple(map(worked_out, meant)) if opened else meant
 
 
 def _ends(says: Formula, chain: Chain, given: Conditions) -> tuple[Stage, Stage | None]:
-    """Where a chain for ``says`` starts, and where it must arrive (None: at a sign)."""
+    """Return the start of a chain for ``says`` and its goal (None: a form with a provable sign)."""
     match says:
         case Equivalence(Relation(sign="==") as first, Relation(sign="==") as second):
             last = chain[-1].expression
@@ -118,9 +134,9 @@ def _ends(says: Formula, chain: Chain, given: Conditions) -> tuple[Stage, Stage 
 
 
 def _compared(says: Relation, reasons: tuple[Reason, ...], given: Conditions) -> Expr:
-    """What must be positive (or not negative) for an inequality: the difference of its sides.
+    """Return the difference that must be positive (or non-negative) for an inequality.
 
-    Where the first step applies a monotone function, it is the difference of their values.
+    If the first step applies a monotone function, the difference is taken of the function values.
     """
     sides = (says.left, says.right)
     given = with_bounds(given, reasons)
@@ -128,9 +144,12 @@ def _compared(says: Relation, reasons: tuple[Reason, ...], given: Conditions) ->
         need(name in MONOTONE, f"{name} is not known to be monotone")
         direction, low, high = MONOTONE[name]
         for side in sides:
-            for room in (side - low, high - side):
-                lies = manifest_sign(room, given) in NON_NEGATIVE
-                need(lies, f"{side} is not shown to lie where {name} is monotone")
+            for distance in (side - low, high - side):
+                lies = manifest_sign(distance, given) in NON_NEGATIVE
+                need(
+                    lies,
+                    f"could not show that {side} lies in [{low}, {high}], where {name} is monotone",
+                )
         sides = (direction * apply(name, sides[0]), direction * apply(name, sides[1]))
     return sides[0] - sides[1]
 
@@ -142,11 +161,11 @@ def _arrives(
     reasons: tuple[Reason, ...],
     given: Conditions,
 ) -> None:
-    """That a chain ends at the right side itself, or at a manifest sign."""
+    """Require that the chain ends at the right side, or at an expression of the required sign."""
     if goal is not None:
         return None if last == goal else _check_step(last, goal, (), given)
     if isinstance(last, Relation) or len(last) != 1 or not isinstance(says, Relation):
-        raise NotShownError("an inequality is shown by the sign of a number")
+        raise NotShownError("the chain for an inequality must end at a single number")
     given, strict = with_bounds(given, reasons), says.sign in (">", "<")
     integrals = dict.fromkeys(node for node in outermost(last[0]) if node.op == "integral")
     numbers = {node: symbol(f"[{n}]") for n, node in enumerate(integrals)}
@@ -154,21 +173,22 @@ def _arrives(
     signs = {n: sign_of_integral(node, bounds, given, strict) for node, n in numbers.items()}
     need_integrals((node for node in outermost(last[0]) if node not in numbers), given)
     known = (Relation(n, ">" if sign == "+" else ">=", ZERO) for n, sign in signs.items() if sign)
-    # What is cited may bound the same integrals.
+    # The cited bounds may contain the same integrals, so they are renamed alike.
     cited = (Relation(replaced(c.left, numbers), c.sign, replaced(c.right, numbers)) for c in given)
     wanted = ">" if strict else ">="
     arrived = is_manifest(Relation(replaced(last[0], numbers), wanted, ZERO), (*cited, *known))
-    return need(arrived, f"the sign of {last[0]} is not manifest")
+    return need(arrived, f"could not show that {last[0]} {wanted} 0")
 
 
 def _check_step(
     before: Stage, after: Stage, reasons: tuple[Reason, ...], given: Conditions
 ) -> None:
+    """Check a step between two equations, two numbers, or two matrices entry by entry."""
     if isinstance(before, Relation) and isinstance(after, Relation):
         return _check_equation(before, after, reasons, given)
     if isinstance(before, Relation) or isinstance(after, Relation):
-        raise NotShownError("the step changes the kind of statement")
-    need(len(before) == len(after), "matrices of different shape")
+        raise NotShownError("a step cannot lead from an equation to an expression or back")
+    need(len(before) == len(after), "the two matrices have different shapes")
     for p, q in zip(before, after, strict=True):
         _check_scalar(p, q, reasons, given)
     return None
@@ -177,7 +197,7 @@ def _check_step(
 def _check_equation(
     before: Relation, after: Relation, reasons: tuple[Reason, ...], given: Conditions
 ) -> None:
-    """Both sides rewritten, or one one-to-one operation applied to both."""
+    """Check a step between equations: rewriting, or an injective operation on both sides."""
     left, right = before.left, before.right
     given = with_bounds(given, reasons)
     for side in (left, right):
@@ -191,22 +211,26 @@ def _check_equation(
             factor = tree(reason.factor)
             _need_defined(factor, given)
             nonzero = manifest_sign(factor, given) in ("+", "-")
-            need(nonzero, f"{factor} is not shown to be non-zero")
+            need(nonzero, f"could not show that the factor {factor} is not zero")
             left, right = left * factor, right * factor
         if reason.function is not None:
             known = ONE_TO_ONE.get(reason.function)
             if known is None:
-                raise NotShownError(f"{reason.function} is not known to be one-to-one")
+                raise NotShownError(f"{reason.function} is not in the list of injective functions")
             for side in (left, right) if known else ():
-                need(manifest_sign(side, given) in known, f"the sign of {side} is not shown")
+                need(
+                    manifest_sign(side, given) in known,
+                    f"could not show the sign of {side} that {reason.function} requires",
+                )
             left, right = _apply(reason.function, left), _apply(reason.function, right)
     _check_scalar(left, after.left, reasons, given)
     _check_scalar(right, after.right, reasons, given)
 
 
 def _need_defined(e: Expr, given: Conditions) -> None:
+    """Require that ``e`` is defined under the conditions."""
     gap = undefined(e, given)
-    need(gap is None, f"nothing shows that {gap} allows the operation it stands in")
+    need(gap is None, OUTSIDE.format(gap))
 
 
 def _apply(function: str, e: Expr) -> Expr:
@@ -218,7 +242,7 @@ def _apply(function: str, e: Expr) -> Expr:
 def _check_scalar(
     before: Expr, after: Expr, reasons: tuple[Reason, ...], given: Conditions
 ) -> None:
-    """The step from one number to the next, after definitions and integrals are dealt with."""
+    """Check that two numbers are equal: substitute, apply the integral rules, compare."""
     used = tuple(c for reason in reasons if reason.name == "substituting" for c in reason.claims)
     rules, given = instantiated(used, with_bounds(given, reasons))
     written = (before, after)
@@ -232,11 +256,11 @@ def _check_scalar(
         gap = undefined(side, given)
         if gap is not None and side != meant:
             gap = undefined(meant, given)
-        need(gap is None, f"nothing shows that {gap} allows the operation it stands in")
+        need(gap is None, OUTSIDE.format(gap))
 
 
 def _decided(before: Expr, after: Expr, reasons: tuple[Reason, ...], given: Conditions) -> Decision:
-    """Whether both are equal by the theories named, with what stays unworked as variables."""
+    """Decide equality with the theories named; unevaluated integrals etc. count as variables."""
     theories = frozenset().union(*(reason.theories for reason in reasons))
     if any(reason.name in OPENING for reason in reasons):
         before, after = worked_out(before), worked_out(after)
@@ -245,13 +269,18 @@ def _decided(before: Expr, after: Expr, reasons: tuple[Reason, ...], given: Cond
 
 
 def instantiated(used: tuple[Claim, ...], given: Conditions) -> tuple[Rules, Conditions]:
-    """What the claims that are put in say, and the conditions as they read with that.
+    """Return the substitution rules of the claims used, and the conditions after substitution.
 
-    All conditions of each are shown, from ``given`` and by what those before it say: none lends
-    itself, or another that waits for it, the equation by which its own condition holds.
+    Every condition of each claim must follow from ``given``, possibly with the rules of claims
+    accepted before it. A claim's own equation, or one that still waits for it, is never used to
+    show its condition, since that would be circular.
+
+    Args:
+        used: the claims whose equations are substituted.
+        given: the conditions at hand.
 
     Raises:
-        NotShownError: a condition is not shown.
+        NotShownError: the condition of a claim could not be shown.
     """
     rules: Rules = {}
     meant, waiting = given, used
@@ -259,7 +288,11 @@ def instantiated(used: tuple[Claim, ...], given: Conditions) -> tuple[Rules, Con
         unmet = {claim: unmet_condition(claim, rules, meant) for claim in waiting}
         ready = tuple(claim for claim in waiting if unmet[claim] is None)
         first = unmet[waiting[0]]
-        need(bool(ready), f"{first} is not shown, but a claim that is used needs it")
+        need(
+            bool(ready),
+            f"{waiting[0].label} is used here but holds only under {first}, which could not be "
+            "shown",
+        )
         rules |= definitions(ready)
         waiting = tuple(claim for claim in waiting if unmet[claim] is not None)
         meant = tuple(dict.fromkeys((*given, *put_into(given, rules))))
@@ -267,7 +300,13 @@ def instantiated(used: tuple[Claim, ...], given: Conditions) -> tuple[Rules, Con
 
 
 def unmet_condition(claim: Claim, rules: Rules, given: Conditions) -> Relation | None:
-    """The first condition of a claim that is used which does not follow from ``given``."""
+    """Return the first condition of ``claim`` that is not shown from ``given``, or None.
+
+    Args:
+        claim: a claim that is used.
+        rules: substitutions applied to its conditions.
+        given: the conditions at hand.
+    """
     for condition in conditions(claim.given):
         (meant,) = put_into((condition,), rules)
         if not {condition, meant} & {*given} and not is_manifest(meant, given):

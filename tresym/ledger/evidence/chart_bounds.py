@@ -1,16 +1,21 @@
 """Bounds on a region, proved by positive margins on closed boxes in suitable coordinates.
 
-The claim says the bound, as a relation under the conditions that are the region. The evidence says
-how it is shown: coordinates, which are functions of the claim's symbols and take the region into a
-box; and for each side of the bound a margin in these coordinates, positive on the box. The passage
-from one to the other is exact: what is said, with its definitions put in, is a positive factor
-times what the margin means. That is an identity for the exact procedure, and the signs are those of
-the one prover.
+The claim states a bound; its conditions describe the region. The evidence consists of charts. A
+chart has coordinates, which are functions of the claim's symbols and map the region into a box, and
+for each side of the bound a margin: a function of the coordinates that is positive on the box.
 
-A margin is a formula that is traced: what runs in balls and what it means are the same steps. Steps
-that stand for defined symbols, or for long expressions, are read as these where a :class:`Reading`
-is shown. At the edges of the box, where a quotient has no value, the margin's program is its
-continuation: the points of the region are limits of those at which all parts have values.
+Two things are checked:
+
+1. Exactly: after substitution of definitions, the difference of the sides of the bound is
+   ``over`` times the margin plus ``spare``, where the sign prover shows ``over`` > 0 and
+   ``spare`` ≥ 0. The identity is decided by exact normal forms.
+2. In ball arithmetic: every margin is positive on its box (branch and bound).
+
+A margin is a Python function that is traced, so the program that runs in balls and the formula that
+is compared exactly consist of the same steps. A :class:`Reading` identifies a named step with a
+defined symbol or a longer expression. Where a quotient is undefined on the boundary of the box, the
+program continues the margin; this is sound because every point of the region is a limit of points
+at which all parts are defined.
 """
 
 from __future__ import annotations
@@ -54,25 +59,25 @@ from tresym.reals.signs.closure import has_inside, is_regular
 from tresym.reals.verdict import Verdict
 
 FINE = 512
-"""Bits at which a quotient's divisor must differ from 0 somewhere."""
+"""Precision in bits for the test that the divisors of a margin do not vanish identically."""
 
 
 @dataclass(frozen=True)
 class Reading:
-    """What a named step of a margin is, at these arguments, in the claim's symbols.
+    """The statement that a named step of a margin equals an expression in the claim's symbols.
 
-    A part, or what a named function means, is worked out, with the claims put in, and equals the
-    value by the exact procedure. A root satisfies its equation by a claim, which says that the
-    value equals its image, and lies between the ends.
+    For a part or a named function with a formula, the equality is decided exactly after
+    substituting the claims. For a root, a claim must state its equation, and the value must lie
+    between the ends.
 
     Attributes:
-        step: the part, or the root.
+        step: the named step.
         at: its arguments.
-        value: what it is there.
-        given: under which conditions.
-        claims: claims that are put in.
+        value: the expression that it equals at these arguments.
+        given: the conditions under which it does.
+        claims: claims whose equations are substituted.
         cited: claims whose bounds are used.
-        inner: readings that are used in it.
+        inner: readings of steps inside this step.
     """
 
     step: Named | Part
@@ -89,13 +94,14 @@ class Reading:
 
 @dataclass(frozen=True)
 class Shown:
-    """A side of what is said, as ``over`` times a margin in the coordinates, and ``spare``.
+    """One side of the bound, written as ``over`` · margin + ``spare``.
 
     Attributes:
         margin: a function of the coordinates and the arithmetic.
-        over: the factor, in the claim's symbols; its sign is proven.
-        spare: what is left over, which is proven not to be negative.
-        slopes: whether mean-value forms are tried too.
+        over: a factor in the claim's symbols that is proved to be positive.
+        spare: a term in the claim's symbols that is proved to be non-negative.
+        slopes: whether the mean value form is tried, too.
+        precision: precision of the balls in bits.
     """
 
     margin: Callable[..., Any]
@@ -107,14 +113,14 @@ class Shown:
 
 @dataclass(frozen=True)
 class On:
-    """A chart: its coordinates, the box that holds them, and what is shown there.
+    """A chart: coordinates, a box that contains their values, and the margins on it.
 
     Attributes:
-        coordinates: in the claim's symbols.
+        coordinates: functions of the claim's symbols.
         box: a closed box.
-        shown: margins, one for each side of what is said.
-        where: the part of the region that the chart is for; with none, all of it.
-        cited: claims whose bounds show, there, the signs of factors and of what is left over.
+        shown: margins, one for each side of the bound.
+        where: conditions that describe the part of the region covered by the chart; empty for all.
+        cited: claims whose bounds are used for the signs of ``over`` and ``spare``.
     """
 
     coordinates: tuple[Expression, ...]
@@ -126,18 +132,18 @@ class On:
 
 @dataclass(frozen=True)
 class Charted:
-    """Every chart shows every side of what is said, and together they cover the region.
+    """Evidence for a bound on a region: charts that cover the region, each with all sides.
 
     Attributes:
         on: the charts.
-        readings: what named steps of the margins are.
-        put: equations of earlier claims that are put into what is said.
+        readings: the meanings of named steps of the margins.
+        put: earlier claims whose equations are substituted into the statement.
         cited: earlier claims whose bounds are used.
-        stored: gives the stored proofs, or None where there are none.
-        budget: boxes a search may look at, for each margin.
-        constant: the constant of the bound, where it has one.
-        also: what the programs of the margins rest on beside.
-        remainder: how an order that is printed beside the bound is read.
+        stored: returns the stored proofs, or None if there are none.
+        budget: maximal number of boxes in a search, per margin.
+        constant: the constant of the bound, or None.
+        also: further claims that the programs of the margins depend on.
+        remainder: a `Remainder`: how the order printed in the paper is interpreted; or None.
     """
 
     on: tuple[On, ...]
@@ -154,13 +160,13 @@ class Charted:
 
     @property
     def claims(self) -> tuple[Claim, ...]:
-        """What the passage rests on."""
+        """The claims that the evidence uses."""
         there = (claim for on in self.on for claim in on.cited)
         return (*self.put, *self.cited, *there, *_claims(self.readings), *self.also)
 
     @property
     def bounds(self) -> tuple[Bound, ...]:
-        """What balls show: each margin is positive on its box."""
+        """The bounds for ball arithmetic: each margin is positive on its box."""
         return tuple(
             Bound(traced(s.margin, len(on.box)), on.box, s.slopes, s.precision, sufficient=True)
             for on in self.on
@@ -169,12 +175,13 @@ class Charted:
 
 
 def _claims(readings: tuple[Reading, ...]) -> Iterator[Claim]:
+    """Yield the claims that the readings use."""
     for reading in readings:
         yield from (*reading.claims, *reading.cited, *_claims(reading.inner))
 
 
 def judge_charted(claim: Claim, proof: Charted) -> Finding:
-    """ENCLOSED where the passage is shown and every margin is positive on its box."""
+    """Return ENCLOSED if the margins imply the statement and are positive on their boxes."""
     try:
         why = _gap(claim, proof)
     except (NotShownError, InputError, TypeError) as error:
@@ -187,20 +194,20 @@ def judge_charted(claim: Claim, proof: Charted) -> Finding:
 
 
 def _gap(claim: Claim, proof: Charted) -> str | None:
-    """What is missing on the way from the margins to what is said, or None."""
+    """Return why the margins do not imply the statement, or None if they do."""
     statement = claim.statement
     if statement is None:
-        return "no formula is said"
+        return "the claim states no formula"
     given = with_bounds(conditions(claim.given), (citing(*proof.cited),))
     stated = known(conditions(claim.given))
     if not (is_regular(stated) and has_inside(stated)):
-        return "the region is not shown to be the closure of its inside"
+        return "could not show that the region is the closure of its interior"
     rules, meant = instantiated(proof.put, given)
     sides = tuple(_sides(statement, rules, meant))
     if not sides:
-        return "there is nothing to show"
+        return "the statement contains no relation that could be shown"
     if not _covered(given, proof.on):
-        return "the charts do not cover the region"
+        return "could not show that the charts cover the region"
     for on in proof.on:
         where = conditions(on.where)
         here = with_bounds((*meant, *where), (citing(*on.cited),))
@@ -212,21 +219,23 @@ def _gap(claim: Claim, proof: Charted) -> str | None:
 
 
 def _sides(statement: Basic, rules: Rules, given: Conditions) -> Iterator[Expr]:
-    """What must be positive, or not negative, for what is said: the room on every side.
+    """Yield the differences that must be positive (or non-negative); two for |a| ≤ b.
 
     Raises:
-        NotShownError: what is said is no bound, or is not shown to be defined.
+        NotShownError: the statement is not a bound, or could not be shown to be defined.
     """
     for part in parts_of(statement):
         for relation in conjuncts(formula(part)):
             if not isinstance(relation, Relation) or relation.sign in ("==", "!="):
-                raise NotShownError(f"{part} is no bound")
+                raise NotShownError(f"{part} is not an inequality with <, <=, > or >=")
             up = relation.upward
             high, low = put_in(up.left, rules), put_in(up.right, rules)
             for side in (high, low):
                 gap = undefined(side, given)
                 if gap is not None:
-                    raise NotShownError(f"nothing shows that {gap} allows its operation")
+                    raise NotShownError(
+                        f"could not show that {gap} lies in the domain of its operation"
+                    )
             if low.op == "abs":
                 yield high - low.args[0]
                 yield high + low.args[0]
@@ -235,9 +244,10 @@ def _sides(statement: Basic, rules: Rules, given: Conditions) -> Iterator[Expr]:
 
 
 def _covered(given: Conditions, charts: tuple[On, ...]) -> bool:
-    """Whether every point of the region is where one of the charts is for.
+    """Return whether the charts are proved to cover the region.
 
-    At a point outside the first, one of its conditions fails: there the others must cover.
+    At a point outside the first chart one of its conditions fails; there the other charts must
+    cover the region (recursively).
     """
     if not charts:
         return any(is_manifest(condition.negated, given) for condition in given)
@@ -252,7 +262,7 @@ def _covered(given: Conditions, charts: tuple[On, ...]) -> bool:
 
 
 class _Place:
-    """The region of a chart: what its coordinates and the steps of its margins are there."""
+    """The region of a chart, with the meanings of its coordinates and of its margins' steps."""
 
     def __init__(
         self,
@@ -262,7 +272,7 @@ class _Place:
         region: Conditions,
         given: Conditions,
     ) -> None:
-        """``given`` are the conditions of the region, and what they come to by the rules."""
+        """Store the conditions; ``given`` also contains them with the rules substituted."""
         self.on, self.readings, self.rules = on, readings, rules
         self.given = given
         self.coordinates = tuple(map(tree, on.coordinates))
@@ -271,48 +281,54 @@ class _Place:
         self.places = (region, *((*general, c) for c in where))
 
     def outside(self) -> str | None:
-        """Which coordinate is not shown to lie in the box, or None."""
+        """Return which coordinate could not be shown to lie in the box, or None."""
         if len(self.coordinates) != len(self.on.box):
-            return "the box has another number of sides than there are coordinates"
+            return (
+                f"the box has {len(self.on.box)} sides, but there are {len(self.coordinates)} "
+                "coordinates"
+            )
         for x, side in zip(self.coordinates, self.on.box, strict=True):
             for end, sign in ((side.low, ">="), (side.high, "<=")):
                 inside = Relation(x, sign, number(end))
-                # One condition of the chart may be enough, and the others in the way.
+                # A single condition of the chart is often enough, and the others can distract
+                # the prover.
                 if not any(is_manifest(inside, place) for place in self.places):
-                    return f"{x} {sign} {end} is not shown"
+                    return f"could not show that the coordinate satisfies {x} {sign} {end}"
         return None
 
     def gap(self, side: Expr) -> str | None:
-        """Why no margin shows this side, or None."""
+        """Return why no margin shows this side of the bound, or None if one does."""
         gaps = []
         for shown in self.on.shown:
             gaps.append(self._gap(side, shown))
             if gaps[-1] is None:
                 return None
-        return gaps[0] if gaps else "no margin is given"
+        return gaps[0] if gaps else "the chart contains no margin"
 
     def _gap(self, side: Expr, shown: Shown) -> str | None:
+        """Return why this margin does not show the side, or None if it does."""
         program = traced(shown.margin, len(self.coordinates))
         over, spare = (put_in(tree(e), self.rules) for e in (shown.over, shown.spare))
         if not is_manifest(Relation(over, ">", ZERO), self.given):
-            return f"{over} is not shown to be positive"
+            return f"could not show that the factor {over} is positive"
         if not is_manifest(Relation(spare, ">=", ZERO), self.given):
-            return f"{spare} is not shown not to be negative"
+            return f"could not show that {spare} is not negative"
         if not _divides_somewhere(program, self.on.box):
-            return "a quotient has no value anywhere in the box"
+            return "could not show that the divisors in the margin are not identically zero"
         margin = program.meaning(self.coordinates, self.step)
         return _different(side, put_in(over * margin + spare, self.rules), self.given)
 
     def step(self, op: Any, args: tuple[Expr, ...], body: Callable[[], Expr] | None = None) -> Expr:
-        """What a named step is at these arguments."""
+        """Return the meaning of a named step at these arguments."""
         return _meaning(op, args, body, self.readings, self.given)
 
 
 def _different(left: Expr, right: Expr, given: Conditions) -> str | None:
+    """Return why the two sides are not proved equal, or None if they are."""
     if left == right:
         return None
     if not elementary(left, right):
-        return "an integral, a derivative or a limit is no part of a margin"
+        return "a margin must not contain integrals, derivatives or limits"
     decision = decide_continuous(left, right, known(given))
     return None if decision.verdict is Verdict.PROVED else decision.why
 
@@ -324,10 +340,10 @@ def _meaning(
     readings: tuple[Reading, ...],
     given: Conditions,
 ) -> Expr:
-    """What a named step is: by a reading, or as it says itself.
+    """Return the meaning of a named step: by a reading, or by its own formula.
 
     Raises:
-        NotShownError: an argument is not shown to be where the step means anything.
+        NotShownError: an argument could not be shown to lie in the domain of the step.
     """
     for reading in readings:
         if reading.step is op and all(
@@ -338,28 +354,29 @@ def _meaning(
     if body is not None:
         return body()
     if op.meaning is None:
-        raise NotShownError("nothing says which root is meant")
-    for room in op.asks(*args) if isinstance(op, Named) else ():
-        if not is_manifest(Relation(room, ">=", ZERO), given):
-            raise NotShownError(f"{room} is not shown not to be negative")
+        raise NotShownError("no reading says which root a step of the margin denotes")
+    for required in op.asks(*args) if isinstance(op, Named) else ():
+        if not is_manifest(Relation(required, ">=", ZERO), given):
+            raise NotShownError(f"could not show that {required} is not negative")
     found: Expr = op.meaning(*args)
     return found
 
 
 @lru_cache(maxsize=REMEMBERED)
 def _same(x: Expr, y: Expr, given: Conditions) -> bool:
+    """Return whether two expressions are proved equal under the conditions."""
     return _different(x, y, given) is None
 
 
 def _need(reading: Reading, given: Conditions) -> None:
-    """A reading is shown, and its conditions hold here.
+    """Require that the reading is correct and that its conditions hold here.
 
     Raises:
-        NotShownError: it is not, or one does not.
+        NotShownError: one of both could not be shown.
     """
     for condition in conditions(reading.given):
         if condition not in given and not is_manifest(condition, given):
-            raise NotShownError(f"{condition} is not shown, but a reading needs it")
+            raise NotShownError(f"a reading needs {condition}, which could not be shown")
     why = _unread(reading)
     if why is not None:
         raise NotShownError(why)
@@ -367,7 +384,7 @@ def _need(reading: Reading, given: Conditions) -> None:
 
 @lru_cache(maxsize=REMEMBERED)
 def _unread(reading: Reading) -> str | None:
-    """Why a step is not shown to be what it is read as, or None."""
+    """Return why a reading could not be shown to be correct, or None if it is."""
     stated = conditions(reading.given)
     given = with_bounds(stated, (citing(*reading.cited),))
     at, value = tuple(map(tree, reading.at)), tree(reading.value)
@@ -385,14 +402,14 @@ def _unread(reading: Reading) -> str | None:
             put_in(_meaning(step, at, None, (), given), rules), put_in(value, rules), meant
         )
     if step.image is None or step.between is None:
-        return "that is no root"
+        return "the step of the reading is neither a formula nor a root"
     low, high = step.between
     for end, sign in ((low, ">="), (high, "<=")):
         if not is_manifest(Relation(value, sign, end), given):
-            return f"{value} {sign} {end} is not shown"
-    for room in step.asks(*at):
-        if not is_manifest(Relation(room, ">=", ZERO), given):
-            return f"{room} is not shown not to be negative"
+            return f"could not show {value} {sign} {end}"
+    for required in step.asks(*at):
+        if not is_manifest(Relation(required, ">=", ZERO), given):
+            return f"could not show that {required} is not negative"
     for claim in reading.claims:
         for part in conjuncts(formula(claim.decided)) if claim.in_formulas else ():
             if (
@@ -403,14 +420,15 @@ def _unread(reading: Reading) -> str | None:
                 and _different(part.right, step.image(value, *at), given) is None
             ):
                 return None
-    return f"no claim says that {value} is the root"
+    return f"no claim states that {value} is the root"
 
 
 @lru_cache(maxsize=REMEMBERED)
 def _divides_somewhere(program: Program, box: Box) -> bool:
-    """Whether at a point of the box no argument of a quotient is 0.
+    """Return whether at some point of the box no divisor of the program is 0.
 
-    Then the points at which one is have no inside: what is shown beside them holds at them.
+    Then the zeros of the divisors have no interior (the functions are analytic), so that a bound
+    proved at all other points extends to them by continuity.
     """
     seen = []
 

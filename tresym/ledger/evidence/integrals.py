@@ -1,9 +1,13 @@
 """Integrals in derivations: check every rule where it is used, until only algebra is left.
 
-A rule replaces integrals, on both sides of a step, by what it shows them equal to. It asks for
-continuity, or smoothness, on the whole interval of integration. The variable of an integral is
-opened under a name that nothing else has; reasons, and the bounds they cite, speak of it by the
-name it was written with.
+The rules are the fundamental theorem of calculus, the change of variable, splitting at a point,
+linearity, and Leibniz's rule (W. Rudin, Principles of Mathematical Analysis, 3rd ed., chapters 6
+and 9). A rule proves that an integral equals another expression and replaces it on both sides of a
+step; the step is then decided by the normal form. Each rule requires continuity or smoothness on
+the whole interval of integration.
+
+The bound variable of an integral is replaced by a fresh symbol. Reasons, and the bounds they cite,
+refer to it by the name it has in the written integral.
 """
 
 from __future__ import annotations
@@ -67,19 +71,24 @@ NOTHING: Mapping[str, Expr] = MappingProxyType({})
 
 
 class NotShownError(ValueError):
-    """What a rule asks for is not shown; the text says what."""
+    """A side condition could not be shown; the text says which."""
 
     def __init__(self, why: str, steps: tuple[StepFinding, ...] = ()) -> None:
-        """What was shown before, and the step that was not, may be said too."""
+        """Store the reason, and the findings on the steps checked so far."""
         super().__init__(why)
         self.steps = steps
 
 
 def need(shown: bool, why: str, steps: tuple[StepFinding, ...] = ()) -> None:
-    """That something is shown.
+    """Require a side condition.
+
+    Args:
+        shown: whether it has been shown.
+        why: the message if it has not.
+        steps: findings on the steps checked so far.
 
     Raises:
-        NotShownError: it is not.
+        NotShownError: ``shown`` is false.
     """
     if not shown:
         raise NotShownError(why, steps)
@@ -88,10 +97,12 @@ def need(shown: bool, why: str, steps: tuple[StepFinding, ...] = ()) -> None:
 def with_bounds(
     given: Conditions, reasons: tuple[Reason, ...], put: Mapping[str, Expr] = NOTHING
 ) -> Conditions:
-    """The conditions, and the cited bounds whose own conditions are among them.
+    """Return the conditions together with the cited bounds whose own conditions are among them.
 
     Args:
-        put: what the variables of the claims that are cited are here.
+        given: the conditions.
+        reasons: the reasons; only ``citing`` adds bounds.
+        put: replacements for variables of the cited claims, by name.
     """
     bounds = {_in_order(condition): condition for condition in given}
     for claim in (c for reason in reasons if reason.name == "citing" for c in reason.claims):
@@ -101,7 +112,7 @@ def with_bounds(
                     spoken_of = symbols(part.left) | symbols(part.right)
                     behind = dependencies((*claim.rests_on, claim)) if put else {}
                     if dependent(spoken_of, put, behind) is not None:
-                        continue  # what is defined by the variable would stay what it was
+                        continue  # a symbol defined by the variable would not be replaced
                     bound = _put(part, put)
                     bounds.setdefault(_in_order(bound), bound)
     return tuple(bounds.values())
@@ -109,10 +120,12 @@ def with_bounds(
 
 @lru_cache(maxsize=REMEMBERED)
 def _in_order(relation: Relation) -> Relation:
+    """Return the relation with its operands in a canonical order, for comparison."""
     return Relation(ordered(relation.left), relation.sign, ordered(relation.right))
 
 
 def _put(relation: Relation, put: Mapping[str, Expr]) -> Relation:
+    """Substitute into both sides of a relation."""
     if not put:
         return relation
     left, right = (substitute(side, put) for side in (relation.left, relation.right))
@@ -122,11 +135,17 @@ def _put(relation: Relation, put: Mapping[str, Expr]) -> Relation:
 def without_integrals(
     before: Expr, after: Expr, reasons: tuple[Reason, ...], given: Conditions
 ) -> tuple[Expr, Expr]:
-    """Both sides of a step after the rules for integrals that its reasons name.
+    """Apply the rules for integrals that the reasons of a step name to both of its sides.
+
+    Args:
+        before: the left side of the step.
+        after: the right side of the step.
+        reasons: the reasons, applied in order.
+        given: the conditions.
 
     Raises:
-        NotShownError: a rule does not apply, or what it asks for is not shown, or that an integral
-            exists of which no rule spoke.
+        NotShownError: a rule does not apply, a side condition of a rule could not be shown, or a
+            remaining integral could not be shown to exist.
     """
     shown: set[Expr] = set()
     for reason in reasons:
@@ -143,14 +162,21 @@ def without_integrals(
 def sign_of_integral(
     node: Expr, bounds: tuple[Claim, ...], given: Conditions, strict: bool
 ) -> str | None:
-    """The sign of the integral of a continuous integrand that is not negative, its ends in order.
+    """Return the sign of an integral whose integrand is continuous and non-negative.
 
-    ``+``, which is looked for if ``strict``, where the interval has a length and the integrand is
-    positive at one of its ends, and so next to it; ``>=0`` otherwise; None where the integrand or
-    the order of the ends is not shown.
+    Args:
+        node: the integral.
+        bounds: claims whose bounds on the integrand may be used.
+        given: the conditions.
+        strict: whether to look for a strict sign.
+
+    Returns:
+        ``"+"`` if ``strict``, the interval has positive length and the integrand is positive at one
+        of its ends, hence also near it; otherwise ``">=0"``. None if the sign of the integrand or
+        the order of the ends could not be shown.
 
     Raises:
-        NotShownError: the integrand is not shown to be continuous.
+        NotShownError: the integrand could not be shown to be continuous.
     """
     inside = _inside(node, bounds, given)
     f, low, high = inside.integrand, *node.args[1:]
@@ -167,10 +193,10 @@ def sign_of_integral(
 
 
 def need_smooth(e: Expr, given: Conditions) -> None:
-    """That ``e`` is smooth near every point of ``given``, in all its symbols together.
+    """Require that ``e`` is smooth near every point of ``given``, jointly in all its symbols.
 
     Raises:
-        NotShownError: that is not shown, or ``e`` hides a derivative.
+        NotShownError: smoothness could not be shown, or ``e`` contains an unevaluated derivative.
     """
     integrals = _integrals(e)
     for node in integrals:
@@ -182,11 +208,12 @@ def need_smooth(e: Expr, given: Conditions) -> None:
 
 
 def need_integrals(trees: Iterable[Expr], given: Conditions) -> None:
-    """That the integrals in ``trees`` exist, of smooth integrands at every point of ``given``, also
-    those of which values or derivatives are taken.
+    """Require that all integrals in ``trees`` exist and have smooth integrands under ``given``.
+
+    This includes integrals inside derivatives and substitutions.
 
     Raises:
-        NotShownError: one is not shown to.
+        NotShownError: the existence of an integral could not be shown.
     """
     for node in outermost(*trees):
         if node.op == "integral":
@@ -196,38 +223,43 @@ def need_integrals(trees: Iterable[Expr], given: Conditions) -> None:
 
 
 def _holds_integral(e: Expr) -> bool:
+    """Return whether ``e`` contains an integral."""
     return any(
         node.op == "integral" or any(map(_holds_integral, node.args)) for node in outermost(e)
     )
 
 
 def need_value(e: Expr, given: Conditions) -> None:
-    """That ``e`` has a value at every point of ``given``, its integrals and derivatives among it.
+    """Require that ``e``, with its integrals and derivatives, is defined under ``given``.
 
     Raises:
-        NotShownError: that is not shown.
+        NotShownError: this could not be shown.
     """
     nodes = [*dict.fromkeys(outermost(e))]
     for node in nodes:
         if node.op == "integral":
             need_smooth(node, given)
             continue
-        need(node.op in ("derivative", "at"), f"{node} is not shown to exist")
+        need(node.op in ("derivative", "at"), f"could not show that {node} exists")
         for point in node.args[1:]:
             need_value(point, given)
         body, near, _ = _near(node, given)
         (need_smooth if node.op == "derivative" else need_value)(body, near)
     variables = {node: symbol(f"[{n}]") for n, node in enumerate(nodes)}
     gap = undefined(replaced(e, variables), given)
-    need(gap is None, f"nothing shows that {gap} allows its operation")
+    need(gap is None, f"could not show that {gap} lies in the domain of its operation")
 
 
 def _near(
     node: Expr, given: Conditions, avoid: Iterable[str] = ()
 ) -> tuple[Expr, Conditions, Mapping[str, Expr]]:
-    """The body of a derivative or value, what holds at its point, and its variables' new names.
+    """Open a derivative or substitution at its point.
 
-    At a symbol that the body does not speak of, the variable is that symbol.
+    Returns:
+        The body with its bound variables replaced by fresh symbols, the conditions extended by the
+        values of these symbols, and the symbols by the written names of the variables. If the point
+        is a symbol that does not occur in the body, that symbol itself replaces the variable, and
+        the names are empty.
     """
     points = node.args[1:]
     if (
@@ -244,14 +276,16 @@ def _near(
 
 
 def under_binder(one: Expr, other: Expr, given: Conditions) -> bool:
-    """Whether two expressions are equal, operand by operand, what is bound at every value it takes.
+    """Return whether two expressions are proved equal, comparing operand by operand.
 
-    Integrands are compared on the interval of integration.
+    Integrands are compared on the interval of integration, the bodies of other binders for all
+    values of the bound variable.
     """
     return _alike(ordered(one), ordered(other), given)
 
 
 def _alike(one: Expr, other: Expr, given: Conditions) -> bool:
+    """Compare two expressions with operands in canonical order; see `under_binder`."""
     if one == other:
         return True
     if elementary(one, other):
@@ -278,7 +312,7 @@ def _alike(one: Expr, other: Expr, given: Conditions) -> bool:
 
 
 def _integrate(before: Expr, after: Expr, reason: Reason, given: Conditions) -> Replaced:
-    """The integral by its antiderivative, smooth on the interval."""
+    """Fundamental theorem of calculus: ∫ f = F(high) − F(low), with F smooth on the interval."""
     node = _one_of(_apart(before, after))
     inside = _inside(node, reason.claims, given, reason)
     primitive = inside.of(_expression(reason))
@@ -290,8 +324,9 @@ def _integrate(before: Expr, after: Expr, reason: Reason, given: Conditions) -> 
 
 
 def _substitute(before: Expr, after: Expr, reason: Reason, given: Conditions) -> Replaced:
-    """∫ g(u(ψ)) u′(ψ) dψ = ∫ g dx, of an integral that stands on one side, and one on the other."""
-    sides, why = (_integrals(before), _integrals(after)), "the step needs one integral on each side"
+    """Change of variable: ∫ g(u(ψ)) u′(ψ) dψ = ∫ g(x) dx, with one integral on each side."""
+    sides = (_integrals(before), _integrals(after))
+    why = "a change of variable needs one integral on each side of the step"
     for old in _apart(before, after):
         for new in sides[old in sides[0]]:
             if old.names[0] in symbols(_expression(reason)):
@@ -305,7 +340,7 @@ def _substitute(before: Expr, after: Expr, reason: Reason, given: Conditions) ->
 
 
 def _need_change(old: Expr, new: Expr, reason: Reason, given: Conditions) -> None:
-    """That the integral ``new`` is ``old`` in the new variable: integrands, ends, continuity."""
+    """Require that ``new`` is ``old`` in the new variable: integrands, ends and continuity."""
     inside = _inside(old, reason.claims, given, reason, new)
     change = inside.of(_expression(reason))
     pulled = instantiate(new.args[0], (change,))
@@ -313,22 +348,26 @@ def _need_change(old: Expr, new: Expr, reason: Reason, given: Conditions) -> Non
     first, last = (substitute(change, {inside.name: end}) for end in old.args[1:])
     start, end = new.args[1:]
     if not _equal(first, start, inside.conditions):
-        start, end, slope = end, start, -slope  # the new integral runs backwards
-    need(_equal(first, start, inside.conditions), "the ends are not those")
-    need(_equal(last, end, inside.conditions), "the ends are not those")
-    need(_equal(inside.integrand, pulled * slope, inside.conditions), "other integrands")
+        start, end, slope = end, start, -slope  # the new variable is decreasing
+    ends = "could not show that the ends of the two integrals correspond under the new variable"
+    need(_equal(first, start, inside.conditions), ends)
+    need(_equal(last, end, inside.conditions), ends)
+    need(
+        _equal(inside.integrand, pulled * slope, inside.conditions),
+        "could not show that the two integrands correspond under the new variable",
+    )
     _need_continuous((inside.integrand, change, pulled), inside.conditions)
 
 
 def _cut(before: Expr, after: Expr, reason: Reason, given: Conditions) -> Replaced:
-    """∫ from low to high is the sum of the integrals to a point between and from it."""
+    """Split an integral: from low to high = from low to the point + from the point to high."""
     place = _expression(reason)
     sides = [_integrals(side) for side in (before, after)]
     whole = _one_of(next((side for side in sides if len(side) == 1), []))
     body, low, high = whole.args
-    for room in (place - low, high - place):
-        lies = manifest_sign(room, given) in NON_NEGATIVE
-        need(lies, f"{place} is not shown to lie in the interval of integration")
+    for distance in (place - low, high - place):
+        lies = manifest_sign(distance, given) in NON_NEGATIVE
+        need(lies, f"could not show that {place} lies in the interval of integration")
     inside = _inside(whole, reason.claims, given)
     _need_continuous((inside.integrand,), inside.conditions)
     ends = (low, place), (place, high)
@@ -337,7 +376,7 @@ def _cut(before: Expr, after: Expr, reason: Reason, given: Conditions) -> Replac
 
 
 def _collect(before: Expr, after: Expr, reason: Reason, given: Conditions) -> Replaced:
-    """A sum of multiples of integrals over one interval is the integral of the sum."""
+    """Linearity: a linear combination of integrals over one interval is one integral."""
     sides = [_integrals(side) for side in (before, after)]
     single = 0 if len(sides[0]) == 1 else 1
     whole, parts = _one_of(sides[single]), sides[1 - single]
@@ -345,7 +384,7 @@ def _collect(before: Expr, after: Expr, reason: Reason, given: Conditions) -> Re
     _need_continuous((inside.integrand,), inside.conditions)
     total, integrand = ZERO, ZERO
     for part in parts:
-        need(part.args[1:] == whole.args[1:], "the integrals are not over one interval")
+        need(part.args[1:] == whole.args[1:], "the integrals must have the same interval")
         own = _inside(part, reason.claims, given)
         _need_continuous((own.integrand,), own.conditions)
         share = _share((before, after)[1 - single], part)
@@ -357,20 +396,20 @@ def _collect(before: Expr, after: Expr, reason: Reason, given: Conditions) -> Re
 
 
 def _share(e: Expr, node: Expr) -> Expr:
-    """The factor of an integral in ``e``; what it is taken for is any number."""
+    """Return the coefficient of the integral ``node`` in ``e``, in which it must be linear."""
     name = "[share]"
     found = differentiate(replaced(e, {node: symbol(name)}), name)
-    need(name not in symbols(found), f"{e} is no sum of multiples of integrals")
+    need(name not in symbols(found), f"{e} is not a linear combination of integrals")
     return found
 
 
 def _differentiate(before: Expr, after: Expr, reason: Reason, given: Conditions) -> Replaced:
-    """Leibniz's rule: the derivative of an integral by a parameter, or by an end of it.
+    """Leibniz's rule: the derivative of an integral with respect to a parameter or to an end.
 
-    The integrand must be smooth on the closed interval (hence near it), as a function of the
-    variable and of the parameter together.
+    The integrand must be smooth on the closed interval (and hence near it), jointly in the variable
+    and in the parameter.
     """
-    why = "the step needs the derivative of an integral"
+    why = "Leibniz's rule needs the derivative of an integral in the step"
     for node in dict.fromkeys(outermost(before, after)):
         if node.op == "derivative" and node.args[0].op == "integral":
             try:
@@ -381,7 +420,7 @@ def _differentiate(before: Expr, after: Expr, reason: Reason, given: Conditions)
 
 
 def _derived(node: Expr, reason: Reason, given: Conditions) -> Expr:
-    """The derivative of an integral where the reason's slope is that of its integrand."""
+    """Return the derivative of an integral; the stated derivative of its integrand is checked."""
     point = node.args[1]
     whole, outside, bound = _near(node, given, symbols(_expression(reason)))
     (name,) = node.names
@@ -389,10 +428,10 @@ def _derived(node: Expr, reason: Reason, given: Conditions) -> Expr:
     put = {parameter: point}
     inside = _inside(whole, reason.claims, outside, reason, bound=bound)
     f, (low, high) = inside.integrand, whole.args[1:]
-    need(elementary(f), "the integrand hides its parameter")
+    need(elementary(f), "the integrand must not contain integrals, derivatives or limits")
     slope = inside.of(_expression(reason))
     derived = substitute(differentiate(f, parameter), put)
-    # That the parameter is its one value leaves no points to look at.
+    # A condition that fixes the parameter at one value leaves no open set of sample points.
     free = tuple(c for c in inside.conditions if not bound or parameter not in _names((c,)))
     _need_equal(derived, slope, free)
     _need_continuous((f, slope), inside.conditions)
@@ -418,11 +457,14 @@ RULES: dict[str, Rule] = {
 }
 
 
-# What they ask for
+# Side conditions of the rules
 
 
 class Inside(NamedTuple):
-    """An integral with its variable under a name of its own, and what holds on its interval."""
+    """An opened integral: names of its variable (fresh and as written), integrand, conditions.
+
+    The conditions hold for all values of the variable in the interval of integration.
+    """
 
     name: str
     written: str
@@ -430,7 +472,7 @@ class Inside(NamedTuple):
     conditions: Conditions
 
     def of(self, e: Expr) -> Expr:
-        """What a reason says of the variable, by the name that it was written with."""
+        """Return an expression from a reason with the fresh name of the variable."""
         return substitute(e, {self.written: symbol(self.name)})
 
 
@@ -442,16 +484,16 @@ def _inside(
     *others: Expr,
     bound: Mapping[str, Expr] = NOTHING,
 ) -> Inside:
-    """The integrand and the conditions on the interval of integration, with the bounds cited.
+    """Open an integral: return its integrand and the conditions on the interval of integration.
 
-    The variable runs over the whole interval, whatever a claim assumes of a symbol of that name.
-    Nor is a bound cited that rests on what that symbol, or another that is ``bound`` too, is
-    defined to be.
+    Conditions on a symbol with the same name as the bound variable are not used, because the
+    variable runs over the whole interval. A bound is not cited if it depends on the definition of
+    a symbol with that name, or of another symbol that is ``bound``.
     """
     (written,), (_, low, high) = node.names, node.args
     for claim in bounds:
         apart = defined(claim).isdisjoint({written, *bound})
-        need(apart, f"{claim.label} is about a symbol that is bound here")
+        need(apart, f"{claim.label} cannot be cited: it is about a symbol that is bound here")
     spoken = () if reason is None else symbols(_expression(reason)) - {written}
     (name,), integrand = opened(node, {*_names(given), *spoken, *_names_of(others)})
     x = symbol(name)
@@ -463,44 +505,51 @@ def _inside(
 
 
 def _names(given: Conditions) -> frozenset[str]:
+    """Return the symbols of the conditions."""
     return _names_of(side for c in given for side in (c.left, c.right))
 
 
 def _names_of(trees: Iterable[Expr]) -> frozenset[str]:
+    """Return the symbols of the expressions."""
     return frozenset().union(*map(symbols, trees))
 
 
 def _expression(reason: Reason) -> Expr:
+    """Return the expression that a reason carries."""
     assert isinstance(reason.expression, Basic)
     return tree(reason.expression)
 
 
 def _integrals(*sides: Expr) -> list[Expr]:
+    """Return the outermost integrals, without repetition."""
     return [*dict.fromkeys(node for node in outermost(*sides) if node.op == "integral")]
 
 
 def _apart(before: Expr, after: Expr) -> list[Expr]:
-    """The integrals that stand on one side only, those of the left side first."""
+    """Return the integrals that occur on one side only, those of the left side first."""
     left, right = _integrals(before), _integrals(after)
     return [n for n in left if n not in right] + [n for n in right if n not in left]
 
 
 def _one_of(nodes: list[Expr]) -> Expr:
-    need(len(nodes) == 1, "the step needs exactly one integral to work on")
+    """Return the only element; require that there is exactly one."""
+    need(len(nodes) == 1, "this rule needs exactly one integral that the step changes")
     return nodes[0]
 
 
 def _need_continuous(expressions: tuple[Expr, ...], conditions: Conditions) -> None:
+    """Require that the expressions are continuous under the conditions."""
     for e in expressions:
         gap = continuous_on(e, conditions)
-        need(gap is None, f"nothing shows that {gap} stays off its singularity")
+        need(gap is None, f"could not show that {gap} stays away from its singularity")
 
 
 def _need_equal(left: Expr, right: Expr, conditions: Conditions) -> None:
-    """Both are equal where the conditions hold, derivatives on the left opened."""
-    need(_equal(worked_out(left), right, conditions), f"{right} is not shown to be {left}")
+    """Require equality under the conditions, after carrying out the derivatives on the left."""
+    need(_equal(worked_out(left), right, conditions), f"could not show {left} = {right}")
 
 
 def _equal(left: Expr, right: Expr, conditions: Conditions) -> bool:
+    """Return whether equality is proved under the conditions."""
     left, right = generalised(left, right)
     return decide_continuous(left, right, known(conditions)).verdict is Verdict.PROVED

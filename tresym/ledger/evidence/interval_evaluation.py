@@ -1,7 +1,8 @@
 """Bounds by interval evaluation of the statement over the box of its conditions.
 
-No margin is made of it: the difference of the sides is walked over with its integrals and roots.
-The conditions are the ends of each symbol, or an equation for one that has a value.
+The difference of the two sides of each relation is evaluated in ball arithmetic, integrals and
+roots included, and the box is bisected until every ball is positive. The conditions must give each
+symbol a lower and an upper bound, or an exact value by an equation.
 """
 
 from __future__ import annotations
@@ -29,12 +30,13 @@ from tresym.reals.verdict import Verdict
 
 @dataclass(frozen=True)
 class Evaluated:
-    """Each relation of the statement, decided in balls on the box; its sides differ everywhere.
+    """Evidence that the relations of a statement hold strictly on the box of its conditions.
 
     Attributes:
-        claims: what the symbols are, and which roots are one.
-        stored: gives the stored proofs, or None where there are none.
-        budget: boxes a search may look at, for each relation.
+        claims: claims that define the symbols and prove that roots are unique.
+        stored: returns the stored proofs, or None if there are none.
+        budget: maximal number of boxes in a search, per relation.
+        precision: precision of the balls in bits.
     """
 
     claims: tuple[Claim, ...] = ()
@@ -46,12 +48,12 @@ class Evaluated:
 
 
 def judge_evaluated(claim: Claim, proof: Evaluated) -> Finding:
-    """ENCLOSED where all relations hold on the box, REFUTED at a point at which one fails.
+    """Return ENCLOSED if all relations hold on the box, REFUTED with a point if one fails.
 
     Raises:
-        InputError: the statement is no bound, or the conditions are no box.
+        InputError: the statement is not a bound, or the conditions do not describe a box.
     """
-    terms = tuple(_rooms(claim))
+    terms = tuple(_differences(claim))
     failing = _failing(terms, proof.precision)
     if failing is not None:
         return _refuted(claim, *failing)
@@ -63,7 +65,7 @@ def judge_evaluated(claim: Claim, proof: Evaluated) -> Finding:
 
 
 def _decided(terms: tuple[Term, ...], proof: Evaluated) -> tuple[BoxProof | Point | Open, ...]:
-    """What each term comes to on its box; where nothing varies its value tells."""
+    """Decide whether each term is positive on its box; without inputs, its value decides."""
     if any(term.inputs for term in terms):
         bounds = tuple(_bound(term, proof.precision) for term in terms)
         return decisions_of(bounds, proof.stored, proof.budget)
@@ -72,46 +74,46 @@ def _decided(terms: tuple[Term, ...], proof: Evaluated) -> tuple[BoxProof | Poin
 
 
 def fails_at_once(claim: Claim) -> bool:
-    """Whether balls exclude the statement in the middle of the box, or near a corner of it."""
+    """Return whether the statement fails in the middle of its box or near one of its corners."""
     try:
-        return _failing(tuple(_rooms(claim)), Evaluated.precision) is not None
+        return _failing(tuple(_differences(claim)), Evaluated.precision) is not None
     except (InputError, CircularError):
         return False
 
 
 def _failing(terms: tuple[Term, ...], precision: int) -> tuple[Term, tuple[fmpq, ...], arb] | None:
-    """A point of the first to be tried at which a relation fails, with its room, or None."""
+    """Return a term, a point and the negative value of the term there, or None if none fails."""
     with ball_precision(precision):
         for term in terms:
             for point in inner_points(tuple(term.inputs.values())):
-                room = term.value(tuple(map(arb, point)))
-                if room < 0:
-                    return term, point, room
+                difference = term.value(tuple(map(arb, point)))
+                if difference < 0:
+                    return term, point, difference
     return None
 
 
-def _refuted(claim: Claim, term: Term, at: tuple[fmpq, ...], room: arb) -> Finding:
-    """REFUTED at a point, with what is given a value there, by as much as the sides differ."""
+def _refuted(claim: Claim, term: Term, at: tuple[fmpq, ...], difference: arb) -> Finding:
+    """Return REFUTED with the point and the amount by which the relation is violated."""
     values = (c.args for c in claim.given if isinstance(c, Eq))
     known = {x.name: as_rational(str(e)) for x, e in values if isinstance(e, Rational)}
     point = {**known, **dict(zip(term.inputs, at, strict=True))}
     where = ", ".join(f"{name} = {fraction_text(x)}" for name, x in point.items())
     seen = f"violated at {where or 'the constants themselves'}"
-    why = f"{seen}, where the side that is to be larger is less by {said(-room)}"
+    why = f"{seen}, where the side that should be larger is smaller by {said(-difference)}"
     return Finding(Verdict.REFUTED, why, witness=point)
 
 
-def _rooms(claim: Claim) -> list[Term]:
-    """The difference of the sides of each relation that is said, by which it must be positive."""
+def _differences(claim: Claim) -> list[Term]:
+    """Return for each relation the difference of its sides that must be positive."""
     terms = []
     box, rest = _box(claim.given)
     boxed = replace(claim, given=rest)
     for part in (part for says in claim.parts for part in conjuncts(formula(says))):
         if not isinstance(part, Relation) or part.sign in ("==", "!="):
-            raise InputError(f"{part} is no bound")
+            raise InputError(f"{part} is not an inequality with <, <=, > or >=")
         up = part.upward
         terms.append(term_of(boxed, up.left - up.right, box))
-    # One claim, one set of rules: what they have in common is worked out once.
+    # The terms of one claim share their rules, so values without inputs are computed only once.
     return [
         replace(t, constants=terms[0].constants) if t.others == terms[0].others else t
         for t in terms
@@ -119,7 +121,7 @@ def _rooms(claim: Claim) -> list[Term]:
 
 
 def _box(given: tuple[Basic, ...]) -> tuple[dict[str, Interval], tuple[Basic, ...]]:
-    """Between which ends each symbol lies, ends that do not count among them, and what is left."""
+    """Return the interval of each symbol (open ends are closed), and the other conditions."""
     lows: dict[str, fmpq] = {}
     highs: dict[str, fmpq] = {}
     rest = []
@@ -132,11 +134,15 @@ def _box(given: tuple[Basic, ...]) -> tuple[dict[str, Interval], tuple[Basic, ..
         else:
             rest.append(part)
     if lows.keys() != highs.keys() or any(highs[x] < low for x, low in lows.items()):
-        raise InputError("the conditions are no box")
+        raise InputError(
+            "the conditions must give each symbol a rational lower and upper bound (a box)"
+        )
     return {x: Interval(low, highs[x]) for x, low in lows.items()}, tuple(rest)
 
 
 def _bound(term: Term, precision: int) -> Bound:
+    """Return the bound "the term is positive on the box of its inputs"."""
+
     def margin(*at: arb | fmpq) -> arb:
         return term.value(at[:-1])
 

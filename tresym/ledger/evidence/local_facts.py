@@ -13,10 +13,11 @@ from tresym.ledger.statements import Under
 
 
 def facts_of(claim: Claim) -> tuple[Claim, ...]:
-    """The facts of a claim as claims, each under its conditions and by those before it.
+    """Return the local facts of a claim as claims of their own, in order.
 
-    One of a symbol that is bound where it is used has the conditions on that beside them. What
-    stands behind the claim is put in where it defines a symbol of the fact.
+    Each fact has the conditions of the claim and may cite the facts before it. A fact about a bound
+    variable (`Under`) also has the conditions on that variable. Definitions of the symbols of the
+    fact are substituted.
     """
     found: list[Claim] = []
     for n, fact in enumerate(claim.knowing, 1):
@@ -34,7 +35,7 @@ def facts_of(claim: Claim) -> tuple[Claim, ...]:
 
 
 def by_facts(claim: Claim, facts: tuple[Claim, ...]) -> Claim:
-    """The claim with evidence that cites its facts, in each step and at each integral."""
+    """Return the claim with its facts cited in each step and in each rule for integrals."""
 
     def known(reason: Reason) -> Reason:
         return replace(reason, claims=(*facts, *reason.claims)) if reason.name in RULES else reason

@@ -1,12 +1,13 @@
 """Printed numbers: compare what the paper prints with what its inputs allow.
 
-Inputs and outputs are intervals of half a unit in their last printed place. A printed value is
-REFUTED only if no inputs that round to the printed inputs give it, and accepted (ENCLOSED) only
-with exact inputs, inside those intervals, whose value is inside the printed interval.
+A printed decimal stands for the interval of half a unit in its last place around it. A printed
+value is accepted (ENCLOSED) if exact inputs in the intervals of the printed inputs are found whose
+value lies in the printed interval. It is REFUTED only if balls show that no inputs in these
+intervals give such a value.
 
-The statement says all: the printed number, its term, and under `given` its inputs as they are
-printed. What the other symbols are is said by the claims that the evidence names; what these ask
-for is shown at the inputs, or the term has no value there.
+The statement contains the printed number and the term that it is computed from; the conditions
+(`given`) contain the printed inputs. The claims named by the evidence define the other symbols.
+Their conditions are checked at the inputs: where one is not confirmed, the term has no value.
 """
 
 from __future__ import annotations
@@ -46,12 +47,12 @@ from tresym.reals.verdict import Verdict
 DIGITS = 50
 BITS = 128
 GRID = 12
-"""Inputs are tried on a grid of this many steps along each side of their box."""
+"""Number of grid steps along each side of the box of inputs."""
 HALVINGS = 40
 WIDEST = 2
-"""A printed value is taken to half a unit of its last place, or where it says so to a whole one."""
+"""Largest tolerance in half units of the last place: 1 is the default, 2 means a whole unit."""
 CELLS = 4096
-"""At most this many cells when the range over the box of inputs is enclosed."""
+"""Maximal number of cells when the range over the box of inputs is enclosed."""
 
 Box = tuple[Interval, ...]
 Point = tuple[fmpq, ...]
@@ -59,7 +60,13 @@ Point = tuple[fmpq, ...]
 
 @dataclass(frozen=True)
 class Rule:
-    """What a symbol is, or that a root is the only one: where the conditions hold."""
+    """The meaning of a symbol, or of a unique root, valid where the conditions hold.
+
+    Attributes:
+        meaning: the defining expression.
+        given: the conditions.
+        claim: the claim that states the rule; None for an equation among the conditions.
+    """
 
     meaning: Expr
     given: Conditions
@@ -68,7 +75,7 @@ class Rule:
 
 @dataclass(frozen=True)
 class Term:
-    """A term, over which box its inputs are, and what its symbols are by them."""
+    """A term, the intervals of its inputs, and rules for its other symbols and roots."""
 
     term: Expr
     inputs: Mapping[str, Interval]
@@ -76,13 +83,13 @@ class Term:
     roots: Mapping[Expr, Rule]
     given: Conditions
     others: Mapping[str, fmpq] = field(default_factory=dict)
-    """Values for the variables of the claims that are used of which nothing here speaks."""
+    """Values for variables of the used claims that are neither inputs nor defined."""
 
     constants: dict[int, Place] = field(default_factory=dict, compare=False)
-    """By precision, what does not depend on the inputs."""
+    """Cache, by precision, of the values that do not depend on the inputs."""
 
     def value(self, sides: tuple[arb, ...]) -> arb:
-        """The term at the inputs; NaN where it, or a condition, is not shown."""
+        """Return a ball for the term at the inputs; NaN if it or a condition is not confirmed."""
         inputs = dict(zip(self.inputs, sides, strict=True))
         others = {name: arb(x) for name, x in self.others.items()}
         fixed = {name: rule for name, rule in self.rules.items() if name not in inputs}
@@ -95,7 +102,7 @@ class Term:
 
 @dataclass(frozen=True)
 class Number:
-    """A printed number: its term, and what is printed for it."""
+    """A printed number: its term, the printed text, the tolerance and the resulting interval."""
 
     of: Term
     text: str
@@ -104,16 +111,16 @@ class Number:
 
     @property
     def inputs(self) -> Mapping[str, Interval]:
-        """Where the inputs are."""
+        """The intervals of the inputs, by symbol name."""
         return self.of.inputs
 
     def value(self, sides: tuple[arb, ...]) -> arb:
-        """The term at the inputs."""
+        """Return a ball for the term at the inputs."""
         return self.of.value(sides)
 
 
 class Place(dict[str, arb]):
-    """What each symbol is at some inputs; what is defined is worked out when it is asked for."""
+    """Balls for the symbols at given inputs; defined symbols are computed on first use."""
 
     def __init__(
         self,
@@ -122,7 +129,7 @@ class Place(dict[str, arb]):
         roots: Mapping[Expr, Rule],
         constant: Place | None = None,
     ) -> None:
-        """The inputs, what is said of other symbols and of roots, and what is so without inputs."""
+        """Store the inputs, the rules for symbols and roots, and the values without inputs."""
         super().__init__(inputs)
         self.rules, self.roots, self.constant = rules, roots, constant
         self._walker = Enclosing(self, partial(bracketed, self._is_one))
@@ -133,21 +140,21 @@ class Place(dict[str, arb]):
         rule = self.rules.get(name)
         if rule is None:
             raise UndefinedError
-        self[name] = arb.nan()  # what is defined by itself
+        self[name] = arb.nan()  # a circular definition gives NaN instead of endless recursion
         if self.meets(rule.given):
             self[name] = self.value(rule.meaning)
         return self[name]
 
     def value(self, e: Expr) -> arb:
-        """``e`` here; NaN where it is not shown to have a value."""
+        """Return a ball for ``e``; NaN if it is not shown to be defined."""
         return shown(e, self._walker)
 
     def meets(self, given: Conditions) -> bool:
-        """Whether balls show the conditions."""
+        """Return whether balls confirm the conditions."""
         return all(stands(self.value(c.left - c.right), c.sign) for c in given)
 
     def _is_one(self, node: Expr, at: At) -> bool:
-        """Whether the claim that a root is one says so ``at`` the values that it is asked for."""
+        """Return whether a claim guarantees that the root is unique at the values ``at``."""
         rule = self.roots.get(ordered(node))
         differences = ((c.left - c.right, c.sign) for c in rule.given) if rule else ()
         return rule is not None and all(
@@ -156,37 +163,40 @@ class Place(dict[str, arb]):
 
 
 def number_of(claim: Claim) -> Number:
-    """The printed number that a claim states.
+    """Return the printed number that a claim states.
 
     Raises:
-        InputError: it states none, or a symbol, or that a root is one, is not said by its claims.
+        InputError: the claim states no printed number, or its claims do not define a symbol or do
+            not prove that a root is unique.
     """
     says = claim.statement
     if not isinstance(says, Rounds):
-        raise InputError("no printed number is stated")
+        raise InputError("the claim must state a printed number (Rounds)")
     return Number(term_of(claim, tree(says.term)), says.text, says.half_units, _target(says))
 
 
 def term_of(claim: Claim, term: Expr, box: Mapping[str, Interval] | None = None) -> Term:
-    """A term that a claim speaks of, under its conditions.
+    """Return ``term`` with its inputs, rules and conditions as the claim gives them.
 
     Args:
-        box: where inputs are of which no condition says how they are printed.
+        claim: the claim; its conditions give printed inputs or exact values.
+        term: the expression to evaluate.
+        box: intervals of inputs that no condition gives; None if there are none.
 
     Raises:
-        InputError: as for a printed number.
+        InputError: a symbol has two values or none, or a root is not proved to be unique.
     """
     inputs, rules, plain = _inputs(claim.given)
     twice = {*inputs, *rules} & {*(box or {})}
     if twice:
-        raise InputError(f"{min(twice)} is given twice")
+        raise InputError(f"{min(twice)} is given two values; remove one of the conditions")
     inputs |= box or {}
     known, roots = {**_rules(claim), **rules}, _roots(claim)
     return _grounded(Term(term, inputs, known, roots, conditions(tuple(plain))))
 
 
 def _inputs(given: tuple[Basic, ...]) -> tuple[dict[str, Interval], dict[str, Rule], list[Basic]]:
-    """The inputs as printed, the symbols that are set to a term, and the other conditions."""
+    """Split the conditions into printed inputs, equations for symbols, and other conditions."""
     inputs: dict[str, Interval] = {}
     rules: dict[str, Rule] = {}
     plain: list[Basic] = []
@@ -196,7 +206,7 @@ def _inputs(given: tuple[Basic, ...]) -> tuple[dict[str, Interval], dict[str, Ru
             plain.append(part)
             continue
         if not isinstance(name, Symbol) or name.name in {*inputs, *rules}:
-            raise InputError(f"{name} is no symbol of which one thing is given")
+            raise InputError(f"{part} must give a value to a symbol that has no other value")
         if isinstance(part, Rounds):
             inputs[name.name] = _target(part)
         else:
@@ -205,15 +215,19 @@ def _inputs(given: tuple[Basic, ...]) -> tuple[dict[str, Interval], dict[str, Ru
 
 
 def _target(says: Rounds) -> Interval:
+    """Return the interval that a printed decimal stands for."""
     if not 1 <= says.half_units <= WIDEST:
-        raise InputError(f"{says.half_units} half units are no last place")
+        raise InputError(
+            f"the tolerance is {says.half_units} half units of the last place, but only 1 or 2 are "
+            "allowed"
+        )
     interval = printed(says.text)
     half = interval.width / 2 * says.half_units
     return Interval(interval.middle - half, interval.middle + half)
 
 
 def _rules(claim: Claim) -> dict[str, Rule]:
-    """What symbols are by the equations that the evidence names, and the definitions behind it."""
+    """Return rules for symbols, from the claims used and the definitions they depend on."""
     behind = (c for c in claim.rests_on if isinstance(c.proof, (*DEFINING, Root)))
     rules: dict[str, Rule] = {}
     for used in dict.fromkeys((*claim.uses, *behind)):
@@ -228,16 +242,20 @@ def _rules(claim: Claim) -> dict[str, Rule]:
 
 
 def _roots(claim: Claim) -> dict[Expr, Rule]:
-    """The roots of which the claims behind the evidence say that there is one at most."""
+    """Return rules for the roots that the claims used prove to be unique."""
     found = roots_of(claim.rests_on)
     return {ordered(node): Rule(node, given, used) for node, given, used in found}
 
 
 def _grounded(number: Term) -> Term:
-    """The term, if all that its term comes to is given, or said by a claim.
+    """Return the term after checking that every symbol in it has a value.
 
-    The variables of a claim that nothing here speaks of, such as the length of M, may have any
-    values that its conditions allow: some are found.
+    Variables of the used claims that do not occur here, such as the length of M, may have any
+    values allowed by the conditions; some such values are chosen.
+
+    Raises:
+        InputError: a symbol has no value or two values, a root is not proved to be unique, or an
+            input is unused.
     """
     pinned = {*number.inputs, *(n for n, rule in number.rules.items() if rule.claim is None)}
     pending = [number.term, *_sides(number.given)]
@@ -246,7 +264,7 @@ def _grounded(number: Term) -> Term:
     def follow(rule: Rule) -> None:
         twice = frozenset() if rule.claim is None else defined(rule.claim) & pinned
         if twice:
-            raise InputError(f"{min(twice)} is given, and defined by what is used")
+            raise InputError(f"{min(twice)} is given a value, but a used claim defines it")
         asked.extend(rule.given)
         pending.append(rule.meaning)
         pending.extend(symbol(n) for c in rule.given for n in names(c) if n in number.rules)
@@ -257,22 +275,22 @@ def _grounded(number: Term) -> Term:
             if node.op == "root" and str(node) not in used:
                 used.add(str(node))
                 if ordered(node) not in number.roots:
-                    raise InputError(f"no claim says that {node} is one at most")
+                    raise InputError(f"no claim proves that {node} is unique")
                 follow(number.roots[ordered(node)])
         for name in symbols(e) - used:
             used.add(name)
             if name not in number.inputs:
                 if name not in number.rules:
-                    raise InputError(f"nothing says what {name} is")
+                    raise InputError(f"{name} has no value: give it as an input or define it")
                 follow(number.rules[name])
     idle = {*number.inputs} - used
     if idle:
-        raise InputError(f"{min(idle)} is given, and plays no part")
+        raise InputError(f"{min(idle)} is given, but the number does not depend on it")
     return replace(number, others=_others(number, tuple(asked)))
 
 
 def _others(number: Term, asked: Conditions) -> dict[str, fmpq]:
-    """Values for the symbols of the conditions of which nothing else speaks."""
+    """Choose values for symbols of the conditions that are neither inputs nor defined."""
     others = frozenset().union(*map(names, asked)) - {*number.inputs, *number.rules}
     here = tuple(c for c in asked if names(c) <= others | {*number.inputs})
     ends = (
@@ -282,7 +300,9 @@ def _others(number: Term, asked: Conditions) -> dict[str, fmpq]:
     )
     point = known((*here, *ends)).satisfying_point()
     if point is None:
-        raise InputError("no exact point is found that satisfies the conditions")
+        raise InputError(
+            "no exact point was found that satisfies the conditions; check the conditions"
+        )
     return {name: point.get(name, fmpq(1)) for name in others}
 
 
@@ -291,16 +311,21 @@ def _sides(given: Conditions) -> list[Expr]:
 
 
 def judge_printed(claim: Claim) -> Finding:
-    """The verdict on one printed number, with its value at the inputs as printed."""
+    """Return the finding on a printed number, with its value at the inputs as printed.
+
+    Raises:
+        InputError: as :func:`number_of`.
+    """
     number = number_of(claim)
     box = tuple(number.inputs.values())
     centre = tuple(side.middle for side in box)
     with ball_precision(bits(DIGITS, 64)):
         there = number.value(tuple(map(arb, centre)))
         if not there.is_finite():
-            return Finding(Verdict.UNDECIDED, "no value is shown at the inputs as printed")
+            why = "the number could not be evaluated at the inputs as printed"
+            return Finding(Verdict.UNDECIDED, why)
         value, inside = decimal_ball(there, DIGITS), _side(number, there) == 0
-    # The whole box at once: cheap, and no inputs need be looked for where it misses.
+    # One evaluation on the whole box is cheap, and a miss makes the search for inputs superfluous.
     missed = not inside and misses(number, box)
     witness = centre if inside else None if missed else _find_inputs(number, box)
     if witness is not None:
@@ -312,19 +337,25 @@ def judge_printed(claim: Claim) -> Finding:
         point = dict(zip(number.inputs, centre, strict=True))
         why = f"no inputs that round to the printed ones give {number.text}; as printed they give "
         return Finding(Verdict.REFUTED, why + value.mid[:12], value=value, witness=point)
-    return Finding(Verdict.UNDECIDED, "neither inputs nor an exclusion were found", value=value)
+    why = (
+        f"no inputs were found that give {number.text}, but it could not be shown either that "
+        "there are none"
+    )
+    return Finding(Verdict.UNDECIDED, why, value=value)
 
 
 def _near(number: Number) -> str:
+    """Return the words for "the value agrees with the printed number"."""
     if number.half_units == 1:
         return f"rounds to {number.text}"
     return f"is {number.text} to within {number.half_units} half units of its last place"
 
 
 def _find_inputs(number: Number, box: Box) -> Point | None:
-    """Exact inputs in the box whose value lies in the printed interval.
+    """Return exact inputs in the box whose value lies in the printed interval, or None.
 
-    Where one point has its value below and another above, the segment between them is halved.
+    If the value is too small at one grid point and too large at another, a point between them is
+    found by bisection.
     """
     ends: dict[int, Point] = {}
     for point in _grid(box):
@@ -339,8 +370,9 @@ def _find_inputs(number: Number, box: Box) -> Point | None:
 
 
 def _between(number: Number, ends: dict[int, Point]) -> Point | None:
+    """Find inputs between one with too small and one with too large a value."""
     for _ in range(HALVINGS):
-        # Not halved: the value at a half may well lie on an end of the printed interval.
+        # Divided 5 : 4, since the value at the midpoint may lie exactly on an end of the interval.
         middle = tuple((5 * p + 4 * q) / 9 for p, q in zip(*ends.values(), strict=True))
         side = _side_at(number, middle)
         if side == 0:
@@ -350,12 +382,13 @@ def _between(number: Number, ends: dict[int, Point]) -> Point | None:
 
 
 def _side_at(number: Number, point: Point) -> int | None:
+    """Return `_side` of the value at exact inputs."""
     with ball_precision(BITS):
         return _side(number, number.value(tuple(map(arb, point))))
 
 
 def _side(number: Number, value: arb) -> int | None:
-    """0 inside the printed interval, −1 below it, 1 above it, None where a ball cannot tell."""
+    """Return 0 inside the printed interval, −1 below, 1 above, None if the ball is too wide."""
     low, high = number.target[:2]
     if value > low and value < high:
         return 0
@@ -363,7 +396,7 @@ def _side(number: Number, value: arb) -> int | None:
 
 
 def _grid(box: Box) -> Iterator[Point]:
-    """The corners of the box, and points between."""
+    """Yield the corners of the box, then the points of a finer grid."""
     for steps in (1, GRID if len(box) <= 2 else 4):
         sides = (
             [s.low + s.width * n / steps for n in range(steps + 1)] if s.width else [s.low]
@@ -373,7 +406,7 @@ def _grid(box: Box) -> Iterator[Point]:
 
 
 def _excluded(number: Number, box: Box) -> bool:
-    """True when balls over the whole box of inputs stay outside the printed interval."""
+    """Return whether bisection shows that no inputs in the box give a value as printed."""
     pending, seen = [box], 0
     while pending:
         cell = pending.pop()
@@ -388,7 +421,7 @@ def _excluded(number: Number, box: Box) -> bool:
 
 
 def misses(number: Number, cell: Box) -> bool:
-    """True when the ball over a box of inputs stays outside the printed interval."""
+    """Return whether the ball over ``cell`` lies outside the printed interval."""
     with ball_precision(BITS):
         value = number.value(tuple(side.ball() for side in cell))
         return bool(value.is_finite() and _side(number, value) in (1, -1))

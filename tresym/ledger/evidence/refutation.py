@@ -25,12 +25,17 @@ from tresym.reals.verdict import Verdict
 
 BITS = 256, 2048
 POINTS = 4
-"""Exact points of a region at which a bound is tried."""
+"""Number of exact points of a region at which a bound is tried."""
 Point = Mapping[str, fmpq]
 
 
 def judge_counterexample(claim: Claim, proof: Counterexample) -> Finding:
-    """REFUTED when balls confirm the conditions, and exclude the statement, at the exact point."""
+    """Return REFUTED if balls confirm the conditions and exclude the statement at the point.
+
+    Args:
+        claim: the claim to refute.
+        proof: the exact point; it is evaluated with 256 bits, then with 2048.
+    """
     why = None
     for bits in BITS:
         why = not_denied(claim, proof.point, bits)
@@ -40,7 +45,7 @@ def judge_counterexample(claim: Claim, proof: Counterexample) -> Finding:
 
 
 def denied_somewhere(claim: Claim) -> Finding | None:
-    """REFUTED with an exact point of the region at which balls exclude the bound, or None."""
+    """Try a few exact points of the region; return REFUTED if the bound fails at one, or None."""
     given = known(conditions(claim.given))
     free = {s.name for condition in claim.given for s in condition.free_symbols}
     for point in islice(given.points(sorted(free - defined(claim)), POINTS), POINTS):
@@ -50,28 +55,44 @@ def denied_somewhere(claim: Claim) -> Finding | None:
 
 
 def _violated(point: Point) -> Finding:
+    """Return REFUTED with the point as its witness."""
     where = ", ".join(f"{n} = {fraction_text(v)}" for n, v in point.items())
     return Finding(Verdict.REFUTED, f"violated at {where}", witness=point)
 
 
 def not_denied(claim: Claim, exact: Point, bits: int = BITS[0]) -> str | None:
-    """Why the point does not deny what the claim says, or None where balls show that it does."""
+    """Return why the point is no counterexample, or None if balls show that it is one.
+
+    Args:
+        claim: the claim.
+        exact: rational coordinates by symbol name.
+        bits: precision of the balls.
+    """
     if claim.statement is None:
-        return "a point denies a formula, and none is stated"
+        return "the claim has no formula, so a point cannot contradict it"
     with ball_precision(bits):
         point, unique = values_at(exact, claim.rests_on), unique_by(claim.rests_on)
         for condition in claim.given:
             if not _holds_at(condition, point, unique):
-                return f"{condition} is not shown at the point"
+                return f"could not confirm the condition {condition} at the point"
         if denied_at(claim.statement, point, unique) is None:
-            return "the statement is not shown to fail at the point"
+            return "could not show that the statement fails at the point"
     return None
 
 
 def denied_at(
     says: Basic, point: Values, unique: Unique = lambda node, at: False
 ) -> tuple[tuple[Basic, ...], Relational] | None:
-    """The relation in ``says`` that balls exclude at ``point``, after what holds there, or None."""
+    """Find a relation in ``says`` that balls exclude at ``point``.
+
+    Args:
+        says: a relation, a `Tuple` of them, an `Under` or an `Equivalent`.
+        point: balls by symbol name.
+        unique: decides whether a root is known to be unique.
+
+    Returns:
+        The conditions that hold at the point and the relation that fails, or None.
+    """
     match says:
         case Tuple():
             return next((d for part in says.args if (d := denied_at(part, point, unique))), None)
@@ -93,18 +114,19 @@ def denied_at(
 
 
 def _all_hold(conditions: tuple[Basic, ...], point: Values, unique: Unique) -> bool:
+    """Return whether balls confirm all relations at ``point``."""
     return all(_holds_at(entry, point, unique) for part in conditions for entry in scalars(part))
 
 
 def _holds_at(relation: Basic, point: Values, unique: Unique) -> bool:
-    """Whether balls show that a relation holds at ``point``; an equation only where they are 0."""
+    """Return whether balls confirm a relation; an equation only if the ball is exactly 0."""
     return isinstance(relation, Relational) and stands(
         _difference_at(relation, point, unique), relation.rel_op
     )
 
 
 def _difference_at(relation: Basic, point: Values, unique: Unique) -> arb:
-    """The difference of the sides; not finite where a symbol has no value, or a side none."""
+    """Return a ball for left minus right side; NaN if a symbol or a side has no value."""
     if not {symbol.name for symbol in relation.free_symbols} <= {*point}:
         return arb.nan()
     left, right = map(tree, relation.args)
@@ -113,10 +135,14 @@ def _difference_at(relation: Basic, point: Values, unique: Unique) -> arb:
 
 @dataclass(frozen=True)
 class Denied:
-    """A sentence without a formula, denied by ``claims`` that exhibit the case ``witness``.
+    """Evidence against a sentence without a formula: proved claims that contradict it.
 
-    That the claims contradict the sentence is for the reader to see; that they hold is not: a
-    denial whose claims do not all hold is UNDECIDED.
+    The reader has to judge that the claims contradict the sentence. That the claims hold is
+    checked: if one does not, the finding is UNDECIDED.
+
+    Attributes:
+        claims: the claims that contradict the sentence.
+        witness: the case in which the sentence fails, as values by symbol name.
     """
 
     claims: tuple[Claim, ...]
@@ -124,8 +150,9 @@ class Denied:
     expect: ClassVar[Ruling] = Verdict.REFUTED
 
     def judge(self) -> Finding:
-        """REFUTED; only asked when every claim named is found to hold."""
+        """Return REFUTED; called only if every claim named has been found to hold."""
         if not self.claims or not self.witness:
-            return Finding(Verdict.UNDECIDED, "a denial needs a claim and a case")
+            why = "the evidence must name a claim that contradicts the sentence, and a case"
+            return Finding(Verdict.UNDECIDED, why)
         why = "contradicted by " + ", ".join(claim.label for claim in self.claims)
         return Finding(Verdict.REFUTED, why, witness=self.witness)

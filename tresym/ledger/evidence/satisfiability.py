@@ -1,9 +1,11 @@
 """Find a point that satisfies conditions and equations together, and check it.
 
-What is found are values of some symbols, put in everywhere, and a point of the others, or a segment
-that one of them runs through. Then every equation must hold identically, but for one, which changes
-its sign on the segment and has no jump there; and every inequality holds in balls. An integral is
-enclosed cell by cell, by the middle of each and the second derivative on all of it.
+The counterexample search (`tresym.ledger.counterexamples.somewhere`) proposes substitutions for
+some symbols and exact values for the others, of which one may be a segment instead. This module
+verifies the proposal independently: every inequality holds in ball arithmetic, every equation but
+one is an identity after substitution, and the remaining equation is continuous on the segment and
+changes its sign there, so it has a root by the intermediate value theorem. Integrals are enclosed
+by the midpoint rule on each cell, with the second derivative in the remainder.
 """
 
 from __future__ import annotations
@@ -34,25 +36,44 @@ Place = Mapping[str, Interval]
 
 BITS = 40
 CELLS = 32
-"""Into which an interval of integration is cut."""
-ROOM = arb((1, -8))
-"""How much wider a segment is made than it was found: an integral is enclosed but roughly."""
+"""Number of cells into which an interval of integration is divided."""
+WIDENING = arb((1, -8))
+"""Relative widening of a segment, because integrals are enclosed only roughly."""
 BY_END = (Step(None, (differentiating_integral(Integer(0)),)),)
-"""How a derivative is shown to be what is put in for it."""
+"""The chain that proves an equation for the derivative of an integral by one of its ends."""
 
 
 @lru_cache(maxsize=512)
 def satisfiable(given: tuple[Basic, ...], known: tuple[Basic, ...]) -> bool:
-    """Whether a point is found at which all of ``given`` and ``known`` is shown to hold."""
-    said = (r for e in known for entry in scalars(e) for r in relations(formula(entry)))
+    """Return whether a point is found where ``given`` and ``known`` are all proved to hold.
+
+    False only means that no point was found.
+
+    Args:
+        given: conditions (inequalities).
+        known: relations of the claims used, equations among them.
+
+    Example:
+        >>> from sympy import Symbol
+        >>> x = Symbol("x", real=True)
+        >>> satisfiable((x > 1,), (x < 2,)), satisfiable((x > 1,), (x < 0,))
+        (True, False)
+    """
+    stated = (r for e in known for entry in scalars(e) for r in relations(formula(entry)))
     put, places = somewhere(given, known)
     rules = {tree(left): tree(right) for left, right in put.items()}
     named = [{str(symbol): where for symbol, where in place.items()} for place in places]
-    return hold((*conditions(given), *said), rules, named)
+    return hold((*conditions(given), *stated), rules, named)
 
 
 def hold(asked: Iterable[Relation], rules: Rules, places: Iterable[Place]) -> bool:
-    """Whether all that is asked holds in one of the places, with the values that are put in."""
+    """Return whether all relations are proved to hold at one of ``places``.
+
+    Args:
+        asked: the relations.
+        rules: symbols to the expressions that replace them.
+        places: proposals: for each other symbol an exact value or, for at most one, a segment.
+    """
     if any(left.op != "symbol" for left in rules):
         return False
     meant = [Relation(put_in(r.left, rules), r.sign, put_in(r.right, rules)) for r in asked]
@@ -77,12 +98,12 @@ def hold(asked: Iterable[Relation], rules: Rules, places: Iterable[Place]) -> bo
 
 
 def _widened(where: Interval) -> arb:
-    """A number, or a segment with some more on both sides."""
-    return where.ball() * (1 + ROOM * arb(0, 1)) if where.low != where.high else where.ball()
+    """Return a ball for a number, or for a segment slightly widened on both sides."""
+    return where.ball() * (1 + WIDENING * arb(0, 1)) if where.low != where.high else where.ball()
 
 
 def _is_identity(equation: Relation, given: Conditions) -> bool:
-    """Whether an equation holds wherever both sides have values, or by Leibniz's rule."""
+    """Return whether an equation is an identity, or follows by Leibniz's rule."""
     one, other = generalised(equation.left, equation.right)
     if one == other or decide_continuous(one, other).verdict is Verdict.PROVED:
         return True
@@ -91,7 +112,7 @@ def _is_identity(equation: Relation, given: Conditions) -> bool:
 
 
 def _crosses(e: Expr, at: Mapping[str, arb], name: str) -> bool:
-    """Whether ``e``, continuous on the segment, has opposite signs at its ends."""
+    """Return whether ``e`` is continuous on the segment, with opposite signs at its ends."""
     ends = at[name].lower(), at[name].upper()
     return (
         not jumps(e)
@@ -101,14 +122,14 @@ def _crosses(e: Expr, at: Mapping[str, arb], name: str) -> bool:
 
 
 def _enclosed(e: Expr, at: Mapping[str, arb]) -> arb:
-    """A ball that contains ``e``, its integrals among it; NaN where none is shown."""
+    """Return a ball that contains ``e``, integrals included; NaN if none is found."""
     nodes = {node: f"[{n}]" for n, node in enumerate(outermost(e))}
     known = {name: _integral(node, at) for node, name in nodes.items()}
     return evaluate(replaced(e, {n: symbol(name) for n, name in nodes.items()}), {**at, **known})
 
 
 def _integral(node: Expr, at: Mapping[str, arb]) -> arb:
-    """The integral of what has a second derivative: on each cell it is f(m)·h + f″·h³/24."""
+    """Enclose an integral by the midpoint rule: on each cell f(m)·h + f″(ξ)·h³/24."""
     if node.op != "integral" or not elementary(*node.args[1:]):
         return arb.nan()
     (name,), body = opened(node, at)

@@ -22,18 +22,21 @@ def flip_defect(
     *,
     rung: str | None = None,
 ) -> Flip:
-    """The flip defect ε of the shape (a, b) at γ, as a ball with ``digits`` certified digits.
+    """Compute the flip defect ε of a body as a ball with ``digits`` certified digits.
 
     Args:
-        a: I₂/I₁ − 1 > 0; text, an integer or a fraction, like ``b`` and ``gamma``. Or a body,
-            which has its ``b`` in it.
+        a: I₂/I₁ − 1 > 0, as text, integer or fraction; or a body, which determines ``b`` as well.
         b: 1 − I₂/I₃, in (0, 1].
-        gamma: distance from the separatrix, from −b to a.
+        gamma: the level γ from −b to a; 0 is the separatrix.
         digits: 1 to 10 000.
-        rung: force one model of the ladder instead of the cheapest that will do.
+        rung: the model to use, ``asymptotic``, ``separatrix``, ``carlson`` or ``planar``; None
+            selects the cheapest that delivers the digits.
+
+    Returns:
+        The defect and the flip Δψ = π − 2ε in radians, and the model that was used.
 
     Raises:
-        InputError: anything outside these ranges.
+        InputError: an argument outside these ranges, or a model that cannot deliver the digits.
 
     Example:
         >>> import tresym
@@ -50,18 +53,21 @@ def flip_defects(
     *,
     rung: str | None = None,
 ) -> list[Flip]:
-    """The flip defects of many shapes at one γ, as :func:`flip_defect` gives them, in their order.
+    """Compute the flip defects of many bodies at one γ, in the given order.
 
-    γ and the digits are read once. (``tresym sweep`` is for more than fit into memory.)
+    For more bodies than fit into memory use ``tresym sweep``.
 
     Args:
         shapes: bodies, or pairs of a and b.
-        gamma: distance from the separatrix, in the range of every shape.
+        gamma: the level γ, which must be in the range of every shape.
         digits: 1 to 10 000.
-        rung: force one model of the ladder.
+        rung: the model to use; None selects the cheapest for each body.
+
+    Returns:
+        A result for each body, as from :func:`flip_defect`.
 
     Raises:
-        InputError: anything outside these ranges, with the place of the shape, from 1.
+        InputError: an argument outside these ranges; the message names the shape, counted from 1.
 
     Example:
         >>> import tresym
@@ -82,6 +88,7 @@ def flip_defects(
 
 
 def _pair(given: object) -> Shape:
+    """The shape given by a pair of a and b."""
     if not (isinstance(given, tuple | list) and len(given) == 2):
         raise InputError("give a pair of a and b, or a body")
     return as_shape(*given)
@@ -98,20 +105,23 @@ def flip_angle(
     precession: Exact | Angle = "2*pi",
     rung: str | None = None,
 ) -> Journey:
-    """Δψ from any start, as a ball with ``digits`` certified digits, with ψ and θ at the end.
+    """Compute Δψ from any start, with ψ and θ at the end, as balls with certified digits.
 
     Args:
-        a: I₂/I₁ − 1 > 0; text, an integer or a fraction, like ``b``. Or a body.
+        a: I₂/I₁ − 1 > 0, as text, integer or fraction; or a body, which determines ``b`` as well.
         b: 1 − I₂/I₃, in (0, 1].
         psi0: ψ at the start in radians; also text such as ``"pi/2"`` or ``"-3*pi/4"``.
-        rate: dψ/dφ at the start; this or ``theta0``.
-        digits: 1 to 10 000.
+        rate: dψ/dφ at the start; give either this or ``theta0``.
+        digits: certified digits, 1 to 10 000.
         theta0: θ at the start in radians.
-        precession: Δφ in radians; a full turn of the handle unless given.
-        rung: force a model of the ladder; only ``planar`` knows starts.
+        precession: Δφ in radians; one full turn of the handle by default.
+        rung: the model to use; only ``planar`` computes motions from a start.
+
+    Returns:
+        Δψ, ψ and θ at the end in radians, and γ of the orbit.
 
     Raises:
-        InputError: anything outside these ranges, or a start no body of this shape can have.
+        InputError: an argument outside these ranges, or a start that no such body can have.
 
     Example:
         >>> import tresym

@@ -1,11 +1,12 @@
 """Compute ε(γ) for every γ in [−b, a] as a ball with any number of digits.
 
-ε(γ) is read on the symmetric trajectory through ψ = π/2 at φ = 0, half a turn before: with the
-phase φ(u) of :mod:`tresym.racket.motion.orbit`, ε = ψ(u) where φ(u) = −π. It exists and is unique,
-as φ(u) increases strictly. Where the trajectory has not turned this is the paper's F(ε, γ) = π,
-elsewhere it is folded to that (:mod:`tresym.racket.flip.phase_folding`), and one evaluation of F or
-two are enough (:func:`quick`). Where that does not do, at γ* and at the ends of the range, φ is
-inverted.
+The symmetric trajectory passes ψ = π/2 at φ = 0, and ε(γ) is its ψ half a turn before: with the
+phase φ(u) of :mod:`tresym.racket.motion.orbit`, ε = ψ(u) where φ(u) = −π. This ε exists and is
+unique, since φ(u) is strictly increasing. If the trajectory has no turning point in between, this
+is the paper's equation F(ε, γ) = π. Otherwise the phase π is reduced to the first quarter of the
+orbit (:mod:`tresym.racket.flip.phase_folding`). Then one or two evaluations of F are enough
+(:func:`quick`). At γ* and at the ends of the range this fails, and φ is inverted numerically with
+proof (:func:`inverted`).
 """
 
 from __future__ import annotations
@@ -25,29 +26,33 @@ from tresym.reals.numbers.arithmetic import ball_precision, balls, bits
 from tresym.reals.numbers.exact import InputError, fraction_text, shortened
 
 PRECISION_LIMIT = 400_000
-"""Bits of working precision at which a request is given up."""
+"""The working precision in bits beyond which a computation is given up."""
 
 FLOAT_BITS = 46
-"""Bits of the float64 start that are taken to be right; nothing rests on it but speed."""
+"""Bits of the float64 approximation that are expected to be correct; this only affects speed."""
 
 
 class Defect(NamedTuple):
-    """Balls around ε and the flip Δψ = π − 2ε (radians)."""
+    """Balls around ε and the flip Δψ = π − 2ε, in radians."""
 
     defect: arb
     flip: arb
 
 
 def checked_gamma(a: fmpq, b: fmpq, gamma: fmpq) -> fmpq:
-    """``gamma`` if it is in [−b, a]; InputError otherwise."""
-    if (gamma + b).p < 0 or (a - gamma).p < 0:  # as integers, whose signs are known at once
+    """Return ``gamma`` if it is in [−b, a].
+
+    Raises:
+        InputError: it is not.
+    """
+    if (gamma + b).p < 0 or (a - gamma).p < 0:  # the sign of the numerator is the fastest test
         low, high = (shortened(fraction_text(end)) for end in (-b, a))
         raise InputError(f"gamma: must be between -b and a, here between {low} and {high}")
     return gamma
 
 
 def solve(a: fmpq, b: fmpq, gamma: fmpq, digits: int) -> Defect:
-    """ε(γ) and the flip, each to ``digits`` certified digits: :func:`quick`, or :func:`inverted`.
+    """Compute ε(γ) and the flip, each to ``digits`` certified digits.
 
     Raises:
         InputError: γ outside [−b, a].
@@ -58,10 +63,11 @@ def solve(a: fmpq, b: fmpq, gamma: fmpq, digits: int) -> Defect:
 
 
 def inverted(a: fmpq, b: fmpq, gamma: fmpq, digits: int) -> Defect:
-    """ε(γ) at any γ in [−b, a], by inverting the phase at rising precision.
+    """Compute ε(γ) for any γ in [−b, a], by inverting the phase at increasing precision.
 
-    At γ = −b, which is the stable rotation ψ = π/2, the flip is 0. Elsewhere one that cannot be
-    told from 0 at eight times the precision the digits need is only shown to be below 10^−digits.
+    At γ = −b, the stable rotation with ψ = π/2, the flip is 0. A flip so small that its ball still
+    contains 0 at eight times the precision that the digits need is only proved to be below
+    10^−digits.
 
     Raises:
         ArithmeticError: the precision limit is reached.
@@ -81,7 +87,7 @@ def inverted(a: fmpq, b: fmpq, gamma: fmpq, digits: int) -> Defect:
 
 
 def settled(x: arb, digits: int, precision: int) -> bool:
-    """Whether ``x`` proves the digits, or cannot be told from 0 at eight times what they need."""
+    """Return whether ``x`` proves the digits, or contains 0 at eight times the precision needed."""
     if proves(x, digits):
         return True
     small = arb(fmpq(1, 10) ** digits)
@@ -89,21 +95,25 @@ def settled(x: arb, digits: int, precision: int) -> bool:
 
 
 def defect_on(a: fmpq, b: fmpq, level: Level) -> arb:
-    """ε of a level −b < γ ≤ a, at the working precision, by inverting the phase.
+    """Compute ε on a level −b < γ ≤ a at the working precision, by inverting the phase.
 
     Raises:
-        ArithmeticError: the precision does not suffice.
+        ArithmeticError: the precision is not sufficient.
     """
     on = orbit(a, b, level)
     return arb.pi() / 2 - angle_at(on, time_of(on, arb.pi()))
 
 
 def quick(a: fmpq, b: fmpq, gamma: fmpq, digits: int) -> Defect | None:
-    """ε(γ) from F in the first quarter, where π is folded to; beyond a half period from its Q too.
+    """Compute ε(γ) from F in the first quarter of the orbit.
 
-    A float64 solution is corrected by the Taylor series of the flow dψ/dφ, of which the phase that
-    is missing is the argument; each round quadruples the digits. None where float64 has no
-    solution, or the digits are not reached (at γ* and at the ends of the range of γ).
+    A float64 solution is improved by the Taylor series of the flow dψ/dφ, whose argument is the
+    phase that is still missing. Each round quadruples the number of correct digits, and the last
+    one encloses the solution.
+
+    Returns: None if float64 finds no solution, or the digits are not reached (near γ* and the ends
+    of the
+        range of γ).
     """
     found = folded(float(arb(a)), float(arb(b)), float(arb(gamma)))
     if found is None:
@@ -122,7 +132,7 @@ def quick(a: fmpq, b: fmpq, gamma: fmpq, digits: int) -> Defect | None:
 
 @lru_cache(maxsize=64)
 def _rounds(precision: int) -> tuple[int, ...]:
-    """Precisions that each quadruple what is known, from float64; the last is one to spare."""
+    """The precisions of the rounds: each four times the one before, and a last one in reserve."""
     rounds = [precision]
     while rounds[0] > 4 * FLOAT_BITS + 10:
         rounds.insert(0, rounds[0] // 4 + 10)
@@ -130,7 +140,7 @@ def _rounds(precision: int) -> tuple[int, ...]:
 
 
 def unfolded(angle: arb, fold: Fold) -> Defect:
-    """ε = s e + nπ and π − 2ε."""
+    """Return ε = s·e + nπ and π − 2ε from the reduced angle e."""
     sign, turns = fold.unfolding
     angle, pi = sign * angle, arb.pi()
     if not turns:
@@ -139,15 +149,15 @@ def unfolded(angle: arb, fold: Fold) -> Defect:
 
 
 def corrected(a: arb, b: arb, gamma: arb, near: arb, fold: Fold) -> arb:
-    """The folded angle from the exact point ``near``, at the working precision.
+    """Enclose the reduced angle from the exact point ``near``, at the working precision.
 
-    ψ(φ) solves ψ′ = √G(ψ), ψ″ = G′/2, ψ‴ = G″ψ′/2, G = (a + bs²)(γ + bs²)/(1 − bs²)²; the solution
-    from ``near`` is there after the phase h that F(near, γ) has too much (on the way back, that
-    2Q − F has too little). By the mean value theorem it stays among the angles within r of
-    ``near`` if |h| √G < r for all of them, and Taylor's remainder is taken there.
+    ψ(φ) solves ψ′ = √G(ψ), ψ″ = G′/2, ψ‴ = G″ψ′/2, G = (a + bs²)(γ + bs²)/(1 − bs²)², s = sin ψ.
+    The solution from ``near`` reaches the angle after the phase h by which F(near, γ) is too large
+    (on the way back, 2Q − F too small). By the mean value theorem it stays within r of ``near`` if
+    |h| √G < r for all angles there, and Taylor's remainder is bounded over these angles.
 
     Raises:
-        ArithmeticError: nothing is shown (turning point, or precision too low).
+        ArithmeticError: nothing is proved (turning point, or precision too low).
     """
     sine, cosine = near.sin_cos()
     square = b * sine * sine
@@ -162,7 +172,7 @@ def corrected(a: arb, b: arb, gamma: arb, near: arb, fold: Fold) -> arb:
     product, total = 2 * (1 + a) * (1 + gamma), 2 + a + gamma
     bend = (product * inverse - total) * inverse * inverse * b * sine * cosine
     reach = 2 * abs(phase * speed).upper()
-    # Within ``reach`` of the angle, sine and cosine change by no more.
+    # Sine and cosine are Lipschitz with constant 1.
     around = arb(0, reach)
     fast, curved = flow(sine + around, cosine + around, a, b, gamma)
     if not abs(phase) * fast < reach:
@@ -171,7 +181,7 @@ def corrected(a: arb, b: arb, gamma: arb, near: arb, fold: Fold) -> arb:
 
 
 def flow(sine: arb, cosine: arb, a: arb, b: arb, gamma: arb) -> tuple[arb, arb]:
-    """√G and G″, for the remainder.
+    """Return √G and G″, which bound Taylor's remainder.
 
     With w = 1/(1 − b sin²ψ), q = b sin 2ψ and K = (1+a)(1+γ), G = Kw² − (2+a+γ)w + 1 and w′ = qw².
     """
@@ -185,14 +195,14 @@ def flow(sine: arb, cosine: arb, a: arb, b: arb, gamma: arb) -> tuple[arb, arb]:
 
 
 def quarter_phase(a: arb, b: arb, gamma: arb) -> arb:
-    """The phase of the first quarter: F from ψ = 0, or from the turning point where γ < 0."""
+    """Return the phase of the first quarter: F from ψ = 0, or from the turning point if γ < 0."""
     if gamma > 0:
         return _turn(arb(0), arb(1), gamma, a, b, gamma)
     return _turn((-gamma / b).sqrt(), (1 + gamma / b).sqrt(), arb(0), a, b, gamma)
 
 
 def _turn(sine: arb, cosine: arb, z: arb, a: arb, b: arb, gamma: arb, *, back: bool = False) -> arb:
-    """F, or 2Q − F: by the Gauss transformation, but where the angle is near π/2."""
+    """F, or 2Q − F if ``back``: by the Gauss transformation, near π/2 by Carlson's integrals."""
     tangent = sine / cosine
     square = tangent * tangent
     if (a + b) * square < 100 * a:

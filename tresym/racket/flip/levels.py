@@ -36,13 +36,13 @@ from tresym.reals.numbers.exact import InputError
 
 RIGHT_ANGLE = Angle(fmpq(1, 2), fmpq(0))
 MOST_STEPS = 64
-"""Newton steps at most; a dozen do, from a point that is near enough."""
+"""Most Newton steps; from a good initial value about twelve are enough."""
 FAR = arb((1, 40))
-"""Odds beyond exp(±2⁴⁰) are not looked at."""
+"""The search is restricted to odds between exp(−2⁴⁰) and exp(2⁴⁰)."""
 
 
 def level_at(a: fmpq, b: fmpq, regime: int, x: arb) -> Level:
-    """The level with (γ+b)/(−γ) = eˣ (``regime`` −1) or (a−γ)/γ = eˣ (``regime`` 1)."""
+    """Return the level with (γ+b)/(−γ) = eˣ (``regime`` −1) or (a−γ)/γ = eˣ (``regime`` 1)."""
     odds = x.exp()
     if regime < 0:
         gamma = -b / (1 + odds)
@@ -52,11 +52,19 @@ def level_at(a: fmpq, b: fmpq, regime: int, x: arb) -> Level:
 
 
 def turning_level(a: fmpq, b: fmpq, digits: int, turns: int = 1) -> arb | None:
-    """γ* < 0, at which the trajectory of ε(γ) begins at its turning point; None if there is none.
+    """Compute γ* < 0, the level on which the trajectory of ε(γ) begins at its turning point.
 
-    Above it the trajectory has not turned. ``turns`` = n gives the level with φ_K = π/n: γ° for 2,
-    below which ε(γ) is not monotone, and γ** for 3, below which the trajectory has turned more than
-    once.
+    Above γ* the trajectory has no turning point.
+
+    Args:
+        a: shape parameter.
+        b: shape parameter.
+        digits: certified digits of the level.
+        turns: n gives the level with φ_K = π/n: γ* for 1; γ° for 2, below which ε(γ) is not
+            monotone; γ** for 3, below which the trajectory has turned more than once.
+
+    Returns:
+        None if no level has φ_K = π/n.
     """
     # φ_K(−b) < π/turns, in rationals.
     if not turns * turns * (1 - b) ** 2 < 4 * b * (a + b):
@@ -69,11 +77,13 @@ def turning_level(a: fmpq, b: fmpq, digits: int, turns: int = 1) -> arb | None:
 
 
 def level_of(a: fmpq, b: fmpq, defect: Angle, digits: int) -> arb:
-    """The largest γ < a with ε(γ) = ``defect`` ≤ π/2, as a ball; the only one with φ_K > π/4.
+    """Compute the largest γ < a with ε(γ) = ``defect`` ≤ π/2, as a ball.
+
+    It is the only such level with φ_K > π/4.
 
     Raises:
-        InputError: a defect above π/2, where ε(γ) is not monotone, or one that ε takes nowhere (the
-            message says which).
+        InputError: a defect above π/2, where ε(γ) is not monotone, or a value that ε does not take;
+            the message says which.
     """
     if defect == RIGHT_ANGLE:
         return _right_angle_level(a, b, digits)
@@ -95,7 +105,7 @@ def level_of(a: fmpq, b: fmpq, defect: Angle, digits: int) -> arb:
 
 
 def _right_angle_level(a: fmpq, b: fmpq, digits: int) -> arb:
-    """γ°, at which ε(γ) = π/2."""
+    """γ°, the level on which ε(γ) = π/2."""
     found = turning_level(a, b, digits, 2)
     if found is None:
         raise _out_of_range("less than pi/2")
@@ -103,14 +113,16 @@ def _right_angle_level(a: fmpq, b: fmpq, digits: int) -> arb:
 
 
 def _out_of_range(limit: str) -> InputError:
-    return InputError(f"defect: no gamma of the monotone range has it; it must be {limit}")
+    return InputError(
+        f"defect: no level gamma on which epsilon is monotone has this defect; it must be {limit}"
+    )
 
 
 def _regime_of(a: fmpq, b: fmpq, defect: Angle) -> int:
-    """1 if ε(γ) = ``defect`` at some γ > 0, −1 if at γ < 0: by comparison with ε(0), ε(a) and π/2.
+    """1 if ε(γ) = ``defect`` for some γ > 0, −1 if for some γ < 0.
 
     Raises:
-        InputError: a defect outside, or one that cannot be told from an end.
+        InputError: no γ has this defect, or it is too near ε(0), ε(a) or π/2 to decide.
     """
     precision = 128
     while precision < PRECISION_LIMIT:
@@ -127,7 +139,9 @@ def _regime_of(a: fmpq, b: fmpq, defect: Angle) -> int:
             if value > arb.pi() / 2:
                 raise _out_of_range("less than pi/2" if b * (a + 2) <= 1 else "at most pi/2")
         precision *= 2
-    raise InputError("defect: too near that of the separatrix, or pi/2, to be told from it")
+    raise InputError(
+        "defect: too near the defect of the separatrix, or pi/2, to be distinguished from it"
+    )
 
 
 def _level_by(
@@ -138,11 +152,12 @@ def _level_by(
     digits: int,
     start: arb | None = None,
 ) -> arb:
-    """γ where the function ``excess`` of x is 0, to ``digits`` digits.
+    """γ where the function ``excess`` of x vanishes, to ``digits`` digits.
 
-    It has one sign change, beyond ``start`` where that is given, and is negative for lower γ. For
-    b = 1 it goes as the cube root of a distance next to ε = π/2, where the phase stands still, so
-    that Newton's method may have to begin very near: each round begins twice as many bits near.
+    ``excess`` has exactly one sign change, above ``start`` if that is given, and is negative for
+    lower γ. For b = 1 the level behaves like the cube root of the distance from ε = π/2, since the
+    phase is stationary there. Newton's method then needs a very good initial value, so the number
+    of correct bits of the initial value is doubled in each round.
     """
     precision, correct = bits(digits, 64), 30
     limit = 16 * precision
@@ -164,14 +179,15 @@ def _level_by(
 def _bracket(
     excess: Callable[[arb], arb], direction: int, start: arb | None = None
 ) -> tuple[arb, arb]:
-    """Two points with the one sign change of ``excess`` between them, found by doubling.
+    """Two points around the only sign change of ``excess``, found by doubling the distance.
 
     Args:
-        direction: 1 where it is from negative to positive, −1 where it is the other way.
-        start: a point before it; by default one is looked for.
+        excess: the function of x.
+        direction: 1 if it changes from negative to positive, −1 if from positive to negative.
+        start: a point below the sign change; None searches for one.
 
     Raises:
-        ArithmeticError: there is none within reach, or none beyond ``start``.
+        ArithmeticError: there is no sign change within reach, or none above ``start``.
     """
     low, width = arb(-1) if start is None else start, arb(1)
     while not direction * excess(low) < 0:
@@ -181,15 +197,15 @@ def _bracket(
     high, width = low + 1, arb(1)
     while not direction * excess(high) > 0:
         if width > FAR:
-            raise ArithmeticError("no change of sign is found")
+            raise ArithmeticError("no change of sign was found")
         high, width = high + width, 2 * width
     return low, high
 
 
 def _refined(excess: Callable[[arb], arb], low: arb, high: arb, correct: int) -> arb:
-    """A point within some 2^−``correct`` of the root, by regula falsi with halved weights.
+    """A point within about 2^−``correct`` of the root, by the Illinois variant of regula falsi.
 
-    Each third step halves the bracket, as next to a cube root the others hardly move one end.
+    Every third step bisects, since near a cube root the others move one end only slowly.
     """
     at_low, at_high = excess(low).mid(), excess(high).mid()
     before, here = low, high
@@ -211,12 +227,14 @@ def _refined(excess: Callable[[arb], arb], low: arb, high: arb, correct: int) ->
 
 
 def _enclosed(excess: Callable[[arb], arb], near: arb, precision: int, correct: int) -> arb:
-    """The root as a ball, from a point ``correct`` bits near: Newton's method, then two signs.
+    """The root as a ball, from a point with ``correct`` correct bits.
 
-    The slope is a difference over a third of the working precision, which rises by a half a step.
+    Newton's method is followed by a proof that the signs at two points differ. The slope is a
+    difference quotient over a step of a third of the working precision; the precision increases by
+    one half in each step.
 
     Raises:
-        ArithmeticError: no change of sign is shown.
+        ArithmeticError: no change of sign is proved.
     """
     work = 4 * correct + 8
     for _ in range(MOST_STEPS):

@@ -1,9 +1,10 @@
 """Model selection: use the cheapest model that delivers the requested digits.
 
-`asymptotic`, a closed formula with a proved bound on its error, and `separatrix`, the scalar
-equation, serve γ = 0. `carlson`, F(ε, γ) in the first quarter of the orbit and the phase of that
-quarter, serves every γ but γ*, and the ends of the range. `planar`, the planar system solved on its
-orbit, serves every γ and every start.
+- ``asymptotic`` (γ = 0): a closed formula with a proved bound on its error.
+- ``separatrix`` (γ = 0): the scalar equation for the defect.
+- ``carlson`` (every γ except γ* and the ends of the range): F(ε, γ) in the first quarter of the
+  orbit, by elliptic integrals.
+- ``planar`` (every γ and every start): the solution of the planar system, its phase inverted.
 """
 
 from __future__ import annotations
@@ -24,16 +25,20 @@ from tresym.reals.numbers.exact import InputError, quoted, whole_number
 MAX_DIGITS = 10_000
 
 RUNGS = ("asymptotic", "separatrix", "carlson", "planar")
-"""The rungs, cheapest first."""
+"""The names of the models, cheapest first."""
 WITHOUT_FORMULA = RUNGS[1:]
 
 
 RungAnswer = tuple[arb, arb, str]
-"""What one rung has to say: balls for ε and Δψ in radians, and why they are enough."""
+"""The result of one model: balls for ε and Δψ in radians, and why they are sufficient."""
 
 
 def parse_digits(text: str) -> int:
-    """The number of digits that ``text`` asks for; InputError unless it is 1 to 10 000."""
+    """Parse a number of digits.
+
+    Raises:
+        InputError: unless it is an integer from 1 to 10 000.
+    """
     word = text.strip(" ")
     if not (word.isascii() and word.isdecimal() and len(word) <= len(str(MAX_DIGITS))):
         raise InputError(f"digits: must be an integer from 1 to {MAX_DIGITS}")
@@ -41,17 +46,27 @@ def parse_digits(text: str) -> int:
 
 
 def checked_digits(digits: int) -> int:
-    """``digits`` if it is between 1 and 10 000; InputError otherwise."""
+    """Return ``digits`` if it is an integer from 1 to 10 000.
+
+    Raises:
+        InputError: it is not.
+    """
     return whole_number(digits, 1, MAX_DIGITS, "digits")
 
 
 def climb(shape: Shape, gamma: fmpq | int, digits: int, rung: str | None = None) -> Flip:
-    """The flip of ``shape`` at ``gamma`` to ``digits`` certified digits, on ``rung`` if given.
+    """Compute the flip of ``shape`` at ``gamma`` to ``digits`` certified digits.
+
+    Args:
+        shape: the shape parameters.
+        gamma: the level, from −b to a.
+        digits: 1 to 10 000.
+        rung: the model to use; None selects the cheapest that delivers the digits.
 
     Raises:
-        InputError: digits or γ out of range, an unknown rung, or one that cannot deliver.
+        InputError: digits or γ out of range, an unknown model, or one that cannot deliver.
     """
-    if type(digits) is not int or not 1 <= digits <= MAX_DIGITS:  # as most are: two calls less
+    if type(digits) is not int or not 1 <= digits <= MAX_DIGITS:  # saves two calls in most cases
         digits = checked_digits(digits)
     level = gamma if isinstance(gamma, fmpq) else fmpq(gamma)
     if level:
@@ -71,15 +86,17 @@ def climb(shape: Shape, gamma: fmpq | int, digits: int, rung: str | None = None)
 def follow(
     shape: Shape, start: Start, precession: Angle, digits: int, rung: str | None = None
 ) -> Journey:
-    """The change of ψ of ``shape`` from ``start`` after ``precession`` radians of φ.
+    """Compute the change of ψ of ``shape`` from ``start`` while φ grows by ``precession`` radians.
 
     Raises:
-        InputError: digits out of range, a start that does not exist, or another rung than planar.
+        InputError: digits out of range, a start that does not exist, or a model other than planar.
     """
     digits = checked_digits(digits)
     _checked_rung(rung)
     if rung not in (None, "planar"):
-        raise InputError(f"rung: {rung} knows symmetric trajectories only; a start needs planar")
+        raise InputError(
+            f"rung: {rung} computes symmetric trajectories only; for a start use planar"
+        )
     began = perf_counter()
     found = travel(shape, start, precession, digits)
     seconds = perf_counter() - began
@@ -93,7 +110,7 @@ def _checked_rung(rung: str | None) -> None:
 
 
 def _worth_trying(shape: Shape, gamma: fmpq, digits: int) -> tuple[str, ...]:
-    """The rungs from the first that may have the digits; a float64 estimate spares the attempts."""
+    """The models to try, without those that a float64 estimate shows to be insufficient."""
     if gamma:
         return RUNGS[2:]
     least = asymptotic.least_product(digits)
@@ -106,7 +123,7 @@ def _worth_trying(shape: Shape, gamma: fmpq, digits: int) -> tuple[str, ...]:
 
 
 def _on_rung(rung: str, shape: Shape, gamma: fmpq, digits: int) -> RungAnswer | None:
-    """The answer of one rung, or None where it cannot give one."""
+    """The result of one model, or None if it cannot deliver."""
     if rung == "separatrix" and not gamma:
         return _separatrix(shape, digits)
     if rung == "carlson":
@@ -147,19 +164,19 @@ def _separatrix(shape: Shape, digits: int) -> RungAnswer:
     found = separatrix.solve(shape.a, shape.b, digits)
     why = "scalar equation at gamma = 0, its one root enclosed by Taylor's theorem"
     if not found.defect > 0:
-        why = "the defect is positive but below every number that is told from 0 here"
+        why = "the defect is positive, but too small to be distinguished from 0"
     return found.defect, found.flip, why
 
 
 def _shortfall(rung: str, shape: Shape, gamma: fmpq, digits: int) -> str:
-    """Why a rung cannot answer."""
+    """Why a model cannot deliver."""
     if rung == "carlson":
         return (
-            f"carlson does not give {digits} digits this near to a turning point or to the ends of "
+            f"carlson does not reach {digits} digits so close to a turning point or to an end of "
             "the range of gamma; try planar"
         )
     if gamma:
-        return f"{rung} knows the separatrix, gamma = 0, only; try carlson"
+        return f"{rung} computes the separatrix, gamma = 0, only; try carlson"
     answer, reached = _asymptotic(shape, digits), 0
     if answer is not None and answer[0].is_finite():
         worst = min(x.rel_accuracy_bits() for x in answer[:2])

@@ -9,11 +9,11 @@ from typing import Any, NamedTuple
 from flint import arb, fmpq
 
 from tresym.reals.decisions.claim_parsing import Comparison, Statement, in_latex
-from tresym.reals.decisions.identity import shown
+from tresym.reals.decisions.identity import with_point
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.expression import Expr
 from tresym.reals.normal.to_expression import normal_form
-from tresym.reals.notebook import html_table, in_one_line
+from tresym.reals.notebook import abbreviated, html_table, in_one_line
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import (
     Decimal,
@@ -107,12 +107,33 @@ class Answer:
         return in_one_line(f"Answer({self.verdict.value}: {self.read_as}; {self.why})")
 
     def __str__(self) -> str:
-        return "\n".join([self.verdict.value, *(f"  {name}: {text}" for name, text in self.rows())])
+        sentence, rows = self.in_text()
+        lines = (f"  {name}: {text}" for name, text in rows)
+        return "\n".join([f"{self.verdict.value}: {sentence}", *lines])
+
+    def in_text(self) -> tuple[str, list[tuple[str, str]]]:
+        """Return what text output shows: the reason's first clause, and the details.
+
+        Returns:
+            The clause that follows the verdict on the first line, and names with texts for the
+            lines below it; what else the reason says is the detail ``note``.
+
+        Example:
+            >>> import tresym
+            >>> tresym.check("sin(2*x) == sin(x)").in_text()[0]
+            'the two sides differ at x = 441/388'
+        """
+        sentence, _, rest = abbreviated(self.why).partition("; ")
+        if sentence.count("(") != sentence.count(")"):  # the semicolon stands in brackets
+            sentence, rest = abbreviated(self.why), ""
+        rows = [("note", rest) if name == "why" else (name, text) for name, text in self.rows()]
+        return sentence, [row for row in rows if row[1]]
 
     def rows(self) -> list[tuple[str, str]]:
-        """Everything but the verdict, as names and text.
+        """Return everything but the verdict, as names and text.
 
-        How the claim was read is shown where it is not what was written, spaces aside.
+        The row ``read as`` is left out if the claim was read as it was written, spaces aside.
+        Numbers of more than 60 digits are abbreviated in ``read as`` and ``given``.
 
         Example:
             >>> import tresym
@@ -122,11 +143,12 @@ class Answer:
         written = (self.statement, f"{self.statement} given {self.given}")
         same = any(_unspaced(text) == _unspaced(self.read_as) for text in written)
         read_as = "" if same else self.read_as
-        rows = [("claim", self.statement), ("read as", read_as), ("given", self.given)]
+        rows = [("claim", self.statement), ("read as", abbreviated(read_as))]
+        rows.append(("given", abbreviated(self.given)))
         rows.append(("why", self.why))
         if self.witness is not None:
             shown = ", ".join(f"{name} = {value}" for name, value in self.witness.items())
-            rows.append(("witness", shown or "the constants themselves"))
+            rows.append(("witness", shown or "the claim has no variables"))
         if self.values is not None:
             rows.append(("left side", ball_text(self.values[0])))
             rows.append(("right side", ball_text(self.values[1])))
@@ -167,7 +189,7 @@ Decide = Callable[[Comparison, Statement], Answer]
 
 
 def worst(answers: Iterable[Answer]) -> Answer:
-    """What several claims come to together."""
+    """Return the weakest of several answers: REFUTED, then UNDECIDED, ENCLOSED, PROVED."""
     return min(answers, key=lambda found: _WORST.index(found.verdict))
 
 
@@ -176,13 +198,13 @@ def _unspaced(text: str) -> str:
 
 
 def ball_text(ball: Decimal) -> str:
-    """A ball in decimal: exact, or with its radius."""
+    """Return a ball in decimal, with its radius unless it is exact."""
     return ball.mid if ball.rad == "0" else f"{ball.mid} ± {ball.rad}"
 
 
-def exactly(point: Mapping[str, fmpq | Expr]) -> str:
-    """An exact point in words, roots of whole numbers among its coordinates."""
-    return shown(point, exact_text)
+def exactly(sentence: str, point: Mapping[str, fmpq | Expr]) -> str:
+    """Return the sentence followed by an exact point, which may have irrational coordinates."""
+    return with_point(sentence, point, exact_text)
 
 
 def exact_text(value: fmpq | Expr) -> str:
@@ -195,7 +217,7 @@ def exact_text(value: fmpq | Expr) -> str:
 def refuted(
     why: str, point: Mapping[str, fmpq | Expr], left: arb | None = None, right: arb | None = None
 ) -> Answer:
-    """A refutation at an exact point, with both sides there."""
+    """Return a refutation at an exact point, with the values of both sides if they are given."""
     witness = {name: exact_text(value) for name, value in point.items()}
     values = None
     if left is not None and right is not None:
@@ -218,6 +240,6 @@ def _apart(left: arb, right: arb) -> tuple[Decimal, Decimal]:
 
 
 def constant_ball(x: arb) -> Decimal:
-    """The constant of an order statement in decimal."""
+    """Return the constant of an O claim in decimal, to 6 digits."""
     with ball_precision(128):
         return decimal_ball(x, 6)

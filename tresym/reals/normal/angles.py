@@ -1,7 +1,8 @@
-"""Sines and cosines: t = tan(angle/2) for each angle of a rational basis of the angles met.
+"""Normalise sines and cosines by t = tan(angle/2), for a rational basis of the angles that occur.
 
-Multiples of π, arc tangents and their halves leave an angle first; what may be an odd multiple of π
-on a whole region keeps its cosine and sine as generators.
+Multiples of π, arc tangents and halves of them are first split off an angle. An angle that may be
+an odd multiple of π on a whole region, where t is infinite, keeps its cosine and sine as
+generators.
 """
 
 from __future__ import annotations
@@ -21,19 +22,19 @@ MAX_MULTIPLE = 96
 
 
 class AngleRing(PowerRing):
-    """A ring with cosines and sines of its elements: each angle a pair of both."""
+    """A ring with cosines and sines of its elements; every angle is a pair (cosine, sine)."""
 
     _half_turn = 1
-    """M, where 2cos(π/M) is the generator of all cosines of rational multiples of π."""
+    """The number M such that 2cos(π/M) generates all cosines of rational multiples of π."""
     _twelfths = False
-    """Whether roots stand for multiples of π/12, as long as M is 1."""
+    """Whether cosines of multiples of π/12 were written with roots; only while M is 1."""
 
     def pi(self, r: fmpq) -> Fraction:
-        """r·π."""
+        """Return r·π."""
         return self.fraction(self.generator("pi", None)) * r
 
     def _turn(self, x: Fraction) -> tuple[Fraction, Fraction]:
-        """Cosine and sine of ``x``."""
+        """Return the cosine and sine of ``x``."""
         result = (self.one, self.zero)
         parts = self._by_signs(x)
         if parts is not None:
@@ -66,11 +67,12 @@ class AngleRing(PowerRing):
     def _rotate(
         self, x: tuple[Fraction, Fraction], y: tuple[Fraction, Fraction]
     ) -> tuple[Fraction, Fraction]:
-        """The product of two complex numbers."""
+        """Return the product of two complex numbers."""
         (a, b), (c, d) = x, y
         return a * c - b * d, a * d + b * c
 
     def _turn_power(self, x: tuple[Fraction, Fraction], n: int) -> tuple[Fraction, Fraction]:
+        """Return the n-th power of a complex number of modulus 1."""
         c, s = x if n >= 0 else (x[0], -x[1])
         result = (self.one, self.zero)
         for _ in range(abs(n)):
@@ -78,7 +80,7 @@ class AngleRing(PowerRing):
         return result
 
     def _turn_of_half_tangent(self, t: Poly, n: int) -> tuple[Fraction, Fraction]:
-        """Cosine and sine of nθ from t = tan(θ/2): (1 + it)^2n/(1 + t²)^n."""
+        """Return the cosine and sine of nθ from t = tan(θ/2), as (1 + it)^(2n)/(1 + t²)^n."""
         m = abs(n)
         if m > MAX_MULTIPLE:
             raise TooLargeError("a multiple of an angle beyond 96")
@@ -95,7 +97,7 @@ class AngleRing(PowerRing):
         return self.make(real, den), self.make(imaginary, den)
 
     def _turn_of_atan(self, u: Fraction, half: bool) -> tuple[Fraction, Fraction]:
-        """Cosine and sine of atan u, or of half of it."""
+        """Return the cosine and sine of atan(u), or of half of it."""
         square = 1 + u**2
         self._require_positive(square)
         c = self._root(square, fmpq(-1, 2))
@@ -106,10 +108,11 @@ class AngleRing(PowerRing):
         return half_c, u * c / 2 / half_c
 
     def _may_be_odd_turn(self, x: Fraction) -> bool:
-        """Whether an angle might be an odd multiple of π on a whole region.
+        """Return whether an angle may be an odd multiple of π on a whole region.
 
-        The tangent of its half would be infinite there. What is left of an angle is a constant
-        that balls keep from such multiples, or what nothing ties to be constant.
+        The tangent of half the angle would be infinite there. The answer is no only for a constant
+        that balls separate from such multiples, and for a non-constant angle whose generators are
+        independent.
         """
         used = set(self.used(x))
         if used and self.is_constant(x):
@@ -119,7 +122,7 @@ class AngleRing(PowerRing):
         return self.are_tied(used) or bool(kinds & {"opaque", "cos", "sin", "sign"})
 
     def _plain_turn(self, x: Fraction) -> tuple[Fraction, Fraction]:
-        """Cosine and sine of ``x`` as generators with c² + s² = 1 and no more."""
+        """Return the cosine and sine of ``x`` as generators whose only relation is c² + s² = 1."""
         result = (self.one, self.zero)
         for index, r in self._decompose("turn", x):
             unit = self._unit("turn", index, int(r.q))
@@ -134,13 +137,17 @@ class AngleRing(PowerRing):
         return result
 
     def _split_atan(self, x: Fraction) -> tuple[Fraction, list[tuple[Generator, Fraction, fmpq]]]:
-        """Split off arc tangents with a rational coefficient, or one that is ± by signs."""
+        """Split off arc tangents with a rational coefficient, or with a sign as a factor."""
         x, plain = self.linear_part(x, "atan")
         x, signed = self._without_signed(x, "atan")
         return x, [*((generator, self.one, r) for generator, r in plain), *signed]
 
     def _split_pi(self, x: Fraction) -> tuple[Fraction, list[tuple[Fraction, fmpq]]]:
-        """``x`` without its rational multiples of π and of π times signs, and those multiples."""
+        """Split off rational multiples of π, with or without signs as factors.
+
+        Returns:
+            The rest of ``x``, and pairs of a sign (or 1) and a rational coefficient.
+        """
         if not self.known("pi", None):
             return x, []
         x, plain = self.linear_part(x, "pi")
@@ -150,7 +157,7 @@ class AngleRing(PowerRing):
     def _without_signed(
         self, x: Fraction, kind: str
     ) -> tuple[Fraction, list[tuple[Generator, Fraction, fmpq]]]:
-        """Split off generators of ``kind`` times products of signs, whichever they are."""
+        """Split off all generators of ``kind`` that are multiplied by products of signs."""
         pieces = []
         for generator, sign, r in self._signed_multiples(x, kind):
             signs = all(self.at(i).kind == "sign" for i in self.used(sign)) and len(sign) == 1
@@ -160,7 +167,7 @@ class AngleRing(PowerRing):
         return x, pieces
 
     def _signed_multiples(self, x: Fraction, kind: str) -> list[tuple[Generator, Poly, fmpq]]:
-        """Terms of ``x`` that are a generator of ``kind`` times a monomial and a number."""
+        """Return the terms of ``x`` that contain exactly one generator of ``kind``, linearly."""
         found = []
         for monomial, value in x.num.terms() if x.den.is_constant() else ():
             used = [self.at(i) for i, k in enumerate(monomial) if k]
@@ -174,7 +181,7 @@ class AngleRing(PowerRing):
     # Rational multiples of π
 
     def turn_of_pi(self, r: fmpq) -> tuple[Fraction, Fraction]:
-        """Cosine and sine of rπ."""
+        """Return the cosine and sine of rπ."""
         if r == 0:
             return self.one, self.zero
         if 12 % int(r.q) == 0 and self._half_turn == 1:
@@ -183,7 +190,7 @@ class AngleRing(PowerRing):
         return self._cyclotomic(r)
 
     def _cyclotomic(self, r: fmpq) -> tuple[Fraction, Fraction]:
-        """Cosine and sine of rπ as polynomials in z = 2cos(π/M), of known minimal polynomial."""
+        """Return the cosine and sine of rπ as polynomials in z = 2cos(π/M), M even."""
         old = self._half_turn
         m = lcm(old, 2 * int(r.q))
         if m > MAX_HALF_TURN:
@@ -203,14 +210,14 @@ class AngleRing(PowerRing):
         return self._chebyshev(z, k), self._chebyshev(z, m // 2 - k)
 
     def _chebyshev(self, z: Poly, k: int) -> Fraction:
-        """The cosine of kπ/M from z = 2cos(π/M)."""
+        """Return the cosine of kπ/M from z = 2cos(π/M), by the Chebyshev recurrence."""
         low, high = self.context.constant(2), z
         for _ in range(abs(k)):
             low, high = high, self.reduce(z * high - low)
         return self.make(low, self.context.constant(2))
 
     def _twelfth(self, k: int) -> tuple[Fraction, Fraction]:
-        """Cosine and sine of kπ/12 for k = 1, 2, 3, 4, 6, 12."""
+        """Return the cosine and sine of kπ/12 for k = 1, 2, 3, 4, 6, 12."""
         two, three = (self._root(self.fraction(n), fmpq(1, 2)) for n in (2, 3))
         match k:
             case 1:
@@ -228,12 +235,13 @@ class AngleRing(PowerRing):
 
 
 def _minimal(m: int) -> fmpz_poly:
-    """FLINT's minimal polynomial of z = 2cos(π/m), which is shown to vanish there.
+    """Return FLINT's minimal polynomial of z = 2cos(π/m), after proving that z is a zero of it.
 
-    It divides that of sin(mθ)/sin θ in 2cos θ, and the quotient is not 0 at z.
+    It divides the polynomial sin(mθ)/sin θ in 2cos θ, which vanishes at θ = π/m, and balls show
+    that the quotient does not vanish there.
 
     Raises:
-        ArithmeticError: it is another polynomial.
+        ArithmeticError: the proof fails.
     """
     found, x = fmpz_poly.cos_minpoly(2 * m), fmpz_poly([0, 1])
     before, sines = fmpz_poly([0]), fmpz_poly([1])
@@ -243,4 +251,4 @@ def _minimal(m: int) -> fmpz_poly:
     with ball_precision(8 * WORKING):
         if rest == 0 and not quotient(2 * arb.cos_pi_fmpq(fmpq(1, m))).contains(0):
             return found
-    raise ArithmeticError("what was found is no minimal polynomial")
+    raise ArithmeticError(f"FLINT's minimal polynomial of 2*cos(pi/{m}) could not be verified")

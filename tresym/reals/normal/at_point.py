@@ -20,7 +20,13 @@ from tresym.reals.numbers.exact import InputError
 
 
 def equal_at(left: Expr, right: Expr, point: Mapping[str, fmpq | Expr]) -> bool:
-    """Whether both sides, defined at the exact ``point``, are exactly equal there."""
+    """Return whether both sides, defined at the exact ``point``, are exactly equal there.
+
+    Args:
+        left: one side.
+        right: the other side.
+        point: an exact value for each variable.
+    """
     at = {name: as_expr(value) for name, value in point.items()}
     try:
         return equal_constants(substitute(left, at), substitute(right, at), ALL_THEORIES)
@@ -31,10 +37,12 @@ def equal_at(left: Expr, right: Expr, point: Mapping[str, fmpq | Expr]) -> bool:
 def satisfies(
     condition: Condition, point: Mapping[str, fmpq | Expr], at: Mapping[str, arb]
 ) -> bool:
-    """Whether the exact ``point`` satisfies the condition, equality with it shown exactly.
+    """Return whether the exact ``point`` satisfies the condition; equality is decided exactly.
 
     Args:
-        at: the point in balls.
+        condition: the condition.
+        point: an exact value for each variable.
+        at: the same point as balls.
     """
     balls = dict(at)
     if condition.holds_exactly(balls):

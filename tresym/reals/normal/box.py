@@ -1,4 +1,4 @@
-"""The sign of a polynomial whose variables range over intervals, each by itself."""
+"""Prove the sign of a polynomial on a product of intervals."""
 
 from __future__ import annotations
 
@@ -13,14 +13,23 @@ from tresym.reals.numbers.factoring import TooLargeError
 
 MAX_QUADRATIC = 40
 MAX_MAPPED = 400
-"""Terms of what is looked at as a quadratic, and of what a map may make."""
+"""The maximal number of terms of a quadratic, and of the result of a Möbius map."""
 
 
 REALS = Interval()
 
 
 def sign_on_box(p: Poly, spans: list[Interval], start: int = 0) -> str | None:
-    """The sign of ``p`` for values in ``spans``: by coefficients, or as a quadratic in one."""
+    """Return the sign of ``p`` on a box, from its coefficients or as a quadratic in one variable.
+
+    Args:
+        p: the polynomial.
+        spans: the range of each variable.
+        start: the first variable in which the polynomial is treated as a quadratic.
+
+    Returns:
+        ``"+"``, ``"-"``, ``"0"``, ``">=0"``, ``"<=0"``, or None if nothing is proved.
+    """
     if p.is_zero():
         return "0"
     found = coefficient_sign(p, spans)
@@ -55,7 +64,7 @@ def coefficient_sign(p: Poly, spans: list[Interval]) -> str | None:
         if len(p) > MAX_MAPPED:
             return None
     if p.is_zero():
-        return "0"  # a side of no length, on which p vanishes
+        return "0"  # the range is a single point, at which p vanishes
     signs = {value > 0 for value in p.coeffs()}
     if len(signs) != 1:
         return None
@@ -69,12 +78,15 @@ def coefficient_sign(p: Poly, spans: list[Interval]) -> str | None:
 
 
 def quadratic_sign(p: Poly, i: int, ask: Callable[[Poly], str | None]) -> str | None:
-    """``a·u² + b·u + c`` with ``4ac ≥ b²`` has the sign of a and c; u is a variable, or its square.
+    """Return the sign of ``a·u² + b·u + c`` from those of a, c and ``4ac − b²``.
 
     Args:
         p: a polynomial.
-        i: which variable.
-        ask: the sign of polynomials in the others.
+        i: the index of the variable; u is this variable or its square.
+        ask: a function that returns the sign of a polynomial in the other variables.
+
+    Returns:
+        The sign, or None if it is not proved.
     """
     context, degree = p.context(), int(p.degrees()[i])
     if degree not in (2, 4):

@@ -1,8 +1,9 @@
-"""Exact decisions about constants: algebraic numbers, sums of arc tangents, sums of logarithms.
+"""Decide exactly whether algebraic numbers, sums of arc tangents or of logarithms vanish.
 
-The generators that are constants (roots of integers, nested or not, and 2cos(π/M)) are algebraic
-integers. An algebraic integer of degree at most d whose conjugates are at most B in size is zero or
-at least B^(1−d) in size, for its norm is an integer: a ball below that bound is a proof of zero.
+The constant generators (roots of integers, possibly nested, and 2cos(π/M)) are algebraic integers.
+Let x be an algebraic integer of degree at most d whose conjugates have absolute value at most B.
+Its norm is an integer, so that x is zero or |x| ≥ B^(1−d). A ball below that bound therefore proves
+x = 0.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ MAX_MULTIPLE = 200
 
 
 def is_algebraic(ring: Field, position: int) -> bool:
-    """Whether a generator is a constant algebraic integer."""
+    """Return whether a generator is a constant algebraic integer."""
     generator = ring.at(position)
     if generator.kind == "cosine":
         return True
@@ -32,17 +33,17 @@ def is_algebraic(ring: Field, position: int) -> bool:
 
 
 def vanishes(ring: Field, p: Poly) -> bool:
-    """Whether ``p`` is zero once the dependences between its algebraic constants are used."""
+    """Return whether ``p`` is zero when the relations between its algebraic constants are used."""
     return all(algebraic_zero(ring, part) for part in coefficients(ring, p))
 
 
 def coefficients(ring: Field, p: Poly) -> Iterable[Poly]:
-    """The coefficients of ``p`` as a polynomial in its generators that are not algebraic."""
+    """Return the coefficients of ``p`` as a polynomial in its generators that are not algebraic."""
     return ring.grouped(p, [i for i in ring.used(p) if not is_algebraic(ring, i)]).values()
 
 
 def algebraic_zero(ring: Field, p: Poly) -> bool:
-    """Whether the algebraic integer ``p`` is zero."""
+    """Return whether the algebraic integer ``p`` is proved to be zero."""
     if p.is_zero():
         return True
     if p.is_constant():
@@ -64,6 +65,7 @@ def algebraic_zero(ring: Field, p: Poly) -> bool:
 
 
 def _involved(ring: Field, p: Poly) -> set[int]:
+    """Return the generators in ``p`` and inside its roots."""
     found: set[int] = set()
     for i in ring.used(p):
         found.add(i)
@@ -73,7 +75,7 @@ def _involved(ring: Field, p: Poly) -> set[int]:
 
 
 def _house(ring: Field, p: Poly) -> arb:
-    """A bound on the size of every conjugate of ``p``, at least 1."""
+    """Return a bound on the absolute value of every conjugate of ``p``, at least 1."""
     sizes: dict[int, arb] = {}
     for i in ring.used(p):
         generator = ring.at(i)
@@ -119,7 +121,9 @@ def _without_groups(ring: Field, x: Fraction, kind: str) -> Fraction:
 
 
 def _groups(ring: Field, x: Fraction, kind: str) -> list[tuple[Poly, dict[int, fmpz]]]:
-    """Monomials of ``x``, and the generators of ``kind`` that each multiplies, and how often."""
+    """Return monomials of ``x`` with the integer combination of ``kind`` generators each
+    multiplies.
+    """
     positions = [i for i in ring.used(x.num) if ring.at(i).kind == kind]
     groups: dict[tuple[int, ...], dict[int, fmpz]] = {}
     for monomial, value in x.num.terms():
@@ -139,6 +143,7 @@ def _groups(ring: Field, x: Fraction, kind: str) -> list[tuple[Poly, dict[int, f
 
 
 def _log_sum(ring: Field, terms: dict[int, fmpz]) -> Fraction | None:
+    """Return 0 if the sum of multiples of logarithms is shown to be 0, else None."""
     product = ring.one
     try:
         for position, n in terms.items():
@@ -153,6 +158,7 @@ def _log_sum(ring: Field, terms: dict[int, fmpz]) -> Fraction | None:
 
 
 def _atan_sum(ring: Field, terms: dict[int, fmpz]) -> Fraction | None:
+    """Return the multiple of π/12 that equals a sum of arc tangents of constants, or None."""
     real, imaginary = ring.one, ring.zero
     total = arb(0)
     try:

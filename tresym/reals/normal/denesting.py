@@ -1,7 +1,7 @@
-"""Propose simpler forms of nested radicals and factors; ``factors`` verifies them.
+"""Propose simpler forms of nested radicals and factors; :mod:`.factors` verifies them.
 
-A factor that a root makes ambiguous is replaced by its norm and its conjugate; a nested square root
-is written by simpler ones where its norm is a square.
+Where a root makes the factorisation ambiguous, a factor is replaced by its norm and its conjugate.
+A nested square root is written with simpler ones where its norm is a square.
 """
 
 from __future__ import annotations
@@ -19,7 +19,16 @@ CONJUGATE_TERMS = 10
 
 
 def canonical(ring: FactoredRing, f: Poly) -> tuple[fmpz, list[tuple[Poly, int]]]:
-    """An irreducible ``f`` by its norm and conjugate where a root makes factors ambiguous."""
+    """Write an irreducible ``f`` by its norm and conjugate where a root makes factors ambiguous.
+
+    Args:
+        ring: the ring of ``f``.
+        f: an irreducible polynomial.
+
+    Returns:
+        A unit and factors with exponents, which may be negative. They are a proposal to be
+            verified.
+    """
     if len(f) == 1 or len(f) > CONJUGATE_TERMS or ring.is_inverse(f):
         return fmpz(1), [(f, 1)]
     denested = _denested(ring, f)
@@ -53,7 +62,7 @@ def canonical(ring: FactoredRing, f: Poly) -> tuple[fmpz, list[tuple[Poly, int]]
 
 
 def _denested(ring: FactoredRing, f: Poly) -> tuple[fmpz, list[tuple[Poly, int]]] | None:
-    """``p + q·A`` as ``(p + n + q·A)²/(2(p + n))`` where its norm ``p² − q²A²`` is ``n²``."""
+    """Write ``p + q·A`` as ``(p + n + q·A)²/(2(p + n))`` if its norm ``p² − q²A²`` is ``n²``."""
     for position, degree, _ in ring.relations:
         if degree % 2 or ring.at(position).kind != "root" or f.degrees()[position] < degree // 2:
             continue
@@ -79,7 +88,7 @@ def _denested(ring: FactoredRing, f: Poly) -> tuple[fmpz, list[tuple[Poly, int]]
 
 
 def _square_root(ring: FactoredRing, p: Poly) -> Poly | None:
-    """A polynomial whose square is ``p``, or None."""
+    """Return a polynomial whose square is ``p``, or None."""
     if p.is_zero() or len(p) > CONJUGATE_TERMS:
         return None
     constant = p.is_constant()

@@ -1,7 +1,7 @@
-"""Canonical factors of polynomials in the generators, and what is known of their signs.
+"""Factor polynomials in the generators canonically, and find the signs of the factors.
 
-What denested.py proposes for a factor is multiplied out. A sign of a factor is a generator σ with
-σ² = 1 unless it is known.
+A factorisation that :mod:`.denesting` proposes is verified by multiplying it out. A sign that is
+not known is a generator σ with σ² = 1.
 """
 
 from __future__ import annotations
@@ -24,15 +24,19 @@ Factors = dict[str, tuple[Poly, fmpq]]
 
 
 class FactoredRing(SignedRing):
-    """A ring with signs whose elements are known by their factors."""
+    """A ring with signs whose elements are represented by their factors."""
 
     def __init__(self, *arguments: Any) -> None:
-        """The arguments of the base class."""
+        """Take the arguments of the base class."""
         super().__init__(*arguments)
         self._factored: dict[str, tuple[fmpz, list[tuple[Poly, int]]]] = {}
 
     def factor(self, p: Poly) -> tuple[fmpz, list[tuple[Poly, int]]]:
-        """``p`` as an integer times powers of canonical factors (exponents may be negative)."""
+        """Return ``p`` as an integer times powers of canonical factors; exponents may be negative.
+
+        Raises:
+            TooLargeError: ``p`` has more than :data:`MAX_FACTOR_TERMS` terms.
+        """
         key = str(p)
         found = self._factored.get(key)
         if found is None:
@@ -44,7 +48,9 @@ class FactoredRing(SignedRing):
         if p.is_constant():
             return p.leading_coefficient(), []
         if len(p) > MAX_FACTOR_TERMS:
-            raise TooLargeError(f"the factors of a polynomial of {len(p)} terms")
+            raise TooLargeError(
+                f"factoring a polynomial of {len(p)} terms (the limit is {MAX_FACTOR_TERMS})"
+            )
         if len(p) == 1:
             ((monomial, value),) = p.terms()
             return value, [(self.variables[i], int(k)) for i, k in enumerate(monomial) if k]
@@ -69,7 +75,7 @@ class FactoredRing(SignedRing):
         return unit, [item for item in merged.values() if item[1]]
 
     def _multiplies(self, f: Poly, unit: fmpz, parts: list[tuple[Poly, int]]) -> bool:
-        """Whether these are factors of ``f`` at almost all points, none of them being 0 there."""
+        """Return whether the product is ``f`` at almost all points, where no factor vanishes."""
         if parts == [(f, 1)]:
             return bool(unit == 1)
         top, bottom = self.context.constant(unit), f
@@ -84,7 +90,7 @@ class FactoredRing(SignedRing):
         self._factored.clear()
 
     def factors(self, x: Fraction) -> tuple[int, Factors]:
-        """``x`` as a sign times powers of canonical factors, primes among them.
+        """Return ``x`` as a sign times powers of canonical factors, primes among them.
 
         Raises:
             UndefinedError: ``x`` is zero.
@@ -106,7 +112,7 @@ class FactoredRing(SignedRing):
 
     @staticmethod
     def primes(n: fmpz) -> list[tuple[fmpz, int]]:
-        """The prime factors of ``n`` > 0, which is left whole where it is long."""
+        """Return the prime factors of ``n`` > 0; a number of many digits is returned unfactored."""
         if n == 1:
             return []
         if n.bit_length() > MAX_PRIME_BITS:
@@ -116,6 +122,7 @@ class FactoredRing(SignedRing):
     # Signs
 
     def _sign_function(self, x: Fraction) -> Fraction:
+        """Return the sign of ``x`` as a product of the signs of its factors."""
         if x.num.is_zero():
             return self.zero
         sign, parts = self.factors(x)
@@ -126,7 +133,7 @@ class FactoredRing(SignedRing):
         return self.fraction(self.reduce(product))
 
     def sigma(self, f: Poly) -> Poly:
-        """The sign of a factor; an arc tangent has the sign of its argument."""
+        """Return the sign of a factor; an arc tangent has the sign of its argument."""
         used = self.used(f)
         if len(f) == 1 and f.total_degree() == 1:
             generator = self.at(used[0])
@@ -140,7 +147,9 @@ class FactoredRing(SignedRing):
         return super().sigma(f)
 
     def _by_signs(self, x: Fraction) -> list[tuple[Fraction, Fraction]] | None:
-        """``x`` as a sum of products of signs times what has none; None if it has none itself."""
+        """Write ``x`` as a sum of products of signs times terms without signs; None if it has no
+        sign.
+        """
         if any(self.at(i).kind == "sign" for i in self.used(x.den)):
             return None
         signs = [i for i in self.used(x.num) if self.at(i).kind == "sign"]
@@ -152,7 +161,7 @@ class FactoredRing(SignedRing):
         ]
 
     def _sign_content(self, x: Fraction) -> tuple[Fraction, Fraction] | None:
-        """A product of signs that every term of ``x`` contains, and the rest; else None."""
+        """Return a product of signs that every term of ``x`` contains, and the rest; else None."""
         parts = self._by_signs(x)
         return parts[0] if parts is not None and len(parts) == 1 else None
 
@@ -166,7 +175,9 @@ class FactoredRing(SignedRing):
         self.require_sign([(part, int(k.p)) for part, k in parts.values()], sign, strict)
 
     def require_sign(self, parts: list[tuple[Poly, int]], sign: int, strict: bool = False) -> None:
-        """As in the base class, and of the arguments of inverse functions too."""
+        """Record the sign of a product as the base class does, also for arguments of inverse
+        functions.
+        """
         for i, (part, k) in enumerate(parts):
             if k % 2 == 0 or (str(part) not in self.known_signs and self._sign_in(parts, part)):
                 continue

@@ -1,16 +1,21 @@
-"""The exact normal form: a real expression as a fraction in independent generators.
+"""Compute the exact normal form of a real expression, a fraction in independent generators.
 
-Every rewriting holds at each real point where the expression is defined and no factor met on the
-way vanishes. Such points are dense in the open part of the domain, and elementary functions are
-continuous, so a difference that reduces to zero is zero there, but where sign and atan2 jump.
+Every rewriting step is valid at each real point where the expression is defined and where no factor
+that occurs on the way vanishes. Such points are dense in the open part of the domain, and
+elementary functions are continuous there except for jumps of sign and atan2. So a difference with
+normal form zero is zero wherever it is defined, except at such jumps.
 
-- sin, cos, …: t = tan(angle/2) for each angle of a rational basis of the angles met.
-- exp, powers: y = exp(exponent) for each exponent of a rational basis of the exponents met.
-- roots, abs: |f|^(1/n) for each irreducible factor f, and a sign σ_f with σ_f² = 1. That a radicand
-  is positive is a linear equation over GF(2) between the σ; what it decides is used in a new pass.
-- log: log|f| for each irreducible factor f. asin and acos through atan; the hyperbolic functions
-  through exp and log.
-- atan2(y, x) is an arc tangent where y is not 0 on a region; else it is 0 or π, by the sign of x.
+The generators are:
+
+- sin, cos, …: t = tan(angle/2) for each angle of a rational basis of the angles that occur.
+- exp and powers: y = exp(exponent) for each exponent of a rational basis of the exponents.
+- roots and abs: |f|^(1/n) for each irreducible factor f, and a sign σ_f with σ_f² = 1. A positive
+  radicand gives a linear equation over GF(2) between the signs, and what it decides is used in
+  another pass.
+- log: log|f| for each irreducible factor f. asin and acos are written with atan, the hyperbolic
+  functions and their inverses with exp and log.
+- atan2(y, x) is an arc tangent where y is not 0 on a region; otherwise it is 0 or π, by the sign of
+  x.
 - A function outside the allowed theories is an opaque generator of its normalised argument.
 """
 
@@ -46,7 +51,15 @@ MAX_PASSES = 40
 
 
 class Field(AngleRing):
-    """Normal forms under ``given`` with the functions of ``theories`` known."""
+    """Normal forms under the conditions ``given``, with the functions of ``theories`` interpreted.
+
+    Example:
+        >>> from tresym.reals.language.expression import apply, symbol
+        >>> x = symbol("x")
+        >>> (value,) = Field(Given()).normal(apply("sin", x) ** 2 + apply("cos", x) ** 2 - 1)
+        >>> value.num.is_zero()
+        True
+    """
 
     def __init__(
         self,
@@ -55,17 +68,25 @@ class Field(AngleRing):
         size: int = 24,
         points: Callable[[], Iterable[Mapping[str, fmpq]]] = tuple,
     ):
-        """The arguments of the base class, and what may be used beyond algebra."""
+        """Take the arguments of the base class and the theories that may be used.
+
+        Args:
+            given: the conditions.
+            theories: the names of function families that are interpreted, see :data:`ALL_THEORIES`.
+            size: the maximal number of generators.
+            points: a function that yields points of the domain, used to skip hopeless proofs of
+                signs.
+        """
         super().__init__(given, size, points)
         self.theories = theories
         self._memo: dict[Expr, Fraction] = {}
 
     def normal(self, *expressions: Expr) -> list[Fraction]:
-        """The normal forms of ``expressions``, on the domain of all of them and under ``given``.
+        """Return the normal forms of ``expressions`` on their common domain and under ``given``.
 
         Raises:
             UndefinedError: one of them is nowhere defined.
-            TooLargeError: a normal form outgrew its bounds.
+            TooLargeError: a normal form has more terms or generators than allowed.
         """
         for _ in range(MAX_PASSES):
             self._memo.clear()
@@ -84,10 +105,10 @@ class Field(AngleRing):
                 continue
             if not self.learn() or self._are_equal(result):
                 return result
-        raise TooLargeError("the normal form did not settle")
+        raise TooLargeError(f"a normal form that still changes after {MAX_PASSES} passes")
 
     def _are_equal(self, values: list[Fraction]) -> bool:
-        """Whether ``values`` are two equal ones, which nothing that is learnt can change."""
+        """Return whether ``values`` are two equal ones, which nothing learnt later can change."""
         return len(values) == 2 and (values[0] - values[1]).num.is_zero()
 
     def _walk(self, node: Expr) -> Fraction:
@@ -108,7 +129,7 @@ class Field(AngleRing):
         if op == "^":
             return self._power(*args)
         if op in UNWORKED or op == "bound":
-            raise TooLargeError("what binds a variable has no normal form")
+            raise TooLargeError("an operation that binds a variable, which has no normal form")
         values = [self._walk(arg) for arg in args]
         if op == "+":
             return sum(values, self.zero)
@@ -144,7 +165,7 @@ class Field(AngleRing):
         return self._quotient(name.removesuffix("h"), (y + z) / 2, (y - z) / 2)
 
     def _quotient(self, name: str, c: Fraction, s: Fraction) -> Fraction:
-        """sin, cos, tan, … from cosine and sine (circular or hyperbolic)."""
+        """Return sin, cos, tan, … from cosine and sine (circular or hyperbolic)."""
         match name:
             case "sin":
                 return s
@@ -173,14 +194,14 @@ class Field(AngleRing):
         return self.exp(self._walk(exponent) * self.log(x))
 
     def _opaque(self, name: str, *args: Fraction) -> Fraction:
-        """A generator of which nothing is known but its arguments."""
+        """Return a generator for a function about which only the arguments are known."""
         key = (name, *(arg.key for arg in args))
         return self.fraction(self.generator("opaque", key, (name, *args)))
 
     # Inverse functions
 
     def _angle(self, y: Fraction, x: Fraction) -> Fraction:
-        """``atan2(y, x)``: that y is 0, or not, must be so on the whole domain."""
+        """Return ``atan2(y, x)``; whether y is 0 must be the same on the whole domain."""
         if y.num.is_zero():
             return self.pi(fmpq(1, 2)) * (1 - self._sign_function(1 / x))
         if self.is_mixed(y.num):
@@ -193,7 +214,7 @@ class Field(AngleRing):
         return self.atan(y / (self._root(x**2 + y**2, fmpq(1, 2)) + x)) * 2
 
     def atan(self, u: Fraction) -> Fraction:
-        """``atan u``, odd in u, with atan(1/u) = ±π/2 − atan u used to choose between the two."""
+        """Return ``atan u``, which is odd; atan(1/u) = ±π/2 − atan u selects one of u and 1/u."""
         if u.num.is_zero():
             return self.zero
         special = self._special_atan(u)
@@ -212,11 +233,11 @@ class Field(AngleRing):
         return self.fraction(self.generator("atan", u.key, (u,)))
 
     def _rank(self, u: Fraction) -> tuple[bool, int, int, str]:
-        """Least for the one of u and 1/u that is to be kept: where it can, it has no poles."""
+        """Return a sort key that prefers, of u and 1/u, one without poles."""
         return not self.product_sign(u.den), len(u.den), int(u.den.total_degree()), str(u.den)
 
     def _special_atan(self, u: Fraction) -> Fraction | None:
-        """``atan u`` where it is a multiple of π/12."""
+        """Return ``atan u`` if it is a multiple of π/12, else None."""
         if not self.is_constant(u):
             return None
         value = self.ball(u).atan() * 12 / arb.pi()

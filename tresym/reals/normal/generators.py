@@ -1,4 +1,4 @@
-"""What generators depend on, and their values in balls."""
+"""Record what generators depend on, and evaluate them in balls."""
 
 from __future__ import annotations
 
@@ -12,19 +12,19 @@ SIGN_BITS = 256
 
 
 class ValuedRing(Ring):
-    """A ring whose generators are functions of symbols, with values at their points."""
+    """A ring whose generators are functions of symbols, with values at points."""
 
     def __init__(self, size: int) -> None:
-        """Nothing is known at first."""
+        """Create a ring with at most ``size`` generators, none of which exists yet."""
         super().__init__(size)
         self._supports: dict[int, frozenset[str]] = {}
 
     def symbol(self, name: str) -> Generator:
-        """The generator of a variable."""
+        """Return the generator of a variable."""
         return self.generator("symbol", name, (name,))
 
     def support(self, position: int) -> frozenset[str]:
-        """The symbols that a generator depends on."""
+        """Return the symbols that a generator depends on."""
         found = self._supports.get(position)
         if found is None:
             generator = self.at(position)
@@ -36,16 +36,16 @@ class ValuedRing(Ring):
         return found
 
     def dependence(self, x: Poly | Fraction) -> frozenset[str]:
-        """The symbols that ``x`` depends on."""
+        """Return the symbols that ``x`` depends on."""
         return frozenset().union(*(self.support(i) for i in self.used(x)))
 
     def involved(self, x: Poly | Fraction) -> set[int]:
-        """The generators of ``x``, those inside them, and so on; constants left out."""
+        """Return the generators of ``x`` and, recursively, those inside them, without constants."""
         found = {i for i in self.used(x) if self.support(i) or self.at(i).kind == "opaque"}
         return found.union(*(self.involved(p) for i in found for p in self.inside(i)))
 
     def is_constant(self, x: Poly | Fraction) -> bool:
-        """Whether ``x`` depends on no symbol and on nothing opaque."""
+        """Return whether ``x`` depends on no symbol and on no opaque generator."""
         return all(not self.support(i) and self.at(i).kind != "opaque" for i in self.used(x))
 
     def ball(
@@ -54,10 +54,15 @@ class ValuedRing(Ring):
         point: Mapping[str, arb] | None = None,
         known: dict[int, arb] | None = None,
     ) -> arb:
-        """``x`` in balls at ``point``; NaN where a generator has no value there.
+        """Return a ball that contains the value of ``x`` at ``point``.
 
         Args:
-            known: values of generators at that point, which are used and added to.
+            x: a polynomial or fraction.
+            point: a ball for each symbol.
+            known: values of generators at that point; they are used, and new ones are added.
+
+        Returns:
+            The ball; NaN if a generator has no value at the point.
         """
         known = {} if known is None else known
         if isinstance(x, Fraction):

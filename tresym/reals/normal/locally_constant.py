@@ -1,28 +1,32 @@
-"""Identities between inverse functions: zero derivative, and the value at a point of each region.
+"""Prove identities between inverse functions by a zero derivative and one value per region.
 
-The difference of the two sides is analytic off its singularities: zeros of denominators, radicands,
-arguments of logarithms, and so on. Where its gradient vanishes identically it is constant on each
-connected region between them. The singularities that can change sign must be polynomials in the
-symbols; cells.py gives an exact point of every region, and there the difference is decided exactly.
+The difference of the two sides is analytic except at its singularities: zeros of denominators, of
+radicands, of arguments of logarithms, and so on. Where its gradient vanishes identically, it is
+constant on each connected region between them. The singularities that can change sign must be
+polynomials in the symbols. A cylindrical decomposition then gives an exact point of every region,
+and the difference is decided exactly at that point.
 
-The walls are read off the normal form, and that is a chart: where a generator jumps or is infinite,
-a singularity may vanish and no factor of its normal form shows it. So each operation that hides
-zeros adds walls of its own, or is shown to do no harm under the conditions:
+The singular sets, called walls in this module, are found from the normal form. This needs care:
+where a generator jumps or is infinite, a singularity may vanish although no factor of its normal
+form does. So each operation that can hide zeros adds walls of its own, or is shown to be harmless
+under the conditions:
 
-- t = tan(u/2) is infinite where u is an odd multiple of π, and 1 + cos u = 2/(1 + t²) is 0 there:
-  the conditions must keep u from such multiples, or the leading coefficient in t tells that there
-  is no zero. It tells nothing of a t inside another generator, as in log(3 + t²) − log(1 + t²).
-- A sign σ_f, of abs, of even roots and of atan u = ±π/2 − atan(1/u), jumps where f is 0, and the
-  cases f > 0 and f < 0 say nothing of that: the zeros of f are walls.
-- log|f|, a root of |f|, and exp, atan, cos and sin of a fraction are at home only off the zeros of
-  f and of the denominator, which cancels in the expression and not in them: these are walls.
-- A sum of squares is 0 at single points without changing its sign, and splits a line there: what is
-  no wall must be shown other than 0 at every point, which is more than its sign.
-- Conditions end where they are undefined, too: their singularities are walls like those of sides.
+- t = tan(u/2) is infinite where u is an odd multiple of π, and 1 + cos u = 2/(1 + t²) vanishes
+  there. Either the conditions exclude such values of u, or the leading coefficient in t shows that
+  there is no zero. The latter does not help for a t inside another generator, as in log(3 + t²) −
+  log(1 + t²).
+- A sign σ_f, which comes from abs, from even roots and from atan u = ±π/2 − atan(1/u), jumps where
+  f is 0. The cases f > 0 and f < 0 do not cover these points, so the zeros of f are walls.
+- log|f|, a root of |f|, and exp, atan, cos and sin of a fraction are defined only off the zeros of
+  f and of the denominator. These may cancel in the expression but not in the generators, so they
+  are walls.
+- A sum of squares may vanish at single points without changing its sign, and such a point divides a
+  line. So a factor is omitted from the walls only if it is shown to be nonzero at every point.
+- The conditions themselves may have singularities, which are walls like those of the sides.
 
-Where only bounds of single variables are walls, the region is convex and one point is enough.
-Else a bound that is no rational number, such as x < π/2, is no such polynomial: of one variable
-the line is cut on both sides of it, so closely that no wall is between.
+If the only walls are bounds of single variables, the region is convex and one point is enough. An
+irrational bound, such as x < π/2, is not a rational polynomial. With one variable, the line is then
+cut at rational points on both sides of the bound, so close that no wall lies between them.
 """
 
 from __future__ import annotations
@@ -58,10 +62,21 @@ MAX_SYMBOLS = 4
 def equal_by_derivative(
     left: Expr, right: Expr, given: Given, theories: frozenset[str], size: int
 ) -> str | None:
-    """A sentence that names the base points, or None where this is no proof.
+    """Prove that two sides are equal, by equal derivatives and one exact value in each region.
+
+    Args:
+        left: one side.
+        right: the other side.
+        given: the conditions.
+        theories: the function families that the normal form interprets.
+        size: the maximal number of generators.
+
+    Returns:
+        A sentence that names the base points, or None if this gives no proof.
 
     Raises:
-        TooLargeError, UndefinedError: a normal form or the regions outgrew their bounds.
+        TooLargeError: a normal form or the number of regions is too large.
+        UndefinedError: a normal form is nowhere defined.
     """
     names = sorted(symbols(left) | symbols(right) | given.names)
     if not 0 < len(names) <= MAX_SYMBOLS:
@@ -99,7 +114,9 @@ def equal_by_derivative(
 def _candidates(
     walls: list[fmpz_mpoly], ends: list[Expr], given: Given, names: list[str]
 ) -> Iterator[dict[str, Expr] | None]:
-    """A point of every region between the walls that has a part inside ``ends``; None: too hard."""
+    """Yield a point of every region between the walls that extends inside ``ends``; None if it
+    fails.
+    """
     if not walls:
         simple = {name: _middle(given, name) for name in names}
         with ball_precision():
@@ -130,7 +147,7 @@ def _as_numbers(point: dict[str, fmpq] | None) -> dict[str, Expr] | None:
 
 
 def _middle(given: Given, name: str) -> Expr:
-    """0, or a multiple of π in an interval between such."""
+    """Return 0, or a multiple of π in an interval whose ends are multiples of π."""
     turns = given.half_turns.get(name, Interval())
     if turns.low is None or turns.high is None or turns.low < 0 < turns.high:
         return number(0)
@@ -140,7 +157,7 @@ def _middle(given: Given, name: str) -> Expr:
 def _loose_ends(
     left: Expr, right: Expr, given: Given, field: Field, names: list[str]
 ) -> list[Expr]:
-    """The bounds of single variables that are no walls, as expressions x − c or c − x."""
+    """Return the bounds of single variables that are not walls, as expressions x − c or c − x."""
     return [
         condition.expression
         for condition in given.conditions
@@ -153,7 +170,9 @@ def _loose_ends(
 
 
 def _gap(end: Expr, names: list[str], walls: list[fmpz_mpoly]) -> tuple[fmpq, fmpq] | None:
-    """Rational numbers on both sides of where ``end`` is 0, with no wall between; None: not so."""
+    """Return rational numbers on both sides of the zero of ``end``, without a wall between, or
+    None.
+    """
     if len(names) != 1:
         return None
     half = WORKING
@@ -175,9 +194,11 @@ def _gap(end: Expr, names: list[str], walls: list[fmpz_mpoly]) -> tuple[fmpq, fm
 def _walls(
     left: Expr, right: Expr, given: Given, field: Field, names: list[str]
 ) -> list[fmpz_mpoly] | None:
-    """The sign-changing singularities as polynomials in ``names``; None if some are not.
+    """Return the singularities that can change sign as polynomials in ``names``.
 
-    Empty where nothing but bounds of single variables limits the region.
+    Returns:
+        The polynomials; an empty list if only bounds of single variables limit the region; None if
+            some singularity is not such a polynomial.
     """
     found = [e for e, _ in [*singularities(left), *singularities(right)]]
     for condition in given.beyond_box:
@@ -194,7 +215,7 @@ def _walls(
 def _zeros(
     left: Expr, right: Expr, expressions: list[Expr], field: Field, names: list[str]
 ) -> list[fmpz_mpoly] | None:
-    """Polynomials whose zeros contain those of ``expressions`` on the domain of both sides."""
+    """Return polynomials whose zeros contain those of ``expressions`` on the common domain."""
     walls = []
     edges = _edges(field, field.normal(left, right, *expressions)[2:])
     if edges is None:
@@ -213,7 +234,7 @@ def _zeros(
 
 
 def nonzero_inside(e: Expr, given: Given) -> bool:
-    """Whether ``e`` is shown to vanish nowhere inside the box of the conditions."""
+    """Return whether ``e`` is shown to vanish nowhere inside the box of the conditions."""
     try:
         field = Field(given, size=64)
         return _zeros(e, e, [e], field, sorted(symbols(e))) == []
@@ -222,7 +243,7 @@ def nonzero_inside(e: Expr, given: Given) -> bool:
 
 
 def _factors(field: Field, left: Expr, right: Expr, expressions: list[Expr]) -> list[Poly]:
-    """The irreducible factors of ``expressions``, on the domain of both sides."""
+    """Return the irreducible factors of ``expressions``, on the domain of both sides."""
     factors: dict[str, Poly] = {}
     for value in field.normal(left, right, *expressions)[2:]:
         factors |= {key: part for key, (part, _) in field.factors(value)[1].items()}
@@ -230,9 +251,9 @@ def _factors(field: Field, left: Expr, right: Expr, expressions: list[Expr]) -> 
 
 
 def _edges(field: Field, values: list[Fraction]) -> list[Poly] | None:
-    """Polynomials off whose zeros ``values`` are as continuous as the functions they stand for.
+    """Return polynomials off whose zeros the generators in ``values`` are continuous.
 
-    None where one of them may vanish with a half angle at π/2, or where that is not seen.
+    None if one of the values may vanish where a half angle is π/2, or if this is not decided.
     """
     found = [p for value in values for p in _at_poles(field, value)]
     for position in set().union(*map(field.involved, values)):
@@ -247,9 +268,10 @@ def _edges(field: Field, values: list[Fraction]) -> list[Poly] | None:
 
 
 def _at_poles(field: Field, value: Fraction) -> list[Poly]:
-    """What must not vanish for ``value`` not to vanish where half tangents in it are infinite.
+    """Return polynomials that must not vanish, so that ``value`` is nonzero at infinite half
+    tangents.
 
-    Zero where that cannot be said.
+    The zero polynomial is returned if this cannot be decided.
     """
     used = field.used(value)
     within = {j for i in used for p in field.inside(i) for j in field.involved(p)}
@@ -265,7 +287,7 @@ def _at_poles(field: Field, value: Fraction) -> list[Poly]:
 
 
 def _algebraic_walls(field: Field, p: Poly) -> list[Poly] | None:
-    """Polynomials without roots whose zeros contain those of ``p`` and of its roots."""
+    """Return polynomials without roots whose zeros contain those of ``p`` and of its radicands."""
     for position, _, rule in field.relations:
         if p.degrees()[position] <= 0:
             continue
@@ -283,7 +305,7 @@ def _algebraic_walls(field: Field, p: Poly) -> list[Poly] | None:
 
 
 def _in_symbols(field: Field, p: Poly, names: list[str]) -> fmpz_mpoly | None:
-    """``p`` as a polynomial in ``names`` alone."""
+    """Return ``p`` as a polynomial in ``names`` alone, or None."""
     terms = terms_in_symbols(field, p)
     if terms is None or not {name for powers in terms for name, _ in powers} <= set(names):
         return None
@@ -294,7 +316,9 @@ def _in_symbols(field: Field, p: Poly, names: list[str]) -> fmpz_mpoly | None:
 
 
 def _inside(left: Expr, right: Expr, given: Given, point: dict[str, Expr]) -> bool | None:
-    """Whether ``point`` satisfies ``given`` and both sides are defined there; None if unclear."""
+    """Return whether ``point`` satisfies ``given`` and both sides are defined there; None if
+    unknown.
+    """
     with ball_precision():
         at = {name: evaluate(value, {}) for name, value in point.items()}
         needed = [
@@ -310,19 +334,21 @@ def _inside(left: Expr, right: Expr, given: Given, point: dict[str, Expr]) -> bo
 
 
 def _are_real(slopes: list[Expr], point: dict[str, Expr]) -> bool:
-    """Whether every slope has a value at ``point``: its normal form speaks of no other region."""
+    """Return whether every derivative has a value at ``point``, so that its normal form applies
+    there.
+    """
     with ball_precision():
         at = {name: evaluate(value, {}) for name, value in point.items()}
         return all(evaluate(slope, at).is_finite() for slope in slopes)
 
 
 def _equal_at(left: Expr, right: Expr, point: dict[str, Expr], theories: frozenset[str]) -> bool:
-    """Whether both sides are exactly equal at ``point``."""
+    """Return whether both sides are exactly equal at ``point``."""
     return equal_constants(substitute(left, point), substitute(right, point), theories)
 
 
 def equal_constants(left: Expr, right: Expr, theories: frozenset[str]) -> bool:
-    """Whether two expressions without symbols are exactly equal."""
+    """Return whether two expressions without symbols are proved to be equal."""
     field = Field(Given(), theories, 64)
     try:
         x, y = field.normal(left, right)

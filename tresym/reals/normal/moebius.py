@@ -10,14 +10,23 @@ MAX_DEGREE = 300
 
 
 def on_orthant(p: fmpz_mpoly, i: int, low: fmpq | None, high: fmpq | None) -> fmpz_mpoly:
-    """``p`` times something positive, its ``i``-th variable x written as x = M(u), u ≥ 0.
+    """Map the range of a variable to [0, ∞] by a Möbius substitution.
 
-    Where both ends are finite, M(u) = (low + high·u)/(1 + u), and ``p`` is multiplied by a power of
-    1 + u; else M(u) = low + u or high − u. One end at least is finite; u = 0 is ``low``, but
-    ``high`` where it stands alone.
+    With two finite ends, x = (low + high·u)/(1 + u), and the result is multiplied by a power of 1 +
+    u. Otherwise x = low + u or x = high − u. So u = 0 corresponds to ``low``, or to ``high`` if
+    ``low`` is None.
+
+    Args:
+        p: the polynomial.
+        i: the index of the variable x.
+        low: the lower end, or None for −∞.
+        high: the upper end, or None for ∞. At least one end is finite.
+
+    Returns:
+        The polynomial in u ≥ 0, multiplied by a positive factor.
 
     Raises:
-        TooLargeError: a power of M of more than ``MAX_DEGREE`` would be multiplied out.
+        TooLargeError: the degree in the variable is more than ``MAX_DEGREE``.
     """
     if high is None and low == 0:
         return p
@@ -36,7 +45,9 @@ def on_orthant(p: fmpz_mpoly, i: int, low: fmpq | None, high: fmpq | None) -> fm
         coefficients.append(p.subs({i: 0}))
         p = (p - coefficients[-1]) / u
         if len(coefficients) > MAX_DEGREE + 1:
-            raise TooLargeError("a range is mapped, and a power of it is too large")
+            raise TooLargeError(
+                f"a polynomial of degree over {MAX_DEGREE} in a variable with a range"
+            )
     result = coefficients.pop() if coefficients else context.constant(0)
     below = bottom
     for part in reversed(coefficients):

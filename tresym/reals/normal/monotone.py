@@ -1,7 +1,7 @@
-"""Signs of inverse functions through their arguments.
+"""Find signs of inverse functions from their arguments.
 
-An arc tangent has the sign of its argument, ``±π/2 + r·atan u`` with ``|r| ≤ 1`` has that of its
-first term, and ``Σ nᵢ log|fᵢ|`` that of ``Π |fᵢ|^nᵢ − 1``.
+An arc tangent has the sign of its argument, ``±π/2 + r·atan u`` with ``|r| ≤ 1`` has the sign of
+its first term, and ``Σ nᵢ log|fᵢ|`` has that of ``Π |fᵢ|^nᵢ − 1``.
 """
 
 from __future__ import annotations
@@ -16,9 +16,11 @@ MAX_MULTIPLE = 12
 
 
 def same_sign(ring: SignedRing, p: Poly) -> Poly | None:
-    """A polynomial without the outermost inverse functions of ``p``, of its sign everywhere.
+    """Return a polynomial with the sign of ``p`` everywhere, without its outermost inverse
+    functions.
 
-    None where ``p`` is not of one of these forms, or the sign of an ``fᵢ`` is not known.
+    None is returned if ``p`` does not have one of these forms, or if the sign of an ``fᵢ`` is not
+    known.
     """
     kinds = {ring.at(i).kind for i in ring.used(p)}
     found = None

@@ -1,4 +1,4 @@
-"""Read polynomials in symbols off the normal form."""
+"""Convert normal forms to polynomials in symbols."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from tresym.reals.normal.ring import Poly, UndefinedError
 from tresym.reals.numbers.factoring import TooLargeError
 
 Monomial = tuple[tuple[str, int], ...]
-"""Symbols and their powers, none of which is 0."""
+"""Pairs of a symbol and its nonzero power."""
 
 
 def terms_in_symbols(ring: ValuedRing, p: Poly) -> dict[Monomial, fmpq] | None:
-    """The terms of ``p``, or None where a generator is no symbol."""
+    """Return the terms of ``p``, or None if it contains a generator that is not a symbol."""
     used = {i: ring.at(i) for i in ring.used(p)}
     if any(generator.kind != "symbol" for generator in used.values()):
         return None
@@ -30,7 +30,19 @@ def terms_in_symbols(ring: ValuedRing, p: Poly) -> dict[Monomial, fmpq] | None:
 
 
 def polynomial(e: Expr) -> dict[Monomial, fmpq] | None:
-    """The terms of a polynomial in symbols with rational coefficients, or None."""
+    """Return the terms of a polynomial in symbols with rational coefficients.
+
+    Args:
+        e: the expression, which need not be expanded.
+
+    Returns:
+        The coefficient of each monomial; None if ``e`` is not such a polynomial.
+
+    Example:
+        >>> x = symbol("x")
+        >>> polynomial(x * (x + 2))
+        {(('x', 2),): 1, (('x', 1),): 2}
+    """
     try:
         field = Field(Given())
         (value,) = field.normal(e)
@@ -44,10 +56,10 @@ def polynomial(e: Expr) -> dict[Monomial, fmpq] | None:
 
 
 def degree(monomial: Monomial) -> int:
-    """The total degree."""
+    """Return the total degree of a monomial."""
     return sum(power for _, power in monomial)
 
 
 def as_expression(monomial: Monomial) -> Expr:
-    """The product of the powers."""
+    """Return a monomial as an expression."""
     return prod((symbol(name) ** power for name, power in monomial), start=ONE)

@@ -1,9 +1,9 @@
-"""Roots, exponentials and logarithms as generators.
+"""Represent roots, exponentials and logarithms by generators.
 
-- |f|^(1/n) for each canonical factor f of a radicand; that a radicand is positive is a condition on
+- |f|^(1/n) for each canonical factor f of a radicand. That a radicand is positive is a condition on
   the signs of its factors.
 - log|f| for each factor f of an argument.
-- y = exp(exponent) for each exponent of a rational basis of the exponents met.
+- y = exp(exponent) for each exponent of a rational basis of the exponents that occur.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ class PowerRing(FactoredRing):
     """A ring with roots, exponentials and logarithms of its elements."""
 
     def __init__(self, *arguments: Any) -> None:
-        """The arguments of the base class."""
+        """Take the arguments of the base class."""
         super().__init__(*arguments)
         self._orders: dict[str, int] = {}
         self._basis: dict[str, list[Fraction]] = {"exp": [], "tan": [], "turn": []}
@@ -33,7 +33,7 @@ class PowerRing(FactoredRing):
     # Roots
 
     def _root(self, x: Fraction, r: fmpq, signed: bool = False) -> Fraction:
-        """``x**r`` for ``x ≥ 0``; with ``signed``, the odd root that keeps the sign of ``x``."""
+        """Return ``x**r`` for ``x ≥ 0``; with ``signed``, the odd root with the sign of ``x``."""
         if x.num.is_zero():
             if r < 0:
                 raise UndefinedError("a negative power of zero")
@@ -51,7 +51,7 @@ class PowerRing(FactoredRing):
         return result
 
     def _absolute_power(self, f: Poly, r: fmpq) -> Fraction:
-        """``|f|**r`` for a canonical factor ``f``."""
+        """Return ``|f|**r`` for a canonical factor ``f``."""
         if r == 0:
             return self.one
         used = self.used(f)
@@ -82,7 +82,7 @@ class PowerRing(FactoredRing):
         old = self._orders.get(key, 1)
         new = lcm(old, n)
         if new > 60:
-            raise TooLargeError("a root of order beyond 60")
+            raise TooLargeError("a root of order over 60")
         self._orders[key] = new
         if new != old != 1:
             raise AgainError
@@ -99,7 +99,7 @@ class PowerRing(FactoredRing):
     # Logarithms and exponentials
 
     def log(self, x: Fraction) -> Fraction:
-        """``log x`` on ``x > 0``, as a sum over the factors of ``x``."""
+        """Return ``log x`` on ``x > 0`` as a sum over the factors of ``x``."""
         sign, parts = self.factors(x)
         self._require_sign_of(sign, parts, strict=True)
         return sum((self._log_absolute(part) * k for part, k in parts.values()), self.zero)
@@ -119,12 +119,12 @@ class PowerRing(FactoredRing):
         return self.fraction(self.generator("log", str(f), (f,)))
 
     def log_of_absolute(self, p: Poly) -> Fraction:
-        """``log|p|``."""
+        """Return ``log|p|``."""
         _, parts = self.factors(self.fraction(p))
         return sum((self._log_absolute(part) * k for part, k in parts.values()), self.zero)
 
     def exp(self, x: Fraction) -> Fraction:
-        """``exp x``; rational multiples of logarithms turn back into powers."""
+        """Return ``exp x``; rational multiples of logarithms become powers."""
         parts = self._by_signs(x)
         if parts is not None:
             return self._exp_by_signs(parts)
@@ -135,7 +135,9 @@ class PowerRing(FactoredRing):
         return result * self._basis_exp(self._decompose("exp", rest))
 
     def _exp_by_signs(self, parts: list[tuple[Fraction, Fraction]]) -> Fraction:
-        """The exponential of a sum of ``s·w``, each cosh w + s sinh w where s is a sign."""
+        """Return the exponential of a sum of ``s·w``, each factor cosh w + s·sinh w where s is a
+        sign.
+        """
         result = self.one
         for sign, part in parts:
             y = self.exp(part)
@@ -146,14 +148,18 @@ class PowerRing(FactoredRing):
         return result
 
     def linear_part(self, x: Fraction, kind: str) -> tuple[Fraction, list[tuple[Generator, fmpq]]]:
-        """Split off rational multiples of generators of ``kind``, whichever they are."""
+        """Split off all rational multiples of generators of ``kind``.
+
+        Returns:
+            The rest of ``x``, and pairs of a generator and its rational coefficient.
+        """
         pieces = [piece for piece in self._multiples(x, kind) if piece[0].kind == kind]
         for generator, ratio in pieces:
             x = x - self.fraction(generator) * ratio
         return x, pieces
 
     def _multiples(self, x: Fraction, kind: str) -> list[tuple[Generator, fmpq]]:
-        """The rational multiples of generators of ``kind`` that ``x`` contains."""
+        """Return the rational multiples of generators of ``kind`` that ``x`` contains."""
         pieces = []
         for position in self.used(x.num):
             generator = self.at(position)
@@ -170,7 +176,7 @@ class PowerRing(FactoredRing):
         return pieces
 
     def _share(self, x: Fraction, position: int) -> fmpq:
-        """The rational multiple of a generator in ``x``, linear in it, off its proper fraction."""
+        """Return the rational coefficient of a generator in the polynomial part of ``x``."""
         content = x.den.content()
         quotient, _ = divmod(x.num.derivative(position), x.den // content)
         return fmpq(quotient[(0,) * self.size], content)
@@ -194,7 +200,9 @@ class PowerRing(FactoredRing):
         return old
 
     def _decompose(self, kind: str, x: Fraction) -> list[tuple[int, fmpq]]:
-        """``x`` as a rational combination of the basis of its kind, which it may extend."""
+        """Write ``x`` as a rational combination of the basis of its kind, extending the basis if
+        needed.
+        """
         terms: list[tuple[int, fmpq]] = []
         if kind == "exp":
             for monomial, value in x.num.terms() if x.den.is_constant() else ():
@@ -226,7 +234,9 @@ class PowerRing(FactoredRing):
         return len(basis) - 1
 
     def _combination(self, basis: list[Fraction], x: Fraction) -> list[fmpq]:
-        """Rational coefficients with ``Σ c_i basis_i = x``, or others where there are none."""
+        """Return the rational coefficients with ``Σ c_i basis_i = x``, or wrong ones if there are
+        none.
+        """
         common = x.den
         for element in basis:
             common = common * (element.den / common.gcd(element.den))
@@ -250,7 +260,7 @@ class PowerRing(FactoredRing):
 
 
 def _proportion(p: Poly, q: Poly) -> fmpq | None:
-    """r with ``p = r·q``, or None."""
+    """Return r with ``p = r·q``, or None."""
     if p.is_zero() or q.is_zero() or len(p) != len(q):
         return None
     a, b = p.leading_coefficient(), q.leading_coefficient()

@@ -1,6 +1,6 @@
-"""Signs of polynomials in generators: proven from ranges, conjugates, discriminants and facts.
+"""Prove signs of polynomials in generators from ranges, conjugates, discriminants and facts.
 
-A sign proven here holds on the open part of the domain, where no factor vanishes.
+A sign proved here holds on the open part of the domain, where no factor vanishes.
 """
 
 from __future__ import annotations
@@ -27,12 +27,19 @@ Ends = tuple[fmpq | None, fmpq | None]
 
 
 class ProvingRing(ValuedRing):
-    """A ring whose generators have ranges, and which proves signs of its polynomials by them."""
+    """A ring whose generators have ranges, which prove signs of its polynomials."""
 
     def __init__(
         self, given: Given, size: int, points: Callable[[], Iterable[Mapping[str, fmpq]]] = tuple
     ) -> None:
-        """Signs under ``given``; ``points`` finds some of the domain, which spare vain trials."""
+        """Prepare to prove signs under ``given``.
+
+        Args:
+            given: the conditions.
+            size: the maximal number of generators.
+            points: yields points of the domain. A polynomial that takes both signs there has no
+                sign to prove.
+        """
         super().__init__(size)
         self.given = given
         self._find_points = points
@@ -45,10 +52,15 @@ class ProvingRing(ValuedRing):
         self._signs: dict[str, int] = {}
         self._trials = 0
         self._everywhere = False
-        self._tried: dict[str, int] = {}  # the least depth at which no sign was proved
+        self._tried: dict[str, int] = {}  # the smallest depth at which no sign was proved
 
     def sign(self, p: Poly, depth: int = 0) -> int:
-        """+1 or −1 where ``p`` is shown to have that sign on the open domain, else 0."""
+        """Return +1 or −1 if ``p`` is shown to have that sign on the open domain, else 0.
+
+        Args:
+            p: the polynomial.
+            depth: the recursion depth, which is bounded by :data:`MAX_DEPTH`.
+        """
         if p.is_zero():
             return 0
         if p.is_constant():
@@ -61,7 +73,7 @@ class ProvingRing(ValuedRing):
         if key not in self._signs:
             if depth >= self._tried.get(key, MAX_DEPTH + 1):
                 return 0
-            self._tried[key] = depth  # also keeps what is being tried from being tried again
+            self._tried[key] = depth  # this also prevents infinite recursion
             found = self._prove_sign(p, depth)
             if depth and not found:
                 return 0
@@ -85,7 +97,7 @@ class ProvingRing(ValuedRing):
         return 0
 
     def _changes_sign(self, p: Poly) -> bool:
-        """Whether ``p`` is seen with both signs at points of the domain: no proof can be found."""
+        """Return whether ``p`` takes both signs at sample points, so that no proof exists."""
         seen = set()
         for point, known in self._sampled():
             with ball_precision(64):
@@ -96,7 +108,7 @@ class ProvingRing(ValuedRing):
         return False
 
     def _sampled(self) -> Iterator[tuple[dict[str, arb], dict[int, arb]]]:
-        """Points of the domain, looked for as they are asked for, and values known there."""
+        """Yield points of the domain, found on demand, with the known values of generators."""
         yield from self._samples
         if self._more is None:
             self._more = iter(self._find_points())
@@ -105,9 +117,9 @@ class ProvingRing(ValuedRing):
             yield self._samples[-1]
 
     def definite(self, p: Poly) -> int:
-        """The sign of ``p`` on the whole box of the conditions, by ranges alone, else 0.
+        """Return the sign of ``p`` on the whole box of the conditions, from ranges alone, else 0.
 
-        It holds at every point: a square that may vanish is not taken as positive.
+        The sign holds at every point: a square that may vanish does not count as positive.
         """
         self._everywhere = True
         try:
@@ -120,7 +132,7 @@ class ProvingRing(ValuedRing):
     def _knowing(
         self, box: dict[str, Range], signs: dict[str, int], positives: dict[str, Poly]
     ) -> Iterator[None]:
-        """For a while, only these ranges, signs and positive polynomials are known."""
+        """Replace the known ranges, signs and positive polynomials within a ``with`` block."""
         kept = self.box, self.known_signs, self.positives, self._signs, self._tried
         self.box, self.known_signs, self.positives = box, signs, positives
         self._signs, self._tried = {}, {}
@@ -132,7 +144,7 @@ class ProvingRing(ValuedRing):
     # Ranges
 
     def ends(self, position: int) -> Ends:
-        """Rational ends of an open interval that contains the generator's values."""
+        """Return rational ends of an open interval that contains the values of the generator."""
         generator = self.at(position)
         match generator.kind:
             case "symbol":
@@ -165,7 +177,7 @@ class ProvingRing(ValuedRing):
 
     @staticmethod
     def _outward(value: arb) -> tuple[fmpq, fmpq] | None:
-        """Rational ends of an open interval that contains a ball."""
+        """Return rational ends of an open interval that contains a ball."""
         low, high = rational_ends(value)[:2]
         if low is None or high is None:
             return None
@@ -173,7 +185,7 @@ class ProvingRing(ValuedRing):
         return low - slack, high + slack
 
     def _positive_ends(self, generator: Generator) -> Ends:
-        """Ends of an exponential or a root, compared with 1."""
+        """Return the ends of an exponential or a root, by comparison with 1."""
         if generator.kind == "exp":
             exponent = generator.data[2]
             above = self.sign(exponent.num, MAX_DEPTH) * self.sign(exponent.den, MAX_DEPTH)
@@ -182,7 +194,7 @@ class ProvingRing(ValuedRing):
         return fmpq(1 if above > 0 else 0), fmpq(1) if above < 0 else None
 
     def _above_one(self, p: Poly) -> int:
-        """The sign of ``|p| − 1``, 0 where that of ``p`` is not known."""
+        """Return the sign of ``|p| − 1``, or 0 if that of ``p`` is not known."""
         own = self.sign(p, MAX_DEPTH)
         return self.sign(p * own - 1, MAX_DEPTH) if own else 0
 
@@ -191,7 +203,7 @@ class ProvingRing(ValuedRing):
         return fmpq(0) if above > 0 else None, fmpq(0) if above < 0 else None
 
     def _tangent_ends(self, generator: Generator) -> Ends:
-        """tan(angle/2) from the range of the angle."""
+        """Return the ends of tan(angle/2) from the range of the angle."""
         turns = self._half_turns(generator)
         if turns is None:
             return None, None
@@ -201,12 +213,12 @@ class ProvingRing(ValuedRing):
         return below, above
 
     def has_no_pole(self, generator: Generator) -> bool:
-        """Whether tan(angle/2) is shown to be finite on the whole box of the conditions."""
+        """Return whether tan(angle/2) is shown to be finite on the whole box of the conditions."""
         with self._knowing(dict(self.given.box), {}, {}):
             return self._half_turns(generator) is not None
 
     def _half_turns(self, generator: Generator) -> tuple[fmpq, fmpq] | None:
-        """Ends of angle/π in [−1, 1], between which it lies, less an even number; else None."""
+        """Return bounds of angle/π minus an even number if they lie in [−1, 1], else None."""
         _, unit, angle = generator.data
         ends = self._over_pi(angle)
         if ends is None:
@@ -217,7 +229,7 @@ class ProvingRing(ValuedRing):
         return (low - turns, high - turns) if turns - 1 <= low and high <= turns + 1 else None
 
     def _over_pi(self, x: Fraction) -> tuple[fmpq, fmpq] | None:
-        """Rational ends between which x/π lies: exact ones for what is linear in symbols."""
+        """Return rational bounds of x/π, exact ones if ``x`` is linear in symbols."""
         boxes = {name: self.box.get(name, Range()) for name in self.dependence(x)}
         if not boxes or any(b.low is None or b.high is None for b in boxes.values()):
             return None
@@ -248,7 +260,7 @@ class ProvingRing(ValuedRing):
         return fmpq(0 if sign > 0 else -11, 7), fmpq(0 if sign < 0 else 11, 7)
 
     def _narrow(self, p: Poly) -> None:
-        """Use ``p > 0`` to narrow the range of a symbol in which it is linear and alone."""
+        """Use ``p > 0`` to narrow the range of a symbol, if ``p`` is linear and has no other."""
         used = self.used(p)
         if len(used) != 1 or self.at(used[0]).kind != "symbol" or p.total_degree() != 1:
             return
@@ -265,7 +277,7 @@ class ProvingRing(ValuedRing):
         return decided(lambda: side(self.ball(p)), (64, SIGN_BITS, 4 * SIGN_BITS)) or 0
 
     def orthant_sign(self, p: Poly) -> int:
-        """The sign that the ranges of the generators, each by itself, give."""
+        """Return the sign that follows from the ranges of the single generators, else 0."""
         spans = [Interval()] * self.size
         in_pi = self.known("pi", None) and p.degrees()[self.generator("pi", None).position] > 0
         for position in self.used(p):
@@ -277,12 +289,12 @@ class ProvingRing(ValuedRing):
         return self._as_number(coefficient_sign(p, spans))
 
     def _as_number(self, found: str | None) -> int:
-        """±1 for a sign, which holds off the zeros but where all points are asked for; else 0."""
+        """Return ±1 for a sign that holds off the zeros (or everywhere, if required); else 0."""
         strict = {"+": 1, "-": -1}
         return (strict if self._everywhere else {**strict, ">=0": 1, "<=0": -1}).get(found or "", 0)
 
     def _by_discriminant(self, p: Poly, depth: int) -> int:
-        """A quadratic without two real roots, in a generator or its square, has one sign."""
+        """Return the sign of a quadratic without real roots in a generator or its square."""
 
         def ask(q: Poly) -> str | None:
             rest = self.reduce(q)
@@ -292,7 +304,7 @@ class ProvingRing(ValuedRing):
         return next(filter(None, found), 0)
 
     def _in_quarter_turns(self, p: Poly, position: int) -> Poly:
-        """``p`` times a positive number, an arc tangent written as τ·π/2 and its place as τ."""
+        """Return ``p`` times a positive number, with an arc tangent written as τ·π/2."""
         pi, tau = self.variable(self.generator("pi", None)), self.variables[position]
         parts = self.split(p, position)
         degree = max(parts)
@@ -302,7 +314,7 @@ class ProvingRing(ValuedRing):
         return result
 
     def _by_facts(self, p: Poly, depth: int) -> int:
-        """``p > 0`` as ``c·f`` plus something positive, for a known ``f > 0``."""
+        """Write ``p`` or ``−p`` as ``c·f`` plus a positive rest, for a known fact ``f > 0``."""
         facts = [f for f in list(self.positives.values())[:8] if not self.is_inverse(f)]
         for sign in (1, -1):
             for fact in facts:
@@ -316,7 +328,7 @@ class ProvingRing(ValuedRing):
         return 0
 
     def product_sign(self, p: Poly, depth: int = 0) -> int:
-        """The sign of ``p`` from those of its factors, where its own is not proved."""
+        """Return the sign of ``p``, from those of its factors if it is not proved directly."""
         found = self.sign(p, depth)
         if found or p.is_zero() or len(p) > MAX_SIGN_TERMS:
             return found
@@ -330,7 +342,7 @@ class ProvingRing(ValuedRing):
         return 0
 
     def _by_conjugate(self, p: Poly, depth: int) -> int:
-        """The sign of ``u + v·A`` from those of u, v and of ``u² − v²A²``."""
+        """Return the sign of ``u + v·A`` from those of u, v and ``u² − v²A²``."""
         for position, degree, _ in self.relations:
             if degree != 2 or p.degrees()[position] != 1 or self.at(position).kind != "root":
                 continue
@@ -350,9 +362,9 @@ class ProvingRing(ValuedRing):
         return 0
 
     def _by_cases(self, p: Poly, depth: int) -> int:
-        """The sign of ``p`` where it is the same whichever value a sign in it has."""
+        """Return the sign of ``p`` if it is the same for both values of a sign in it."""
         reduced = self.reduce(p)
-        if reduced != p:  # a sign that has been settled since, or occurs squared
+        if reduced != p:  # a sign became known in the meantime, or occurs squared
             return self.sign(reduced, depth + 1)
         for position in self.used(p):
             generator = self.at(position)
@@ -375,5 +387,5 @@ class ProvingRing(ValuedRing):
 
 
 def _over_pi(x: fmpq, down: bool) -> fmpq:
-    """A number that is less than ``x/π``, or greater."""
+    """Return a number below ``x/π``, or above it."""
     return x / (_PI_HIGH if (x > 0) == down else _PI_LOW)

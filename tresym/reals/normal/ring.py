@@ -1,9 +1,9 @@
-"""Fractions of integer polynomials in generators, some of which obey a monic relation.
+"""Compute with fractions of integer polynomials in generators, some with a monic relation.
 
 A generator is a real function of the symbols (a symbol, π, |f|^(1/n), a sign, exp, tan of a half
-angle, log|f|, atan, or an opaque value). A relation ``g**n = r`` has ``r`` in older generators
-only; newer generators come first in the lexicographic order, so one division by each relation,
-newest first, brings a polynomial to its remainder.
+angle, log|f|, atan, or an opaque value). In a relation ``g**n = r``, ``r`` contains only older
+generators. Newer generators come first in the lexicographic order, so that one division by each
+relation, newest first, reduces a polynomial to its remainder.
 """
 
 from __future__ import annotations
@@ -22,18 +22,24 @@ Poly: TypeAlias = fmpz_mpoly
 MAX_TERMS = 4000
 MAX_DEGREE = 400
 LARGEST_DEGREE = 10**6
-"""Of sums: FLINT's time and memory grow with it, and beyond 64 bits its divisors are wrong."""
+"""The maximal degree of sums: FLINT's cost grows with it, and its gcd is wrong beyond 64 bits."""
 CONJUGATE_TERMS = 600
 REMEMBERED = 1 << 14
 _INVERSE = frozenset(("log", "atan", "opaque", "cos", "sin"))
 
 
 class UndefinedError(Exception):
-    """An operation that is nowhere defined, such as division by zero."""
+    """Raised for an operation that is nowhere defined, such as division by zero."""
 
 
 class Generator(NamedTuple):
-    """What a generator stands for: ``kind`` and the ``data`` that its kind needs."""
+    """Describe what a generator stands for.
+
+    Attributes:
+        kind: ``"symbol"``, ``"root"``, ``"exp"``, …
+        data: what its kind needs, such as radicand and order of a root.
+        position: its index in the exponent vectors.
+    """
 
     kind: str
     data: tuple[Any, ...]
@@ -41,7 +47,7 @@ class Generator(NamedTuple):
 
 
 class Fraction:
-    """``num/den`` over a ring, reduced and without a common factor; it adds, multiplies, …"""
+    """A fraction ``num/den`` over a ring, in reduced form, with the usual arithmetic operators."""
 
     __slots__ = ("den", "num", "ring")
 
@@ -52,7 +58,7 @@ class Fraction:
 
     @property
     def key(self) -> tuple[str, str]:
-        """Text that equal fractions share."""
+        """Return text that is the same for equal fractions."""
         return str(self.num), str(self.den)
 
     def __neg__(self) -> Fraction:
@@ -100,7 +106,7 @@ class Fraction:
         return self.inverse() * other
 
     def inverse(self) -> Fraction:
-        """``1/x``.
+        """Return ``1/x``.
 
         Raises:
             UndefinedError: ``x`` is zero.
@@ -115,7 +121,7 @@ class Fraction:
             return self.inverse() ** -n
         degree = max(x.num.total_degree(), x.den.total_degree(), 0)
         if degree * n > MAX_DEGREE and len(x.num) + len(x.den) > 2:
-            raise TooLargeError(f"a power of degree beyond {MAX_DEGREE}")
+            raise TooLargeError(f"a power of degree over {MAX_DEGREE}")
         if max(comb(n + len(p) - 1, n) for p in (x.num, x.den) if len(p)) > 10 * MAX_TERMS:
             raise TooLargeError(f"a power of more than {10 * MAX_TERMS} terms")
         if not ring.relations:
@@ -130,10 +136,10 @@ class Fraction:
 
 
 class Ring:
-    """The polynomial ring, its generators and relations, and the arithmetic of fractions."""
+    """The polynomial ring with its generators and relations, and the arithmetic of fractions."""
 
     def __init__(self, size: int) -> None:
-        """Room for ``size`` generators; more raise :class:`TooLargeError`."""
+        """Create a ring for at most ``size`` generators; one more raises :class:`TooLargeError`."""
         self.size = size
         self.context, self.variables = _polynomials(size)
         self.generators: list[Generator] = []
@@ -147,36 +153,45 @@ class Ring:
     # Generators
 
     def generator(self, kind: str, key: Any, data: tuple[Any, ...] = ()) -> Generator:
-        """The generator of ``kind`` with ``key``, made on first use."""
+        """Return the generator of ``kind`` with ``key``, creating it on first use.
+
+        Args:
+            kind: the kind of function.
+            key: what identifies the generator among those of its kind.
+            data: what its kind needs; used only when it is created.
+
+        Raises:
+            TooLargeError: the ring already has ``size`` generators.
+        """
         found = self._by_key.get((kind, key))
         if found is None:
             if len(self.generators) == self.size:
-                raise TooLargeError("more generators than the ring has room for")
+                raise TooLargeError(f"a normal form with more than {self.size} generators")
             found = Generator(kind, data, self.size - 1 - len(self.generators))
             self.generators.append(found)
             self._by_key[kind, key] = found
         return found
 
     def known(self, kind: str, key: Any) -> bool:
-        """Whether that generator exists already."""
+        """Return whether that generator exists already."""
         return (kind, key) in self._by_key
 
     def at(self, position: int) -> Generator:
-        """The generator at a position of the exponent vector."""
+        """Return the generator at a position of the exponent vector."""
         return self.generators[self.size - 1 - position]
 
     def variable(self, generator: Generator) -> Poly:
-        """The generator as a polynomial."""
+        """Return the generator as a polynomial."""
         return self.variables[generator.position]
 
     def relate(self, generator: Generator, degree: int, value: Poly) -> None:
-        """Record ``generator**degree = value``, ``value`` in older generators."""
+        """Record the relation ``generator**degree = value``, with ``value`` in older generators."""
         rule = self.variable(generator) ** degree - value
         kept = [item for item in self.relations if item[0] != generator.position]
         self.relations = sorted([*kept, (generator.position, degree, rule)], key=lambda r: r[0])
 
     def used(self, x: Poly | Fraction) -> list[int]:
-        """Positions of the generators that occur in ``x``."""
+        """Return the positions of the generators that occur in ``x``."""
         if isinstance(x, Fraction):
             return sorted({*self.used(x.num), *self.used(x.den)})
         if x.is_constant():
@@ -184,13 +199,13 @@ class Ring:
         return [i for i, degree in enumerate(x.degrees()) if degree > 0]
 
     def inside(self, position: int) -> list[Poly]:
-        """The polynomials that a generator is a function of."""
+        """Return the polynomials that a generator is a function of."""
         return [p for item in self.at(position).data for p in polys(item)]
 
     # Arithmetic
 
     def fraction(self, x: Fraction | Generator | Poly | fmpq | int) -> Fraction:
-        """``x`` itself, or a generator, a polynomial or a rational number as a fraction."""
+        """Return a generator, a polynomial or a rational number as a fraction."""
         if isinstance(x, Fraction):
             return x
         if isinstance(x, Generator):
@@ -201,7 +216,11 @@ class Ring:
         return Fraction(self, self.context.constant(value.p), self.context.constant(value.q))
 
     def reduce(self, p: Poly) -> Poly:
-        """``p`` modulo the relations."""
+        """Return ``p`` modulo the relations.
+
+        Raises:
+            TooLargeError: the result has more than ``MAX_TERMS`` terms.
+        """
         if self.relations:
             degrees = p.degrees()
             for position, degree, rule in self.relations:
@@ -213,7 +232,7 @@ class Ring:
         return p
 
     def make(self, num: Poly, den: Poly) -> Fraction:
-        """The fraction ``num/den`` in reduced form.
+        """Return the fraction ``num/den`` in reduced form.
 
         Raises:
             UndefinedError: ``den`` is zero modulo the relations.
@@ -227,7 +246,7 @@ class Ring:
         return self.cancel(num, den)
 
     def cancel(self, num: Poly, den: Poly) -> Fraction:
-        """The fraction of reduced polynomials, ``den`` not zero, without a common factor."""
+        """Return the fraction of reduced polynomials without common factors; ``den`` is not 0."""
         if den.is_one():
             return Fraction(self, num, den)
         if num.is_zero():
@@ -274,19 +293,21 @@ class Ring:
     def zero_divisor(
         self, num: Poly, den: Poly, position: int, parts: dict[int, Poly]
     ) -> tuple[Poly, Poly]:
-        """The fraction where ``den`` divides zero; a ring that knows more may use that."""
+        """Return the fraction if ``den`` is a zero divisor; subclasses may use more knowledge."""
         return num, den
 
     def is_mixed(self, p: Poly) -> bool:
-        """Whether ``p`` may vanish on a whole region; a ring that knows its generators can tell."""
+        """Return whether ``p`` may vanish on a whole region; subclasses may decide more cases."""
         return self.is_inverse(p)
 
     def is_inverse(self, p: Poly) -> bool:
-        """Whether ``p`` contains a logarithm, arc tangent or value of which little is known."""
+        """Return whether ``p`` contains a logarithm, arc tangent or opaque generator."""
         return any(self.at(i).kind in _INVERSE for i in self.used(p))
 
     def split(self, p: Poly, position: int) -> dict[int, Poly]:
-        """``p`` by powers of one generator: ``{k: coefficient of g**k}``."""
+        """Return the coefficients of ``p`` by powers of one generator: ``{k: coefficient of
+        g**k}``.
+        """
         slope = p.derivative(position)
         if slope.derivative(position).is_zero():
             rest = p - slope * self.variables[position]
@@ -294,7 +315,7 @@ class Ring:
         return {powers[position]: part for powers, part in self.grouped(p, {position}).items()}
 
     def grouped(self, p: Poly, positions: Container[int]) -> dict[tuple[int, ...], Poly]:
-        """``p`` by its monomials in the generators at ``positions``, and what each multiplies."""
+        """Return the coefficient of each monomial in the generators at ``positions``."""
         groups: dict[tuple[int, ...], dict[tuple[int, ...], Any]] = {}
         for monomial, value in p.terms():
             outer = tuple(int(k) if i in positions else 0 for i, k in enumerate(monomial))
@@ -303,14 +324,14 @@ class Ring:
         return {outer: self.context.from_dict(part) for outer, part in groups.items()}
 
     def rational(self, x: Fraction) -> fmpq | None:
-        """The number that ``x`` is, if it is one."""
+        """Return the rational number that ``x`` is, or None."""
         if not (x.num.is_constant() and x.den.is_constant()):
             return None
         return fmpq(_constant(x.num), _constant(x.den))
 
 
 def polys(x: Any) -> tuple[Poly, ...]:
-    """A polynomial, or those of a fraction; of anything else nothing."""
+    """Return a polynomial, or those of a fraction, as a tuple; empty for anything else."""
     if isinstance(x, Fraction):
         return x.num, x.den
     return (x,) if isinstance(x, fmpz_mpoly) else ()
@@ -318,7 +339,7 @@ def polys(x: Any) -> tuple[Poly, ...]:
 
 def _bounded(p: Poly) -> Poly:
     if len(p) > 1 and p.total_degree() > LARGEST_DEGREE:
-        raise TooLargeError(f"a sum with powers beyond {LARGEST_DEGREE}")
+        raise TooLargeError(f"a sum with powers of degree over {LARGEST_DEGREE}")
     return p
 
 
@@ -327,9 +348,12 @@ def _constant(p: Poly) -> fmpz:
 
 
 def small_factor(ring: Ring, p: Poly) -> tuple[fmpz, list[tuple[Poly, int]]]:
-    """FLINT's factorisation of ``p``, made in a ring of only the variables that occur.
+    """Return FLINT's factorisation of ``p``, computed in a ring of only the variables that occur.
 
-    FLINT's time grows with the number of variables of the ring, used or not.
+    FLINT's time grows with the number of variables of the ring, whether they are used or not.
+
+    Returns:
+        An integer, and pairs of an irreducible factor and its exponent.
     """
     used = ring.used(p)
     small = project(p, used)
@@ -345,17 +369,17 @@ def small_factor(ring: Ring, p: Poly) -> tuple[fmpz, list[tuple[Poly, int]]]:
 
 
 _factors: dict[tuple[int, str], tuple[fmpz, list[tuple[Poly, int]]]] = {}
-"""Factorisations by the number of variables and the text: few polynomials, asked for often."""
+"""Cached factorisations by number of variables and text: few polynomials are factored often."""
 
 
 def project(p: Poly, used: list[int]) -> Poly:
-    """``p`` in a ring of the variables that occur in it."""
+    """Return ``p`` in a ring of only the variables at the positions ``used``."""
     context, _ = _polynomials(len(used))
     return p.project_to_context(context, dict(zip(used, range(len(used)), strict=True)))
 
 
 @cache
 def _polynomials(size: int) -> tuple[fmpz_mpoly_ctx, tuple[Poly, ...]]:
-    """The ring of integer polynomials in ``size`` generators, and these."""
+    """Return the ring of integer polynomials in ``size`` generators, and the generators."""
     context = fmpz_mpoly_ctx.get([f"g{i}" for i in range(size)], Ordering.lex)
     return context, context.gens()

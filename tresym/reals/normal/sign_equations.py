@@ -1,8 +1,8 @@
-"""Signs as generators: linear equations over GF(2) between them.
+"""Learn signs of factors by solving linear equations over GF(2).
 
-The facts are the conditions a claim was given and those its own radicands, logarithms and inverse
-functions impose: each is a product of signs, a linear equation over GF(2). A sign that is not
-proven is a generator σ with σ² = 1.
+The facts are the conditions of a claim and those that its own radicands, logarithms and inverse
+functions impose. Each says that a product of signs is +1 or −1, which is a linear equation over
+GF(2). A sign that is not proven is a generator σ with σ² = 1.
 """
 
 from __future__ import annotations
@@ -15,20 +15,20 @@ from tresym.reals.numbers.factoring import TooLargeError
 
 
 class AgainError(TooLargeError):
-    """A unit, an order or a sign was learnt: normalise again from the start."""
+    """Raised when a unit, an order or a sign was learnt, so that the normal form starts again."""
 
 
 class SignedRing(ProvingRing):
-    """A ring with what is learnt of the signs of its factors."""
+    """A ring that learns the signs of its factors."""
 
     def __init__(self, *arguments: Any) -> None:
-        """The arguments of the base class."""
+        """Take the arguments of the base class."""
         super().__init__(*arguments)
         self.rules: dict[str, tuple[int, list[str]]] = {}
         self.polys: dict[str, Poly] = {}
         self._met: dict[str, int] = {}
         self._equations: set[tuple[frozenset[str], int]] = set()
-        self._quietly = False  # whether a sign was learnt that nothing in this pass has used
+        self._quietly = False  # whether a sign was learnt that this pass has not used yet
 
     def begin_pass(self) -> None:
         """Forget the equations of the last pass and the signs that new facts may improve."""
@@ -39,7 +39,7 @@ class SignedRing(ProvingRing):
         self._settle_proven()
 
     def _settle_proven(self) -> None:
-        """Settle the signs that have a generator from an earlier pass and are proven by now."""
+        """Fix the signs that have a generator from an earlier pass and are now proved."""
         for generator in self.generators:
             if generator.kind != "sign":
                 continue
@@ -50,7 +50,9 @@ class SignedRing(ProvingRing):
                     self._know(key, found)
 
     def sigma(self, f: Poly) -> Poly:
-        """The sign of a canonical factor: ±1 where known, a product of other signs, or new."""
+        """Return the sign of a canonical factor: ±1 if known, a product of other signs, or a new
+        generator.
+        """
         if f.is_constant():
             return self.one_poly if f.leading_coefficient() > 0 else -self.one_poly
         known = self.sign(f)
@@ -78,12 +80,20 @@ class SignedRing(ProvingRing):
     def require_sign(self, parts: list[tuple[Poly, int]], sign: int, strict: bool = False) -> None:
         """Record that the product of these powers has the given sign on the domain, or is zero.
 
-        The sign of a single part is used at once; where it stands in what has been found in this
-        pass, a new one begins.
+        A sign of a single part is used at once. If its generator already occurs in this pass, a new
+        pass begins.
 
-        A part that may vanish on a whole region without our knowing says nothing there of the
-        other parts, be its exponent even or its sign known: such an equation is not used, unless
-        ``strict`` tells that the product is nowhere zero.
+        A part that may vanish on a whole region makes the product zero there, so that nothing
+        follows for the signs of the other parts, even if its exponent is even or its sign is known.
+        Such an equation is ignored, unless ``strict`` states that the product is nowhere zero.
+
+        Args:
+            parts: factors and their exponents.
+            sign: 1 or −1.
+            strict: whether the product is nowhere zero.
+
+        Raises:
+            AgainError: a sign was learnt that this pass has already used as unknown.
         """
         keys: set[str] = set()
         for constant, _ in ((part, k) for part, k in parts if part.is_constant() and k % 2):
@@ -110,7 +120,7 @@ class SignedRing(ProvingRing):
         self._equations.add((frozenset(keys), sign))
 
     def _sign_in(self, parts: list[tuple[Poly, int]], part: Poly) -> int:
-        """The sign of a part; where it stands alone it is about to be known, and is not proved."""
+        """Return the sign of a part; a part that stands alone is not worth a proof."""
         if not self._inhabited or sum(not p.is_constant() for p, _ in parts) > 1:
             return self.sign(part)
         key = str(part)
@@ -119,7 +129,7 @@ class SignedRing(ProvingRing):
     def zero_divisor(
         self, num: Poly, den: Poly, position: int, parts: dict[int, Poly]
     ) -> tuple[Poly, Poly]:
-        """``d·(1 ± σ)`` is not zero only where σ is ±1, and there it is ``2d``."""
+        """Replace a denominator d·(1 ± σ), which is nonzero only where it equals 2d, by 2d."""
         generator = self.at(position)
         for sign in (1, -1):
             if generator.kind == "sign" and self.reduce(parts[0] - sign * parts[1]).is_zero():
@@ -130,11 +140,11 @@ class SignedRing(ProvingRing):
     # What may vanish on a whole region
 
     def is_mixed(self, p: Poly) -> bool:
-        """Whether ``p`` may vanish on a whole region though its normal form is not zero.
+        """Return whether ``p`` may vanish on a whole region though its normal form is not zero.
 
-        So it may where its generators depend on each other without our knowing: several inverse
-        functions, roots within roots, values of unknown functions, sums with signs, arc tangents
-        of tangents, constants that may be equal.
+        This is possible if its generators may depend on each other in a way that is not known:
+        several inverse functions, nested roots, values of arbitrary functions, sums with signs, arc
+        tangents of tangents, or constants that may be equal.
         """
         kinds = [self.at(i).kind for i in self.used(p)]
         if len(p) == 1 and set(kinds) == {"exp"}:
@@ -153,12 +163,12 @@ class SignedRing(ProvingRing):
         return nested or self.are_tied(inner) or self._may_be_zero_by_constants(p)
 
     def are_tied(self, positions: set[int]) -> bool:
-        """Whether inverse functions among these generators may depend on the others.
+        """Return whether inverse functions among these generators may depend on the others.
 
-        A single logarithm or arc tangent does so only through signs, an arc tangent of tangents,
-        or a logarithm of roots of exponentials: else tan(cx + d) or exp(cx + d) were algebraic
-        over functions over which they are not. Logarithms of distinct irreducible polynomials in
-        the symbols are independent (Ostrowski).
+        A single logarithm or arc tangent can do so only through signs, as an arc tangent of
+        tangents, or as a logarithm of roots of exponentials. Otherwise tan(cx + d) or exp(cx + d)
+        would be algebraic over functions over which it is not. Logarithms of distinct irreducible
+        polynomials in the symbols are independent (Ostrowski).
         """
         kinds = [self.at(i).kind for i in positions]
         inverses = kinds.count("log") + kinds.count("atan")
@@ -179,7 +189,9 @@ class SignedRing(ProvingRing):
         )
 
     def _may_be_zero_by_constants(self, p: Poly) -> bool:
-        """Whether no coefficient of ``p``, a number in constants, is shown to be other than 0."""
+        """Return whether no coefficient of ``p``, a polynomial in constants, is shown to be
+        nonzero.
+        """
         constants = [i for i in self.used(p) if not self.support(i) and self.at(i).kind != "opaque"]
         if not constants:
             return False
@@ -189,7 +201,7 @@ class SignedRing(ProvingRing):
     # Equations between signs
 
     def learn(self) -> bool:
-        """Solve the sign equations of the pass; True if the pass has learnt anything."""
+        """Solve the sign equations of the pass, and return whether anything was learnt."""
         rows = self._eliminated()
         before = len(self.known_signs), len(self.rules), tuple(self.box.items())
         for keys, sign in rows:
@@ -207,7 +219,7 @@ class SignedRing(ProvingRing):
         return self._quietly or before != after
 
     def _eliminated(self) -> list[tuple[frozenset[str], int]]:
-        """The equations in reduced row echelon form over GF(2)."""
+        """Return the equations in reduced row echelon form over GF(2)."""
         rows: list[tuple[frozenset[str], int]] = []
         order = sorted(self._equations, key=lambda row: (len(row[0]), sorted(row[0])))
         for keys, sign in order:
@@ -224,7 +236,9 @@ class SignedRing(ProvingRing):
         return rows
 
     def _newest(self, keys: frozenset[str]) -> str:
-        """The factor whose sign the others shall write: one without a generator, or the newest."""
+        """Return the factor whose sign is expressed by the others: one without a generator, or the
+        newest.
+        """
         return max(keys, key=self._age)
 
     def _age(self, key: str) -> tuple[int, int]:
@@ -233,7 +247,7 @@ class SignedRing(ProvingRing):
         return 1, self._met[key]
 
     def _settle(self, key: str) -> None:
-        """Let the generator of a sign that is now known reduce to what it is."""
+        """Add the relation that reduces the generator of a sign that is now known."""
         if self.known("sign", key):
             self.relate(self.generator("sign", key), 1, self.sigma(self.polys[key]))
 
@@ -247,7 +261,7 @@ class SignedRing(ProvingRing):
         self._narrow(self.positives[key])
 
     def _compare(self, first: str, second: str, sign: int) -> None:
-        """Decide two factors of known product sign where their sum or difference has a sign."""
+        """Decide two signs with known product if the sum or difference of the factors has one."""
         p, q = self.polys[first], self.polys[second]
         if sign < 0:
             q = -q

@@ -24,7 +24,7 @@ from tresym.reals.numbers.factoring import TooLargeError
 
 
 def numerator(e: Expr, region: Given) -> Expr:
-    """The numerator of the normal form of ``e``, or ``e`` itself where there is none to write."""
+    """Return the numerator of the normal form of ``e``, or ``e`` if it cannot be written."""
     try:
         field = Field(region)
         (value,) = field.normal(e)
@@ -34,7 +34,7 @@ def numerator(e: Expr, region: Given) -> Expr:
 
 
 def written(field: Field, p: Poly) -> Expr | None:
-    """A polynomial in generators as an expression, None where one of them cannot be written."""
+    """Return a polynomial in generators as an expression, or None if one cannot be written."""
     terms: list[Expr] = []
     parts = {i: _generator(field, field.at(i)) for i in field.used(p)}
     for monomial, value in p.terms():
@@ -49,7 +49,9 @@ def written(field: Field, p: Poly) -> Expr | None:
 
 
 def _generator(field: Field, generator: Generator) -> Expr | None:
-    """The function that a generator stands for, where it is one of those of expressions."""
+    """Return the function that a generator stands for, or None if expressions have no such
+    function.
+    """
     data = generator.data
     match generator.kind:
         case "symbol":
@@ -83,10 +85,10 @@ def _fraction(field: Field, x: Fraction) -> Expr | None:
 
 
 def in_lowest_terms(e: Expr) -> Expr:
-    """``e`` with each rational function in it as one fraction in lowest terms.
+    """Return ``e`` with each rational function in it as one fraction in lowest terms.
 
-    Functions and roots stand in it as names, their arguments treated in the same way. It is ``e``
-    itself where one of them is too large. The domain may be larger: x/x becomes 1.
+    Functions and roots are treated as atoms, and their arguments in the same way. If an expression
+    is too large, ``e`` is returned unchanged. The domain may become larger: x/x becomes 1.
     """
     atoms: dict[str, Expr] = {}
 
@@ -98,7 +100,7 @@ def in_lowest_terms(e: Expr) -> Expr:
             return rebuild(node, tuple(map(walk, node.args)))
         if whole:
             return rebuild(node, (walk(node.args[0]), node.args[1]))
-        inner = node  # what binds its variable is not entered
+        inner = node  # operations that bind a variable are left unchanged
         if node.op not in UNWORKED:
             inner = rebuild(node, tuple(map(in_lowest_terms, node.args)))
         name = next((n for n, known in atoms.items() if known == inner), f"[{len(atoms)}]")
@@ -115,7 +117,7 @@ def in_lowest_terms(e: Expr) -> Expr:
 
 
 def normal_form(e: Expr, given: Given) -> Expr:
-    """The normal form of ``e``, or ``e`` itself where there is none to write."""
+    """Return the normal form of ``e`` as an expression, or ``e`` if it cannot be written."""
     try:
         field = Field(given)
         (value,) = field.normal(e)

@@ -11,9 +11,20 @@ MAX_CASES = 3
 
 
 def by_cases(difference: Expr, relation: str, given: Given, ask: Ask) -> str | None:
-    """Cases: the claim holds for either sign of what stands within an absolute value.
+    """Cases: an absolute value is split by the sign of its argument, and both cases are proved.
 
-    Decides ``abs(x) + abs(y) >= abs(x + y)``. Ends after three absolute values in turn.
+    Decides ``abs(x) + abs(y) >= abs(x + y)``.
+
+    Limits: at most three nested or successive absolute values are split.
+
+    Args:
+        difference: the expression that is compared with zero.
+        relation: ``">"``, ``">="`` or ``"!="``.
+        given: the conditions.
+        ask: the prover for the two cases.
+
+    Returns:
+        A sentence that states the proof, or None.
     """
     inner = _absolute(difference)
     if inner is None:
@@ -26,7 +37,7 @@ def by_cases(difference: Expr, relation: str, given: Given, ask: Ask) -> str | N
 
 
 def _absolute(e: Expr) -> Expr | None:
-    """The argument of an absolute value in ``e`` that has none within, if there is one."""
+    """Return the argument of an innermost absolute value in ``e``, or None if there is none."""
     for arg in e.args if e.op not in ("number", "symbol", "pi") else ():
         found = _absolute(arg)
         if found is not None:
@@ -35,7 +46,7 @@ def _absolute(e: Expr) -> Expr | None:
 
 
 def _without(e: Expr, inner: Expr, side: Expr) -> Expr:
-    """``e`` with ``abs(inner)`` replaced by ``side``."""
+    """Return ``e`` with ``abs(inner)`` replaced by ``side``."""
     if e.op in ("number", "symbol", "pi"):
         return e
     if e.op == "abs" and e.args[0] == inner:

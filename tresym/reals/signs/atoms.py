@@ -1,6 +1,9 @@
-"""Fractions of polynomials in atoms of which only the values are known.
+"""Write expressions as fractions of polynomials in atoms, with equality at every single point.
 
-What is equal here is equal at every single point, where the exact normal form speaks of almost all.
+An atom is a subexpression that is not a number, sum, product or power, such as a sine or a root.
+Only its value is used. Two expressions with the same fraction are equal wherever they are defined.
+The normal form of :mod:`tresym.reals.normal.field` recognises more identities, but only at almost
+all points.
 """
 
 from __future__ import annotations
@@ -16,7 +19,7 @@ from tresym.reals.numbers.factoring import TooLargeError
 
 SIZE = 24
 MAX_GROWTH = 300
-"""Terms that may be multiplied out where the power of an atom is put in."""
+"""The maximal number of terms after a power of an atom is substituted."""
 _EVEN = frozenset(("abs", "cos", "cosh", "sech"))
 _ODD = frozenset(("sin", "asin", "atan", "sinh", "tanh", "coth", "csch", "asinh", "atanh")) | {
     "cbrt",
@@ -26,27 +29,32 @@ _CIRCULAR = {"tan": ("sin", "cos"), "cot": ("cos", "sin"), "sec": ("", "cos"), "
 
 
 class Atoms(Ring):
-    """A ring whose generators stand for the parts that are no number, sum, product or power.
+    """Represent expressions in a ring whose generators stand for atoms.
 
-    A generator is an expression; that of a root also knows what its power is.
+    The data of each generator hold the atom as an expression. For an n-th root they also hold n and
+    the
+    radicand.
     """
 
     def __init__(self) -> None:
-        """Room for :data:`SIZE` atoms."""
+        """Create a ring with :data:`SIZE` generators, none of which is used yet."""
         super().__init__(SIZE)
         self._memo: dict[Expr, Fraction] = {}
 
     def expression(self, position: int) -> Expr:
-        """What the atom is."""
+        """Return the atom at a position as an expression."""
         found: Expr = self.at(position).data[0]
         return found
 
     def of(self, e: Expr) -> Fraction:
-        """``e``, with the same value wherever it is defined.
+        """Return a fraction that has the same value as ``e`` wherever ``e`` is defined.
+
+        Args:
+            e: the expression.
 
         Raises:
-            UndefinedError: ``e`` is nowhere defined.
-            TooLargeError: it has too many terms or atoms.
+            UndefinedError: ``e`` is defined nowhere.
+            TooLargeError: ``e`` has too many terms or atoms.
         """
         found = self._memo.get(e)
         if found is None:
@@ -69,7 +77,7 @@ class Atoms(Ring):
         if op in _EVEN or op in _ODD or op == "exp":
             return self._function(op, args[0])
         if op in UNWORKED:
-            raise TooLargeError("what binds a variable is no atom")
+            raise TooLargeError("an operation that binds a variable cannot be an atom")
         return self.fraction(self.generator(op, tuple(map(self._key, args)), (e,)))
 
     def _key(self, e: Expr | str) -> tuple[str, str] | str:
@@ -83,7 +91,9 @@ class Atoms(Ring):
         return x ** int(exponent.p)
 
     def _function(self, name: str, argument: Expr) -> Fraction:
-        """An even or odd function, or an exponential, of the argument or of its opposite."""
+        """Return an even function, odd function or exponential as an atom of ``argument`` or
+        ``-argument``.
+        """
         u = self.of(argument)
         if u.num.is_zero() or u.num.leading_coefficient() > 0:
             return self.fraction(self.generator(name, u.key, (apply(name, argument),)))
@@ -94,7 +104,16 @@ class Atoms(Ring):
         return value if name in _EVEN else -value
 
     def rewritten(self, p: Poly, is_positive: Callable[[Poly], bool]) -> list[Poly]:
-        """``p``, and what has its sign by squares of sines and cosines and by powers of roots."""
+        """Return polynomials with the same sign as ``p``.
+
+        They are ``p`` with powers of roots reduced, and the same with squares of cosines replaced
+        by sines,
+        or squares of sines by cosines.
+
+        Args:
+            p: a polynomial in the atoms.
+            is_positive: decides whether a denominator is proved positive.
+        """
         for i in self.used(p):
             generator = self.at(i)
             if generator.kind == "root" and is_positive(generator.data[1].den):
@@ -111,7 +130,9 @@ class Atoms(Ring):
         return list(found.values())
 
     def _lowered(self, p: Poly, i: int, n: int, power: Fraction) -> Poly:
-        """``p``, times a power of a denominator, with the n-th power of an atom put in."""
+        """Replace the n-th power of atom i by ``power`` and clear its denominator, which must be
+        positive.
+        """
         most = int(p.degrees()[i]) // n
         if not most or len(p) * max(len(power.num), len(power.den)) ** most > MAX_GROWTH:
             return p

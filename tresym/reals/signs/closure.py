@@ -1,21 +1,24 @@
 """Prove that every point of the conditions is a limit of interior points.
 
-What is proved inside the conditions holds by continuity at such limits, and says nothing elsewhere:
-``x**2*(x - 1) >= 0`` holds at x = 0 too, which is no limit of points inside. So a proof under
-closed conditions counts only where they are shown to have no such points:
+A proof in the interior of the conditions extends to such limits by continuity, but not to isolated
+points: ``x**2*(x - 1) >= 0`` also holds at x = 0, which is not a limit of interior points. A proof
+under closed conditions therefore counts only where one of these criteria excludes isolated points:
 
-- every one of them is concave (``x + y <= 1``, ``abs(x) <= y``, ``x**2 + y**2 <= 1``), so that with
-  the ranges of the variables they describe a convex set, which has points inside; or
-- they are polynomials in one variable, with simple zeros and no common ones; or
-- there is a variable in which all that depend on it rise together, strictly, and the others are
-  ranges of other variables: a step that way leads inside (``x*y >= 1`` with y > 0); or
-- one is strictly convex in a variable, and the others are ranges of other variables: a step leads
-  inside, this way or that (``b**2 >= 4*a*c``); or
-- there is but one, a polynomial of degree 2 (``x*y >= 0``).
+- Every closed condition is concave (``x + y <= 1``, ``abs(x) <= y``, ``x**2 + y**2 <= 1``).
+  Together
+  with the ranges of the variables they describe a convex set, which has interior points.
+- The closed conditions are polynomials in one variable with simple zeros and no common zero.
+- All closed conditions that depend on some variable increase strictly in it, and the others are
+  ranges of other variables. A small step in this variable leads into the interior (``x*y >= 1``
+  with
+  y > 0).
+- One closed condition is strictly convex in a variable, and the others are ranges of other
+  variables. A small step in one of the two directions leads into the interior (``b**2 >= 4*a*c``).
+- There is only one closed condition, and it is a polynomial of degree 2 (``x*y >= 0``).
 
-Strict conditions describe an open set, which changes nothing in any of this, as long as what they
-speak of is defined on one: a root is not, and ``sqrt(x**2*(x - 1)) < 5`` holds at x = 0. That what
-is under it is not negative is a closed condition like the others.
+Strict conditions describe an open set and change nothing here, as long as the domain of their
+operations is open. The domain of a root is not: ``sqrt(x**2*(x - 1)) < 5`` holds at the isolated
+point x = 0. So "the radicand is not negative" is treated as one more closed condition.
 """
 
 from __future__ import annotations
@@ -39,13 +42,14 @@ from tresym.reals.signs.interior import sign_inside as sign
 from tresym.reals.signs.structural import WEAK, Parts
 
 MAX_QUADRATIC = 5
-"""Variables of a quadratic condition that is looked at."""
+"""The maximal number of variables of a quadratic condition."""
 
 ONLY_INSIDE = (
-    "it holds inside the conditions and at limits from there, but some with >= or <= may hold at "
-    "single points elsewhere, of which nothing is shown; strict ones would do"
+    "the claim holds in the interior of the conditions and at limits of interior points, but a "
+    "condition with >= or <= may also hold at isolated points, where nothing is proved; write the "
+    "conditions with > or < to exclude such points"
 )
-"""Why a proof is not enough where :func:`is_regular` says no."""
+"""The reason given when a proof is not enough because :func:`is_regular` is false."""
 
 _SMOOTH = {"+", "*", "exp", "log", "sin", "cos", "tan", "cot", "sec", "csc", "atan"} | {
     "sinh",
@@ -59,7 +63,7 @@ _SMOOTH = {"+", "*", "exp", "log", "sin", "cos", "tan", "cot", "sec", "csc", "at
 
 @lru_cache(maxsize=REMEMBERED)
 def is_regular(given: Given) -> bool:
-    """Whether the conditions are shown to have no points but limits of those inside them."""
+    """Return whether every point of the conditions is shown to be a limit of interior points."""
     given = _without_implied(given)
     spoken_of = tuple(c.expression for c in given.conditions)
     if jumps(spoken_of, given):
@@ -83,9 +87,11 @@ def is_regular(given: Given) -> bool:
 
 @lru_cache(maxsize=REMEMBERED)
 def has_inside(given: Given) -> bool:
-    """Whether a point is found at which every condition holds strictly.
+    """Return whether a point is found that satisfies every condition strictly.
 
-    ``x >= y, y >= x`` has none, and all that is said of its inside is true.
+    The conditions ``x >= y, y >= x`` have no such point, so that every statement about their
+    interior
+    is true and proves nothing.
     """
     atoms = Parts(Given()).atoms
     with suppress(TooLargeError, UndefinedError):
@@ -97,7 +103,7 @@ def has_inside(given: Given) -> bool:
 
 
 def _without_implied(given: Given) -> Given:
-    """Less the products that are not negative because of the other conditions."""
+    """Remove products ``p >= 0`` that follow from the other conditions."""
     for n, condition in enumerate(given.conditions):
         if condition.relation == ">=" and condition.expression.op == "*":
             others = Given(given.comparisons[:n] + given.comparisons[n + 1 :])
@@ -107,7 +113,7 @@ def _without_implied(given: Given) -> Given:
 
 
 def _is_concave(e: Expr) -> bool:
-    """Whether ``e`` is a concave polynomial of degree 2 at most, less absolute values of linear."""
+    """Return whether ``e`` is a concave polynomial of degree at most 2 minus ``|linear|`` terms."""
     plain = number(0)
     for term in e.args if e.op == "+" else (e,):
         factor, inner = scaled(term)
@@ -119,18 +125,19 @@ def _is_concave(e: Expr) -> bool:
 
 
 def _is_linear(e: Expr) -> bool:
-    """Whether ``e`` is linear in its symbols; its coefficients may be any constants."""
+    """Return whether ``e`` is linear in its symbols; its coefficients may be any constants."""
     return not any(symbols(differentiate(e, x)) for x in symbols(e))
 
 
 def _is_concave_polynomial(e: Expr) -> bool:
+    """Return whether ``e`` is a concave polynomial of degree at most 2."""
     terms = polynomial(e)
     if terms is None or any(degree(m) > 2 for m in terms):
         return False
     used = sorted({name for m in terms if degree(m) == 2 for name, _ in m})
     if len(used) > MAX_QUADRATIC:
         return False
-    # −1 times the matrix of second derivatives: it must have no negative principal minor.
+    # The negated Hessian is positive semidefinite iff no principal minor is negative.
     curved = fmpq_mat(len(used), len(used))
     for monomial, value in terms.items():
         at = [name for name, k in monomial for _ in range(k)]
@@ -146,9 +153,10 @@ def _is_concave_polynomial(e: Expr) -> bool:
 
 
 def _has_simple_zeros(closed: list[Expr], given: Given) -> bool:
-    """Whether these polynomials in one variable have simple zeros, and no two a common one.
+    """Return whether these polynomials in one variable have simple zeros and no common zero.
 
-    Zeros of odd order will do, and others where the conditions exclude them.
+    Zeros of odd order are allowed as well, and zeros of even order where the conditions exclude
+    them.
     """
     seen: list[fmpz_poly] = []
     for e in dict.fromkeys(closed):
@@ -172,7 +180,7 @@ def _has_simple_zeros(closed: list[Expr], given: Given) -> bool:
 def _rise_together(
     everything: list[Expr], closed: list[Expr], x: str, way: str, given: Given
 ) -> bool:
-    """Whether a small step of ``x`` leads inside all closed conditions that depend on it."""
+    """Return whether a small step of ``x`` leads inside all closed conditions that depend on it."""
     if any(x not in symbols(e) for e in closed):
         return False
     return all(
@@ -183,13 +191,17 @@ def _rise_together(
 
 
 def _is_quadratic(e: Expr) -> bool:
-    """Whether a polynomial has degree 2 at most: if not concave, it rises along some line."""
+    """Return whether ``e`` is a polynomial of degree at most 2.
+
+    If it is not concave, it increases along some line, so that its zeros are limits of interior
+    points.
+    """
     terms = polynomial(e)
     return terms is not None and all(degree(m) <= 2 for m in terms)
 
 
 def _is_convex_in(x: str, everything: list[Expr], given: Given) -> bool:
-    """Whether one closed condition depends on ``x``, and is strictly convex in it."""
+    """Return whether exactly one closed condition depends on ``x`` and is strictly convex in it."""
     depending = [e for e in everything if x in symbols(e)]
     if len(depending) != 1:
         return False

@@ -15,10 +15,21 @@ from tresym.reals.signs.interior import sign_inside as sign
 def sign_by_concavity(
     difference: Expr, relation: str, region: Given, ask: Ask | None = None
 ) -> str | None:
-    """Concavity: the difference is concave between two ends at which it is not negative.
+    """Concavity: a concave difference is not negative between two points where it is not negative.
 
-    Decides ``sin(x) >= 2*x/pi given 0 <= x <= pi/2``. Ends at one variable between two
-    constants, and where the sign of the second derivative is not seen.
+    Decides ``sin(x) >= 2*x/pi given 0 <= x <= pi/2``.
+
+    Limits: the claim must have one variable between two constant bounds, and the sign of the
+    second derivative must be provable.
+
+    Args:
+        difference: the expression that is compared with zero.
+        relation: ``">"``, ``">="`` or ``"!="``.
+        region: the conditions.
+        ask: not used; every method has the same signature.
+
+    Returns:
+        A sentence that states the proof, or None.
     """
     names = symbols(difference)
     if len(names) != 1:
@@ -46,9 +57,9 @@ def sign_by_concavity(
 
 
 def _end(region: Given, name: str, relations: tuple[str, str]) -> tuple[Expr, bool] | None:
-    """A constant that bounds the symbol by one of the relations, and whether it is excluded.
+    """Return a constant bound of the symbol by one of the relations, and whether it is excluded.
 
-    Any bound will do: what is shown between two of them holds on the region within.
+    Any such bound is enough: a proof between two bounds covers the region, which lies between them.
     """
     for left, relation, right in region.comparisons:
         if right == symbol(name):

@@ -1,9 +1,12 @@
 """Prove that an expression is defined, or smooth, wherever the conditions hold.
 
-A proof divides only where the denominator is shown non-zero and takes roots and logarithms only
-where their arguments are shown to allow it, everywhere under the conditions given. What is not
-worked out, such as an integral, has conditions of its own, and is not shown to be smooth; a value
-at a point is looked at in place, and so is a derivative, whose function must be smooth there.
+A division is accepted only where the denominator is proved non-zero, and a root or logarithm only
+where its argument is proved to lie in the domain, everywhere under the conditions. An operation
+that
+binds a variable and is not evaluated, such as an integral, has conditions of its own and is never
+shown to be smooth. A value at a point, ``f`` at ``x = c``, is checked after substitution. A
+derivative
+at a point is checked in the same way, and its function must be smooth there.
 """
 
 from __future__ import annotations
@@ -35,29 +38,47 @@ Table = Callable[[Expr], list[tuple[Expr, str]]]
 
 
 def undefined(e: Expr, given: Given, prover: Prover | None = None) -> Expr | None:
-    """The first part of ``e`` that is not shown to be defined under ``given``, or None.
-
-    What is returned is what is not shown to have the sign that its operation needs.
+    """Return the first part of ``e`` that is not shown to be defined under ``given``.
 
     Args:
-        prover: dear methods, if any may be tried.
+        e: the expression.
+        given: the conditions.
+        prover: expensive methods that may be tried, or None for none.
+
+    Returns:
+        The expression that is not shown to have the sign that its operation needs, such as a
+            denominator
+        that may vanish; None if ``e`` is proved to be defined.
     """
     return _missing(e, given, needs_of, prover)
 
 
 def continuous_on(e: Expr, given: Given, prover: Prover | None = None) -> Expr | None:
-    """As :func:`undefined`, but off every singularity, so that ``e`` is smooth there."""
+    """Return the first part of ``e`` that is not shown to stay away from singularities.
+
+    It is :func:`undefined` with the stronger requirement that every operation is analytic. If the
+    result is None, ``e`` is smooth wherever ``given`` holds.
+    """
     return _missing(e, given, analytic_of, prover)
 
 
 _ENDS = {"asin": (ONE, MINUS_ONE), "acos": (ONE, MINUS_ONE), "acosh": (ONE,), "^": (ZERO,)}
-"""Where the domain of a function ends, and the function has a value."""
+"""The ends of the domain that belong to it, for each function."""
 
 
 def at_domain_ends(sides: tuple[Expr, ...], given: Given) -> tuple[tuple[Expr, ...], Given] | None:
-    """The sides with 1 for R/R in asin(R/R), and where such operands are defined; None without.
+    """Replace operands that always lie at an end of a domain, such as R/R in asin(R/R), by it.
 
-    Such an operand is at the end of the domain at every point, so that balls around it leave it.
+    Such an operand equals the end at every point, so that every ball around it leaves the domain
+    and ball arithmetic could not evaluate it.
+
+    Args:
+        sides: the sides of the claim.
+        given: the conditions.
+
+    Returns:
+        The rewritten sides and the conditions under which the replaced operands are defined; None
+            if there is no such operand.
     """
     known: dict[Expr, Expr] = {}
     moved: list[Expr] = []
@@ -76,18 +97,26 @@ def at_domain_ends(sides: tuple[Expr, ...], given: Given) -> tuple[tuple[Expr, .
 
 
 def is_lasting(sides: Sequence[Expr], given: Given, *moving: str) -> bool:
-    """Whether the sides are defined for all values of some variables if they are for one.
+    """Return whether the sides are defined at all values of the moving variables if at one value.
 
-    An induction needs it: what it is said of at n = 20 alone says nothing at 22 where 21 is left
-    out. So each part with ``moving`` variables must be shown, under the others. A function that is
-    left unknown is defined wherever its arguments are.
+    An induction needs this: a sum that is defined at n = 20 and n = 22 but not at n = 21 has no
+    induction step. So every part that contains a variable in ``moving`` must be shown to be defined
+    under the conditions of the other parts. An arbitrary function is defined wherever its arguments
+    are.
+
+    Args:
+        sides: the sides of the claim.
+        given: the conditions.
+        moving: the names of the variables whose value changes in the induction.
     """
     nodes = [node for node in outermost(*sides) if not symbols(node).isdisjoint(moving)]
     inner = [arg for node in nodes for arg in node.args[1:]]
     if any(node.op != "unknown" for node in nodes) or next(iter(outermost(*inner)), None):
         return False
     factorials = [node for node in nodes if node.args[0].args == (FACTORIAL, (0,))]
-    put = {node: symbol(f"[{i}]") for i, node in enumerate(nodes)}  # no name of anybody's
+    put = {
+        node: symbol(f"[{i}]") for i, node in enumerate(nodes)
+    }  # not a name that users can write
     names = {*moving, *(str(mark) for mark in put.values())}
     sides = [replaced(side, put) for side in sides]
     plain = needs(sides, powers=False)
@@ -99,11 +128,12 @@ def is_lasting(sides: Sequence[Expr], given: Given, *moving: str) -> bool:
 
 
 def _differentiable_of(node: Expr) -> list[tuple[Expr, str]]:
-    """Where an operation can be differentiated: as far as is asked here, where it is analytic."""
+    """Return where an operation is differentiable; here this means where it is analytic."""
     return analytic_of(node)
 
 
 def _missing(e: Expr, given: Given, table: Table, prover: Prover | None) -> Expr | None:
+    """Return the first condition from ``table`` that is not proved for ``e`` or its parts."""
     if e.op in LEAVES:
         return None
     if e.op in UNWORKED:
@@ -120,7 +150,7 @@ def _missing(e: Expr, given: Given, table: Table, prover: Prover | None) -> Expr
 
 
 def _missing_at(e: Expr, given: Given, table: Table, prover: Prover | None) -> Expr | None:
-    """The same of a value, or of a derivative: its function must be smooth where it is taken."""
+    """Check a value or derivative at a point: its function must be defined, or smooth, there."""
     names, body = opened(e)
     points = e.args[1:]
     there = substitute(body, dict(zip(names, points, strict=True)))

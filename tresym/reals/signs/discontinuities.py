@@ -1,10 +1,12 @@
-"""The points at which sign and atan2 jump, which a proof on a dense set does not reach.
+"""Cover the points at which sign and atan2 jump, which a proof on a dense set does not reach.
 
-``sign u`` jumps where u is 0, ``atan2(y, x)`` where y is 0 and x is negative; all other functions
-are continuous where they are defined. So a claim that is proved at almost all points is left to be
-shown where a jump is not excluded. Either such points are where a variable has a certain value, or
-at closed ends of the conditions, and that is put in; or 0 is put in for what is 0 there, and the
-claim must then hold whatever the variables are.
+``sign(u)`` jumps where u is 0, and ``atan2(y, x)`` where y is 0 and x is negative. All other
+functions
+are continuous where they are defined. A claim that is proved at almost all points must therefore be
+proved separately at each possible jump, in one of two ways. If the jump lies where a variable has a
+certain value, or at a closed end of the conditions, that value is substituted. Otherwise 0 is
+substituted for the argument that vanishes there, and the claim must hold for all values of the
+variables.
 """
 
 from __future__ import annotations
@@ -40,12 +42,12 @@ _ZERO_WITH_ARGUMENT = ("abs", "cbrt", "sign", "sinh", "tanh", "asinh", "atanh", 
 
 
 class Case(NamedTuple):
-    """A claim at jumps.
+    """Describe the claim at one set of jumps.
 
     Attributes:
-        known: what is put in for parts, such as 0 for u in sign u.
-        values: what is put in for variables; nothing, where any may be.
-        given: the conditions that are left.
+        known: the values substituted for subexpressions, such as 0 for u in ``sign(u)``.
+        values: the values substituted for variables; empty if the variables are arbitrary.
+        given: the remaining conditions.
     """
 
     known: dict[Expr, Expr]
@@ -57,11 +59,16 @@ class Case(NamedTuple):
         return f"where {part} = {value}"
 
     def of(self, e: Expr) -> Expr:
-        """``e`` with what is known put in."""
+        """Return ``e`` with the known values substituted."""
         return substitute(replaced(e, self.known), self.values)
 
     def point(self, witness: Mapping[str, fmpq | Expr] | None) -> dict[str, fmpq] | None:
-        """A rational point at the jump, from one of the remaining variables; else None."""
+        """Return a rational point at the jump, or None if there is none.
+
+        Args:
+            witness: values of the remaining variables. If it is empty, such values are searched
+                for. None means that there are none.
+        """
         if not witness and witness is not None:
             others = frozenset().union(*map(symbols, self.values.values()))
             witness = self.given.satisfying_point(others)
@@ -75,7 +82,7 @@ class Case(NamedTuple):
 
 
 def cases_at_jumps(sides: tuple[Expr, ...], given: Given) -> Iterator[Case | None]:
-    """Cases that together cover all jumps of ``sides``; None where one cannot be made."""
+    """Yield cases that together cover all jumps of ``sides``; None for a jump not covered."""
     for node in jumps(sides, given):
         for known, values, where in _cases(node, given):
             left = _remaining(where, values)
@@ -90,7 +97,7 @@ def cases_at_jumps(sides: tuple[Expr, ...], given: Given) -> Iterator[Case | Non
 
 
 def _cases(node: Expr, given: Given) -> Iterator[tuple[dict[Expr, Expr], dict[str, Expr], Given]]:
-    """What is known, values of variables, and conditions, at the jumps of one node."""
+    """Yield the known values, values of variables and conditions at the jumps of one node."""
     parts = list(zeros(node.args[0], given))
     values = [_solved(part) for part in parts]
     if None in values and nonzero_inside(_critical(node), given):
@@ -111,11 +118,11 @@ def _cases(node: Expr, given: Given) -> Iterator[tuple[dict[Expr, Expr], dict[st
 
 EMPTY = Given(((ZERO, ">", ZERO),))
 _EXCLUDING = {">": ("-", "0"), ">=": ("-",), "!=": ("0",)}
-"""The signs with which an expression nowhere has its relation to zero."""
+"""The signs of an expression that contradict each relation to zero."""
 
 
 def _critical(node: Expr) -> Expr:
-    """What is zero at the jumps of a node alone."""
+    """Return an expression that vanishes exactly at the jumps of a node."""
     if node.op == "sign":
         return node.args[0]
     y, x = node.args
@@ -123,7 +130,7 @@ def _critical(node: Expr) -> Expr:
 
 
 def zeros(e: Expr, given: Given) -> Iterator[Expr]:
-    """Expressions of which one is zero wherever ``e`` is."""
+    """Yield expressions at least one of which vanishes wherever ``e`` vanishes."""
     if is_nonzero(e, given):
         return
     if e.op == "*":
@@ -137,7 +144,7 @@ def zeros(e: Expr, given: Given) -> Iterator[Expr]:
 
 
 def _polynomials(e: Expr) -> list[Expr]:
-    """Factors of a continuous ``e`` that is a fraction of polynomials; else itself."""
+    """Return the factors of a continuous ``e`` that is a quotient of polynomials; else ``[e]``."""
     if _solved(e) or jumps((e,), Given()):
         return [e]
     try:
@@ -156,7 +163,7 @@ def _polynomials(e: Expr) -> list[Expr]:
 
 
 def _solved(e: Expr) -> dict[str, Expr] | None:
-    """The value of a variable at which ``e``, linear in it, is zero."""
+    """Return the value of a variable at which ``e``, linear in it, vanishes; else None."""
     for name in sorted(symbols(e)):
         slope = differentiate(e, name)
         if slope.op == "number" and slope != ZERO:
@@ -165,7 +172,7 @@ def _solved(e: Expr) -> dict[str, Expr] | None:
 
 
 def _remaining(given: Given, values: dict[str, Expr]) -> Given | None:
-    """The conditions at ``values``; ``EMPTY`` where one fails, None where that is not clear."""
+    """Return the conditions at ``values``: ``EMPTY`` if one fails, None if that is not decided."""
     kept = []
     for left, relation, right in given.comparisons:
         comparison = substitute(left, values), relation, substitute(right, values)
@@ -181,10 +188,11 @@ def _remaining(given: Given, values: dict[str, Expr]) -> Given | None:
         kept.append(comparison)
     remaining = Given(tuple(kept))
     beyond = values and any(c.relation == ">=" for c in remaining.beyond_box)
-    return None if beyond else remaining  # single points may satisfy those
+    return None if beyond else remaining  # isolated points may satisfy those
 
 
 def _is_nowhere_defined(sides: list[Expr], given: Given) -> bool:
+    """Return whether a denominator always vanishes or an operand is always outside its domain."""
     return any(
         any(sign(part, given) == "0" for part in denominators(side))
         or any(positive and sign(part, given) == "-" for part, positive in singularities(side))

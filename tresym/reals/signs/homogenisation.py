@@ -1,8 +1,10 @@
 """Homogenise a polynomial by a condition such as x + y + z ≤ 1.
 
-Where L is homogeneous with 0 ≤ L ≤ k, a term that is not negative becomes no larger when it is
-multiplied by a power of L/k; where L ≥ k > 0, so does one that is not positive. What is proved of
-the homogeneous function, in which x = y = z is a ray and not a point, holds of the other.
+Let L be a homogeneous polynomial. If 0 ≤ L ≤ k, multiplying a nonnegative term by a power of L/k
+makes it no larger. If L ≥ k > 0, the same holds for a nonpositive term. So the polynomial is
+bounded below by a homogeneous function, and a proof for the latter is enough. For a homogeneous
+function the point x = y = z becomes a ray, on which the cone method of
+:mod:`tresym.reals.signs.orthant_cones` can handle equality.
 """
 
 from __future__ import annotations
@@ -23,7 +25,7 @@ from tresym.reals.signs.structural import WEAK
 
 
 class _Term(NamedTuple):
-    """A monomial with its coefficient, which is 0 here where it is no rational number."""
+    """Hold a monomial with its coefficient; ``value`` is 0 if the coefficient is not rational."""
 
     degree: int
     value: fmpq
@@ -31,12 +33,13 @@ class _Term(NamedTuple):
 
 
 class Way(NamedTuple):
-    """How a sum becomes homogeneous.
+    """Describe how a sum becomes homogeneous.
 
     Attributes:
-        parts: its terms, and the power of the form that each is multiplied by.
-        form: at most 1 where ``side`` is 1, at least 1 where it is −1.
-        words: which condition says so.
+        parts: its terms, each with the power of the form by which it is multiplied.
+        form: a homogeneous form that is at most 1 if ``side`` is 1 and at least 1 if it is −1.
+        side: 1 or −1, see ``form``.
+        words: the condition that bounds the form, for the proof.
     """
 
     parts: tuple[tuple[Expr, fmpq], ...]
@@ -48,10 +51,22 @@ class Way(NamedTuple):
 def sign_by_homogeneity(
     difference: Expr, relation: str, region: Given, ask: Ask | None = None
 ) -> str | None:
-    """Homogeneity: a condition makes the polynomial homogeneous, and cones settle what it becomes.
+    """Homogeneity: a condition makes the polynomial homogeneous, and the cone method proves the
+    result.
 
-    Decides ``1 - 27*x*y*z >= 0 given x >= 0, y >= 0, z >= 0, x + y + z <= 1``. Ends where no
-    condition is a homogeneous polynomial compared with a number, and where cones end.
+    Decides ``1 - 27*x*y*z >= 0 given x >= 0, y >= 0, z >= 0, x + y + z <= 1``.
+
+    Limits: some condition must compare a homogeneous polynomial with a number, and the cone
+    method must succeed.
+
+    Args:
+        difference: the expression that is compared with zero.
+        relation: ``">"``, ``">="`` or ``"!="``.
+        region: the conditions.
+        ask: not used; every method has the same signature.
+
+    Returns:
+        A sentence that states the proof, or None.
     """
     for way in ways(difference, region) if relation != "!=" else ():
         made = below(difference, way, region)
@@ -59,7 +74,7 @@ def sign_by_homogeneity(
             continue
         least, is_less = made
         needed = ">=" if is_less else relation
-        proof: str | None = "it is so by the signs of its parts"
+        proof: str | None = "the relation follows from the signs of its parts"
         if sign(least, region) not in PROVING[needed]:
             proof = sign_on_cones(least, needed, region)
         if proof is not None:
@@ -68,9 +83,11 @@ def sign_by_homogeneity(
 
 
 def below(difference: Expr, way: Way, region: Given) -> tuple[Expr, bool] | None:
-    """What is nowhere larger than ``difference``, and whether it is smaller everywhere.
+    """Return a homogeneous lower bound of ``difference``, and whether it is strictly smaller.
 
-    None where the way does not show that.
+    Returns:
+        The bound and whether it is smaller at every point; None if ``way`` does not prove the
+            bound.
     """
     parts, form, side, _ = way
     room = sign(side * (1 - form), region)
@@ -86,7 +103,7 @@ def below(difference: Expr, way: Way, region: Given) -> tuple[Expr, bool] | None
 
 
 def ways(difference: Expr, region: Given) -> Iterator[Way]:
-    """What to try, one for each condition that is a homogeneous form compared with a number."""
+    """Yield a way for each condition that compares a homogeneous form with a number."""
     terms = _terms(difference) or _written_terms(difference) or []
     largest = max((t.degree for t in terms), default=0)
     if all(t.degree == largest for t in terms):
@@ -105,7 +122,7 @@ def ways(difference: Expr, region: Given) -> Iterator[Way]:
 
 
 def _terms(e: Expr) -> list[_Term] | None:
-    """The terms of a polynomial in symbols, or None."""
+    """Return the terms of a polynomial in symbols, or None if ``e`` is not such a polynomial."""
     terms = polynomial(e)
     if terms is None:
         return None
@@ -113,7 +130,7 @@ def _terms(e: Expr) -> list[_Term] | None:
 
 
 def _written_terms(e: Expr) -> list[_Term] | None:
-    """The terms as they stand, where coefficients are constants such as sqrt(3)."""
+    """Return the terms as written, for coefficients that are constants such as sqrt(3)."""
     found = []
     total = collected(e)
     for term in total.args if total.op == "+" else (total,):

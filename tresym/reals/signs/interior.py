@@ -1,6 +1,7 @@
-"""Signs in the interior of the conditions, and by continuity at limits of interior points.
+"""Prove signs in the interior of the conditions, and by continuity at limits of interior points.
 
-Closed conditions may hold at single points elsewhere, of which nothing is shown here.
+Closed conditions may also hold at isolated points, for which nothing is proved here (see
+:mod:`tresym.reals.signs.closure`).
 """
 
 from __future__ import annotations
@@ -17,20 +18,25 @@ from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.signs.structural import Parts
 
 Ask = Callable[[Expr, str, Given], str | None]
-"""A prover of a relation to zero under conditions: a sentence, or None."""
+"""A prover of a relation to zero under conditions. It returns a sentence, or None."""
 PROVING = {">": ("+",), ">=": ("+", ">=0", "0"), "!=": ("+", "-", "!=")}
 """The signs of a difference that prove its relation to zero."""
 REMEMBERED = 4096
-"""Signs kept: the same questions come back at every step of a chain, and of an expansion."""
+"""The number of cached signs: each step of a chain or expansion asks for the same signs again."""
 
 
 @lru_cache(maxsize=REMEMBERED)
 def sign_inside(e: Expr, given: Given) -> str | None:
-    """The proven sign of ``e`` at the points where ``given`` holds that are limits from inside it.
+    """Return the proven sign of ``e`` in the interior of ``given`` and at limits of interior
+    points.
+
+    Args:
+        e: the expression.
+        given: the conditions.
 
     Returns:
-        ``"+"``, ``"-"``, ``"0"``, ``">=0"``, ``"<=0"``, or None where nothing is proved. The
-        strict signs hold on closed ends too.
+        ``"+"``, ``"-"``, ``"0"``, ``">=0"``, ``"<=0"``, or None if nothing is proved. The strict
+            signs also hold at closed ends.
     """
     parts = Parts(given)
     found = parts.sign(e)
@@ -43,7 +49,7 @@ def sign_inside(e: Expr, given: Given) -> str | None:
 
 
 def strict_by_conditions(e: Expr, given: Given) -> bool:
-    """Whether ``e`` is a strict condition and what is not negative inside, by the normal form."""
+    """Return whether ``e`` is a strict condition plus a part not negative in the interior."""
     return any(
         c.relation == ">"
         and symbols(c.expression) <= symbols(e)
@@ -54,12 +60,12 @@ def strict_by_conditions(e: Expr, given: Given) -> bool:
 
 
 def is_nonzero(e: Expr, given: Given) -> bool:
-    """Whether ``e`` is shown to vanish nowhere under ``given``."""
+    """Return whether ``e`` is shown to vanish nowhere under ``given``."""
     return sign_inside(e, given) in ("+", "-") or Parts(given).nonzero(e)
 
 
 def is_zero(e: Expr, given: Given) -> bool:
-    """Whether the normal form of ``e`` is 0."""
+    """Return whether the normal form of ``e`` is 0."""
     try:
         return bool(Field(given).normal(e)[0].num.is_zero())
     except (TooLargeError, UndefinedError):
@@ -67,10 +73,15 @@ def is_zero(e: Expr, given: Given) -> bool:
 
 
 def jumps(expressions: Iterable[Expr], given: Given) -> list[Expr]:
-    """The nodes ``sign u`` and ``atan2(y, x)`` in them that are not shown to be continuous.
+    """Return the nodes ``sign(u)`` and ``atan2(y, x)`` that are not shown to be continuous.
 
-    They jump where u is 0, and where y is 0 and x is negative; no other function does so where it
-    is defined, and no product of sign u and what vanishes with u.
+    They jump where u is 0, and where y is 0 and x is negative. Every other function is continuous
+    where it is defined, and so is the product of ``sign(u)`` and a continuous factor that vanishes
+    with u.
+
+    Args:
+        expressions: the expressions that are searched.
+        given: the conditions.
     """
     found: list[Expr] = []
     seen: set[Expr] = set()
@@ -94,7 +105,7 @@ def jumps(expressions: Iterable[Expr], given: Given) -> list[Expr]:
 
 
 def _vanishes_beside(node: Expr, factors: tuple[Expr, ...]) -> bool:
-    """Whether one of the factors is continuous, and 0 where the argument of the node is."""
+    """Return whether a factor is continuous and vanishes where the argument of the node does."""
     known = {node.args[0]: ZERO, -node.args[0]: ZERO}
     return any(
         Parts(Given()).sign(rest) == "0" and not jumps((factor,), Given())
@@ -104,7 +115,10 @@ def _vanishes_beside(node: Expr, factors: tuple[Expr, ...]) -> bool:
 
 
 def _open_sign(e: Expr, given: Given) -> str | None:
-    """The sign on the open domain, which bounds the sign on its closure where ``e`` has no jump."""
+    """Return the sign of ``e`` on the open domain, if ``e`` has no jump there.
+
+    As ``e`` is then continuous, its sign extends to the closure as a non-strict one.
+    """
     if jumps((e,), given):
         return None
     try:
@@ -120,7 +134,7 @@ def _open_sign(e: Expr, given: Given) -> str | None:
 
 
 def without_powers(field: Field, p: Poly) -> Poly:
-    """``p`` with each symbol that is positive, and whose root occurs, as a power of that root."""
+    """Replace each positive symbol whose root occurs in ``p`` by a power of that root."""
     for position, order, _ in field.relations:
         generator = field.at(position)
         base = generator.data[0] if generator.kind == "root" else None
@@ -135,7 +149,7 @@ def without_powers(field: Field, p: Poly) -> Poly:
 
 
 def _factored_sign(field: Field, p: Poly) -> int:
-    """The sign of ``p`` where it is not zero, even factors left out; 0 if unknown."""
+    """Return the sign of ``p`` where it is not zero, from its odd factors; 0 if unknown."""
     found = field.sign(p)
     if found:
         return found
@@ -150,13 +164,25 @@ def _factored_sign(field: Field, p: Poly) -> int:
 def by_signs_of_parts(
     difference: Expr, relation: str, given: Given, ask: Ask | None = None
 ) -> str | None:
-    """Signs of parts: of terms, factors and arguments, with the ranges of functions and conditions.
+    """Signs of parts: the signs of terms, factors and arguments and the ranges of functions combine
+    to a sign of the whole.
 
-    A sum is a polynomial in its parts: squares, conditions taken out of it, and the exact normal
-    form tell its sign.
+    A sum is a polynomial in its parts. Its sign follows from squares, from multiples of conditions
+    that are subtracted, and from the exact normal form.
 
-    Decides ``1 - b/(a + b)*cos(t)**2 > 0 given a > 0, b > 0``. Ends where two conditions
-    must be multiplied with each other, or more than two be taken out.
+    Decides ``1 - b/(a + b)*cos(t)**2 > 0 given a > 0, b > 0``.
+
+    Limits: it fails where two conditions must be multiplied with each other, or more than two
+    conditions must be subtracted.
+
+    Args:
+        difference: the expression that is compared with zero.
+        relation: ``">"``, ``">="`` or ``"!="``.
+        given: the conditions.
+        ask: not used; every method has the same signature.
+
+    Returns:
+        A sentence that states the proof, or None.
     """
     found = sign_inside(difference, given)
     if found not in PROVING[relation]:

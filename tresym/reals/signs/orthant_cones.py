@@ -1,11 +1,14 @@
-"""The exact sign of a polynomial on an orthant, by cones on which all coefficients agree.
+"""Prove the exact sign of a polynomial on an orthant, by cones on which all coefficients agree.
 
-The difference of the two sides is a fraction of polynomials in the variables, or in roots,
-exponentials and other functions that range over known intervals. Maps of Möbius take every range to
-[0, ∞). A polynomial without negative coefficients is not negative there; where there are some, the
-orthant is cut into the n! cones on which the coordinates come in one order, u ≤ v ≤ w, and each is
-a whole orthant again: u, v = u + v′, w = v + w′. No floating point takes part, and contact where
-the coordinates have rational ratios, as for a = b = c, comes to lie on an edge.
+The difference of the two sides is written as a fraction of polynomials in the variables, or in
+roots, exponentials and other functions whose ranges are known intervals. Möbius maps take every
+range to [0, ∞). A polynomial without negative coefficients is not negative there. Otherwise the
+orthant is cut into the n! cones on which the coordinates have a fixed order u ≤ v ≤ w. The
+substitution u, v = u + v′, w = v + w′ maps each cone to a whole orthant, and the test is repeated.
+All arithmetic is exact. Points of equality where the coordinates have rational ratios, such as a =
+b = c, come to lie on an edge of a cone and do no harm.
+
+The subdivision is that of successive difference substitution (L. Yang, 2005).
 """
 
 from __future__ import annotations
@@ -27,7 +30,7 @@ from tresym.reals.signs.interior import Ask, without_powers
 
 MAX_VARIABLES = 4
 MAX_CONES = {2: 40, 3: 80, 4: 160, 5: 480}
-"""By the number of coordinates."""
+"""The maximal number of cones, by the number of coordinates."""
 MAX_CHARTS = 16
 
 
@@ -36,17 +39,22 @@ def sign_on_cones(
 ) -> str | None:
     """Cones: the coefficients of a polynomial have one sign on every cone of a cover of the region.
 
-    On a cone the variables, or roots and exponentials of them, come in a fixed order. Equality at
-    points of rational ratio, such as ``a = b = c``, is no hindrance.
+    On a cone the variables, or roots and exponentials of them, have a fixed order. Equality at
+    points with rational ratios, such as ``a = b = c``, is allowed.
 
-    Decides ``a/(b + c) + b/(a + c) + c/(a + b) >= 3/2 given a > 0, b > 0, c > 0``. Ends at
-    more than four variables, and at equality elsewhere.
+    Decides ``a/(b + c) + b/(a + c) + c/(a + b) >= 3/2 given a > 0, b > 0, c > 0``.
+
+    Limits: at most four variables are allowed, and equality at other points makes the method
+    fail.
 
     Args:
-        difference: what is compared with zero.
+        difference: the expression that is compared with zero.
         relation: ``">"``, ``">="`` or ``"!="``.
         region: conditions that hold wherever the claim speaks, strictly at one point at least.
-        ask: the prover of smaller questions, which is not needed.
+        ask: not used; every method has the same signature.
+
+    Returns:
+        A sentence that states the proof, or None.
     """
     strict = relation != ">="
     try:
@@ -55,7 +63,7 @@ def sign_on_cones(
         if value.num.is_zero():
             return None
         if strict and any(generator.kind != "symbol" for generator in field.generators):
-            return None  # the normal form tells nothing of single points
+            return None  # the normal form proves nothing at isolated points
         sign, rest = open_factors(field, (value.num, value.den), strict)
         conditions = [
             (other.num, condition.relation)
@@ -73,9 +81,12 @@ def sign_on_cones(
 
 
 def open_factors(field: Field, polys: tuple[Poly, Poly], strict: bool) -> tuple[int, Poly]:
-    """The known sign of a product, and the product of the factors whose sign is not known.
+    """Return the known sign of a product, and the product of the factors whose sign is not known.
 
-    Even powers are left out, but where the claim excludes that they vanish.
+    Args:
+        field: the ring of the polynomials.
+        polys: the numerator and the denominator.
+        strict: whether the claim excludes that a factor vanishes; if so, even powers are kept.
     """
     sign, rest = 1, field.one_poly
     for p in polys:
@@ -92,7 +103,7 @@ def open_factors(field: Field, polys: tuple[Poly, Poly], strict: bool) -> tuple[
 
 @dataclass(frozen=True)
 class _Cone:
-    """An orthant, in coordinates of which the original ones are sums.
+    """Represent a cone as an orthant, in coordinates of which the original ones are sums.
 
     Attributes:
         target: the polynomial whose sign is sought.
@@ -112,7 +123,9 @@ def _count(
     strict: bool,
     ways: tuple[int, ...],
 ) -> int | None:
-    """In how many cones ``p`` has one of these signs on all of the region; None if in no number."""
+    """Return the number of cones on which ``p`` is proved to have one of the signs; None if it
+    fails.
+    """
     used = field.used(p)
     kept = [q for q, relation in conditions if _excludes(q, relation, strict)]
     wider = sorted({i for q in (p, *kept) for i in field.used(q)})
@@ -128,7 +141,7 @@ def _count(
     charts = list(islice(product(*sides), MAX_CHARTS + 1))
     bounded = any(None not in side for chart in charts for side in chart)
     if len(charts) > MAX_CHARTS or (strict and bounded):
-        return None  # with two variables at infinity, a limit shows no more than equality
+        return None  # where two variables are infinite, a limit proves no strict inequality
     for sign in ways:
         count = 0
         for chart in charts:
@@ -142,10 +155,11 @@ def _count(
 
 
 def _excludes(q: Poly, relation: str, strict: bool) -> bool:
-    """Whether a cone on which ``q`` is nowhere positive may be left out.
+    """Return whether a cone on which ``q`` is nowhere positive may be omitted.
 
-    For a claim with equality, half-spaces may be closed: a region of half-spaces and open sets that
-    has an interior point is the closure of its interior, to which the claim extends.
+    For a claim that allows equality, half-spaces may be closed. A region of half-spaces and open
+    sets that has an interior point is the closure of its interior, to which the claim extends by
+    continuity.
     """
     return relation == ">" or (relation == ">=" and not strict and q.total_degree() == 1)
 
@@ -155,7 +169,7 @@ Side = tuple[fmpq | None, fmpq | None, bool]
 
 
 def _sides(field: Field, position: int, one_ended: bool) -> list[Side]:
-    """The range of a generator, or its two halves; of two ends the lower one alone on request."""
+    """Return the range of a generator, or its two halves; only the lower end if ``one_ended``."""
     generator = field.at(position)
     low, high = field.ends(position)
     is_open = False
@@ -169,7 +183,7 @@ def _sides(field: Field, position: int, one_ended: bool) -> list[Side]:
 
 
 def _upper_ends(field: Field, used: list[int], sides: list[list[Side]], strict: bool) -> list[Poly]:
-    """``high − x`` for every range of two ends, to take the place of the upper one."""
+    """Return ``high − x`` for every range with two ends, as a condition in place of that end."""
     found = []
     for i in used:
         where = field.given.box.get(field.at(i).data[0], Range())
@@ -179,7 +193,7 @@ def _upper_ends(field: Field, used: list[int], sides: list[list[Side]], strict: 
 
 
 def _mapped(polys: list[Poly], used: list[int], chart: tuple[Side, ...]) -> _Cone:
-    """The first cone: every range is [0, ∞), and what is not homogeneous is made so."""
+    """Return the first cone: ranges are mapped to [0, ∞), and the polynomials homogenised."""
     last = len(used)
     context = fmpz_mpoly_ctx.get([f"u{i}" for i in range(last + 1)], Ordering.lex)
     moved = _without_common_powers([_moved(q, used, chart, context) for q in polys], context)
@@ -194,7 +208,7 @@ def _mapped(polys: list[Poly], used: list[int], chart: tuple[Side, ...]) -> _Con
 def _moved(
     p: Poly, used: list[int], chart: tuple[Side, ...], context: fmpz_mpoly_ctx
 ) -> fmpz_mpoly:
-    """``p`` times a positive factor, in coordinates that range over [0, ∞)."""
+    """Return ``p`` times a positive factor, in coordinates that range over [0, ∞)."""
     result = context.from_dict({(*(int(m[i]) for i in used), 0): c for m, c in p.terms()})
     for i, (low, high, _) in enumerate(chart):
         result = on_orthant(result, i, low, high)
@@ -202,7 +216,7 @@ def _moved(
 
 
 def _without_common_powers(moved: list[fmpz_mpoly], context: fmpz_mpoly_ctx) -> list[fmpz_mpoly]:
-    """A coordinate that enters through its g-th powers alone is taken to be that power."""
+    """Replace a coordinate that occurs only in g-th powers by that power."""
     width = context.nvars()
     steps = [gcd(*(int(m[i]) for q in moved for m in q.monoms())) or 1 for i in range(width)]
     return [
@@ -214,6 +228,7 @@ def _without_common_powers(moved: list[fmpz_mpoly], context: fmpz_mpoly_ctx) -> 
 
 
 def _homogenised(q: fmpz_mpoly, last: int, context: fmpz_mpoly_ctx) -> fmpz_mpoly:
+    """Homogenise ``q`` with the last coordinate."""
     degree = int(q.total_degree())
     return context.from_dict(
         {(*map(int, m[:last]), degree - sum(map(int, m[:last]))): c for m, c in q.terms()}
@@ -221,7 +236,7 @@ def _homogenised(q: fmpz_mpoly, last: int, context: fmpz_mpoly_ctx) -> fmpz_mpol
 
 
 def _proved(start: _Cone, strict: bool) -> int | None:
-    """The number of cones that settle it, or None."""
+    """Return the number of cones that prove the claim, or None."""
     stack, count = [start], 0
     most = MAX_CONES.get(start.target.context().nvars(), 0)
     while stack:
@@ -240,7 +255,7 @@ def _proved(start: _Cone, strict: bool) -> int | None:
 
 
 def _fails_at_vertex(cone: _Cone) -> bool:
-    """Whether the polynomial is negative on an edge where all conditions hold."""
+    """Return whether the polynomial is negative on an edge where all conditions hold."""
     width = cone.target.context().nvars()
     for i in range(width):
         unit = tuple(int(j == i) for j in range(width))
@@ -251,14 +266,16 @@ def _fails_at_vertex(cone: _Cone) -> bool:
 
 
 def _at(q: fmpz_mpoly, unit: tuple[int, ...]) -> fmpz:
+    """Return the coefficient of the pure power of highest degree in one coordinate."""
     degree = 0 if q.is_zero() else int(q.total_degree())
     return fmpz(q[tuple(k * degree for k in unit)])
 
 
 def _vanishes_nowhere(cone: _Cone) -> bool:
-    """Whether the polynomial, without negative coefficients, is positive wherever the rows are.
+    """Return whether a polynomial without negative coefficients is positive wherever the rows are.
 
-    On every face that the rows allow, by the coordinates that are positive there, a term is left.
+    Every face that the rows allow, given by the coordinates that are positive there, must retain a
+    term.
     """
     width = cone.target.context().nvars()
     supports = [frozenset(i for i in range(width) if m[i]) for m in cone.target.monoms()]
@@ -270,13 +287,13 @@ def _vanishes_nowhere(cone: _Cone) -> bool:
 
 
 def _used(cone: _Cone) -> list[int]:
-    """The coordinates that occur."""
+    """Return the coordinates that occur."""
     degrees = [q.degrees() for q in (cone.target, *cone.conditions)]
     return [i for i, powers in enumerate(zip(*degrees, strict=True)) if max(powers) > 0]
 
 
 def _parts(cone: _Cone) -> list[_Cone]:
-    """One cone for each order of the coordinates by size: each is the last one and a rest."""
+    """Return one cone for each order of the coordinates: each is the previous one plus a rest."""
     polys = (cone.target, *cone.conditions)
     gens = cone.target.context().gens()
     found = []

@@ -1,8 +1,9 @@
-"""The sign of a polynomial on a semialgebraic set, by one point in every open cell.
+"""Prove the sign of a polynomial on a semialgebraic set, by one point in every open cell.
 
-The cells are those of an open cylindrical decomposition (see places/cells.py) by the polynomial and
-the conditions: on each the sign of all of them is constant, and what they leave out is nothing but
-limits of their points (McCallum 1993; Strzeboński 2000). No floating point takes part.
+The cells are those of an open cylindrical decomposition by the polynomial and the conditions (see
+:mod:`tresym.reals.domain.cylindrical_decomposition`). On each cell every one of these polynomials
+has constant sign, and every point outside the cells is a limit of points of cells (McCallum 1993;
+Strzeboński 2000). All arithmetic is exact.
 """
 
 from __future__ import annotations
@@ -32,14 +33,14 @@ MAX_VARIABLES = 4
 MAX_CELLS = 3000
 STARTS = 8
 SMALLEST = fmpq(1, 2**30)
-"""A constant by which a difference may be above 0."""
+"""The smallest positive constant that is tried as a lower bound of a difference."""
 
 
 Terms = Mapping[Monomial, fmpq]
 
 
 class Cells(NamedTuple):
-    """How many open cells there are in the region, and a point of one on which the claim fails."""
+    """Hold the number of open cells in the region and a point where the claim fails, if any."""
 
     number: int
     against: tuple[tuple[str, fmpq], ...] | None
@@ -48,13 +49,26 @@ class Cells(NamedTuple):
 def sign_of_polynomial(
     difference: Expr, relation: str, region: Given, ask: Ask | None = None
 ) -> str | None:
-    """Cells: a polynomial is not negative at one rational point of every open cell.
+    """Cells: a polynomial is not negative if it is not negative at one rational point of each open
+    cell.
 
-    The cells are those of a cylindrical decomposition by the polynomial and the conditions. It is
-    complete for ``>=``; for ``>``, the difference less a constant is looked at.
+    The cells come from a cylindrical decomposition by the polynomial and the conditions. The method
+    is complete for ``>=``. For ``>``, it proves that the difference minus a positive constant is
+    not negative.
 
-    Decides ``x**2*y**2*(x**2 + y**2 - 1) >= -1/27``. Ends at five variables, at
-    projections of high degree, and for ``>`` where the difference comes as near to 0 as one likes.
+    Decides ``x**2*y**2*(x**2 + y**2 - 1) >= -1/27``.
+
+    Limits: at most four variables and projections of low degree are allowed, and for ``>`` the
+    difference must stay away from 0.
+
+    Args:
+        difference: the expression that is compared with zero.
+        relation: ``">"``, ``">="`` or ``"!="``.
+        region: the conditions.
+        ask: not used; every method has the same signature.
+
+    Returns:
+        A sentence that states the proof, or None.
     """
     if relation == "!=" or not 0 < len(symbols(difference)) <= MAX_VARIABLES:
         return None
@@ -76,7 +90,7 @@ def sign_of_polynomial(
 
 
 def _least(difference: Expr, region: Given) -> fmpq | None:
-    """A positive number below the smallest value that is found."""
+    """Return a positive number below the smallest value that a local search finds, or None."""
     names = sorted(symbols(difference) | region.names)
     with ball_precision():
         values = (
@@ -89,10 +103,17 @@ def _least(difference: Expr, region: Given) -> fmpq | None:
 
 @lru_cache(maxsize=REMEMBERED)
 def cells(difference: Expr, region: Given) -> Cells | None:
-    """The open cells of the region; None where the difference is no quotient of polynomials.
+    """Return the open cells of the region.
+
+    Args:
+        difference: the expression whose sign is sought.
+        region: the conditions.
+
+    Returns:
+        The cells; None if the difference is not a quotient of polynomials.
 
     Raises:
-        TooLargeError: there are more than we look at.
+        TooLargeError: there are more than :data:`MAX_CELLS` cells.
     """
     names = symbols(difference)
     known = [
@@ -120,7 +141,9 @@ def cells(difference: Expr, region: Given) -> Cells | None:
     for point in sample_points(polynomials, ring, wanted):
         count += 1
         if count > MAX_CELLS:
-            raise TooLargeError("the cells are too many to look into")
+            raise TooLargeError(
+                f"the decomposition has more than {MAX_CELLS} cells, which is the limit"
+            )
         at = dict(zip(order, point, strict=True))
         if _value(target, at) < 0:
             return Cells(count, tuple(sorted(at.items())))
@@ -128,7 +151,7 @@ def cells(difference: Expr, region: Given) -> Cells | None:
 
 
 def _terms(e: Expr) -> Terms | None:
-    """A polynomial of the same sign, wherever ``e`` is defined; None where there is none."""
+    """Return a polynomial with the sign of ``e`` wherever ``e`` is defined, or None."""
     try:
         field = Field(Given())
         (value,) = field.normal(e)

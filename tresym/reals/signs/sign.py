@@ -1,11 +1,17 @@
 """Prove the sign of an expression: the methods in one list, cheapest first.
 
-A method is a function of a difference, a relation to zero and the conditions, and gives a sentence
-that proves the relation where the conditions hold inside, and at limits from there; or None. Only
-the first shows it at every single point, and is asked first; the others count where the conditions
-are shown to have no other points.
+:func:`sign` and :func:`proof` are the entry points. A method in :data:`METHODS` takes a difference,
+a relation to zero and the conditions. It returns a sentence that proves the relation in the
+interior
+of the conditions and, by continuity, at the limits of interior points; or it returns None.
 
-What claims of the ledger need is shown by few of them: its judge does without the others.
+Only the first method also proves the relation at isolated points of the conditions, so it is tried
+first. The results of the others count only where the conditions are shown to have no isolated
+points
+(see :mod:`tresym.reals.signs.closure`).
+
+The claims of the ledger need only the few methods in :data:`FEW`, so that the trusted code of the
+ledger does not include the others.
 """
 
 from __future__ import annotations
@@ -44,23 +50,26 @@ METHODS: tuple[Callable[..., str | None], ...] = (
     by_cases,
     by_equivalents,
 )
-"""Every method, cheapest first. Each says what it does, an example, and where it ends."""
+"""Every method, cheapest first. Each docstring states the method, an example and its limits."""
 DIRECT = METHODS[:6]
-"""Those that look at a difference as it stands."""
+"""The methods that work on a difference without splitting cases or transforming it."""
 FEW = (by_signs_of_parts, sign_by_concavity, sign_by_taylor)
-"""Those of them that claims of the ledger need."""
+"""The direct methods that claims of the ledger need."""
 Prover = Callable[[Expr, str, Given], str | None]
-"""What :func:`proof` does."""
+"""A function with the signature of :func:`proof`, without the number of cases."""
 
 
 def proof(difference: Expr, relation: str, given: Given, cases: int = MAX_CASES) -> str | None:
-    """A sentence that proves ``difference relation 0`` inside ``given`` and at limits from there.
+    """Prove ``difference relation 0`` in the interior of ``given`` and at limits of its points.
 
     Args:
-        difference: what is compared with zero.
+        difference: the expression that is compared with zero.
         relation: ``">"``, ``">="`` or ``"!="``.
         given: the conditions.
-        cases: how many absolute values may be taken apart, one in the other.
+        cases: how many nested absolute values may be split by the sign of their arguments.
+
+    Returns:
+        A sentence that states the proof, or None if no method succeeds.
     """
     (difference,) = generalised(difference)
     found = directly(difference, relation, given)
@@ -70,28 +79,40 @@ def proof(difference: Expr, relation: str, given: Given, cases: int = MAX_CASES)
 
 
 def directly(difference: Expr, relation: str, given: Given) -> str | None:
-    """As :func:`proof`, of the difference as it stands."""
+    """Prove the relation as :func:`proof` does, without splitting cases or transforming it."""
     found = (method(difference, relation, given) for method in DIRECT)
     return next((sentence for sentence in found if sentence is not None), None)
 
 
 def proof_for_ledger(difference: Expr, relation: str, given: Given) -> str | None:
-    """As :func:`proof`, by the methods that the claims of the ledger need."""
+    """Prove the relation as :func:`proof` does, with only the methods that ledger claims need."""
     found = _by_few(difference, relation, given)
     return by_equivalents(difference, relation, given, _by_few) if found is None else found
 
 
 def _by_few(difference: Expr, relation: str, given: Given) -> str | None:
+    """Try the methods in :data:`FEW`."""
     found = (method(difference, relation, given) for method in FEW)
     return next((sentence for sentence in found if sentence is not None), None)
 
 
 def sign(e: Expr, given: Given, wanted: str | None = None, dear: bool = True) -> str | None:
-    """The proven sign of ``e`` at every point where ``given`` holds and ``e`` is defined.
+    """Return the proven sign of ``e`` at every point where ``given`` holds and ``e`` is defined.
 
     Args:
-        wanted: as of :func:`sign_by`.
-        dear: whether all methods may be tried, and not those alone that show every single point.
+        e: the expression.
+        given: the conditions.
+        wanted: the relation that the caller needs, as for :func:`sign_by`.
+        dear: whether all methods may be tried. If false, only the cheap methods are used.
+
+    Returns:
+        As for :func:`sign_by`.
+
+    Example:
+        >>> from tresym.reals.domain.conditions import Given
+        >>> from tresym.reals.language.expression import ONE, symbol
+        >>> sign(symbol("x") ** 2 + ONE, Given())
+        '+'
     """
     return sign_by(e, given, wanted, proof if dear else None)
 
@@ -100,16 +121,19 @@ def sign(e: Expr, given: Given, wanted: str | None = None, dear: bool = True) ->
 def sign_by(
     e: Expr, given: Given, wanted: str | None = None, prover: Prover | None = None
 ) -> str | None:
-    """As :func:`sign`, with dear methods of one's choice.
+    """Return the proven sign of ``e``, with the expensive methods that the caller chooses.
 
     Args:
-        wanted: a relation of ``e`` to zero, ``> >= < <= !=``. Dear methods are tried for its sake
-            alone, and none once it is proved.
-        prover: the dear methods, of which none may be tried.
+        e: the expression.
+        given: the conditions.
+        wanted: a relation of ``e`` to zero: ``> >= < <= !=``. The expensive methods are tried only
+            for
+            this relation, and not at all once it is proved. None means that no relation is sought.
+        prover: the expensive methods, such as :func:`proof`; None for none.
 
     Returns:
-        ``"+"``, ``"-"``, ``"0"``, ``">=0"``, ``"<=0"``, or None where nothing is proved; ``"!="``
-        where that is wanted, and no more is proved.
+        ``"+"``, ``"-"``, ``"0"``, ``">=0"`` or ``"<=0"``; ``"!="`` if that was wanted and nothing
+        stronger is proved; None if nothing is proved.
     """
     (e,) = generalised(e)
     if wanted in ("<", "<="):
@@ -130,7 +154,7 @@ def sign_by(
     if prover is None or wanted is None or found in (*enough, "+", "-", "0"):
         return found
     if jumps((e,), given):
-        return found  # a proof of almost all points says nothing of those where it jumps
+        return found  # the methods prove almost all points, which says nothing about points of jump
     for up, side in (("+", e), ("-", -e))[: 1 + (wanted == "!=")]:
         if prover(side, wanted.replace("!=", ">"), given) is not None:
             return ">=0" if wanted == ">=" else up

@@ -1,9 +1,9 @@
-"""Signs at every single point, from the signs and ranges of subexpressions.
+"""Prove signs at every single point, from the signs and ranges of subexpressions.
 
-A sum is taken as a polynomial in its atoms (symbols, sines, roots, exponentials, …), each with its
-range; a Möbius map takes every range to [0, ∞], and a polynomial without negative coefficients that
-keeps a term at each closed corner is positive. Where that is not enough, it is taken apart into
-factors, or into multiples of conditions and a rest.
+A sum is written as a polynomial in its atoms (symbols, sines, roots, exponentials, …), each with
+its range. A Möbius map takes every range to [0, ∞]. A polynomial without negative coefficients is
+not negative there, and it is positive if it keeps a term at each closed corner. Where this is not
+enough, the polynomial is factored, or written as multiples of conditions plus a rest.
 """
 
 from __future__ import annotations
@@ -35,20 +35,20 @@ MAX_ATOMS = 8
 MAX_TERMS = 200
 MAX_FACTS = 16
 MAX_SPLIT = 24
-"""Terms of a sum from which conditions are taken out."""
+"""The maximal number of terms of a sum from which conditions are subtracted."""
 MAX_TRIALS = 100
-"""Multiples of conditions that are tried for one question."""
+"""The maximal number of multiples of conditions tried for one expression."""
 MAX_LOOKS = 160
-"""Polynomials that are looked at for one question, all parts of it together."""
+"""The maximal number of polynomials examined for one expression, including its parts."""
 DEPTH = 2
-"""At most this many conditions are taken out of a sum."""
+"""The maximal number of conditions subtracted from a sum."""
 
 WEAK = ("+", ">=0", "0")
 FLIP = {"+": "-", "-": "+", ">=0": "<=0", "<=0": ">=0", "0": "0", None: None}
 _ODD_INCREASING = frozenset(("sinh", "tanh", "asinh", "atanh", "atan", "asin", "cbrt", "sign"))
 _ODD = _ODD_INCREASING | {"coth", "csch"}
 _RISING = frozenset(("sin", "exp", "log", "root", *_ODD_INCREASING)) - {"sign"}
-"""Functions that rise strictly; the sine between quarter turns."""
+"""Strictly increasing functions; the sine is so on [−π/2, π/2]."""
 _POSITIVE = frozenset(("exp", "cosh", "sech"))
 _RANGES = {
     "sin": Interval(fmpq(-1), fmpq(1)),
@@ -65,14 +65,14 @@ _RANGES = {
 
 
 Taken = tuple[tuple[Poly, Poly, int], ...]
-"""Conditions that are taken out of a polynomial one by one: c, m, and which."""
+"""Conditions subtracted from a polynomial one by one: c, m, and the index of the condition."""
 
 
 class Parts:
-    """Signs under one set of conditions, remembered."""
+    """Prove signs under one set of conditions, and cache them."""
 
     def __init__(self, given: Given) -> None:
-        """Nothing is known but the conditions."""
+        """Start with the conditions as the only known facts."""
         self.given = given
         self.atoms = Atoms()
         self._signs: dict[Expr, str | None] = {}
@@ -84,11 +84,15 @@ class Parts:
         self._trials, self._looks, self._depth = 0, 0, DEPTH
 
     def sign(self, e: Expr) -> str | None:
-        """The proven sign of ``e`` wherever the conditions hold and ``e`` is defined."""
+        """Return the proven sign of ``e`` wherever the conditions hold and ``e`` is defined.
+
+        Returns:
+            ``"+"``, ``"-"``, ``"0"``, ``">=0"``, ``"<=0"``, or None if nothing is proved.
+        """
         if e in self._signs:
             return self._signs[e]
         if e in self._asked:
-            self._cut = True  # what is answered meanwhile is not all that can be said
+            self._cut = True  # answers found meanwhile may be incomplete and are not cached
             return None
         self._asked.add(e)
         before, self._cut = self._cut, False
@@ -100,7 +104,7 @@ class Parts:
         return found
 
     def nonzero(self, e: Expr) -> bool:
-        """Whether ``e`` is shown to vanish nowhere."""
+        """Return whether ``e`` is shown to vanish nowhere."""
         if self.sign(e) in ("+", "-"):
             return True
         if e.op == "*":
@@ -110,7 +114,9 @@ class Parts:
         return self._by_conditions(e)
 
     def _by_conditions(self, e: Expr) -> bool:
-        """Whether every factor of ``e`` is one that a condition keeps from zero."""
+        """Return whether every factor of ``e`` divides an expression that a condition keeps from
+        zero.
+        """
         strict = [c.expression for c in self.given.conditions if c.relation in (">", "!=")]
         try:
             value = self.atoms.of(e).num
@@ -137,7 +143,7 @@ class Parts:
         return found if found in ("+", "-", "0") else stated or found
 
     def _stated(self, e: Expr) -> str | None:
-        """What conditions say as they stand."""
+        """Return the sign that a condition states directly."""
         found = None
         for condition in self.given.conditions:
             if condition.relation != "!=" and condition.expression in (e, -e):
@@ -214,7 +220,7 @@ class Parts:
         return self._algebraic(e)
 
     def _in_half_turn(self, e: Expr) -> str | None:
-        """Where the angle is between two neighbouring zeros of the sine or cosine."""
+        """Return the sign of a sine or cosine whose angle lies between two neighbouring zeros."""
         (angle,) = e.args
         if not symbols(angle) & self.given.names:
             return None
@@ -230,7 +236,7 @@ class Parts:
     # -- ranges of atoms ------------------------------------------------------------------------
 
     def span(self, e: Expr) -> Interval:
-        """A range that contains the values of an atom."""
+        """Return an interval that contains all values of an atom."""
         if e.op == "symbol":
             return self.given.box.get(e.args[0], REALS)
         if not symbols(e):
@@ -242,7 +248,9 @@ class Parts:
         return _RANGES.get(e.op, REALS) & self._span_by_sign(e)
 
     def _span_by_sign(self, e: Expr) -> Interval:
-        """Above or below 0; and 1, for an exponential or a root."""
+        """Return the range given by the sign of ``e`` and, for an exponential or root, of ``e −
+        1``.
+        """
         found, above_one = self.sign(e), None
         if e.op == "exp":
             above_one = self.sign(e.args[0])
@@ -253,11 +261,11 @@ class Parts:
     # -- polynomials in atoms -------------------------------------------------------------------
 
     def _algebraic(self, e: Expr) -> str | None:
-        """The sign of a sum or product as a fraction of polynomials in atoms."""
+        """Return the sign of a sum or product as a fraction of polynomials in atoms."""
         depth = self._depth
         if depth == DEPTH:
             self._trials = self._looks = 0
-        self._depth = max(0, depth - 1)  # of what is asked on the way, of ranges of atoms
+        self._depth = max(0, depth - 1)  # for the ranges of atoms that are needed on the way
         try:
             return self._fraction(self.atoms.of(e), depth)
         except (TooLargeError, UndefinedError):
@@ -266,7 +274,7 @@ class Parts:
             self._depth = depth
 
     def _fraction(self, value: Fraction, depth: int) -> str | None:
-        """The sign of a fraction, whose denominator is not zero; or with conditions taken out."""
+        """Return the sign of a fraction with nonzero denominator, using conditions if depth > 0."""
         below, above = (self._polynomial(p) for p in (value.den, value.num))
         if below is None or below == "0":
             return None
@@ -283,9 +291,10 @@ class Parts:
         return best
 
     def _less(self, p: Poly, taken: Taken) -> str | None:
-        """The sign of ``p``, or that it is not negative, from that of what is left of it.
+        """Return ``"+"`` or ``">=0"`` for ``p``, from the sign of the rest after subtracting
+        conditions.
 
-        Again and again ``c·p`` is ``m·f`` and a rest, with c > 0 and m ≥ 0 for a known f.
+        Each step replaces p by c·p − m·f, where f > 0 or f ≥ 0 is a known fact, c > 0 and m ≥ 0.
         """
         strict = False
         for scale, multiple, n in taken:
@@ -295,11 +304,11 @@ class Parts:
                 return None
             p = p * scale - multiple * fact
             strict = strict or (is_strict and room == "+")
-        found = self._polynomial(p, roots=False)  # conjugates take conditions out by themselves
+        found = self._polynomial(p, roots=False)  # conjugates subtract conditions by themselves
         return None if found not in WEAK else "+" if strict or found == "+" else ">=0"
 
     def _ways(self, p: Poly, den: Poly, depth: int) -> Iterator[Taken]:
-        """Conditions that may be taken out of ``p/den``, by which a term goes."""
+        """Yield conditions whose multiples may be subtracted from ``p/den`` to cancel a term."""
         if self._trials >= MAX_TRIALS or max(p.total_degree(), den.total_degree()) > MAX_DEGREE:
             return
         steps: list[tuple[Poly, Poly, int]] = []
@@ -325,7 +334,7 @@ class Parts:
                 yield ((scale, multiple, n), *more)
 
     def _multiples(self, p: Poly, fact: Poly) -> Iterator[tuple[Poly, Poly]]:
-        """c and m, by which ``c·p − m·fact`` has lost a term of ``p`` that may be negative."""
+        """Yield c and m such that ``c·p − m·fact`` lacks a term of ``p`` that may be negative."""
         for monomial, value in list(p.terms()):
             if value > 0 and self._on_box(p.context().from_dict({monomial: 1})) in WEAK:
                 continue
@@ -337,7 +346,7 @@ class Parts:
                         yield p.context().constant(abs(known)), m
 
     def _polynomial(self, p: Poly, roots: bool = True) -> str | None:
-        """The sign of a polynomial in atoms, by their ranges and its factors; or by conjugates."""
+        """Return the sign of a polynomial in atoms by their ranges, its factors, or conjugates."""
         if p.is_constant():
             return "0" if p.is_zero() else "+" if p.leading_coefficient() > 0 else "-"
         self._looks += 1
@@ -353,7 +362,7 @@ class Parts:
         return best or self._at_ends(p) or (self._by_conjugate(p) if roots else None)
 
     def _by_conjugate(self, p: Poly) -> str | None:
-        """The sign of ``u + v·g`` with a square root g ≥ 0, from that of ``u² − v²·g²``."""
+        """Return the sign of ``u + v·g``, g ≥ 0 a square root, from that of ``u² − v²·g²``."""
         for i in self.atoms.used(p):
             generator = self.atoms.at(i)
             if generator.kind != "root" or generator.data[2] != 2 or p.degrees()[i] != 1:
@@ -368,7 +377,7 @@ class Parts:
         return None
 
     def _at_ends(self, p: Poly) -> str | None:
-        """The sign of what is linear in the square of a sine or cosine, which is 0 to 1."""
+        """Return the sign of a polynomial that is linear in a squared sine or cosine."""
         for i in self.atoms.used(p):
             if self.atoms.at(i).kind in ("sin", "cos") and p.degrees()[i] == 2:
                 parts = self.atoms.split(p, i)
@@ -392,7 +401,7 @@ class Parts:
             return None
         spans = [self.span(self.atoms.expression(i)) for i in used]
         known = self._boxes.setdefault(str(p), [])
-        for others, found in known:  # what is known of ranges grows meanwhile
+        for others, found in known:  # the known ranges may have become narrower meanwhile
             if others == spans:
                 return found
         found = sign_on_box(project(p, used), spans)
@@ -414,7 +423,9 @@ class Parts:
         return total
 
     def _known_part(self, p: Poly) -> str | None:
-        """The sign of a condition, of two values that rise, or of what is below a quarter turn."""
+        """Return the sign of a condition, of a difference of two values of an increasing function,
+        or of an angle bounded by a quarter or half turn.
+        """
         for fact, strict, _ in self.facts:
             if fact in (p, -p):
                 room = "+" if strict else ">=0"
@@ -447,7 +458,10 @@ class Parts:
 
     @property
     def known(self) -> list[tuple[Fraction, bool]]:
-        """What conditions, but rational bounds of one symbol, keep from being negative, or zero."""
+        """Return what the conditions keep nonnegative, and whether strictly.
+
+        Rational bounds of a single symbol are omitted, since ranges take them into account.
+        """
         if self._known is None:
             self._known = []
             everything = dict.fromkeys((*self.given.beyond_box, *self.given.conditions))
@@ -461,7 +475,7 @@ class Parts:
 
     @property
     def facts(self) -> list[tuple[Poly, bool, Poly]]:
-        """The same, of polynomials; and the denominators, which are positive."""
+        """Return the same as polynomials, with their denominators, which are positive."""
         if self._facts is None:
             self._facts = []
             found = []
@@ -483,7 +497,7 @@ def _constant_sign(e: Expr) -> str | None:
 
 
 def _constant_span(e: Expr) -> Interval:
-    """Rational ends of the ball of a constant."""
+    """Return rational ends of the ball of a constant."""
     with ball_precision():
         value = evaluate(e, {})
         low, high = rational_ends(value)[:2]
@@ -501,14 +515,14 @@ def _span_sign(span: Interval) -> str | None:
 
 
 def _beside(end: fmpq, found: str | None) -> Interval:
-    """The values above or below a number from which their distance has a sign."""
+    """Return the values above or below ``end``, by the sign of their difference from it."""
     if found in ("+", ">=0"):
         return Interval(end, None, found == "+")
     return Interval(None, end, False, found == "-") if found in ("-", "<=0") else REALS
 
 
 def _absolute(span: Interval, nonzero: bool) -> Interval:
-    """The range of the absolute value of what has a range."""
+    """Return the range of the absolute value of an expression with a given range."""
     if span.low is not None and span.low >= 0:
         return span
     if span.high is not None and span.high <= 0:
@@ -522,7 +536,7 @@ def _absolute(span: Interval, nonzero: bool) -> Interval:
 
 
 def _times(x: str, y: str) -> str:
-    """The sign of a product."""
+    """Return the sign of a product."""
     if "0" in (x, y):
         return "0"
     negative = (x in ("-", "<=0")) != (y in ("-", "<=0"))

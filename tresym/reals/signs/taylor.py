@@ -1,10 +1,10 @@
-"""The sign of a difference by Taylor's theorem about one point.
+"""Prove the sign of a difference by Taylor's theorem about one point.
 
-On a segment from c to x, d(x) = Σ_{j<k} d⁽ʲ⁾(c) (x−c)ʲ/j! + d⁽ᵏ⁾(ξ) (x−c)ᵏ/k!. Where all terms have
-one sign, d has it. The other symbols are parameters, and c may depend on them: it is an end of the
-range, 0, 1, another symbol, or where the derivative vanishes. A term that holds parameters may have
-its sign by another expansion, so that a corner is left along one edge after the other. No floating
-point takes part.
+On a segment from c to x, d(x) = Σ_{j<k} d⁽ʲ⁾(c) (x−c)ʲ/j! + d⁽ᵏ⁾(ξ) (x−c)ᵏ/k!. If all terms have
+one sign, d has it too. The other symbols are parameters, and c may depend on them: it is an end of
+the range, 0, 1, another symbol, or a zero of the derivative. The sign of a term that contains
+parameters may itself be proved by another expansion, so that a corner of the region is treated one
+edge after the other. All arithmetic is exact.
 """
 
 from __future__ import annotations
@@ -43,12 +43,24 @@ MAX_LOOKS = 12
 def sign_by_taylor(
     difference: Expr, relation: str, region: Given, ask: Ask | None = None
 ) -> str | None:
-    """Taylor's theorem: all terms about one point, the remainder with them, have the sign claimed.
+    """Taylor's theorem: all terms of an expansion about one point, and the remainder, have the
+    claimed sign.
 
-    The point is an end, 0, 1, another variable, or where the derivative vanishes. It settles
-    unbounded regions and parameters.
+    The point is an end of the range, 0, 1, another variable, or a zero of the derivative. The
+    method handles unbounded regions and parameters.
 
-    Decides ``exp(x) >= 1 + x``. Ends where the sign of no derivative up to the fifth is seen.
+    Decides ``exp(x) >= 1 + x``.
+
+    Limits: it fails if no derivative up to the fifth has a provable sign.
+
+    Args:
+        difference: the expression that is compared with zero.
+        relation: ``">"``, ``">="`` or ``"!="``.
+        region: the conditions.
+        ask: not used; every method has the same signature.
+
+    Returns:
+        A sentence that states the proof, or None.
     """
     for name in sorted(symbols(difference)):
         ranges = _without_beyond(region, name)
@@ -63,14 +75,16 @@ def sign_by_taylor(
 
 
 def _without_beyond(region: Given, name: str) -> Given:
-    """``region`` less the conditions on the variable that are no ranges: it may not be convex."""
+    """Return ``region`` without conditions on the variable other than bounds: it is then convex in
+    it.
+    """
     beyond = [c for c in region.beyond_box if name in symbols(c.expression)]
     pairs = zip(region.comparisons, region.conditions, strict=True)
     return Given(tuple(comparison for comparison, c in pairs if c not in beyond))
 
 
 def opened(region: Given, name: str) -> Given:
-    """``region`` with strict bounds on the variable, as they hold inside every segment."""
+    """Return ``region`` with strict bounds on the variable, as they hold inside every segment."""
     opened = [
         (left, sign_.replace("=", "") if name in symbols(left) | symbols(right) else sign_, right)
         for left, sign_, right in region.comparisons
@@ -79,7 +93,7 @@ def opened(region: Given, name: str) -> Given:
 
 
 def _bases(difference: Expr, name: str, where: Range, inside: Given) -> list[Expr]:
-    """Points about which to expand, that may or may not lie in the range."""
+    """Return candidate points of expansion, whether or not they lie in the range."""
     found = [number(c) for c in (where.low, where.high) if c is not None and c.q < 2**64]
     found += [ZERO, ONE, *map(symbol, sorted(symbols(difference) - {name}))]
     slope = differentiate(difference, name)
@@ -88,7 +102,7 @@ def _bases(difference: Expr, name: str, where: Range, inside: Given) -> list[Exp
 
 
 def _within(region: Given, name: str, c: Expr, inside: Given) -> bool:
-    """Whether ``c`` is defined and satisfies the bounds of the variable, with equality allowed."""
+    """Return whether ``c`` is defined and satisfies the bounds, equality included."""
     at = {name: c}
     defined = all(
         sign(part, inside) in (("+",) if positive else ("+", "-"))
@@ -102,7 +116,7 @@ def _within(region: Given, name: str, c: Expr, inside: Given) -> bool:
 
 
 def _smooth(e: Expr, name: str, c: Expr, inside: Given) -> bool:
-    """Whether ``e`` is analytic in the variable on every segment from ``c``, ``c`` included."""
+    """Return whether ``e`` is analytic in the variable on every segment from ``c``."""
     at = {name: c}
     for part, _ in singularities(e):
         if sign(part, inside) not in ("+", "-"):
@@ -115,7 +129,7 @@ def _smooth(e: Expr, name: str, c: Expr, inside: Given) -> bool:
 def _expansion(
     difference: Expr, relation: str, name: str, c: Expr, region: Given, inside: Given
 ) -> str | None:
-    """Raise the order until every term has the sign that is claimed."""
+    """Raise the order of the expansion until every term has the sign that is claimed."""
     beside = sign(symbol(name) - c, region)
     sides = [1] * (beside not in ("-", "<=0")) + [-1] * (beside not in ("+", ">=0"))
     apart = sign((symbol(name) - c) ** 2, region) == "+"
@@ -142,18 +156,18 @@ def _expansion(
         if last is None:
             continue
         if all(_has_sign([*terms, last], side, relation, apart) for side in sides):
-            # what is left of an edge may have its sign by another expansion
+            # the signs assumed on an edge may be proved by another expansion
             if not all(sign_by_taylor(e, ">=", inside) for e in assumed):
                 return None
             return (
-                f"about {name} = {c} the terms below order {order} and the "
-                f"derivative of order {order} have the sign that is claimed"
+                f"in the expansion about {name} = {c}, the terms below order {order} and the "
+                f"derivative of order {order} have the claimed sign"
             )
     return None
 
 
 def _seen(e: Expr, inside: Given) -> set[int]:
-    """The signs that are seen at points inside: of two, none need be looked for."""
+    """Return the signs of ``e`` at sample points; if both occur, no sign needs to be proved."""
     if not symbols(e):
         return set()
     with ball_precision():
@@ -167,10 +181,10 @@ def _points(inside: Given, names: frozenset[str]) -> list[dict[str, fmpq]]:
 
 
 def _has_sign(terms: list[str | None], side: int, relation: str, apart: bool) -> bool:
-    """Whether the terms, on this side of c, add up to ``relation`` zero."""
+    """Return whether the terms, on this side of c, add up to ``relation`` zero."""
     signs = [FLIP[term] if side < 0 and j % 2 else term for j, term in enumerate(terms)]
     if not all(term in WEAK for term in signs):
         return False
     if relation == ">=" or signs[0] == "+":
         return True
-    return apart and "+" in signs  # off c one positive term is enough
+    return apart and "+" in signs  # away from c one positive term is enough

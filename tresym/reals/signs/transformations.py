@@ -1,6 +1,7 @@
-"""Equivalent transformations of an inequality into simpler ones.
+"""Transform an inequality into an equivalent simpler one.
 
-How they are found does not matter: :func:`holds` checks that one implies the other.
+The functions that find transformations are not trusted: :func:`holds` checks for each one that the
+simpler inequality implies the original.
 """
 
 from __future__ import annotations
@@ -41,13 +42,15 @@ MAX_EXPONENT = 100
 
 
 class Link(NamedTuple):
-    """Two inequalities, one easier than the other.
+    """Relate two inequalities, one of which is easier.
 
     Attributes:
-        hard: what is asked for, under ``given``.
-        easy: what implies it, under ``where``.
-        scale: by which both are related, see :func:`holds`.
-        words: what was done.
+        hard: the left side of the inequality ``hard relation 0`` that is sought, under ``given``.
+        given: the conditions of the inequality that is sought.
+        easy: the left side of an inequality that implies it, under ``where``.
+        where: the conditions of the easier inequality.
+        scale: the factor or substitution that relates them, see :func:`holds`.
+        words: what was done, for the proof.
     """
 
     hard: Expr
@@ -59,13 +62,24 @@ class Link(NamedTuple):
 
 
 def by_equivalents(difference: Expr, relation: str, given: Given, ask: Ask) -> str | None:
-    """Equivalents: an inequality that implies this one is proved by the methods before.
+    """Equivalents: the claim is transformed into an equivalent inequality that another method
+    proves.
 
-    Factors of known sign are divided out, ``x**2`` is made the variable, logarithms or
-    exponentials are taken of both sides.
+    Factors of known sign are divided out, ``x**2`` becomes the variable, or logarithms or
+    exponentials of both sides are taken.
 
-    Decides ``x**x >= exp(-1/E) given x > 0``. Ends after one such step, or two with a power
-    for the variable.
+    Decides ``x**x >= exp(-1/E) given x > 0``.
+
+    Limits: one such step is tried, or two if one of them makes a power the variable.
+
+    Args:
+        difference: the expression that is compared with zero.
+        relation: ``">"``, ``">="`` or ``"!="``.
+        given: the conditions.
+        ask: the prover for the transformed inequality.
+
+    Returns:
+        A sentence that states the proof, or None.
     """
     for links in equivalents(difference, relation, given):
         found = ask(links[-1].easy, relation, links[-1].where)
@@ -75,10 +89,11 @@ def by_equivalents(difference: Expr, relation: str, given: Given, ask: Ask) -> s
 
 
 def holds(link: Link, relation: str) -> bool:
-    """Whether ``hard relation 0`` follows from ``easy relation 0``, wherever hard is defined.
+    """Return whether ``hard relation 0`` follows from ``easy relation 0`` wherever hard is defined.
 
-    By a scale s > 0 with hard = s·(exp(easy) − 1) or easy = s·(exp(hard) − 1); by hard/easy ≥ 0
-    for ``>=`` where there is none; or easy is hard with a variable put in for a power of it.
+    There are three kinds of links. With a scale s > 0, hard = s·(exp(easy) − 1) or easy =
+    s·(exp(hard) − 1). With no scale and ``>=``, hard/easy ≥ 0. With a dict as scale, substituting
+    its values for the variables of easy gives hard.
     """
     hard, given, easy, where, scale, _ = link
     if isinstance(scale, dict):
@@ -100,26 +115,26 @@ def holds(link: Link, relation: str) -> bool:
 
 
 def _are_defined(e: Expr, before: Expr, given: Given) -> bool:
-    """Whether ``e`` is defined wherever ``before`` is."""
+    """Return whether ``e`` is defined wherever ``before`` is."""
     known = needs((before,))
     return all(part in known or sign(part[0], given) in PROVING[part[1]] for part in needs((e,)))
 
 
 def equivalents(difference: Expr, relation: str, region: Given) -> Iterator[tuple[Link, ...]]:
-    """Links from the difference to easier ones."""
+    """Yield chains of links from the difference to easier ones."""
     ways: list[tuple[Link, ...]] = [()]
     for left, right in _sides(difference):
         easy = _logarithms(left, right, region)
         if easy is not None:
-            words = "of the logarithms of both sides, "
+            words = "after taking logarithms of both sides, "
             ways.append((Link(difference, region, easy, region, right, words),))
     sides = _exponentials(difference)
     if sides is not None:
-        easy, words = sides[0] - sides[1], "of the exponentials of both sides, "
+        easy, words = sides[0] - sides[1], "after taking exponentials of both sides, "
         ways.append((Link(difference, region, easy, region, sides[1], words),))
     for way in tuple(ways) if relation == ">=" else ():
         hard = way[-1].easy if way else difference
-        cleared, words = _cleared(hard, region), "cleared of factors of known sign, "
+        cleared, words = _cleared(hard, region), "after dividing by factors of known sign, "
         if cleared is not None:
             ways.append((*way, Link(hard, region, cleared, region, None, words)))
     for way in ways:
@@ -130,12 +145,12 @@ def equivalents(difference: Expr, relation: str, region: Given) -> Iterator[tupl
             evened = _in_powers(hard, name, region)
             if evened is not None:
                 easy, where, g = evened
-                words = f"{name} written for {name}**{g}, "
+                words = f"with {name} written for {name}**{g}, "
                 yield (*way, Link(hard, region, easy, where, {name: symbol(name) ** g}, words))
 
 
 def _sides(difference: Expr) -> Iterator[tuple[Expr, Expr]]:
-    """Two sides with this difference: one term, in which an exponential grows, and the rest."""
+    """Yield two sides with this difference: one term with an exponential, and the rest."""
     terms = difference.args if difference.op == "+" else (difference,)
     for n, term in enumerate(terms):
         if any(map(_is_exponential, _factors(term))):
@@ -155,14 +170,14 @@ def _is_exponential(e: Expr) -> bool:
 
 
 def _logarithms(left: Expr, right: Expr, region: Given) -> Expr | None:
-    """log left − log right, for two positive sides of which one has an exponential factor."""
+    """Return log left − log right for two sides that are proved positive, else None."""
     if any(sign(f, region) != "+" for side in (left, right) for f in _factors(side)):
         return None
     return _logarithm(left) - _logarithm(right)
 
 
 def _logarithm(e: Expr) -> Expr:
-    """log e, taken into its factors, which are positive."""
+    """Return log e as a sum over its factors, which are positive."""
     if e.op == "*":
         return add(*map(_logarithm, e.args))
     if e.op == "exp":
@@ -173,7 +188,7 @@ def _logarithm(e: Expr) -> Expr:
 
 
 def _cleared(difference: Expr, region: Given) -> Expr | None:
-    """The factors of the difference of which no sign is known, times the sign of the others."""
+    """Return the factors of unknown sign, times the sign of the others; None if it is not found."""
     try:
         field = Field(region)
         (value,) = field.normal(difference)
@@ -185,7 +200,7 @@ def _cleared(difference: Expr, region: Given) -> Expr | None:
 
 
 def _exponentials(difference: Expr) -> tuple[Expr, Expr] | None:
-    """Two products of powers, for a sum of multiples of logarithms and a constant."""
+    """Return the exponentials of both sides, for a sum of multiples of logarithms and constants."""
     sides: list[list[Expr]] = [[], []]
     stack = [(difference, ONE)]
     while stack:
@@ -207,10 +222,12 @@ def _exponentials(difference: Expr) -> tuple[Expr, Expr] | None:
 
 
 def _in_powers(difference: Expr, name: str, region: Given) -> tuple[Expr, Given, int] | None:
-    """The difference, its region and g, with the symbol written for its own g-th power, g > 1.
+    """Write a symbol for its own g-th power, where only powers divisible by g occur.
 
-    The symbol enters through powers that are multiples of g alone, and is bounded by numbers that
-    are not negative, or, for even g, not bounded.
+    The symbol must be bounded by nonnegative numbers or, for even g, may be unbounded.
+
+    Returns:
+        The difference, its region and g > 1; None if there is no such g.
     """
     exponents = set(_exponents(difference, name))
     g = reduce(gcd, exponents, 0)
@@ -234,7 +251,7 @@ def _in_powers(difference: Expr, name: str, region: Given) -> tuple[Expr, Given,
 
 
 def _exponents(e: Expr, name: str) -> Iterator[int]:
-    """The natural powers in which a symbol occurs; 1 for any other occurrence."""
+    """Yield the natural powers in which a symbol occurs; 1 for any other occurrence."""
     if e == symbol(name):
         yield 1
     elif e.op == "^" and e.args[0] == symbol(name) and e.args[1].op == "number":
@@ -246,7 +263,7 @@ def _exponents(e: Expr, name: str) -> Iterator[int]:
 
 
 def _lowered(e: Expr, name: str, g: int) -> Expr:
-    """``e`` with every power of the symbol divided by g."""
+    """Return ``e`` with every power of the symbol divided by g."""
     if name not in symbols(e):
         return e
     if e.op == "^" and e.args[0] == symbol(name) and e.args[1].op == "number":

@@ -1,8 +1,8 @@
-"""The article: the derivation in the paper's order, the corrections, and the ledger.
+"""Write the article: the derivation in the paper's order, the corrections, and the ledger.
 
-The words are those of article.tex beside this file. In it a line ``@claim LABEL`` stands for a
-statement with its chain, ``@says LABEL`` for the statement alone, ``@figure NAME | caption`` for a
-figure, and ``{{ name }}`` for a number of :mod:`tresym.report.pages.numbers`.
+The text is in article.tex beside this file. A line ``@claim LABEL`` in it is replaced by a
+statement with its derivation, ``@says LABEL`` by the statement alone, ``@figure NAME | caption`` by
+a figure, and ``{{ name }}`` by a number of :mod:`tresym.report.pages.numbers`.
 """
 
 from __future__ import annotations
@@ -35,17 +35,21 @@ from tresym.report.typesetting.statements import said
 from tresym.report.typesetting.titles import title
 
 _DIRECTIVE = re.compile(r"^@(\w+)(?: ((?:.+\n?)+?))?(?=\n@|\n\n|\n\Z|^@)", re.MULTILINE)
-"""A line that begins with @, to the next of its kind or the end of its paragraph."""
+"""A line that begins with @, up to the next such line or the end of its paragraph."""
 LONGEST_CHAIN = 16
-"""A chain of more lines stands in the ledger only."""
+"""Most lines of a derivation in the text; longer ones are shown in the ledger only."""
 SHORT = 24
-"""Letters of a formula that fit beside the words in the table of symbols."""
-QUOTED = "Theorems that are quoted"
+"""Width of a formula that fits beside the words in the table of symbols, in letters."""
+QUOTED = "Quoted theorems"
 SYMBOLS = "Notation"
 
 
 def article(report: Report) -> str:
-    """The whole article, with the statements, the figures and the ledger of a report."""
+    """Write the whole article in LaTeX.
+
+    Args:
+        report: verdicts on the ledger; statements of claims outside it are left out.
+    """
     rows = {row.claim.label: row for row in report.rows}
     parts: dict[str, Callable[[str], Iterator[str]]] = {
         "claim": lambda label: _claimed(rows, label, with_chain=True),
@@ -67,7 +71,7 @@ def article(report: Report) -> str:
 
 
 def figures_of() -> tuple[str, ...]:
-    """The names of the figures that the article shows, each a file ``figures/NAME.pdf``."""
+    """Return the names of the figures in the article; each is a file ``figures/NAME.pdf``."""
     return tuple(re.findall(r"^@figure ([\w-]+)", _words(), re.MULTILINE))
 
 
@@ -76,9 +80,9 @@ def _words() -> str:
 
 
 def _claimed(rows: dict[str, Row], label: str, with_chain: bool) -> Iterator[str]:
-    """A statement with place and verdict, its equation numbered, and its chain if that is short.
+    """A statement with place and verdict, its equation numbered, and its derivation if it is short.
 
-    Nothing where the report does not have it.
+    Nothing if the report does not contain the claim.
     """
     if label not in rows:
         return
@@ -109,7 +113,7 @@ def _figure(words: str) -> Iterator[str]:
 
 
 def _symbols(known: Collection[str]) -> Iterator[str]:
-    """The table of the symbols that have words, each with the claim that defines it."""
+    """The table of the symbols of the paper, each with the claim that defines it."""
     yield rf"\section{{{SYMBOLS}}}" + "\n"
     yield r"{\small\begin{longtable}{@{}l>{\raggedright}p{0.6\linewidth}l@{}}\toprule"
     named = {row.name: row for row in table_of_symbols() if row.words}
@@ -125,7 +129,7 @@ def _symbols(known: Collection[str]) -> Iterator[str]:
 
 def _corrected(rows: dict[str, Row]) -> Iterator[str]:
     yield r"\section{Corrections}\label{corrections}" + "\n"
-    yield "What the paper prints and does not hold, each finding once, the weightiest first.\n"
+    yield "Printed statements that do not hold, most important first, each listed once.\n"
     yield r"\begin{enumerate}\raggedright"
     for correction in corrections():
         if correction.labels[0] in rows:
@@ -134,14 +138,14 @@ def _corrected(rows: dict[str, Row]) -> Iterator[str]:
 
 
 def _correction(correction: Correction, rows: dict[str, Row]) -> Iterator[str]:
-    said_in = [rows[label].claim for label in correction.labels if label in rows]
-    claim = said_in[0]
-    names = ", ".join(reference(each, rows.keys()) for each in said_in)
+    refuted = [rows[label].claim for label in correction.labels if label in rows]
+    claim = refuted[0]
+    names = ", ".join(reference(each, rows.keys()) for each in refuted)
     yield rf"\item \textbf{{{prose(correction.title)}}} ({prose(place_text(claim))}; {names})."
     yield rf"Printed: “{prose(correction.quote)}”."
     why = correction.why or claim.note
     yield prose(why) if why else ""
-    own = [each for each in said_in if each is claim or not isinstance(each.proof, AllOf)]
+    own = [each for each in refuted if each is claim or not isinstance(each.proof, AllOf)]
     true = dict.fromkeys(each for wrong in own for each in wrong.amended_by)
     if true:
         listed = "; ".join(map(_instead, true))
@@ -149,7 +153,7 @@ def _correction(correction: Correction, rows: dict[str, Row]) -> Iterator[str]:
 
 
 def _instead(claim: Claim) -> str:
-    """What is true instead, in a line: its sentence, or its formula where that is short."""
+    """What is true instead, in one line: its sentence, or its formula if that is short."""
     found = said(claim)
     name = rf"\claim{{{claim.label}}}"
     if found.says:
@@ -159,20 +163,20 @@ def _instead(claim: Claim) -> str:
 
 
 def _quoted(report: Report) -> Iterator[str]:
-    """The theorems that are quoted, each with the claims that rest on it."""
+    """The theorems that are quoted without proof, each with the claims that depend on it."""
     yield rf"\section{{{QUOTED}}}\label{{quoted}}" + "\n"
     known = [row.claim.label for row in report.rows]
     for axiom, resting in report.axioms.items():
         names = ", ".join(reference(claim, known) for claim in resting)
         yield rf"\paragraph{{{prose(axiom.name)}}}\label{{{axiom_key(axiom)}}} {prose(axiom.says)}"
         yield rf"\fitted{{{axiom.formula}}}" if axiom.formula else ""
-        yield rf"{prose(axiom.source)}. {{\raggedright Claims that rest on it: {names}.\par}}"
+        yield rf"{prose(axiom.source)}. {{\raggedright Claims that depend on it: {names}.\par}}"
     if not report.axioms:
         yield "None."
 
 
 def _ledger(rows: dict[str, Row]) -> Iterator[str]:
-    """Every claim in the order of the proofs, with its chain."""
+    """Every claim in the order of the proofs, with its derivation."""
     for part, claims in sections():
         entries = [entry(rows[c.label], rows.keys()) for c in claims if c.label in rows]
         if entries:

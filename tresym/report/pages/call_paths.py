@@ -11,11 +11,11 @@ from typing import NamedTuple
 
 
 class Call(NamedTuple):
-    """A function on the path of a claim, what it does there, and how deep in calls it is."""
+    """A function on a call path, what it does there, and its depth in the calls."""
 
     depth: int
     file: str
-    """Below ``tresym/``, with dots and without its ending."""
+    """The module below ``tresym``, with dots."""
     function: str
     does: str
 
@@ -26,57 +26,55 @@ USER = (
     Call(
         2, "reals.decisions.time_limited", "check_within", "hands it to a process with a time limit"
     ),
-    Call(3, "reals.decisions.dispatch", "decide_claim", "decides part by part"),
+    Call(3, "reals.decisions.dispatch", "decide_claim", "decides each part of the claim"),
     Call(4, "reals.decisions.claim_parsing", "read", "parses the text"),
-    Call(5, "reals.language.parsing", "parse_claim", "text to trees"),
+    Call(5, "reals.language.parsing", "parse_claim", "turns text into expression trees"),
     Call(5, "reals.domain.conditions", "Given", "the conditions, and points that satisfy them"),
-    Call(4, "reals.decisions.equalities", "decide_equality", "an equality"),
+    Call(4, "reals.decisions.equalities", "decide_equality", "decides an equality"),
     Call(5, "reals.decisions.identity", "decide", "decides whether the sides differ"),
-    Call(6, "reals.normal.field", "Field", "exact normal form"),
-    Call(4, "reals.decisions.inequalities", "decide_inequality", "an inequality"),
-    Call(5, "reals.signs.sign", "sign", "the sign of a difference, by exact methods"),
-    Call(5, "reals.decisions.inequalities_on_regions", "search", "searches the region by boxes"),
-    Call(6, "reals.balls.branch_and_bound", "decide_bound", "bounds it in balls, box by box"),
-    Call(4, "reals.decisions.claim_cross_check", "attack", "tries to falsify it before a pass"),
-    Call(5, "reals.cross_check", "contradiction", "ball arithmetic at points of its own"),
+    Call(6, "reals.normal.field", "Field", "computes an exact normal form"),
+    Call(4, "reals.decisions.inequalities", "decide_inequality", "decides an inequality"),
+    Call(5, "reals.signs.sign", "sign", "proves the sign of a difference by exact methods"),
+    Call(5, "reals.decisions.inequalities_on_regions", "search", "subdivides the region"),
+    Call(6, "reals.balls.branch_and_bound", "decide_bound", "bounds the difference on each box"),
+    Call(4, "reals.decisions.claim_cross_check", "attack", "tries to falsify a proved claim"),
+    Call(5, "reals.cross_check", "contradiction", "evaluates it in balls at its own points"),
     Call(2, "commands.check", "answer_text", "prints verdict, reading, witness and time"),
 )
 """A user's claim, from the command line to its verdict."""
 
 LEDGER = (
     Call(0, "commands.verify", "_verify_claims", "asks for the report"),
-    Call(1, "ledger.verification", "verify", "judges foundations first"),
-    Call(2, "ledger.paper", "all_claims", "the claims, each after what it rests on"),
-    Call(3, "proofs", "claims", "the proofs, part by part"),
-    Call(2, "ledger.judge", "judge", "finds the checker for the kind of evidence"),
-    Call(3, "ledger.conversion", "formula", "what is said, as a formula of the one language"),
+    Call(1, "ledger.verification", "verify", "decides each claim after those it depends on"),
+    Call(2, "ledger.paper", "all_claims", "returns the claims in order of dependence"),
+    Call(3, "proofs", "claims", "collects the claims of all proof files"),
+    Call(2, "ledger.judge", "judge", "selects the checker for the kind of evidence"),
+    Call(3, "ledger.conversion", "formula", "converts the statement to tresym's expressions"),
     Call(4, "reals.language.sympy", "formula", "converts from SymPy"),
-    Call(3, "ledger.evidence.chain", "check_chain", "a chain, step by step"),
-    Call(
-        4, "reals.decisions.identity", "decide_continuous", "a step, by the reasons that it names"
-    ),
-    Call(5, "reals.normal.field", "Field", "exact normal form"),
-    Call(3, "ledger.evidence.sign_prover", "manifest_sign", "a sign shown without a chain"),
-    Call(4, "reals.signs.sign", "sign", "by exact methods"),
-    Call(3, "ledger.evidence.box_bounds", "Boxes", "a bound on a region"),
-    Call(4, "reals.balls.branch_and_bound", "decide_bound", "box by box, or by the stored tree"),
-    Call(3, "ledger.counterexamples", "contradiction", "tries to falsify it before a pass"),
-    Call(4, "reals.cross_check", "points", "ball arithmetic at points of its own"),
-    Call(1, "report.pages.ledger_rows", "report_json", "the row: statement, verdict, witness"),
-    Call(2, "report.typesetting.latex", "says_latex", "the statement as the paper writes it"),
+    Call(3, "ledger.evidence.chain", "check_chain", "checks a chain of equalities step by step"),
+    Call(4, "reals.decisions.identity", "decide_continuous", "decides a step by its reasons"),
+    Call(5, "reals.normal.field", "Field", "computes an exact normal form"),
+    Call(3, "ledger.evidence.sign_prover", "manifest_sign", "proves a sign without a chain"),
+    Call(4, "reals.signs.sign", "sign", "applies the exact methods for signs"),
+    Call(3, "ledger.evidence.box_bounds", "Boxes", "proves a bound on a region"),
+    Call(4, "reals.balls.branch_and_bound", "decide_bound", "bounds it on each box"),
+    Call(3, "ledger.counterexamples", "contradiction", "tries to falsify a proved claim"),
+    Call(4, "reals.cross_check", "points", "chooses points and evaluates in balls"),
+    Call(1, "report.pages.ledger_rows", "report_json", "writes statement, verdict and witness"),
+    Call(2, "report.typesetting.latex", "says_latex", "writes the statement in LaTeX"),
 )
 """A claim of the paper, from its file to its row in the ledger."""
 
 
 def package(file: str) -> str:
-    """The package of a module, as the list of packages names it."""
+    """Return the package of a module, as the list of packages names it."""
     names = file.split(".")
     inner = names[0] == "reals" and len(names) > 2
     return f"{'/'.join(names[: 2 if inner else 1])}/"
 
 
 def callers(path: tuple[Call, ...]) -> Iterator[tuple[Call, Call]]:
-    """Every call but the first, each with its caller."""
+    """Yield every call but the first, each with its caller."""
     above: list[Call] = []
     for call in path:
         above = above[: call.depth]
@@ -86,7 +84,7 @@ def callers(path: tuple[Call, ...]) -> Iterator[tuple[Call, Call]]:
 
 
 def entered(path: tuple[Call, ...]) -> dict[str, int]:
-    """How often the path enters each package from another, in the order of first entry."""
+    """Return how often the path enters each package from another, in the order of first entry."""
     found = {package(path[0].file): 1}
     for caller, call in callers(path):
         here = package(call.file)
@@ -95,7 +93,7 @@ def entered(path: tuple[Call, ...]) -> dict[str, int]:
 
 
 def call_paths() -> str:
-    """Both paths in Markdown."""
+    """Write both paths in Markdown."""
     return "\n".join(
         (
             "## Calls for a user's claim",

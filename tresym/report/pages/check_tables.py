@@ -33,13 +33,13 @@ KINDS = {
     ),
     "tables": ("antiderivatives", "Rubi"),
 }
-"""Lists of tests/data/claims: what kind of claims they hold, and whose ground it is."""
+"""Lists in tests/data/claims: the kind of claims, and tools made for such claims."""
 _VERDICTS = ("PROVED", "ENCLOSED", "REFUTED", "UNDECIDED")
 _LISTS = ("true inequalities", "false inequalities", "true orders", "false orders")
 
 
 def measured(data: Mapping[str, Any]) -> str:
-    """The saved workload ``check`` as tables: verdicts on claims, outcomes and times of methods.
+    """Return tables of the benchmark ``check``: verdicts, outcomes and times of each method.
 
     Args:
         data: what ``tresym bench check --save`` wrote.
@@ -63,7 +63,7 @@ def measured(data: Mapping[str, Any]) -> str:
         f"An antiderivative takes {_milliseconds(pairs['median'])} in the median and "
         f"{_milliseconds(pairs['p99'])} at the 99th percentile.",
         "",
-        "| method | pairs | decided | open | wrong | late | time |",
+        "| method | pairs | decided | undecided | wrong | timed out | time |",
         "|---|--:|--:|--:|--:|--:|--:|",
     ]
     for method, counts in notes["peers"].items():
@@ -74,13 +74,13 @@ def measured(data: Mapping[str, Any]) -> str:
 
 
 def by_kind(data: Mapping[str, Any]) -> str:
-    """The saved lists as a table in Markdown, a kind a row.
+    """Return a table of the saved lists of claims, one row for each kind.
 
     Args:
         data: what ``python tests/unseen.py save`` wrote.
     """
     lines = [
-        "| kind | tools made for it | true | held | false | refuted | wrong | median | 99 % |",
+        "| kind | tools made for it | true | proved | false | refuted | wrong | median | 99 % |",
         "|---|---|--:|--:|--:|--:|--:|--:|--:|",
     ]
     for name, (kind, peers) in KINDS.items():
@@ -92,14 +92,14 @@ def by_kind(data: Mapping[str, Any]) -> str:
 
 
 def by_source(data: Mapping[str, Any]) -> str:
-    """The saved counts of manuscripts that were read as they are, a source a row, and their sum.
+    """Return a table of the manuscripts that were checked unchanged, one row for each, and the sum.
 
     Args:
         data: docs/measurements/papers.json.
     """
     columns = ("displays", "links", "elementary", "held", "refuted")
     lines = [
-        "| source | displays | links | elementary and true | held | refuted | |",
+        "| source | displays | relations | elementary and true | proved | refuted | |",
         "|---|--:|--:|--:|--:|--:|---|",
     ]
     for row in data["rows"]:
@@ -109,19 +109,20 @@ def by_source(data: Mapping[str, Any]) -> str:
     return "\n".join(
         [
             *lines,
-            f"| together | {_cells(total)} | |",
+            f"| total | {_cells(total)} | |",
             "",
-            f"Of a handbook's chapter on elementary functions, `tests/data/handbook.tex`, "
-            f"{own['held']} of {own['links']} links are held as printed ({own['first_sight']} at "
-            f"first sight) and {own['refuted']} are refuted; of {own['changed']} copies with a "
-            f"digit, a sign or a factor changed {own['changed_held']} false ones are held.",
+            f"In a handbook's chapter on elementary functions, `tests/data/handbook.tex`, "
+            f"{own['held']} of {own['links']} relations are proved as printed "
+            f"({own['first_sight']} when first tried) and {own['refuted']} are refuted. "
+            f"Of {own['changed']} copies with one digit, sign or factor changed, "
+            f"{own['changed_held']} false ones are proved.",
             "",
         ]
     )
 
 
 def _times(notes: Mapping[str, Any]) -> list[str]:
-    """A sentence on the times of inequalities and orders, where they were measured."""
+    """A sentence on the times for inequalities and orders, if they were measured."""
     found = [(name, notes[name]) for name in _LISTS if name in notes]
     if not found:
         return []

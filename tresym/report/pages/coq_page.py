@@ -12,12 +12,20 @@ from tresym.ledger.paper import sections
 
 @lru_cache(maxsize=4)
 def found(labels: tuple[str, ...] | None = None) -> dict[str, Entry]:
-    """What Coq has of the claims."""
+    """Return what is known in Coq about each claim, by label.
+
+    Args:
+        labels: the claims wanted; None means all.
+    """
     return entries(stored(), labels)
 
 
 def mark(label: str, known: dict[str, Entry]) -> dict[str, Any] | None:
-    """The theorem of a claim and its status, None where Coq has proved nothing of it."""
+    """Return the theorem of a claim and its status.
+
+    Returns:
+        None if Coq has proved nothing about the claim.
+    """
     entry = known.get(label)
     if entry is None or entry.theorem is None or entry.status == "none":
         return None
@@ -25,7 +33,7 @@ def mark(label: str, known: dict[str, Entry]) -> dict[str, Any] | None:
 
 
 def shown(label: str, known: dict[str, Entry]) -> dict[str, Any] | None:
-    """The same, with what the theorem says and rests on, for the claim's page."""
+    """Return :func:`mark` with the text, premises and assumptions of the theorem, for its page."""
     marked = mark(label, known)
     if marked is None:
         return None
@@ -39,7 +47,7 @@ def shown(label: str, known: dict[str, Entry]) -> dict[str, Any] | None:
 
 
 def page() -> str:
-    """Which claims Coq proves, and why it does not prove the others."""
+    """Write the page that lists which claims Coq proves, with the reason where it does not."""
     known, store = found(), stored()
     counts = Counter(entry.status for entry in known.values())
     kinds = Counter(
@@ -48,20 +56,21 @@ def page() -> str:
         if label in known and known[label].status == "proved"
     )
     lines = [
-        f"Coq {store['coq']} proves {counts['proved']} of the {len(known)} claims, and "
-        f"{counts['partial']} more if claims that it does not prove are assumed. The table gives "
-        "the reason for the others.",
+        f"Coq {store['coq']} proves {counts['proved']} of the {len(known)} claims. It proves "
+        f"{counts['partial']} more (marked *partial*) from premises that are not proved in Coq. "
+        "The tables give the reason wherever a proof is missing or partial.",
         "",
         *(f"- {n} theorems: {text}." for text, n in kinds.most_common() if text),
         f"- For {len(store.get('possible', {}))} sets of conditions Coq proves that some point "
-        "satisfies them, so that no theorem is empty because its conditions contradict each other.",
+        "satisfies them, so that no theorem holds only because its conditions contradict each "
+        "other.",
         "",
     ]
     for title, claims in sections():
-        lines += [f"## {title}", "", "| claim | Coq | why not |", "|---|---|---|"]
+        lines += [f"## {title}", "", "| claim | Coq | reason |", "|---|---|---|"]
         for claim in claims:
             entry = known[claim.label]
-            status = {"none": "not"}.get(entry.status, entry.status)
+            status = {"none": "not proved"}.get(entry.status, entry.status)
             lines.append(f"| `{claim.label}` | {status} | {_cell(entry.why)} |")
         lines.append("")
     return "\n".join(lines)

@@ -17,18 +17,20 @@ from tresym.report.typesetting.paper_location import place_text
 from tresym.report.typesetting.statements import quoted
 
 LONGEST = 320
+"""Characters of the evidence that are shown."""
 OPENING = 4
 """How many findings open the page."""
 
 PREFACE = """# Corrections
 
-What the paper prints and does not hold, each finding once and the weightiest first: the place, the
-paper's words, what is true instead, why, and the evidence. Sections and equations are counted as
-the journal prints them, those of the appendix as (A.1), (A.2), … Printed decimals are read as
-intervals of half a unit in their last place, and a printed value stands here only if no inputs that
-round to the printed inputs give it. The letters, such as ε\\* and c₁, are in the table of
-[symbols](../pages/symbols.md). The paper's main result, that the flip is nearly complete and that
-its defect decreases exponentially, stands.
+Printed statements that do not hold, most important first, each listed once. Each entry gives the
+place, the paper's words, what is true instead, the reason, and the evidence. The paper's main
+result, that the flip is nearly complete and that its defect decreases exponentially, is correct.
+
+Sections and equations are numbered as in the journal; equations of the appendix are (A.1), (A.2), …
+A printed decimal stands for an interval of half a unit in its last place on either side. A printed
+value is listed only if no inputs that round to the printed inputs give it. Symbols such as ε\\* and
+c₁ are explained in the [table of symbols](../pages/symbols.md).
 """
 
 
@@ -36,55 +38,59 @@ FAULTS: tuple[tuple[Fault, str, str], ...] = (
     (
         Fault.THEOREM,
         "The theorem",
-        "Its two leading terms are right; the remainders are not, wherever they are printed.",
+        "Its two leading terms are correct. The remainders are wrong wherever they are printed.",
     ),
     (
         Fault.STATEMENT,
         "Statements",
-        "What is said does not hold for everything it is said of.",
+        "These statements are false for some of the cases that they cover.",
     ),
     (
         Fault.REASON,
         "Reasons",
-        "The conclusion holds; the reason given for it does not.",
+        "The conclusion is correct, but the reason given for it is not.",
     ),
     (
         Fault.ROUNDING,
         "Rounding, and approximations printed as equalities",
-        "The number or the formula is near the truth, and not as near as it is printed.",
+        "The number or formula is close to the true one, but less accurate than printed.",
     ),
     (
         Fault.MISPRINT,
         "Misprints",
-        "What is meant is plain from the context, and what is built on it stands.",
+        "The context makes clear what is meant, and the results that depend on it are correct.",
     ),
 )
-"""The kinds of corrections by weight, with title and meaning."""
+"""The kinds of corrections, most important first: the kind, its heading, what it means."""
 
-SHARPER = """## Read more sharply than printed
+STRICTER = """## Fails only if read more strictly
 
-The paper hedges here, or gives no number, and as it is read here it is not refuted. What is refuted
-is a sharper reading, which is ours: the words do not carry it.
+Here the paper qualifies its statement, or gives no number, so that the printed statement is not
+refuted. What is refuted is a stricter reading of ours, which the paper does not claim.
 """
 
 
 def corrections(report: Report) -> str:
-    """The page in Markdown."""
+    """Write the page of corrections in Markdown.
+
+    Args:
+        report: verdicts on the ledger; only corrections of claims in it are listed.
+    """
     rows = {row.claim.label: row for row in report.rows}
     found = [c for c in all_corrections() if c.labels[0] in rows]
-    sharper = [row for row in report.rows if row.claim.paper_says and _is_refuted(row)]
+    stricter = [row for row in report.rows if row.claim.paper_says and _is_refuted(row)]
     parts = [PREFACE]
     if found:
-        parts += ["The four that matter most:", "", *_opening(found, rows), ""]
+        parts += ["The four most important:", "", *_opening(found, rows), ""]
     for fault, title, meaning in FAULTS:
         of_it = [c for c in found if rows[c.labels[0]].claim.fault is fault]
         if of_it:
             parts += [f"## {title}", "", meaning, "", *(_entry(c, rows) for c in of_it)]
-    return "\n".join([*parts, *([SHARPER, *map(_sharper, sharper)] if sharper else [])])
+    return "\n".join([*parts, *([STRICTER, *map(_stricter, stricter)] if stricter else [])])
 
 
 def is_correction(row: Row) -> bool:
-    """Whether the paper itself says what is refuted, and not only a sharper reading of it."""
+    """Return whether a statement of the paper is refuted, not only a stricter reading of it."""
     return _is_refuted(row) and row.claim.where is not None and not row.claim.paper_says
 
 
@@ -93,6 +99,7 @@ def _is_refuted(row: Row) -> bool:
 
 
 def _opening(found: list[Correction], rows: dict[str, Row]) -> Iterator[str]:
+    """The first few corrections, one line each."""
     for n, correction in enumerate(found[:OPENING], 1):
         claim = rows[correction.labels[0]].claim
         yield (
@@ -102,10 +109,11 @@ def _opening(found: list[Correction], rows: dict[str, Row]) -> Iterator[str]:
 
 
 def _entry(correction: Correction, rows: dict[str, Row]) -> str:
-    said_in = [rows[label] for label in correction.labels if label in rows]
-    leading = said_in[0]
+    """A correction: places, quotation, the statement decided, what is true, and the evidence."""
+    refuted = [rows[label] for label in correction.labels if label in rows]
+    leading = refuted[0]
     claim = leading.claim
-    places = "; ".join(f"{place_text(row.claim)} (`{row.claim.label}`)" for row in said_in)
+    places = "; ".join(f"{place_text(row.claim)} (`{row.claim.label}`)" for row in refuted)
     lines = [
         f"### {sentence(correction.title)}",
         "",
@@ -116,22 +124,24 @@ def _entry(correction: Correction, rows: dict[str, Row]) -> str:
         f"**Decided:** {quoted(claim)}",
         "",
     ]
-    own = [r.claim for r in said_in if r is leading or not isinstance(r.claim.proof, AllOf)]
-    lines += _true(tuple(dict.fromkeys(true for said_by in own for true in said_by.amended_by)))
+    # A conjunction repeats the amendments of its parts, which are entries of their own.
+    own = [r.claim for r in refuted if r is leading or not isinstance(r.claim.proof, AllOf)]
+    lines += _true(tuple(dict.fromkeys(true for claim_ in own for true in claim_.amended_by)))
     lines += _searched(claim)
     if correction.why or claim.note:
         lines += [f"**Why:** {sentence(correction.why or claim.note)}", ""]
     return "\n".join([*lines, *_evidence(leading)])
 
 
-def _sharper(row: Row) -> str:
+def _stricter(row: Row) -> str:
+    """The entry of a statement that fails only under a stricter reading."""
     claim = row.claim
     lines = [
-        f"### {place_text(claim).removesuffix(', read more sharply')} (`{claim.label}`)",
+        f"### {place_text(claim).removesuffix(', read more strictly')} (`{claim.label}`)",
         "",
         f"**Printed:** {sentence(claim.paper_says)}",
         "",
-        f"**More sharply, and ours:** {quoted(claim)}",
+        f"**Stricter reading:** {quoted(claim)}",
         "",
         *_true(claim.amended_by),
     ]
@@ -140,7 +150,7 @@ def _sharper(row: Row) -> str:
 
 
 def _true(claims: tuple[Claim, ...]) -> Iterator[str]:
-    """What is true instead, nearest first."""
+    """What is true instead, the claim nearest to the printed one first."""
     if len(claims) == 1:
         yield f"**True instead:** {quoted(claims[0])} (`{claims[0].label}`)"
         yield ""
@@ -152,23 +162,26 @@ def _true(claims: tuple[Claim, ...]) -> Iterator[str]:
 
 
 def _searched(claim: Claim) -> Iterator[str]:
-    """What the search for repairs finds by itself."""
+    """The repair that an automatic search finds, if one was made."""
     tried, found = search(claim)
     if found is not None:
         kind = (
-            "The misprint is found automatically"
+            "The automatic search for a repair finds the misprint"
             if claim.fault is Fault.MISPRINT
-            else "Found automatically"
+            else "The automatic search for a repair finds"
         )
         yield f"**{kind}:** `{found.claim}`, {found.verdict} ({found.edit})."
         yield ""
     elif tried:
-        yield "**Found automatically:** nothing that holds within one edit."
+        yield (
+            "**The automatic search for a repair finds:** no true statement that differs by one "
+            "edit."
+        )
         yield ""
 
 
 def _evidence(row: Row) -> Iterator[str]:
-    """How it is refuted, and at which point."""
+    """How the statement is refuted, and at which point."""
     finding = row.finding
     path = finding.parameter
     if path and finding.why.startswith("along "):
@@ -184,7 +197,7 @@ def _evidence(row: Row) -> Iterator[str]:
 
 
 def _clipped(text: str) -> str:
-    """A long text as far as a part of its sentence goes, which leaves its formulas whole."""
+    """The text, shortened if necessary after a comma so that no formula is cut."""
     if len(text) <= LONGEST:
         return text
     parts = text[:LONGEST].rpartition(", ")

@@ -1,4 +1,4 @@
-"""Claims in LaTeX: derivations with reasons, for the article or to paste."""
+"""Typeset claims in LaTeX: statements with their derivations, for the article or to paste."""
 
 from __future__ import annotations
 
@@ -22,17 +22,17 @@ from tresym.report.typesetting.statements import conditions, said
 from tresym.report.typesetting.titles import title
 
 WIDEST = 62
-"""Letters of a formula with its reason that fit a line of the article."""
+"""Width of a line of the article with a formula and its reason, in letters."""
 TOO_WIDE = 72
-"""Letters of a line that is not set, since nothing in it can be broken."""
+"""Width of a line beyond which a formula that cannot be broken is left out."""
 LONGEST = 400
-"""Characters that are shown of what judging found."""
+"""Characters of a finding that are shown."""
 LINE = 66
-"""Letters of a formula alone that fit a line."""
+"""Width of a line with a formula alone, in letters."""
 NARROW = 0.8
-"""How wide LaTeX's own article is beside ours, less the number of an equation."""
+"""Width of a line of LaTeX's article class relative to our article, less the equation number."""
 _LABEL = re.compile(r"\b[a-z]\w*_\w+")
-"""A label that no word is."""
+"""A label with an underscore, which cannot be an ordinary word."""
 
 _LETTERS = {
     "²": r"\textsuperscript{2}", "⁻": r"\textsuperscript{$-$}", "¹": r"\textsuperscript{1}",
@@ -41,13 +41,13 @@ _LETTERS = {
     "…": r"\dots{}", "<": "$<$", ">": "$>$", "−": "$-$", "√": r"$\surd$", "=": "$=$",
     "°": r"$^\circ$", "·": r"$\cdot$", "→": r"$\to$", "|": r"$\vert$",
 }  # fmt: skip
-"""What stands among words and is a sign of TeX, or is missing in text fonts."""
+"""Characters in sentences that are special in TeX or missing in its text fonts."""
 
 
 def prose(text: str) -> str:
-    """A sentence of ours for LaTeX, its formulas set, names in backticks as labels.
+    """Return a sentence in LaTeX: formulas as mathematics, names in backticks as labels.
 
-    A sign that no text font has becomes a visible placeholder rather than a broken run.
+    A character that text fonts lack becomes a question mark, so that LaTeX does not stop.
     """
 
     def script(mark: str, inside: str) -> str:
@@ -69,14 +69,19 @@ def _lettered(text: str) -> str:
 
 
 def axiom_key(axiom: Axiom) -> str:
-    """The label by which a quoted theorem is referred to."""
+    """Return the LaTeX label of a quoted theorem."""
     return "axiom:" + "".join(c for c in axiom.name if c.isascii() and c.isalpha())
 
 
 def fragment(row: Row) -> str:
-    """One statement with its conditions and its chain, to paste into a paper that loads amsmath.
+    """Return one statement with its conditions and derivation, to paste into a document.
 
-    A refuted one is a paragraph that says so, with the evidence and what is true instead.
+    Args:
+        row: the claim with its verdict. A refuted claim becomes a paragraph that says so, with the
+            evidence and what is true instead.
+
+    Returns:
+        LaTeX for a document that loads amsmath.
     """
     claim = row.claim
     if row.finding.verdict is not Verdict.REFUTED:
@@ -89,43 +94,54 @@ def fragment(row: Row) -> str:
 
 
 def refused(rows: Collection[Row]) -> tuple[str, ...]:
-    """For every refuted claim one line that says so, and what is true instead."""
+    """Return an error line for each refuted claim, with what is true instead."""
     return tuple(
         f"tresym: {row.claim.label} is REFUTED; true instead: "
-        f"{', '.join(true.label for true in row.claim.amended_by) or 'nothing is claimed'}"
-        " (derive --refuted prints it, marked)"
+        f"{', '.join(true.label for true in row.claim.amended_by) or 'no claim of the ledger'}"
+        " (to print it marked as refuted, use derive --refuted)"
         for row in rows
         if row.finding.verdict is Verdict.REFUTED
     )
 
 
 def in_words(claim: Claim, name: Callable[[str], str] | None = None) -> list[str]:
-    """What a claim says in words: its sentence, if it has one, and its conditions."""
+    """Return the sentence of a claim, if it has one, and its conditions, as lines of LaTeX.
+
+    Args:
+        claim: the claim.
+        name: how to write the label of a part of a conjunction; see
+            :func:`tresym.report.typesetting.statements.conditions`.
+    """
     found = said(claim)
     lines = [prose(found.says)] if found.says else []
     return [*lines, *filter(None, [conditions(found, in_dollars, prose, name)])]
 
 
 def _stated(claim: Claim) -> list[str]:
-    """What a claim says with its conditions, without its chain, in lines of text."""
+    """The statement with its conditions, without its derivation."""
     formula = said(claim).formula
     return [*in_words(claim), *([rf"\[{formula}\]"] if formula else [])]
 
 
 def _numbered(claim: Claim) -> Iterator[str]:
-    """The displays as equations that can be referred to: by the label of the claim, then -2, -3."""
+    """The displays as equations with the labels ``tresym:LABEL``, ``tresym:LABEL-2``, and so on."""
     for n, body in enumerate(set_displays(claim, NARROW), 1):
         label = f"tresym:{claim.label}" + (f"-{n}" if n > 1 else "")
         yield f"\\begin{{equation}}\\label{{{label}}}\n{body}\n\\end{{equation}}"
 
 
 def in_dollars(formula: str) -> str:
-    """A formula within a line of text."""
+    """Return a formula as inline mathematics."""
     return f"${formula}$"
 
 
 def entry(row: Row, known: Collection[str]) -> str:
-    """A claim in the ledger: place, verdict, words, chain, and what was found."""
+    """Return the entry of a claim in the ledger of the article.
+
+    Args:
+        row: the claim with its verdict.
+        known: labels that have an entry and can be linked to.
+    """
     claim, finding = row.claim, row.finding
     verdict = finding.verdict.value
     place = prose(place_text(claim)) if claim.where else "lemma"
@@ -152,25 +168,25 @@ def entry(row: Row, known: Collection[str]) -> str:
 
 
 def _decided(claim: Claim, means: Collection[str]) -> Iterator[str]:
-    """The formulas that stand for a sentence, where they can be set."""
+    """The formulas that stand for a sentence, unless one is too wide for the page."""
     if any(width(line) > TOO_WIDE for formula in means for line in broken(formula, LINE)):
         shown = rf"\texttt{{tresym verify {_lettered(claim.label)} -{{}}-json}}"
-        long = f"Decided as what is too long for a page: {shown} prints it."
+        long = f"The formula that is decided is too long for this page; {shown} prints it."
         yield rf"\textsf{{\small {long}}}\par"
     elif means:
         rows = r" \\ ".join(map(alone, means))
         body = rows if len(means) == 1 else rf"\begin{{gathered}}{rows}\end{{gathered}}"
-        yield rf"\textsf{{\small Decided as}} \fitted{{{body}}}"
+        yield rf"\textsf{{\small As a formula:}} \fitted{{{body}}}"
 
 
 def _valued(mid: str) -> str:
-    """A value in 50 digits, rounded: 1210 where the middle of its ball is 1209.99…"""
+    """A value rounded to 50 digits: 1210 if the midpoint of its ball is 1209.99…."""
     text = f"{Context(prec=50).create_decimal(mid):f}"
     return f"${text.rstrip('0').rstrip('.') if '.' in text else text}$"
 
 
 def outcome(row: Row, known: Collection[str]) -> Iterator[str]:
-    """What a report adds to the statement: value, witness, amendment."""
+    """Yield the results below a statement: value, evidence, witness, and what is true instead."""
     finding = row.finding
     if finding.value is not None:
         yield rf"\textsf{{\small Value}} {_valued(finding.value.mid)}.\par"
@@ -189,7 +205,7 @@ def outcome(row: Row, known: Collection[str]) -> Iterator[str]:
 
 
 def _enclosed(why: str, known: Collection[str]) -> str:
-    """How a bound was enclosed; the labels that it follows from are set as such."""
+    """How a bound was proved, with the labels of the claims that it follows from."""
     start, follows, labels = why.partition("follows from ")
     if follows and not start:
         return follows + ", ".join(map(code, labels.split(", ")))
@@ -197,28 +213,30 @@ def _enclosed(why: str, known: Collection[str]) -> str:
 
 
 def _told(why: str, known: Collection[str]) -> str:
-    """What judging found, in which labels of more than one word are set as such."""
+    """A finding in LaTeX, with known labels in typewriter type."""
     return prose(_LABEL.sub(lambda m: f"`{m[0]}`" if m[0] in known else m[0], why))
 
 
 def reference(claim: Claim, known: Collection[str]) -> str:
-    """Its label, linked to its entry where there is one."""
+    """Return the label of a claim, linked to its entry if it has one."""
     name = rf"\texttt{{{_lettered(claim.label)}}}"
     return rf"\hyperref[claim:{claim.label}]{{{name}}}" if claim.label in known else name
 
 
 def set_displays(claim: Claim, share: float = 1) -> list[str]:
-    """The displays of a claim, each in `aligned`; a formula alone stands by itself.
+    """Return the displays of a claim as LaTeX ``aligned`` blocks; a formula alone needs none.
 
-    They fit this share of the width of our article.
+    Args:
+        claim: the claim.
+        share: the width available, relative to a line of our article.
     """
     return [_aligned(display, share) for display in displays(claim)]
 
 
 def in_one(claim: Claim) -> str | None:
-    """The parts of a claim below each other where each follows in one step, and no fact is shown.
+    """Return all parts of a claim in one display if each follows in one step, else None.
 
-    They are the statement then, and need not stand above their reasons a second time.
+    Such a display is the statement itself, which then need not be repeated above its reasons.
     """
     shown = displays(claim)
     if claim.knowing or not shown or any(len(d) > 1 or not d[0].reasons for d in shown):
@@ -227,13 +245,13 @@ def in_one(claim: Claim) -> str | None:
 
 
 def alone(formula: str, share: float = 1) -> str:
-    """A formula without a chain; one that is too wide takes several lines."""
+    """Return a formula without a derivation, broken into lines if it is too wide."""
     lines = broken(formula, share * LINE)
     return formula if len(lines) == 1 else _rows([f"&{lines[0]}", *map(_continued, lines[1:])])
 
 
 def _aligned(display: Display, share: float) -> str:
-    """Lines aligned at the sign, reasons at the right; what is too wide for that is broken."""
+    """Lines aligned at the relation sign, reasons at the right; too wide ones are broken."""
     if len(display) == 1 and not display[0].reasons:
         return alone(display[0].right, share)
     start = max(width(line.left) for line in display)
@@ -247,7 +265,7 @@ def _row(line: Line) -> str:
 
 
 def _broken(display: Display, share: float) -> Iterator[str]:
-    """The lines one below the other, each reason beside the end of its formula or below it."""
+    """Lines with the left side above the right side, each reason beside or below its formula."""
     for line, after in zip(display, (*display[1:], None), strict=True):
         arrow = line.left if line.left == EQUIVALENT else ""
         if line.left and not arrow and (after is None or after.left not in ("", EQUIVALENT)):
@@ -265,14 +283,14 @@ def _broken(display: Display, share: float) -> Iterator[str]:
 
 
 def _parted(line: Line, share: float) -> Iterator[Line]:
-    """The line with as many of its reasons as fit below it, then again with the next."""
-    few: tuple[Because, ...] = ()
+    """The line with as many reasons as fit below it, then again with the following ones."""
+    fitting: tuple[Because, ...] = ()
     for why in line.reasons:
-        if few and _extent(line._replace(reasons=(*few, why))) > share * WIDEST:
-            yield line._replace(reasons=few)
-            few = ()
-        few = (*few, why)
-    yield line._replace(reasons=few)
+        if fitting and _extent(line._replace(reasons=(*fitting, why))) > share * WIDEST:
+            yield line._replace(reasons=fitting)
+            fitting = ()
+        fitting = (*fitting, why)
+    yield line._replace(reasons=fitting)
 
 
 def _continued(line: str) -> str:
@@ -290,7 +308,7 @@ def _because(line: Line) -> str:
 
 
 def _extent(line: Line) -> float:
-    """About how wide the reasons of a line are set, in letters of a formula."""
+    """The approximate width of the reasons of a line, in letters of a formula."""
     words = sum(len(why.words) + 1 + sum(map(len, why.labels)) for why in line.reasons)
     return 0.6 * words + sum(0.8 * width(why.formula) for why in line.reasons)
 
@@ -302,5 +320,5 @@ def _reason(why: Because) -> str:
 
 
 def code(label: str) -> str:
-    """A label as it is set."""
+    """Return a label in typewriter type."""
     return rf"\texttt{{{_lettered(label)}}}"

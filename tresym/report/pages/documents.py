@@ -1,8 +1,8 @@
 """Build the generated documents, or check that they are up to date.
 
-Everything below docs/generated is written by `tresym docs` and never by hand; `tresym docs --check`
-compares what is there with what would be written. Nothing in them depends on time or machine, not
-by the last bit of a float either: pictures are on a grid, tables show what balls prove.
+Everything below docs/generated is written by ``tresym docs`` and never by hand. ``tresym docs
+--check`` compares the files with what would be written. The documents do not depend on time or
+machine: coordinates in pictures are rounded to a grid, and tables show only digits that are proved.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ from tresym.report.typesetting.statements import quoted
 
 
 def documents() -> Iterator[tuple[str, str]]:
-    """Every generated document as its path below docs/generated and its text."""
+    """Yield every generated document as its path below docs/generated and its text."""
     report = verify(workers=cores())
     yield "derivation.tex", article(report)
     yield "ledger.md", ledger(report)
@@ -57,7 +57,7 @@ def documents() -> Iterator[tuple[str, str]]:
 
 
 def drawn() -> Iterator[tuple[str, str]]:
-    """The documents that float arithmetic takes part in, or may: the pictures and the tables."""
+    """Yield the documents that involve float arithmetic: pictures and tables."""
     for name in figures.FIGURES:
         yield f"figures/{name}.svg", figures.svg(name)
     for name in charts.CHARTS:
@@ -72,17 +72,18 @@ def drawn() -> Iterator[tuple[str, str]]:
 
 
 def ledger(report: Report) -> str:
-    """Every claim with its place and verdict, in the order of the proofs."""
+    """Write the page of every claim with its place and verdict, in the order of the proofs."""
     rows = {row.claim.label: row for row in report.rows}
     counts = ", ".join(f"{n} {verdict}" for verdict, n in report.counts.items() if n)
-    letters = "The letters are in the table of [symbols](../pages/symbols.md)."
+    letters = "Symbols are explained in the [table of symbols](../pages/symbols.md)."
     kinds = report.refuted
     lines = [
         "# The ledger",
         "",
-        f"{len(rows)} claims: {counts}. Of the refuted ones {kinds['paper']} are statements of the "
-        f"paper, {kinds['stricter']} are readings stricter than its words, and "
-        f"{kinds['sharpness']} show that a bound of ours cannot be improved. {letters}",
+        f"{len(rows)} claims: {counts}. Of the refuted claims, {kinds['paper']} are statements of "
+        f"the paper, {kinds['stricter']} are stricter readings of its statements, and "
+        f"{kinds['sharpness']} are improvements of our own bounds, whose refutation shows that the "
+        f"bounds are sharp. {letters}",
         "",
     ]
     for title, stated in sections():
@@ -92,7 +93,7 @@ def ledger(report: Report) -> str:
         lines += [
             f"## {title}",
             "",
-            "| claim | in the paper | verdict | says |",
+            "| claim | place in the paper | verdict | statement |",
             "|---|---|---|---|",
         ]
         for claim in claims:
@@ -112,19 +113,26 @@ def _json(value: object) -> str:
 
 
 def folder() -> Path:
-    """docs/generated of the checkout.
+    """Return docs/generated of the source checkout.
 
     Raises:
-        InputError: this is not a checkout.
+        InputError: tresym does not run from a checkout.
     """
     root = Path(tresym.__file__).resolve().parent.parent
     if not (root / "docs").is_dir():
-        raise InputError("docs: the documents live in a checkout's docs folder; this is none")
+        raise InputError(
+            "docs: tresym is not running from a source checkout, so there is no docs folder; "
+            "run the command in a checkout"
+        )
     return root / "docs" / "generated"
 
 
 def build() -> list[str]:
-    """Write every document; returns the paths written."""
+    """Write every document.
+
+    Returns:
+        The paths written, relative to the checkout.
+    """
     home, done = folder(), []
     for name, text in documents():
         path = home / name
@@ -135,7 +143,11 @@ def build() -> list[str]:
 
 
 def stale(built: Iterable[tuple[str, str]] | None = None) -> list[str]:
-    """Those of the documents, or of the ones given, that differ from what would be written."""
+    """Return the paths of documents that differ from what would be written.
+
+    Args:
+        built: the documents to compare, as :func:`documents` yields them; None builds all.
+    """
     home = folder()
 
     def fresh(name: str, text: str) -> bool:

@@ -1,8 +1,8 @@
-"""What the search for repairs finds for refuted claims of the ledger, beside the amendments.
+"""Search for repairs of refuted claims of the ledger, to compare them with the corrections.
 
-The search is that of :mod:`tresym.reals.repair.search`: one edit away, natural conditions. It is
-tried for single comparisons of elementary expressions that are not too long, with so much time
-that a slower machine finds the same.
+The search is :func:`tresym.reals.repair.search.alternatives`: statements that differ by one edit,
+or that have a natural condition added. It is tried only for a single comparison of elementary
+expressions of moderate size. The time limit is generous, so that slow machines find the same.
 """
 
 from __future__ import annotations
@@ -16,8 +16,9 @@ from tresym.reals.numbers.exact import InputError
 from tresym.reals.repair.search import alternatives
 
 SECONDS = 60.0
+"""Time limit for one claim."""
 MOST_SIZE = 60
-"""Terms and operations of a claim, beyond which no repair is looked for."""
+"""The largest expression size of a claim for which a repair is searched."""
 
 
 class Searched(NamedTuple):
@@ -28,7 +29,12 @@ class Searched(NamedTuple):
 
 
 def search(claim: Claim) -> Searched:
-    """Look for what is true instead of a refuted claim."""
+    """Search for a true statement near a refuted claim.
+
+    Returns:
+        ``tried`` is False if the claim is a sentence, not elementary, or too large; ``found`` is
+        None if no repair was found.
+    """
     formula = claim.says if claim.means is None else claim.means
     try:
         statement = read(formula, claim.given)

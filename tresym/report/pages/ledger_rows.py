@@ -14,7 +14,7 @@ from tresym.report.typesetting.latex import given_latex, says_latex
 
 
 def report_json(report: Report) -> dict[str, Any]:
-    """The report as `tresym verify --json` prints it."""
+    """Return the report as ``tresym verify --json`` prints it."""
     lines = display_lines()
     labels = tuple(row.claim.label for row in report.rows)
     known = coq_page.found(labels)
@@ -29,7 +29,7 @@ def report_json(report: Report) -> dict[str, Any]:
 
 
 def common(row: Row) -> dict[str, Any]:
-    """What every JSON row of a claim has."""
+    """Return the fields that every JSON row of a claim has."""
     claim, finding = row.claim, row.finding
     return {
         "kind": claim.kind,
@@ -49,7 +49,7 @@ def common(row: Row) -> dict[str, Any]:
 
 
 def line_of(row: Row, lines: dict[int | None, int]) -> int | None:
-    """The line of the paper's source that the claim is about."""
+    """Return the line of the paper's source that the claim is about, or None for a lemma."""
     where = row.claim.where
     return None if where is None else where.line or lines.get(where.display)
 

@@ -1,7 +1,7 @@
-"""All messages in one list: errors, reasons of verdicts, hints and help texts.
+"""List all messages on one page: errors, reasons of verdicts, hints and help texts.
 
-The sources are parsed, and every string with a few words in it is listed by module, except
-docstrings. A gap ``…`` stands for a value that is put in when the message is written.
+The sources are parsed, and every string with at least a few words in it is listed by module, except
+docstrings. A gap ``…`` stands for a value that is inserted when the message is written.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from pathlib import Path
 import tresym
 
 PARTS = ("commands", "reals", "manuscript", "ledger", "coq", "racket", "sweep", "output.py")
-"""Packages whose strings reach a person."""
+"""Packages whose strings are shown to users."""
 LEAST_WORDS = 3
 _WORD = re.compile(r"(?<![\w\\{])[A-Za-z][a-z]+(?![\w}(=])")
 
@@ -22,8 +22,8 @@ _WORD = re.compile(r"(?<![\w\\{])[A-Za-z][a-z]+(?![\w}(=])")
 def messages() -> str:
     """Write the page of messages in Markdown."""
     lines = [
-        "What tresym prints: errors, the reasons of verdicts, hints and help texts, by module. A "
-        "gap … stands for a value. The list is taken from the sources.",
+        "The messages of tresym, by module: errors, reasons of verdicts, hints and help texts. A "
+        "gap … stands for a value. The list is extracted from the sources.",
     ]
     for path in _files():
         found = list(dict.fromkeys(_messages(path)))
@@ -45,7 +45,7 @@ def _files() -> Iterator[Path]:
 
 
 def _messages(path: Path) -> Iterator[str]:
-    """The strings of a module that have a few words in them, in their order."""
+    """The strings of a module with at least a few words, in their order."""
     tree = ast.parse(path.read_text(encoding="utf-8"))
     skipped = set(_silent(tree))
     found = []
@@ -65,7 +65,7 @@ def _messages(path: Path) -> Iterator[str]:
 
 
 def _silent(tree: ast.Module) -> Iterator[int]:
-    """Docstrings, and strings that stand alone as comments on a constant."""
+    """Docstrings, and strings that document a constant."""
     for node in ast.walk(tree):
         if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
             yield id(node.value)

@@ -1,4 +1,4 @@
-"""The methods of the sign prover, as a list in Markdown."""
+"""Write the list of the methods of the sign prover, from their docstrings."""
 
 from __future__ import annotations
 
@@ -11,12 +11,16 @@ from tresym.reals.signs.sign import METHODS
 
 
 def methods() -> str:
-    """A paragraph for each method, cheapest first: what it is, an example, and where it ends."""
+    """Write a paragraph for each method, cheapest first: its idea, an example, and its limits."""
     return "\n".join(map(_item, METHODS)) + "\n"
 
 
 def example(method: Callable[..., Any]) -> str:
-    """A claim that the method decides by itself."""
+    """Return a claim that the method decides by itself, as its docstring states it.
+
+    Raises:
+        ValueError: the docstring has no part ``Decides ``…````.
+    """
     found = re.search(r"Decides ``(.+?)``", _says(method))
     if found is None:
         raise ValueError(f"{method.__name__} names no claim that it decides")
@@ -29,6 +33,6 @@ def _item(method: Callable[..., Any]) -> str:
 
 
 def _says(method: Callable[..., Any]) -> str:
-    """The docstring up to the arguments, on one line."""
+    """The docstring up to its arguments, on one line."""
     text = inspect.getdoc(method) or ""
     return " ".join(text.split("Args:")[0].split())

@@ -14,13 +14,13 @@ DIGITS = 6
 
 
 def numbers(report: Report) -> dict[str, str]:
-    """Every quoted number as text.
+    """Compute every number that pages quote by name.
 
     Returns:
-        Counts of the ledger; and for each named body ``defect_NAME`` (ε₀ in radians),
+        Text by name: counts of the ledger; for each named body ``defect_NAME`` (ε₀ in radians),
         ``degrees_NAME`` (the same in degrees), ``share_NAME`` (x in Δψ = π(1 − x)) and
-        ``paper_error_NAME`` (of the paper's formula, in per cent); the floor of rigid
-        bodies; and how many operations F and the float64 map take.
+        ``paper_error_NAME`` (error of the paper's formula, in per cent); the smallest defect of
+        rigid bodies; and how many operations F and the float64 map take.
     """
     found = {name.lower(): str(count) for name, count in report.counts.items()}
     placed = sum(row.claim.where is not None for row in report.rows)

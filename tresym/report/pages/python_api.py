@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class Picture(bytes):
-    """The bytes of an SVG file, which a notebook shows as a picture."""
+    """The bytes of an SVG file; a notebook shows them as a picture."""
 
     def _repr_svg_(self) -> str:
         return self.decode()
@@ -34,7 +34,7 @@ def table(name: str) -> Table:
         name: objects, errors, constants, slope, thresholds or routes.
 
     Returns:
-        Its title, heads and rows as text.
+        The caption, the column heads and the rows as text.
 
     Raises:
         InputError: there is no table of that name.

@@ -1,6 +1,6 @@
 """The ledger as plain data for the pages of the site.
 
-`tresym docs` writes it to docs/generated/ledger.json; the site is built from that file alone.
+``tresym docs`` writes it to docs/generated/ledger.json; the site is built from that file alone.
 """
 
 from __future__ import annotations
@@ -25,34 +25,39 @@ from tresym.report.typesetting.titles import title
 RECORD_VERSION = 1
 
 _EVIDENCE = {
-    "tuple": "a chain; each step is decided by an exact normal form, from the reasons it names",
-    "Together": "a chain for each part, decided step by step by exact normal forms",
+    "tuple": "a chain of equalities, each step decided by an exact normal form from the reasons "
+    "beside it",
+    "Together": "a chain of equalities for each part, each step decided by an exact normal form",
     "Definition": "a definition: its symbols are new, and each has a value",
-    "Root": "a definition: a name for the one root that is shown to be",
-    "Instance": "an instance of an earlier claim, whose conditions are shown",
-    "Charted": "balls on boxes in charts that cover the region, and the passage there, exact",
-    "AllOf": "the conjunction of claims that are judged for themselves",
-    "Formally": "the relations that the sentence states, decided as they stand",
+    "Root": "a definition: a name for a root that is proved to exist and to be unique",
+    "Instance": "substitution into an earlier claim, whose conditions are verified",
+    "Charted": "ball arithmetic on boxes in coordinates that cover the region, with an exact "
+    "proof of the change of coordinates",
+    "AllOf": "a conjunction of claims, each proved separately",
+    "Formally": "a decision of the formulas that the sentence states",
     "Counterexample": "an exact point at which the conditions hold and the statement fails",
-    "UniqueRoot": "opposite signs at the ends and a derivative of one sign, each by a chain",
-    "ImplicitFunction": "an earlier equation, smooth and with a derivative that is not zero: the "
-    "implicit function theorem",
-    "Printed": "balls from the printed inputs, each known to half a unit of its last place",
-    "Boxes": "balls on boxes that cover the region",
-    "Asymptotics": "an expansion that shows where the order fails",
-    "Squeezed": "an inequality on the whole side of the point",
-    "Denied": "a claim that holds and contradicts it",
+    "UniqueRoot": "opposite signs at the ends and a derivative of constant sign, each proved by "
+    "a chain of equalities",
+    "ImplicitFunction": "the implicit function theorem, applied to an earlier equation that is "
+    "smooth and has a non-zero derivative",
+    "Printed": "ball arithmetic from the printed inputs, each known to half a unit in its last "
+    "place",
+    "Boxes": "ball arithmetic on boxes that cover the region",
+    "Asymptotics": "an asymptotic expansion that contradicts the stated order",
+    "Squeezed": "an inequality that holds on the whole side of the point",
+    "Denied": "a proved claim that contradicts it",
 }
+"""The kind of evidence, by the type of a claim's proof; pages put "By" in front of it."""
 
 
 def record(report: Report) -> dict[str, Any]:
-    """Everything that the site shows of the ledger.
+    """Return everything that the site shows of the ledger, as JSON data.
 
     Returns:
         ``version``; ``counts`` by verdict; ``parts``, each a title and labels in order;
-        ``axioms``, by name, each with its source and the labels of the claims that rest on it;
-        ``rules``, the theorems of the judge's rules; and ``claims``, by label, in the order of the
-        proofs.
+        ``axioms``, by name, each with its source and the labels of the claims that depend on it;
+        ``rules``, the theorems on which the rules of proof depend; and ``claims``, by label, in the
+        order of the proofs.
     """
     claims = [row.claim for row in report.rows]
     known = {claim.label for claim in claims}
@@ -115,13 +120,13 @@ def _claim(row: Row, lines: dict[int | None, int], quotes: dict[str, str]) -> di
 
 
 def _evidence(claim: Claim) -> str:
-    """What kind of evidence it is, in words."""
+    """The kind of evidence, in words."""
     kind = type(claim.proof)
     return _EVIDENCE.get(kind.__name__) or str(kind.__doc__).splitlines()[0].rstrip(".").lower()
 
 
 def _chains(claim: Claim) -> list[list[dict[str, Any]]]:
-    """The chains alone, line by line: a statement without one is not shown twice."""
+    """The derivations, line by line; statements without one are left out."""
     return [
         [
             {"left": line.left, "right": line.right, "reasons": [s._asdict() for s in line.reasons]}

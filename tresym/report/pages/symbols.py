@@ -22,20 +22,20 @@ from tresym.report.typesetting.plain_text import plain
 from tresym.report.typesetting.statements import said
 
 WIDEST = 30
-"""Letters of a formula that fit a line of its column."""
+"""Width of a line of the formula column, in letters."""
 MOST = 4
-"""Lines of a formula; a longer one is better read on the page of its claim."""
+"""Most lines of a formula; the page of its claim shows a longer one."""
 SPELLED = {
     "epsilon_pi": ("sweep", "sweeps"),
     "epsilon_4": ("sweep", "sweeps"),
     "epsilon_star": ("ε*",),
     "P": ("phase",),
 }
-"""Words by which our sentences name a symbol, beside its letter."""
+"""Words that stand for a symbol in sentences, besides its letter."""
 
 
 class Row:
-    """A line of the table: a symbol, what it is in words, and the claim that defines it."""
+    """A row of the table: a symbol, its meaning in words, and the claim that defines it."""
 
     def __init__(self, name: str, entry: Entry | None) -> None:
         self.name = name
@@ -46,7 +46,7 @@ class Row:
 
     @property
     def meaning(self) -> str:
-        """What it stands for, in LaTeX; empty for a variable."""
+        """The defining formula in LaTeX; empty for a variable."""
         if self.entry is None:
             return ""
         claim = self.entry.claim
@@ -59,12 +59,12 @@ class Row:
 
     @property
     def given(self) -> list[str]:
-        """The conditions under which it is defined, in LaTeX."""
+        """The conditions of the definition, in LaTeX."""
         return [] if self.entry is None else gathered(self.entry.claim.given)
 
     @property
     def note(self) -> str:
-        """What must be said beside the meaning."""
+        """Words in front of the formula, for a root or an implicit function."""
         proof = self.entry and self.entry.claim.proof
         if isinstance(proof, ImplicitFunction):
             return "the slope of an implicit function, "
@@ -73,7 +73,7 @@ class Row:
 
 @cache
 def rows() -> tuple[Row, ...]:
-    """Every symbol in the order of the paper, then those that single proofs define."""
+    """Return every symbol in the order of the paper, then those that only proofs use."""
     claims = [c for c in all_claims() if not _assumed(c)]
     entries: dict[str, list[Entry]] = {}
     for entry in table(claims):
@@ -87,27 +87,31 @@ def _assumed(claim: Claim) -> bool:
 
 
 def symbols(report: Report) -> str:
-    """Tables in Markdown: the symbols, and what is assumed, in the order of the proofs."""
+    """Write the tables of symbols and of physical assumptions in Markdown.
+
+    Args:
+        report: verdicts on the ledger; definitions outside it are left out.
+    """
     labels = {row.claim.label for row in report.rows}
     assumed = [c for c in (row.claim for row in report.rows) if _assumed(c)]
     found = [row for row in rows() if row.entry is None or row.entry.claim.label in labels]
     return "\n".join(
         (
-            "## The table",
+            "## Symbols of the paper",
             "",
-            "| symbol | what it is | by | stands for | where |",
+            "| symbol | meaning | defined in | formula | conditions |",
             "|---|---|---|---|---|",
             *(_line(row) for row in found if row.words),
             "",
-            "## Symbols of single proofs",
+            "## Symbols used in single proofs",
             "",
-            "| symbol | what it is | by | stands for | where |",
+            "| symbol | meaning | defined in | formula | conditions |",
             "|---|---|---|---|---|",
             *(_line(row) for row in found if not row.words),
             "",
-            "## What is assumed",
+            "## Physical assumptions",
             "",
-            "| equation | where | what it is | by |",
+            "| equation | conditions | meaning | claim |",
             "|---|---|---|---|",
             *map(_assumption, assumed),
             "",
@@ -116,18 +120,22 @@ def symbols(report: Report) -> str:
 
 
 def _line(row: Row) -> str:
-    place = f'<span id="{anchor(row.name)}"></span>${row.symbol}$'
+    letter = f'<span id="{anchor(row.name)}"></span>${row.symbol}$'
     lines = broken(row.meaning, WIDEST)
     long = len(lines) > MOST or any(r"\Big/" in line for line in lines)
-    formula = "a long formula" if long else "<br>".join(f"${line.strip()}$" for line in lines)
+    formula = (
+        "a long formula: see the claim"
+        if long
+        else "<br>".join(f"${line.strip()}$" for line in lines)
+    )
     stands = f"{row.note}{formula}" if row.meaning else "a variable"
     given = ", ".join(f"${condition}$" for condition in row.given)
     by = f"`{row.entry.claim.label}`" if row.entry else ""
-    return _cells(place, sentence(row.words or row.own), by, stands, given)
+    return _cells(letter, sentence(row.words or row.own), by, stands, given)
 
 
 def anchor(name: str) -> str:
-    """The place of a symbol on the page."""
+    """Return the HTML id of a symbol's row."""
     return f"symbol-{name.replace('_', '-')}"
 
 
@@ -148,38 +156,41 @@ def _cells(*cells: str) -> str:
 
 
 def used(claim: Claim) -> list[str]:
-    """The names of the symbols that a claim uses: in its formulas, or by letter in its sentence."""
-    spoken = {
+    """Return the names of the symbols that a claim uses, in its formulas or in its sentence."""
+    in_formulas = {
         symbol.name
         for e in (claim.statement, *claim.given)
         for symbol in (e.free_symbols if e is not None else ())
         if isinstance(symbol, Symbol)
     }
     words = said(claim).says or ""
-    return [name for name in _patterns() if name in spoken or _patterns()[name].search(words)]
+    return [name for name in _patterns() if name in in_formulas or _patterns()[name].search(words)]
 
 
 @cache
 def _patterns() -> dict[str, re.Pattern[str]]:
-    """By name, how a symbol stands in a sentence; a single small letter may be an article."""
+    """For each symbol a pattern that finds it in a sentence.
+
+    A single small letter is left out, since it may be the article "a".
+    """
     found = {}
     for row in rows():
         letters = plain(row.symbol)
-        told = len(letters) > 1 or not letters.isascii() or letters.isupper()
-        ways = [*([letters] if told else []), *SPELLED.get(row.name, ())]
-        either = "|".join(map(_alone, ways)) or "(?!)"
+        unambiguous = len(letters) > 1 or not letters.isascii() or letters.isupper()
+        spellings = [*([letters] if unambiguous else []), *SPELLED.get(row.name, ())]
+        either = "|".join(map(_alone, spellings)) or "(?!)"
         found[row.name] = re.compile(either)
     return found
 
 
 def _alone(letters: str) -> str:
-    """A pattern for a symbol that is no part of another, nor of a word."""
+    """A pattern for a symbol that is not part of another symbol or of a word."""
     before = "(?<![A-Za-z])" if letters[0].isascii() else ""
     after = "A-Za-z" if letters[-1].isascii() and letters[-1].isalpha() else ""
     return rf"{before}{re.escape(letters)}(?![{after}*′₀-₉])"
 
 
 def as_used(claim: Claim) -> list[dict[str, str]]:
-    """The symbols that a claim uses, for its page: each in letters and by its place."""
+    """Return the symbols that a claim uses, each with its letters and its anchor, for its page."""
     letters = {row.name: plain(row.symbol) for row in rows()}
     return [{"letters": letters[name], "anchor": anchor(name)} for name in used(claim)]

@@ -1,7 +1,7 @@
-"""Tables of certified numbers, in three formats.
+"""Tables of certified numbers as text, Markdown or LaTeX.
 
-A table is a value: a caption, column heads and rows of text. Every number in it comes from a ball
-that proves the digits shown.
+A table is a value: a caption, column heads and rows of text. Every digit in it is proved by a ball
+(an interval given by midpoint and radius).
 """
 
 from __future__ import annotations
@@ -22,30 +22,35 @@ from tresym.report.typesetting.markdown import escaped
 
 FORMATS = ("text", "markdown", "latex")
 LONGEST = 22
-"""Characters of a number that fit a column of a paper; the rest is left out, and that is shown."""
+"""Characters of a number in LaTeX; a longer one is cut off and ends in dots."""
 TERMINAL = 80
-"""Characters of a line of a terminal."""
+"""Width of a terminal in characters."""
 HEAD = 12
-"""Characters of a head that stay on one line there, however narrow its cells."""
+"""Characters of a column head that are kept on one line, even if its cells are narrower."""
 WIDEST = 90
-"""Characters of a row that fit a page of a paper; a wider table is turned on its side."""
+"""Characters of a row that fit a page; a wider table is set sideways in LaTeX."""
 _RAISED = str.maketrans("0123456789-+", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺")
 _NUMBER = re.compile(r"([-+]?\d+(?:\.\d+)?)(?:e([-+]?\d+))?( %)?")
 
 
 class Table(NamedTuple):
-    """A caption, the heads of the columns, and rows of text of the same length."""
+    """A table: a caption, the heads of the columns, and rows of text of the same length."""
 
     caption: str
     heads: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
     name: str = ""
     keys: int = 1
-    """Columns that say of what a row is."""
+    """The number of columns at the left that identify a row."""
 
 
 def digits_of(x: arb, digits: int) -> str:
-    """``x`` to at most ``digits`` digits, only those its ball proves to within one in the last."""
+    """Return ``x`` as text, with only the digits that its ball proves.
+
+    Args:
+        x: a ball.
+        digits: the most digits to show. The last one shown is correct to within one unit.
+    """
     return str(x.str(digits, radius=False))
 
 
@@ -54,7 +59,7 @@ def _percent(x: arb) -> str:
 
 
 def objects() -> Table:
-    """Table 1 of the paper recomputed: 50 certified digits beside the printed cell."""
+    """Compute Table 1 of the paper, with 50 certified digits of each defect."""
     from tresym.racket.flip.separatrix import solve
 
     rows = []
@@ -93,7 +98,7 @@ def _shapes(widths: tuple[fmpq, ...]) -> list[tuple[str, Shape]]:
 
 
 def errors() -> Table:
-    """Relative error of each formula for ε₀, against the exact equation."""
+    """Compute the relative error of each formula for ε₀ against the exact equation."""
     from tresym.racket.comparison.errors import FORMULAS, WIDTHS, errors_at
 
     rows = []
@@ -109,7 +114,7 @@ def errors() -> Table:
 
 
 def constants() -> Table:
-    """The constants of ε₀/ε* on a ≥ a₀, beside what is found at the corner a = a₀, b = 1."""
+    """Compute the constants in the bounds on ε₀/ε* for a ≥ a₀, and how far each can be improved."""
     from tresym.racket.comparison.constants import CONSTANTS, excesses
 
     rows = []
@@ -122,15 +127,15 @@ def constants() -> Table:
         rows.append((row.least, *cells))
     return Table(
         "Constants of |ε₀/ε* − 1| ≤ K ε*² and |ε₀/ε* − 1 − c₁ε*²| ≤ K₂ ε*⁴ on a ≥ a₀, 0 < b ≤ 1, "
-        "proved by boxes; the ratio at a = a₀, b = 1, which no constant can be below; and how far "
-        "the constant is above it.",
-        ("a₀", "K", "at a₀", "above", "K₂", "at a₀", "above"),
+        "proved by interval subdivision; the ratio at a = a₀, b = 1, which is a lower bound for "
+        "the constant; and by how much the constant exceeds it.",
+        ("a₀", "K", "at a₀", "excess", "K₂", "at a₀", "excess"),
         tuple(rows),
     )
 
 
 def slope() -> Table:
-    """dε/dγ at γ = 0 exactly and by its leading term."""
+    """Compute dε/dγ at γ = 0 exactly and by its leading term."""
     from tresym.racket.comparison.errors import WIDTHS, slope_with_error
 
     rows = []
@@ -146,7 +151,7 @@ def slope() -> Table:
 
 
 def thresholds() -> Table:
-    """The γ at which the flip is off by π/6: exactly, and by the paper's linear formula."""
+    """Compute the levels γ at which the flip is off by π/6, exactly and by the linear formula."""
     from tresym.racket.angle import parse_angle
     from tresym.racket.comparison.errors import linear_thresholds
     from tresym.racket.flip.levels import level_of, turning_level
@@ -166,15 +171,15 @@ def thresholds() -> Table:
         rows.append((name, *cells, "none" if turn is None else digits_of(turn, 12)))
     return Table(
         "Levels γ at which ε(γ) = ∓π/12, exactly and by the linear formula with the exact ε₀, and "
-        "the level γ* below which the trajectory turns first. None: ε(γ) is never that where it is "
-        "monotone.",
+        "the level γ* below which the trajectory reaches a turning point of ψ first. None: "
+        "ε(γ) does not take that value where it is monotone.",
         ("shape", "ε = −π/12", "linear", "ε = π/12", "linear", "γ*"),
         tuple(rows),
     )
 
 
 def routes() -> Table:
-    """ε(γ) by routes that share no formula: how many of its digits agree with the ball."""
+    """Compute ε(γ) by independent methods: how many digits of each agree with the ball."""
     from tresym.racket.comparison.routes import ROUTES, compare
 
     rows = tuple(
@@ -182,8 +187,8 @@ def routes() -> Table:
     )
     heads = tuple(f"{route.name} (of {route.digits})" for route in ROUTES[1:])
     return Table(
-        "ε(γ) by routes that share nothing but f or the differential equations: how many "
-        "of the digits that each is meant to have agree with the ball.",
+        "ε(γ) by independent methods, which share only f or the differential equations: how many "
+        "of the digits that each is designed to give agree with the ball.",
         ("body", "γ", "ε(γ)", *heads),
         rows,
         keys=2,
@@ -198,31 +203,32 @@ TABLES: dict[str, Callable[[], Table]] = {
     "thresholds": thresholds,
     "routes": routes,
 }
-"""The tables that `tresym table` knows."""
+"""The tables of ``tresym table``, by name."""
 
 
 def table(name: str) -> Table:
-    """The table ``name``, computed.
+    """Compute the table ``name``, one of :data:`TABLES`.
 
     Raises:
-        InputError: an unknown name; the nearest known one is suggested.
+        InputError: there is no table of that name; the nearest name is suggested.
     """
     if name not in TABLES:
         near = get_close_matches(name, TABLES, n=1)
         hint = f"did you mean {near[0]}? " if near else ""
-        raise InputError(f"table: {quoted(name)} is not known; {hint}known: {', '.join(TABLES)}")
+        tables = ", ".join(TABLES)
+        raise InputError(f"table: there is no table {quoted(name)}; {hint}tables: {tables}")
     return TABLES[name]()._replace(name=name)
 
 
 def written(found: Table, form: str) -> str:
-    """A table as text, Markdown or LaTeX."""
+    """Return a table as ``form``: text, markdown or latex."""
     if form == "markdown":
         return _markdown(found)
     return _latex(found) if form == "latex" else _text(found)
 
 
 def _text(found: Table) -> str:
-    """Of a table wider than a terminal the columns stand in blocks, the first ones in each."""
+    """Plain text; a table wider than a terminal becomes blocks that repeat the first columns."""
     body = [*zip(*found.rows, strict=True)]
     heads = [_lines(h, max(map(len, cells))) for h, cells in zip(found.heads, body, strict=True)]
     widths = [max(map(len, (*h, *cells))) for h, cells in zip(heads, body, strict=True)]
@@ -250,7 +256,7 @@ def _text(found: Table) -> str:
 
 
 def _lines(head: str, width: int) -> list[str]:
-    """A head that is wider than its cells on several lines."""
+    """A column head, wrapped if it is wider than its cells."""
     return wrap(head, max(width, HEAD), break_long_words=False, break_on_hyphens=False)
 
 
@@ -262,7 +268,7 @@ def _markdown(found: Table) -> str:
 
 
 def _set(text: str) -> str:
-    """A number with true minus signs and powers of ten; anything else as it is."""
+    """A number with true minus signs and powers of ten; other text unchanged."""
     number = _NUMBER.fullmatch(text)
     if number is None:
         return text
@@ -271,9 +277,9 @@ def _set(text: str) -> str:
 
 
 def _latex(found: Table) -> str:
-    """A table for a paper that loads booktabs, array, graphicx, and rotating for the widest.
+    """LaTeX for a document that loads booktabs, array, graphicx, and rotating for wide tables.
 
-    One that is wider than the paper's text is shrunk to it.
+    A table wider than the text is shrunk to fit.
     """
     from tresym.report.pages.derivation import prose
 
@@ -307,7 +313,7 @@ def _latex(found: Table) -> str:
 
 
 def _column(cells: tuple[str, ...]) -> tuple[str, int]:
-    """How a column is set, and its width: a head much longer than its cells takes several lines."""
+    """The LaTeX column type and the width of a column; a head wider than its cells is wrapped."""
     head, *body = (min(len(text), LONGEST) + 3 * ("e-" in text) for text in cells)
     widest = max(max(body, default=0), 7)
     if len(cells[0]) <= widest:

@@ -1,7 +1,7 @@
-"""The trust page: what must be correct for a verdict to be correct, counted and measured.
+"""Write the trust page: what must be correct for a verdict to be correct, counted and measured.
 
-``trust`` answers the question in a few lines and two tables. ``trust_details`` is its appendix:
-the functions that are left out of the count, the libraries, and what the tests of the tests found.
+``trust`` answers the question in a paragraph and a few tables. ``trust_details`` is its appendix:
+the functions that are left out of the count, the libraries, and the results of testing the tests.
 """
 
 from __future__ import annotations
@@ -29,8 +29,8 @@ STATEMENTS = (
     "coq.export.possible",
     "coq.ledger_statements.theorem_of",
 )
-"""The functions that make the statements which Coq proves."""
-WHAT = ("PROVED", "ENCLOSED: more")
+"""The functions that write the statements which Coq proves."""
+WHAT = ("PROVED", "ENCLOSED: additional")
 
 
 def trust(
@@ -42,8 +42,8 @@ def trust(
     """Write the tables of the trust page.
 
     Args:
-        report: the whole ledger.
-        guards: what ``python tests/guards.py save`` wrote, None where it was never run.
+        report: verdicts on the whole ledger.
+        guards: what ``python tests/guards.py save`` wrote, or None if there is no such file.
         hunts: what ``python tests/deep.py save`` wrote, or None.
         mutants: what ``tresym verify --mutants --json`` wrote, or None.
     """
@@ -95,7 +95,7 @@ def _answer(report: Report) -> list[str]:
 
 
 def _table(heads: Sequence[str], rows: Iterable[Sequence[object]], right: int = 99) -> list[str]:
-    """A table; columns from ``right`` on hold numbers."""
+    """A Markdown table; columns from number ``right`` on are aligned to the right."""
     rule = ["--:" if k >= right else "---" for k in range(len(heads))]
     return [f"| {' | '.join(map(str, row))} |" for row in (heads, rule, *rows)]
 
@@ -129,12 +129,12 @@ def _package(file: str) -> str:
 
 
 def _left_out() -> list[str]:
-    """What is reached and not counted, one row for each reason."""
+    """Code that is called but not counted, one row for each reason."""
     return [
         "## Code that only searches",
         "",
-        "Code that issues verdicts calls this too. It gives no pass by itself, so it does not "
-        "count.",
+        "Code that issues verdicts also calls the functions below. They cannot by themselves make "
+        "a false statement pass, so they are not counted.",
         "",
         *_table(("what", "why"), ((_names(names), why) for why, names in RECHECKED.items())),
     ]
@@ -160,13 +160,13 @@ def _names(names: Iterable[str]) -> str:
 
 
 def _quoted(report: Report) -> list[str]:
-    """The theorems that are quoted and not proved, for claims and for the judge's own rules."""
+    """The theorems that are quoted without proof, for claims and for the rules of proof."""
     resting = {axiom: len(claims) for axiom, claims in report.axioms.items()}
     whole = {row.claim.label for row in report.rows if row.claim.axioms}
     return [
         "## Quoted theorems",
         "",
-        f"{len(whole) or 'No'} claims rest on theorems that are quoted and not proved here:",
+        f"{len(whole) or 'No'} claims depend on theorems that are quoted and not proved here:",
         "",
         *_table(
             ("theorem", "source", "claims"),
@@ -186,16 +186,16 @@ def _sentences(report: Report) -> list[str]:
     return [
         "## What is left to the reader",
         "",
-        f"{len(prose)} claims are sentences, or formulas with an order, for which no formula is "
-        f"decided as a whole: {_names(prose) or 'none'}. Compare the evidence with the sentence.",
+        f"For {len(prose)} claims, sentences or asymptotic formulas, no single formula expresses "
+        f"the whole statement: {_names(prose) or 'none'}. Compare the evidence with the sentence.",
         "",
-        f"{len(functions)} claims have a Python function in their evidence where a formula should "
-        f"stand: {_names(functions) or 'none'}. Tests compare it with the formula at points.",
+        f"The evidence of {len(functions)} claims contains a Python function in place of a "
+        f"formula: {_names(functions) or 'none'}. Tests compare the two at sample points.",
     ]
 
 
 def _programs() -> Iterator[str]:
-    """The functions with a program of their own in balls, and what each is about."""
+    """The functions that are evaluated in balls by separate programs, with their meaning."""
     rows = []
     for name, function in vars(charts).items():
         if isinstance(function, Divided):
@@ -209,10 +209,11 @@ def _programs() -> Iterator[str]:
     yield "## Functions evaluated by programs of their own"
     yield ""
     yield (
-        "A bound is evaluated by the same expression that is compared with the statement. These "
-        "functions in it are evaluated by programs of their own, which must contain the true value "
-        "(continued to points where a quotient is undefined), or every solution p of the equation "
-        "between π and 3π/2. Tests compare each program with its meaning."
+        "A bound is evaluated from the same expression that is compared with the statement. The "
+        "functions below, which occur in such expressions, are evaluated by separate programs. The "
+        "ball that a program returns must contain the true value (the limit where a quotient is "
+        "undefined), or every solution p of the equation between π and 3π/2. Tests compare each "
+        "program with its meaning."
     )
     yield ""
     yield from _table(("function", "what its ball contains"), rows)
@@ -223,7 +224,7 @@ def _safeguards(
     hunts: Mapping[str, Any] | None,
     mutants: Mapping[str, Any] | None,
 ) -> list[str]:
-    """What stands between a mistake in that code and a wrong verdict, with what was measured."""
+    """The safeguards against mistakes in that code, with what was measured for each."""
     rows = [
         (
             "Searches are checked by plain code",
@@ -279,7 +280,7 @@ def _safeguards(
 
 
 def _few(mutants: Mapping[str, Any]) -> list[str]:
-    """Claims of which few false variants can be made."""
+    """Claims for which only few false variants can be made."""
     few = [row for row in mutants["few"] if row["changes"] < MUTANTS]
     if not few:
         return []
@@ -296,7 +297,7 @@ def _tried(counts: Counter[str]) -> int:
 
 
 def _guards(guards: Mapping[str, Any]) -> Iterator[str]:
-    """How many changes of the checking code the tests notice, by package, and which they cannot."""
+    """How many changes of the checking code the tests notice, by package; the equivalent ones."""
     packages: dict[str, Counter[str]] = {}
     for file, counts in guards["files"].items():
         package = file.rpartition("/")[0].removeprefix("tresym/")
@@ -304,8 +305,8 @@ def _guards(guards: Mapping[str, Any]) -> Iterator[str]:
     yield "## Tests of the tests"
     yield ""
     yield (
-        "Each change deletes a guard, negates a test, drops a condition or widens a bound. "
-        "*Equivalent* changes have no effect that could be observed."
+        "Each change deletes a check, negates a test, drops a condition or widens a bound. "
+        "A change is *equivalent* if it has no observable effect."
     )
     yield ""
     rows = [
@@ -326,13 +327,14 @@ def _guards(guards: Mapping[str, Any]) -> Iterator[str]:
 
 
 def _hunts(tests: Mapping[str, Any]) -> Iterator[str]:
-    """What the long hunts have come to: of how many examples, when, and at which commit."""
+    """The results of the long randomised tests: how many examples, when, and at which commit."""
     yield "## Randomised tests"
     yield ""
     yield (
-        "Besides the tests that every change must pass, some run for hours with new seeds "
-        "(`python tests/deep.py`). An example is a random input, or a claim whose truth is known; "
-        "for claims the table counts how many were decided within the time limit."
+        "Besides the tests that every change must pass, there are tests that run for hours with "
+        "new seeds (`python tests/deep.py`). An example is a random input, or a claim that is "
+        "known to be true or false; for claims the table says how many were decided within the "
+        "time limit."
     )
     yield ""
     rows = [

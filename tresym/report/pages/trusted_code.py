@@ -1,10 +1,12 @@
-"""Count the lines of code that verdicts depend on.
+"""Count the lines of code that verdicts depend on, by a call graph of the sources.
 
-A piece is a function, method, class or constant. It is reached when a piece that is reached names
-it, a method when its class is reached and anything reached has an attribute of its name, or a
-method of the class picks others by a name that it makes; what only finds, and is rechecked, is left
-out by name and with the reason.
-``python -m tresym.report.pages.trusted_code`` shows the count.
+A *piece* is a function, method, class or constant. The roots are the functions that issue verdicts.
+A piece is reached if a reached piece names it. A method is also reached if its class is reached and
+a reached piece uses an attribute of that name, or if a method of its class looks up attributes of
+``self`` by computed names. Code that only searches, so that its results are checked by counted
+code, is left out by name, each with a reason (:data:`RECHECKED`).
+
+``python -m tresym.report.pages.trusted_code`` prints the count.
 """
 
 from __future__ import annotations
@@ -21,9 +23,9 @@ import flint
 import tresym
 
 LEDGER = ("ledger.judge.judge", "ledger.judge.judge_evidence")
-"""Where verdicts are given on a claim of the ledger."""
+"""The functions that issue verdicts on claims of the ledger."""
 CHECK = ("reals.decisions.dispatch.decide_claim",)
-"""Where they are given on a user's claim."""
+"""The functions that issue verdicts on a user's claim."""
 ROOTS = (*LEDGER, *CHECK)
 
 ENCLOSING = (
@@ -65,21 +67,21 @@ ENCLOSING = (
     *(f"reals.domain.binder_values.{name}" for name in ("bracketed", "bracket", "value")),
     "ledger.evidence.admissible._other_meaning",
 )
-"""Rooms and files that no PROVED comes from."""
+"""Packages, modules and functions on which no verdict PROVED depends."""
 
 RECHECKED = {
-    "what was read is written out in the text grammar and shown; that text is read and decided": (
+    "it translates input into the text grammar; the text is shown, parsed again and decided": (
         *("reals.language.latex", "reals.language.latex_cursor", "reals.language.latex_grammar"),
         *("reals.language.latex_operands", "reals.language.latex_tokens"),
         *("reals.language.unicode_input", "reals.decisions.claim_parsing._written"),
         *("reals.language.expression._text", "reals.language.expression.Expr.__str__"),
         "reals.language.expression.Expr.__repr__",
     ),
-    "the advocate takes passes away and gives none": (
+    "the independent numerical check can withdraw a verdict but never gives one": (
         *("reals.decisions.claim_cross_check", "reals.cross_check", "ledger.judge._attacked"),
         "reals.decisions.definedness_check",
     ),
-    "a point to try counts once its conditions are shown there": (
+    "it proposes sample points; a point counts only after its conditions are verified there": (
         *("reals.domain.sample_points._sample", "reals.domain.sample_points.corners"),
         *(
             "reals.domain.narrow_regions",
@@ -88,7 +90,7 @@ RECHECKED = {
         ),
         *("reals.domain.conditions.Given._far", "reals.normal.locally_constant._middle"),
     ),
-    "what is found is checked: products and sums multiplied out, boxes replayed, links shown": (
+    "its result is checked: products multiplied out, subdivisions replayed, steps proved": (
         *("reals.normal.denesting", "reals.balls.branch_and_bound._found"),
         *("reals.signs.transformations.equivalents", "reals.signs.homogenisation.ways"),
         *("reals.signs.structural.Parts._ways", "reals.signs.structural.Parts._multiples"),
@@ -102,7 +104,7 @@ RECHECKED = {
         *(f"reals.normal.powers.PowerRing.{n}" for n in ("_multiples", "_share", "_combination")),
         *("reals.normal.angles.AngleRing._signed_multiples", "reals.normal.constants._groups"),
     ),
-    "a place to try: that it lies where it must, and what holds there, is shown": (
+    "it proposes a point or a split; where it lies and what holds there is verified": (
         *(
             "reals.signs.taylor._bases",
             "reals.language.solve",
@@ -113,14 +115,14 @@ RECHECKED = {
         *("reals.decisions.integrals._turns", "reals.signs.polynomials._least"),
         "reals.numbers.exact.Interval.simplest",
     ),
-    "it spares a search that would find nothing, or says how much room one needs": (
+    "it only skips a search that would fail, or estimates the cost of one": (
         *(
             "reals.normal.ranges.ProvingRing._changes_sign",
             "reals.signs.orthant_cones._fails_at_vertex",
         ),
         *("reals.decisions.identity._generator_count", "reals.signs.taylor._seen"),
     ),
-    "it refutes alone": (
+    "it can only refute": (
         "reals.decisions.point_check",
         "reals.decisions.asymptotics.refutation_check",
         "reals.decisions.asymptotics.numerical_evidence",
@@ -148,28 +150,28 @@ RECHECKED = {
             "reals.decisions.readable_witnesses.exact_witness",
         ),
     ),
-    "it says where a claim stands, of what kind it is, and what is expected of it": (
+    "it records the place and kind of a claim, and the expected verdict": (
         *(f"ledger.claim.{name}" for name in ("Place", "display", "line", "Fault", "_kind")),
         *("ledger.claim._expected", "ledger.claim.AllOf.expect", "ledger.claim.asked_by"),
     ),
-    "it shows an answer that is given": (
+    "it prints an answer": (
         *("reals.decisions.answer.Answer.rows", "reals.decisions.answer.Answer.__str__"),
         *("reals.decisions.answer.ball_text", "reals.signs.discontinuities.Case.__str__"),
         "reals.decisions.identity._counted",
     ),
-    "it words refusals": (
+    "it writes error messages": (
         "ledger.definitions._where",
         *("reals.language.suggestions", "reals.decisions.identity.no_point"),
         *("reals.decisions.identity._obstacle", "reals.decisions.dispatch._mistaken"),
     ),
 }
-"""Rooms, files and pieces that are left out, by the reason."""
+"""Packages, modules and pieces that are left out of the count, by the reason."""
 
 Piece = tuple[str, str]
 
 
 class Count(NamedTuple):
-    """Lines of code by file, and the names of the library that are called."""
+    """Lines of code by module, and the names of libraries that this code calls."""
 
     lines: dict[str, int]
     flint: tuple[str, ...]
@@ -177,31 +179,40 @@ class Count(NamedTuple):
 
     @property
     def total(self) -> int:
-        """Lines of code in all files."""
+        """The sum over all modules."""
         return sum(self.lines.values())
 
 
 @cache
 def trusted(roots: Collection[str] = ROOTS) -> tuple[Count, Count]:
-    """What must be right for PROVED, and what more for ENCLOSED, where ``roots`` give verdicts."""
+    """Count the code that verdicts depend on.
+
+    Args:
+        roots: full names of the functions that issue verdicts, without the leading ``tresym.``.
+
+    Returns:
+        What must be correct for PROVED, and what must be correct in addition for ENCLOSED.
+    """
     found = {name for names in RECHECKED.values() for name in names}
     proving = reached({*found, *ENCLOSING}, roots)
     return counted(proving), counted(reached(found, roots) - proving)
 
 
 def reached(without: Collection[str], roots: Collection[str] = ROOTS) -> set[Piece]:
-    """All pieces that ``roots`` reach past none of those ``without``."""
+    """Return all pieces that can be reached from ``roots`` without passing through ``without``."""
     seen: set[Piece] = set()
     found: set[Piece] = set()
     attributes: set[str] = set()
     waiting = [piece_of(name) for name in roots]
+    # A newly reached attribute name may make methods of classes reached earlier count, so the
+    # inner search is repeated until nothing new is found.
     while waiting:
         while waiting:
             piece = waiting.pop()
             if piece in seen:
                 continue
             seen.add(piece)
-            if not any(_within(".".join(piece), room) for room in without):
+            if not any(_within(".".join(piece), name) for name in without):
                 found.add(piece)
                 waiting += _named_in(*piece)
                 nodes = _nodes(_file(piece[0]).pieces[piece[1]])
@@ -213,13 +224,13 @@ def reached(without: Collection[str], roots: Collection[str] = ROOTS) -> set[Pie
 
 
 def _methods(found: Collection[Piece]) -> Iterator[Piece]:
-    """The methods of the classes among the pieces."""
+    """The methods of those pieces that are classes."""
     for file, owner in found:
         yield from ((file, name) for name in _file(file).pieces if name.startswith(f"{owner}."))
 
 
 def _picks(file: str, name: str) -> bool:
-    """Whether a piece takes an attribute of ``self`` by a name that it makes."""
+    """Whether a piece looks up an attribute of ``self`` by a computed name."""
     calls = (n for n in _nodes(_file(file).pieces[name]) if isinstance(n, ast.Call))
     return any(
         isinstance(call.func, ast.Name)
@@ -231,13 +242,13 @@ def _picks(file: str, name: str) -> bool:
 
 
 def _is_meant(method: str, attributes: Collection[str]) -> bool:
-    """Whether a method may be called: by its name, or by Python itself."""
+    """Whether a method may be called: it is named as an attribute, or Python itself calls it."""
     name = method.rpartition(".")[2]
     return name in attributes or name.startswith("__")
 
 
 def piece_of(name: str) -> Piece:
-    """A piece by its whole name."""
+    """Return the module and the name within it of a piece, from its full name."""
     file, _, rest = name.rpartition(".")
     while not _is_file(file):
         file, _, more = file.rpartition(".")
@@ -246,7 +257,7 @@ def piece_of(name: str) -> Piece:
 
 
 def counted(pieces: Collection[Piece]) -> Count:
-    """Lines of code without comments, docstrings and blank lines, and what of libraries is used."""
+    """Count lines without comments, docstrings and blank lines; collect the library names used."""
     lines: dict[str, set[int]] = {}
     flint_names: set[str] = set()
     sympy_names: set[str] = set()
@@ -277,7 +288,7 @@ class _File(NamedTuple):
 
 @cache
 def _file(name: str) -> _File:
-    """A file of tresym by its import name, without the leading ``tresym``."""
+    """Parse a module, given by its import name without the leading ``tresym.``."""
     path = _home().joinpath(*name.split("."))
     path = path / "__init__.py" if path.is_dir() else path.with_suffix(".py")
     text = path.read_text(encoding="utf-8")
@@ -304,13 +315,13 @@ def _file(name: str) -> _File:
 
 
 def _functions(owner: ast.AST) -> list[ast.FunctionDef]:
-    """The methods of a class."""
+    """The methods of a class; none for other nodes."""
     body = owner.body if isinstance(owner, ast.ClassDef) else []
     return [node for node in body if isinstance(node, ast.FunctionDef)]
 
 
 def _nodes(piece: ast.AST) -> Iterator[ast.AST]:
-    """What a piece consists of, a class without its methods."""
+    """The syntax nodes of a piece; of a class without its methods."""
     yield piece
     methods = _functions(piece)
     for inner in ast.iter_child_nodes(piece):
@@ -336,7 +347,7 @@ def _named_in(file: str, name: str) -> Iterator[Piece]:
 
 
 def _piece(file: str, name: str) -> Piece | None:
-    """The piece that a name, or ``module.name``, stands for in a file; None where it is none."""
+    """The piece that a name, or ``module.name``, refers to in a module; None if it is not ours."""
     first, _, rest = name.partition(".")
     source = _file(file)
     if first in source.pieces:
@@ -351,7 +362,7 @@ def _piece(file: str, name: str) -> Piece | None:
 
 
 def _names(node: ast.AST) -> Iterator[str]:
-    """Every name in ``node``, and ``name.attribute``."""
+    """Every name in ``node``, and every ``name.attribute``."""
     for inner in _nodes(node):
         if isinstance(inner, ast.Name):
             yield inner.id
@@ -360,7 +371,7 @@ def _names(node: ast.AST) -> Iterator[str]:
 
 
 def _flint_names(node: ast.stmt, source: _File) -> set[str]:
-    """Types of python-flint that are named, and functions of them called under their names."""
+    """Types of python-flint that are named, and attributes that are methods of such types."""
     types = {n for n in _names(node) if source.imported.get(n, "").startswith("flint.")}
     methods = {n.attr for n in _nodes(node) if isinstance(n, ast.Attribute)}
     return types | {f".{name}" for name in methods & _flint_methods()}
@@ -368,14 +379,15 @@ def _flint_names(node: ast.stmt, source: _File) -> set[str]:
 
 @cache
 def _flint_methods() -> frozenset[str]:
-    """Public functions of python-flint's types, but those that have a name of Python's own."""
+    """Public methods of python-flint's types, except those that Python's own types have too."""
     types = [t for t in vars(flint).values() if isinstance(t, type)]
     own = {name for t in (str, dict, list, set, tuple, int, Counter) for name in dir(t)}
     return frozenset(n for t in types for n in dir(t) if not n.startswith("_")) - own
 
 
-def _within(name: str, room: str) -> bool:
-    return name == room or name.startswith(f"{room}.")
+def _within(name: str, whole: str) -> bool:
+    """Whether a piece is ``whole`` or part of it."""
+    return name == whole or name.startswith(f"{whole}.")
 
 
 def _is_file(name: str) -> bool:
@@ -388,11 +400,11 @@ def _home() -> Path:
 
 
 def main() -> None:
-    """Show the count, file by file."""
+    """Print the count, module by module."""
     for whose, roots in (("the ledger", LEDGER), ("check", CHECK)):
         proved, enclosed = trusted(roots)
-        print(f"{proved.total:5} PROVED, {enclosed.total} ENCLOSED more: {whose} alone")
-    for verdict, count in zip(("PROVED", "ENCLOSED, more"), trusted(), strict=True):
+        print(f"{proved.total:5} PROVED, {enclosed.total} additional for ENCLOSED: {whose} alone")
+    for verdict, count in zip(("PROVED", "ENCLOSED, additional"), trusted(), strict=True):
         print(f"{count.total:5} {verdict}")
         for file, lines in sorted(count.lines.items(), key=lambda item: -item[1]):
             print(f"{lines:5}   {file}")

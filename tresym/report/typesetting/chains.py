@@ -1,6 +1,6 @@
-"""Derivations in lines: every expression in LaTeX with its reasons.
+"""Derivations as lines: each expression in LaTeX with the reasons for the step to it.
 
-The article and the pages of the site set the same lines, each in its own way.
+The article and the site typeset the same lines, each in its own format.
 """
 
 from __future__ import annotations
@@ -15,14 +15,15 @@ from tresym.ledger.statements import ExactlyOne
 from tresym.report.typesetting.latex import bracketed, expression_latex, says_latex
 
 EQUIVALENT = r"\iff{}"
-"""What stands left of a line that is equivalent to the one before."""
+"""The left part of a line that is equivalent to the line before."""
 
+_SIGN = "by the sign prover"
 _VERBS = {"substituting": "by", "citing": "since"}
 _STRICT = {">": ">", ">=": r"\ge", "<": "<", "<=": r"\le"}
 
 
 class Because(NamedTuple):
-    """A reason in words: what is said, a formula it names, and the claims it names by label."""
+    """A reason: its words, a formula that belongs to it, and the labels of the claims it cites."""
 
     words: str
     formula: str = ""
@@ -30,7 +31,7 @@ class Because(NamedTuple):
 
 
 class Line(NamedTuple):
-    """A line of a display: LaTeX left and right of where lines are aligned, and the reasons."""
+    """A line of a display: the LaTeX left and right of the alignment mark, and the reasons."""
 
     left: str
     right: str
@@ -41,8 +42,11 @@ Display = tuple[Line, ...]
 
 
 def displays(claim: Claim) -> tuple[Display, ...]:
-    """One display for each local fact and each part of the statement, with its chain."""
-    facts = tuple((Line("", says_latex(fact), (Because("manifest"),)),) for fact in claim.knowing)
+    """Return the displays of a claim: one for each auxiliary fact and each part of the statement.
+
+    Each display holds the chain of equalities by which it is derived, if there is one.
+    """
+    facts = tuple((Line("", says_latex(fact), (Because(_SIGN),)),) for fact in claim.knowing)
     return (*facts, *_shown(claim))
 
 
@@ -65,13 +69,13 @@ def _shown(claim: Claim) -> tuple[Display, ...]:
 
 
 def _lines(says: Basic, chain: Chain) -> Display:
-    """A chain in the manner of a textbook: each expression, and its reason at the right."""
+    """A chain as in a textbook: each expression in a line, with its reason at the right."""
     if isinstance(says, Equivalent):
         return tuple(_equivalence(says, chain))
     sign = _STRICT.get(getattr(says, "rel_op", ""))
     if sign is not None:
         if chain[0].expression is None:
-            return (Line("", says_latex(says), _reasons(chain[0], "manifest")),)
+            return (Line("", says_latex(says), _reasons(chain[0], _SIGN)),)
         difference = expression_latex(says.gts - says.lts)
         end = " > 0" if sign in "<>" else r" \ge 0"
         return tuple(_equations(difference, chain, None, end))

@@ -1,6 +1,6 @@
-"""Where in the paper a claim stands: section and equation number.
+"""The place of a claim in the paper: section and equation number.
 
-Counted as the journal prints it: the equations of the appendix have its letter.
+Sections and equations are numbered as in the journal, those of the appendix with its letter.
 """
 
 from __future__ import annotations
@@ -17,23 +17,27 @@ class _Section(NamedTuple):
     name: str
     line: int
     numbered: dict[int, str]
-    """By the line on which they begin, the numbers of its equations."""
+    """The numbers of its equations, by the line of the source on which they begin."""
 
 
 def place_text(claim: Claim) -> str:
-    """Where in the paper a claim stands, in words; a dash for a lemma of ours."""
+    """Return the place of a claim in the paper, such as ``Sect. 3, eq. (12)``.
+
+    Returns:
+        A dash for a lemma that is not in the paper.
+    """
     where = claim.where
     if where is None:
         return "—"
     line = where.line or display_lines().get(where.display)
     parts = [_found(line)] if line else []
     parts += [_CELLS.get(where.cell, where.cell)] if where.cell else []
-    parts += ["read more sharply"] if claim.paper_says else []
+    parts += ["read more strictly"] if claim.paper_says else []
     return ", ".join(parts) or "—"
 
 
 def _found(line: int) -> str:
-    """The place of a line: its equation or float, else its section and the last equation in it."""
+    """The place of a line: its equation, table or figure, else its section and last equation."""
     section = _within(line)
     kind, number = _floats().get(line, ("", ""))
     if kind in ("Table", "Fig."):
@@ -52,7 +56,7 @@ def _found(line: int) -> str:
 
 @lru_cache(maxsize=1)
 def _sections() -> tuple[_Section, ...]:
-    """The sections in order, with the equations that have a number."""
+    """The sections in order, with their numbered equations."""
     starts = [(section["name"], section["line"]) for section in index()["sections"]]
     ends = [*(line for _, line in starts[1:]), 10**9]
     lines = [display["line"] for display in index()["displays"] if display["kind"] == "equation"]
@@ -75,9 +79,9 @@ _KINDS = {"figure": "Fig.", "table": "Table", "theorem": "Theorem", "remark": "R
 
 @lru_cache(maxsize=1)
 def _floats() -> dict[int, tuple[str, str]]:
-    """The lines of theorems, remarks, tables and figures: what it is, and its number.
+    """The kind and number of the theorem, remark, table or figure on each line that has one.
 
-    Theorems and remarks are counted together, within their section.
+    Theorems and remarks are numbered together within their section.
     """
     counts: dict[str, int] = {}
     found: dict[int, tuple[str, str]] = {}
