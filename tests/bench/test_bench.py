@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from importlib.util import find_spec
 from itertools import islice
 from pathlib import Path
 
@@ -23,7 +24,7 @@ from tresym.bench import (
     turn,
     workloads,
 )
-from tresym.bench.names import WORKLOADS
+from tresym.bench.names import MODULES, WORKLOADS
 from tresym.bench.run import (
     Contender,
     Judged,
@@ -201,6 +202,11 @@ def test_the_command_stops_after_an_interrupted_workload(monkeypatch, capsys) ->
     assert show.run_all(["turn", "defect"], False, False, None) == 130
     assert ran == ["turn"]
     assert "interrupted" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("name", WORKLOADS)
+def test_every_workload_has_its_module(name: str) -> None:
+    assert find_spec(MODULES[name]) is not None
 
 
 def test_unknown_workloads_are_refused(capsys: pytest.CaptureFixture[str]) -> None:

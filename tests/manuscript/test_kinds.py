@@ -76,7 +76,7 @@ REASONS = {
     r"\[ [2x] = 2[x] \]": "may be an integer part",
     r"\[ (AB)^{-1} = A^{-1}B^{-1} \]": "may be an inverse matrix or function",
     r"\[ \int_0^1 f\,dx = f \]": "the text does not say whether f is a function of x",
-    r"\[ \sum_{i=1}^n \bar x_i = n \bar x_i \]": "the text does not say whether x_ibar is a function of i",
+    r"\[ \sum_{i=1}^n \bar x_i = n \bar x_i \]": "whether x_ibar is a function of i",
     r"\[ (f^2)' = 2f \]": "whether f is a function is not said",
     r"Let $w = Az$ for a matrix $A$. \[ w = A z \] \[ w^2 \ge 0 \]": "w is a matrix (line 1",
 }

@@ -136,5 +136,5 @@ def test_named_bodies_have_a_shape(name: str) -> None:
 )
 def test_a_body_has_its_b_in_it(body: Any) -> None:
     assert as_shape(body).a > 0
-    with pytest.raises(InputError, match=r"^shape: a body has its b in it; .* as digits=30$"):
+    with pytest.raises(InputError, match=r"^shape: a body has its b in it, .* as digits=30$"):
         as_shape(body, 30)

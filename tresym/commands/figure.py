@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 KINDS = ("svg", "pdf", "png", "gif", "mp4")
 WIDTHS, DOTS = (40, 600), (20, 1200)
-"""The least and the most of --width, in millimetres, and of --dpi."""
+"""The range of --width, in millimetres, and of --dpi."""
 
 
 def add(commands: Commands) -> None:
@@ -39,7 +39,10 @@ def add(commands: Commands) -> None:
     parser.add_argument("--gamma", metavar="G", help="for flip-curves: draw only this level")
     parser.add_argument("--width", metavar="MM", help="width of the picture in millimetres")
     parser.add_argument(
-        "--dpi", metavar="N", default="200", help="resolution of a PNG in dots per inch"
+        "--dpi",
+        metavar="N",
+        default="200",
+        help="resolution in dots per inch of a PNG, or of a GIF or MP4 with --width",
     )
     parser.add_argument(
         "--format", choices=KINDS, help="file format (default: from the ending of PATH, or svg)"

@@ -27,7 +27,7 @@ MAX_DEPTH = 4
 """Folders around a chapter in which its main file is sought, and inputs in inputs there."""
 MAX_PREAMBLE = 400_000
 PROJECT = (".git", "latexmkrc", ".latexmkrc", "pyproject.toml")
-"""What marks the top folder of a project."""
+"""Files and folders that mark the top folder of a project."""
 _HIDDEN = re.compile(
     r"""(?P<verbatim>\\begin\{(?P<name>verbatim\*?|lstlisting|minted|comment|filecontents\*?)\}
           .*? (?:\\end\{(?P=name)\}|\Z))
@@ -52,12 +52,12 @@ _PRIMITIVES = frozenset(
         *("hmode", "inner", "void", "hbox", "vbox", "eof"),
     )
 )
-"""Conditionals of TeX that end in ``\\fi``; which branch they take is not followed."""
+"""Conditionals of TeX that end in ``\\fi`` and are not evaluated."""
 _OPENS = re.compile(r"\\begin\s*\{|\\end\s*\{|\\\[|\\\]|\$\$")
 
 
 class Note(NamedTuple):
-    """A comment ``% tresym: …`` of the author's, and where it stands."""
+    """A directive: a comment ``% tresym: …`` of the author's, and its place."""
 
     text: str
     file: str
@@ -65,15 +65,15 @@ class Note(NamedTuple):
 
 
 class Files:
-    """The text of all files, where its lines come from, and the notes in its comments.
+    """The text of all files, the origin of its lines, and the directives in its comments.
 
     Attributes:
-        missing: files that are input and not there, as those of packages of TeX.
-        outside: files that are input from outside the project, which are not read.
+        missing: input files that do not exist in the project, such as those of TeX packages.
+        outside: input files outside the project, which are not read.
     """
 
     def __init__(self, path: Path, root: Path | None = None, text: str | None = None) -> None:
-        """Read them all; ``text`` stands for what the first of them holds, as in an editor."""
+        """Read all files; ``text`` replaces the contents of the first, as in an editor."""
         self._unsaved = text
         self.path, self.folder = path, path.resolve().parent
         self.root = _project(self.folder) if root is None else root.resolve()
@@ -101,12 +101,12 @@ class Files:
             offset += len(text)
 
     def place(self, at: int) -> tuple[str, int]:
-        """The file and the line of a place in the text."""
+        """Return the file and the line of a position in the text."""
         return self._places[bisect_right(self._starts, at) - 1]
 
     def _add(self, path: Path, around: tuple[Path, ...], preamble: bool = False) -> None:
-        """Add a file and what it inputs: of one that is input its body, of a main file that a
-        part of it names its preamble."""
+        """Add a file and its inputs: the body of an input file, or only the preamble of the main
+        file that a subfile names."""
         here = path.resolve()
         shown = "" if not around else os.path.relpath(here, self.folder)
         if here in around:
@@ -115,7 +115,7 @@ class Files:
         text = self._visible(read_text(path) if unsaved is None else unsaved, shown)
         self.size += len(text)
         if self.size > MAX_CHARACTERS or len(self.parts) > MAX_FILES:
-            raise InputError(f"{self.path}: with all that it includes it is beyond all bounds")
+            raise InputError(f"{self.path}: it is too large with the files that it includes")
         body = _BODY.search(text)
         start, stop = 0, len(text)
         if body is not None and preamble:
@@ -193,7 +193,7 @@ class Files:
         self.parts.append((file, text.count("\n", 0, start) + 1, text[start:end]))
 
     def _included(self, name: str, beside: Path) -> Path | None:
-        """The file of that name; None where the project has none, as of a package of TeX."""
+        """Return the file of that name; None if the project has none, as for a TeX package."""
         outside = False
         for folder in dict.fromkeys((self.folder, beside, self.root)):
             for ending in ("", ".tex"):
@@ -209,9 +209,14 @@ class Files:
         return None
 
     def _visible(self, text: str, file: str) -> str:
-        """Without comments and verbatim text; each note is a mark, and every line stays."""
+        """Return the text without comments and verbatim text, with a mark for each directive.
+
+        Line breaks stay, so that line numbers remain correct.
+        """
         if "\x01" in text or "\x02" in text:
-            raise InputError(f"{file or self.path}: holds control characters; LaTeX is text")
+            raise InputError(
+                f"{file or self.path}: it contains control characters, so it is not LaTeX text"
+            )
         lines = _Lines(text)
 
         def replaced(found: re.Match[str]) -> str:
@@ -228,7 +233,7 @@ class Files:
         return _HIDDEN.sub(replaced, text)
 
     def _write_out_environments(self) -> None:
-        """Write out the macros that open or close displays, as ``\\be`` and ``\\ee`` do."""
+        """Expand the macros that open or close displays, as ``\\be`` and ``\\ee`` do."""
         found: dict[str, str] = {}
         for _, _, text in self.parts:
             for command in DEFINITIONS.finditer(text):
@@ -254,7 +259,7 @@ class Files:
 
 
 class _Lines:
-    """The lines of a text, asked for from first to last."""
+    """Line numbers of a text, for increasing positions."""
 
     def __init__(self, text: str) -> None:
         self.text, self.seen, self.line = text, 0, 1
@@ -278,15 +283,15 @@ def _shown(text: str) -> str:
 
 
 def _project(folder: Path) -> Path:
-    """The nearest folder around that a project begins in, else the folder itself."""
+    """Return the nearest folder upwards that is the top of a project, else the folder itself."""
     around = (one for one in (folder, *folder.parents) if any((one / p).exists() for p in PROJECT))
     return next(around, folder)
 
 
 def _taken(text: str) -> str:
-    """The text with spaces for the branches of conditionals that TeX does not take."""
+    """Return the text with blanks for the branches of conditionals that TeX does not take."""
     flags = {"true": True, "false": False}
-    open_: list[bool | None] = []  # of each conditional around whether its branch is taken
+    open_: list[bool | None] = []  # for each open conditional: whether its branch is taken
     kept: list[str] = []
     at = 0
     for mark in _CONDITIONAL.finditer(text):

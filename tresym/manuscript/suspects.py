@@ -1,11 +1,11 @@
 """Proof-reading: which equalities that fail are misprints, and what is true instead.
 
 An equality that fails somewhere may be an equation to be solved, a law, a condition, a definition,
-or a misprint. It is SUSPECT when nothing around it introduces it as one of the former, and
+or a misprint. It is SUSPECT if no words around it introduce it as one of the former, and
 
-- a claim one edit away holds, or it holds itself under a natural condition, or
-- the other links of its display are identities, or a word such as "hence" leads to it, and the same
-  variables stand on both sides.
+- a statement one edit away holds, or it holds itself under a natural condition, or
+- the other links of its display are identities, or a word such as "hence" leads to it, and both
+  sides have the same variables.
 
 A symbol that is defined again in the same scope, one edit away from its first definition and
 without a word such as "now", is SUSPECT as well. What is REFUTED keeps its status and gets the
@@ -45,7 +45,7 @@ _INTRODUCED = re.compile(
     r"|absurd|differential)\b",
     re.IGNORECASE,
 )
-"""Words before a display by which it is no claim for all values."""
+"""Words before a display that mark it as an equation or the like, not as an identity."""
 _AFTER = re.compile(
     r"\b(?:solutions?|roots?|solv\w+|satisf\w+|if and only if|holds? (?:only )?(?:if|when)"
     r"|unknowns?|is (?:called|false|wrong|not)|does not hold|equation|zeros?|cannot"
@@ -53,21 +53,21 @@ _AFTER = re.compile(
     r"|impossible|fails)\b",
     re.IGNORECASE,
 )
-"""Words behind a display by which it is no claim for all values."""
+"""Words behind a display that mark it as an equation or the like, not as an identity."""
 _TOLD = re.compile(
     r"\b(?:hence|therefore|thus|identit\w+|it follows|consequently|then"
     r"|we (?:\w+ )?(?:get|obtain|find|have|see|prove|show|compute|deduce)|gives?|yields?|shows?"
     r"|implies|becomes?|know that)\b",
     re.IGNORECASE,
 )
-"""Words by which what follows holds for all values."""
+"""Words that claim that the display behind them holds for all values."""
 _ANEW = re.compile(
     r"\b(?:now|instead|redefin\w+|new|another|other|replac\w+|becom\w+|alternativ\w+|else|second"
     r"|case|cases|chang\w+|example|consider|let|set|put|suppose|take|choos\w+|if|when|for|similarly"
     r"|again|next|also|with|where|right|left|above|below|inside|outside|upper|lower|other(?:wise)?)\b",
     re.IGNORECASE,
 )
-"""Words by which a second definition is another one on purpose."""
+"""Words that mark a second definition of a symbol as intended."""
 _REAL = re.compile(r"[xyzuvw]\d*")
 """Letters that take all real values in most texts."""
 _SIGNED = re.compile(
@@ -75,14 +75,14 @@ _SIGNED = re.compile(
     r"|quadrant|angles?|large|small|greater|less|between|least|most)\b|[<>]|\\[gl]e|\\in\b",
     re.IGNORECASE,
 )
-"""What says of variables that they do not take all real values."""
+"""Words and signs by which variables do not take all real values."""
 _DOUBTED = re.compile(
     r"what the function|something that was not read|may be summed|may be rounded|contradiction"
     r"|how close|of a sequence|the sentence says|another paragraph"
 )
-"""Reasons for which what fails is no misprint either."""
+"""Reasons of a withheld refutation by which the link is not a misprint either."""
 _OPEN = re.compile(r"no real point was found where both sides|no antiderivative was found")
-"""Why an equality is not decided that may be a misprint."""
+"""Reasons of an undecided equality that may nevertheless be a misprint."""
 _STRICT = re.compile(r" ([<>])=? ")
 _RELATIONS = frozenset(("==", "<", "<=", ">", ">="))
 _HOLD = frozenset(("PROVED", "ENCLOSED"))
@@ -91,11 +91,12 @@ _HOLD = frozenset(("PROVED", "ENCLOSED"))
 def proofread(
     rows: Sequence[Row], seconds: float = SECONDS, processes: int | None = None
 ) -> list[Row]:
-    """The rows, misprints SUSPECT, with what is true instead of them and of what is REFUTED.
+    """Return the rows with misprints marked SUSPECT, and with true statements close to those and
+    to REFUTED ones.
 
     Args:
-        seconds: processor time for the search beside each of them.
-        processes: how many at once; all cores unless given.
+        seconds: processor time for each search.
+        processes: how many searches at once; None for one per core.
     """
     asked = {n: row for n, row in enumerate(rows) if row.status == "REFUTED" or may_be(row)}
     texts = [_question(row) for row in asked.values()]
@@ -115,7 +116,7 @@ def proofread(
 
 
 def may_be(row: Row) -> bool:
-    """Whether a row is a comparison that fails, and that nothing introduces as something else."""
+    """Whether a row may be a misprint: it fails, and no words mark it as an equation."""
     link = row.link
     if row.status not in (EQUATION, "UNDECIDED") or link.sides is None:
         return False
@@ -130,7 +131,7 @@ def may_be(row: Row) -> bool:
 
 
 def _has_constants(*sides: Expr) -> bool:
-    """Whether a constant that is to be determined stands in both sides, each linear in it."""
+    """Whether both sides are linear in a constant that is to be determined."""
     if not elementary(*sides):
         return False
     names = [name for name in symbols(sides[0]) & symbols(sides[1]) if CONSTANTS.fullmatch(name)]
@@ -140,7 +141,8 @@ def _has_constants(*sides: Expr) -> bool:
 
 
 def _question(row: Row) -> tuple[str, Definitions, bool, bool]:
-    """What is looked for instead of, whether with caution, and whether by unusual edits."""
+    """Return the claim to repair, its substitutions, whether to be cautious, and whether to try
+    unusual edits."""
     relation, sure = row.link.sides[1] if row.link.sides else "", row.status == "REFUTED"
     if row.refuted:
         return row.refuted, row.put, relation != "==" and not sure, sure
@@ -150,7 +152,7 @@ def _question(row: Row) -> tuple[str, Definitions, bool, bool]:
 
 
 def is_introduced(link: Link) -> bool:
-    """Whether words around a display say that it is an equation, a condition or the like."""
+    """Whether words around a display mark it as an equation, a condition or the like."""
     before, after = link.around[:2]
     lead, trail = (_words(prose.last_sentence(before)), _words(prose.first_sentence(after)))
     if _AFTER.search(trail) or link.noted in (prose.SOLVE, prose.ASSUME, prose.DEFINE):
@@ -160,7 +162,7 @@ def is_introduced(link: Link) -> bool:
 
 
 def _last(pattern: re.Pattern[str], text: str) -> int:
-    """Where the last match of a pattern ends, -1 without one; words on the way do not count."""
+    """Return where the last match of a pattern ends, -1 if there is none; means do not count."""
     return max((found.end() for found in pattern.finditer(_METHODS.sub(_blank, text))), default=-1)
 
 
@@ -177,12 +179,12 @@ _METHODS = re.compile(
     r"\b(?:equations?|laws?|conditions?|relations?|definitions?|rules?|solutions?)\b",
     re.IGNORECASE,
 )
-"""What is spoken of on the way to a claim: "by the equation above", "into the law"."""
+"""The means of a derivation, which say nothing about its result: "by the equation above"."""
 
 
 def _stands_alone(left: Expr, right: Expr) -> bool:
-    """Whether a side is a symbol that the other one does not have, or the sides share no symbol: a
-    definition or a law."""
+    """Whether an equality has the form of a definition or a law: one side is a symbol that the
+    other does not contain, or the sides have no symbol in common."""
     own, others = symbols(left), symbols(right)
     if own and others and own.isdisjoint(others):
         return True
@@ -191,14 +193,19 @@ def _stands_alone(left: Expr, right: Expr) -> bool:
 
 
 def reason(row: Row, instead: Sequence[Alternative], others: Sequence[str]) -> str:
-    """Why an equality that fails is a misprint, as far as can be seen; empty where it is not."""
+    """Return why a failing equality looks like a misprint; empty if it does not.
+
+    Args:
+        instead: true statements close to it.
+        others: the statuses of the other links of its display.
+    """
     at = ", ".join(f"{name} = {value}" for name, value in (row.fails_at or {}).items())
     fails = f"it fails at {at}" if at else "it fails" if row.refuted else row.why
     relation = row.link.sides[1] if row.link.sides else ""
     if any(one.edit.startswith(GIVEN) for one in instead) and not _is_free(row):
-        return ""  # what is not read may well be the condition
+        return ""  # the unread text may well state the condition
     if relation != "==" and instead and _STRICT.sub(r" \1 ", instead[0].claim) == _bare(row):
-        return ""  # at a point or two both sides are equal
+        return ""  # only strictness differs: the sides are equal at single points
     if instead:
         first = instead[0]
         condition = first.edit.startswith(GIVEN)
@@ -216,19 +223,19 @@ def reason(row: Row, instead: Sequence[Alternative], others: Sequence[str]) -> s
     if others and all(status in _HOLD for status in others):
         return f"{fails}; the other links of its display are identities"
     lead = _words(link.around[0])
-    several = len(symbols(sides[0])) > 1  # of one variable it may be an equation on the way
+    several = len(symbols(sides[0])) > 1  # with one variable it may be an equation
     if several and _TOLD.search(lead[-60:]) and not _INTRODUCED.search(lead):
         return f"{fails}; the words before it claim that it holds"
     return ""
 
 
 def _bare(row: Row) -> str:
-    """What fails without its conditions, its relation not strict or strict alike."""
+    """Return the failing claim without conditions, with its relation made strict."""
     return _STRICT.sub(r" \1 ", row.refuted.partition(" given ")[0])
 
 
 def _is_free(row: Row) -> bool:
-    """Whether the variables are ones that take all real values in most texts, and no word says
+    """Whether the letters of the variables usually take all real values, and no word says
     otherwise."""
     names = symbols(row.link.sides[0]) | symbols(row.link.sides[2]) if row.link.sides else set()
     text = row.link.around[0] + row.link.around[1][: prose.MAX_AFTER]
@@ -237,7 +244,7 @@ def _is_free(row: Row) -> bool:
 
 
 def _blocks(rows: Sequence[Row]) -> dict[int, list[str]]:
-    """The statuses of the other links in the display of each row."""
+    """Return, for each row, the statuses of the other links in its display."""
     result: dict[int, list[str]] = {}
     for _, group in groupby(enumerate(rows), key=lambda pair: pair[1].link.display.number):
         found = list(group)
@@ -247,7 +254,7 @@ def _blocks(rows: Sequence[Row]) -> dict[int, list[str]]:
 
 
 def _defined_twice(rows: list[Row]) -> list[Row]:
-    """The rows, those SUSPECT that define a symbol again by a value one edit away."""
+    """Return the rows; a second definition one edit away from the first is SUSPECT."""
     known: dict[tuple[int, str], list[Row]] = defaultdict(list)
     for n, row in enumerate(rows):
         link = row.link
@@ -277,7 +284,7 @@ _SKIPPED = re.compile(r"[\s&{}]|\\(?:left|right|,|;|:|!|quad|qquad|nonumber|nota
 
 
 def printed(link: Link) -> str:
-    """The formula of a link as its source has it: the display, or the line in which it stands."""
+    """Return the source of a link: its line of the display, or the whole display."""
     whole = " ".join(link.display.text.split())
     wanted = _SKIPPED.sub("", link.shown)
     for line in re.split(r"\\\\(?:\[[^]]*\])?", whole):
@@ -287,5 +294,5 @@ def printed(link: Link) -> str:
 
 
 def attention(rows: Iterable[Row]) -> list[Row]:
-    """What an author must look at."""
+    """Return the rows that an author must look at: SUSPECT and REFUTED."""
     return [row for row in rows if row.status in (SUSPECT, "REFUTED")]

@@ -1,10 +1,10 @@
-"""Compute very many shapes into one table, on this machine's processes or on any executor.
+"""Compute the flip defect of very many shapes, on processes of this machine or on any executor.
 
-A :mod:`source <tresym.sweep.source>` (a grid or a CSV file) is cut into batches; each is computed
-wherever the executor likes
-(:mod:`tresym.sweep.workers`, :mod:`tresym.sweep.rows`) and lands in one SQLite file in one
-transaction (:mod:`tresym.sweep.table`). What has landed is never computed again: a sweep that was
-interrupted, even by ``kill -9``, goes on where it stopped when it is started again.
+A :mod:`source <tresym.sweep.source>` (a grid or a CSV file) is divided into batches. An executor
+computes them (:mod:`tresym.sweep.workers`, :mod:`tresym.sweep.rows`), and each is stored in an
+SQLite file in one transaction (:mod:`tresym.sweep.table`). A stored batch is never computed again:
+a sweep that was interrupted, even by ``kill -9``, continues where it stopped when it is started
+again.
 """
 
 from tresym.sweep.run import Summary, sweep

@@ -1,7 +1,6 @@
 """The rows of a sweep: certified or float64 numbers.
 
-Every row is a function of its entry and the digits alone, so it is the same wherever it is
-computed.
+A row depends on its entry and the digits only, so it is the same wherever it is computed.
 """
 
 from __future__ import annotations
@@ -24,26 +23,26 @@ from tresym.reals.numbers.exact import InputError, decimal_ball, fraction_text
 from tresym.sweep.source import Entry, Part
 
 ERROR_BITS = 128
-"""Working precision of the errors, which are given to six digits."""
+"""Working precision in bits of the errors, which have six digits."""
 
 FLOAT_DIGITS = 15
 
 FLOAT_NOISE = 1e-10
-"""Errors in float64 are shown down to here; their own error is near 1e-13."""
+"""Smaller relative errors are left out in float64, where rounding contributes about 1e-13."""
 
 _one_at_a_time = threading.Lock()
-"""Precision belongs to the process, so threads of one process take turns."""
+"""The working precision belongs to the process, so its threads compute in turn."""
 
 
 class SweepRow(NamedTuple):
-    """One row of the table; text, numbers, and None where something does not apply.
+    """A row of the table: text, numbers, and None where a column does not apply.
 
-    ``defect`` and ``radius`` (radians) are decimal text, the truth within ``radius`` of ``defect``;
-    in float64 ``defect`` is a float and ``radius`` None (the table then has a column
-    ``defect_float64`` and none for a radius). Each ``error_…`` is formula/ε − 1 to six
-    digits (in float64 to 1e-12), None where it does not show at the digits asked for: the paper's
-    asymptotic formula, its correct leading term, and the explicit formulas for all shapes, on the
-    separatrix; the paper's formula linear in γ elsewhere.
+    ``defect`` and ``radius`` (radians) are decimal text; the true value is within ``radius`` of
+    ``defect``. In float64 ``defect`` is a float and ``radius`` None, and the table has a column
+    ``defect_float64`` instead of the two. Each ``error_…`` is formula/ε − 1 to six digits (in
+    float64 to 1e-12), or None if the digits do not suffice to show it. On the separatrix the
+    formulas are the paper's asymptotic one, its correct leading term, and the explicit formulas for
+    all shapes; elsewhere it is the paper's formula linear in γ.
     """
 
     line: int
@@ -78,7 +77,12 @@ FORMULAS: dict[str, Callable[[Any, Any, Any], Any]] = {
 
 
 def compute(part: Part, digits: int | None) -> list[SweepRow]:
-    """The rows of a part: certified to ``digits``, or in float64 where that is None."""
+    """Compute the rows of a part.
+
+    Args:
+        part: the entries to compute.
+        digits: certified digits; None for float64.
+    """
     with _one_at_a_time:
         entries = list(part.entries())
         if digits is None:
@@ -87,7 +91,7 @@ def compute(part: Part, digits: int | None) -> list[SweepRow]:
 
 
 def certified_row(entry: Entry, digits: int) -> SweepRow:
-    """One row in balls."""
+    """Compute one row in ball arithmetic, to ``digits`` certified digits."""
     row = _blank(entry)
     if row.problem is not None:
         return row
@@ -117,14 +121,14 @@ def _certified_errors(shape: Shape, gamma: fmpq, defect: arb, digits: int) -> di
 
 
 def _shown_error(error: arb) -> float | None:
-    """Six digits of an error, or None where its ball does not show them."""
+    """An error to six digits, or None if its ball does not show them."""
     if not error.is_finite() or error.rel_accuracy_bits() < 24:
         return None
     return _six_digits(float(error))
 
 
 def _float_error(error: float) -> float | None:
-    """An error computed in float64, or None where most of it is rounding."""
+    """An error computed in float64, or None if most of it is rounding."""
     return _six_digits(error) if abs(error) > FLOAT_NOISE else None
 
 
@@ -133,7 +137,7 @@ def _six_digits(error: float) -> float | None:
 
 
 def float_rows(entries: Sequence[Entry]) -> list[SweepRow]:
-    """Rows in float64: on the separatrix all at once, elsewhere one by one."""
+    """Compute rows in float64: those on the separatrix all at once, the others one by one."""
     rows = [_blank(entry) for entry in entries]
     level = []
     for i, entry in enumerate(entries):
@@ -150,7 +154,7 @@ def float_rows(entries: Sequence[Entry]) -> list[SweepRow]:
 
 
 def _on_separatrix(shapes: list[Shape]) -> list[dict[str, Any]]:
-    """ε₀ and the errors of the formulas for many shapes in numpy: two Newton steps more."""
+    """ε₀ and the errors of the formulas for many shapes in numpy, after two more Newton steps."""
     import numpy as np
 
     a = np.array([_float(shape.a) for shape in shapes])
@@ -169,14 +173,14 @@ def _on_separatrix(shapes: list[Shape]) -> list[dict[str, Any]]:
     found: list[dict[str, Any]] = []
     for value, *row in zip(defect.tolist(), *errors, strict=True):
         if not value >= 1e-300:
-            found.append({"problem": "float64 does not hold this row; ask for digits"})
+            found.append({"problem": "the defect is too small for float64; use --digits"})
             continue
         found.append({"defect": value, "rung": "float64"} | dict(zip(FORMULAS, row, strict=True)))
     return found
 
 
 def _float_row(row: SweepRow, shape: Shape, gamma: fmpq) -> SweepRow:
-    """One row off the separatrix; where float64 alone has no answer a certified one is rounded."""
+    """A row off the separatrix; if float64 arithmetic fails, a certified value is rounded."""
     try:
         checked_gamma(*shape, gamma)
         value, rung = float_defect(*map(_float, (*shape, gamma))), "float64"
@@ -191,7 +195,7 @@ def _float_row(row: SweepRow, shape: Shape, gamma: fmpq) -> SweepRow:
 
 
 def _float(x: fmpq) -> float:
-    """The nearest float64; infinite beyond its range."""
+    """The nearest float64, infinite beyond its range."""
     try:
         return int(x.p) / int(x.q)
     except OverflowError:
@@ -206,7 +210,7 @@ def _asked(entry: Entry) -> tuple[Shape, fmpq]:
 
 
 def _blank(entry: Entry) -> SweepRow:
-    """The row before its numbers."""
+    """The row before its numbers are computed."""
     if entry.shape is None or entry.gamma is None:
         return SweepRow(entry.line, entry.name, problem=entry.problem)
     a, b, gamma = entry.written or map(fraction_text, (*entry.shape, entry.gamma))

@@ -1,7 +1,7 @@
-"""Run a sweep: hand out batches to an executor, and store their rows.
+"""Run a sweep: submit batches to an executor, and store their rows.
 
-Any ``concurrent.futures`` executor will do. No more batches are under way than keep the workers
-busy, so memory is bounded however long the sweep.
+Any ``concurrent.futures`` executor can be used. The number of batches in progress is bounded, and
+so is the memory, however long the sweep.
 """
 
 from __future__ import annotations
@@ -26,16 +26,20 @@ from tresym.sweep.workers import Workers, processes
 FLOAT_BATCH = 20_000
 LARGEST_BATCH = 4000
 MOST_DIGITS = 200_000
-"""Rows times digits of a batch. Each of the three makes a batch last about a second."""
+"""Rows times digits of a batch. With each of these three limits a batch takes about a second."""
 
 FEWEST_BATCHES = 16
-"""So many batches at least, so that few rows, too, are shared out."""
+"""The least number of batches, so that a small sweep is shared among workers too."""
 
 SHOWN_PROBLEMS = 10
+"""Problems that a summary lists."""
 
 
 class Summary(NamedTuple):
-    """What a sweep has come to: rows in the table, with problems, and computed in this run."""
+    """The result of a sweep: rows in the table, rows with problems, and rows computed in this run.
+
+    ``problems`` holds the first few, each as line and reason.
+    """
 
     path: str
     rows: int
@@ -45,12 +49,12 @@ class Summary(NamedTuple):
     seconds: float
 
     def as_json(self) -> dict[str, Any]:
-        """As a JSON object."""
+        """Return the summary as a JSON object."""
         problems = [{"line": line, "reason": reason} for line, reason in self.problems]
         return {**self._asdict(), "problems": problems}
 
     def to_frame(self) -> Any:
-        """All rows of the table: :func:`tresym.sweep.table.to_frame` of its path."""
+        """Return all rows of the table as a DataFrame; see :func:`tresym.sweep.table.to_frame`."""
         return to_frame(self.path)
 
 
@@ -67,15 +71,16 @@ def sweep(
 
     Args:
         source: a :class:`~tresym.sweep.source.Grid` or a :class:`~tresym.sweep.source.CsvFile`.
-        path: the SQLite file; one that the same sweep has begun is gone on with.
+        path: the SQLite file; if the same sweep was begun in it, the sweep is continued.
         digits: certified digits, 1 to 10 000; None for float64.
-        workers: opens the executor, :func:`~tresym.sweep.workers.processes` on every core unless
-            given.
-        export: also write the rows to this .csv or .parquet file at the end.
-        notice: told now and then how far it is, in one line.
+        workers: opens the executor; by default :func:`~tresym.sweep.workers.processes` on every
+            core.
+        export: a .csv or .parquet file to which the rows are also written at the end.
+        notice: called from time to time with the progress, in one line.
 
     Raises:
-        InputError: bad digits, a table or an export that cannot be, workers that keep dying.
+        InputError: wrong digits, a table or an export that cannot be written, or workers that keep
+            dying.
     """
     if digits is not None:
         checked_digits(digits)
@@ -101,7 +106,7 @@ def sweep(
 
 
 def batch_size(total: int, digits: int | None) -> int:
-    """Rows in a batch: enough that sending it costs little, few enough to lose little."""
+    """Return the number of rows in a batch, so that a batch takes about a second."""
     most = FLOAT_BATCH if digits is None else max(1, min(LARGEST_BATCH, MOST_DIGITS // digits))
     return max(1, min(most, total // FEWEST_BATCHES))
 
@@ -113,7 +118,7 @@ def _run(
     table: Table,
     progress: Progress,
 ) -> None:
-    """Rows into the table until nothing is left."""
+    """Compute the parts and add their rows to the table."""
     asked = ((number, pickle.dumps((part, digits))) for number, part in parts)
     with opened() as workers:
         try:
@@ -124,44 +129,53 @@ def _run(
 
 
 def computed(asked: bytes) -> bytes:
-    """What one call to a worker does, from bytes to bytes.
+    """Compute one batch in a worker, from bytes to bytes.
 
-    The pickle of a part and the digits goes there, a :func:`~tresym.sweep.table.packed` batch comes
-    back: no scheduler looks into either on its way.
+    Args:
+        asked: the pickle of a part and the digits.
+
+    Returns:
+        A batch as :func:`~tresym.sweep.table.packed` makes it. No scheduler has to unpack either.
     """
     part, digits = pickle.loads(asked)
     return packed(compute(part, digits), digits is None)
 
 
 class Progress:
-    """How far a sweep is, and an honest guess at what is left: at the mean and the latest rate."""
+    """The progress of a sweep, with the remaining time by the mean and by the latest rate."""
 
     EVERY = 2.0
-    """Seconds between two notices."""
+    """Seconds between two reports."""
 
     def __init__(self, total: int, already: int, notice: Callable[[str], None]) -> None:
-        """Start the clock."""
+        """Start the clock.
+
+        Args:
+            total: rows of the sweep.
+            already: rows that were computed in earlier runs.
+            notice: called with each report.
+        """
         self.total, self.already, self.notice = total, already, notice
         self.computed = 0
-        self.start = self.said = time.monotonic()
+        self.start = self.reported = time.monotonic()
         self.latest = deque([(self.start, 0)], maxlen=10)
 
     def announce(self, size: int, batches: int) -> None:
-        """Say what is to be done before it is begun."""
+        """Report how many rows are to be computed."""
         found = f"{self.already} of them computed before; " if self.already else ""
         self.notice(f"{self.total} rows; {found}{batches} batches of {size} to go")
 
     def landed(self, rows: int) -> None:
-        """Count rows that are in the table."""
+        """Count rows that have been stored, and report if it is time."""
         self.computed += rows
         now = time.monotonic()
-        if now - self.said >= self.EVERY:
-            self.said = now
+        if now - self.reported >= self.EVERY:
+            self.reported = now
             self.notice(self.line(now))
             self.latest.append((now, self.computed))
 
     def line(self, now: float) -> str:
-        """Rows so far, rate, and the time left as a range."""
+        """Return rows so far, rate, and the remaining time as a range."""
         done = min(self.already + self.computed, self.total)
         then, before = self.latest[0]
         rates = sorted(
@@ -177,7 +191,7 @@ class Progress:
 
 
 def duration(seconds: float) -> str:
-    """Seconds as one says them."""
+    """Return a duration as text, such as ``12 min``."""
     for unit, size in (("d", 86_400), ("h", 3600), ("min", 60)):
         if seconds >= 2 * size:
             return f"{seconds / size:.0f} {unit}"
@@ -185,7 +199,7 @@ def duration(seconds: float) -> str:
 
 
 def summary_text(found: Summary) -> str:
-    """What a sweep has come to, in lines for people."""
+    """Return the summary as lines for people."""
     lines = [f"{found.path}: {found.rows} rows, {found.computed} of them computed now"]
     lines += [f"  line {line}: {reason}" for line, reason in found.problems]
     if found.bad > len(found.problems):
@@ -194,6 +208,6 @@ def summary_text(found: Summary) -> str:
 
 
 def to_stderr(text: str) -> None:
-    """A notice on standard error, where there is one."""
+    """Print a line on standard error, if there is one."""
     if sys.stderr is not None:
         print(f"tresym: {text}", file=sys.stderr, flush=True)

@@ -1,7 +1,7 @@
 """The input of a sweep: a grid of a, b, γ, or a CSV file of bodies.
 
-A source can be cut into parts that are small to send; a part knows its rows. A row that cannot be
-read is still a row, with its reason.
+A source is divided into parts that are small to send and can produce their rows. A row that cannot
+be read is kept, with the reason.
 """
 
 from __future__ import annotations
@@ -22,21 +22,21 @@ from tresym.reals.numbers.exact import InputError, fraction_text, parse_number
 
 MOST_ROWS = 10**12
 MOST_VALUES = 10**6
-"""Values of one axis: about 100 megabytes."""
+"""Most values of one axis; they take about 100 megabytes."""
 LONGEST_LINE = 40_000
-"""Bytes of one CSV line; three numbers of the greatest length fit."""
+"""Most bytes of a CSV line; three numbers of the greatest length fit."""
 
 LOG_DIGITS = 15
-"""Significant digits to which points with equal ratios are rounded, so that they are exact."""
+"""Significant digits of logarithmically spaced points, which are exact decimals of this length."""
 
 _RANGE = re.compile(r"([^:]*):([^:]*):(\d{1,8})(log)?", re.ASCII)
 _SHAPES = (("a", "b"), ("I1", "I2", "I3"), ("body",))
 
 
 class Entry(NamedTuple):
-    """One row to compute: its line, a name, shape and γ, or else the problem with it.
+    """A row to compute: its line, a name, and shape and γ, or the problem with them.
 
-    ``written`` is a, b and γ as the table shows them, where the source knows.
+    ``written`` is a, b and γ as the table shows them, if the source knows.
     """
 
     line: int
@@ -48,32 +48,32 @@ class Entry(NamedTuple):
 
 
 class Part(Protocol):
-    """A piece of a source that can travel to another process."""
+    """A part of a source that can be sent to another process."""
 
     def entries(self) -> Iterator[Entry]:
-        """The rows of the piece, in order."""
+        """Yield the rows of the part, in order."""
         ...
 
 
 class Source(Protocol):
-    """Rows, numbered from 0, that can be cut into parts."""
+    """Rows, numbered from 0, that can be divided into parts."""
 
     @property
     def total(self) -> int:
-        """How many rows there are, blank lines of a file counted."""
+        """The number of rows, including blank lines of a file."""
         ...
 
     def fingerprint(self) -> dict[str, Any]:
-        """What makes this source the same one again, as JSON."""
+        """Return what identifies this source, as JSON data."""
         ...
 
     def parts(self, size: int, done: Container[int]) -> Iterator[tuple[int, Part]]:
-        """Batches of ``size`` rows with their numbers, but for those in ``done``."""
+        """Yield batches of ``size`` rows with their numbers, except those in ``done``."""
         ...
 
 
 class Grid(NamedTuple):
-    """Every combination of the values of a, b and γ; γ varies fastest, lines count from 1."""
+    """Every combination of the values of a, b and γ; γ varies fastest, and lines count from 1."""
 
     a: tuple[fmpq, ...]
     b: tuple[fmpq, ...]
@@ -81,10 +81,14 @@ class Grid(NamedTuple):
 
     @classmethod
     def read(cls, a: str, b: str, gamma: str = "0") -> Grid:
-        """A grid from text: values ``0.1,1/3``, or ``LOW:HIGH:COUNT``, with ``log`` after it.
+        """Read a grid from text: values ``0.1,1/3``, ``LOW:HIGH:COUNT`` or ``LOW:HIGH:COUNTlog``.
 
         Raises:
-            InputError: text that is neither, or more than 10^12 rows.
+            InputError: other text, or more than 10^12 rows.
+
+        Example:
+            >>> Grid.read("0:1:3", "1/2").total
+            3
         """
         grid = cls(read_values(a, "a"), read_values(b, "b"), read_values(gamma, "gamma"))
         if grid.total > MOST_ROWS:
@@ -93,22 +97,22 @@ class Grid(NamedTuple):
 
     @property
     def total(self) -> int:
-        """How many rows there are."""
+        """The number of rows."""
         return len(self.a) * len(self.b) * len(self.gamma)
 
     def fingerprint(self) -> dict[str, Any]:
-        """A digest of the exact values."""
+        """Return a digest of the exact values."""
         text = ";".join(",".join(map(fraction_text, axis)) for axis in self)
         return {"grid": hashlib.sha256(text.encode()).hexdigest(), "rows": self.total}
 
     def parts(self, size: int, done: Container[int]) -> Iterator[tuple[int, Part]]:
-        """Batches of ``size`` rows, but for those in ``done``."""
+        """Yield batches of ``size`` rows, except those in ``done``."""
         for number in range(-(-self.total // size)):
             if number not in done:
                 yield number, self._part(number * size, min(size, self.total - number * size))
 
     def _part(self, start: int, count: int) -> Part:
-        """Only the values that these rows use travel."""
+        """A part that holds only the values that its rows use."""
         first, last = start // len(self.gamma), (start + count - 1) // len(self.gamma)
         places = [divmod(i, len(self.b)) for i in range(first, last + 1)]
         a = {i: fraction_text(self.a[i]) for i in {i for i, _ in places}}
@@ -122,7 +126,7 @@ class Grid(NamedTuple):
 
 
 class GridPart(NamedTuple):
-    """``size`` rows of a grid, the first of them on ``line``, with γ number ``offset``."""
+    """``size`` rows of a grid; the first is on ``line`` and has γ number ``offset``."""
 
     line: int
     size: int
@@ -131,7 +135,7 @@ class GridPart(NamedTuple):
     offset: int
 
     def entries(self) -> Iterator[Entry]:
-        """The rows, in order."""
+        """Yield the rows, in order."""
         texts = {text for pair in self.shapes for text in pair}
         numbers = {text: parse_number(text) for text in texts}
         levels = [parse_number(gamma) for gamma in self.gammas]
@@ -144,7 +148,7 @@ class GridPart(NamedTuple):
 
 
 def _shape(a: fmpq, b: fmpq) -> tuple[Shape, str | None]:
-    """The shape, also where there is a problem with it."""
+    """The shape and the problem with it, if there is one."""
     try:
         return body.shape(a, b), None
     except InputError as error:
@@ -152,12 +156,20 @@ def _shape(a: fmpq, b: fmpq) -> tuple[Shape, str | None]:
 
 
 def read_values(text: str, what: str) -> tuple[fmpq, ...]:
-    """Exact values from ``0.1,1/3,2``, from ``0:1:11`` (ends included), or from ``1e-3:10:50log``.
+    """Read exact values: ``0.1,1/3,2``, or ``0:1:11`` (ends included), or ``1e-3:10:50log``.
 
-    Points with equal ratios are rounded to 15 digits, their ends kept.
+    Logarithmically spaced values are rounded to 15 digits, except the ends.
+
+    Args:
+        text: the values.
+        what: their name, for the error message.
 
     Raises:
-        InputError: anything else, or more than 10^6 values.
+        InputError: other text, or more than 10^6 values.
+
+    Example:
+        >>> [str(x) for x in read_values("0:1:3", "a")]
+        ['0', '1/2', '1']
     """
     match = _RANGE.fullmatch(text.strip())
     if match is None:
@@ -172,7 +184,7 @@ def read_values(text: str, what: str) -> tuple[fmpq, ...]:
     if match[4] is None:
         return tuple(low + (high - low) * fmpq(i, count - 1) for i in range(count))
     if low <= 0 or high <= 0:
-        raise InputError(f"{what}: values with equal ratios need ends above 0")
+        raise InputError(f"{what}: logarithmic spacing needs both ends above 0")
     return _equal_ratios(low, high, count)
 
 
@@ -185,17 +197,18 @@ def _equal_ratios(low: fmpq, high: fmpq, count: int) -> tuple[fmpq, ...]:
 
 
 class CsvFile:
-    """Bodies, one a line, under a header; lines count as an editor counts them.
+    """Bodies in a CSV file, one on each line below a header; lines count as in an editor.
 
-    Columns: ``a, b``, or ``I1, I2, I3`` (moments), or ``body`` (a name); also ``gamma`` (0 where
-    there is none) and ``name``; others are passed over. UTF-8; no line break inside a value.
+    Columns: ``a, b``, or ``I1, I2, I3`` (moments), or ``body`` (a name); optionally ``gamma`` (0 if
+    there is none) and ``name``; others are ignored. The file is UTF-8, without line breaks in
+    values.
     """
 
     def __init__(self, path: str) -> None:
-        """Read the file once: its header, its length, its digest.
+        """Read the header, the length and the digest of the file.
 
         Raises:
-            InputError: no such file, or a header that does not say what the columns are.
+            InputError: there is no such file, or the header does not name the columns.
         """
         self.path = path
         if not Path(path).is_file():
@@ -232,14 +245,14 @@ class CsvFile:
 
 
 class CsvPart(NamedTuple):
-    """Some lines of a CSV file, the first of them number ``line``."""
+    """Some lines of a CSV file; ``line`` is the number of the first."""
 
     line: int
     columns: tuple[str, ...]
     lines: tuple[str, ...]
 
     def entries(self) -> Iterator[Entry]:
-        """The rows, in order; blank lines are passed over."""
+        """Yield the rows, in order; blank lines are skipped."""
         for line, text in enumerate(self.lines, start=self.line):
             if text.strip():
                 yield self._entry(line, text)
@@ -290,7 +303,7 @@ def _columns(header: str, path: str) -> tuple[str, ...]:
 
 
 def _lines(path: str) -> Iterator[bytes]:
-    """The lines of a file; of one that is too long, only so much that this shows."""
+    """The lines of a file; a line that is too long is cut off just above the limit."""
     with open(path, "rb") as file:
         while line := file.readline(LONGEST_LINE + 2):
             rest = line

@@ -1,8 +1,8 @@
 """The table of a sweep: one SQLite file, one transaction per batch, and exports.
 
-A batch is in the file whole or not at all, whatever happens to the process. While a sweep runs the
-file is its own: a second sweep, or a reader, is told to wait. A batch comes as a small database
-made where it was computed, so that the one process which lands all of them has no value to look at.
+A batch is stored completely or not at all, whatever happens to the process. While a sweep runs, its
+file is locked: a second sweep, or a reader, gets an error. A worker returns a batch as a small
+database, so that the process which stores all batches does not have to unpack any value.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from tresym.reals.numbers.exact import InputError
 from tresym.sweep.rows import SweepRow
 
 APPLICATION = 0x74726573
-"""What SQLite's ``application_id`` says in a table of ours."""
+"""SQLite's ``application_id``, which marks the table of a sweep."""
 
 FORMAT = 3
 
@@ -34,7 +34,10 @@ _RADIUS = SweepRow._fields.index("radius")
 
 
 def columns(in_floats: bool) -> tuple[str, ...]:
-    """The header. In float64 it says so: nothing certifies the defect, which has no radius."""
+    """Return the names of the columns.
+
+    In float64 the defect is called ``defect_float64`` and has no radius, as nothing certifies it.
+    """
     if not in_floats:
         return SweepRow._fields
     names = {"defect": "defect_float64"}
@@ -56,7 +59,12 @@ def _rows_schema(in_floats: bool) -> str:
 
 
 def packed(rows: Sequence[SweepRow], in_floats: bool) -> bytes:
-    """A batch as the bytes of a database of the rows and their checksum, to be landed as it is."""
+    """Return a batch as the bytes of a database with the rows and their checksum.
+
+    Args:
+        rows: the rows of the batch.
+        in_floats: whether they are in float64.
+    """
     marks = ", ".join("?" * len(columns(in_floats)))
     values: Sequence[tuple[Any, ...]] = rows
     if in_floats:
@@ -73,7 +81,7 @@ def packed(rows: Sequence[SweepRow], in_floats: bool) -> bytes:
 
 
 def _checksum(rows: list[tuple[Any, ...]]) -> int:
-    """Of rows as SQLite gives them; in the second format of ``marshal`` equal rows are equal."""
+    """The checksum of rows as SQLite returns them; ``marshal`` 2 writes equal rows equally."""
     return zlib.crc32(marshal.dumps(rows, 2))
 
 
@@ -81,23 +89,27 @@ class Table:
     """The file of one sweep, open."""
 
     def __init__(self, path: str, connection: sqlite3.Connection, in_floats: bool) -> None:
-        """Take what :func:`open_table` has opened."""
+        """Wrap a connection that :func:`open_table` has opened."""
         self.path = path
         self.in_floats = in_floats
         self._connection = connection
 
     def done(self) -> set[int]:
-        """The numbers of the batches that have landed."""
+        """Return the numbers of the batches that are stored."""
         return {number for (number,) in self._connection.execute("SELECT number FROM batches")}
 
     def add(self, number: int, batch: bytes) -> int:
-        """Land one :func:`packed` batch, in one transaction; returns how many rows it has."""
+        """Store one :func:`packed` batch in one transaction.
+
+        Returns:
+            The number of its rows.
+        """
         run = self._connection.execute
         with _plainly(self.path):
             run("ATTACH ':memory:' AS batch")
             self._connection.deserialize(batch, name="batch")
             run("BEGIN")
-            # Both tables have one schema: SQLite copies the records as they are.
+            # Both tables have the same schema, so SQLite copies the records unchanged.
             rows = run("INSERT INTO main.rows SELECT * FROM batch.rows").rowcount
             landed = "INSERT INTO batches SELECT ?, ?, value FROM batch.checksum"
             run(landed, (number, rows))
@@ -106,24 +118,24 @@ class Table:
         return rows
 
     def counts(self) -> tuple[int, int]:
-        """How many rows there are, and how many of them have a problem."""
+        """Return the number of rows, and how many of them have a problem."""
         query = "SELECT count(*), count(problem) FROM rows"
         rows, bad = self._connection.execute(query).fetchone()
         return rows, bad
 
     def problems(self, limit: int) -> list[tuple[int, str]]:
-        """The first rows with a problem: line and reason."""
+        """Return line and reason of the first ``limit`` rows with a problem."""
         query = "SELECT line, problem FROM rows WHERE problem IS NOT NULL ORDER BY line LIMIT ?"
         return list(self._connection.execute(query, (limit,)))
 
     def _pieces(self) -> Iterator[list[tuple[Any, ...]]]:
-        """All rows in order, some at a time."""
+        """All rows in order, in lists of bounded length."""
         cursor = self._connection.execute("SELECT * FROM rows ORDER BY line")
         while piece := cursor.fetchmany(EXPORT_ROWS):
             yield piece
 
     def export(self, path: str) -> None:
-        """Write all rows to ``path``: Parquet if it ends so, else CSV; whole or not at all.
+        """Write all rows to ``path``, as Parquet if it ends in .parquet, else as CSV.
 
         Raises:
             InputError: the file cannot be written, or Parquet is wanted without pyarrow.
@@ -134,17 +146,18 @@ class Table:
 
 
 def to_frame(path: str) -> Any:
-    """The rows of the table at ``path`` as a pandas DataFrame, a line a row.
+    """Return the table at ``path`` as a pandas DataFrame.
 
-    As in Parquet a certified ``defect`` and its ``radius`` are text, which has all the digits.
+    A certified ``defect`` and its ``radius`` are text with all digits, as in Parquet.
 
     Raises:
-        InputError: pandas is not installed; there is no table of a sweep, or one is at work on it.
+        InputError: pandas is not installed, the file is not the table of a sweep, or a sweep is
+            running on it.
     """
     try:
         import pandas
     except ImportError:
-        raise InputError("to_frame: pandas is not installed") from None
+        raise InputError("to_frame: pandas is not installed: pip install pandas") from None
     address = f"{Path(os.path.abspath(path)).as_uri()}?mode=ro"
     with _plainly(path), closing(sqlite3.connect(address, timeout=1, uri=True)) as connection:
         if connection.execute("PRAGMA application_id").fetchone() != (APPLICATION,):
@@ -155,20 +168,27 @@ def to_frame(path: str) -> Any:
 
 
 def _typed(names: Sequence[str], values: Sequence[Any]) -> dict[str, Any]:
-    """A row by its columns, with a boolean where SQLite has 0 or 1."""
+    """A row as a dictionary by column, with a boolean where SQLite has 0 or 1."""
     row = dict(zip(names, values, strict=True))
     return row | {"realizable": None if row["realizable"] is None else bool(row["realizable"])}
 
 
 @contextmanager
 def open_table(path: str, request: dict[str, Any]) -> Iterator[Table]:
-    """The table at ``path``, for this process alone: a new one, or the one this request began.
+    """Open the table at ``path`` for this process alone, or create it.
+
+    Args:
+        path: the SQLite file.
+        request: what identifies the sweep; a table begun by another request is refused.
 
     Raises:
         InputError: it cannot be opened or written, is in use, or belongs to something else.
     """
-    if os.path.isfile(path) and os.path.getsize(path) == 1:  # to SQLite it is as good as empty
-        raise InputError(f"{path}: is not ours, and is not replaced; name another file")
+    # SQLite would treat a file of one byte as empty and overwrite it.
+    if os.path.isfile(path) and os.path.getsize(path) == 1:
+        raise InputError(
+            f"{path}: is not the table of a sweep and is not replaced; name another file"
+        )
     with _plainly(path):
         connection = sqlite3.connect(os.path.abspath(path), timeout=1, isolation_level=None)
     try:
@@ -176,7 +196,7 @@ def open_table(path: str, request: dict[str, Any]) -> Iterator[Table]:
             connection.execute("PRAGMA locking_mode = EXCLUSIVE")
             _begin(connection, path, request)
             _forget_damage(connection, request)
-            # A killed process loses nothing that has landed; no wait for the disk at each batch.
+            # In this mode a killed process loses no stored batch, and none waits for the disk.
             connection.execute("PRAGMA journal_mode = WAL")
             connection.execute("PRAGMA synchronous = NORMAL")
         table = Table(path, connection, request["digits"] is None)
@@ -187,7 +207,7 @@ def open_table(path: str, request: dict[str, Any]) -> Iterator[Table]:
 
 
 def _begin(connection: sqlite3.Connection, path: str, request: dict[str, Any]) -> None:
-    """Make the table, or see that it is ours and was begun by the same request."""
+    """Create the table, or check that it was begun by the same request."""
     asked = json.dumps({"format": FORMAT, **request}, sort_keys=True)
     connection.execute("BEGIN EXCLUSIVE")
     (tables,) = connection.execute("SELECT count(*) FROM sqlite_master").fetchone()
@@ -205,9 +225,9 @@ def _begin(connection: sqlite3.Connection, path: str, request: dict[str, Any]) -
 
 
 def _forget_damage(connection: sqlite3.Connection, request: dict[str, Any]) -> None:
-    """Forget the batches whose rows are not those that were landed: they come again.
+    """Delete the batches whose rows do not match their checksum, so that they are computed again.
 
-    Lines count from 1 in a grid, and from 2 under the header of a file.
+    Lines count from 1 in a grid, and from 2, below the header, in a file.
     """
     run, size, first = connection.execute, request["batch"], 2 if "csv" in request else 1
     run("BEGIN")
@@ -225,7 +245,7 @@ def _forget_damage(connection: sqlite3.Connection, request: dict[str, Any]) -> N
 
 @contextmanager
 def _plainly(path: str, others: type[Exception] = ValueError) -> Iterator[None]:
-    """SQLite's complaints as bad input, in one line."""
+    """Turn errors of SQLite into an InputError of one line."""
     try:
         yield
     except InputError:
@@ -237,19 +257,22 @@ def _plainly(path: str, others: type[Exception] = ValueError) -> Iterator[None]:
 
 
 def check_export(path: str, kept: Sequence[str] = ()) -> None:
-    """See, before any work, that what ``path`` asks for can be written.
+    """Check, before any work, that the export can be written.
 
     Args:
+        path: the file to write.
         kept: files that it must not replace: the table, and the file that the rows are read from.
 
     Raises:
-        InputError: another ending than .csv or .parquet, no such folder, a file that is no export
-            of ours, or no pyarrow.
+        InputError: another ending than .csv or .parquet, no such folder, a file that tresym did not
+            write, or no pyarrow.
     """
     if any(os.path.realpath(path) == os.path.realpath(other) for other in kept):
-        raise InputError(f"{path}: is what the sweep works with; name another file to export to")
+        raise InputError(
+            f"{path}: is the table or the input of the sweep; name another file to export to"
+        )
     if not path.endswith((".csv", ".parquet")):
-        raise InputError(f"{path}: an export ends in .csv or .parquet")
+        raise InputError(f"{path}: the name of an export must end in .csv or .parquet")
     if not os.path.isdir(os.path.dirname(path) or "."):
         raise InputError(f"{path}: there is no such folder")
     if path.endswith(".parquet"):
@@ -263,7 +286,7 @@ def _pyarrow() -> Any:
         import pyarrow.parquet
     except ImportError:
         raise InputError(
-            "Parquet needs pyarrow (pip install -e '.[parquet]'); CSV needs nothing"
+            "Parquet needs pyarrow (pip install -e '.[parquet]'); CSV does not"
         ) from None
     return pyarrow
 
@@ -277,7 +300,7 @@ def _write_csv(path: str, pieces: Iterator[list[tuple[Any, ...]]], in_floats: bo
 
 
 def _write_parquet(path: str, pieces: Iterator[list[tuple[Any, ...]]], in_floats: bool) -> None:
-    """Columns keep their type: text, float64, or boolean; a certified ``defect`` is text."""
+    """Write Parquet with typed columns: text, float64, boolean; a certified ``defect`` is text."""
     pyarrow = _pyarrow()
     names = columns(in_floats)
     types = dict.fromkeys(names, pyarrow.string())

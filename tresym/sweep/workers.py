@@ -1,6 +1,6 @@
-"""Where batches are computed: this process, local processes, or a Dask cluster.
+"""Executors for batches: this process, local processes, or a Dask cluster.
 
-Each is a ``concurrent.futures`` executor; the sweep, and ``tresym check -f``, know nothing else.
+Each is a ``concurrent.futures`` executor; the sweep and ``tresym check -f`` need nothing else.
 """
 
 from __future__ import annotations
@@ -27,27 +27,27 @@ from tresym.reals.numbers.exact import InputError, quoted
 from tresym.reals.processes import Processes
 
 PATIENCE = 10
-"""Seconds to wait for a scheduler, and for workers to come or to come back."""
+"""Seconds to wait for a scheduler, and for workers to appear or to return."""
 
 MOST_LOST = 3
-"""How often the answer to one call may be lost on its way."""
+"""How often a call is repeated whose result was lost in transfer."""
 
 LOUD = ("distributed", "tornado", "asyncio")
-"""Libraries that log what Dask meets."""
+"""Libraries whose log messages are suppressed while Dask runs."""
 
 LARGEST_GREETING = 2**20
-"""Bytes that a scheduler's greeting may have."""
+"""The size in bytes that a scheduler's first message may have."""
 
 
 def _nothing_amiss() -> None:
-    """Processes of this machine are replaced when they die, or the batch is given up."""
+    """Check nothing: the pool of local processes notices by itself when one dies."""
 
 
 class Workers(NamedTuple):
-    """An executor, and how many batches it should have under way.
+    """An executor, and the number of batches that should be in progress.
 
-    ``check`` is asked whenever nothing has landed for :data:`PATIENCE` seconds; it raises
-    InputError when nobody is left to work, so that no sweep waits for ever.
+    ``check`` is called whenever no batch has finished for :data:`PATIENCE` seconds. It raises
+    InputError if no worker is left, so that no sweep waits for ever.
     """
 
     executor: Executor
@@ -57,10 +57,14 @@ class Workers(NamedTuple):
     def as_landed(
         self, fn: Callable[[bytes], bytes], arguments: Iterator[tuple[int, bytes]]
     ) -> Iterator[tuple[int, bytes]]:
-        """What ``fn`` returns for each argument, with its number, as it comes.
+        """Yield the results of ``fn`` with the numbers of their arguments, as they are completed.
+
+        Args:
+            fn: the function to call in a worker.
+            arguments: numbers and arguments.
 
         Raises:
-            InputError: nobody is left to work.
+            InputError: no worker is left.
         """
         calls: dict[Future[bytes], _Call] = {}
         while True:
@@ -78,10 +82,12 @@ class Workers(NamedTuple):
                     yield call.number, found
 
     def in_order(self, fn: Callable[[bytes], bytes], arguments: Iterator[bytes]) -> Iterator[bytes]:
-        """The same in order; no more is under way, or waits to be given, than the window.
+        """Yield the results of ``fn`` in the order of the arguments.
+
+        At most ``window`` calls are in progress or finished and not yet yielded.
 
         Raises:
-            InputError: nobody is left to work.
+            InputError: no worker is left.
         """
         calls = deque(_Call(self.executor, fn, each) for each in islice(arguments, self.window))
         while calls:
@@ -93,7 +99,7 @@ class Workers(NamedTuple):
                 yield found
 
     def _wait(self, futures: Collection[Future[bytes]], until: str) -> set[Future[bytes]]:
-        """Those that are done, at least one of them."""
+        """The futures that are done, at least one of them."""
         while True:
             done = wait(futures, PATIENCE, until).done
             if done:
@@ -102,21 +108,21 @@ class Workers(NamedTuple):
 
 
 class _Call:
-    """A call that is under way, and is made again where its answer is lost."""
+    """A call in progress, which is repeated if its result is lost."""
 
     def __init__(
         self, executor: Executor, fn: Callable[[bytes], bytes], argument: bytes, number: int = 0
     ) -> None:
-        """Begin it."""
+        """Submit the call."""
         self.submit = lambda: executor.submit(fn, argument)
         self.number, self.lost, self.future = number, 0, self.submit()
 
     def answer(self) -> bytes | None:
-        """What it returned; None where that was lost, and ``future`` is another now."""
+        """Return the result, or None if it was lost and ``future`` is a new attempt."""
         try:
             return self.future.result()
         except ValueError as error:
-            # A Dask worker that dies between its answer and the reading of it.
+            # A Dask worker may die after its call is done and before the result is read.
             if isinstance(error, InputError) or self.lost == MOST_LOST:
                 raise
         self.lost += 1
@@ -128,7 +134,7 @@ class Here(Executor):
     """An executor that computes at once, in this process."""
 
     def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
-        """Call ``fn`` now."""
+        """Call ``fn`` and return a finished future."""
         future: Future[Any] = Future()
         future.set_result(fn(*args, **kwargs))
         return future
@@ -136,7 +142,7 @@ class Here(Executor):
 
 @contextmanager
 def processes(count: int) -> Iterator[Workers]:
-    """``count`` processes of this machine; with 1, this very process."""
+    """Open ``count`` processes of this machine; with 1, compute in this process."""
     if count == 1:
         yield Workers(Here(), 1)
         return
@@ -145,37 +151,37 @@ def processes(count: int) -> Iterator[Workers]:
 
 
 def _no_answer(address: str, error: Exception) -> InputError:
-    """What to say of a scheduler that cannot be reached."""
+    """The error for a scheduler that cannot be reached."""
     reason = " ".join(str(error).split())[:200]
     return InputError(f"cluster: no scheduler answers at {quoted(address)} ({reason})")
 
 
 def _knock(address: str) -> None:
-    """Connect once and hear the greeting: where there is none Dask's client waits for ever."""
+    """Connect once and read the first message; Dask's client would wait for ever without one."""
     try:
         parts = urlsplit(address if "://" in address else f"tcp://{address}")
         if parts.scheme not in ("tcp", "tls") or not parts.hostname or not parts.port:
-            raise ValueError("the address reads tcp://HOST:PORT")
+            raise ValueError("the address must have the form tcp://HOST:PORT")
         with socket.create_connection((parts.hostname, parts.port), timeout=PATIENCE) as line:
             if parts.scheme == "tcp" and not 0 < _size(line) < LARGEST_GREETING:
-                raise ValueError("what answers there is something else")
+                raise ValueError("something else than a Dask scheduler answers there")
     except (OSError, ValueError) as error:
         raise _no_answer(address, error) from None
 
 
 def _size(line: socket.socket) -> int:
-    """The number that a scheduler opens every conversation with: the size of its greeting."""
-    said = b""
-    while len(said) < 8:
-        more = line.recv(8 - len(said))
+    """The number with which a scheduler opens a conversation: the size of its first message."""
+    received = b""
+    while len(received) < 8:
+        more = line.recv(8 - len(received))
         if not more:
-            raise ValueError("it hung up")
-        said += more
-    return int.from_bytes(said, "little")
+            raise ValueError("the connection was closed")
+        received += more
+    return int.from_bytes(received, "little")
 
 
 def _within(seconds: float, call: Callable[[], Any]) -> Any:
-    """What ``call`` returns; TimeoutError after ``seconds``, whatever it may still wait for."""
+    """The result of ``call``, or TimeoutError after ``seconds``, even if ``call`` never returns."""
     answer: Future[Any] = Future()
 
     def run() -> None:
@@ -190,7 +196,7 @@ def _within(seconds: float, call: Callable[[], Any]) -> Any:
 
 @contextmanager
 def _unheard() -> Iterator[None]:
-    """Inside, Dask prints nothing: it logs in whole tracebacks what is said here in one line."""
+    """Suppress Dask's log: it would print tracebacks where tresym prints one line."""
     names = [name for name in logging.root.manager.loggerDict if name.split(".")[0] in LOUD]
     before = {name: logging.getLogger(name).disabled for name in names}
     try:
@@ -204,10 +210,13 @@ def _unheard() -> Iterator[None]:
 
 @contextmanager
 def cluster(address: str) -> Iterator[Workers]:
-    """The workers of a Dask scheduler; they need the same tresym.
+    """Use the workers of a Dask scheduler; they need the same version of tresym.
+
+    Args:
+        address: ``tcp://HOST:PORT`` of the scheduler.
 
     Raises:
-        InputError: no Dask here, no scheduler there, no workers, or workers without tresym.
+        InputError: Dask is not installed, no scheduler answers, or it has no workers with tresym.
     """
     try:
         from distributed import Client, KilledWorker
@@ -229,7 +238,7 @@ def _led(
         )
         threads = _threads(client)
     except Exception as error:
-        # What speaks there may be anything, and Dask stumbles over it in many ways.
+        # Anything may answer at the address, and Dask fails on it in many ways.
         raise _no_answer(address, error) from None
     try:
         if threads == 0:
@@ -238,22 +247,27 @@ def _led(
         yield Workers(executor, 2 * threads + 2, _Watch(client))
     except losses as error:
         reason = type(error).__name__
-        raise InputError(f"cluster: the scheduler or its workers are lost ({reason})") from None
+        raise InputError(
+            f"cluster: the scheduler or its workers are lost ({reason}); start them and run the "
+            "command again"
+        ) from None
     except ImportError as error:
-        raise InputError(f"cluster: the workers need the same tresym ({error})") from None
+        raise InputError(
+            f"cluster: the workers need the same version of tresym ({error})"
+        ) from None
     finally:
         with suppress(OSError):
             client.close(timeout=PATIENCE)
 
 
 def _threads(client: Any) -> int:
-    """The threads of all workers, by the scheduler's own count; OSError if it does not answer."""
+    """The number of threads of all workers, by the scheduler; OSError if it does not answer."""
     counts: dict[str, int] = client.sync(client.scheduler.ncores, callback_timeout=PATIENCE)
     return sum(counts.values())
 
 
 class _Watch:
-    """Raises InputError when ``LOOKS`` times in a row the scheduler is gone or has no workers."""
+    """Raises InputError if ``LOOKS`` times in a row the scheduler is gone or has no workers."""
 
     LOOKS = 6
 
@@ -262,12 +276,15 @@ class _Watch:
         self.empty = 0
 
     def __call__(self) -> None:
-        """Look once."""
+        """Check once."""
         try:
             alone = self.client.status != "running" or _threads(self.client) == 0
         except (OSError, AttributeError, RuntimeError):
-            # of a client that closes while it is asked
+            # raised by a client that is being closed
             alone = True
         self.empty = self.empty + 1 if alone else 0
         if self.empty >= self.LOOKS:
-            raise InputError("cluster: the scheduler or its workers are lost")
+            raise InputError(
+                "cluster: the scheduler or its workers are lost; start them and run the command "
+                "again"
+            )

@@ -62,7 +62,7 @@ def test_words_that_cannot_be_drawn_are_one_line(label: str, kind: str, tmp_path
     known = data("honesty")
     known["machine"]["processor"] = label
     path.write_text(json.dumps(known))
-    with pytest.raises(InputError, match="as tresym bench --save writes it"):
+    with pytest.raises(InputError, match="not a measurement as `tresym bench --save` writes it"):
         charts.picture("honesty", str(path), kind)
 
 
@@ -172,9 +172,9 @@ def test_bad_input_is_one_line(capsys, tmp_path: Path) -> None:
     hollow.write_text('{"workload": "turn"}', encoding="utf-8")
     for words, message in (
         (["chart", "nosuch"], "known: work-precision"),
-        (["chart", "turn", "--from", other], "is no measurement of turn"),
+        (["chart", "turn", "--from", other], "is not a measurement of the workload turn"),
         (["chart", "turn", "--from", str(broken)], "is not JSON"),
-        (["chart", "turn", "--from", str(hollow)], "is no measurement of turn"),
+        (["chart", "turn", "--from", str(hollow)], "is not a measurement of the workload turn"),
         (["chart", "turn", "--from", str(tmp_path / "none.json")], "cannot be read"),
     ):
         assert main(words) == 2

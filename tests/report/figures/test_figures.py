@@ -536,10 +536,10 @@ def test_a_figure_for_an_article_or_a_slide(ending, begins, tmp_path):
         (
             "flip-map",
             "x.jpg",
-            "a picture is saved as .svg, .pdf or .png; what moves, .gif or .mp4 too",
+            "a picture is saved as .svg, .pdf or .png; an animation also as .gif or .mp4",
         ),
-        ("flip-map", "x.gif", "flip-map does not move, so it is no GIF"),
-        ("flip-map", "x.mp4", "flip-map does not move, so it is no MP4"),
+        ("flip-map", "x.gif", "flip-map is not an animation and cannot be saved as GIF"),
+        ("flip-map", "x.mp4", "flip-map is not an animation and cannot be saved as MP4"),
     ],
 )
 def test_a_picture_of_no_such_kind_is_bad_input(name, path, message, capsys, tmp_path):
@@ -583,6 +583,18 @@ def test_the_animation_as_a_picture_that_moves_and_as_a_strip(tmp_path):
         assert strip.size[0] > 4 * strip.size[1]
 
 
+def test_the_animation_has_the_width_that_is_asked_for(tmp_path):
+    image = pytest.importorskip("PIL.Image")
+    path = tmp_path / "flip.gif"
+    asked = ["--width", "50.8", "--dpi", "100", "-o", str(path)]
+    assert main(["figure", "racket-flip", *asked]) == 0
+    with image.open(path) as moving:
+        assert moving.size == (200, 164)
+    found = racket_flip.data()
+    assert 'width="38mm" height="31mm"' in racket_flip.draw(found, 38)
+    assert f'width="{racket_flip.WIDTH}" height="{racket_flip.HEIGHT}"' in racket_flip.draw(found)
+
+
 def test_a_film_is_written_or_what_it_needs_is_said(tmp_path, capsys):
     path = tmp_path / "flip.mp4"
     status = main(["figure", "racket-flip", "-o", str(path)])
@@ -607,13 +619,13 @@ def test_a_picture_has_the_width_that_is_asked_for(tmp_path):
 @pytest.mark.parametrize(
     ("asked", "message"),
     [
-        (["euler-angles", "--body", "str"], "of a body of one's own there are flip-portrait"),
-        (["flip-map", "--gamma", "0.01"], "--gamma belongs to flip-curves"),
+        (["euler-angles", "--body", "str"], "only flip-portrait, flip-map, flip-curves"),
+        (["flip-map", "--gamma", "0.01"], "--gamma is an option of flip-curves"),
         (["flip-curves", "--gamma", "0"], "--gamma 0 is the separatrix"),
         (["flip-curves", "--gamma", "99"], "gamma: must be between -b and a"),
         (["flip-curves", "--width", "1e9"], "--width: from 40 to 600"),
         (["flip-curves", "--dpi", "1e9"], "--dpi: from 20 to 1200"),
-        (["racket-flip", "--width", "100"], "what moves has one size"),
+        (["racket-flip", "--width", "600", "--dpi", "300", "-o", "x.gif"], "is 100 to 1000 pixels"),
     ],
 )
 def test_what_a_figure_cannot_be_is_said_in_a_line(asked, message, capsys):

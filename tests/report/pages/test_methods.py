@@ -41,5 +41,5 @@ def test_the_sources_add_up() -> None:
     own = {"links": 9, "held": 8, "first_sight": 7, "refuted": 0, "changed": 9, "changed_held": 0}
     rows = [{"source": name, "note": "", **counts} for name in ("one", "two")]
     text = by_source({"rows": rows, "handbook": own})
-    assert "| together | 6 | 10 | 8 | 4 | 2 |" in text
-    assert "8 of 9 links" in text
+    assert "| total | 6 | 10 | 8 | 4 | 2 |" in text
+    assert "8 of 9 relations" in text

@@ -135,6 +135,7 @@ READ_BY = {
     "tresym/report/pages/ledger_rows.py": "the JSON, which has the conditions beside it",
     "tresym/report/typesetting/chains.py": "the chain, below the statement",
     "tresym/report/typesetting/statements.py": "the one room",
+    "tresym/report/pages/found_repairs.py": "the search for a repair, which reads the conditions",
     "tresym/report/pages/symbols.py": "an assumption, whose conditions have a column",
     "tresym/report/pages/article.py": "the article, with the conditions; what is true instead",
     "tresym/report/pages/derivation.py": "what a quoted theorem says, which is no claim",

@@ -69,12 +69,13 @@ def equal_at_algebraic(left: Expr, right: Expr, given: Given) -> Answer | None:
                 continue
             if low == high:
                 point = {name: low}
-                return refuted(f"both sides are equal at {exactly(point)}", point, *sides)
+                return refuted(exactly("both sides are equal", point), point, *sides)
             where = f"[{fraction_text(low)}, {fraction_text(high)}]"
             text = _text(factor, name)
             return Answer(
                 Verdict.REFUTED,
-                f"both sides are equal where {text} is 0, which changes its sign in {where}",
+                f"both sides are equal where {text} = 0; it changes sign on "
+                f"{where} and so has a root there",
                 witness={name: where},
             )
     return None
@@ -235,8 +236,7 @@ def _shown_zero(
         point = ", ".join(f"{name} = {_text(value, 't')}" for name, value in values.items())
         return Answer(
             Verdict.REFUTED,
-            f"both sides are equal at {point}, where {_text(m, 't')}, which changes its sign in "
-            f"{where}, is 0",
+            f"both sides are equal at {point}, where t is the root of {_text(m, 't')} in {where}",
             witness={name: _interval(x) for name, x in at.items()},
             root=Root(
                 _text(m, "t"),
@@ -301,5 +301,5 @@ def _equal_at_one(
                 continue
             sides = evaluate(left, at), evaluate(right, at)
         if all(side.is_finite() for side in sides) and equal_at(left, right, point):
-            return refuted(f"both sides are equal at {exactly(point)}", point, *sides)
+            return refuted(exactly("both sides are equal", point), point, *sides)
     return None

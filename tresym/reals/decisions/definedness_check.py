@@ -53,7 +53,7 @@ def unspoken(claim: Comparison, statement: Statement) -> str | None:
     for node in (n for side in sides for n in _sums(side)):
         part = _undefined_at_an_index(node)
         if part is not None:
-            return f"{part} is not shown to be as {node} needs it at every index"
+            return f"{part} could not be shown to keep every term of {node} defined"
     if any(node.op == "derivative" for node in outermost(*sides)):
         return None  # Leibniz's rule has shown a point where its result is defined
     sides = tuple(map(_sampled, sides))
@@ -71,7 +71,7 @@ def unspoken(claim: Comparison, statement: Statement) -> str | None:
     trees = [replaced(e, put) for e in (*sides, *claim.differentiated, *places)]
     if somewhere(trees, given, statement.integers):
         return None
-    return "no point was found at which all conditions hold and both sides are defined"
+    return "no point was found that satisfies all conditions and where both sides are defined"
 
 
 def _sampled(e: Expr) -> Expr:

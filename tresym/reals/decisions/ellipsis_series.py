@@ -67,21 +67,30 @@ _OPEN = Verdict.UNDECIDED
 
 
 def decide_dotted(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
-    """PROVED, REFUTED or UNDECIDED for an equation with dots in a sum.
+    """Decide an equation with dots in a sum, such as ``1 + x + x**2 + ... == 1/(1 - x)``.
 
     Args:
         decided: not asked; every such claim is decided here.
     """
     node = next(filter(None, map(_sum_with_dots, (claim.left, claim.right))), None)
     if claim.relation != "==" or node is None or claim.derivatives or statement.equations:
-        return Answer(_OPEN, "dots are read in a sum of powers, on one side of an equation")
+        return Answer(
+            _OPEN, ("dots are supported only in a sum of powers on one side of an equation")
+        )
     side = claim.solved(node)
     terms = [term for term in node.args if term not in (DOTS, -DOTS)]
     if side is not None and is_infinite(side) and not statement.path:
         return _first_of(side, add(*terms), statement.given)
     if side is None or statement.path or DOTS.args[0] in symbols(side) or not elementary(side):
-        return Answer(_OPEN, "what the series with dots is said to be is not seen")
-    given, why = statement.given, "the terms before the dots are no rising powers of one thing"
+        return Answer(
+            _OPEN,
+            "the series with dots must be compared with an elementary "
+            "function or a series without dots",
+        )
+    given, why = (
+        statement.given,
+        "the terms before the dots are not increasing powers of one expression",
+    )
     for u in _raised(terms):
         powers = _powers(terms, u)
         if powers is None:
@@ -112,9 +121,14 @@ def _first_of(series: Expr, terms: Expr, given: Given) -> Answer:
             first = first + term
             found = decide(first, terms, given)
             if n and found.verdict is Verdict.PROVED:
-                why = f"they are the first {n + 1} terms of the series: {found.why}"
+                why = (
+                    f"the terms before the dots are the first {n + 1} terms of "
+                    f"the series: {found.why}"
+                )
                 return Answer(Verdict.PROVED, why)
-    return Answer(_OPEN, "the terms before the dots are not shown to be the first of the series")
+    return Answer(
+        _OPEN, "the terms before the dots could not be shown to be the first terms of the series"
+    )
 
 
 def _sum_with_dots(e: Expr) -> Expr | None:
@@ -191,18 +205,24 @@ def _decided(
     except OpenError:
         germ = None
         if last > DIFFERENTIATED:
-            return Answer(_OPEN, "the coefficients of the other side are not worked out")
+            return Answer(_OPEN, "the Taylor coefficients of the other side could not be computed")
         coefficients = _by_derivatives(f, y, last)
     for m in range(min(*powers, *coefficients), last + 1):
         one, other = coefficients.get(m, ZERO), powers.get(m, ZERO)
         found = decide(one, other, fixed)
         if found.verdict is Verdict.REFUTED and germ is not None and _is_near(u, given):
-            why = f"the term of order {m} in {u} is {one}, and not {other}"
+            why = f"the coefficient of order {m} in {u} is {one}, not {other}"
             return Answer(Verdict.REFUTED, why, witness={f"coefficient of {u}**{m}": str(one)})
         if found.verdict is not Verdict.PROVED:
-            return Answer(_OPEN, f"the term of order {m} in {u} is not shown to be {other}")
+            return Answer(
+                _OPEN, f"the coefficient of order {m} in {u} could not be shown to be {other}"
+            )
     if next(given.points(symbols(f) - {y} | symbols(u), 1), None) is None:
-        return Answer(_OPEN, "no point satisfies the conditions")
+        return Answer(
+            _OPEN,
+            "no point was found that satisfies the conditions, so there "
+            "is nothing to prove; check the conditions",
+        )
     agree = f"the expansion in {u} begins with these terms"
     series = None if germ is None else _fitted(germ, u)
     if series is not None:
@@ -271,12 +291,18 @@ def _inside_circle(f: Expr, y: str, u: Expr, agree: str, given: Given, fixed: Gi
     try:
         radii = list(dict.fromkeys(_singular(f, y, fixed)))
     except OpenError as error:
-        return Answer(_OPEN, f"{agree}; how far it converges is not known: {error}")
+        return Answer(
+            _OPEN, f"{agree}, but its radius of convergence could not be determined: {error}"
+        )
     for radius in radii:
         if sign(radius - size_of(u), given, ">") != "+":
-            return Answer(_OPEN, f"{agree}; it converges where abs({u}) < {radius}: say so")
-    nearest = f", the nearest of which lies at {', '.join(map(str, radii))}" if radii else ""
-    why = f"{agree}, and converges to it off its complex singularities{nearest}"
+            return Answer(
+                _OPEN,
+                f"{agree}, but it converges only where abs({u}) < {radius}: "
+                "add this as a condition",
+            )
+    below = f"abs({u}) < {', '.join(map(str, radii))}, the distance of the nearest singularity"
+    why = f"{agree}, and the series converges to it {f'where {below}' if radii else 'everywhere'}"
     return Answer(Verdict.PROVED, why)
 
 
@@ -324,7 +350,7 @@ def _singular(e: Expr, y: str, given: Given) -> Iterator[Expr]:
         yield from _zeros(e.args[0], y)
         _need_positive(e.args[0], y, given)
     else:
-        raise OpenError(f"the singularities of {e}")
+        raise OpenError(f"the singularities of {e} are not known")
 
 
 def _scaled(distance: Expr, inner: Expr, y: str) -> Expr:
@@ -334,7 +360,7 @@ def _scaled(distance: Expr, inner: Expr, y: str) -> Expr:
         if y not in symbols(c):
             found = distance / apply("abs", c) if c.op != "number" else distance / abs(c.args[0])
             return found if m == 1 else found ** number(fmpq(1, m))
-    raise OpenError(f"the singularities of a function of {inner}")
+    raise OpenError(f"the singularities of a function of {inner} are not known")
 
 
 def _zeros(e: Expr, y: str) -> Iterator[Expr]:
@@ -382,7 +408,7 @@ def _roots(e: Expr, y: str) -> Iterator[Expr]:
         elif factor.degree() == 2 and factor[1] ** 2 < 4 * factor[0] * factor[2]:
             yield sqrt(number(fmpq(int(factor[0]), int(factor[2]))))
         else:
-            raise OpenError(f"the zeros of {e}")
+            raise OpenError(f"the zeros of {e} are not known")
 
 
 def _need_positive(e: Expr, y: str, given: Given) -> None:
@@ -399,4 +425,4 @@ def _need_positive(e: Expr, y: str, given: Given) -> None:
                     return
             elif evaluate(at, {}) > 0:
                 return
-    raise OpenError(f"whether {e} is positive at {y} = 0")
+    raise OpenError(f"{e} could not be shown to be positive at {y} = 0")

@@ -40,10 +40,10 @@ MOST, FAR, LOOKED_AT = 600, 50, 6
 
 
 def decide_factorials(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
-    """PROVED, ENCLOSED, REFUTED or UNDECIDED for a claim with factorials.
+    """Decide a claim with factorials.
 
     Args:
-        decided: decides what holds none.
+        decided: the procedure for claims without factorials.
     """
     folded = {node: _value(node.args[-1]) or node for node in outermost(claim.left, claim.right)}
     sides = replaced(claim.left, folded), replaced(claim.right, folded)
@@ -59,7 +59,9 @@ def decide_factorials(claim: Comparison, statement: Statement, decided: Decide) 
         or statement.path is not None
         or claim.derivatives
     ):
-        why = "of a factorial, sums, derivatives, limits and conditions are not decided"
+        why = (
+            "factorials are not supported together with sums, derivatives, limits or in conditions"
+        )
         return Answer(Verdict.UNDECIDED, why)
     found = _looked_at(claim, statement, list(nodes), decided)
     if found is not None:
@@ -69,14 +71,21 @@ def decide_factorials(claim: Comparison, statement: Statement, decided: Decide) 
     given = statement.given & Given(tuple(positive))
     found = decided(Comparison(left, claim.relation, right), replace(statement, given=given))
     if found.verdict is Verdict.REFUTED:
-        return Answer(Verdict.UNDECIDED, f"it is open; of any numbers for factorials, {found.why}")
+        return Answer(
+            Verdict.UNDECIDED,
+            (
+                "no counterexample was found at small integers, "
+                "but the claim fails when "
+                f"factorials are replaced by arbitrary numbers >= 1 ({found.why})"
+            ),
+        )
     return found
 
 
 def _looked_at(
     claim: Comparison, statement: Statement, nodes: list[Expr], decided: Decide
 ) -> Answer | None:
-    """A refutation at small integers, or that it is shown at none; None where it may be true."""
+    """Return a refutation at small integers, or UNDECIDED if none is proved; None otherwise."""
     names = sorted({name for node in nodes for name in symbols(node)})
     seen = False
     for at in islice(_small(names), MOST):
@@ -99,7 +108,11 @@ def _looked_at(
             witness = where | dict(found.witness or {})
             return replace(found, why=f"at {shown}: {found.why}", witness=witness)
         seen = seen or bool(found)
-    return None if seen else Answer(Verdict.UNDECIDED, "it is shown at no small integers")
+    return (
+        None
+        if seen
+        else Answer(Verdict.UNDECIDED, "the claim could not be proved at any small integers")
+    )
 
 
 def _small(names: list[str]) -> Iterator[dict[str, Expr]]:

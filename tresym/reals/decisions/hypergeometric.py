@@ -270,7 +270,7 @@ def out_of_range(s: Series, given: Given) -> str:
     """What is not shown of the convergence everywhere under the conditions; empty if all is."""
     radius = radius_of(s)
     if radius == ZERO:
-        return "it diverges"
+        return "the series diverges"
     if radius is None or _sign(radius - size_of(s.u), given) == "+":
         return ""
     for side in (1, -1):
@@ -279,18 +279,18 @@ def out_of_range(s: Series, given: Given) -> str:
             continue
         even = side > 0 or s.step % 2 == 0
         if found == "-" and not symbols(s.u):
-            return "it diverges"
+            return "the series diverges"
         if found not in ("0", ">=0"):
-            return f"it converges where abs({s.u}) < {radius}: the conditions must say so"
+            return f"the series converges only where abs({s.u}) < {radius}: add this as a condition"
         if not s.converges(bool((s.rate or 0) > 0) == even):
             where = f" where {s.u} is {radius * side}" if symbols(s.u) else ""
-            return f"it diverges{where}"
+            return f"the series diverges{where}"
     return ""
 
 
 def diverges(s: Series) -> bool:
     """Whether a series of numbers is shown to have no sum, unless all of its terms are 0."""
-    return not symbols(s.u) | symbols(s.head) and out_of_range(s, Given()) == "it diverges"
+    return not symbols(s.u) | symbols(s.head) and out_of_range(s, Given()) == "the series diverges"
 
 
 def has_terms(s: Series, at: dict[str, fmpq]) -> bool:

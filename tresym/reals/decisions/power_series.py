@@ -70,14 +70,14 @@ from tresym.reals.verdict import Verdict
 POLES = 4
 """Up to which power of y is multiplied with, where a side has a singularity that is removable."""
 POINTS = 6
-APART = "partial sums, with a bound of the rest, have them apart"
+APART = "partial sums with a bound on the remainder show that the two sides differ"
 
 
 # The proof
 
 
 def decide_power_series(side: Expr, node: Expr, given: Given) -> Answer:
-    """PROVED, REFUTED or UNDECIDED for ``side == node``, a sum to oo of hypergeometric terms.
+    """Decide ``side == node`` for an infinite sum ``node`` of hypergeometric terms.
 
     Args:
         side: an elementary expression.
@@ -85,7 +85,13 @@ def decide_power_series(side: Expr, node: Expr, given: Given) -> Answer:
     """
     s = series_of(node, symbols(side) | given.names)
     if s is None or not elementary(side) or any(True for _ in functions(side)):
-        return Answer(Verdict.UNDECIDED, f"{node}: its terms are not hypergeometric")
+        return Answer(
+            Verdict.UNDECIDED,
+            (
+                f"{node}: only series are supported whose ratio of "
+                "consecutive terms is rational in the index"
+            ),
+        )
     found = _at_points(side, s, given)
     if found is not None:
         return found
@@ -94,16 +100,22 @@ def decide_power_series(side: Expr, node: Expr, given: Given) -> Answer:
     except OpenError as error:
         return Answer(Verdict.UNDECIDED, f"{node}: {error}")
     except InputError as error:
-        return Answer(Verdict.UNDECIDED, f"an expression on the way grew too large: {error}")
+        return Answer(
+            Verdict.UNDECIDED, f"an intermediate expression exceeds the size limit: {error}"
+        )
     for at in given.points(symbols(side) | symbols(s.u) | symbols(s.head), POINTS):
         with ball_precision():
             if evaluate(side, at).is_finite() and evaluate(s.first, at).is_finite():
-                return Answer(Verdict.PROVED, f"{how}; both sides are defined at {exactly(at)}")
-    return Answer(Verdict.UNDECIDED, "both sides are shown to be defined at no point")
+                return Answer(Verdict.PROVED, exactly(f"{how}; both sides are defined", at))
+    return Answer(
+        Verdict.UNDECIDED,
+        "no point was found where both sides are defined, so there "
+        "is nothing to prove; check the conditions",
+    )
 
 
 def _shown(side: Expr, s: Series, given: Given) -> str:
-    """The proof in words."""
+    """Return the proof in words; raise OpenError if there is none."""
     y = fresh("y", symbols(side) | symbols(s.u) | symbols(s.head) | given.names)
     need_range(side, s, given)
     for x in sorted(symbols(s.u), key=lambda name: (name not in symbols(side), name)):
@@ -114,7 +126,9 @@ def _shown(side: Expr, s: Series, given: Given) -> str:
             found = by_equation(moved, power, s, y, without(x, given))
             if found:
                 return found
-    raise OpenError("the other side is not shown to satisfy its differential equation")
+    raise OpenError(
+        "the other side could not be shown to satisfy the differential equation of the series"
+    )
 
 
 def need_range(side: Expr, s: Series, given: Given) -> None:
@@ -123,7 +137,7 @@ def need_range(side: Expr, s: Series, given: Given) -> None:
     Raises:
         OpenError: it is not shown to.
     """
-    problem = "the other side may jump" if jumps(side) else out_of_range(s, given)
+    problem = "the other side may be discontinuous" if jumps(side) else out_of_range(s, given)
     if problem:
         raise OpenError(problem)
 
@@ -222,10 +236,14 @@ def by_equation(side: Expr, power: tuple[Expr, int], s: Series, y: str, given: G
         if max(free, default=0) > 2 * HIGHEST:
             return ""
         if all(_coefficient_is(g, y, m, s, q, scale, given) for m in free):
-            at = ", ".join(map(str, sorted(free))) or "none"
+            at = ", ".join(map(str, sorted(free)))
             return (
-                f"both sides satisfy one linear differential equation in {s.u}, "
-                f"and their Taylor coefficients agree where it leaves them open (orders {at})"
+                f"both sides satisfy the same linear differential equation in {s.u}"
+                + (
+                    (f", and their Taylor coefficients of order {at}, which it leaves free, agree")
+                    if at
+                    else ", which has only one power series solution"
+                )
                 + ("" if radius is None else f"; the radius of convergence is {radius}")
             )
         return ""
@@ -262,7 +280,7 @@ def _coefficient_is(g: Expr, y: str, m: int, s: Series, q: int, scale: Expr, giv
 
 
 def _at_points(side: Expr, s: Series, given: Given) -> Answer | None:
-    """A refutation: where the sides are apart, or where it diverges and the conditions hold."""
+    """Return a refutation where the sides differ or the series diverges, or None."""
     names = symbols(side) | symbols(s.u) | symbols(s.head)
     for at in given.points(names, POINTS):
         with ball_precision(256):
@@ -282,7 +300,7 @@ def _at_points(side: Expr, s: Series, given: Given) -> Answer | None:
 
 
 def _at_ends(side: Expr, s: Series, given: Given) -> Answer | None:
-    """A refutation at an end of its range, where it diverges and the other side has a value."""
+    """Return a refutation at an end of the interval of convergence, or None."""
     names = sorted(symbols(s.u))
     if len(names) != 1 or not s.rate or symbols(side) - {*names}:
         return None

@@ -20,7 +20,7 @@ from tresym.reals.processes import AHEAD, Processes, cores
 from tresym.reals.verdict import Verdict
 
 DEFAULT_LIMIT = 5.0
-_DIED = "its process ended, perhaps for want of memory"
+_DIED = "the process ended unexpectedly, perhaps because it ran out of memory"
 """Such an answer is not kept: it says nothing of the claim."""
 
 
@@ -43,7 +43,7 @@ def check_within(task: Task, limit: float = DEFAULT_LIMIT) -> Answer:
         if isinstance(found, InputError):
             raise found
         return found
-    raise RuntimeError("a task without an answer")
+    raise RuntimeError("a task has no answer")
 
 
 def check_all(
@@ -159,6 +159,6 @@ def _judged(claim: Any, given: Any, path: str | None) -> Answer | InputError:
     except InputError as error:
         return error
     except Exception as error:  # one claim that we fail at must not end the others
-        why = f"the procedure failed ({type(error).__name__}); please report this claim"
+        why = f"internal error ({type(error).__name__}); please report this claim"
         text = " ".join(str(claim)[:400].split())
         return Answer(Verdict.UNDECIDED, why, text, read_as=read_as(claim, given, path))

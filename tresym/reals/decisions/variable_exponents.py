@@ -51,7 +51,10 @@ ELSEWHERE = (*map(fmpq, (-1, 0, 2, -2)), fmpq(-1, 2), *map(fmpq, (1, -4)), fmpq(
 MOST, STRIDE = 512, 317811
 """Points that are tried; of more there are those that come at this stride, in no pattern."""
 MOST_BASES = 3
-OPEN = "{}; but where a base of {} is not positive it is open: {}; say that it is positive"
+OPEN = (
+    "undecided where the base of a power ({1}) is not positive: "
+    "{2}; add the condition that it is positive (for positive bases: {0})"
+)
 
 
 def beyond_positive_bases(
@@ -85,7 +88,7 @@ def beyond_positive_bases(
             return found
     bases = ", ".join(sorted(map(str, doubtful)))
     if len(doubtful) > MOST_BASES:
-        return Answer(Verdict.UNDECIDED, OPEN.format(answer.why, bases, "there are too many"))
+        return Answer(Verdict.UNDECIDED, OPEN.format(answer.why, bases, "too many bases"))
     given = statement.given & Given(tuple(bound(*part) for part in asked))
     statement = replace(statement, given=given)
     for case, inside in chain(
@@ -95,7 +98,9 @@ def beyond_positive_bases(
             found = decided(case, inside)
             if not found:
                 return Answer(Verdict.UNDECIDED, OPEN.format(answer.why, bases, found.why))
-    note = f"; powers were taken first where their base is positive: {bases}; it holds elsewhere"
+    note = (
+        f"; proved first where the bases of powers are positive ({bases}), then where they are not"
+    )
     return replace(answer, why=answer.why + note)
 
 
@@ -225,7 +230,7 @@ def _against(
         if failing is None:
             x, y = at(claim.left)(near), at(claim.right)(near)
             if stands(x - y, NEGATED[claim.relation]):
-                yield refuted("the powers have values there too, and it fails", point, x, y)
+                yield refuted("the powers are defined there, and the claim fails", point, x, y)
         else:
             links.sort(key=lambda link: link is not failing)  # it may fail at the next point, too
 

@@ -100,7 +100,11 @@ def _scaled(left: Expr, relation: str, right: Expr, given: Given, ask: Decide) -
             return None
         if found.witness is not None:
             return replace(found, witness={**found.witness, y: "1"})
-        return replace(found, why=f"it is homogeneous, and at {y} = 1: {found.why}", region=None)
+        return replace(
+            found,
+            why=(f"the claim is homogeneous, so it is enough to prove it for {y} = 1: {found.why}"),
+            region=None,
+        )
     return None
 
 
@@ -147,7 +151,9 @@ def _of_one_part(
             continue  # the difference may be real where the function of the part is not
         found = ask(f, relation, ZERO, Given(tuple(_within(x, values))))
         if found:
-            return replace(found, why=f"it is a function of {part}: {found.why}", region=None)
+            return replace(
+                found, why=f"the difference depends only on {part}: {found.why}", region=None
+            )
     return None
 
 
@@ -216,7 +222,10 @@ def _monotone(left: Expr, relation: str, right: Expr, given: Given, ask: Decide)
     found = ask(sides[0], relation, sides[1], where)
     if not found:
         return None
-    why = f"it compares {g} at two places, and its derivative has one sign: {found.why}"
+    why = (
+        f"the difference is that of {g} at two points, and its "
+        f"derivative has constant sign: {found.why}"
+    )
     return replace(found, why=why, region=None)
 
 
@@ -258,7 +267,7 @@ def _separated(left: Expr, relation: str, right: Expr, given: Given, ask: Decide
     answers = [ask(parts[name], ">=", least[name], own[name]) for name in names]
     if not all(answers):
         return None
-    return _weakest(answers, "each variable by itself")
+    return _weakest(answers, "proved for each variable separately")
 
 
 def _weakest(answers: list[Answer], what: str) -> Answer:
@@ -297,7 +306,7 @@ def _multiplied(left: Expr, relation: str, right: Expr, given: Given, ask: Decid
             for name, r, c in zip(names, relations, least, strict=True)
         ]
         if all(answers):
-            return _weakest(answers, "each factor by itself")
+            return _weakest(answers, "proved for each factor separately")
     return None
 
 
@@ -322,7 +331,7 @@ def _by_sizes(left: Expr, relation: str, right: Expr, given: Given, ask: Decide)
             if not answers[-1]:
                 break
         if all(answers):
-            return _weakest(answers, "each factor by its size")
+            return _weakest(answers, "proved for the absolute value of each factor separately")
     return None
 
 

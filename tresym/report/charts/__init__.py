@@ -1,8 +1,8 @@
-"""Charts of saved measurements: each is a pure function of one JSON file, as SVG.
+"""Charts of saved measurements as SVG: each is a pure function of one JSON file.
 
-A chart's file has ``draw(data)``, a picture, and ``caption(data)``, what to see in it. The bytes
-are the same on every build with the same matplotlib. All can be read in black and white: methods
-differ by marker and line, not by colour alone.
+The module of a chart has ``draw(data)``, the picture, and ``caption(data)``, a description of what
+it shows. The bytes are the same on every build with the same matplotlib. All charts can be read in
+black and white: methods differ by marker and line style as well as by colour.
 """
 
 from __future__ import annotations
@@ -14,9 +14,9 @@ from tresym.reals.numbers.exact import InputError, quoted, shortened
 
 
 class Chart(NamedTuple):
-    """A chart: its title, the workload whose file it is drawn from, and the module that draws it.
+    """A chart: its title, the workload that is shown, and the module that draws it.
 
-    ``part`` is handed to the module where it draws several charts.
+    ``part`` is passed to modules that draw several charts.
     """
 
     title: str
@@ -43,23 +43,29 @@ CHARTS = {
     "defect": Chart("ε(γ) to 50 digits", "defect", "times"),
     "flipmap": Chart("The flip of very many starts", "flipmap", "times"),
 }
-"""The charts ``tresym chart`` knows, by name."""
+"""The charts of ``tresym chart``, by name."""
 
 
 def svg(name: str, source: str | None = None) -> str:
-    """The chart ``name`` as SVG text, from the saved measurement or from the file ``source``.
+    """Return the chart ``name`` as SVG text; the arguments are those of :func:`picture`.
 
     Raises:
-        InputError: as :func:`picture` does.
+        InputError: as for :func:`picture`.
     """
     return picture(name, source).decode()
 
 
 def picture(name: str, source: str | None = None, kind: str = "svg") -> bytes:
-    """The chart ``name`` as the bytes of an SVG, PDF or PNG file; ``source`` as in :func:`svg`.
+    """Return the chart ``name`` as the bytes of an SVG, PDF or PNG file.
+
+    Args:
+        name: one of ``CHARTS``.
+        source: the file of a measurement; None means the one saved with tresym.
+        kind: svg, pdf or png.
 
     Raises:
-        InputError: an unknown name, a file that is no such measurement, or no matplotlib.
+        InputError: there is no such chart, the file is not such a measurement, or matplotlib is not
+            installed.
     """
     if name not in CHARTS:
         raise InputError(f"chart: {quoted(name)} is not known; known: {', '.join(CHARTS)}")
@@ -73,7 +79,7 @@ def picture(name: str, source: str | None = None, kind: str = "svg") -> bytes:
     module = import_module(f"{__name__}.{chart.module}")
     part = () if chart.part is None else (chart.part,)
     with style.looks():
-        try:  # what is drawn only at the end can be wrong as well, as a label of half a formula
+        try:  # a wrong file may also fail while saving, as with a label of half a formula
             figure, caption = _drawn(chart, module, data, part)
             if kind != "svg":
                 return style.bitmap_or_page(figure, chart.title, kind)
@@ -82,7 +88,9 @@ def picture(name: str, source: str | None = None, kind: str = "svg") -> bytes:
             if source is None or isinstance(error, InputError):
                 raise
             name = shortened(source)
-            raise InputError(f"{name}: is not as tresym bench --save writes it") from None
+            raise InputError(
+                f"{name}: is not a measurement as `tresym bench --save` writes it"
+            ) from None
         return text.replace(
             " <metadata>", f" <desc>{escape(caption)}</desc>\n <metadata>", 1
         ).encode()
@@ -98,6 +106,8 @@ def _drawn(
         figure = module.draw(data, *part)
         caption = f"{module.caption(data, *part)} {measured_with(data)}"
     except (KeyError, TypeError, ValueError, StopIteration) as error:
-        raise InputError(f"chart: the file is no measurement of {chart.workload}") from error
+        raise InputError(
+            f"chart: the file is not a measurement of the workload {chart.workload}"
+        ) from error
     below(figure, caption)
     return figure, caption

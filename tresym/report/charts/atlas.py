@@ -24,7 +24,7 @@ LINES = (2, 8)
 
 
 def caption(data: dict[str, Any], part: str) -> str:
-    """What to see."""
+    """Describe what the chart shows."""
     where = {
         "separatrix": "over the shapes, at the root ε₀ of each",
         "levels": "over the start ψ and the level γ of the standard racket",
@@ -44,7 +44,7 @@ def caption(data: dict[str, Any], part: str) -> str:
 
 
 def draw(data: dict[str, Any], part: str) -> Any:
-    """A row for each formula, four columns."""
+    """Draw a row for each formula, in four columns."""
     planes = {p["plane"]: p for p in data["planes"]}
     names = [g["pair"] for g in data["grids"] if g["plane"] in PARTS[part]]
     pairs = list(dict.fromkeys(names))
@@ -100,7 +100,7 @@ def _map(sheet: Any, found: dict[str, Any], plane: dict[str, Any]) -> Any:
 
 
 def _powers(axis: Any, low: float, high: float) -> None:
-    """Ticks at powers of ten, about four."""
+    """About four ticks at powers of ten."""
     step = max(1, round((high - low) / 4))
     ticks = [n for n in range(round(low), round(high) + 1) if (n - round(high)) % step == 0]
     axis.set_ticks(ticks, [f"$10^{{{n}}}$" for n in ticks])

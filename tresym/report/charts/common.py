@@ -1,4 +1,4 @@
-"""Shared by the charts: captions, marks that need no colour, times as text."""
+"""What the charts share: captions, line styles that work without colour, times as text."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ INK = "0.15"
 
 
 class Mark(NamedTuple):
-    """How a method is drawn: a colour, a marker and a line; open markers for other people's."""
+    """The style of a method: colour, marker and line; markers of other libraries are open."""
 
     colour: str
     marker: str
@@ -18,7 +18,7 @@ class Mark(NamedTuple):
 
     @property
     def options(self) -> dict[str, Any]:
-        """For ``plot``."""
+        """Return the keyword arguments for ``plot``."""
         return {
             "color": self.colour,
             "marker": self.marker,
@@ -44,7 +44,7 @@ SOLID, DASHED, DOTTED, DASHDOT = "-", (0, (4, 1.5)), (0, (1, 1.2)), (0, (5, 1.4,
 
 
 def measured_with(data: dict[str, Any]) -> str:
-    """With which machine and versions the data were measured."""
+    """Return the machine and the versions with which the data were measured."""
     machine, found = data["machine"], data["versions"]
     words = [f"{name} {v}" for name, v in found.items() if v != "not installed"]
     part = "" if data.get("complete", True) else " The run was interrupted."
@@ -54,7 +54,7 @@ def measured_with(data: dict[str, Any]) -> str:
 
 
 def below(figure: Any, caption: str) -> None:
-    """Set the caption under the picture, in a strip that the layout leaves free."""
+    """Set the caption below the picture, in a strip that the layout leaves free."""
     width, height = figure.get_size_inches()
     lines = textwrap.wrap(caption, int(width * 19.5))
     strip = 0.125 * len(lines) + 0.14
@@ -73,7 +73,7 @@ def below(figure: Any, caption: str) -> None:
 
 
 def time_text(seconds: float) -> str:
-    """A time with three digits and its unit."""
+    """Return a time with three digits and its unit."""
     for scale, unit in ((1e9, "ns"), (1e6, "µs"), (1e3, "ms")):
         if seconds * scale < 999.5:
             return f"{seconds * scale:.3g} {unit}"
@@ -81,7 +81,7 @@ def time_text(seconds: float) -> str:
 
 
 def time_axis(axis: Any, low: float, high: float) -> None:
-    """A logarithmic axis of seconds with ticks at the units people use."""
+    """Make a logarithmic axis of seconds, with ticks at common units."""
     import math
 
     first, last = math.floor(math.log10(low)), math.ceil(math.log10(high))
@@ -92,7 +92,7 @@ def time_axis(axis: Any, low: float, high: float) -> None:
 
 
 def tick_text(exponent: int) -> str:
-    """10ⁿ seconds as a round number of a unit."""
+    """Return 10ⁿ seconds as a round number of a unit."""
     unit, base = next(
         (u, n) for u, n in (("s", 0), ("ms", -3), ("µs", -6), ("ns", -9)) if exponent >= n
     )

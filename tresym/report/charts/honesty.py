@@ -36,7 +36,7 @@ PANELS = (
 
 
 def caption(data: dict[str, Any]) -> str:
-    """What to see, with the counts."""
+    """Describe what the chart shows, with the counts."""
     points = data["points"]
     ours = [p for p in points if p["method"] == "tresym, balls"]
     others = [p for p in points if not p["method"].startswith("tresym")]
@@ -55,7 +55,7 @@ def caption(data: dict[str, Any]) -> str:
 
 
 def draw(data: dict[str, Any]) -> Any:
-    """Four panels, the last on a scale of its own."""
+    """Draw four panels; the last has its own scale."""
     figure, grid = style.canvas(7.2, 7.4, 2, 2)
     figure.get_layout_engine().set(h_pad=0.1, hspace=0.04)
     for sheet, (top, title, methods) in zip(grid.flat, PANELS, strict=True):

@@ -16,7 +16,7 @@ OURS = "tresym, exact normal form"
 
 
 def caption(data: dict[str, Any]) -> str:
-    """What to see, with the counts."""
+    """Describe what the chart shows, with the counts."""
     notes = data["notes"]["summary"]
     words = []
     for method in METHODS:
@@ -38,7 +38,7 @@ def caption(data: dict[str, Any]) -> str:
 
 
 def draw(data: dict[str, Any]) -> Any:
-    """True identities on the left, false ones on the right."""
+    """Draw true identities on the left, false ones on the right."""
     figure, grid = style.canvas(7.4, 4.1, 1, 2, sharex=True, sharey=True)
     ours = {r["scene"]: r["seconds"] for r in data["rows"] if r["method"] == OURS and r["seconds"]}
     for sheet, false in zip(grid[0], (False, True), strict=True):
@@ -102,5 +102,5 @@ def _dots(
 
 
 def _limit(row: dict[str, Any]) -> float:
-    """The seconds of "more than 2 s of processor time"."""
+    """The seconds in "more than 2 s of processor time"."""
     return next(float(word) for word in row["why"].split() if word.replace(".", "").isdigit())

@@ -13,17 +13,17 @@ MOST_BYTES = 50_000_000
 
 
 def home() -> Path:
-    """The folder of the saved measurements, whether or not it is there."""
+    """Return the folder of the saved measurements, whether or not it exists."""
     package = Path(tresym.__file__).resolve().parent
     shipped = package / "measurements"
     return shipped if shipped.is_dir() else package.parent / "docs" / "measurements"
 
 
 def load(workload: str, source: str | None = None) -> dict[str, Any]:
-    """The saved measurement of a workload, or the one in the file ``source``.
+    """Return the saved measurement of a workload, or the one in the file ``source``.
 
     Raises:
-        InputError: there is none, or it is one of another workload.
+        InputError: there is none, or it is a measurement of another workload.
     """
     path = home() / f"{workload}.json" if source is None else Path(source)
     try:

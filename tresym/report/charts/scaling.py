@@ -30,7 +30,7 @@ BY_DIGITS = {
 
 
 def caption(data: dict[str, Any]) -> str:
-    """What to see."""
+    """Describe what the chart shows."""
     memory = data["memory"]
     starts = [r for r in data["rows"] if r["scene"] == "time against starts" and r["seconds"]]
     large = data["notes"]["compiled from"]
@@ -49,7 +49,7 @@ def caption(data: dict[str, Any]) -> str:
 
 
 def draw(data: dict[str, Any]) -> Any:
-    """Three panels; the middle one has memory below."""
+    """Draw three panels; the middle one has memory below."""
     figure, grid = style.canvas(7.6, 4.4, 1, 3, width_ratios=(1.35, 1, 1))
     left, middle, right = grid[0]
     rows = [r for r in data["rows"] if r["seconds"]]

@@ -9,7 +9,7 @@ from tresym.report.figures import style
 
 
 def caption(data: dict[str, Any]) -> str:
-    """What to see."""
+    """Describe what the chart shows."""
     says = data["says"]
     title = says[0].upper() + says[1:] if says[0].isascii() else says
     return (
@@ -21,7 +21,7 @@ def caption(data: dict[str, Any]) -> str:
 
 
 def draw(data: dict[str, Any]) -> Any:
-    """A line for each method, in groups."""
+    """Draw a line for each method, in groups."""
     rows = data["rows"]
     scenes = list(dict.fromkeys(r["scene"] for r in rows))
     count = len(rows) + (len(scenes) if len(scenes) > 1 else 0)

@@ -40,13 +40,13 @@ MARKS = {
     "scipy solve_ivp, DOP853": Mark(PURPLE, "d", DASHDOT, False),
     "heyoka, Taylor": Mark(BLACK, "X", DASHDOT, False),
 }
-"""Ours are filled and solid, other people's open and broken."""
+"""Methods of tresym are filled and solid, others open and dashed."""
 
 LOW, HIGH = 0.6, 1700.0
 
 
 def caption(data: dict[str, Any]) -> str:
-    """What to see."""
+    """Describe what the chart shows."""
     return (
         "True digits of ε(γ), counted against a ball of 1100 digits (no more than were asked for), "
         "against processor time for one answer, both logarithmic; up and to the left is better. "
@@ -58,7 +58,7 @@ def caption(data: dict[str, Any]) -> str:
 
 
 def draw(data: dict[str, Any]) -> Any:
-    """A panel for each scene, and one legend for all."""
+    """Draw a panel for each scene, and one legend for all."""
     figure, grid = style.canvas(7.6, 9.6, 3, 2, sharex=True, sharey=True)
     scenes = list(dict.fromkeys(row["scene"] for row in data["rows"]))
     seconds = [row["seconds"] for row in data["rows"] if row["seconds"]]
@@ -88,12 +88,12 @@ def draw(data: dict[str, Any]) -> Any:
 
 
 def digits_of(row: dict[str, Any]) -> float:
-    """True digits, no more than asked for, within the axis."""
+    """Return the correct digits, at most those asked for, within the range of the axis."""
     return max(LOW * 1.25, min(row["digits"], row["asked"]))
 
 
 def front(rows: list[dict[str, Any]]) -> list[tuple[float, float]]:
-    """(seconds, digits) of the right answers to which none is both faster and as accurate."""
+    """Return (seconds, digits) of the right answers that no other beats in both: the front."""
     points = sorted((r["seconds"], -digits_of(r)) for r in rows if r["outcome"] == "right")
     found: list[tuple[float, float]] = []
     for seconds, negative in points:
@@ -143,7 +143,7 @@ def _picks(sheet: Any, rows: list[dict[str, Any]], picks: dict[str, str]) -> Non
 
 
 def _silent(sheet: Any, rows: list[dict[str, Any]]) -> None:
-    """The methods that gave no answer, with the digits from which they did not."""
+    """The methods that gave no answer, with the number of digits from which they failed."""
     lines = []
     for method in MARKS:
         none = [

@@ -1,7 +1,8 @@
-"""The paper's figures, recomputed: each file has ``data()``, arrays, and ``draw(data)``, a picture.
+"""The paper's figures, recomputed: each module has ``data()``, the arrays, and ``draw(data)``.
 
-What a caption says is tested on the arrays of ``data()``. The pictures are SVG (PDF and PNG on
-request), the same bytes on every build with the same matplotlib: no dates, no random names.
+Tests compare the arrays of ``data()`` with what the captions say. The pictures are SVG, or PDF and
+PNG on request. They are the same bytes on every build with the same matplotlib: they contain no
+dates and no random names.
 """
 
 from __future__ import annotations
@@ -25,21 +26,21 @@ FIGURES = {
     "shape-map": "Fig. 11: epsilon_0 over the shapes, with the bodies",
     "racket-flip": "an animation: two turns of the racket in space",
 }
-"""The figures ``tresym figure`` knows, by name; the file of ``a-b`` is ``a_b.py``."""
+"""The figures of ``tresym figure``, by name; the module of ``a-b`` is ``a_b.py``."""
 
 KINDS = ("svg", "pdf", "png", "gif", "mp4")
 MOVING = ("gif", "mp4")
-"""The kinds of file a picture is saved as, and those of what moves."""
+"""The file formats of pictures, and those of animations."""
 MM_PER_INCH = 25.4
 OF_A_BODY = ("flip-portrait", "flip-map", "flip-curves", "racket-flip")
-"""The figures that are drawn of any body."""
+"""The figures that can be drawn for any body."""
 
 
 def svg(name: str) -> str:
-    """The figure ``name`` as the text of an SVG file.
+    """Return the figure ``name`` as the text of an SVG file.
 
     Raises:
-        InputError: an unknown name, or matplotlib is not installed.
+        InputError: there is no such figure, or matplotlib is not installed.
     """
     return picture(name).decode()
 
@@ -52,36 +53,38 @@ def picture(
     width: float | None = None,
     dpi: int = 200,
 ) -> bytes:
-    """The figure ``name`` as the bytes of a file of this kind, one of ``KINDS``.
+    """Return the figure ``name`` as the bytes of a file.
 
     Args:
         name: one of ``FIGURES``.
         kind: one of ``KINDS``.
         body: (a, b) of a shape, for a figure of ``OF_A_BODY``; the standard racket otherwise.
-        gamma: of the one level that flip-curves shall show.
-        width: of the picture, in millimetres; its height follows.
-        dpi: dots an inch of a PNG.
+        gamma: the only level that flip-curves shows; None shows six.
+        width: width of the picture in millimetres; the height follows. None means the default size.
+        dpi: dots per inch of a PNG, and of an animation with a width.
 
     Raises:
-        InputError: an unknown name, what this figure is not drawn of, or no matplotlib.
+        InputError: there is no such figure, an argument does not apply to it, or matplotlib is not
+            installed.
     """
     if name not in FIGURES:
         raise InputError(f"figure: {quoted(name)} is not known; known: {', '.join(FIGURES)}")
     if body is not None and name not in OF_A_BODY:
-        raise InputError(f"figure: of a body of one's own there are {', '.join(OF_A_BODY)}")
+        raise InputError(f"figure: only {', '.join(OF_A_BODY)} can be drawn for your own body")
     if gamma is not None and name != "flip-curves":
-        raise InputError("figure: --gamma belongs to flip-curves")
+        raise InputError("figure: --gamma is an option of flip-curves")
     if kind in MOVING and name != "racket-flip":
-        raise InputError(f"figure: {name} does not move, so it is no {kind.upper()}")
+        raise InputError(
+            f"figure: {name} is not an animation and cannot be saved as {kind.upper()}"
+        )
     module = import_module(f"{__name__}.{name.replace('-', '_')}")
     given = {key: x for key, x in (("body", body), ("gamma", gamma)) if x is not None}
     if name == "racket-flip" and kind in ("svg", *MOVING):
-        if width is not None:
-            raise InputError("figure: what moves has one size; a PDF or PNG of it is a strip")
         found = module.data(**given)
-        if kind == "mp4":
-            return bytes(module.film(found))
-        return module.moving(found) if kind == "gif" else str(module.draw(found)).encode()
+        if kind == "svg":
+            return str(module.draw(found, width)).encode()
+        pixels = module.WIDTH if width is None else round(width / MM_PER_INCH * dpi)
+        return bytes((module.film if kind == "mp4" else module.moving)(found, pixels))
     from tresym.report.figures import style
 
     with style.looks():
@@ -97,14 +100,14 @@ def picture(
 
 
 def kind_of(path: str | None) -> str:
-    """The kind of picture a file of this name holds; SVG where there is no file or no ending.
+    """Return the kind of picture that a file of this name holds; SVG without a file or an ending.
 
     Raises:
-        InputError: an ending that no picture here has.
+        InputError: an ending of no known kind.
     """
     ending = "" if path is None else PurePath(path).suffix[1:].lower()
     if ending and ending not in KINDS:
         raise InputError(
-            f"{path}: a picture is saved as .svg, .pdf or .png; what moves, .gif or .mp4 too"
+            f"{path}: a picture is saved as .svg, .pdf or .png; an animation also as .gif or .mp4"
         )
     return ending or "svg"

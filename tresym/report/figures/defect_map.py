@@ -39,7 +39,7 @@ class Data(NamedTuple):
 
 
 def data() -> Data:
-    """The exact map is read off the symmetric trajectories, turned or not."""
+    """Compute both maps; the exact one follows the trajectories through turning points."""
     defect0 = np.linspace(0.02, 0.5, 97)
     gamma = np.linspace(-0.08, 0.08, 129)
     a = shape_with_defect(defect0, B)
@@ -49,7 +49,7 @@ def data() -> Data:
 
 
 def shape_with_defect(defect0: Floats, b: float) -> Floats:
-    """The a whose ε₀ is this, by bisection: at fixed b, ε₀ decreases as a grows."""
+    """Return the a with this ε₀ at fixed b, by bisection: ε₀ decreases in a."""
     low, high = np.full_like(defect0, -12.0), np.full_like(defect0, 12.0)
     for _ in range(60):
         middle = (low + high) / 2
@@ -60,13 +60,13 @@ def shape_with_defect(defect0: Floats, b: float) -> Floats:
 
 
 def symmetric_defect(a: float, b: float, gamma: Floats) -> Floats:
-    """ε(γ): ψ at φ = −π on the trajectory through ψ = π/2 at φ = 0."""
+    """Return ε(γ): ψ at φ = −π on the trajectory through ψ = π/2 at φ = 0."""
     rate = rate_at(np.full_like(gamma, math.pi / 2), gamma, a, b)
     return math.pi / 2 + flip_map(a, b, math.pi / 2, rate, -math.pi)
 
 
 def draw(data: Data) -> Any:
-    """Filled steps of π/12 in both panels; the exact flip solid, the tolerance dashed."""
+    """Draw filled steps of π/12 in both panels; the exact flip is solid, the tolerance dashed."""
     figure, grid = style.canvas(7.2, 3.6, 1, 2, sharey=True)
     steps = np.arange(-6, 7) * TOLERANCE
     for sheet, values, title in zip(

@@ -1,7 +1,7 @@
 """Fig. 2: the Euler angles z-y-z with Z along the momentum: bare (left), on the racket (right).
 
-The handle e₁ is at θ from Z and its shadow on the plane (X, Y) at φ from X. N, the line of nodes,
-is horizontal and at a right angle to the handle; ψ turns from N to e₃ about the handle.
+θ is the angle from Z to the handle e₁, and φ the angle from X to its projection on the plane (X,
+Y). The line of nodes N is horizontal and perpendicular to the handle; ψ is the angle from N to e₃.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ class Data(NamedTuple):
 
 
 def data() -> Data:
-    """One attitude at which all three angles are easily seen."""
+    """Return one attitude in which all three angles are easily seen."""
     at = Attitude(*(np.array([x]) for x in (0.0, PHI, THETA, PSI)))
     second, third, first = at.rotations()[0].T
     nodes = np.array([-np.sin(PHI), np.cos(PHI), 0.0])
@@ -40,7 +40,7 @@ def data() -> Data:
 
 
 def draw(data: Data) -> Any:
-    """Both panels from the same side."""
+    """Draw both panels from the same direction."""
     figure, grid = style.canvas(7.2, 3.7, 1, 2)
     eye = view(72, 24)
     for sheet in grid[0]:

@@ -27,11 +27,14 @@ Data = tuple[Panel, ...]
 
 
 def data(body: tuple[float, float] | None = None, gamma: float | None = None) -> Data:
-    """Starts with dψ/dφ ≥ 0, evenly between the turning points or, rotating, over a half turn.
+    """Compute ψ(φ) from evenly spaced starts with dψ/dφ ≥ 0.
+
+    The starts lie between the turning points of an oscillating orbit, or over half a turn of a
+    rotating one.
 
     Args:
-        body: (a, b) of another shape than the standard racket's, with γ in proportion to b.
-        gamma: one level alone, −b < γ ≤ a and not 0.
+        body: (a, b) of another shape than the standard racket's; the γ are in proportion to b.
+        gamma: only this level, −b < γ ≤ a and not 0.
     """
     a, b = body or shape_of("str")
     if gamma is not None:
@@ -52,7 +55,7 @@ def _panel(a: float, b: float, gamma: float) -> Panel:
 
 
 def draw(data: Data) -> Any:
-    """γ < 0 left, γ > 0 right; nearer to the separatrix from top to bottom."""
+    """Draw γ < 0 left and γ > 0 right, nearer to the separatrix from top to bottom."""
     size = (7.2, 7.6, 3, 2) if len(data) > 1 else (5.0, 3.6, 1, 1)
     figure, grid = style.canvas(*size, sharex=True)
     for sheet, panel in zip(grid.flat, data, strict=True):

@@ -1,6 +1,6 @@
 """Fig. 10: |Δψ| after one turn of the handle, over the starts (ψ₀, dψ/dφ) of the standard racket.
 
-The right panel is the rectangle around the unstable point (0, 0) of the left one.
+The right panel enlarges the rectangle around the unstable point (0, 0) in the left one.
 """
 
 from __future__ import annotations
@@ -17,11 +17,11 @@ from tresym.report.figures.curves import rate_at, shape_of
 REACH = (np.pi, 1.5)
 ZOOM = (0.3, 0.27)
 TOP = 1.5 * np.pi
-"""The flip at the end of the colours; above it every flip looks alike."""
+"""The flip at the end of the colour scale; larger flips have the same colour."""
 
 
 _DOTS = {**style.SEPARATRIX, "linewidth": 1.1, "linestyle": (0, (1, 3))}
-"""The separatrix, sparse enough to see the colour it lies on."""
+"""The separatrix, dotted so that the colours below it can be seen."""
 
 
 class Flips(NamedTuple):
@@ -43,7 +43,7 @@ class Data(NamedTuple):
 
 
 def data(body: tuple[float, float] | None = None) -> Data:
-    """The flips at the middles of the pixels, of the standard racket or of the shape ``body``."""
+    """Compute the flips at the centres of the pixels, of the standard racket or of ``body``."""
     a, b = body or shape_of("str")
     reach, zoomed = (REACH, ZOOM) if body is None else _windows(a, b)
     whole, zoom = _flips(a, b, *reach, 360, 240), _flips(a, b, *zoomed, 280, 280)
@@ -52,7 +52,7 @@ def data(body: tuple[float, float] | None = None) -> Data:
 
 
 def _windows(a: float, b: float) -> tuple[tuple[float, float], tuple[float, float]]:
-    """How far the panels reach: beyond the top of the separatrix, and along its slope at 0."""
+    """The extent of the panels: above the top of the separatrix, and along its slope at 0."""
     top = float(np.sqrt(b * (a + b)) / max(1 - b, 0.05))
     return (np.pi, 1.6 * top), (ZOOM[0], 0.95 * float(np.sqrt(a * b)) * ZOOM[0])
 
@@ -64,7 +64,7 @@ def _flips(a: float, b: float, width: float, height: float, columns: int, rows: 
 
 
 def draw(data: Data) -> Any:
-    """One scale of colours for both; the exact flip Δψ = π is outlined."""
+    """Draw both panels on one colour scale, with the exact flip Δψ = π outlined."""
     figure, grid = style.canvas(7.4, 3.5, 1, 2, width_ratios=(1.45, 1))
     for sheet, part, rate, reach in zip(
         grid[0], data[:2], data.separatrices, (data.reach, data.zoomed), strict=True

@@ -24,7 +24,7 @@ class Curve(NamedTuple):
 
 
 class Data(NamedTuple):
-    """The curves of one cell 0 ≤ ψ ≤ π (the portrait has period π) and its separatrix."""
+    """The curves of one cell 0 ≤ ψ ≤ π (the portrait has period π), and its separatrix."""
 
     a: float
     b: float
@@ -34,7 +34,7 @@ class Data(NamedTuple):
 
 
 def data(body: tuple[float, float] | None = None) -> Data:
-    """The orbits of the standard racket, or of the shape ``body``, at a few values of γ."""
+    """Compute orbits of the standard racket, or of the shape ``body``, for a few values of γ."""
     standard = shape_of("str")
     a, b = body or standard
     part = 1.0 if body is None else b / standard[1]
@@ -47,7 +47,7 @@ def data(body: tuple[float, float] | None = None) -> Data:
 
 
 def draw(data: Data) -> Any:
-    """Two cells, so that two unstable points are inside."""
+    """Draw two cells, so that two unstable points are inside."""
     figure, grid = style.canvas(6.4, 3.9)
     sheet = grid[0, 0]
     lines(sheet, data)
@@ -66,7 +66,7 @@ def _highest(data: Data) -> float:
 
 
 def lines(sheet: Any, data: Data, look: dict[str, Any] | None = None) -> None:
-    """All orbits for −π/2 ≤ ψ ≤ 3π/2, each in its own look or all in the given one."""
+    """Draw all orbits for −π/2 ≤ ψ ≤ 3π/2, each in its own style or all in the given one."""
     for shift in (-np.pi, 0.0, np.pi):
         for on in data.oscillating:
             sheet.plot(on.psi + shift, on.rate, **(look or style.OSCILLATING))

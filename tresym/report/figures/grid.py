@@ -1,7 +1,7 @@
 """Round SVG output to a grid, so that it does not depend on the last bits of floats.
 
-Sines and matrix products differ there from one processor to the next. Places are therefore written
-on a grid far above that, and what else would show these bits is taken out.
+The last bits of sines and matrix products differ between processors. Coordinates are therefore
+rounded to a grid far coarser than that, and everything else that depends on these bits is removed.
 """
 
 from __future__ import annotations
@@ -25,21 +25,21 @@ _IMAGE = re.compile(r'(?<=data:image/png;base64,)[^"]*')
 
 
 def coordinate(x: float, digits: int = 2) -> str:
-    """A coordinate to so many decimals.
+    """Return a coordinate rounded to ``digits`` decimals.
 
-    The cells of the grid meet at the golden section between two decimals, not in the middle: what
-    is drawn at a round number would lie just there, where the last bit decides.
+    The cells of the grid meet at the golden section between two decimals, not in the middle. Round
+    coordinates such as 0.5 would lie exactly in the middle, where the last bit decides.
     """
     text = f"{math.floor(x * 10**digits + _SECTION) / 10**digits:.{digits}f}"
     return text.rstrip("0").rstrip(".")
 
 
 def on_grid(text: str, title: str) -> str:
-    """The SVG that matplotlib writes, on the grid.
+    """Return an SVG of matplotlib rounded to the grid.
 
-    A point where the last one was is left out, as is the first of a closed line at its end: which
-    of them were equal as floats is chance. Names are hashes of places in full; they are made anew
-    of the title and their order.
+    A point equal to the one before is left out, and so is the repeated first point of a closed
+    line: whether they were equal as floats depends on the machine. Names, which matplotlib makes as
+    hashes of exact coordinates, are made again from the title and their order.
     """
     text = _PLACES.sub(lambda part: _rounded(part[0], 2), text)
     text = _FACTORS.sub(lambda part: _rounded(part[0], 5), text)
@@ -57,7 +57,7 @@ def _rounded(text: str, digits: int) -> str:
 
 
 def shown(text: str) -> str:
-    """The text with each image in it as its pixels: how a PNG is packed is up to the zlib there."""
+    """Return the text with images replaced by their pixels, which do not depend on zlib."""
     return _IMAGE.sub(_pixels, text) if "data:image" in text else text
 
 

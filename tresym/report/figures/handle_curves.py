@@ -31,7 +31,7 @@ Data = tuple[Motion, Motion]
 
 
 def data() -> Data:
-    """Five turns of the handle of the book, from ψ = π/2."""
+    """Compute five turns of the handle of the book, from ψ = π/2."""
     a, b = shape_of(ILLUSTRATION)
     below, above = (_motion(a, b, gamma) for gamma in GAMMAS)
     return below, above
@@ -46,7 +46,7 @@ def _motion(a: float, b: float, gamma: float) -> Motion:
 
 
 def draw(data: Data) -> Any:
-    """Both spheres from the same side."""
+    """Draw both spheres from the same direction."""
     figure, grid = style.canvas(7.2, 3.7, 1, 2)
     eye = view(25, 20)
     for sheet, motion in zip(grid[0], data, strict=True):

@@ -1,4 +1,4 @@
-"""Fig. 5: the phase portrait of θ, (θ, dθ/dφ), for the body of the pictures on the sphere."""
+"""Fig. 5: the phase portrait of θ, (θ, dθ/dφ), for the body that is shown on the sphere."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class Curve(NamedTuple):
 
 
 class Data(NamedTuple):
-    """The curves; a rotating orbit has a mirror image at π − θ, also here."""
+    """The curves; a rotating orbit is also drawn mirrored at π − θ."""
 
     a: float
     b: float
@@ -39,7 +39,7 @@ class Data(NamedTuple):
 
 
 def data() -> Data:
-    """The book's orbits."""
+    """Compute the orbits of the book."""
     a, b = shape_of(ILLUSTRATION)
 
     def curve(on: DrawnOrbit) -> Curve:
@@ -51,7 +51,7 @@ def data() -> Data:
 
 
 def draw(data: Data) -> Any:
-    """All of 0 ≤ θ ≤ π."""
+    """Draw the range 0 ≤ θ ≤ π."""
     figure, grid = style.canvas(6.4, 3.9)
     sheet = grid[0, 0]
     for on in data.curves:

@@ -1,7 +1,7 @@
 """Fig. 3: energy ellipsoid and momentum sphere; the curves on it; the angles θ and ψ on it.
 
 All lengths are in units of M: the sphere is |M| = 1 and the ellipsoid M₁²(1+a) + M₂² + M₃²(1−b) =
-1 + γ. The body is the paper's book, as a racket's curves would be too narrow to be seen.
+1 + γ. The body is the paper's book, since a racket's curves would be too narrow to be seen.
 """
 
 from __future__ import annotations
@@ -22,14 +22,14 @@ LEVELS = (-0.29, -0.24, -0.17, -0.08, 0.1, 0.3, 0.55, 0.8, 1.0)
 ELLIPSOIDS = (-0.15, 0.2)
 REACH = 1.55
 SHADES = 32
-"""Steps between dark and light, each too small to be seen."""
+"""Steps between dark and light, each too small to be visible."""
 
 
 class Data(NamedTuple):
-    """Two pairs of curves where the surfaces meet, all curves, and one momentum with its angles.
+    """Two pairs of intersection curves, all curves, and one momentum with its angles.
 
     ``radii`` are the semi-axes of the two ellipsoids, shape (2, 3); ``equilibria`` the unit vectors
-    p₊, p_D and p₋; ``momentum`` that at the angles ``theta`` and ``psi``.
+    p₊, p_D and p₋; ``momentum`` the vector with the angles ``theta`` and ``psi``.
     """
 
     a: float
@@ -45,7 +45,7 @@ class Data(NamedTuple):
 
 
 def data() -> Data:
-    """The book's curves."""
+    """Compute the curves of the book."""
     a, b = shape_of(ILLUSTRATION)
     radii = [[math.sqrt((1 + g) / x) for x in (1 + a, 1, 1 - b)] for g in ELLIPSOIDS]
     meetings = tuple((orbit(a, b, g, 1), orbit(a, b, g, -1)) for g in ELLIPSOIDS)
@@ -68,7 +68,7 @@ def data() -> Data:
 
 
 def draw(data: Data) -> Any:
-    """Four panels, all seen from the same side."""
+    """Draw four panels, all from the same direction."""
     figure, grid = style.canvas(7.2, 7.2, 2, 2)
     titles = (r"oscillating, $2I_2E < M^2 < 2I_3E$", r"rotating, $2I_1E < M^2 < 2I_2E$")
     for i in range(2):
@@ -81,10 +81,10 @@ def draw(data: Data) -> Any:
 
 
 def shades(inverse: Floats, eye: View) -> Iterator[tuple[Floats, float]]:
-    """Where the surface x·diag(inverse)·x = 1 faces the light at least so much, darkest first.
+    """Yield the parts of the surface x·diag(inverse)·x = 1 by brightness, darkest first.
 
-    Each part is an outline on the paper, shape (n, 2), with its shade from 0 to 1; the first is the
-    whole surface. Where a normal n has n·light ≥ c is a cap of the sphere of normals.
+    Each part is an outline on the paper, shape (n, 2), with its brightness from 0 to 1; the first
+    is the whole surface. The normals n with n·light ≥ c form a cap of the sphere.
     """
     light = eye.towards + 0.5 * eye.up - 0.6 * eye.right
     light /= np.linalg.norm(light)
@@ -94,7 +94,7 @@ def shades(inverse: Floats, eye: View) -> Iterator[tuple[Floats, float]]:
 
 
 def _seen(normals: Floats, inverse: Floats, eye: View) -> Floats:
-    """Where a line of the surface with these normals is seen, its hidden parts along the rim."""
+    """The visible outline of a line on the surface; hidden parts are replaced by the rim."""
     behind = np.minimum(eye.depth(normals), 0)[:, None]
     rim = normals - behind * eye.towards
     on = rim / np.linalg.norm(rim, axis=1, keepdims=True) / inverse
@@ -102,7 +102,7 @@ def _seen(normals: Floats, inverse: Floats, eye: View) -> Floats:
 
 
 def in_front(inverse: Floats, meeting: tuple[DrawnOrbit, DrawnOrbit], eye: View) -> Floats:
-    """The outline of the cap by which one surface stands out of the other towards the eye."""
+    """Return the outline of the cap of one surface that lies in front of the other."""
     near = max(meeting, key=lambda on: float(eye.depth(on.momentum.mean(axis=0))))
     normals = near.momentum * inverse
     return _seen(normals / np.linalg.norm(normals, axis=1, keepdims=True), inverse, eye)

@@ -1,4 +1,4 @@
-"""The shape of the drawn racket, in its own axes: the handle along e₁, the head in (e₁, e₂)."""
+"""The shape of the drawn racket in its own axes: the handle along e₁, the head in (e₁, e₂)."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class Racket(NamedTuple):
 
 
 def racket(points: int = 73) -> Racket:
-    """A racket of length 2 with its head on the side of +e₁; ``strings`` has shape (n, 2, 3)."""
+    """Return a racket of length 2 with its head towards +e₁; ``strings`` has shape (n, 2, 3)."""
     centre, long, wide = 0.62, 0.42, 0.32
     u = np.linspace(0.0, 2 * np.pi, points)
     zero = np.zeros_like(u)

@@ -1,8 +1,9 @@
-"""The racket's flip in space, as an SVG that moves by itself (SMIL, no script).
+"""The racket's flip in space: an SVG that animates itself (SMIL, no script), a GIF or an MP4.
 
-The motion is the standard racket's at the γ > 0 with ε(γ) = 0, from ψ = 0: after one turn of the
-handle it has made exactly half a turn about the handle and after two it is as it was, so that the
-picture repeats without a jump. Steps are equal in φ; the clock follows the time of the motion.
+The motion is that of the standard racket at the γ > 0 with ε(γ) = 0, from ψ = 0. During one turn of
+the handle the racket makes exactly half a turn about its handle, and after two turns of the handle
+it is as it was, so that the picture repeats without a jump. The frames are equally spaced in φ;
+each is shown for the time that the motion takes.
 """
 
 from __future__ import annotations
@@ -31,29 +32,32 @@ STEPS = 96
 SECONDS = 8.0
 SCALE, WIDTH, HEIGHT = 150.0, 380, 310
 FINER = 3
-"""How much finer the GIF is drawn than it is shown."""
+"""The frames of a GIF or MP4 are drawn larger by this factor and then reduced."""
+LEAST_PIXELS, MOST_PIXELS = 100, 1000
+"""The width of a GIF or MP4; all frames are held in memory."""
 ROUNDS, RATE = 2, 25
-"""How often a film shows the whole, and its pictures a second."""
+"""How often an MP4 shows the motion, and its frames per second."""
 STILLS = 9
 FACES = ("#e69f00", "#0072b2")
 """The colours of the two faces of the head; +e₃ first."""
 
 WORDS = (
-    "The handle goes round the angular momentum M, which stays upright, almost in a level circle. "
-    "While the handle makes one turn the head makes half a turn about it: where the blue face was "
-    "seen before, the orange one is seen after. After two turns all is as it was."
+    "The handle moves around the angular momentum M, which stays vertical, almost in a horizontal "
+    "circle. During one turn of the handle the head makes half a turn about it: where the blue "
+    "face was seen before, the orange one is seen afterwards. After two turns the racket is as it "
+    "was."
 )
 LESS_MOTION = (
     ".held{display:none}"
     "@media (prefers-reduced-motion:reduce){.held{display:inline}.moving{display:none}}"
 )
-"""Who asks for less motion sees the first moment, held."""
+"""Readers whose browser asks for reduced motion see the first frame."""
 
 
 class Data(NamedTuple):
-    """Two turns of the handle: γ, times as shares of the whole, φ, ψ, and the frames.
+    """Two turns of the handle: γ, times as fractions of the total, φ, ψ, and the frames.
 
-    ``frames`` has shape (n, 3, 3) with rows e₁, e₂, e₃ in space; the last is the first again.
+    ``frames`` has shape (n, 3, 3) with rows e₁, e₂, e₃ in space; the last equals the first.
     """
 
     gamma: float
@@ -64,10 +68,13 @@ class Data(NamedTuple):
 
 
 def data(body: tuple[float, float] | None = None) -> Data:
-    """The motion with an exact flip, found by bisection on ε(γ), which falls through 0.
+    """Compute the motion with an exact flip, by bisection on the decreasing function ε(γ).
+
+    Args:
+        body: (a, b) of a shape; the standard racket if None.
 
     Raises:
-        InputError: the shape ``body`` flips exactly at no level that float arithmetic can tell.
+        InputError: float arithmetic finds no level on which this shape flips exactly.
     """
     a, b = body or shape_of("str")
     low, high = 0.0, min(0.01, a / 2)
@@ -86,8 +93,16 @@ def data(body: tuple[float, float] | None = None) -> Data:
     return Data(low, found.time / found.time[-1], found.phi, found.psi, frames)
 
 
-def draw(data: Data) -> str:
-    """The moving picture as SVG text."""
+def draw(data: Data, width: float | None = None) -> str:
+    """Return the animation as SVG text.
+
+    Args:
+        data: the motion.
+        width: its width in millimetres; None means 380 pixels.
+    """
+    size = f'width="{WIDTH}" height="{HEIGHT}"'
+    if width is not None:
+        size = f'width="{width:g}mm" height="{width * HEIGHT / WIDTH:g}mm"'
     eye, shape = view(-50, 22), racket(41)
     clock = ";".join(coordinate(x, 4) for x in (*data.time[:-1], 1.0))
     rims = [_line(eye, shape.rim @ frame) for frame in data.frames]
@@ -105,7 +120,7 @@ def draw(data: Data) -> str:
     return "\n".join(
         [
             f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" '
-            f'width="{WIDTH}" height="{HEIGHT}" role="img">',
+            f'{size} role="img">',
             "<title>A tennis racket flips once in every turn of its handle</title>",
             f"<desc>{WORDS}</desc>",
             f"<style>{LESS_MOTION}</style>",
@@ -121,7 +136,7 @@ def draw(data: Data) -> str:
 def _body(
     name: str, rim: str, face: str, strings: str, handle: str, moves: tuple[str, str, str]
 ) -> list[str]:
-    """The racket, each of its three parts with what moves it."""
+    """The racket: rim, strings and handle, each with its animation."""
     ink = 'stroke="#222"'
     return [
         f'<g class="{name}">',
@@ -134,7 +149,7 @@ def _body(
 
 
 def _still(eye: View) -> list[str]:
-    """The circle a level handle's end runs on, and the momentum."""
+    """The circle that the tip of a horizontal handle would describe, and the angular momentum."""
     ring = _line(eye, circle([0, 0, 1], points=73))
     tip = _at(eye, np.array([0, 0, 1.05]))
     wings = [(tip[0] - 4, tip[1] + 10), (tip[0] + 4, tip[1] + 10), tip]
@@ -155,7 +170,7 @@ def _at(eye: View, point: Floats) -> tuple[float, float]:
 
 
 def _line(eye: View, points: Floats) -> str:
-    """The drawing commands of a line through points in space."""
+    """The SVG path through points in space."""
     return "M" + "L".join(
         f"{coordinate(x, 1)} {coordinate(y, 1)}" for x, y in (_at(eye, point) for point in points)
     )
@@ -168,11 +183,19 @@ def _moves(attribute: str, values: Iterable[str], clock: str, mode: str = "linea
     )
 
 
-def moving(data: Data) -> bytes:
-    """The same as a GIF: equal steps in φ, each shown as long as it takes."""
+def moving(data: Data, pixels: int = WIDTH) -> bytes:
+    """Return the animation as a GIF of equal steps in φ.
+
+    Args:
+        data: the motion.
+        pixels: the width of the picture.
+
+    Raises:
+        InputError: ``pixels`` is out of range.
+    """
     shown = np.diff(np.round(100 * SECONDS * data.time))  # a GIF counts in hundredths of a second
     out = io.BytesIO()
-    first, *rest = _sheets(data)
+    first, *rest = _sheets(data, pixels)
     first.save(
         out,
         format="GIF",
@@ -185,25 +208,30 @@ def moving(data: Data) -> bytes:
     return out.getvalue()
 
 
-def film(data: Data) -> bytes:
-    """The same as an MP4: equal steps in time, the whole ``ROUNDS`` times.
+def film(data: Data, pixels: int = WIDTH) -> bytes:
+    """Return the animation as an MP4 of equal steps in time, repeated ``ROUNDS`` times.
+
+    Args:
+        data: the motion.
+        pixels: the width of the picture.
 
     Raises:
-        InputError: imageio-ffmpeg, which brings the encoder along, is not installed.
+        InputError: ``pixels`` is out of range, or imageio-ffmpeg, which contains the encoder, is
+            not installed.
     """
     try:
         from imageio_ffmpeg import write_frames
     except ImportError:
         raise InputError(
-            "figure: an MP4 needs imageio-ffmpeg: pip install -e '.[video]'; a GIF needs none"
+            "figure: an MP4 needs imageio-ffmpeg: pip install -e '.[video]'; a GIF does not"
         ) from None
-    sheets = [sheet.tobytes() for sheet in _sheets(data)]
+    sheets = [sheet.tobytes() for sheet in _sheets(data, pixels)]
     moments = np.arange(round(ROUNDS * SECONDS * RATE)) / (SECONDS * RATE) % 1
     with TemporaryDirectory() as folder:
         path = os.path.join(folder, "flip.mp4")
-        told = ["-metadata", "comment=tresym"]
-        size = WIDTH, HEIGHT
-        writer = write_frames(path, size, fps=RATE, macro_block_size=2, output_params=told)
+        options = ["-metadata", "comment=tresym"]
+        size = _size(pixels)
+        writer = write_frames(path, size, fps=RATE, macro_block_size=2, output_params=options)
         writer.send(None)
         for at in np.searchsorted(data.time, moments, "right") - 1:
             writer.send(sheets[min(at, len(sheets) - 1)])
@@ -212,30 +240,50 @@ def film(data: Data) -> bytes:
             return written.read()
 
 
-def _sheets(data: Data) -> list[Any]:
-    """The pictures of the frames, in order, each as an image of Pillow's."""
+def _size(pixels: int) -> tuple[int, int]:
+    """Width and height of an animation ``pixels`` wide, both even, as encoders of video need."""
+    if not LEAST_PIXELS <= pixels <= MOST_PIXELS:
+        raise InputError(
+            f"figure: {pixels} pixels wide, by --width and --dpi; an animation is {LEAST_PIXELS} "
+            f"to {MOST_PIXELS} pixels wide"
+        )
+    wide = 2 * round(pixels / 2)
+    return wide, 2 * round(wide * HEIGHT / WIDTH / 2)
+
+
+def _sheets(data: Data, pixels: int) -> list[Any]:
+    """The frames in order, each as an image of Pillow."""
     from PIL import Image, ImageDraw
 
+    size = _size(pixels)
+    zoom = FINER * size[0] / WIDTH
+
+    def points(places: Floats) -> list[tuple[float, float]]:
+        return [(zoom * x, zoom * y) for x, y in (_at(eye, place) for place in places)]
+
+    def thick(width: float) -> int:
+        return max(1, round(width * zoom))
+
     eye, shape = view(-50, 22), racket(41)
-    ring = _points(eye, circle([0, 0, 1], points=73))
-    momentum = _points(eye, np.array([[0, 0, 0], [0, 0, 1.0]]))
+    ring = points(circle([0, 0, 1], points=73))
+    momentum = points(np.array([[0, 0, 0], [0, 0, 1.0]]))
     pictures = []
     for frame in data.frames[:-1]:
-        sheet = Image.new("RGB", (FINER * WIDTH, FINER * HEIGHT), "white")
+        sheet = Image.new("RGB", (FINER * size[0], FINER * size[1]), "white")
         pen = ImageDraw.Draw(sheet)
-        pen.line(ring, fill="#bbbbbb", width=FINER)
-        pen.line(momentum, fill="#555555", width=2 * FINER)
+        pen.line(ring, fill="#bbbbbb", width=thick(1))
+        pen.line(momentum, fill="#555555", width=thick(2))
         face = FACES[0 if eye.depth(frame[2]) > 0 else 1]
-        pen.polygon(_points(eye, shape.rim @ frame), fill=face, outline="#222222", width=3 * FINER)
+        pen.polygon(points(shape.rim @ frame), fill=face, outline="#222222", width=thick(3))
         for string in shape.strings:
-            pen.line(_points(eye, string @ frame), fill="#222222", width=1)
-        pen.line(_points(eye, shape.handle @ frame), fill="#222222", width=7 * FINER)
-        pictures.append(sheet.resize((WIDTH, HEIGHT), Image.Resampling.LANCZOS))
+            pen.line(points(string @ frame), fill="#222222", width=thick(1 / 3))
+        pen.line(points(shape.handle @ frame), fill="#222222", width=thick(7))
+        pictures.append(sheet.resize(size, Image.Resampling.LANCZOS))
     return pictures
 
 
 def strip(data: Data) -> Any:
-    """Stills of one turn of the handle, side by side, for print."""
+    """Draw stills of one turn of the handle, side by side, for print."""
     eye, shape = view(-50, 22), racket(41)
     figure, grid = style.canvas(9.0, 1.4, 1, STILLS)
     for n, sheet in enumerate(grid[0]):
@@ -251,7 +299,3 @@ def strip(data: Data) -> Any:
         turned = style.multiple_of_pi(Fraction(2 * n, STILLS - 1))
         sheet.set_title(turned if n else f"φ = {turned}", fontsize=8)
     return figure
-
-
-def _points(eye: View, points: Floats) -> list[tuple[float, float]]:
-    return [(FINER * x, FINER * y) for x, y in (_at(eye, point) for point in points)]

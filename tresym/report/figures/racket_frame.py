@@ -20,12 +20,12 @@ class Data(NamedTuple):
 
 
 def data() -> Data:
-    """The racket at rest in its own frame."""
+    """Return the racket at rest in its own frame."""
     return Data(racket(), np.eye(3))
 
 
 def draw(data: Data) -> Any:
-    """The racket from above its face."""
+    """Draw the racket, seen from above its face."""
     figure, grid = style.canvas(4.8, 3.1)
     sheet, eye = grid[0, 0], view(-62, 32)
     bare(sheet)

@@ -1,7 +1,7 @@
-"""Fig. 11: ε₀ over the shapes (a, b), with the paper's bodies; shapes no rigid body has, hatched.
+"""Fig. 11: ε₀ over the shapes (a, b), with the paper's bodies; impossible shapes are hatched.
 
-A rigid body obeys I₃ ≤ I₁ + I₂, which is b ≤ 1/(a+2). The printed moments of the three further
-rackets and the printed numbers of one of them do not.
+A rigid body satisfies I₃ ≤ I₁ + I₂, that is b ≤ 1/(a+2). The printed moments of the three further
+rackets and the printed a and b of one of them do not.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ BODIES = ("str", "racket-1", "racket-2", "racket-3", "book", "ethylene")
 REACH = (20.0, 0.4)
 LEVELS = (0.01, 0.02, 0.05, 0.15, 0.25, 0.4, 0.6)
 BEST = 2 * math.atan(math.exp(-math.pi))
-"""No rigid body has a smaller ε₀: the limit of planar bodies (b = 1/(a+2)) as a → ∞."""
+"""The infimum of ε₀ over rigid bodies: the limit of planar bodies (b = 1/(a+2)) as a → ∞."""
 
 _DASHED = {"linewidths": 1.4, "linestyles": [(0, (4, 2))]}
 
@@ -47,7 +47,7 @@ class Data(NamedTuple):
 
 
 def data() -> Data:
-    """ε₀ by the fixed-point map, which contracts by b sin²ε₀ a step, at the middles of pixels."""
+    """Compute ε₀ at the centres of pixels by the fixed-point map, a contraction by b sin²ε₀."""
     a, b = (top * (np.arange(n) + 0.5) / n for top, n in zip(REACH, (360, 280), strict=True))
     defect = separatrix_defect(a[None, :], b[:, None])
     points = []
@@ -60,7 +60,7 @@ def data() -> Data:
 
 
 def separatrix_defect(a: Floats, b: Floats) -> Floats:
-    """ε₀ of many shapes with b ≤ 0.4, to rounding."""
+    """Return ε₀ of many shapes with b ≤ 0.4, to rounding errors."""
     defect = np.zeros(np.broadcast(a, b).shape)
     for _ in range(48):
         defect = separatrix_map(defect, a, b, np)
@@ -68,7 +68,7 @@ def separatrix_defect(a: Floats, b: Floats) -> Floats:
 
 
 def draw(data: Data) -> Any:
-    """Labelled level curves on a ground that is lighter where ε₀ is larger."""
+    """Draw labelled level curves on a background that is lighter where ε₀ is larger."""
     figure, grid = style.canvas(6.6, 4.8)
     sheet = grid[0, 0]
     ground = sheet.imshow(
@@ -117,7 +117,7 @@ def _dot(realizable: bool) -> dict[str, Any]:
 
 
 def _planar(sheet: Any, a: Floats) -> None:
-    """The planar bodies, and beyond them the region no rigid body reaches."""
+    """The planar bodies, and beyond them the shapes that no rigid body has."""
     edge = 1 / (a + 2)
     sheet.fill_between(
         a, edge, 1, facecolor="none", edgecolor="0.85", hatch="//", linewidth=0, zorder=1.5

@@ -1,7 +1,8 @@
 """The style of all figures, and how they are saved; the only module that imports matplotlib.
 
-Rotating motions are solid and dark, oscillating ones dashed and lighter, the separatrix dotted:
-told apart without colour too. The two colours are from the palette of Okabe and Ito.
+Rotating motions are solid and dark, oscillating ones dashed and lighter, the separatrix dotted, so
+that they can be distinguished without colour. The two colours are from the palette of Okabe and
+Ito.
 """
 
 from __future__ import annotations
@@ -49,7 +50,7 @@ _LOOKS = {
 
 @contextmanager
 def looks() -> Iterator[None]:
-    """The settings every figure is drawn and saved with, whatever the user's own are.
+    """Use the settings with which every figure is drawn and saved, whatever the user's own are.
 
     Raises:
         InputError: matplotlib is not installed.
@@ -70,7 +71,7 @@ def looks() -> Iterator[None]:
 def canvas(
     width: float, height: float, rows: int = 1, columns: int = 1, **options: Any
 ) -> tuple[Any, Any]:
-    """A matplotlib figure of this size in inches, and its array of axes, shape (rows, columns)."""
+    """Return a matplotlib figure of this size in inches, and its array of axes (rows, columns)."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(width, height), layout="constrained")
@@ -78,9 +79,9 @@ def canvas(
 
 
 def _settle(figure: Any) -> None:
-    """Lay the picture out once and round where its axes are.
+    """Lay the picture out once and round the positions of its axes.
 
-    The solver behind the layout differs in its last bits from run to run.
+    The layout solver differs in its last bits from run to run.
     """
     figure.draw_without_rendering()
     figure.set_layout_engine("none")
@@ -89,9 +90,11 @@ def _settle(figure: Any) -> None:
 
 
 def fit_words(figure: Any, least: float) -> None:
-    """Set the words of a narrower picture as large as all stand within it, and none on another.
+    """Set the text of a narrower picture as large as possible without clipping or overlap.
 
-    At ``least``, how much narrower it is, they stand as in the picture as it was drawn.
+    Args:
+        figure: the picture.
+        least: how much narrower it is than as drawn; text is not made smaller than in proportion.
     """
     words = [(word, word.get_fontsize()) for word in _words(figure)]
     ruled = [each for each in figure.axes if each.axison]
@@ -121,7 +124,7 @@ def fit_words(figure: Any, least: float) -> None:
 
 
 def _words(figure: Any) -> Iterator[Any]:
-    """Everything written in a picture but the numbers at its ticks."""
+    """All text of a picture except the numbers at its ticks."""
     yield from figure.texts
     for axes in figure.axes:
         yield from (axes.title, axes.xaxis.label, axes.yaxis.label, *axes.texts)
@@ -138,7 +141,7 @@ def _apart(boxes: list[Any], frame: Any) -> bool:
 
 
 def svg_text(figure: Any, title: str) -> str:
-    """The figure as SVG with a title, and without anything of the day or the machine in it."""
+    """Return the figure as SVG with a title, without dates or names of the machine."""
     _settle(figure)
     out = io.StringIO()
     figure.savefig(out, format="svg", metadata={"Date": None, "Creator": None})
@@ -147,7 +150,7 @@ def svg_text(figure: Any, title: str) -> str:
 
 
 def bitmap_or_page(figure: Any, title: str, kind: str, dpi: int = 200) -> bytes:
-    """The figure as the bytes of a PDF page or of a PNG with so many dots an inch."""
+    """Return the figure as the bytes of a PDF page, or of a PNG with ``dpi`` dots per inch."""
     _settle(figure)
     out = io.BytesIO()
     ours: dict[str, dict[str, Any]] = {
@@ -160,21 +163,21 @@ def bitmap_or_page(figure: Any, title: str, kind: str, dpi: int = 200) -> bytes:
 
 
 def halo() -> list[Any]:
-    """A white edge around words, so that they can be read on any ground (``path_effects``)."""
+    """Return path effects for a white edge around text, readable on any background."""
     from matplotlib.patheffects import withStroke
 
     return [withStroke(linewidth=2.2, foreground="white")]
 
 
 def pi_ticks(axis: Any, parts: Sequence[Fraction | int]) -> None:
-    """Ticks at these multiples of π, written as such."""
+    """Set ticks at these multiples of π, with labels to match."""
     axis.set_ticks(
         [float(x) * math.pi for x in parts], [multiple_of_pi(Fraction(x)) for x in parts]
     )
 
 
 def multiple_of_pi(x: Fraction) -> str:
-    """So many times π, as one writes it."""
+    """Return a multiple of π as text, such as ``π/2``."""
     if x == 0:
         return "0"
     sign, top = "−" if x < 0 else "", abs(x.numerator)
@@ -183,12 +186,12 @@ def multiple_of_pi(x: Fraction) -> str:
 
 
 def kind(gamma: float) -> dict[str, Any]:
-    """The line of an orbit of this γ."""
+    """Return the line style of an orbit of this γ."""
     return OSCILLATING if gamma < 0 else ROTATING if gamma > 0 else SEPARATRIX
 
 
 def legend(axes: Any, kinds: Sequence[tuple[str, dict[str, Any]]], **options: Any) -> None:
-    """A legend of line kinds, whatever was drawn with them."""
+    """Add a legend of line styles, whatever was drawn with them."""
     from matplotlib.lines import Line2D
 
     axes.legend([Line2D([], [], **line) for _, line in kinds], [x for x, _ in kinds], **options)

@@ -23,14 +23,14 @@ class Flip(NamedTuple):
 
 
 class Data(NamedTuple):
-    """The trajectories, and the phase portrait they lie in."""
+    """The trajectories, and the phase portrait in which they are drawn."""
 
     flips: tuple[Flip, ...]
     portrait: flip_portrait.Data
 
 
 def data() -> Data:
-    """The standard racket: every trajectory is followed both ways from ψ = π/2 at φ = 0."""
+    """Compute trajectories of the standard racket, both ways from ψ = π/2 at φ = 0."""
     a, b = shape_of("str")
     return Data(tuple(_flip(a, b, gamma) for gamma in GAMMAS), flip_portrait.data())
 
@@ -45,7 +45,7 @@ def _flip(a: float, b: float, gamma: float) -> Flip:
 
 
 def draw(data: Data) -> Any:
-    """Thick brown lines on the portrait; dots at their ends."""
+    """Draw thick brown lines on the portrait, with dots at their ends."""
     figure, grid = style.canvas(6.4, 3.9)
     sheet = grid[0, 0]
     flip_portrait.lines(sheet, data.portrait, style.QUIET)

@@ -15,7 +15,7 @@ from tresym.report.typesetting.latex import expression_latex, says_latex
 
 
 class _Between(NamedTuple):
-    """``low`` is below ``high``, strictly or not; both are letters or numbers."""
+    """``low`` < ``high``, or ≤; both are symbols or numbers."""
 
     low: Expr
     high: Expr
@@ -23,9 +23,10 @@ class _Between(NamedTuple):
 
 
 def gathered(given: Sequence[Basic]) -> list[str]:
-    """The conditions in LaTeX: bounds joined to chains, those that follow by a chain left out.
+    """Return the conditions in LaTeX, with bounds joined to chains.
 
-    So is what follows from the bounds of the one symbol that it speaks of: sin θ > 0.
+    A bound that follows from a chain is left out. So is a condition on one symbol that follows from
+    the bounds of that symbol, such as sin θ > 0.
     """
     bounds = {condition: bound for condition in given if (bound := _bound(condition)) is not None}
     given = [c for c in given if c in bounds or not _shown(c, tuple(bounds))]
@@ -44,7 +45,7 @@ def gathered(given: Sequence[Basic]) -> list[str]:
 
 
 def _shown(condition: Basic, bounds: tuple[Basic, ...]) -> bool:
-    """Whether the condition speaks of one symbol, and the bounds of that symbol show it."""
+    """Whether the condition is about one symbol and follows from its bounds."""
     spoken_of = condition.free_symbols
     own = tuple(bound for bound in bounds if bound.free_symbols == spoken_of)
     return len(spoken_of) == 1 and bool(own) and _follows_from(condition, own)
@@ -74,7 +75,7 @@ def _is_plain(e: Expr) -> bool:
 
 
 def _follows(bound: _Between, bounds: list[_Between]) -> bool:
-    """Whether a chain of two and more others leads from the one end to the other, as strictly."""
+    """Whether a chain of other bounds connects the same ends, at least as strictly."""
     ends = [(b.high, b.sign == "<") for b in bounds if b.low == bound.low and b != bound]
     seen = set()
     while ends:
@@ -88,7 +89,7 @@ def _follows(bound: _Between, bounds: list[_Between]) -> bool:
 
 
 def _path_through(bound: _Between, left: list[_Between]) -> list[_Between]:
-    """A chain with ``bound`` in it, taken out of ``left``."""
+    """A chain that contains ``bound``; its bounds are removed from ``left``."""
     left.remove(bound)
     path = [bound]
     while path[-1].high.is_Symbol and (after := [b for b in left if b.low == path[-1].high]):

@@ -15,17 +15,23 @@ _NAMES = "|".join(_GREEK)
 _NAME = re.compile(
     rf"\b(?:({_NAMES})([0-9]?)(_f|_max|_min|_start|prime)?|([A-Za-z])([0-9]?)(_f|_dt)?(?=\s*(?:=|->)))(?![\w])"
 )
-"""A Greek name, or one letter that is given a value."""
+"""A Greek name, or a single letter before ``=`` or ``->``."""
 _RATE = re.compile(rf"\bd({_NAMES})_dt\b")
 _LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
 
 _SIZE = re.compile(r"(?<=about )(?=-?[\w(])[^,;]*")
-"""A leading term, by the words before it."""
+"""A leading term, which follows the word "about"."""
 
 
 def readable(text: str) -> str:
-    """``violated at psi1 = -1/2`` as ``violated at ψ₁ = −1/2``; powers keep their ``^``."""
+    """Return a finding with Greek letters, indices and mathematical signs; powers keep their ``^``.
+
+    Example:
+        >>> readable("violated at psi1 = -1/2")
+        'violated at ψ₁ = −1/2'
+    """
+    text = re.sub(r"^closed in (\d+ box(?:es)?\b)", r"proved on \1", text)
     text = re.sub(r"\[([^\s\[]+) \+/- ([^\s\]]+)\]", r"\1 ± \2", text)
     text = re.sub(r"\bEq\((\w+), ([^()]+)\)", r"\1 = \2", text)
     text = _SIZE.sub(lambda m: size(m[0]), text)

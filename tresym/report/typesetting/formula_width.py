@@ -15,7 +15,7 @@ SCRIPT = 0.7
 
 
 def width(formula: str) -> float:
-    """The width of LaTeX as our printer writes it; a fraction is as wide as its wider half."""
+    """Return the approximate width of a formula in letters; a fraction counts its wider part."""
     return _width(_TOKEN.findall(formula))
 
 
@@ -37,7 +37,7 @@ def _width(tokens: list[str]) -> float:
 
 
 def _rest(tokens: list[str]) -> list[str]:
-    """The tokens up to the brace that closes, taken off the front."""
+    """The tokens up to the closing brace, removed from the list."""
     depth, found = 1, []
     while tokens and depth:
         found.append(tokens.pop(0))
@@ -46,7 +46,7 @@ def _rest(tokens: list[str]) -> list[str]:
 
 
 def argument(tokens: list[str]) -> list[str]:
-    """The next argument, with its braces taken off, and off the front of ``tokens``."""
+    """Return the next argument without its braces, and remove it from ``tokens``."""
     if not tokens:
         return []
     first = tokens.pop(0)
@@ -54,7 +54,7 @@ def argument(tokens: list[str]) -> list[str]:
 
 
 def _matrix(tokens: list[str]) -> list[list[str]]:
-    """The rows of the matrix that begins, which is taken off the front."""
+    """The rows of the matrix at the start of the list, removed from it."""
     argument(tokens)
     rows: list[list[str]] = [[]]
     while tokens and (token := tokens.pop(0)) != r"\end":

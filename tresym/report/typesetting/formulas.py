@@ -1,8 +1,8 @@
 """Find formulas within sentences, and write them in LaTeX.
 
-A sentence of ours is plain text, ``ε₀ = O(e^{−π/λ}) as λ → 0``, and a terminal shows it so. Where
-mathematics can be set, each run of letters, signs and brackets that is a formula is set as one.
-What is not surely a formula, such as the article in "a body", stays words.
+The sentences of the ledger are plain text, such as ``ε₀ = O(e^{−π/λ}) as λ → 0``, and a terminal
+shows them unchanged. Where mathematics can be typeset, each run of letters, signs and brackets that
+is a formula is typeset as one. What may be no formula, such as the article in "a body", stays text.
 """
 
 from __future__ import annotations
@@ -38,14 +38,14 @@ _FUNCTIONS = {
                                                    "cn", "dn", "ln")
 }  # fmt: skip
 _NAMES = {"const": r"\mathrm{const}", "hot": r"\mathrm{hot}"}
-"""Words that stand in formulas."""
+"""Words that occur in formulas."""
 _PRODUCTS = frozenset(["ab", "kr", "kP", "aD", "gt"])
-"""Latin letters side by side that are a product."""
+"""Pairs of Latin letters that are products."""
 _AFTER_A = re.compile(
     "and|or|is|are|at|in|with|alone|for|to|by|as|has|tends|goes|falls|rises|grows|increases|"
     "decreases|exactly|when|where|which|but|than|through"
 )
-"""Words before which a lone ``a`` is the letter and no article."""
+"""Words before which a single ``a`` is the symbol, not the article."""
 
 _TOKEN = re.compile(
     r"(?P<code>`[^`]*`)"
@@ -62,7 +62,7 @@ _TOKEN = re.compile(
 
 
 class Piece(NamedTuple):
-    """A part of a sentence: words as they stand, a formula in LaTeX, or a name in backticks."""
+    """A part of a sentence: plain words, a formula in LaTeX, or a name in backticks."""
 
     text: str
     latex: str = ""
@@ -75,7 +75,12 @@ class _Token(NamedTuple):
 
 
 def pieces(sentence: str) -> Iterator[Piece]:
-    """The sentence in its order, words and formulas."""
+    r"""Split a sentence into words and formulas, in order.
+
+    Example:
+        >>> [p.latex for p in pieces("the root ε₀ of it") if p.latex]
+        ['\\epsilon_{0}']
+    """
     tokens = list(_tokens(sentence))
     words, place = "", 0
     while place < len(tokens):
@@ -117,12 +122,12 @@ def _tokens(sentence: str) -> Iterator[_Token]:
 
 
 def _decomposed(text: str) -> str:
-    """Letters with a dot over them as the letter and its dot; others as they are."""
+    """The text with dotted letters split into the letter and its dot."""
     return "".join(unicodedata.normalize("NFD", c) if c in "ṘṀ" else c for c in text)
 
 
 def _is_product(text: str, before: tuple[str, str], after: str) -> bool:
-    """Whether letters are joined, with no space between, to what only a formula has."""
+    """Whether adjacent letters touch something that occurs in formulas only."""
     if len(text) > 3 or not text.isascii():
         return False
     joined = before[0] == "number" or before[1][-1] in _GREEK or before[1][-1] in _LOWERED
@@ -131,7 +136,7 @@ def _is_product(text: str, before: tuple[str, str], after: str) -> bool:
 
 
 class _Reader:
-    """Reads one formula, from a place among the tokens; None where there is none."""
+    """Recursive-descent parser for one formula among the tokens; methods return None on failure."""
 
     def __init__(self, tokens: list[_Token], place: int) -> None:
         self.tokens = tokens
@@ -145,12 +150,12 @@ class _Reader:
         return self._at(n + 1) if self._at(n).kind == "space" else self._at(n)
 
     def may_begin(self) -> bool:
-        """Whether a formula may begin here, rather than in the middle of what is read as words."""
+        """Whether a formula may begin here, and not in the middle of words."""
         before = self._at(-1)
         return before.kind not in ("word", "number", "named", "letter") and before.text not in "{."
 
     def is_formula(self, start: int) -> bool:
-        """Whether what was read from ``start`` is more than a number or a bracket of numbers."""
+        """Whether what was parsed from ``start`` is more than a number or a number in brackets."""
         read = self.tokens[start : self.place]
         if self._at().kind in ("word", "named") and read[-1].kind != "space":
             return False
@@ -159,14 +164,14 @@ class _Reader:
         )
 
     def formula(self) -> str | None:
-        """Sums between relations."""
+        """Parse sums joined by relations."""
         return self._chain(self._sum, _RELATIONS)
 
     def _sum(self) -> str | None:
         return self._chain(self._term, _SIGNS)
 
     def _chain(self, part: Callable[[], str | None], signs: Mapping[str, str]) -> str | None:
-        """Parts between signs, of which one may come first."""
+        """Parse parts joined by signs; one sign may come first."""
         latex = self._sign(signs)
         first = part()
         if first is None:
@@ -221,7 +226,7 @@ class _Reader:
         return latex
 
     def _joins(self) -> bool:
-        """Whether what follows a space is a further factor."""
+        """Whether another factor follows the space."""
         token, before = self._at(), self._at(-2)
         if token.kind == "number" or token.text in "[…":
             return before.kind == "function"
@@ -268,7 +273,7 @@ class _Reader:
         return latex
 
     def _is_article(self) -> bool:
-        """Whether a lone ``a`` is the article: neither signs beside it nor a verb after it."""
+        """Whether a single ``a`` is the article: no sign next to it and no verb after it."""
         signs = (_RELATIONS, _SIGNS, _TIMES)
         if self._at(-1).kind in ("letter", "number", "sign") and self._at(-1).text not in '“("':
             return False
@@ -312,7 +317,7 @@ class _Reader:
         return rf"\vert {inner}\vert "
 
     def _scripts(self) -> str:
-        """Indices and exponents, primes, and the star of ε*."""
+        """Parse indices, exponents, primes, and the star of ε*."""
         lowered, raised = "", ""
         while True:
             text = self._at().text
@@ -343,7 +348,7 @@ class _Reader:
         return self._scripts()
 
     def _braced(self) -> str | None:
-        """What stands after ^ or _: in braces, or a number, a letter, min or max."""
+        """Parse what follows ^ or _: braces, or a number, a letter, min or max."""
         start = self.place
         self.place += 1
         token = self._at()
@@ -367,7 +372,7 @@ def _script(lowered: str, raised: str) -> str:
 
 
 def _bare(latex: str) -> str:
-    """What stands under a root, without the brackets that plain text needs."""
+    """The argument of a root, without the brackets that plain text needs."""
     depth = 0
     for n, c in enumerate(latex):
         depth += (c == "(") - (c == ")")

@@ -45,7 +45,7 @@ _FUNCTIONS = {
 _PLAIN = frozenset(["sin", "cos", "tan", "cot", "sec", "csc", "sinh", "cosh", "tanh", "coth"])
 
 _RATE = re.compile(r"(d|partial)([A-Za-z]+)_(?:d|partial)([A-Za-z]+[0-3]?)")
-"""Names of rates that are symbols of their own, such as dG_dlambda."""
+"""Names of derivatives that are symbols, such as dG_dlambda."""
 
 _LETTERS = {"eigenvalue": r"\lambda", "hot": r"\mathrm{hot}"}
 """Symbols that single proofs introduce, whose names are words."""
@@ -57,14 +57,14 @@ _TALL = (r"\frac", r"\begin", r"\int", r"\sum")
 
 
 def bracketed(body: str) -> str:
-    """``body`` in round brackets, grown only where something tall stands inside."""
+    """Return ``body`` in round brackets, which grow only if something tall is inside."""
     if any(mark in body for mark in _TALL):
         return rf"\left({body}\right)"
     return f"({body})"
 
 
 class PaperPrinter(LatexPrinter):
-    """SymPy's printer with products, sums, powers and functions as the paper writes them."""
+    """SymPy's LaTeX printer with products, sums, powers and functions as the paper writes them."""
 
     def _print_Add(self, e: Add, order: str | None = None) -> str:
         terms = sorted(e.args, key=_term_rank)
@@ -152,12 +152,12 @@ class PaperPrinter(LatexPrinter):
         return f"e^{_script(self._slanted(e.args[0]))}"
 
     def _print_matrix_contents(self, e: Basic) -> str:
-        """The rows of a matrix; fractions get a stroke, or else those of two rows would touch."""
+        """The rows of a matrix; fractions are slanted, since those of two rows would touch."""
         rows = (" & ".join(map(self._slanted, row)) for row in e.tolist())
         return r"\begin{pmatrix}" + r"\\".join(rows) + r"\end{pmatrix}"
 
     def _slanted(self, e: Expr) -> str:
-        """An exponent, its fraction written with a stroke: e^{-b/2}."""
+        """An exponent with its fraction slanted: e^{-b/2}."""
         sign, e = ("-", -e) if _is_negative(e) else ("", e)
         above, below = _fraction(e)
         if len(above) == 1 and above[0].is_Add and all(map(_is_negative, above[0].args)):
@@ -227,7 +227,7 @@ def _is_negative(e: Expr) -> bool:
 
 
 def _fraction(e: Expr) -> tuple[list[Expr], list[Expr]]:
-    """Factors above and below the bar."""
+    """The factors of numerator and denominator."""
     above: list[Expr] = []
     below: list[Expr] = []
     for factor in Mul.make_args(e):
@@ -242,7 +242,7 @@ def _fraction(e: Expr) -> tuple[list[Expr], list[Expr]]:
 
 
 def _factor_rank(e: Expr) -> tuple[Any, ...]:
-    """Numbers, π, symbols, roots, squares of sines, sums, functions; each kind in its order."""
+    """Sort key: numbers, π, symbols, roots, squares of sines, sums, functions."""
     base = e.base if e.is_Pow else e
     place = _PAPER_ORDER.get(str(base), 0)
     if e.is_Number:
@@ -266,7 +266,7 @@ def _factor_rank(e: Expr) -> tuple[Any, ...]:
 
 
 def _term_rank(e: Expr) -> tuple[Any, ...]:
-    """Positive terms first, simple ones first: a + b sin²ψ, 1 − b sin²ψ, a cos²θ − γ."""
+    """Sort key: positive terms first, then simple ones: a + b sin²ψ, 1 − b sin²ψ."""
     size = 0 if e.is_Number else 1 if e.is_Symbol or e.is_NumberSymbol else 2
     return _is_negative(e), size, _PAPER_ORDER.get(str(e), 0), e.sort_key()
 
@@ -275,12 +275,18 @@ _PAPER_ORDER = {"M": -3, "S": -2, "S2": -2, "gamma": -1, "E": 1}
 
 
 def expression_latex(e: Basic) -> str:
-    """An expression as a mathematician would write it."""
+    r"""Return an expression in LaTeX as a mathematician would write it.
+
+    Example:
+        >>> from sympy import Symbol, cos
+        >>> expression_latex(cos(Symbol("theta", real=True)) ** 2)
+        '\\cos^2\\theta'
+    """
     return str(PaperPrinter({"mat_str": "pmatrix", "mat_delim": ""}).doprint(e))
 
 
 def says_latex(says: Basic | str) -> str:
-    """What a claim says: prose as it is, anything else in LaTeX."""
+    """Return the statement of a claim: a sentence unchanged, a formula in LaTeX."""
     if isinstance(says, str):
         return says
     if isinstance(says, Equivalent):
@@ -316,11 +322,11 @@ def says_latex(says: Basic | str) -> str:
 
 
 def decimal_latex(text: str) -> str:
-    """A decimal, as it is printed."""
+    """Return a decimal as it is printed in the paper."""
     mantissa, _, exponent = text.partition("e")
     return mantissa + (rf" \cdot 10^{{{int(exponent)}}}" if exponent else "")
 
 
 def given_latex(condition: Basic) -> str:
-    """A condition in LaTeX."""
+    """Return a condition in LaTeX."""
     return says_latex(condition)

@@ -1,7 +1,7 @@
-"""Write leading terms in LaTeX: ``-exp(-1)*t**2*exp(pi/t)/3`` as −t² e^{π/t}/(3e).
+"""Write leading terms as readable text: ``-exp(-1)*t**2*exp(pi/t)/3`` as −t² e^{π/t}/(3e).
 
-What judging found says them in the grammar of claims, factor by factor; here like factors are
-gathered, which decides nothing.
+Findings contain leading terms as products in the grammar of claims. Here equal factors are
+collected; no verdict depends on this.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _SIGNS: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
 
 
 def size(text: str) -> str:
-    """The leading term in the letters of our sentences; as it is where it cannot be read."""
+    """Return the leading term as readable text, or unchanged if it cannot be parsed."""
     try:
         # Python has a meaning of its own for the name.
         tree = ast.parse(text.strip().replace("lambda", "lambda_"), mode="eval")
@@ -72,7 +72,7 @@ def _written(e: Expr) -> str:
 
 
 def _product(factors: list[str]) -> str:
-    """Factors side by side, a number without a space after it."""
+    """The factors side by side, with no space after a number."""
     return re.sub(r"(?<=^\d) ", "", " ".join(factors))
 
 

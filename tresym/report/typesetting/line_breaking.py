@@ -1,8 +1,8 @@
 """Break long LaTeX formulas into lines.
 
-A line ends before a relation, a sum's sign or a further factor, at the least depth that makes it
-fit. A bracket that is broken inside keeps one size, since TeX's own sizes end with the line; a
-fraction that is too wide becomes a product, or a quotient of two brackets.
+A line ends before a relation, a sign of a sum or a factor, at the lowest nesting depth that makes
+it fit. A bracket that is broken inside has a fixed size, since TeX's automatic sizes end with the
+line. A fraction that is too wide becomes a product, or a quotient of two brackets.
 """
 
 from __future__ import annotations
@@ -14,9 +14,9 @@ from typing import NamedTuple
 from tresym.report.typesetting.formula_width import width
 
 INDENT = 3.0
-"""Letters by which the lines after the first are set in."""
+"""The indentation of the lines after the first, in letters."""
 LEAST = 24.0
-"""No line is asked to be narrower, however deep its bracket lies."""
+"""The least width of a line, even inside nested brackets."""
 
 _TOKEN = re.compile(r"\\[A-Za-z]+ ?|\\.|.", re.DOTALL)
 _RELATIONS = frozenset(["=", "<", ">", r"\ge", r"\le", r"\ne", r"\iff"])
@@ -24,25 +24,25 @@ _SUMS = frozenset("+-")
 _PAIRS = {"{": "}", "(": ")", "[": "]"}
 _FUNCTIONS = re.compile(r"\\(arc)?(sin|cos|tan)h?|\\ln|\\log|\\exp|\\operatorname")
 _BEFORE = re.compile(r"\\int|\\sum|\\frac\{(d|\\partial)\}|\\,|\\text|\\Big|/|-|\+|=|\\in\b|d$")
-"""What begins with these belongs to the factor after it."""
+"""A token that begins with these belongs to the factor after it."""
 _AFTER = re.compile(r"\\in\b|\\,|\\Big|/|\\quad|d|[^\w\\(]")
-"""What begins with these belongs to the factor before it."""
+"""A token that begins with these belongs to the factor before it."""
 
 
 class Piece(NamedTuple):
-    """A sign, or a factor: with what a line within it must begin with, hold, and end with."""
+    """A sign or a factor; for a factor that can be broken also its start, content and end."""
 
     text: str
     inside: tuple[str, str, str] | None = None
 
 
 def broken(formula: str, limit: float, used: float = 0) -> list[str]:
-    """The formula in lines, each at most about ``limit`` letters wide where that can be had.
+    """Break a formula into lines of about ``limit`` letters, where possible.
 
     Args:
         formula: LaTeX, without environments.
-        limit: letters that fit a line.
-        used: letters that stand on the first line already.
+        limit: the width of a line in letters.
+        used: letters that are already on the first line.
     """
     if width(formula) <= limit - used or r"\begin" in formula:
         return [formula]
@@ -55,7 +55,7 @@ def broken(formula: str, limit: float, used: float = 0) -> list[str]:
 
 
 def _packed(terms: list[str], limit: float, used: float) -> list[str]:
-    """The terms in their order on as few lines as hold them; what is too wide is broken itself."""
+    """The terms in order on as few lines as possible; a term that is too wide is broken inside."""
     lines = [""]
     for term in terms:
         room = limit - (INDENT if lines[1:] else used) - width(lines[-1])
@@ -70,7 +70,7 @@ def _packed(terms: list[str], limit: float, used: float) -> list[str]:
 
 
 def _product(pieces: list[Piece], limit: float, used: float) -> list[str]:
-    """A product: lines of whole factors, and a wide factor broken inside."""
+    """A product: lines of whole factors; a wide factor is broken inside."""
     lines, before = [""], ""
     for piece in pieces:
         taken = width(lines[-1]) + (INDENT if lines[1:] else used)
@@ -91,7 +91,7 @@ def _product(pieces: list[Piece], limit: float, used: float) -> list[str]:
 
 
 def _grouped(pieces: list[Piece], ends: Callable[[str, str], bool]) -> Iterator[list[Piece]]:
-    """The pieces in groups, a new one before each piece that ``ends`` the one before."""
+    """Groups of pieces; a new group starts before each piece that ``ends`` the one before."""
     group: list[Piece] = []
     for piece in pieces:
         if group and ends(piece.text.strip(), group[-1].text.strip()):
@@ -126,7 +126,7 @@ def _pieces(formula: str) -> Iterator[Piece]:
 
 
 def _factor(tokens: list[str], place: int) -> int:
-    """Where the factor ends that begins at ``place``: with its arguments, its scripts."""
+    """The end of the factor that begins at ``place``, with its arguments and scripts."""
     token = tokens[place]
     end = _group(tokens, place)
     if token in (r"\frac", r"\tfrac"):
@@ -146,7 +146,7 @@ def _scripts(tokens: list[str], end: int) -> int:
 
 
 def _group(tokens: list[str], place: int) -> int:
-    """The place after one token, or after the bracket that opens there."""
+    """The position after one token, or after the bracket that opens there."""
     if place >= len(tokens):
         return place
     if tokens[place] == r"\left":
@@ -165,7 +165,7 @@ def _group(tokens: list[str], place: int) -> int:
 def _inside(
     tokens: list[str], spaced: list[str], place: int, end: int
 ) -> tuple[str, str, str] | None:
-    """What a factor is when it is broken inside, if it can be."""
+    """The start, content and end of a factor that can be broken inside, else None."""
 
     def text(start: int, stop: int) -> str:
         return "".join(spaced[start:stop])

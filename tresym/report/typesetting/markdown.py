@@ -10,16 +10,22 @@ from tresym.report.typesetting.formulas import pieces
 
 _SPECIAL = re.compile(r"([\\`*_{}\[\]<>#|$~])")
 _SCRIPTS = re.compile(r"(?<=\S)([\^_])(?:\{([^{}]*)\}|(\d+|min\b|max\b|D\b|f\b))")
-"""What our sentences raise or lower: e^{−π}, ε*^2, ψ_min, ε|_{γ = 0}."""
+"""Superscripts and subscripts in sentences: e^{−π}, ε*^2, ψ_min, ε|_{γ = 0}."""
 
 
 def escaped(text: str) -> str:
-    """Plain text as Markdown that reads the same."""
+    """Return plain text as Markdown that looks the same."""
     return _SPECIAL.sub(r"\\\1", text)
 
 
 def scripted(text: str, letters: Callable[[str], str], script: Callable[[str, str], str]) -> str:
-    """A sentence, its letters set by ``letters``, what is raised (^) or lowered by ``script``."""
+    """Return a sentence with its superscripts and subscripts converted.
+
+    Args:
+        text: the sentence.
+        letters: converts ordinary text.
+        script: converts a superscript (``^``) or subscript (``_``), given the mark and its text.
+    """
     parts, end = [], 0
     for found in _SCRIPTS.finditer(text):
         mark, braced, bare = found.groups()
@@ -29,7 +35,7 @@ def scripted(text: str, letters: Callable[[str], str], script: Callable[[str, st
 
 
 def sentence(text: str) -> str:
-    """A sentence with its formulas between dollars, and names in backticks as code."""
+    """Return a sentence in Markdown, with formulas between dollars and names as code."""
 
     def script(mark: str, inside: str) -> str:
         tag = "sup" if mark == "^" else "sub"
@@ -45,5 +51,5 @@ def sentence(text: str) -> str:
 
 
 def finding(text: str) -> str:
-    """What judging found, as a sentence."""
+    """Return a finding as a sentence in Markdown."""
     return sentence(readable(text))

@@ -1,6 +1,7 @@
-"""Formulas in plain Unicode text, for a terminal.
+r"""Write formulas as plain Unicode text, for a terminal.
 
-``\\frac{a}{b}`` becomes a/b, an exponent is raised where there are letters for it and else marked.
+``\frac{a}{b}`` becomes a/b. An exponent becomes superscript characters if Unicode has them, else it
+is marked with ``^``.
 """
 
 from __future__ import annotations
@@ -33,11 +34,16 @@ _PRODUCT = re.compile(r"[\s+\-−·/=<>]|(?<=\w)\(")
 
 
 _ONE = re.compile(r"[d∂]?[^\W\d][₀-₉⁰¹²³⁴-⁹]*")
-"""One letter, or the differential of one, with an index or an exponent."""
+"""A letter or differential, with an index or an exponent."""
 
 
 def plain(formula: str) -> str:
-    """LaTeX as our printer writes it, in plain characters."""
+    r"""Return LaTeX of our printer as plain text.
+
+    Example:
+        >>> plain(r"\frac{a}{b}")
+        'a/b'
+    """
     text = _plain(_TOKEN.findall(re.sub(r"\\(?:left|right|[Bb]igg?[lr]?)\b\.?|~", "", formula)))
     text = re.sub(r"\s+", " ", _SPACED.sub(r" \1 ", text)).strip()
     text = re.sub(r"(?<=[(\[]) | (?=[)\]])", "", text)
@@ -45,13 +51,17 @@ def plain(formula: str) -> str:
 
 
 _BREAKS = re.compile(r"(?<=[^\s±])(?= [^±])|(?<=[\w)\]])(?=[+−])|(?<=\))(?=[(/·])")
-"""Where a line may end: before a space, a sum's sign or a factor, and never within a number."""
+"""Where a line may end: before a space, a sign of a sum or a factor, never within a number."""
 
 
 def in_lines(text: str, first: str, later: str, columns: int) -> Iterator[str]:
-    """A sentence or formula in plain characters, in lines of at most so many columns.
+    """Wrap a sentence or formula in plain text to lines of at most ``columns`` characters.
 
-    The lines begin with ``first`` and ``later``; what has no place to break stays whole.
+    Args:
+        text: the text.
+        first: the beginning of the first line.
+        later: the beginning of the other lines.
+        columns: the width. A part without a place to break stays whole.
     """
     line, empty = first, True
     for piece in _BREAKS.split(text):
@@ -109,7 +119,7 @@ def _bracketed(text: str) -> str:
 
 
 def script(mark: str, text: str) -> str:
-    """``text`` raised (^) or lowered (_), by letters where there are such."""
+    """Return ``text`` as superscript (^) or subscript (_) characters, if there are such."""
     text = text.strip()
     letters = _RAISED if mark == "^" else _LOWERED
     if all(ord(c) in letters for c in text):

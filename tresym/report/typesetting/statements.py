@@ -1,8 +1,8 @@
 """Quote a claim: its sentence or formula, always with its conditions.
 
-A conjunction has the conditions of its parts: those that all share once, and beside them what only
-some ask for, with their names. Pages, article and terminal take the words from here, each in its
-own letters.
+For a conjunction the conditions that all parts share are listed once, and then, with the names of
+the parts, those that only some parts have. Pages, article and terminal all take the text from here,
+each in its own format.
 """
 
 from __future__ import annotations
@@ -20,18 +20,18 @@ from tresym.report.typesetting.plain_text import plain, script
 from tresym.report.typesetting.titles import title
 
 LONGEST_IN_A_LINE = 60
-"""Systems of more LaTeX characters than this are set one equation below the other."""
+"""A system of more LaTeX characters is typeset with one equation below the other."""
 LONGEST_IN_A_LIST = 220
-"""Formulas of more LaTeX characters than this are introduced by the title of their claim."""
+"""A formula of more LaTeX characters is introduced by the title of its claim."""
 MOST_PARTS = 3
-"""Sets of conditions that are listed without the parts they are of."""
+"""Most sets of conditions that are listed without naming their parts."""
 MOST_LETTERS = 30
-"""Letters of one of them: a longer one speaks of what only its part names."""
+"""The width of such a condition in letters; longer ones make sense only with their part."""
 EACH_ITS_OWN = "Each part holds under its own hypotheses."
 
 
 class Part(NamedTuple):
-    """Conditions that some parts of a conjunction ask for beside the shared ones, in LaTeX."""
+    """Conditions in LaTeX that only some parts of a conjunction have, and these parts' labels."""
 
     given: tuple[str, ...]
     labels: tuple[str, ...]
@@ -41,23 +41,23 @@ class Said(NamedTuple):
     """A claim as it is quoted; formulas are LaTeX."""
 
     says: str | None
-    """The sentence, or None where the claim is a formula."""
+    """The sentence, or None if the claim is a formula."""
     formula: str | None
-    """The formula, or what is shown beside the sentence."""
+    """The formula of the claim, or a formula shown beside its sentence."""
     given: tuple[str, ...]
     parts: tuple[Part, ...] = ()
     where: str = ""
-    """Where it holds, in words, where no condition says it."""
+    """The region where it holds, in words, if no condition gives it."""
     means: tuple[str, ...] = ()
-    """The formulas that are decided, where it is said in words, and is no conjunction."""
+    """The formulas that are decided for a sentence, unless it is a conjunction."""
 
     def as_record(self) -> dict[str, Any]:
-        """For the saved ledger."""
+        """Return it as JSON data for the saved ledger."""
         return self._asdict() | {"parts": [part._asdict() for part in self.parts]}
 
 
 def said(claim: Claim) -> Said:
-    """What the claim says and the conditions without which it does not."""
+    """Return the statement of a claim with its conditions."""
     in_words = isinstance(claim.says, str)
     formula = claim.shown or (None if in_words else says_latex(claim.says))
     given, parts = _of_parts(claim) if not claim.given else (tuple(gathered(claim.given)), ())
@@ -67,14 +67,14 @@ def said(claim: Claim) -> Said:
 
 
 def _meant(claim: Claim) -> tuple[str, ...]:
-    """The formulas that stand for a sentence, one by one."""
+    """The formulas that stand for a sentence."""
     if claim.statement is None or isinstance(claim.proof, AllOf):
         return ()
     return tuple(map(says_latex, parts_of(claim.statement)))
 
 
 def of_record(record: dict[str, Any]) -> Said:
-    """The same of a claim as the saved ledger has it."""
+    """Return a statement from the data that :meth:`Said.as_record` made."""
     parts = (Part(tuple(p["given"]), tuple(p["labels"])) for p in record["parts"])
     given, where = tuple(record["given"]), record["where"]
     means = tuple(record["means"])
@@ -82,7 +82,7 @@ def of_record(record: dict[str, Any]) -> Said:
 
 
 def _of_parts(claim: Claim) -> tuple[tuple[str, ...], tuple[Part, ...]]:
-    """The conditions that all parts of a conjunction share, and the rest with their parts."""
+    """The conditions that all parts of a conjunction share, and the others with their parts."""
     asked = {label: gathered(given) for label, given in asked_by(claim).items()}
     if not isinstance(claim.proof, AllOf) or not asked:
         return (), ()
@@ -101,15 +101,18 @@ def conditions(
     words: Callable[[str], str] = str,
     name: Callable[[str], str] | None = None,
 ) -> str:
-    """``Given a > 0; for eq_Euler also: 0 < θ < π.``, or nothing where there are no conditions.
+    """Return the conditions as a sentence: ``Given a > 0; for eq_Euler also: 0 < θ < π.``
 
     Args:
         found: the claim.
-        formula: how a formula of LaTeX is set.
-        words: how a sentence is set.
-        name: how the label of a part is set. None leaves labels out, and the conditions that are
-            among those of another part; of more than a few parts it is only said that they have
-            their own.
+        formula: converts a LaTeX formula.
+        words: converts a sentence.
+        name: converts the label of a part. With None, labels are left out, and so are conditions
+            that another part has too; for more than a few parts it is only mentioned that they have
+            their own conditions.
+
+    Returns:
+        An empty text if there are no conditions.
     """
     pieces = [_listed(found.given, formula)] if found.given else []
     ending = ""
@@ -122,8 +125,8 @@ def conditions(
     if name is None and found.parts:
         sets = [{*part.given} for part in found.parts]
         widest = [p for p, own in zip(found.parts, sets, strict=True) if not _within(own, sets)]
-        told = all(width(c) < MOST_LETTERS for part in widest for c in part.given)
-        if len(widest) <= MOST_PARTS and told:
+        short = all(width(c) < MOST_LETTERS for part in widest for c in part.given)
+        if len(widest) <= MOST_PARTS and short:
             pieces.append(start + "; ".join(_listed(part.given, formula) for part in widest))
         else:
             ending = "Each part also has its own hypotheses." if pieces else EACH_ITS_OWN
@@ -144,12 +147,12 @@ def _listed(given: tuple[str, ...], formula: Callable[[str], str]) -> str:
 
 
 def quoted(claim: Claim) -> str:
-    """The claim within a line of Markdown."""
+    """Return a claim as text within a line of Markdown."""
     return in_line(said(claim), title(claim.label))
 
 
 def in_line(found: Said, name: str) -> str:
-    """The claim within a line of Markdown; a long formula comes after its title."""
+    """Return a statement within a line of Markdown; a long formula is introduced by ``name``."""
     if found.says:
         text = sentence(found.says)
     else:
@@ -159,12 +162,12 @@ def in_line(found: Said, name: str) -> str:
 
 
 def on_lines(found: Said) -> str:
-    """The claim in Markdown, its formula on a line of its own."""
+    """Return a statement in Markdown, with its formula on a line of its own."""
     return "\n\n".join(filter(None, (*stated(found), conditions(found, in_dollars, sentence))))
 
 
 def stated(found: Said) -> Iterator[str]:
-    """Its sentence and its formula in Markdown, to which its conditions must be said."""
+    """Yield the sentence and the formula in Markdown; the caller must add the conditions."""
     if found.says:
         yield sentence(found.says)
     if found.formula:
@@ -172,24 +175,24 @@ def stated(found: Said) -> Iterator[str]:
 
 
 def in_plain_text(found: Said) -> str:
-    """The claim in plain characters, for a terminal."""
+    """Return a statement as plain text, for a terminal."""
     text = scripted(found.says, str, script) if found.says else f"{plain(found.formula or '')}."
     return " ".join(filter(None, (text, conditions(found, plain))))
 
 
 def in_letters(text: str) -> str:
-    """What judging found in plain characters, for a terminal."""
+    """Return a finding as plain text, for a terminal."""
     return scripted(readable(text), str, script)
 
 
 def in_dollars(formula: str) -> str:
-    """A formula within a line of Markdown; the parts of a system one after the other."""
+    """Return a formula within a line of Markdown; the parts of a system follow each other."""
     parts = formula.replace("|", r"\vert ").split(r",\quad ")
     return ", ".join(f"${part.strip()}$" for part in parts)
 
 
 def display(formula: str) -> str:
-    """A formula on a line of its own; a long system takes a line for each of its parts."""
+    """Return a displayed formula; a long system has a line for each of its parts."""
     formula = formula.strip()
     if len(formula) > LONGEST_IN_A_LINE:
         for joint in (r",\quad ", r" \iff "):

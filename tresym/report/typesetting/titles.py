@@ -1,4 +1,4 @@
-"""A title for every claim, written by hand or made from its label."""
+"""The title of every claim, from a file or made from its label."""
 
 from __future__ import annotations
 
@@ -29,13 +29,13 @@ _LETTERS = {
 
 @cache
 def by_hand() -> dict[str, str]:
-    """The titles that are written down beside the proofs."""
+    """Return the titles from titles.txt beside the proofs, by label."""
     lines = file_of("titles.txt").read_text(encoding="utf-8").splitlines()
     return dict(line.split(": ", 1) for line in lines if not line.startswith("#"))
 
 
 def title(label: str) -> str:
-    """The title of a claim, a sentence of ours without its full stop."""
+    """Return the title of a claim, without a full stop."""
     found = by_hand().get(label)
     if found:
         return found

@@ -38,7 +38,7 @@ from tresym.reals.signs.definedness import continuous_on
 from tresym.reals.verdict import Verdict
 
 NEAR, FAR = number(1) / 10, number(10)
-_OPEN = "no antiderivative was found that is shown to be one near the end of the path"
+_OPEN = "no antiderivative could be found and verified near the end of the path"
 
 
 def decide_integral_limits(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
@@ -49,7 +49,7 @@ def decide_integral_limits(claim: Comparison, statement: Statement, decided: Dec
     """
     path = statement.path
     if path is None:
-        raise TypeError("a claim along a path is read with it")
+        raise TypeError("a claim along a path needs its path")
     sides = (replace(path, sides=(side,)) for side in path.sides)
     found = [_one_side(claim, replace(statement, path=side), decided) for side in sides]
     for answer in found:
@@ -71,10 +71,12 @@ def _one_side(claim: Comparison, statement: Statement, decided: Decide) -> Answe
         return replace(answer, why=f"{found[1]}; {answer.why}", region=None, constant=None)
     value = _by_derivatives(claim, path, statement.given)
     if value is not None and allows(claim.relation, value, claim.right, statement.given):
-        return Answer(Verdict.PROVED, f"the ratio of the derivatives tends to {value}")
+        return Answer(
+            Verdict.PROVED, (f"by l'Hôpital's rule: the ratio of the derivatives tends to {value}")
+        )
     if value is not None and claim.relation == LIMIT and _differs(value, claim.right):
         at = (path.point or ZERO) + number(path.sides[0]) * NEAR
-        why = f"the ratio of the derivatives tends to {value}"
+        why = f"by l'Hôpital's rule: the ratio of the derivatives tends to {value}"
         return Answer(Verdict.REFUTED, why, witness={path.name: exact_text(at)})
     return Answer(Verdict.UNDECIDED, _OPEN)
 

@@ -38,7 +38,7 @@ def checked(answer: Answer, claim: Comparison, statement: Statement) -> Answer:
     """The refutation of a claim along a path, UNDECIDED where it is not supported."""
     path = statement.path
     if path is None:
-        raise TypeError("a claim along a path is read with it")
+        raise TypeError("a claim along a path needs its path")
     names = parameters(claim, statement)
     point = _exact_values(answer.witness or {})
     at = {name: point[name] for name in names if name in point}
@@ -47,11 +47,11 @@ def checked(answer: Answer, claim: Comparison, statement: Statement) -> Answer:
         if any(_fails(claim, statement, side, point | more, missing) for side in path.sides):
             others = {name: str(value) for name, value in more.items()}
             return replace(answer, witness=others | dict(answer.witness or {}))
-        why = "numbers along the path do not support it"
+        why = "numerical values along the path do not confirm this"
         break
     else:
-        why = "its values are not shown to satisfy the conditions"
-    why = f"it was taken to be refuted ({answer.why}), but {why}"
+        why = "the values found could not be shown to satisfy the conditions"
+    why = f"a refutation was found ({answer.why}), but {why}"
     return replace(answer, verdict=Verdict.UNDECIDED, why=why, witness=None, values=None)
 
 

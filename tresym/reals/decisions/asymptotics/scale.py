@@ -123,7 +123,7 @@ class Scale:
         if self.parameters(c):
             found = {"+": 1, "-": -1, "0": 0}.get(sign(c, self.given, "!=") or "")
             if self.phases(c) or found is None:
-                raise UnresolvedError(f"the sign of {c} is not shown")
+                raise UnresolvedError(f"the sign of {c} could not be determined")
             return found
         for bits in (WORKING, 8 * WORKING):
             with ball_precision(bits):
@@ -138,7 +138,7 @@ class Scale:
             base, r = self.sign(c.args[0]), c.args[1].args[0]
             if base and (base > 0 or r.q == 1):
                 return base if r.p % 2 else 1
-        raise UnresolvedError(f"the sign of {c} is not shown")
+        raise UnresolvedError(f"the sign of {c} could not be determined")
 
     def ball(self, c: Expr) -> arb:
         """The values of a constant, for all phases."""
@@ -221,7 +221,7 @@ class Scale:
     def insert(self, height: Expr, steep: Leading) -> str:
         """A new element exp(−height), the height → ∞ like ``steep``."""
         if len(self.order) >= MAX_ELEMENTS:
-            raise UnresolvedError("too many exponentials of different growth")
+            raise UnresolvedError("too many exponentials of different growth rates")
         name = f"_w{len(self.order)}"
         self.heights[name], self.steepness[name] = height, steep
         steepness: dict[Any, Leading] = self.steepness
