@@ -56,7 +56,8 @@ _NEXT = re.compile(
 
 
 _LOOSE = re.compile(
-    r"approximat\w*|neglect\w*|ignor\w*|\border\b|roughly|\bsmall\b|\blarge\b|asymptotic\w*"
+    r"approximat\w*|neglect\w*|ignor\w*|roughly|(?<!\\)\b(?:small|large)\b"
+    r"|(?<!using the )\border\b(?! of integration)|asymptotic\w*"
     r"|\bleading\b|lineari[sz]\w*|\bup to\b|\bmod(?:ulo)?\b|characteristic|formal(?:ly)?\b"
     r"|\berrors?\b|mistakes?|\bwrong\w*|incorrect\w*|\bfalse\w*|fallac\w+|nonsense|naive\w*"
     r"|\b(?:may|might|could) (?:write|think|guess|try|say|be)|tempt\w*|pretend\w*|heuristic\w*"

@@ -18,13 +18,14 @@ import re
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from itertools import groupby
+from itertools import groupby, pairwise
 
 from tresym.manuscript import prose
-from tresym.manuscript.classification import CONSTANTS, DEFINED, EQUATION, Link
+from tresym.manuscript.classification import CONSTANTS, DEFINED, EQUATION, UNREAD, Link
 from tresym.manuscript.deciding import Row
 from tresym.manuscript.terms import base_of
-from tresym.reals.decisions.answer import Alternative
+from tresym.reals.decisions.answer import Alternative, Answer
+from tresym.reals.decisions.time_limited import Task, check_all
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.expression import Expr, differentiate, symbols
 from tresym.reals.repair import suggestions
@@ -81,6 +82,8 @@ _DOUBTED = re.compile(
     r"|how close|of a sequence|the sentence says|another paragraph"
 )
 """Reasons of a withheld refutation by which the link is not a misprint either."""
+_FAR = re.compile("another paragraph")
+"""The one of these that does not count if a true claim is one edit away."""
 _OPEN = re.compile(r"no real point was found where both sides|no antiderivative was found")
 """Reasons of an undecided equality that may nevertheless be a misprint."""
 _STRICT = re.compile(r" ([<>])=? ")
@@ -99,6 +102,7 @@ def proofread(
         processes: how many searches at once; None for one per core.
     """
     asked = {n: row for n, row in enumerate(rows) if row.status == "REFUTED" or may_be(row)}
+    closed = _closing(rows, processes)
     texts = [_question(row) for row in asked.values()]
     found = dict(zip(asked, suggestions(texts, processes, seconds), strict=True)) if texts else {}
     blocks = _blocks(rows)
@@ -112,7 +116,50 @@ def proofread(
         if why:
             witness = row.fails_at
             result[n] = replace(row, status=SUSPECT, why=why, instead=instead, witness=witness)
+    for n, chain in closed.items():
+        if result[n].status not in (SUSPECT, "REFUTED"):
+            row, why = rows[n], "it fails, and so does the next link, but the chain holds without"
+            why = f"{why} the term between them"
+            result[n] = replace(row, status=SUSPECT, why=why, instead=chain, witness=row.fails_at)
     return _defined_twice(result)
+
+
+def _closing(rows: Sequence[Row], processes: int | None) -> dict[int, tuple[Alternative, ...]]:
+    """Find consecutive links ``a = b = c`` that both fail while ``a = c`` holds.
+
+    Then the term between them is a misprint, whatever the words around the display.
+
+    Returns:
+        What holds, by the place of the first link in ``rows``.
+    """
+    found: dict[int, Task] = {}
+    for n, (row, after) in enumerate(pairwise(rows)):
+        (first, _, given), (second, _, same) = (
+            one.refuted.partition(" given ") for one in (row, after)
+        )
+        left, equal, middle = first.partition(" == ")
+        if not equal or given != same or not _goes_on(row, after):
+            continue
+        for start in (f"{middle} == ", f"abs({middle} - ("):  # the second is of printed digits
+            if second.startswith(start):
+                claim = start.replace(middle, left, 1) + second.removeprefix(start)
+                found[n] = Task(claim, given, line=n)
+    answers = check_all(found.values(), SECONDS, processes) if found else ()
+    return {
+        int(task.line or 0): (
+            Alternative(task.claim, task.given, "without the term", answer.verdict.value),
+        )
+        for task, answer in answers
+        if isinstance(answer, Answer) and answer.verdict.value in _HOLD
+    }
+
+
+def _goes_on(row: Row, after: Row) -> bool:
+    """Whether the second link continues the chain of the first."""
+    one, other = row.link, after.link
+    if one.sides is None or other.sides is None or one.display != other.display:
+        return False
+    return one.number + 1 == other.number and one.sides[2] == other.sides[0]
 
 
 def may_be(row: Row) -> bool:
@@ -121,9 +168,11 @@ def may_be(row: Row) -> bool:
     if row.status not in (EQUATION, "UNDECIDED") or link.sides is None:
         return False
     left, relation, right = link.sides
+    vary = link.same and bool(symbols(left)) and bool(symbols(right))
     if relation not in _RELATIONS or is_introduced(link) or _stands_alone(left, right):
         return False
-    if any(_DOUBTED.search(doubt) for doubt in link.ground.doubts) or _has_constants(left, right):
+    doubts = [doubt for doubt in link.ground.doubts if not (vary and _FAR.search(doubt))]
+    if any(_DOUBTED.search(doubt) for doubt in doubts) or _has_constants(left, right):
         return False
     if relation != "==":
         return bool(row.refuted) and not row.put
@@ -131,12 +180,17 @@ def may_be(row: Row) -> bool:
 
 
 def _has_constants(*sides: Expr) -> bool:
-    """Whether both sides are linear in a constant that is to be determined."""
+    """Whether both sides are linear in a constant that is to be determined.
+
+    A constant of integration, which is added to both sides, is not.
+    """
     if not elementary(*sides):
         return False
     names = [name for name in symbols(sides[0]) & symbols(sides[1]) if CONSTANTS.fullmatch(name)]
+    slopes = [[differentiate(side, name) for side in sides] for name in names]
     return any(
-        all(name not in symbols(differentiate(side, name)) for side in sides) for name in names
+        all(name not in symbols(slope) for slope in found) and found[0] != found[1]
+        for name, found in zip(names, slopes, strict=True)
     )
 
 
@@ -220,7 +274,10 @@ def reason(row: Row, instead: Sequence[Alternative], others: Sequence[str]) -> s
     sides = (link.sides[0], link.sides[2]) if link.sides else ()
     if not sides or not link.same or any(not symbols(side) for side in sides):
         return ""
-    if others and all(status in _HOLD for status in others):
+    if any(_FAR.search(doubt) for doubt in link.ground.doubts):
+        return ""
+    read = [status for status in others if status != UNREAD]
+    if read and all(status in _HOLD for status in read):
         return f"{fails}; the other links of its display are identities"
     lead = _words(link.around[0])
     several = len(symbols(sides[0])) > 1  # with one variable it may be an equation
