@@ -60,14 +60,14 @@ NOT_MATHEMATICS = {
 
 
 def alike() -> tuple[Symbol, Symbol]:
-    """The two symbols that a careless hand would swap."""
+    """Return the two symbols of the paper that are most easily confused."""
     from tresym.racket.notation import a, b
 
     return a, b
 
 
 def parts(names: tuple[str, ...] = PARTS) -> tuple[tuple[str, tuple[Claim, ...]], ...]:
-    """For every file its title (the first line of its docstring) and the claims it states."""
+    """Return for each module its title (first line of its docstring) and the claims it states."""
     import sys
     from importlib import import_module
 
@@ -89,7 +89,7 @@ def parts(names: tuple[str, ...] = PARTS) -> tuple[tuple[str, tuple[Claim, ...]]
 
 
 def _named_in(module: ModuleType) -> dict[Claim, None]:
-    """The claims that a file has names for, its own and those it takes from others, in order."""
+    """Yield the claims that a module names, its own and imported ones, in order."""
     from tresym.ledger.claim import Claim
 
     several = (v if isinstance(v, tuple) else (v,) for v in vars(module).values())
@@ -97,12 +97,12 @@ def _named_in(module: ModuleType) -> dict[Claim, None]:
 
 
 def claims(names: tuple[str, ...] = PARTS) -> tuple[Claim, ...]:
-    """Every claim of these files, in the order of the files and of the lines in them."""
+    """Yield all claims of the given modules (all modules if None), in their order."""
     return tuple(claim for _, stated in parts(names) for claim in stated)
 
 
 def written_in(labels: Iterable[str]) -> tuple[str, ...]:
-    """The files in whose text one of these labels stands, as a name or as a label."""
+    """Return the modules whose text contains one of the labels."""
     import re
     from pathlib import Path
 

@@ -1,22 +1,24 @@
 """The theorem of Section 6: judged as printed, repaired with constants, and extended to all shapes.
 
-ε* = 2√(a/(a+b)) e^{−√(ab)(π + arcsin √(b/(a+b)))} is the leading term with its arcsine kept.
+ε* = 2√(a/(a+b)) e^{−√(ab)(π + arcsin √(b/(a+b)))} is the leading term, with the arcsine kept.
 
-- `printed_error`: how far the printed leading term is off, so that it is right in the limit,
-  `printed_leading_term`; the remainder o(e^{−π√(ab)}) of `eps0` is not;
-- `repaired`, `second_order`, `third_order`: ε₀ by powers of ε*² with constants that cannot be
-  improved by one per cent on ab ≥ 1/4 (in `constants` on a ≥ a₀, down to a₀ = 1/100);
-  `every_order`: what is left out after N terms, for every N;
-  `everywhere`: one bound for all shapes, with its best constant 10/3, where the corner that boxes
-  cannot close is closed by `corner_margin`;
-- `one_line`, `balanced_line`, `newton_line`, `balanced_newton`: explicit formulas,
-  together `uniform_formulas`, for every shape;
-- `one_line_side`, `newton_side`: on which side each errs;
-- `printed_relative_error`: the printed formula's own error, between two multiples of b²/a;
-- `slope_leading_term`: dε/dγ at γ = 0; `bend`: the linear formula as a root, `bend_leaves` where
-  it leaves what is possible (and `bend_carries` in `orders` how far it is good).
+- `printed_error`: the error of the printed leading term; it tends to 0, so that term is correct in
+  the limit (`printed_leading_term`), but the printed remainder o(e^{−π√(ab)}) of `eps0` is not;
+- `repaired`, `second_order`, `third_order`: expansions of ε₀ in powers of ε*², with constants for
+  ab ≥ 1/4 that cannot be improved by one per cent (in `constants`: for a ≥ a₀, down to a₀ = 1/100);
+  `every_order`: a bound on the remainder after N terms, for every N;
+  `everywhere`: one bound for all shapes with the best constant 10/3; near the corner that boxes
+  cannot cover, `corner_margin` proves it;
+- `one_line`, `balanced_line`, `newton_line`, `balanced_newton`: explicit formulas for every shape,
+  combined in `uniform_formulas`;
+- `one_line_side`, `newton_side`: the sign of the error of two of these formulas;
+- `printed_relative_error`: the relative error of the printed formula lies between two multiples
+  of b²/a;
+- `slope_leading_term`: dε/dγ at γ = 0; `bend`: the linear formula as an approximate root,
+  `bend_leaves`: where it leaves the admissible range (`bend_carries` in `orders`: up to where it
+  is accurate).
 
-What the steps of a margin are in the paper's symbols is read in `near`.
+`near` states what the steps of a margin are in the paper's symbols.
 """
 
 from __future__ import annotations
@@ -79,7 +81,10 @@ flat_bends = Claim(
     ),
     given=(k > 0, x > 0),
     proof=by(differentiation),
-    note="The slope of e^{−k/x} rises up to x = k/2, where it is 4e^{−2}/k, and falls after it.",
+    note=(
+        "The derivative of e^{−k/x} increases up to x = k/2, where "
+        "it is 4e^{−2}/k, and decreases after it."
+    ),
 )
 
 # -- the theorem as printed -----------------------------------------------------------------------
@@ -111,7 +116,7 @@ printed_error = below(
     1 / (a * b),
     _printed_error,
     put=_BY_LEADING,
-    note="The printed formula's own relative error; b²/(6a) = b³/(6ab) is its leading term.",
+    note="The relative error of the printed formula; b²/(6a) = b³/(6ab) is its leading term.",
 )
 
 printed_leading_term = Claim(
@@ -156,7 +161,10 @@ printed_relative_error = bound(
     ),
     put=_BY_LEADING,
     given=_BESIDE,
-    note="It is too large there, by b²/(6a) in the limit. As b → 0 at fixed a it is too small.",
+    note=(
+        "The formula is too large there, by b²/(6a) in the limit. As "
+        "b → 0 at fixed a it is too small."
+    ),
 )
 
 printed_relative_too_small = too_small(
@@ -303,8 +311,10 @@ corner_margin = Claim(
     >= 3 * x**2 / 8,
     given=(b > 0, b <= 1, x > 0, x <= Rational(1, 2)),
     proof=manifest,
-    note="With x for κ: towards b = 1, κ = 0 the margin of `everywhere` falls like 3κ²/8, and what "
-    "is against it is flat in κ.",
+    note=(
+        "x stands for κ. Towards b = 1, κ = 0 the margin of "
+        "`everywhere` decreases like 3κ²/8, and the terms that oppose it are flat in κ."
+    ),
 )
 
 _at_kappa = Instance(corner_margin, ((x, 1 / sqrt(a * b)),))
@@ -394,7 +404,10 @@ everywhere = bound(
     put=(*_BY_LEADING, first_coefficient),
     given=shape,
     constant="10/3",
-    note="The one bound with a single constant; 10/3 is its best, attained as a → ∞, b → 1.",
+    note=(
+        "A bound with a single constant for all shapes; 10/3 is the "
+        "best constant, approached as a → ∞, b → 1."
+    ),
 )
 
 everywhere_too_small = Claim(
@@ -454,7 +467,7 @@ one_line = bound(
     put=misses_from_pi[-1:],
     given=shape,
     constant="0.028",
-    note="It errs on the side of too large an ε₀, as the phase exceeds π (`one_line_side`).",
+    note="The approximation is too large, since the phase exceeds π (`one_line_side`).",
 )
 
 one_line_too_small = too_small(
@@ -514,7 +527,7 @@ phase_steepness = Claim(
 
 
 def _newton_beyond(label: str, room: Expr, direction: int, ends: tuple[Expr, Expr]) -> Claim:
-    """That a Newton step from x ends beyond the root T, where ``room`` is positive."""
+    """That a Newton step from x ends beyond the root T, where the argument is positive."""
     low, high = ends
     bend = direction * (T - psi) * _at(_curvature, psi) * _at(_steepness, x)
     slope = 1 - k * r / _at(_D, psi)
@@ -575,7 +588,7 @@ newton_side = Claim(
         newton_from_below,
         newton_from_above,
     ),
-    note="A tangent of a convex increasing function meets the axis beyond the root: T₂ ≥ T.",
+    note="The tangent of a convex increasing function meets the axis beyond the root: T₂ ≥ T.",
 )
 
 # -- the slope and the bend -----------------------------------------------------------------------
@@ -656,8 +669,10 @@ bend_leaves = bound(
     put=(),
     given=(*shape, epsilon0 <= Rational(3, 4)),
     constant="6",
-    note="At γ = −4bε₀² the linear formula gives ε = 2ε₀, and γ + b sin²ε is less than 0 by this "
-    "much. There is no such trajectory: √(γ + b sin²ε) is not real.",
+    note=(
+        "At γ = −4bε₀² the linear formula gives ε = 2ε₀, where γ + b "
+        "sin²ε is negative by this amount. No such motion exists, since √(γ + b sin²ε) is not real."
+    ),
 )
 
 label_claims(globals())

@@ -1,11 +1,11 @@
 """Section 7, end: the book as a box, and the units and columns of Table 1.
 
-A box of length L, width W and height H has the principal axes e₁, e₂, e₃ along them.
+A box of length L, width W and height H has the principal axes e₁, e₂, e₃ along its edges.
 
 - display (30), `d30`: the a and b of a book;
-- `box_a`, `box_b`: the shape of a box; `box_order`: its moments are in the paper's order;
-- `book_length`, `book_height`: the proportions that the printed a and b need, a box that exists;
-- `table_units`: the printed unit is none of a moment of inertia;
+- `box_a`, `box_b`: the shape of a box; `box_order`: its moments are ordered as in the paper;
+- `book_length`, `book_height`: the proportions that the printed a and b require; such a box exists;
+- `table_units`: the printed unit is not a unit of a moment of inertia;
 - `last_column`: the last column is π − 2ε₀.
 """
 
@@ -67,7 +67,7 @@ box_order = Claim(
     given=_box,
     proof=by(substituting(box_moments)),
     where=line(291),
-    note="With L > W > H the axes are in the order the paper assumes.",
+    note="With L > W > H the axes are in the order that the paper assumes.",
 )
 
 _a, _b = printed.shape(I1, I2, I3)
@@ -144,7 +144,7 @@ table_units = Claim(
     where=line(295),
     expect=Verdict.REFUTED,
     amended_by=(unit_of_inertia,),
-    note="It is a unit of pressure; the numbers are those of the bibliography in kg mm².",
+    note="It is a unit of pressure; the numbers agree with those of the bibliography in kg mm².",
     fault=Fault.MISPRINT,
 )
 

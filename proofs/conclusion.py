@@ -1,8 +1,9 @@
 """Section 8: ethylene, from its printed rotational constants.
 
 - `rotational_constants`: a = B₁/B₂ − 1 and b = 1 − B₃/B₂;
-- `ethylene_flip` is not what the constants give; `ethylene_flip_exact` and
-  `ethylene_flip_formula` are; `ethylene_without_prefactor` is where the printed number comes from.
+- `ethylene_flip`: the printed flip does not follow from the constants; `ethylene_flip_exact` and
+  `ethylene_flip_formula` give the values that do; `ethylene_without_prefactor` explains the printed
+  number.
 """
 
 from __future__ import annotations
@@ -29,7 +30,7 @@ rotational_constants = Claim(
     given=_ordered,
     proof=by(evaluating),
     where=line(320),
-    note="The constants are inversely proportional to the moments; the factor drops out.",
+    note="The constants are inversely proportional to the moments; the factor cancels.",
     shown=r"\frac{I_2}{I_1}-1 = \frac{B_1}{B_2}-1,\quad 1-\frac{I_2}{I_3} = 1-\frac{B_3}{B_2}",
 )
 

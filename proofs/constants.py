@@ -1,13 +1,13 @@
 """The constants of the repaired theorem against the least a, and why no single one serves.
 
 - `repaired_from` and `second_order_from`: |ε₀/ε* − 1| ≤ K ε*² and |ε₀/ε* − 1 − c₁ε*²| ≤ K₂ ε*⁴
-  on a ≥ a₀, 0 < b ≤ 1, for nine a₀ from 1/100 to 10. Each constant is within one per cent of what
-  is found at the corner a = a₀, b = 1 (`tresym table constants`);
-- `no_single_constant`: as a₀ → 0 there is none.
+  on a ≥ a₀, 0 < b ≤ 1, for nine values of a₀ from 1/100 to 10. Each constant exceeds the value at
+  the corner a = a₀, b = 1 by at most one per cent (`tresym table constants`);
+- `no_single_constant`: no constant holds for all a₀ > 0.
 
-From a₀ = 1/10 on two charts hold the region with its unbounded edges: (b, κ), κ = 1/√(ab), where
-ab ≥ a₀, and (k, 1/a), k = √(ab), where ab ≤ a₀; both are scaled to the unit square by √a₀. Below,
-ε* is not small: slabs from each a₀ to the next lead up to 1/10.
+For a₀ ≥ 1/10, two charts cover the unbounded region: (b, κ) with κ = 1/√(ab) where ab ≥ a₀, and
+(k, 1/a) with k = √(ab) where ab ≤ a₀; both are scaled to the unit square by √a₀. For smaller a₀,
+where ε* is not small, slabs from each a₀ to the next lead up to 1/10.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ LEAST = fmpq(1, 10)
 
 
 def _charts(order: int, a0: fmpq, constant: fmpq) -> tuple[On, ...]:
-    """The bounds on the whole of a ≥ a₀: in (b, κ√a₀) and in (k/√a₀, a₀/a)."""
+    """The bounds on the whole region a ≥ a₀: in (b, κ√a₀) and in (k/√a₀, a₀/a)."""
     least = Rational(int(a0.p), int(a0.q))
 
     def near(b: Any, scaled: Any, m: Any) -> charts.Root:
@@ -83,7 +83,7 @@ def _slab(order: int, a0: fmpq, a1: fmpq, constant: fmpq) -> On:
 
 
 def _claim(order: int, n: int) -> Claim:
-    """The bound from the n-th a₀ on: on slabs up to 1/10, and on the rest."""
+    """The bound from the n-th a₀ on: on slabs up to 1/10, and on the remaining region."""
     least, text = CONSTANTS[n].least, CONSTANTS[n][1 + order]
     a0, constant = as_rational(least), as_rational(text)
     ends = [as_rational(row.least) for row in CONSTANTS[n:] if as_rational(row.least) <= LEAST]
@@ -101,7 +101,7 @@ def _claim(order: int, n: int) -> Claim:
 
 
 def _table(order: int) -> tuple[Claim, ...]:
-    """The claims of one order, smallest a₀ first."""
+    """The claims of one order, for increasing a₀."""
     return tuple(_claim(order, n) for n in range(len(CONSTANTS)))
 
 

@@ -1,7 +1,8 @@
 """What the paper prints and does not hold: each finding once, the weightiest first.
 
-A finding has the paper's own words and the labels of the claims that say it; the first of them
-leads. What is wrong is the fault of that claim, and ``amended_by`` says what is true instead.
+A finding consists of a quotation from the paper and the labels of the claims that state it; the
+first label is the main one. The fault of that claim says what is wrong, and ``amended_by`` lists
+the true claims that replace it.
 """
 
 from tresym.ledger.paper import Correction

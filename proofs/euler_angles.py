@@ -1,10 +1,10 @@
 """Section 4: the equations of the Euler angles, the shape of the body, and the planar system.
 
-- display (7), `eq_euler_angle`: the rates of θ, φ, ψ, solved from Ω = M/I;
+- display (7), `eq_euler_angle`: the rates of θ, φ, ψ, obtained from Ω = M/I;
 - (8), `d08`: a, b and γ;
-- `precession_forward`: φ always grows, so it can replace time;
-- (9), `eq_Euler`: the planar system for θ and ψ over φ;
-- (10), `eq_gamma`: γ as a function of θ and ψ, by substitution; `gamma_conserved`, by dγ/dφ = 0;
+- `precession_forward`: φ increases strictly, so it can be used in place of time;
+- (9), `eq_Euler`: the planar system for θ and ψ as functions of φ;
+- (10), `eq_gamma`: γ as a function of θ and ψ, by substitution; `gamma_conserved`: dγ/dφ = 0;
 - (11), `d11`: 0 ≤ a, 0 ≤ b ≤ 1 and −b ≤ γ ≤ a, by `range_of_shape` and `range_of_gamma`.
 """
 
@@ -66,14 +66,17 @@ precession_forward = Claim(
     says=dphi_dt > 0,
     given=(*ordered_moments, *tilted, *shape_of_a_body),
     proof=by(substituting(precession_rate)),
-    note="The handle always precesses forward, so φ can take the place of time.",
+    note="φ increases strictly, so it can be used in place of time.",
 )
 
 elimination_of_time = Claim(
     says=Tuple(equal(dtheta_dphi, dtheta_dt / dphi_dt), equal(dpsi_dphi, dpsi_dt / dphi_dt)),
     given=(dphi_dt > 0,),
     proof=Definition(),
-    note="Names for these quotients; what they are along a motion is `rates_along_the_path`.",
+    note=(
+        "These are only names for the quotients; "
+        "`rates_along_the_path` shows that they are derivatives along a motion."
+    ),
 )
 
 rates_along_the_path = Claim(
@@ -123,7 +126,7 @@ gamma_conserved = Claim(
     given=(*ordered_moments, *tilted, *shape_of_a_body),
     proof=by(substituting(eq_Euler)),
     where=line(134),
-    note="The second route to the constant of motion: its derivative along the flow.",
+    note="A second proof that γ is constant: its derivative along the flow vanishes.",
 )
 
 range_of_shape = Claim(

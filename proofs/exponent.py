@@ -5,11 +5,11 @@
 - `logarithmic_equation`: the stable equation is log(ε₀/ε*) = Q(ε₀), where
   Q(e) = log(e/sin e) + log((cos e + ρ)/2) + √(ab)(arcsin μ − arcsin(μ cos e)),
   ρ = √(1 + (b/a) sin²e);
-- `sine_of_turn`: the sine of that difference of angles, in a form that does not cancel;
+- `sine_of_turn`: the sine of that difference of angles, in a form without cancellation;
 - `residual_increases`: log e − Q(e) increases with e, so that ε₀ ≤ e exactly when
-  Q(e) ≤ log(e/ε*): a bound on ε₀ is one sign at an explicit candidate;
+  Q(e) ≤ log(e/ε*). To bound ε₀ it therefore suffices to find one sign at an explicit candidate e;
 - `exponent_gap`: Q(e) − log(e/ε*) without logarithms, for candidates e that are angles;
-- `arctangent_concave`, `arsinh_concave`: what concave functions do to a share of their argument;
+- `arctangent_concave`, `arsinh_concave`: f(tx) ≥ t f(x) for these concave functions, 0 ≤ t ≤ 1;
 - `half_exponent`, `half_tangent`: log(tan(ε₀/2)/(ε*/2)) is a sum of two terms, positive by
   `root_above_one` and by `turn_increases`, as the turn vanishes at e = 0. Hence `leading_below`:
   ε₀ > 2 arctan(ε*/2), and by `arctangent_above` ε₀/ε* > 1 − ε*²/12, for every shape.
@@ -54,7 +54,7 @@ logarithmic_equation = Claim(
             *(exponentials, inverses, roots),
         ),
     ),
-    note="Solved for the logarithm of ε₀/ε*; what is left on the other side is Q(ε₀).",
+    note="Solved for the logarithm of ε₀/ε*; the other side is Q(ε₀).",
 )
 
 exponent_gap = Claim(
@@ -63,8 +63,10 @@ exponent_gap = Claim(
     ),
     given=(*shape, *defect),
     proof=by(exponentials, inverses, roots, trigonometry),
-    note="As log e − Q(e) increases, ε₀ exceeds an e at which this is positive, and is below one "
-    "at which it is negative.",
+    note=(
+        "Since log e − Q(e) increases, ε₀ is larger than e if this "
+        "is positive, and smaller than e if it is negative."
+    ),
 )
 
 sine_of_turn = Claim(
@@ -118,7 +120,7 @@ arctangent_concave = Claim(
     says=atan(share * x) - share * atan(x) >= 0,
     given=_part,
     proof=manifest,
-    note="The ratio of two angles below π/2 is between 1 and that of their tangents.",
+    note="The ratio of two angles below π/2 lies between 1 and the ratio of their tangents.",
 )
 
 arsinh_concave = Claim(says=asinh(share * x) - share * asinh(x) >= 0, given=_part, proof=manifest)
@@ -135,7 +137,7 @@ leading_below = Claim(
         turn_increases,
         arctangent_above,
     ),
-    note="Equality would be the limit b → 0, b/a → 0, where tan(ε₀/2) = e^{−π√(ab)}.",
+    note="Equality would be attained in the limit b → 0, b/a → 0, where tan(ε₀/2) = e^{−π√(ab)}.",
 )
 
 label_claims(globals())

@@ -1,12 +1,12 @@
 """Section 6, up to the theorem: what a flip is, and which motions are studied.
 
-- display (18), `eq_robust_gen`: Δφ is the integral of f, here (33), `d33`; `full_turn`:
-  the turn that is studied;
-- `elementary_at_the_top`: the equation of the flip can be integrated for some γ;
+- display (18), `eq_robust_gen`: Δφ is the integral of f, which is (33), `d33`; `full_turn`:
+  the paper considers one full turn;
+- `elementary_at_the_top`: for some γ the equation of the flip has an elementary solution;
 - (20), `eq_psi0psif`: the symmetric motion; (21), `eqdefect`: its flip is π − 2ε;
-- `symmetric_is_extreme`: what is true of the symmetric motion among all with its γ;
+- `symmetric_is_extreme`: the symmetric motion is extremal among all motions with the same γ;
 - (25), `d25`: ε₀ by an exponential equation;
-- (28), `eq_TRE`: when a flip counts.
+- (28), `eq_TRE`: when a motion counts as a flip.
 """
 
 from __future__ import annotations
@@ -32,14 +32,14 @@ eq_robust_gen = Claim(
     given=(*shape, gamma > 0),
     proof=Definition(),
     where=display(18),
-    note="For γ ≤ 0 it is so while the flip angle does not turn back; d19 is its integrand.",
+    note="For γ ≤ 0 this holds until the flip angle reaches a turning point; d19 is the integrand.",
 )
 
 full_turn = Claim(
     says=equal(Delta_phi, 2 * pi),
     proof=Definition(assumes="the turn that is studied"),
     where=display(18),
-    note="The turn that is studied: one of the handle.",
+    note="The paper considers one turn of the handle.",
 )
 
 flip_angle = Claim(says=equal(Delta_psi, psi_f - psi0), proof=Definition())
@@ -112,7 +112,7 @@ symmetric_turn = Claim(
         step(None, substituting(full_turn)),
     ),
     where=line(213),
-    note="What ε is: in one turn of the handle the symmetric motion goes from ε to π − ε.",
+    note="The meaning of ε: in one turn of the handle the symmetric motion goes from ε to π − ε.",
 )
 
 fig_symtraj = Claim(
@@ -148,7 +148,10 @@ flip_for_large_range = Claim(
         step(None, cutting(_start)),
     ),
     where=line(272),
-    note="At a γ > 0 for which one motion flips by exactly π in one turn, all do; near it, nearly.",
+    note=(
+        "At a γ > 0 for which one motion flips by exactly π in one "
+        "turn, all motions do; for γ near it, they nearly do."
+    ),
 )
 
 _rate = printed.psi_rate(psi, a, b, gamma, S, sympy)
@@ -198,7 +201,7 @@ turn_is_steep = Claim(
     says=_steepness(_starts, _ends) > 0,
     given=(*shape, b < 1, gamma > 0),
     proof=manifest,
-    note="f falls with sin²ψ: it is largest at the unstable points.",
+    note="f decreases with sin²ψ, so it is largest at the unstable points.",
 )
 
 _turn = Integral(_integrand, (psi, x, _q))

@@ -1,12 +1,12 @@
 """Section 2, continued: what the frames and the angles say of the racket.
 
-- `handle_in_space`, `line_of_nodes`: e₁ and the line of nodes in the laboratory;
-- `angles_of_the_reference`: they are not the z-x-z angles of the reference named there;
-- `laboratory_turned`: X and Y may be chosen at will;
+- `handle_in_space`, `line_of_nodes`: e₁ and the line of nodes in the laboratory frame;
+- `angles_of_the_reference`: they are not the z-x-z angles of the reference cited there;
+- `laboratory_turned`: the axes X and Y may be chosen freely;
 - display (2), `d02`: the flip starts with e₂ near M; `near_intermediate_axis`: how near;
-- (3), `d03`: what is seen after a turn; `perfect_flip`: Δφ = 2π with Δψ = π is a half
+- (3), `d03`: the observed effect after a turn; `perfect_flip`: Δφ = 2π with Δψ = π is a half
   turn of the body about its handle;
-- `cross_product`: a rotation about one principal axis has M along that axis;
+- `cross_product`: in a rotation about one principal axis, M is parallel to that axis;
 - `angles_from_momentum`: θ and ψ from M, and why the poles are excluded.
 """
 
@@ -41,8 +41,10 @@ no_external_moment = Claim(
     says="Without external moment the length of M does not change.",
     proof=all_of(momentum_conserved),
     where=line(56),
-    note="That the vector M is fixed in space is what `torque_free` assumes; seen from the body "
-    "it moves, and keeps its length.",
+    note=(
+        "`torque_free` assumes that the vector M is fixed in space; "
+        "seen from the body it moves, but its length is constant."
+    ),
 )
 
 cross_product = Claim(
@@ -52,7 +54,10 @@ cross_product = Claim(
         equal(M1 * W2 - M2 * W1, (I1 - I2) * W1 * W2),
     ),
     proof=by(substituting(eq_omega)),
-    note="Each component of M × Ω has two factors Ω: it vanishes when only one Ω does not.",
+    note=(
+        "Each component of M × Ω contains two components of Ω as "
+        "factors, so it vanishes if only one component is not zero."
+    ),
 )
 
 one_component_is_parallel = Claim(
@@ -102,7 +107,7 @@ angles_of_the_reference = Claim(
     where=line(62),
     expect=Verdict.REFUTED,
     amended_by=(eq_Mi,),
-    note="The components of M that the paper prints belong to turns about z, y and z.",
+    note="The components of M that the paper prints belong to rotations about z, y and z.",
 )
 
 near_intermediate_axis = Claim(
@@ -135,7 +140,9 @@ laboratory_turned = Claim(
     ),
     proof=by(trigonometry),
     where=line(74),
-    note="Turning X and Y about Z shifts φ and changes nothing else, so φ₀ = 0 is a choice.",
+    note=(
+        "A rotation of X and Y about Z shifts φ and changes nothing else, so φ₀ may be chosen as 0."
+    ),
     shown=r"(R_z(\alpha)R)^{\mathsf T}\frac{d}{dt}(R_z(\alpha)R) = R^{\mathsf T}\dot R,\quad "
     r"R_z(\alpha)\,R = R_z(\phi+\alpha)\,R_y(\theta)\,R_z(\psi)",
 )
@@ -146,7 +153,7 @@ perfect_flip = Claim(
         product(*_turns, ImmutableMatrix([[-1, 0, 0], [0, -1, 0], [0, 0, 1]])),
     ),
     proof=by(trigonometry),
-    note="e₁ comes back, e₂ and e₃ are reversed.",
+    note="e₁ returns to its direction; e₂ and e₃ are reversed.",
     shown=r"R_z(\phi+2\pi)\,R_y(\theta)\,R_z(\psi+\pi) = R\,\operatorname{diag}(-1, -1, 1)",
 )
 
@@ -157,7 +164,7 @@ flip_about_the_handle = Claim(
     ),
     proof=by(trigonometry),
     where=line(70),
-    note="Turning ψ further turns the body about its own axis e₁.",
+    note="A change of ψ rotates the body about its own axis e₁.",
     shown=r"R_z(\phi)\,R_y(\theta)\,R_z(\psi+\alpha) = "
     r"R_z(\phi)\,R_y(\theta)\,R_z(\psi)\,R_z(\alpha)",
 )

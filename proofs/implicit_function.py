@@ -56,7 +56,7 @@ right_sides = Claim(
     given=shape,
     proof=by(substituting(d40), roots),
     where=line(354),
-    note="Only the right side of the equation before is rewritten.",
+    note="Only the right side of the previous equation is rewritten.",
 )
 
 reduced_equation = Claim(
@@ -81,7 +81,7 @@ unknown = Claim(
     says=equal(u, -lam * log(epsilon0 / _in_front) - pi - asin(mu)),
     given=_known_defect,
     proof=Definition(),
-    note="The paper's new unknown, for an ε₀ that is known.",
+    note="The unknown u of the paper, defined from ε₀.",
 )
 
 defect_by_unknown = Claim(
@@ -171,7 +171,7 @@ flat_function = Claim(
     where=line(358),
     expect=Verdict.REFUTED,
     amended_by=(flat_from_above,),
-    note="For s < 0 it is unbounded. The argument needs s ≥ 0 only.",
+    note="For s < 0 it is unbounded. The argument needs only s ≥ 0.",
     fault=Fault.REASON,
 )
 
@@ -244,7 +244,10 @@ slope_by_mu = Claim(
     says=equal(Derivative(_g_with(epsilon), mu), 1 / sqrt(1 - mu**2) - cos(epsilon) / _root),
     given=_given[1:],
     proof=by(differentiation, roots),
-    note="For ε₀ of slope 0 in μ; a slope would enter with the factor μ sin ε₀.",
+    note=(
+        "For an ε₀ whose derivative by μ is 0; otherwise that "
+        "derivative would appear with the factor μ sin ε₀."
+    ),
 )
 
 dG_dlambda, dG_du, du_dlambda = (
@@ -266,7 +269,7 @@ G_at_origin = Claim(
 def _at_origin(
     label: str, says: str, slope: Claim, value: int, *reasons: Reason, **rest: Any
 ) -> tuple[Claim, Claim]:
-    """That a derivative of G, as ``slope`` says it is, has this value at the origin."""
+    """The claim that a derivative of G, which ``slope`` states, has this value at the origin."""
     says_value = equal(at(parts_of(slope.says)[0].args[1], at_origin), value)
     name = label.removeprefix("G_").removesuffix("_at_origin")
     letter = name if len(name) == 1 else "\\" + name
@@ -316,7 +319,7 @@ dmu_dlambda = Claim(
     says=equal(Derivative(_mu_of_lambda, lam), b / sqrt(1 + lam**2 * b**2) ** 3),
     given=(b > 0,),
     proof=by(differentiation, roots),
-    note="It is b at λ = 0, not 0.",
+    note="At λ = 0 it is b, not 0.",
 )
 
 dmu_dlambda_zero = Claim(
@@ -327,7 +330,7 @@ dmu_dlambda_zero = Claim(
     where=line(379),
     expect=Verdict.REFUTED,
     amended_by=(dmu_dlambda, G_mu_at_origin),
-    note="The conclusion stands: in the product (∂G/∂μ)(∂μ/∂λ) the other factor vanishes.",
+    note="The conclusion remains true: in the product (∂G/∂μ)(∂μ/∂λ) the other factor vanishes.",
     fault=Fault.REASON,
 )
 
@@ -350,7 +353,7 @@ deduced_from_the_chain_rule = Claim(
     given=_inward,
     proof=by(substituting(chain_rule_of_G)),
     where=line(379),
-    note="So where dG/dλ and ∂G/∂λ vanish the product does, and one of its factors.",
+    note="If dG/dλ and ∂G/∂λ vanish, the product vanishes, and hence one of its factors.",
 )
 
 d45 = Claim(

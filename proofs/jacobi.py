@@ -1,15 +1,16 @@
 """Section 3: the motion of M in Jacobi's elliptic functions.
 
 With the amplitude χ and the parameter m, sn = sin χ, cn = cos χ, dn = √(1 − m sin²χ) and
-dχ/dt = p dn, for every 0 < m < 1. Put into Euler's equations:
+dχ/dt = p dn, for every 0 < m < 1. Substituted into Euler's equations:
 
-- `rotating_solution` (2I₁E < M² < 2I₂E): M₁, M₂, M₃ go with dn, sn, cn;
-- `oscillating_solution` (2I₂E < M² < 2I₃E): they go with cn, sn, dn;
-- `separatrix_solution` (2I₂E = M²): they go with sech, tanh, sech;
+- `rotating_solution` (2I₁E < M² < 2I₂E): M₁, M₂, M₃ are proportional to dn, sn, cn;
+- `oscillating_solution` (2I₂E < M² < 2I₃E): they are proportional to cn, sn, dn;
+- `separatrix_solution` (2I₂E = M²): they are proportional to sech, tanh, sech;
 - `rotating_start`, `oscillating_start`, `separatrix_start`: each M with the given energy and
-  length is on one of these curves, for some χ and some signs; `motions_part_slowly`: from each
-  start there is one motion;
-- `meeting_point`: the surfaces meet whenever 2I₁E ≤ M² ≤ 2I₃E; `momentum_between`: never otherwise.
+  length lies on one of these curves, for some χ and some signs; `motions_part_slowly`: each start
+  determines the motion uniquely;
+- `meeting_point`: the energy ellipsoid and the momentum sphere intersect if 2I₁E ≤ M² ≤ 2I₃E;
+  `momentum_between`: only then.
 """
 
 from tresym.proofs.axioms import AMPLITUDE, MOTION
@@ -94,7 +95,10 @@ separatrix_solution = Claim(
     says=_solves(separatrix_motion, _rate),
     given=_separatrix,
     proof=by(*_opening, exponentials),
-    note="M comes from −e₂ and ends at +e₂, each in infinite time.",
+    note=(
+        "M tends to −e₂ backward in time and to +e₂ forward in time; "
+        "neither is reached in finite time."
+    ),
 )
 
 _first_integrals = tuple(
@@ -213,7 +217,10 @@ jacobi_solutions = Claim(
         motions_part_slowly,
     ),
     where=line(90),
-    note="On the separatrix they are hyperbolic functions. Two signs may be changed together.",
+    note=(
+        "On the separatrix they are hyperbolic functions. The signs "
+        "of two components may be changed together."
+    ),
     quotes=(
         MOTION,
         AMPLITUDE,
@@ -233,7 +240,7 @@ meeting_point = Claim(
     ),
     given=(*ordered_moments, I3 - I1 > 0, up >= 0, down >= 0),
     proof=by(),
-    note="Between the two bounds the surfaces meet in the plane of e₁ and e₃.",
+    note="Between the two bounds the surfaces intersect in the plane of e₁ and e₃.",
 )
 
 intersection_condition = Claim(

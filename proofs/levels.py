@@ -1,17 +1,19 @@
 """Beyond the paper: where ε(γ) decreases on (−b, a], and where it does not.
 
-ε(γ) is the flip angle half a turn before the motion passes ψ = π/2. Until the motion has turned it
-solves F(ε, γ) = π, and F falls in ε, by ∂F/∂ε = −f, and in γ, as f does, so that ε falls too:
+ε(γ) is the flip angle half a turn before the motion passes ψ = π/2. Until the motion has reached a
+turning point, it solves F(ε, γ) = π. F decreases in ε, since ∂F/∂ε = −f, and in γ, since f does, so
+ε decreases in γ:
 
 - `rotating_decrease`, `unturned_decrease`: −dε/dγ = (∂F/∂γ)/(∂F/∂ε) > 0, for γ > 0 with ε < π/2
   and for 0 < ε < π/2 with γ > −b sin²ε.
 
-With what the file before shows of the motion once it has turned:
+Together with the results of `turning` on motions beyond their turning points:
 
-- `decrease_in_gamma`: ε falls strictly on [γ°, a], where ε(γ°) = π/2 and Φ(π, γ°) = π;
-- `one_level`: a value below π/2 has one level above that with Φ(2π, γ) = π, the largest it has;
-- `decrease_of_bodies`: there is no γ° exactly for b ≤ 1/(a+2), and only then is ε monotone;
-- `always_decreasing`: it is not for other shapes, and `up_and_down` is one.
+- `decrease_in_gamma`: ε decreases strictly on [γ°, a], where ε(γ°) = π/2 and Φ(π, γ°) = π;
+- `one_level`: a value below π/2 is taken at exactly one level above the one with Φ(2π, γ) = π, the
+  largest of all levels that have it;
+- `decrease_of_bodies`: no γ° exists if and only if b ≤ 1/(a+2), and only then is ε monotone;
+- `always_decreasing`: for other shapes ε is not monotone; `up_and_down` is an example.
 """
 
 from __future__ import annotations
@@ -136,7 +138,7 @@ one_level = Claim(
     says="A value below π/2 is taken by ε at one γ at most with Φ(2π, γ) > π, which is the "
     "largest with that value.",
     proof=all_of(decrease_in_gamma, phase_rises_in_gamma, beyond_right_angle),
-    note="Φ(2π, γ) = 2Φ(π, γ), so these γ are all above one level.",
+    note="Φ(2π, γ) = 2Φ(π, γ), so these γ are exactly those above one level.",
 )
 
 decrease_of_bodies = Claim(
@@ -152,7 +154,7 @@ decrease_of_bodies = Claim(
         beyond_right_angle,
         near_right_angle,
     ),
-    note="Where Φ(π, γ) < π near −b, ε exceeds π/2, its limit at −b, before it falls.",
+    note="If Φ(π, γ) < π near −b, ε first exceeds π/2, its limit at −b, before it decreases.",
 )
 
 
@@ -170,7 +172,7 @@ up_and_down = Claim(
     ),
     given=(equal(a, 10), equal(b, Rational(1, 2))),
     proof=Evaluated((one_time,)),
-    note="It has the value ε(−19/60) twice more at least, once above −3/20 and once below −7/15.",
+    note="It takes the value ε(−19/60) at least twice more, once above −3/20 and once below −7/15.",
 )
 
 always_decreasing = Claim(
@@ -180,7 +182,10 @@ always_decreasing = Claim(
     proof=formally(slope_at_turns),
     expect=Verdict.REFUTED,
     amended_by=(decrease_in_gamma, decrease_of_bodies, up_and_down),
-    note="It rises at every level with χ = 3π/2, 7π/2, …: the formula is dε/dγ at the first.",
+    note=(
+        "It increases at every level with χ = 3π/2, 7π/2, …: the "
+        "formula is dε/dγ at the first of them."
+    ),
 )
 
 perfect_level = number(

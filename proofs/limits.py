@@ -1,8 +1,8 @@
 """Appendix: what is said between the displays, of limits and of what dominates.
 
 - `zero_asymptotic`, `any_delta`: ε₀ → 0, as fast as e^{−π/λ};
-- `dominant_exponential`: the exponent is −2π√(ab) but for a part that stays bounded;
-- `implicit_solution`: what the implicit function theorem gives, on λ ≥ 0;
+- `dominant_exponential`: the exponent is −2π√(ab) plus a bounded term;
+- `implicit_solution`: the conclusion of the implicit function theorem, on λ ≥ 0;
 - `uniform_convergence`, `more_difficult`, `terms_dominant`, `remainder_constant`: the remarks on
   dε/dγ.
 """
@@ -108,21 +108,27 @@ slope_is_variation = Claim(
     "kind is within 3 % of ε₀ for |γ| ≤ 1/500.",
     proof=all_of(eq_depsdgamma_form, bend_carries),
     where=line(222),
-    note="It is the slope of ε there; how far the line carries is shown of the standard racket.",
+    note=(
+        "It is the derivative of ε at γ = 0; the range in which the "
+        "linear formula is accurate is shown for the standard racket."
+    ),
 )
 
 uniform_convergence = Claim(
     says="F may be differentiated by γ under the integral sign at γ = 0.",
     proof=all_of(d53),
     where=line(407),
-    note="The reason named is the convergence of F; what is needed is a smooth ∂f/∂γ on [ε₀, π/2].",
+    note=(
+        "The reason given is the convergence of F; what is needed is "
+        "that ∂f/∂γ is smooth on [ε₀, π/2]."
+    ),
 )
 
 logarithm_stays = Claim(
     says=Equivalent(equal(_of_the_logarithm, 0), equal(a - b - 2 * a * b, 0)),
     given=(*shape, S > 0),
     proof=(step(equal(a - b - 2 * a * b, 0), multiplying(4 * sqrt(a * b) ** 3 / S), roots),),
-    note="The factor of the logarithm in ∂F/∂γ: only where a = b(1 + 2a) is there none.",
+    note="The coefficient of the logarithm in ∂F/∂γ; it vanishes only if a = b(1 + 2a).",
 )
 
 more_difficult = Claim(
@@ -145,7 +151,7 @@ remainder_constant = Claim(
     says="With the printed slope the remainder is O(γ²): over γ² it tends to a constant.",
     where=line(426),
     amended_by=(eq_epsilon_gen,),
-    note="With dε/dγ itself it does.",
+    note="With dε/dγ itself, it does.",
     fault=Fault.THEOREM,
     **printed_speed,
 )

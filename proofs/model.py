@@ -1,14 +1,14 @@
 """Section 2: the frames, the Euler angles and the angular velocity.
 
 The body axes (x, y, z) are (e₂, e₃, e₁), the angles are z-y-z, and Z lies along the angular
-momentum. Shown here:
+momentum. Proved here:
 
 - `rotation_orthogonal`: R = R_z(φ) R_y(θ) R_z(ψ) is a rotation;
 - `spin_is_velocity`: RᵀṘ is antisymmetric, and its three entries are the angular velocity;
 - `angular_velocity`: its components along e₁, e₂, e₃;
 - display (1), `eq_omega`: M_i = I_i Ω_i, and `velocity_from_momentum`, the same solved for Ω;
 - (6), `eq_Mi`: the components of M from the direction of Z in the body;
-- `torque_free`, `momentum_transport`: M fixed in space is dM/dt = M × Ω in the body.
+- `torque_free`, `momentum_transport`: M is fixed in space, which means dM/dt = M × Ω in the body.
 """
 
 from sympy import Add, Mul
@@ -20,7 +20,7 @@ from tresym.racket.notation import *
 
 
 def _both(angle: Expr) -> tuple[Expr, Expr]:
-    """Sine and cosine as written: SymPy would take a full turn off by itself."""
+    """Sine and cosine, unevaluated: SymPy would remove a full turn from the argument."""
     return sin(angle, evaluate=False), cos(angle, evaluate=False)
 
 
@@ -37,9 +37,9 @@ def about_y(angle: Expr) -> ImmutableMatrix:
 
 
 def product(first: ImmutableMatrix, *others: ImmutableMatrix) -> ImmutableMatrix:
-    """A product of matrices, each entry the sum of products that it is, and not worked out.
+    """Return the product of matrices with its entries as unevaluated sums of products.
 
-    SymPy would multiply, and leave both sides of a statement alike.
+    If SymPy evaluated the product, both sides of a statement would become identical.
     """
     for other in others:
         columns = range(other.shape[1])
@@ -86,7 +86,7 @@ spin_matrix = Claim(
     ),
     says=Tuple(equal(W1, spin[1, 0]), equal(W2, spin[2, 1]), equal(W3, spin[0, 2])),
     proof=Definition(),
-    note="The angular velocity is what RᵀṘ is made of.",
+    note="The entries of RᵀṘ are, up to sign, the components of the angular velocity.",
 )
 
 angular_velocity = Claim(
@@ -110,7 +110,7 @@ spin_is_velocity = Claim(
     ),
     says=equal(spin, hat),
     proof=by(substituting(spin_matrix), trigonometry),
-    note="All nine entries, not only the three that define Ω.",
+    note="All nine entries are checked, not only the three that define Ω.",
 )
 
 eq_omega = Claim(

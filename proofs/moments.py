@@ -1,13 +1,14 @@
 """Near the separatrix: how the integral F is split, and how large its fourth moment is.
 
-√(ab) F is a logarithm and an integral with sin²ψ in its numerator (`split_integrand`,
-`split_logarithm`), of which another part is elementary (`split_rest`).
+√(ab) F is the sum of a logarithm and of an integral with sin²ψ in its numerator (`split_integrand`,
+`split_logarithm`); a part of that integral is elementary (`split_rest`).
 
-The second derivative of F along a candidate holds ∫ sin⁴ψ (u + sin²ψ)^{−5/2} dψ from e to π/2 with
-u = γ/b. For u > 0 its integrand is at most 1/sin ψ (`moment_below_cosecant`). For u ≤ 0 it falls
-with sin ψ, and cos ψ falls too, so that with z, the mean of cos ψ, the integral is at most 1/z of
-that with the weight cos ψ (`mean_of_the_product`), which is elementary (`moment_over_sine`). Below
-y is cos ψ, and c is cos e: dψ = −dy/√(1 − y²), and z = (1 − √(1 − c²))/arcsin c.
+The second derivative of F along a candidate contains ∫ sin⁴ψ (u + sin²ψ)^{−5/2} dψ from e to π/2,
+with u = γ/b. For u > 0 its integrand is at most 1/sin ψ (`moment_below_cosecant`). For u ≤ 0 the
+integrand decreases as sin ψ increases, and so does cos ψ. With z, the mean of cos ψ, the integral
+is therefore at most 1/z times the integral with the weight cos ψ (`mean_of_the_product`), which is
+elementary (`moment_over_sine`). Below, y is cos ψ, and c is cos e: dψ = −dy/√(1 − y²), and
+z = (1 − √(1 − c²))/arcsin c.
 """
 
 from tresym.proofs.conditions import shape
@@ -64,7 +65,7 @@ moment_falls = Claim(
             roots,
         ),
     ),
-    note="The moment less its value at the mean has the sign of cos ψ − z.",
+    note="The difference of the moment and its value at the mean has the sign of cos ψ − z.",
 )
 
 _weighted = Integral(_moment(_root) * (y - z) * _cosecant, _ends)
@@ -136,7 +137,7 @@ split_rest = Claim(
     ),
     given=(*shape, *_inside),
     proof=by(roots),
-    note="What is left of it after its value at ψ = 0 times cos ψ has sin²ψ as a factor.",
+    note="The remainder after subtracting its value at ψ = 0 times cos ψ has sin²ψ as a factor.",
 )
 
 split_logarithm = Claim(

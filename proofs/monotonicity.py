@@ -1,13 +1,13 @@
 """Monotonicity: ε₀ decreases strictly in a at fixed b and in b at fixed a, on the whole domain.
 
-By `stable_equation` log tan ε₀ = ½ log(a/(a+b)) − log sinh T, where T is the one root of
+By `stable_equation` log tan ε₀ = ½ log(a/(a+b)) − log sinh T, where T is the only root of
 g = T − √(ab)(π + arctan(√(b/a) tanh T)). With S = cosh²T + (b/a) sinh²T and D = 1 − b/S:
 
 - `slope_in_T`, `slope_in_T_positive`: ∂g/∂T = D > 0;
 - `slope_in_a`, `slope_in_b`: −∂g/∂a and −∂g/∂b at the root, so that dT/da = −(∂g/∂a)/D;
-- `decrease_in_a`: −2aD d(log tan ε₀)/da = (T coth T − 1) + (1 − b)/(1 + b/a), positive because
-  `tangent_below` says tanh T < T;
-- `increase_of_T`: −∂g/∂b > 0, so that T grows with b, while √(a/(a+b)) falls.
+- `decrease_in_a`: −2aD d(log tan ε₀)/da = (T coth T − 1) + (1 − b)/(1 + b/a), which is positive
+  because tanh T < T by `tangent_below`;
+- `increase_of_T`: −∂g/∂b > 0, so that T increases with b, while √(a/(a+b)) decreases.
 """
 
 from tresym.proofs.conditions import later, shape

@@ -2,9 +2,9 @@
 
 - `flip_defect` (in `separatrix`) defines ε₀; `phase` its phase P = T/√(ab), `leading_term` ε*,
   `exponent_of_defect` Q = log(ε₀/ε*), `first_coefficient` c₁, `second_coefficient` c₂;
-- `phase_equation`, `defect_by_phase`, `leading_by_defect`: how they hang together;
-- the readings say what a step of a formula in `tresym.racket.bounds` is in these symbols, in the
-  two charts (b, κ), κ = 1/√(ab), and (b, k), k = √(ab).
+- `phase_equation`, `defect_by_phase`, `leading_by_defect`: the relations between them;
+- the readings identify the steps of the formulas in `tresym.racket.bounds` with these symbols, in
+  the two charts (b, κ), κ = 1/√(ab), and (b, k), k = √(ab).
 """
 
 from collections.abc import Callable
@@ -298,7 +298,7 @@ angle_in_k = Reading(charts.angle_of, (_w,), epsilon0, shape, (defect_by_phase,)
 def _sweep(
     start: Expr, swept: Claim, ends: Symbol
 ) -> tuple[tuple[Reading, ...], tuple[Claim, ...]]:
-    """What the steps of the error of a sweep are, and the differences of angles in it."""
+    """The steps of the error of a sweep, and the differences of angles in it."""
     k_ = sqrt(a * b)
     turn = _ratio * tanh(k_ * start)
     known: dict[str, Any] = {"given": shape, "cited": (phase_range,)}
@@ -372,7 +372,7 @@ KAPPA = box((0, 1), (0, 2))
 def within(
     error: Callable[..., Any], limit: fmpq, over: Expr, slopes: bool = False
 ) -> tuple[Shown, ...]:
-    """The two margins of |error| ≤ limit, times ``over``."""
+    """The two margins of |error| ≤ limit, multiplied by ``over``."""
     return (
         Shown(lambda *at: limit - error(*at), over, slopes=slopes),
         Shown(lambda *at: limit + error(*at), over, slopes=slopes),
@@ -391,7 +391,7 @@ def bound(
     remainder: Remainder | None = None,
     **rest: Any,
 ) -> Claim:
-    """A bound that the charts ``on`` show, with what ``put`` says put in."""
+    """A bound shown by the charts ``on``, with the claims ``put`` substituted."""
     proof = Charted(on, readings, put, (*ROOT, phase_range, *cited), certificate(label), also=also)
     proof = replace(proof, remainder=remainder)
     if constant is not None:
@@ -412,10 +412,10 @@ def below(
     remainder: Remainder | None = None,
     **rest: Any,
 ) -> Claim:
-    """|size| ≤ limit · gauge: ``error`` is size/gauge in the chart.
+    """|size| ≤ limit · gauge, where ``error`` is size/gauge in the chart.
 
-    ``printed_as`` is how the paper has it, where that leaves an order open, and ``remainder`` how
-    that is read.
+    ``printed_as`` is the paper's version, if it leaves an order open, and ``remainder`` says how
+    that is interpreted.
     """
     shown = within(error, as_rational(limit), gauge, slopes)
     says = Abs(size) <= Rational(limit) * gauge
@@ -435,7 +435,7 @@ def between(
     chart: tuple[tuple[Expr, ...], Any] = (BY_KAPPA, KAPPA),
     **rest: Any,
 ) -> Claim:
-    """low · gauge < size < high · gauge: ``ratio`` is size/gauge in the chart."""
+    """low · gauge < size < high · gauge, where ``ratio`` is size/gauge in the chart."""
     low, high = map(as_rational, limits)
     least, most = (Rational(limit) * gauge for limit in limits)
     shown = (
@@ -454,7 +454,7 @@ def too_small(
     using: tuple[Claim, ...] = (flip_defect, leading_term, first_coefficient),
     **point: Any,
 ) -> Claim:
-    """``says`` of a smaller constant, which fails at a shape."""
+    """``says`` with a smaller constant, which fails for some shape."""
     at = {name: as_rational(x) for name, x in point.items()}
     return Claim(
         label=label or f"{amended.label}_too_small",
@@ -471,7 +471,7 @@ NEARER, FARTHER = (a * b <= Rational(49, 16),), (a * b >= Rational(49, 16),)
 
 
 def everywhere_shown(near: tuple[Shown, ...], far: tuple[Shown, ...]) -> tuple[On, On]:
-    """Charts that hold every shape together."""
+    """Charts that together cover all shapes."""
     return On(BY_K, NEAR_CHART, near, NEARER), On(BY_KAPPA, FAR_CHART, far, FARTHER)
 
 
@@ -482,7 +482,7 @@ def _newton(
     from_sweep: tuple[tuple[Reading, ...], Claim],
     improved: tuple[Claim, Claim],
 ) -> tuple[tuple[Reading, ...], tuple[Claim, ...]]:
-    """As ``_sweep``, of a step of Newton's method from there; its phase stays above 3."""
+    """As ``_sweep``, for a step of Newton's method from there; its phase stays above 3."""
     (difference, *_, far_difference, _, _), gained = from_sweep
     k_, (later, last) = sqrt(a * b), (parts_of(claim.says)[0].args[0] for claim in improved)
     known: dict[str, Any] = {"given": shape, "cited": (phase_range,)}

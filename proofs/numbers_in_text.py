@@ -1,14 +1,14 @@
 """Sections 6 and 7: every number in running text, and what is concluded from the numbers.
 
-Printed inputs and outputs are intervals of half a unit in the last place. A printed value is read
-of the quantity it is printed for; where it belongs to the asymptotic formula and not to the exact
-equation there is a claim for each reading.
+Printed inputs and outputs are intervals of half a unit in the last place. A printed value is
+compared with the quantity that it is printed for. If it belongs to the asymptotic formula and not
+to the exact equation, there is a claim for each interpretation.
 
 - `d26` … `accuracy`: ε₀ of the standard racket; `d27`: the slope at the separatrix;
-- `d29`: the levels at which the tolerance is reached, exactly and by the linear formula, and
-  `lower_level_unturned`: by the integral of the appendix one of them is not;
-- `each_eps0_one_a`, `larger_ab_less_robust`, `linear_range`: what the formula is said to show;
-- `zero_on_separatrix`, `slow_on_separatrix`, …: what the figures are said to show.
+- `d29`: the levels at which the tolerance is reached, exactly and by the linear formula;
+  `lower_level_unturned`: the integral of the appendix does not give one of them;
+- `each_eps0_one_a`, `larger_ab_less_robust`, `linear_range`: conclusions drawn from the formula;
+- `zero_on_separatrix`, `slow_on_separatrix`, …: conclusions drawn from the figures.
 """
 
 from __future__ import annotations
@@ -127,7 +127,7 @@ d27 = number(
     where=display(27),
     expect=Verdict.REFUTED,
     amended_by=(slope_str_exact, slope_str_formula),
-    note="Read of ε(γ) itself; the number is that of −1/(4bε₀).",
+    note="The statement is about ε(γ) itself; the printed number is −1/(4bε₀).",
     fault=Fault.ROUNDING,
 )
 
@@ -180,7 +180,10 @@ lower_level = number(
     _LOWER,
     *(d08, one_turned_level, d19),
     where=line(262),
-    note="Below γ* = −0.00348 the sign S changes on the way, which the integral F does not count.",
+    note=(
+        "Below γ* = −0.00348 the sign S changes during the motion, "
+        "which the integral F does not take into account."
+    ),
 )
 
 _ends = (
@@ -202,8 +205,10 @@ longest_unturned = Claim(
     says=phase.xreplace({chi: pi / 2, gamma: -b * sin(edge) ** 2}) < Rational("3.0373"),
     given=_near_standard,
     proof=Evaluated(),
-    note="F(π/12, γ) at the least γ with which ψ = π/12 is reached, and where it is the turning "
-    "point: at χ = π/2 the motion has just come from there.",
+    note=(
+        "F(π/12, γ) at the smallest γ with which ψ = π/12 is "
+        "reached; there it is the turning point, reached at χ = π/2."
+    ),
 )
 
 _spare = Rational("3.0373") - longest_turn.says.rhs
@@ -232,7 +237,10 @@ d29 = Claim(
         upper_level_linear,
         lower_level_linear,
     ),
-    note="Read of ε(γ) itself, as d27 is; the numbers are those of the linear formula.",
+    note=(
+        "As in d27 the statement is about ε(γ) itself; the printed "
+        "numbers are those of the linear formula."
+    ),
     fault=Fault.ROUNDING,
 )
 lower_level_exists = number(
@@ -329,7 +337,10 @@ each_eps0_one_a = Claim(
     proof=Counterexample({"a1": fmpq(1, 1000), "a2": fmpq(1), "a3": fmpq(10)}),
     where=line(263),
     amended_by=(monotonicity,),
-    note="A continuous function that rises and falls takes values twice: 1/5 between the points.",
+    note=(
+        "A continuous function that increases and decreases takes "
+        "some values twice, here 1/5 between the points."
+    ),
 )
 
 _linear = printed.linear_defect(epsilon0, b, gamma)
@@ -345,7 +356,7 @@ fig_roban = Claim(
         ),
     ),
     where=line(267),
-    note="The line of exact flips in the linear formula.",
+    note="The line of exact flips by the linear formula.",
 )
 
 fig_psiphi = Claim(
@@ -395,7 +406,7 @@ initial_rate_is_angular_velocity = Claim(
     proof=Counterexample({"theta": fmpq(1), "dphi_dt": fmpq(1), "dpsi_dt": fmpq(1)}),
     where=line(283),
     amended_by=(angular_velocity_of_the_handle,),
-    note="The precession adds cos θ.",
+    note="The precession contributes cos θ.",
 )
 
 unstable_rotation_characterized = Claim(
@@ -414,7 +425,10 @@ fig_rob = Claim(
     given=(*shape_of_a_body, gamma + b * sin(psi) ** 2 > 0),
     proof=by(evaluating, trigonometry),
     where=line(283),
-    note="(ψ, dψ/dφ) → (−ψ, −dψ/dφ) takes motions to motions and Δψ to −Δψ; so about every π.",
+    note=(
+        "(ψ, dψ/dφ) → (−ψ, −dψ/dφ) maps motions to motions and Δψ to "
+        "−Δψ; the same holds about every multiple of π."
+    ),
     shown=r"V(-\psi, -S) = -V(\psi, S),\quad V(\psi+\pi, S) = V(\psi, S),\quad "
     r"V = \frac{d\psi}{d\phi}",
 )
@@ -451,7 +465,7 @@ slow_on_separatrix = Claim(
     proof=Counterexample({"psi": fmpq(3, 2)}),
     where=line(284),
     amended_by=(rate_at_the_top,),
-    note="It is slow near the unstable points only.",
+    note="It is slow only near the unstable points.",
 )
 
 separatrix_curve = Claim(
@@ -496,7 +510,7 @@ hyperbolic_levels = Claim(
     proof=Counterexample({"a1": fmpq(1), "b1": fmpq(3, 10), "a2": fmpq(10)}, (defect_is_one,)),
     where=line(291),
     amended_by=(nearly_hyperbolic, monotonicity),
-    note="The curves fall, as hyperbolas do, since ε₀ falls with a and with b.",
+    note="The level curves decrease, as hyperbolas do, since ε₀ decreases with a and with b.",
 )
 
 flip_of_no_flip = number(

@@ -1,8 +1,8 @@
 """Section 6: near and on the separatrix, and what becomes of it for a symmetric top.
 
 - `level_of_a_start`: γ from the initial flip angle and rate;
-- `turn_to_the_middle`, `time_of_a_turn`: the unstable points are reached
-  in infinite time only, and never crossed;
+- `turn_to_the_middle`, `time_of_a_turn`: reaching the unstable points takes infinite time, and they
+  are never crossed;
 - `cotangent_form`, `rest_of_the_time`, `hyperbolic_sine_at_most`, `angle_below_tangent`: ε₀ → π/2
   as b → 0;
 - `separatrix_horizontal`, `separatrix_equilibria`: the separatrix of a top with I₂ = I₃.
@@ -57,7 +57,7 @@ separatrix_is_followed = Claim(
     says="A motion that starts on the separatrix stays on it.",
     proof=all_of(gamma_conserved, separatrix_case),
     where=line(198),
-    note="γ is constant along it, and 0.",
+    note="γ is conserved, and it is 0 on the separatrix.",
 )
 
 _on_separatrix = _slow / (sqrt(_fast) * sqrt(b) * sin(psi))
@@ -99,7 +99,7 @@ time_of_a_turn = Claim(
     says=1 / dphi_dt >= I2 / M,
     given=(*ordered_moments, *tilted, *shape_of_a_body),
     proof=by(substituting(precession_rate)),
-    note="Infinitely many turns take infinite time.",
+    note="Hence infinitely many turns take infinite time.",
 )
 
 separatrix_infinite_time = Claim(
@@ -135,7 +135,7 @@ cotangent_form = Claim(
         multiplying(sqrt((a + b) / a) * sinh(_time) * cos(epsilon) / sin(epsilon)),
         *(roots, trigonometry),
     ),
-    note="The stable equation, upside down.",
+    note="The reciprocal of the stable equation.",
 )
 
 rest_of_the_time = Claim(
@@ -213,7 +213,7 @@ only_way_half_pi = Claim(
         step(equal(pi / 2, epsilon), multiplying(sympy.Rational(1, 2))),
     ),
     where=line(249),
-    note="At rest ψ_f = ψ₀: the symmetric motion then starts at π/2.",
+    note="At the equilibrium ψ_f = ψ₀; the symmetric motion then starts at π/2.",
 )
 
 label_claims(globals())

@@ -1,18 +1,18 @@
 """Every O, o and "hot" of the paper as printed, each judged with its constant or its witness.
 
-S = +1 throughout; constants are uniform on ab ≥ 1/4, 0 < b ≤ 1 unless they are of one body.
+S = +1 throughout. Constants are uniform on ab ≥ 1/4, 0 < b ≤ 1 unless they are for one body.
 
 - `d24`, `eps0` (in `asymptotics`): the remainder of the theorem, which is not exponentially small;
-  `d38`, `eqnew`: what the higher orders left out on the way are, with constants;
-- `u_flat_order`: u = O(λ²) holds, so that du/dλ is 0 at the origin, `dudlam`; it is far from sharp:
-  `u_exponentially_small`;
+  `d38`, `eqnew`: the higher orders omitted in its derivation, with constants;
+- `u_flat_order`: u = O(λ²) holds, so that du/dλ is 0 at the origin, `dudlam`; but this is far from
+  sharp: `u_exponentially_small`;
 - `d52`, `d56`, `d57`: the printed orders hold; `d52_true_order`, `d56_true_order` and
-  `d57_true_order` say what they are in truth, with lower and upper constants;
-- `eq_epsilon_gen`: ε is quadratically close to its tangent, with a constant for every shape with
-  ab ≥ 1/4, and near the printed line: `bend_everywhere`, `bend_carries`; without the remainder
-  (`d31`) or with −1/(4bε₀) for the slope (`eq_pavao`, `d58`) that is false, and so is the theorem
-  `prop1` as a whole;
-- `remark1`: ε₀ tends to zero exponentially; `remark1_speed`: not at the printed speed.
+  `d57_true_order` give the exact orders, with lower and upper constants;
+- `eq_epsilon_gen`: ε differs quadratically from its tangent, with a constant for every shape with
+  ab ≥ 1/4, and it is near the printed line: `bend_everywhere`, `bend_carries`. Without the
+  remainder (`d31`), or with the slope −1/(4bε₀) (`eq_pavao`, `d58`), this is false, and
+  so is the theorem `prop1` as a whole;
+- `remark1`: ε₀ tends to zero exponentially; `remark1_speed`: but not at the printed rate.
 """
 
 from __future__ import annotations
@@ -113,7 +113,7 @@ d38 = below(
     _square_rest,
     printed_as=equal((1 + b / a) * epsilon0**2 / 4 + hot, exp(-2 * sqrt(a * b) * _exponent)),
     where=display(38),
-    note="The higher orders are at most 1.84 ε₀² times the term before them.",
+    note="The higher orders are at most 1.84 ε₀² times the preceding term.",
     **_wide,
 )
 
@@ -150,7 +150,7 @@ u_exponentially_small = below(
     lam * epsilon_star**2,
     _log_ratio,
     put=_BY_U,
-    note="So u is smaller than every power of λ.",
+    note="Hence u is smaller than every power of λ.",
 )
 
 u_flat_order = below(
@@ -161,15 +161,17 @@ u_flat_order = below(
     _quadratic_u,
     put=_BY_U,
     where=display(46),
-    note="So u = O(λ²); true, and far from sharp: u is exponentially small.",
+    note="Hence u = O(λ²), which is true but far from sharp: u is exponentially small.",
 )
 
 dudlam = Claim(
     says="du/dλ(0, 0, 0) = 0, from λ ≥ 0: |u/λ| ≤ 0.009 λ uniformly in b, where u(0, 0) = 0.",
     proof=all_of(u_flat_order),
     where=display(46),
-    note="The paper has it by the implicit function theorem (`d44`), with a reason that must be "
-    "mended (`dmu_dlambda_zero`).",
+    note=(
+        "The paper obtains it by the implicit function theorem "
+        "(`d44`), with a reason that has to be corrected (`dmu_dlambda_zero`)."
+    ),
 )
 
 # -- the factors of the slope ---------------------------------------------------------------------
@@ -262,7 +264,7 @@ d52 = _printed_order(
     limit="0.31",
     gauge=_ab * epsilon0**2,
     error=_per_turn_square,
-    note="At S = 1. The true order is ε₀³.",
+    note="At S = 1. The exact order is ε₀³.",
 )
 
 d52_true_order = _true_order(
@@ -276,7 +278,7 @@ d56 = _printed_order(
     limit="0.96",
     gauge=1 / (4 * b * _ab * epsilon0),
     error=_turn_slope_times_defect,
-    note="At S = 1. The rest's true order is log(1/ε₀), which √(ab) is.",
+    note="At S = 1. The exact order of the remainder is log(1/ε₀), which is of the order of √(ab).",
 )
 
 d56_true_order = _true_order(
@@ -296,7 +298,7 @@ d57 = _printed_order(
     limit="0.18",
     gauge=1 / b,
     error=_slope_times_defect,
-    note="At S = 1: O(1) at fixed b. The true order is √(ab) ε₀.",
+    note="At S = 1: O(1) at fixed b. The exact order is √(ab) ε₀.",
 )
 
 d57_true_order = _true_order(
@@ -369,7 +371,7 @@ d31 = Claim(
     where=display(31),
     expect=Verdict.REFUTED,
     amended_by=(eq_epsilon_gen,),
-    note="A tangent, not the curve.",
+    note="This is the tangent, not the curve.",
     paper_says="“the idea is to express the angle ε close to γ = 0 as the sum of two terms.” Read "
     "as: up to O(γ²), as it is printed elsewhere.",
 )
@@ -416,14 +418,14 @@ bend_carries = Claim(
     means=Tuple(_beside_linear("0.03") < pi, _beside_linear("-0.03") > pi),
     given=(*standard_racket, gamma >= Rational(-1, 500), gamma <= Rational(1, 500)),
     proof=Evaluated((flip_defect,), certificate("bend_carries")),
-    note="It carries 60 % of the way to −4bε₀², where the formula leaves what is possible.",
+    note="This is 60 % of the way to −4bε₀², where the formula leaves the admissible range.",
 )
 
 curve_within = Claim(
     says=2 * k * x**2 / (b**2 * epsilon0) <= 2 * k * epsilon0 * x / b,
     given=(b > 0, epsilon0 > 0, k > 0, x >= 0, x <= b * epsilon0**2),
     proof=manifest,
-    note="x is |γ|, and k is √(ab).",
+    note="x stands for |γ|, and k for √(ab).",
 )
 
 bend_everywhere = Claim(
@@ -438,7 +440,7 @@ prop1 = Claim(
     proof=all_of(eq_pavao, d24),
     where=line(231),
     amended_by=(printed_leading_term, printed_error, repaired, eq_epsilon_gen, slope_leading_term),
-    note="The leading terms of ε₀ and of dε/dγ are right; neither remainder is.",
+    note="The leading terms of ε₀ and of dε/dγ are correct; the remainders are not.",
     fault=Fault.THEOREM,
 )
 
@@ -466,7 +468,7 @@ remark1_speed = Claim(
     says="For fixed a and b, ε tends to ε₀ with γ at the speed −1/(4bε₀).",
     where=line(243),
     amended_by=(eq_epsilon_gen, slope_leading_term),
-    note="It tends to ε₀; its speed is dε/dγ, whose leading term this is.",
+    note="It does tend to ε₀, but at the rate dε/dγ, of which this is the leading term.",
     fault=Fault.THEOREM,
     **printed_speed,
 )

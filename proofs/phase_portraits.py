@@ -1,14 +1,14 @@
 """Section 5, continued: the phase portraits of ψ and of θ.
 
 - `sign_constant_rotating`, `turning_points`: where dψ/dφ may change its sign;
-- display (14), `eq_borne_psi`: the flip stays between ψ_min and ψ_max, named by
-  `flip_bounds`; `flip_between`: no ψ outside them has this γ;
-- `linear_at_e2`, `linear_at_e3`: the planar system at its equilibria;
-- `width_of_flip`, `width_of_pendulum`: how far they swing;
+- display (14), `eq_borne_psi`: the flip stays between ψ_min and ψ_max, defined by `flip_bounds`;
+  `flip_between`: no ψ outside this interval occurs for this γ;
+- `linear_at_e2`, `linear_at_e3`: the planar system linearised at its equilibria;
+- `width_of_flip`, `width_of_pendulum`: the amplitudes of the oscillations;
 - (15), `d15`, and (16), `eq_dthetadphi`: the equation of the tilt, with S₂ the sign of
   sin ψ cos ψ;
-- (17), `eq_borne_theta`: the tilt stays between θ_min and θ_max, which `tilt_bounds_rotating` and
-  `tilt_bounds_oscillating` name.
+- (17), `eq_borne_theta`: the tilt stays between θ_min and θ_max, defined by `tilt_bounds_rotating`
+  and `tilt_bounds_oscillating`.
 """
 
 from tresym.proofs.axioms import MOTION
@@ -88,7 +88,7 @@ positive_only_if = Claim(
     proof=Counterexample({"b": fmpq(1, 2), "a": fmpq(1), "gamma": fmpq(-1, 8), "psi": fmpq(1)}),
     where=line(160),
     amended_by=(positive_beyond,),
-    note="There it vanishes; it is positive where sin²ψ > |γ|/b. The extremes are right.",
+    note="There it vanishes; it is positive where sin²ψ > |γ|/b. The extreme values are correct.",
     fault=Fault.MISPRINT,
 )
 
@@ -172,8 +172,10 @@ rest_points = Claim(
     given=shape_of_a_body,
     proof=by(evaluating, trigonometry),
     where=line(179),
-    note="The planar system rests at θ = π/2 with ψ = 0, π/2 or π. In the portrait of θ all of "
-    "them are the one point (π/2, 0).",
+    note=(
+        "The planar system is in equilibrium at θ = π/2 with ψ = 0, "
+        "π/2 or π. In the phase portrait of θ all of them are the single point (π/2, 0)."
+    ),
     shown=r"V\left(\tfrac{\pi}{2}, 0\right) = V\left(\tfrac{\pi}{2}, \tfrac{\pi}{2}\right) = "
     r"V\left(\tfrac{\pi}{2}, \pi\right) = 0,\quad "
     r"V = \left(\frac{d\theta}{d\phi}, \frac{d\psi}{d\phi}\right)",
@@ -209,8 +211,11 @@ equilibria_phase_portrait = Claim(
         symmetry_half,
     ),
     where=line(159),
-    note="γ, which is conserved, has its least value at ψ = θ = π/2, and only there modulo π: "
-    "stable. At ψ = 0 M is along e₂, and leaves it while φ grows: unstable.",
+    note=(
+        "γ, which is conserved, has its smallest value at ψ = θ = "
+        "π/2, and only there modulo π: stable. At ψ = 0 M is along "
+        "e₂, and leaves it while φ grows: unstable."
+    ),
 )
 
 correspond_e3_e2 = Claim(
@@ -244,7 +249,7 @@ width_of_flip = Claim(
     given=oscillating,
     proof=manifest,
     where=line(164),
-    note="From turning point to turning point, below π and as near to it as γ to 0.",
+    note="The distance of the turning points; it is below π and tends to π as γ tends to 0.",
 )
 
 _lift = Symbol("h", real=True)
@@ -260,7 +265,10 @@ amplitude_pi = Claim(
     says="The racket swings over less than π, a pendulum over less than 2π.",
     proof=all_of(width_of_flip, width_of_pendulum),
     where=line(164),
-    note="From end to end, which is twice what is often called amplitude; neither is reached.",
+    note=(
+        "The full width, which is twice what is often called the "
+        "amplitude; neither bound is attained."
+    ),
 )
 
 _swing, _speed = Symbol("q", real=True), Symbol("v", real=True)
@@ -283,7 +291,7 @@ linear_pendulum = Claim(
         equal(_linear_pendulum(pi), eigenvalue**2 - 1),
     ),
     proof=by(differentiation, trigonometry),
-    note="A centre below and a saddle above, once in every turn of 2π.",
+    note="A centre at the bottom and a saddle at the top, in every period of 2π.",
     shown=r"\ddot q = -\sin q:\quad \det(\lambda-A)|_{q=0} = \lambda^2+1,\quad "
     r"\det(\lambda-A)|_{q=\pi} = \lambda^2-1",
 )
@@ -314,7 +322,7 @@ heteroclinic_pi = Claim(
     "between them: a motion from one to the next turns by |Δψ| = π.",
     proof=all_of(unstable_on_separatrix, separatrix_moves, sign_constant_rotating),
     where=line(164),
-    note="On γ = 0 nothing rests between ψ = 0 and ψ = π. With S = −1 it is Δψ = −π.",
+    note="On γ = 0 there is no equilibrium between ψ = 0 and ψ = π. With S = −1 it is Δψ = −π.",
     quotes=(MOTION,),
 )
 
@@ -380,7 +388,7 @@ reference_to_section_2 = Claim(
     proof=Counterexample({"line": fmpq(103)}),
     where=line(179),
     amended_by=(said_in_section_3,),
-    note="A wrong label in the cross reference.",
+    note="The cross reference has a wrong label.",
     fault=Fault.MISPRINT,
 )
 
@@ -425,7 +433,7 @@ oscillating_tilt_between = Claim(
     says=equal(_above, (a + b) * sin(theta - theta_min) * sin(theta_max - theta)),
     given=oscillating,
     proof=by(substituting(tilt_bounds_oscillating), *_roots),
-    note="For θ in [0, π] not negative exactly between θ_min and θ_max, and zero at both.",
+    note="For θ in [0, π] this is non-negative exactly between θ_min and θ_max, and zero at both.",
 )
 
 rotating_tilt_between = Claim(
@@ -435,7 +443,7 @@ rotating_tilt_between = Claim(
     ),
     given=rotating,
     proof=by(substituting(tilt_bounds_rotating), *_roots),
-    note="For θ in [0, π/2] neither is negative exactly between θ_min and θ_max.",
+    note="For θ in [0, π/2] both are non-negative exactly between θ_min and θ_max.",
 )
 
 bounds_are_reached = Claim(
@@ -445,7 +453,7 @@ bounds_are_reached = Claim(
     ),
     given=_body,
     proof=by(substituting(eq_gamma), trigonometry),
-    note="Zero at ψ = π/2 and at ψ = 0: there the tilt is at a bound.",
+    note="Zero at ψ = π/2 and at ψ = 0: there the tilt attains a bound.",
 )
 
 eq_borne_theta = Claim(

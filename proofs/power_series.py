@@ -1,22 +1,24 @@
 """The series for ε₀ in powers of ε*²: what its coefficients are, and how large.
 
-With w = e², log(ε₀/ε*) = Q(w) says w = yφ(w), y = ε*² and φ = exp 2Q.
+With w = e², the equation log(ε₀/ε*) = Q(w) becomes w = yφ(w), where y = ε*² and φ = exp 2Q.
 
-*Coefficients.* For W(x, y) = x + yφ(W) and any H, ∂W/∂y = φ(W) ∂W/∂x. By `lagrange_step`, used
-n times, the n-th derivative of H(W) by y is the (n − 1)-th by x of φ(W)ⁿ H′(W) ∂W/∂x, which is
-φⁿH′ at y = 0. With H = exp Q the coefficient of yⁿ in ε₀/ε* is c_n = [wⁿ] exp((2n + 1)Q)/(2n + 1).
+*Coefficients.* For W(x, y) = x + yφ(W) and any H, ∂W/∂y = φ(W) ∂W/∂x. Applying `lagrange_step` n
+times shows that the n-th derivative of H(W) by y is the (n − 1)-th derivative by x of
+φ(W)ⁿ H′(W) ∂W/∂x, which is φⁿH′ at y = 0. With H = exp Q the coefficient of yⁿ in ε₀/ε* is
+c_n = [wⁿ] exp((2n + 1)Q)/(2n + 1).
 
 *Sizes.* By `exponent_slope` 1 − 2wQ′ is a product of power series. The coefficients of √w/sin √w
-are positive: those of u = 1/x − cot x by `cotangent_series` and then those of v = 1/sin x − 1/x by
-`cosecant_series`, one after the other, for on the right stand sums and products of earlier ones.
-So with sinh² for sin² and −R for R they are at most those of a function with positive
-coefficients, whose value at ρ is 1 + 2q (`majorant` in the code); those of Q are at most q/ρⁿ, as
-each term of a positive series is at most its sum, and |c_n| ≤ e^q (e^{2q}/ρ)ⁿ/(2n + 1).
+are positive: first those of u = 1/x − cot x by `cotangent_series`, then those of v = 1/sin x − 1/x
+by `cosecant_series`, by induction, since the right sides contain sums and products of earlier
+coefficients. Hence, with sinh² for sin² and −R for R, the coefficients are bounded by those of a
+function with positive coefficients, whose value at ρ is 1 + 2q (`majorant` in the code). The
+coefficients of Q are at most q/ρⁿ, since each term of a positive series is at most its sum, and
+|c_n| ≤ e^q (e^{2q}/ρ)ⁿ/(2n + 1).
 
-*Sum.* Where τ = y e^{2q}/ρ ≤ 1/4 the series for w has terms of at most ρτⁿ/n, in sum less than ρ
-(`stays_inside`), so that it may be put into that of Q, and solves w = yφ(w). It is real, hence
-w > 0, and √w solves the equation of ε₀, which has one root. What is left out after N terms is at
-most (13/5) τ^{N+1}/((2N + 3)(1 − τ)), by `geometric_tail` at most τ^N/(2N + 3).
+*Sum.* If τ = y e^{2q}/ρ ≤ 1/4, the series for w has terms of at most ρτⁿ/n, with a sum below ρ
+(`stays_inside`). It may therefore be substituted into the series of Q, and it solves w = yφ(w). It
+is real, hence w > 0, and √w solves the equation of ε₀, which has one root. The remainder after N
+terms is at most (13/5) τ^{N+1}/((2N + 3)(1 − τ)), and by `geometric_tail` at most τ^N/(2N + 3).
 """
 
 from tresym.proofs.conditions import defect, shape
@@ -60,14 +62,17 @@ cotangent_series = Claim(
     says=equal(x * Derivative(_u, x) + 2 * _u, x + x * _u**2),
     given=_half_turn,
     proof=by(differentiation),
-    note="On the left n + 2 times the coefficient, on the right sums of products of earlier ones.",
+    note=(
+        "On the left is n + 2 times the coefficient, on the right "
+        "are sums of products of earlier coefficients."
+    ),
 )
 
 cosecant_series = Claim(
     says=equal(x * Derivative(_v, x) + _v, _u + x * _u * _v),
     given=_half_turn,
     proof=by(differentiation),
-    note="On the left n + 1 times the coefficient.",
+    note="On the left is n + 1 times the coefficient.",
 )
 
 exponent_slope = Claim(

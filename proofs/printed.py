@@ -1,6 +1,6 @@
 """The numbers the paper prints, and what they are compared with.
 
-The numbers are text: nothing here is rounded, converted or corrected.
+The numbers are stored as text: nothing is rounded, converted or corrected.
 """
 
 from __future__ import annotations
@@ -26,13 +26,13 @@ MOMENTS = ("I1", "I2", "I3")
 
 
 def inputs(**printed: str | Rational | int) -> tuple[Basic, ...]:
-    """That symbols round to what is printed of them, or are exactly so."""
+    """Return the conditions that symbols round to their printed values, or equal exact values."""
     symbols = ((Symbol(name, real=True), is_) for name, is_ in printed.items())
     return tuple(Rounds(x, is_) if isinstance(is_, str) else equal(x, is_) for x, is_ in symbols)
 
 
 def moments(row: str, *names: str) -> tuple[Basic, ...]:
-    """That the moments, all or those named, are as a row of Table 1 prints them."""
+    """Return the conditions that moments (all, or those named) are as printed in Table 1."""
     texts = dict(zip(MOMENTS, TABLE_1[row][:3], strict=True))
     return inputs(**{name: str(texts[name]) for name in names or MOMENTS})
 
@@ -41,7 +41,7 @@ SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def typeset(text: str) -> str:
-    """A decimal as it stands in a sentence."""
+    """Return a decimal as it is printed in a sentence."""
     mantissa, _, exponent = text.partition("e")
     power = f"·10{str(int(exponent)).translate(SUPERSCRIPTS)}" if exponent else ""
     return mantissa.replace("-", "−") + power
@@ -56,7 +56,7 @@ def number(
     half_units: int = 1,
     **rest: Any,
 ) -> Claim:
-    """A claim that says a printed number, the sentence with it for ``{}``.
+    """Return a claim that states a printed number; it replaces ``{}`` in the sentence.
 
     The claims say what its symbols are.
     """

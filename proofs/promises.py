@@ -1,8 +1,8 @@
 """Abstract and introduction: what they promise, judged by what the proofs have shown.
 
-- `planar_constraint`: the one case treated before, I₃ = I₁ + I₂, in terms of the shape;
+- `planar_constraint`: the only case treated before the paper, I₃ = I₁ + I₂, in terms of the shape;
 - `abstract_general_formula`: the closed formula for bodies of every shape;
-- `abstract_flip`: the effect itself.
+- `abstract_flip`: the tennis racket effect itself.
 """
 
 from tresym.proofs.asymptotics import printed_error, uniform_formulas
@@ -31,7 +31,7 @@ planar_constraint = Claim(
     says="The case studied before, I₃ = I₁ + I₂, is that of the shapes with b = 1/(a + 2).",
     proof=all_of(d08, realizable),
     where=line(45),
-    note="These are the flat bodies; their shape has one parameter.",
+    note="These are the planar bodies; their shapes form a one-parameter family.",
 )
 
 _below_root = (
@@ -55,8 +55,11 @@ abstract_general_formula = Claim(
     proof=_far_off,
     where=line(38),
     amended_by=(one_flip_defect, uniform_formulas),
-    note="For a → 0 at fixed b the formula goes to 0 and the defect does not. The exact equation "
-    "has one root for every shape; the formula is its limit for large ab.",
+    note=(
+        "As a → 0 at fixed b the formula tends to 0 and the defect "
+        "does not. The exact equation has one root for every shape; "
+        "the formula is its limit for large ab."
+    ),
 )
 
 intro_any_body = Claim(

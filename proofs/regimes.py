@@ -1,11 +1,12 @@
 """Sections 3 and 4: oscillating and rotating motions, told apart by γ.
 
-- `energy_by_gamma`: 2I₂E, 2I₃E and 2I₁E against M², each as a multiple of γ, γ + b, a − γ;
-- `tilt_by_flip`: cos²θ from ψ alone, hence θ comes back when ψ has turned by π;
-- `theta_half`, `psi_unbounded`: for γ > 0 the handle stays on one side, ψ is unbounded;
-- `psi_half_oscillating`, `handle_crosses`: for γ < 0 the racket oscillates, the handle crosses;
+- `energy_by_gamma`: 2I₂E, 2I₃E and 2I₁E compared with M², as multiples of γ, γ + b, a − γ;
+- `tilt_by_flip`: cos²θ depends on ψ alone, so θ returns to its value when ψ has changed by π;
+- `theta_half`, `psi_unbounded`: for γ > 0 the handle stays on one side, and ψ is unbounded;
+- `psi_half_oscillating`, `handle_crosses`: for γ < 0 the racket oscillates, and the handle crosses
+  the plane;
 - `symmetry_half`: the symmetries of the planar system;
-- `depth_at_e1`, `depth_at_e3`: γ = a and γ = −b, and where the angles rest.
+- `depth_at_e1`, `depth_at_e3`: γ = a and γ = −b, and where the angles are constant.
 """
 
 from tresym.proofs.axioms import MOTION
@@ -74,7 +75,7 @@ three_regimes = Claim(
     says="γ < 0 for oscillating motions, γ > 0 for rotating ones, γ = 0 on the separatrix.",
     proof=all_of(energy_by_gamma, oscillating_case, rotating_case, separatrix_case),
     where=line(124),
-    note="The ends γ = a and γ = −b are the two stable rotations.",
+    note="The extreme values γ = a and γ = −b belong to the two stable rotations.",
 )
 
 fig_sphere_cases = Claim(
@@ -147,7 +148,7 @@ delta_theta_zero = Claim(
     "is the tilt of a handle that is on the same side of the plane (X, Y).",
     proof=all_of(tilt_by_flip, tilt_after_flip, tilt_near_flip),
     where=line(78),
-    note="This rests on the energy: cos²θ is a function of sin²ψ at given γ.",
+    note="This uses the energy: at given γ, cos²θ is a function of sin²ψ.",
 )
 
 _end = Symbol("theta_f", real=True)
@@ -164,7 +165,7 @@ components_are_sufficient = Claim(
     proof=Counterexample({"M": fmpq(1), "theta": fmpq(3, 2), "theta_f": fmpq(3, 4)}),
     where=line(102),
     amended_by=(delta_theta_zero,),
-    note="They give the length M for all angles; the conclusion needs the energy as well.",
+    note="They give the length M for all angles; the conclusion also needs the energy.",
 )
 
 _momentum = printed.momentum(theta, psi, M, sympy)
@@ -214,7 +215,7 @@ psi_unbounded = Claim(
         step(Integral(_at_most - _per_angle, (psi, 0, _turned)), collecting()),
     ),
     where=line(103),
-    note="Every angle Ψ is reached, after a finite precession; with S = −1 likewise −Ψ.",
+    note="Every angle Ψ is reached after a finite precession; for S = −1 likewise −Ψ.",
 )
 
 handle_side = Claim(
@@ -236,7 +237,10 @@ symmetry_half = Claim(
     given=shape_of_a_body,
     proof=by(evaluating, trigonometry),
     where=line(103),
-    note="(π − θ, −ψ) moves as (θ, ψ), so θ ≤ π/2 is no restriction; nor is a half turn of ψ.",
+    note=(
+        "With (θ, ψ) also (π − θ, −ψ) is a motion, so θ ≤ π/2 is no "
+        "restriction; nor is a shift of ψ by π."
+    ),
     shown=r"V(\pi-\theta, -\psi) = -V(\theta, \psi),\quad "
     r"V(\theta, \psi+\pi) = V(\theta, \psi),\quad "
     r"V = \left(\frac{d\theta}{d\phi}, \frac{d\psi}{d\phi}\right)",
@@ -257,8 +261,10 @@ handle_crosses = Claim(
     given=(*shape_of_a_body, sin(psi) ** 2 > 0, cos(psi) ** 2 > 0),
     proof=manifest,
     where=line(103),
-    note="At θ = π/2 the tilt changes at a rate other than 0, unless sin ψ or cos ψ is 0: a "
-    "handle that comes there goes through the plane.",
+    note=(
+        "At θ = π/2 the rate of the tilt is not 0, unless sin ψ or "
+        "cos ψ is 0, so the handle crosses the plane there."
+    ),
     quotes=(MOTION,),
 )
 
@@ -275,7 +281,9 @@ strict_range_of_shape = Claim(
     says=Tuple(a > 0, b > 0, 1 - b > 0),
     given=ordered_moments,
     proof=by(substituting(d08)),
-    note="No end is reached: b = 1 would need I₃ = ∞, and a = ∞ would need I₁ = 0.",
+    note=(
+        "Neither endpoint is attained: b = 1 would require I₃ = ∞, and a = ∞ would require I₁ = 0."
+    ),
 )
 
 _real = (*ordered_moments, I1 + I2 - I3 >= 0)
@@ -284,7 +292,9 @@ realizable_shape = Claim(
     says=Tuple(1 / (a + 2) - b >= 0, 1 - 2 * b > 0),
     given=_real,
     proof=by(substituting(d08)),
-    note="No moment of a rigid body exceeds the sum of the others, which the paper does not use.",
+    note=(
+        "No moment of a rigid body exceeds the sum of the two others; the paper does not use this."
+    ),
 )
 
 symmetric_top = Claim(
@@ -355,7 +365,10 @@ angles_rest_at_e1 = Claim(
     proof=Counterexample({"a": fmpq(1), "b": fmpq(1, 2), "psi": fmpq(0)}),
     where=line(140),
     amended_by=(ends_of_gamma,),
-    note="M rests there, while ψ turns steadily: the racket rotates about its handle.",
+    note=(
+        "M is constant there, while ψ grows at a constant rate: the "
+        "racket rotates about its handle."
+    ),
 )
 
 planar_system = Claim(

@@ -1,15 +1,15 @@
 """Rigid bodies: what I₃ ≤ I₁ + I₂ means for the shape, and how perfect a flip can be.
 
 - `realizable`: I₁ + I₂ − I₃ has the sign of 1 − b(a + 2);
-- `product_below_one`: ab < 1 for every rigid body, and `product_is_approached`: no less will do;
+- `product_below_one`: ab < 1 for every rigid body; `product_is_approached`: the bound 1 is sharp;
 - `rigid_body_floor`: on b = 1/(a+2) (planar bodies) ε₀ > 2 arctan e^{−π}, for every a > 0;
-- `floor_is_approached`: and ε₀ < 2 arctan e^{−π} + 1/(a+1) there, for every a ≥ 7, so it is the
-  infimum; with `monotonicity` that is so for every body, `floor_of_every_body`.
+- `floor_is_approached`: there ε₀ < 2 arctan e^{−π} + 1/(a+1) for every a ≥ 7, so this is the
+  infimum; by `monotonicity` the bound holds for every body, `floor_of_every_body`.
 
-With u = 1/(a + 1) planar bodies have μ = u and √(ab) = c/(1 + u), c = √(1 − u²). For the candidate
+With u = 1/(a + 1), planar bodies have μ = u and √(ab) = c/(1 + u), c = √(1 − u²). For the candidate
 e = 2 arctan e^{−π} (tan e = 1/sinh π, cos e = tanh π) the claim ε₀ > e is
-arsinh(c sinh π) > c/(1+u) (π + arcsin(u tanh π)); arsinh is concave, so the left side is at least
-cπ (`arsinh_concave`), and what is left is c u/(1+u) (π − arcsin(u tanh π)/u) > 0:
+arsinh(c sinh π) > c/(1+u) (π + arcsin(u tanh π)). Since arsinh is concave, the left side is at
+least cπ (`arsinh_concave`), and it remains to show c u/(1+u) (π − arcsin(u tanh π)/u) > 0:
 `floor_candidate`.
 """
 
@@ -44,7 +44,7 @@ product_is_approached = Claim(
     says="For planar bodies, b = 1/(a + 2), the product ab = a/(a + 2) tends to 1 as a → ∞.",
     means=order(equal(a / (a + 2), 1 + Function("o")(Integer(1))), a, oo),
     proof=Squeezed(Integer(2)),
-    note="So no bound below 1 holds for every rigid body.",
+    note="Hence no bound below 1 holds for every rigid body.",
 )
 
 _u = Symbol("u", real=True)
@@ -69,7 +69,7 @@ _angle = 2 * atan(exp(-pi))
 floor_angle = Claim(
     says=Tuple(equal(cos(_angle) / sin(_angle), sinh(pi)), equal(cos(_angle), tanh(pi))),
     proof=by(exponentials, inverses, trigonometry),
-    note="The candidate for the floor.",
+    note="The candidate for the lower bound.",
 )
 
 _turned = asin(_u * tanh(pi))
@@ -102,7 +102,7 @@ rigid_body_floor = Claim(
     says="ε₀ > 2 arctan e^{−π} = 0.08637… for every planar body, b = 1/(a + 2), a > 0.",
     kind="bound",
     proof=all_of(floor_candidate, *_planar, floor_angle),
-    note="At fixed a the defect decreases in b, so that planar bodies have the least.",
+    note="At fixed a the defect decreases in b, so planar bodies have the smallest.",
 )
 
 _above = _angle + _u
@@ -132,7 +132,7 @@ floor_is_approached = Claim(
 floor_of_every_body = Claim(
     says="2 arctan e^{−π} is the infimum of ε₀ over all rigid bodies, and none attains it.",
     proof=all_of(realizable, monotonicity, rigid_body_floor, floor_is_approached),
-    note="Of the bodies with one a, ε₀ decreases in b up to the planar b = 1/(a + 2).",
+    note="Among the bodies with the same a, ε₀ decreases in b up to the planar body b = 1/(a + 2).",
 )
 
 label_claims(globals())

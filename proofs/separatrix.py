@@ -38,7 +38,10 @@ d32 = Claim(
     given=(*shape, *defect),
     proof=Definition("one turn of the handle on the separatrix"),
     where=display(32),
-    note="The condition for the flip defect on the separatrix: one ε meets it (`one_flip_defect`).",
+    note=(
+        "The condition for the flip defect on the separatrix; "
+        "exactly one ε satisfies it (`one_flip_defect`)."
+    ),
 )
 
 d35 = Claim(
@@ -223,7 +226,7 @@ defect_is_one = Claim(
         ),
         at_high=(step(tanh(sqrt(a * b) * pi), exponentials, roots, trigonometry, inverses),),
     ),
-    note="It is the stable equation with the hyperbolic functions on one side.",
+    note="This is the stable equation, solved for tanh T.",
 )
 
 flip_defect = Claim(
@@ -241,7 +244,7 @@ vanishing_share = Claim(
     ),
     given=(*shape, *defect),
     proof=by(exponentials, roots, trigonometry),
-    note="The equation for the flip defect without its cancellation, where ε is small.",
+    note="The equation for the flip defect in a form without cancellation for small ε.",
 )
 
 leading_defect = Claim(

@@ -1,9 +1,9 @@
 """Sections 2 and 3: the permanent rotations and their stability.
 
-Around M along a principal axis, Euler's equations are linearised; the eigenvalues λ solve
-λ(λ² − …) = 0 exactly. Where λ² < 0 the energy on the sphere of M has a strict extremum, and the
-distance from the axis stays below a constant times what it was; where λ² > 0 one eigenvalue is
-positive, and a product of two components grows exponentially.
+Euler's equations are linearised at M along a principal axis; the eigenvalues λ solve
+λ(λ² − …) = 0 exactly. Where λ² < 0, the energy on the sphere of M has a strict extremum, and the
+distance from the axis stays below a constant times its initial value. Where λ² > 0, one eigenvalue
+is positive, and a product of two components grows exponentially.
 
 - `eigenvalues_e1`, `eigenvalues_e2`, `eigenvalues_e3`, and the signs of λ²;
 - `energy_near_e1`, `energy_near_e3`: the energy on the sphere of M, with its extrema;
@@ -74,14 +74,17 @@ energy_near_e1 = Claim(
     says=equal((M1**2 + M2**2 + M3**2) / I1 - 2 * E, _below_first),
     given=ordered_moments,
     proof=by(substituting(energy_of_momentum)),
-    note="At given M the energy is largest at M₂ = M₃ = 0, and nowhere else: a Lyapunov function.",
+    note=(
+        "At fixed length of M the energy is largest at M₂ = M₃ = 0, "
+        "and only there: a Lyapunov function."
+    ),
 )
 
 energy_near_e3 = Claim(
     says=equal(2 * E - (M1**2 + M2**2 + M3**2) / I3, _above_third),
     given=ordered_moments,
     proof=by(substituting(energy_of_momentum)),
-    note="At given M the energy is least at M₁ = M₂ = 0, and nowhere else.",
+    note="At fixed length of M the energy is smallest at M₁ = M₂ = 0, and only there.",
 )
 
 N1, N2, N3 = (Symbol(f"N{n}", real=True) for n in (1, 2, 3))
@@ -97,8 +100,11 @@ stays_near_e1 = Claim(
     says=M2**2 + M3**2 <= I2 * (I3 - I1) / (I3 * (I2 - I1)) * (N2**2 + N3**2),
     given=(*ordered_moments, _from_start(_below_first) >= 0),
     proof=manifest,
-    note="N is where M began, with as much energy and momentum. The distance stays as small as "
-    "one likes if it begins small enough: the rotation is stable.",
+    note=(
+        "N is the initial value of M, with the same energy and "
+        "length. The distance stays arbitrarily small if it is "
+        "sufficiently small at the start: the rotation is stable."
+    ),
 )
 
 stays_near_e3 = Claim(
@@ -159,7 +165,7 @@ sphere_at_rest = Claim(
     given=(I1 > 0,),
     proof=by(evaluating),
     shown=r"\left.(\dot M_1, \dot M_2, \dot M_3)\right|_{I_1=I_2=I_3} = (0, 0, 0)",
-    note="With three equal moments M stays where it is in the body.",
+    note="If the three moments are equal, M is constant in the body.",
 )
 
 any_rigid_body_is_unstable = Claim(
@@ -169,8 +175,11 @@ any_rigid_body_is_unstable = Claim(
     proof=Counterexample({"I1": fmpq(1), "I2": fmpq(1), "I3": fmpq(1), "M": fmpq(1)}),
     where=line(49),
     amended_by=(stable_e1, stable_e3, unstable_e2, sphere_at_rest),
-    note="True of three different moments: the formula is the square of the eigenvalue. A body "
-    "with three equal ones turns steadily about any axis.",
+    note=(
+        "True if the three moments are different: the formula is the "
+        "square of the eigenvalue. A body with three equal moments "
+        "rotates uniformly about any axis."
+    ),
 )
 
 _products = (M2 * M3, M1 * M3, M1 * M2)
@@ -185,7 +194,7 @@ permanent_rotations = Claim(
     ),
     given=ordered_moments,
     proof=together(*(by(multiplying(factor), substituting(eq_dMi)) for factor in _inverse)),
-    note="M rests exactly when two components vanish: at ±M along each of the three axes.",
+    note="M is constant exactly if two components vanish: at ±M along each of the three axes.",
 )
 
 _to = ((1, 0, 0), (0, -1, 0), (0, 0, 1))
@@ -205,7 +214,10 @@ three_equilibria = Claim(
     ),
     where=line(103),
     amended_by=(permanent_rotations,),
-    note="Each has an opposite, so there are six, and three up to the sign of M.",
+    note=(
+        "The opposite of each is an equilibrium, too, so there are "
+        "six, or three up to the sign of M."
+    ),
 )
 
 three_equilibria_and_opposites = Claim(
@@ -221,7 +233,7 @@ transverse_velocity = Claim(
     ),
     given=ordered_moments,
     proof=by(substituting(velocity_from_momentum, eq_Mi)),
-    note="The rotation across the handle is as small as sin θ, and zero only at p₊.",
+    note="The rotation perpendicular to the handle has the size of sin θ; it is 0 only at p₊.",
 )
 
 only_about_the_handle = Claim(

@@ -1,12 +1,12 @@
 """Section 7, continued: which starts show a flip.
 
-- `two_rectangles`: starts that flip by π within π/6, each of them;
-- `faster_at_higher_level`: f = dφ/dψ falls as γ grows, and `level_grows_with_the_rate`: γ grows
-  with the initial rate;
-- `near_flip_likely`: near enough to the unstable point no start flips; `likely_near`: in a
-  rectangle about it most do;
-- `far_from_separatrix`: where the standard racket shows no effect from any start, and
-  `no_tre_far`: the same, read literally.
+- `two_rectangles`: rectangles of initial conditions that all flip by π to within π/6;
+- `faster_at_higher_level`: f = dφ/dψ decreases as γ increases; `level_grows_with_the_rate`: γ
+  increases with the initial rate;
+- `near_flip_likely`: sufficiently near the unstable point no start flips; `likely_near`: in a
+  rectangle around it most starts flip;
+- `far_from_separatrix`: where the standard racket shows no effect from any start;
+  `no_tre_far`: the same statement, read literally.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ faster_at_higher_level = Claim(
     says=Derivative(printed.integrand(psi, a, b, gamma, 1, sympy), gamma) < 0,
     given=(*shape_of_a_body, gamma + b * _square > 0),
     proof=by(differentiation),
-    note="The flip angle turns faster, at every ψ, the larger γ is.",
+    note="At every ψ the flip angle changes faster for larger γ.",
 )
 
 level_grows_with_the_rate = Claim(
@@ -45,12 +45,12 @@ _level = _rate**2 * (1 - b * sin(psi0) ** 2) ** 2 / (a + b * sin(psi0) ** 2) - b
 
 
 def _time(level: Expr, start: Expr, end: Expr) -> Integral:
-    """Δφ in which ψ goes from ``start`` to ``end``."""
+    """Δφ while ψ goes from ``start`` to ``end``."""
     return Integral(printed.integrand(psi, a, b, level, 1, sympy), (psi, start, end))
 
 
 def _of_starts(label: str, least: str, low: str, high: str) -> Claim:
-    """That starts with ``least`` ≤ ψ₀ ≤ 1/10 and such rates flip by π within π/6 in one turn."""
+    """That starts with ``least`` ≤ ψ₀ ≤ 1/10 and such rates flip by π to within π/6 in one turn."""
     needed = [_time(_level, psi0, psi0 + flip) for flip in (5 * pi / 6, 7 * pi / 6)]
     ends = psi0 >= Rational(least), psi0 <= Rational(1, 10)
     return Claim(
@@ -82,7 +82,7 @@ share_of_the_rectangles = Claim(
         Rational(5, 8),
     ),
     proof=by(evaluating),
-    note="Of the half of the rectangle with dψ/dφ > 0; the other is its image.",
+    note="For the half of the rectangle with dψ/dφ > 0; the other half is its mirror image.",
 )
 
 likely_near = Claim(
@@ -90,8 +90,10 @@ likely_near = Claim(
     "π/6, for the standard racket.",
     proof=all_of(two_rectangles, share_of_the_rectangles, fig_rob),
     where=line(283),
-    note="A rectangle about the unstable point, such as the figure marks; likely is read as the "
-    "share of its area.",
+    note=(
+        "The rectangle about the unstable point corresponds to the "
+        "region marked in the figure; likely is read as a share of its area."
+    ),
 )
 
 near_flip_likely = Claim(
@@ -110,15 +112,20 @@ near_flip_likely = Claim(
     where=line(283),
     expect=Verdict.REFUTED,
     amended_by=(likely_near,),
-    note="The point itself is at rest, and so nearly are the starts next to it: none flips in one "
-    "turn. In a rectangle that is not too small most do.",
+    note=(
+        "The point itself is an equilibrium, and starts next to it "
+        "move slowly: none of them flips in one turn. In a rectangle "
+        "that is not too small most starts do."
+    ),
 )
 
 narrow_swing = Claim(
     says=asin(sqrt(-gamma / b)) > epsilon,
     given=(*oscillating, *defect, -gamma - b * sin(epsilon) ** 2 > 0),
     proof=(step(sqrt(-gamma / b) - sin(epsilon), applying("sin"), inverses, trigonometry),),
-    note="With ε = π/12, ψ_max − ψ_min = π − 2 arcsin √(|γ|/b) < 5π/6: no start flips enough.",
+    note=(
+        "With ε = π/12, ψ_max − ψ_min = π − 2 arcsin √(|γ|/b) < 5π/6, so no start flips far enough."
+    ),
 )
 
 _reached = _time(gamma, -pi / 12, pi / 2), _time(gamma, pi / 12, pi / 2)
@@ -133,7 +140,7 @@ symmetric_overshoots = Claim(
 every_start_overshoots = Claim(
     says="At γ = 0.0104 the standard racket flips by more than 7π/6 from every start.",
     proof=all_of(symmetric_overshoots, symmetric_is_extreme, faster_at_higher_level),
-    note="The symmetric start flips least there; and all flip by more at every larger γ.",
+    note="The symmetric start flips least there, and all starts flip further at every larger γ.",
 )
 
 far_from_separatrix = Claim(

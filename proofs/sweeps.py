@@ -1,8 +1,10 @@
 """Section 6, continued: a formula on one line for every shape, by one sweep of the phase equation.
 
-- `chart`: κ, by which large ab is looked at;
-- `sweep_from_pi`, `sweep_from_four`: the defect after one sweep, which puts a start into
-  P = π + arctan(√(b/a) tanh(√(ab) P)), as the code computes it;
+A sweep is one step of the fixed-point iteration P ↦ π + arctan(√(b/a) tanh(√(ab) P)), computed as
+in the code.
+
+- `chart`: κ, the coordinate for large ab;
+- `sweep_from_pi`, `sweep_from_four`: the defect after one sweep from P = π or P = 4;
 - `phase_from_pi`, `defect_from_pi`, `phase_from_four`, `defect_from_four`: the same after a step of
   Newton's method.
 """

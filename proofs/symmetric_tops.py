@@ -69,8 +69,10 @@ one_circle_e1 = Claim(
     proof=Counterexample({"a": fmpq(1), "M": fmpq(2), "M1": fmpq(1), "N1": fmpq(-1)}),
     where=line(112),
     amended_by=(depth_b_zero, circle_e1),
-    note="They meet in two, M₁ = ±M√(γ/a), of which a solution takes one; on the separatrix the "
-    "two are one.",
+    note=(
+        "They intersect in two circles, M₁ = ±M√(γ/a), and a "
+        "solution stays on one of them; on the separatrix the two coincide."
+    ),
 )
 
 _rates = printed.angle_rates(theta, psi, M, I1, I2, I3, sympy)

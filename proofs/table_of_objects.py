@@ -3,13 +3,13 @@
 Inputs and outputs are intervals of half a unit in the last printed place. For each row:
 
 - `…_order`: the moments are in the order I₁ < I₂ < I₃ that the paper assumes;
-- `…_realizable`: a rigid body can have them;
+- `…_realizable`: a rigid body can have these moments;
 - `…_a`, `…_b`: the shape from the printed moments;
 - `…_epsilon0`, `…_flip`: the flip defect by the exact equation,
   `…_epsilon0_formula`, `…_flip_formula`: the same by the paper's asymptotic formula, and
-  `…_flip_from_epsilon0`: the last column from the one before it.
+  `…_flip_from_epsilon0`: the last column computed from the column before it.
 
-They are computed from the moments where the row has usable ones, else from its printed a and b.
+They are computed from the moments if the row has usable ones, else from its printed a and b.
 """
 
 from __future__ import annotations
@@ -104,7 +104,7 @@ def _row(row: str) -> tuple[Claim, ...]:
 
 
 def _realizable(row: str, label: str, **rest: Any) -> Claim:
-    """The moments as printed are those of a rigid body: none exceeds the sum of the others."""
+    """The moments as printed are those of a rigid body: none exceeds the sum of the two others."""
     texts = dict(zip(MOMENTS, TABLE_1[row][:3], strict=True))
     return Claim(
         label=label,
@@ -118,7 +118,7 @@ def _realizable(row: str, label: str, **rest: Any) -> Claim:
 
 
 def _excess(row: str, least: int, relation: Basic) -> Claim:
-    """By how much one of the printed moments exceeds the sum of the others."""
+    """By how much one of the printed moments exceeds the sum of the two others."""
     texts = dict(zip(MOMENTS, TABLE_1[row][:3], strict=True))
     return Claim(
         label=f"{row.replace('-', '_')}_excess",
@@ -132,7 +132,7 @@ def _excess(row: str, least: int, relation: Basic) -> Claim:
 
 
 def _impossible(row: str, least: int, relation: Basic) -> tuple[Claim, Claim]:
-    """That a row is of no rigid body, and by how much."""
+    """That no rigid body has the moments of a row, and by how much."""
     excess = _excess(row, least, relation)
     label = f"table_{row.replace('-', '_')}_realizable"
     refuted: dict[str, Any] = {"expect": Verdict.REFUTED, "amended_by": (excess,)}

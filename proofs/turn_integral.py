@@ -42,7 +42,7 @@ d48 = Claim(
         step(None, changing_variable(pi - psi)),
     ),
     where=display(48),
-    note="The second half is the first, run backwards.",
+    note="The second half is the first half run backwards.",
 )
 
 d49 = Claim(says=equal(F, _turn(gamma)), given=_rotating, proof=Definition(), where=display(49))
@@ -52,7 +52,10 @@ one_turn = Claim(
     given=(*shape, b < 1, *defect, gamma >= 0),
     proof=Definition("one turn of the handle, before the motion turns back"),
     where=display(49),
-    note="What one turn of the handle means, by d48, while the motion has not turned.",
+    note=(
+        "The condition of one turn of the handle, by d48, for "
+        "motions before their first turning point."
+    ),
 )
 
 level_line = Claim(
@@ -228,7 +231,7 @@ one_rotating_level = Claim(
     proof=Monotone(
         (step(Integral(_fall, (psi, epsilon, pi / 2)), differentiating_integral(-_fall)),)
     ),
-    note="F falls as γ, here c, grows.",
+    note="F decreases as γ, here c, increases.",
 )
 
 label_claims(globals())

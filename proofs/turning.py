@@ -1,24 +1,24 @@
 """Beyond the paper: an oscillating motion followed through its turning points.
 
-There f is infinite, and F says no more. With
+At the turning points f is infinite, so F does not describe the motion beyond them. With
 
     Q = a + b sin²χ − γ cos²χ,  R = ab cos²χ − γ(b + a sin²χ),
     N = (1−b)(a−γ) cos²χ + (a+b)(1+γ) sin²χ,
 
-none of them negative for γ < 0, the curve
+none of which is negative for γ < 0, the curve
 
     cot ψ = √((a+b)(γ+b)/R) sin χ,  cos θ = √((γ+b)/(a+b)) cos χ
 
 is the motion (`unfolded_motion`): it turns at χ = π/2, 3π/2, … and is at ψ = π/2 at χ = 0, π, ….
-The precession back from χ = 0 is Φ(χ, γ) = ∫₀^χ N/(Q√R) dx, which is F until the motion turns
-(`unfolded_turn`), and ε(γ) is ψ where Φ(χ, γ) = π:
+The precession back from χ = 0 is Φ(χ, γ) = ∫₀^χ N/(Q√R) dx, which equals F until the motion turns
+(`unfolded_turn`), and ε(γ) is the ψ at which Φ(χ, γ) = π:
 
-- `longest_turn`: F(e, γ) is below Φ of the motion that turns at e, whatever γ;
-- `unfolded_decrease`: χ falls as γ rises, while 0 < χ < π;
-- `turned_decrease`: dε/dγ < 0 for π/2 ≤ χ < π, once the motion has turned;
+- `longest_turn`: F(e, γ) is less than Φ of the motion that turns at e, for every γ;
+- `unfolded_decrease`: χ decreases as γ increases, while 0 < χ < π;
+- `turned_decrease`: dε/dγ < 0 for π/2 ≤ χ < π, after the first turning point;
 - `beyond_right_angle`: ε > π/2 for π < χ < 2π;
-- `slope_at_turns`: dε/dγ is ∓1/(2√(−γ(γ+b))) at χ = π/2 and 3π/2: there ε rises;
-- `phase_at_bottom`: Φ(π, −b) = π(1−b)/√(b(a+b)), and `body_stays_below`, `others_do_not`: it is at
+- `slope_at_turns`: dε/dγ is ∓1/(2√(−γ(γ+b))) at χ = π/2 and 3π/2: at the latter ε increases;
+- `phase_at_bottom`: Φ(π, −b) = π(1−b)/√(b(a+b)); `body_stays_below`, `others_do_not`: it is at
   least π exactly for b ≤ 1/(a+2).
 """
 
@@ -37,7 +37,7 @@ chi, chi_rate = (Symbol(name, real=True) for name in ("chi", "chiprime"))
 
 
 class _Unfolded:
-    """The motion on ``level`` < 0 as a function of χ = ``angle``: see the head of this file."""
+    """The motion on ``level`` < 0 as a function of χ = ``angle``; see the module docstring."""
 
     def __init__(self, level: Expr, angle: Expr) -> None:
         square, rest = sin(angle) ** 2, cos(angle) ** 2
@@ -66,8 +66,10 @@ unfolded_motion = Claim(
     ),
     given=(*oscillating, b < 1),
     proof=by(differentiation, trigonometry, roots),
-    note="The curve solves the planar system, φ falling at the rate N/(Q√R), and passes ψ = π/2 "
-    "at χ = 0.",
+    note=(
+        "The curve solves the planar system, with φ decreasing at "
+        "the rate N/(Q√R), and passes ψ = π/2 at χ = 0."
+    ),
 )
 
 phase = Integral(_here.rate, (x, 0, chi))
@@ -80,7 +82,7 @@ unfolded_turn = Claim(
     given=(*oscillating, chi > 0, chi < pi / 2),
     knowing=(Under(gamma + b * sin(_here.flip) ** 2 > 0, (x >= 0, x <= chi)),),
     proof=by(changing_variable(_here.flip)),
-    note="Before the motion has turned Φ is F.",
+    note="Before the first turning point Φ equals F.",
 )
 
 edge, higher = Symbol("e", real=True), Symbol("d", real=True)
@@ -114,7 +116,7 @@ longest_turn = Claim(
     ),
     shown=r"\int_e^{\frac{\pi}{2}}f(\psi, \gamma)\,d\psi \le "
     r"\Phi\left(\frac{\pi}{2}, -b\sin^2e\right),\quad \gamma = d-b\sin^2e",
-    note="F falls as the level rises, from Φ of the motion that turns at e.",
+    note="F decreases as the level increases, from Φ of the motion that turns at e.",
 )
 
 
@@ -133,7 +135,7 @@ precession_goes_on = Claim(
     ),
     given=(*oscillating, b < 1, _y >= 0, _y <= 1),
     proof=manifest,
-    note="N and R, with y for sin²χ.",
+    note="The signs of N and R, with y for sin²χ.",
 )
 
 _always = Instance(precession_goes_on, ((_y, sin(chi) ** 2),))
@@ -156,7 +158,7 @@ one_time = Claim(
             ),
         )
     ),
-    note="Φ rises with χ.",
+    note="Φ increases with χ.",
 )
 
 flip_defect_on_level = _end.flip.xreplace({chi: TheRoot(*_one_time.args)})
@@ -175,7 +177,7 @@ half_a_turn_before = Claim(
     says=equal(_phase(c), pi),
     given=(*shape, c > -b, c < 0, *half_time),
     proof=Definition(assumes="half a turn of the handle, at the time chi before psi = pi/2"),
-    note="Where ε is read.",
+    note="The point at which ε is defined.",
 )
 
 unfolded_slope = Claim(
@@ -280,7 +282,7 @@ one_turned_level = Claim(
             ),
         )
     ),
-    note="Φ rises with γ, here c, and so does χ.",
+    note="Φ increases with γ, here c, and so does χ.",
 )
 
 label_claims(globals())

@@ -96,7 +96,7 @@ CONDITION_MISSING = {
     r"\[ y = \frac{67968}{22} = 3089 \]": "the numbers may be rounded",
     r"\[ \frac{32}{3} \approx 10.66 + 0.01 \]": "",
     r"We reach \[ 0 = 12 \]": "a contradiction may be meant",
-    r"\[ \frac{6-3}{1} \stackrel{?}{=} \frac{6-1}{2} \]": r"the relation \questioned is not supported",
+    r"\[ \frac{6-3}{1} \stackrel{?}{=} \frac{6-1}{2} \]": r"\questioned is not supported",
     "It is $f(x) = x^2$.\n\nNow \\[ f(2) = 5 \\]": "f is defined in another paragraph",
     "Let $y = \\sin x$.\n\nWe get \\[ A = y^2 = 2\\sin x \\]": "defined in another paragraph",
 }

@@ -119,4 +119,4 @@ def test_the_racket_paper_without_and_with_the_notes_that_are_shipped(
     assert {9, 10, 12, 13, 15, 16, 40} <= proved
     paper.write_bytes(PAPERS[0].read_bytes().replace(rb"\cos\theta}{1-b", rb"\sin\theta}{1-b"))
     assert main(["paper", str(paper), "--notes", str(notes)]) == 2
-    assert "is not the one it speaks of" in capsys.readouterr().err
+    assert "the hash is not that of display" in capsys.readouterr().err

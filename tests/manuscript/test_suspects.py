@@ -160,3 +160,50 @@ def test_check_suggests_unless_told_not_to(
 ) -> None:
     assert main(["check", "sqrt(x**2) == x", *words]) == 1
     assert capsys.readouterr().out.count("given x >= 0 (given x >= 0)") == count
+
+
+@pytest.mark.parametrize(
+    ("text", "first"),
+    [
+        (
+            r"An approximation is \[ \sin 2x + 1 = 2\sin x\cos y + 1 = 1 + 2\cos x\sin x. \]",
+            "SUSPECT",
+        ),
+        (r"To solve it, write \[ (x+1)^2 - 1 = x^2 + 3x = x(x+2). \]", "SUSPECT"),
+        (r"An approximation is \[ 3 + 4 = 8 = 7. \]", "SUSPECT"),
+        (r"To first order \[ \sqrt{2} + 1/2 = \sqrt{2} + 1/3 \approx 1.91. \]", "SUSPECT"),
+        (r"To first order \[ \sqrt{2} + 1/2 = \sqrt{2} + 1/3 \approx 1.99. \]", "UNDECIDED"),
+        (r"Solve \[ 3x + 4 = x^2 = 2x + 5. \]", "EQUATION"),
+        (r"Solve \[ \sin 2x = 2\sin x = \sin x. \]", "EQUATION"),
+    ],
+)
+def test_a_wrong_term_inside_a_chain_whose_ends_agree(
+    text: str, first: str, tmp_path: Path
+) -> None:
+    assert statuses(tmp_path, text)[0] == first
+
+
+def test_an_identity_before_an_equation_does_not_make_that_a_misprint(tmp_path: Path) -> None:
+    text = r"Solve \[ \sin 2x = 2\sin x\cos x = \cos x. \]"
+    assert statuses(tmp_path, text)[0] == "PROVED"
+    assert statuses(tmp_path, text)[1] != "SUSPECT"
+
+
+def test_a_constant_of_integration_on_both_sides_is_no_unknown(tmp_path: Path) -> None:
+    text = r"We have \[ x\sin 2x + C = 2x\sin x\sin x + C. \]"
+    assert statuses(tmp_path, text) == ["SUSPECT"]
+
+
+@pytest.mark.parametrize(
+    ("words", "status"),
+    [
+        (r"\small", "REFUTED"),
+        ("Using the order $dy\\,dx$ we find", "REFUTED"),
+        ("To the order $x^2$ we find", "UNDECIDED"),
+        ("For small values", "UNDECIDED"),
+    ],
+)
+def test_sizes_of_type_and_orders_of_integration_are_no_approximations(
+    words: str, status: str, tmp_path: Path
+) -> None:
+    assert statuses(tmp_path, rf"{words} \[ \frac{{1}}{{2}} + \frac{{1}}{{3}} = 1. \]") == [status]

@@ -1,7 +1,8 @@
 """Search for a Coq proof: try candidates one after the other and keep the first that holds.
 
-What is written is a file by itself: the language and its lemmas, the statement, the proof that was
-found, and the command that prints what it rests on. Coq is run here and nowhere else in tresym.
+The resulting file is self-contained: definitions and lemmas (``Tresym.v``), the statement, the
+proof, and the command that prints its assumptions. Only this module and `tresym.coq.coqtop` run
+Coq.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ from tresym.coq.statement import Theorem
 from tresym.coq.stepwise_equations import stepwise
 from tresym.reals.numbers.exact import InputError
 
-MISSING = "coqc is not installed here, so that Coq has not been asked"
+MISSING = "coqc is not installed, so the proof has not been checked by Coq"
 _REALS = {
     "ClassicalDedekindReals.sig_not_dec",
     "ClassicalDedekindReals.sig_forall_dec",
@@ -34,11 +35,11 @@ _REALS = {
 
 @dataclass(frozen=True)
 class Outcome:
-    """What Coq said of a file.
+    """The result of an export.
 
     Attributes:
-        accepted: None where Coq is not installed.
-        says: a sentence.
+        accepted: whether Coq accepts the file; None if Coq is not installed.
+        says: a sentence for the user.
         text: the file.
     """
 
@@ -48,7 +49,7 @@ class Outcome:
 
 
 def proofs(theorem: Theorem) -> Iterator[str]:
-    """Proofs to try, the likeliest first."""
+    """Yield proofs to try, the most likely first."""
     try:
         if theorem.relation == "==":
             yield from equation_proofs(theorem)
@@ -59,7 +60,12 @@ def proofs(theorem: Theorem) -> Iterator[str]:
 
 
 def export(theorems: Sequence[Theorem], seconds: float = 120) -> Outcome:
-    """A file that proves the theorems, and what Coq says of it."""
+    """Search for proofs of the theorems and let Coq check the complete file.
+
+    Args:
+        theorems: the theorems.
+        seconds: wall time for the search, and again for the final check.
+    """
     if shutil.which("coqc") is None:
         found = [next(proofs(theorem), None) for theorem in theorems]
         return Outcome(None, MISSING, file_of(theorems, found))
@@ -74,14 +80,16 @@ def export(theorems: Sequence[Theorem], seconds: float = 120) -> Outcome:
                 return Outcome(False, says, file_of(theorems, found))
             found.append(proof)
     text = file_of(theorems, found)
-    accepted, said, took = run(text, seconds)
+    accepted, output, took = run(text, seconds)
     if not accepted:
-        return Outcome(False, f"Coq does not accept the proof ({said})", text)
-    return Outcome(True, f"accepted by Coq {version()} in {took:.1f} s; {assumptions(said)}", text)
+        return Outcome(False, f"Coq does not accept the proof ({output})", text)
+    return Outcome(
+        True, f"accepted by Coq {version()} in {took:.1f} s; {assumptions(output)}", text
+    )
 
 
 def file_of(theorems: Sequence[Theorem], found: Sequence[str | None]) -> str:
-    """The file: language, statements, proofs, and what they rest on."""
+    """Return the file: prelude, statements, proofs, and ``Print Assumptions`` commands."""
     parts = ["(* Written by tresym. *)\n", prelude()]
     for theorem, proof in zip(theorems, found, strict=False):
         if proof is not None:
@@ -92,7 +100,13 @@ def file_of(theorems: Sequence[Theorem], found: Sequence[str | None]) -> str:
 
 
 def found_by(theorem: Theorem, coq: Dialogue, deadline: float) -> str | None:
-    """The first proof that Coq accepts."""
+    """Return the first proof that Coq accepts before the deadline, or None.
+
+    Args:
+        theorem: the theorem.
+        coq: a running Coq process.
+        deadline: a time of ``time.monotonic()``.
+    """
     for proof in dict.fromkeys(proofs(theorem)):
         left = deadline - time.monotonic()
         if left <= 0:
@@ -105,7 +119,7 @@ def found_by(theorem: Theorem, coq: Dialogue, deadline: float) -> str | None:
 
 
 def by_steps(theorem: Theorem, coq: Dialogue, deadline: float) -> str | None:
-    """A proof of an equation that is found by asking Coq after each step."""
+    """Prove an equation step by step, asking Coq after every step; None if that fails."""
 
     def begin() -> None:
         coq.begin()
@@ -122,7 +136,7 @@ def by_steps(theorem: Theorem, coq: Dialogue, deadline: float) -> str | None:
 
 
 def run(text: str, seconds: float) -> tuple[bool, str, float]:
-    """Whether coqc accepts the text, what it printed, and the time it took."""
+    """Run coqc on the text; return whether it accepts it, its output or error, and the time."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "claim.v"
         path.write_text(text, encoding="utf-8")
@@ -136,7 +150,7 @@ def run(text: str, seconds: float) -> tuple[bool, str, float]:
                 timeout=seconds,
             )
         except subprocess.TimeoutExpired:
-            return False, "its time was over", seconds
+            return False, f"Coq did not finish within {seconds:g} s", seconds
     took = time.perf_counter() - start
     if done.returncode == 0:
         return True, done.stdout, took
@@ -146,15 +160,15 @@ def run(text: str, seconds: float) -> tuple[bool, str, float]:
 
 @cache
 def version() -> str:
-    """The version of Coq."""
+    """Return the version of the installed Coq."""
     done = subprocess.run(["coqc", "--version"], capture_output=True, text=True, check=True)
     match = re.search(r"version (\S+)", done.stdout)
     return match[1] if match else "?"
 
 
-def assumptions(said: str) -> str:
-    """What ``Print Assumptions`` printed, in a sentence."""
-    found = set(re.findall(r"^([^\s:]+)\s*:", said, re.MULTILINE)) - {"Axioms"}
+def assumptions(output: str) -> str:
+    """Summarise the output of ``Print Assumptions`` in a sentence."""
+    found = set(re.findall(r"^([^\s:]+)\s*:", output, re.MULTILINE)) - {"Axioms"}
     names = {name for name in found if not name.startswith("make")}
     others = sorted(name for name in names if name not in _REALS)
     numbers = [

@@ -11,15 +11,19 @@ from tresym.reals.language.formula import Relation
 
 
 def theorems(statement: Statement, name: str = "claim") -> list[Theorem]:
-    """A theorem for each comparison of a claim.
+    """Return a theorem for each comparison of a claim.
+
+    Args:
+        statement: the parsed claim.
+        name: the name of the theorem; numbered if there are several comparisons.
 
     Raises:
-        NotExportedError: a kind of claim that has no statement yet.
+        NotExportedError: this kind of claim cannot be exported yet.
     """
     if statement.path is not None:
         raise NotExportedError("orders and limits are not exported to Coq yet")
     if statement.equations or statement.integers:
-        raise NotExportedError("conditions that are no inequalities are not exported to Coq yet")
+        raise NotExportedError("only inequalities are exported to Coq as conditions yet")
     if not all(elementary(c.left, c.right) for c in statement.comparisons):
         raise NotExportedError("integrals, sums and unknown functions are not exported to Coq yet")
     count = len(statement.comparisons)
@@ -31,10 +35,15 @@ def theorems(statement: Statement, name: str = "claim") -> list[Theorem]:
 
 
 def theorem(claim: Comparison, given: tuple[Condition, ...] = (), name: str = "claim") -> Theorem:
-    """One comparison under conditions.
+    """Return the theorem for one comparison.
+
+    Args:
+        claim: the comparison.
+        given: the conditions.
+        name: the name of the theorem.
 
     Raises:
-        NotExportedError: derivatives other than one side of an equation.
+        NotExportedError: the claim contains a derivative that is not one side of an equation.
     """
     left, right, by = claim.left, claim.right, None
     parts = needs([left, right, *(side for x, _, y in given for side in (x, y))])
@@ -58,5 +67,5 @@ def theorem(claim: Comparison, given: tuple[Condition, ...] = (), name: str = "c
 
 
 def _plain(e: Expr, relation: str) -> bool:
-    """Whether it says of a rational number what is seen."""
+    """Return whether the relation is obvious, because it is about a rational number."""
     return e.op == "number" and bool(e.args[0] > 0 or (relation == ">=" and e.args[0] == 0))

@@ -28,13 +28,13 @@ _SENTENCE = re.compile(r".*?\.(?=\s|$)", re.DOTALL)
 
 @cache
 def prelude() -> str:
-    """The text of Tresym.v."""
+    """Return the text of ``Tresym.v``."""
     return files("tresym.coq").joinpath("Tresym.v").read_text(encoding="utf-8")
 
 
 @cache
 def library(lemmas: str = "") -> tempfile.TemporaryDirectory[str]:
-    """A folder that holds Tresym.v, compiled, and these lemmas as Racket.v."""
+    """Compile ``Tresym.v`` and ``lemmas`` (as ``Racket.v``) into a temporary folder."""
     folder = tempfile.TemporaryDirectory()
     for name, text in (("Tresym.v", prelude()), ("Racket.v", lemmas)):
         (Path(folder.name) / name).write_text(text, encoding="utf-8")
@@ -44,13 +44,13 @@ def library(lemmas: str = "") -> tempfile.TemporaryDirectory[str]:
 
 
 class Dialogue:
-    """One coqtop that has read Tresym.v, and lemmas; it is begun anew where it does not answer."""
+    """A coqtop process that has loaded ``Tresym.v`` and lemmas; it is restarted if it hangs."""
 
     def __init__(self, patience: int = SENTENCE_SECONDS, lemmas: str = "") -> None:
         self.patience = patience
         self.lemmas = lemmas
         self.process: subprocess.Popen[bytes] | None = None
-        self.folder = tempfile.TemporaryDirectory()  # for the caches of its arithmetic
+        self.folder = tempfile.TemporaryDirectory()  # for the cache files of its arithmetic
 
     def __enter__(self) -> Dialogue:
         return self
@@ -67,7 +67,7 @@ class Dialogue:
         self.process = None
 
     def begin(self) -> None:
-        """Begin the process, where there is none."""
+        """Start the process if it is not running."""
         if self.process is None:
             self.process = subprocess.Popen(
                 ["coqtop", "-q", "-Q", library(self.lemmas).name, ""],
@@ -79,14 +79,19 @@ class Dialogue:
             self.said(HEAD + "Require Import Racket.\n", 120)
 
     def holds(self, sentence: str) -> bool:
-        """Whether Coq takes the sentence; where it does not, all is as it was before."""
-        said = None if self.process is None else self.said(sentence, self.patience)
-        if said is None:
+        """Return whether Coq accepts the sentence; an error leaves its state unchanged."""
+        answer = None if self.process is None else self.said(sentence, self.patience)
+        if answer is None:
             self.end()
-        return said is not None and "Error:" not in said
+        return answer is not None and "Error:" not in answer
 
     def accepts(self, text: str, seconds: float) -> bool:
-        """Whether Coq reads the text without an error; what it defines stays defined."""
+        """Return whether Coq accepts the text without an error; its definitions remain in force.
+
+        Args:
+            text: sentences of Coq.
+            seconds: CPU seconds for the whole text.
+        """
         self.begin()
         assert self.process is not None
         begun = _worked(self.process.pid)
@@ -94,19 +99,21 @@ class Dialogue:
             if _worked(self.process.pid) - begun > seconds:
                 self.said("Abort All.", 60)
                 return False
-            said = self.said(sentence, self.patience)
-            if said is None:
+            answer = self.said(sentence, self.patience)
+            if answer is None:
                 self.end()
                 return False
-            if "Error:" in said:
+            if "Error:" in answer:
                 self.said("Abort All.", 60)
                 return False
         return True
 
     def said(self, sentence: str, seconds: float) -> str | None:
-        """What Coq says to it, None where it says nothing after so long at work.
+        """Send a sentence and return Coq's answer; None if it hangs.
 
-        It is interrupted after these seconds of the processor, however busy the machine is.
+        Args:
+            sentence: one sentence.
+            seconds: CPU seconds after which Coq is interrupted; the answer then counts as an error.
         """
         assert self.process is not None
         assert self.process.stdin is not None
@@ -133,7 +140,7 @@ class Dialogue:
 
 
 def _worked(process: int) -> float:
-    """The seconds of the processor that a process has had; where that is not told, the clock's."""
+    """Return the CPU seconds that a process has used; wall time where /proc is missing."""
     try:
         fields = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()
     except OSError:
@@ -142,6 +149,6 @@ def _worked(process: int) -> float:
 
 
 def accepted(texts: Sequence[str]) -> list[bool]:
-    """Of each text whether Coq accepts it."""
+    """Return for each text whether Coq accepts it."""
     with Dialogue() as coq:
         return [coq.accepts(text, TEXT_SECONDS) for text in texts]

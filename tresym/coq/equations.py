@@ -1,8 +1,9 @@
 """Prove equations in Coq: name every non-rational part, then use ``field``.
 
-Angles and exponents are whole multiples of a few, by the addition theorems; a sine and a cosine of
-one angle, and a root and its radicand, are bound by one equation each, whose leading powers have
-nothing in common. What ``field`` does with these equations is then a normal form.
+Angles and exponents are written as integer multiples of a few base angles and exponents, by the
+addition theorems. A sine and cosine of one angle are related by one polynomial equation
+(sin² + cos² = 1), a root and its radicand by another; the leading monomials of these equations are
+pairwise coprime, so they form a Gröbner basis, and reduction by ``field`` gives a normal form.
 """
 
 from __future__ import annotations
@@ -39,13 +40,13 @@ MAX_ANGLES = 3
 
 
 def equation_proofs(theorem: Theorem) -> Iterator[str]:
-    """Proofs of an equation, or of a derivative, to try."""
+    """Yield proofs of an equation, or of the value of a derivative, to try."""
     yield Script(theorem).text()
     yield Script(theorem, splits=False).text()
 
 
 def nodes(expressions: Iterable[Expr]) -> list[Expr]:
-    """All parts of the expressions, each once."""
+    """Return all subexpressions, without repetition."""
     seen: dict[Expr, None] = {}
     stack = list(expressions)
     while stack:
@@ -58,7 +59,7 @@ def nodes(expressions: Iterable[Expr]) -> list[Expr]:
 
 
 def unfolded(e: Expr) -> Expr:
-    """``e`` as ``laws`` of Tresym.v leaves it, with sin, cos, exp, sign and what is opaque."""
+    """Return ``e`` as the tactic ``laws`` of ``Tresym.v`` rewrites it."""
     if e.op in LEAVES:
         return e
     args = tuple(map(unfolded, e.args))
@@ -98,7 +99,7 @@ def _inverse(e: Expr) -> Expr:
 
 
 def quotient(e: Expr) -> tuple[Expr, Expr]:
-    """A numerator and a denominator of ``e`` as a rational function of its other parts."""
+    """Write ``e`` as numerator and denominator, as a rational function of its other parts."""
     if e.op == "number":
         value = e.args[0]
         return number(int(value.p)), number(int(value.q))
@@ -129,7 +130,7 @@ def quotient(e: Expr) -> tuple[Expr, Expr]:
 
 
 def _factors(e: Expr) -> list[Expr]:
-    """The factors of a product, powers written out."""
+    """Return the factors of a product, with powers expanded."""
     found: list[Expr] = []
     for arg in e.args if e.op == "*" else (e,):
         whole = arg.op == "^" and arg.args[1].op == "number" and arg.args[1].args[0].q == 1
@@ -141,12 +142,12 @@ def _factors(e: Expr) -> list[Expr]:
 
 
 def inner(e: Expr, operations: Iterable[str]) -> bool:
-    """Whether an operation among those stands inside ``e``."""
+    """Return whether one of these operations occurs inside ``e``."""
     return any(part.op in operations for arg in e.args for part in nodes([arg]))
 
 
 class Script:
-    """The sentences of a proof of an equation."""
+    """The script of a proof of an equation, under construction."""
 
     def __init__(self, theorem: Theorem, splits: bool = True) -> None:
         self.splits = splits
@@ -163,16 +164,16 @@ class Script:
         self.exponents: list[Expr] = []
 
     def fresh(self, letter: str) -> str:
-        """A name not used before."""
+        """Return a fresh name."""
         self.count += 1
         return f"{letter}_{self.count}"
 
     def add(self, line: str) -> None:
-        """One more sentence."""
+        """Add a sentence."""
         self.lines.append(line)
 
     def text(self) -> str:
-        """The whole proof."""
+        """Return the complete script."""
         t = self.theorem
         parts = [t.left, t.right, *(e for e, _ in t.defined)]
         parts += [e for x, _, y in t.given for e in (x, y)]
@@ -196,7 +197,7 @@ class Script:
         return "\n".join(self.lines)
 
     def equations(self) -> None:
-        """Equations among the premises, each for its greatest power."""
+        """Use the equations among the premises, each to eliminate its highest power."""
         for x, relation, y in self.theorem.given:
             if relation != "==":
                 continue
@@ -217,7 +218,7 @@ class Script:
             self.relations.append(use)
 
     def written_roots(self, e: Expr) -> None:
-        """The root in the derivative of an inverse function as the claim writes it."""
+        """Rewrite the root in the derivative of an inverse function as the claim writes it."""
         u = e.args[0]
         square = Expr("^", (u, number(2)))
         signed = square if e.op == "asinh" else Expr("*", (number(-1), square))
@@ -230,7 +231,7 @@ class Script:
             )
 
     def prepared(self, parts: Iterable[Expr]) -> None:
-        """Facts and names for everything in the parts."""
+        """Introduce facts and names for all non-rational parts."""
         self.tops(self.theorem)
         whole = self.logarithms(self.signs([unfolded(e) for e in parts]))
         every = nodes(whole)
@@ -254,7 +255,7 @@ class Script:
             self.add(f"clearbody {' '.join(dict.fromkeys(self.names))}.")
 
     def signs(self, whole: list[Expr]) -> list[Expr]:
-        """Signs that the premises show put in."""
+        """Substitute the signs that the premises determine."""
         for e in nodes(whole):
             found = sign(e.args[0], self.known) if e.op == "sign" else None
             if found in ("+", "-"):
@@ -264,11 +265,11 @@ class Script:
         return whole
 
     def positive(self, e: Expr) -> bool:
-        """Whether the premises show ``e > 0``."""
+        """Return whether the premises show ``e > 0``."""
         return sign(e, self.known) == "+"
 
     def split(self, u: Expr) -> list[tuple[Expr, int]] | None:
-        """Positive factors of ``u`` with their powers, None where one is not shown to be so."""
+        """Return the positive factors of ``u`` with their powers; None if one may be negative."""
         if not self.splits:
             return None
         top, bottom = quotient(u)
@@ -296,7 +297,7 @@ class Script:
         return [(f, n) for f, n in total.items() if n]
 
     def in_factors(self, e: Expr) -> Expr:
-        """A polynomial as the product of its factors, those that are known to be so positive."""
+        """Write a polynomial as a product of factors, those known to be positive as such."""
         found = [ONE]
         for part, n in irreducible(e):
             other = as_expression({m: -c for m, c in expanded(part).items()})
@@ -317,7 +318,7 @@ class Script:
         return product if same else multiply(number(-1), product)
 
     def logarithms(self, whole: list[Expr]) -> list[Expr]:
-        """Logarithms of products as sums."""
+        """Write logarithms of products as sums."""
         for e in nodes(whole):
             if e.op != "log" or inner(e, ("log",)):
                 continue
@@ -339,7 +340,7 @@ class Script:
         return whole
 
     def roots(self, found: list[Expr]) -> None:
-        """Every root by those of a few radicands, and what binds these."""
+        """Write all roots in terms of the roots of a few radicands; add the equations for these."""
         asked = [as_root(e) for e in found]
         if len(dict.fromkeys(asked)) == 1 and not self.divides(asked[0][0]):
             u, q, _ = asked[0]
@@ -383,12 +384,12 @@ class Script:
             self.names.append(name)
 
     def divides(self, u: Expr) -> bool:
-        """Whether a radicand has a denominator, or fewer terms by sines and cosines."""
+        """Return whether a radicand has a denominator, or is shorter by sines and cosines."""
         top, bottom = quotient(u)
         return bottom.op != "number" or fewest_terms(top) != top
 
     def by_field(self) -> str:
-        """The tactic for an equation with what is known of roots."""
+        """The tactic for the equation that remains, with the equations of the roots."""
         known = f" [{' '.join(self.relations)}]" if self.relations else ""
         sides = nodes([self.theorem.left, self.theorem.right])
         angles = dict.fromkeys(e.args[0] for e in sides if e.op in ("sin", "cos"))
@@ -397,13 +398,13 @@ class Script:
         return f"first [field{known}; side | trigonometric; field{known}; side{last}]"
 
     def canonical(self, u: Expr, q: int, odd: bool) -> None:
-        """What binds a root; it is named later."""
+        """Return the equation of a root that gets its name later."""
         name = self.fresh("g")
         self.late.append((u, q, name))
         self.root(Expr("cbrt", (u,)) if odd else _root(u, q), u, q, name)
 
     def tops(self, t: Theorem) -> None:
-        """That a quotient is not 0 says that its numerator is not."""
+        """Add that a numerator is not 0 where the quotient is not 0."""
         for e, relation in t.defined:
             e = unfolded(e)
             top, bottom = quotient(e)
@@ -415,7 +416,7 @@ class Script:
                 )
 
     def opaque(self, e: Expr) -> None:
-        """A name for a sign, a logarithm, an inverse function."""
+        """Introduce a name for a sign, a logarithm or an inverse function."""
         name = self.fresh("g")
         if e.op == "sign":
             relation = self.fresh("R")
@@ -426,7 +427,7 @@ class Script:
         self.names.append(name)
 
     def root(self, e: Expr, u: Expr, q: int, name: str) -> None:
-        """The power of a root; that it is positive."""
+        """Add the equation of a root and that it is positive."""
         law = "sqrt_lt_R0" if q == 2 else "root_lt"
         self.add(f"try (assert (0 < {term(e)}) by (apply {law}; hard)).")
         if q != 2:
@@ -455,7 +456,7 @@ class Script:
         self.after.append(f"subst {name}.")
 
     def trigonometry(self, every: list[Expr]) -> None:
-        """Sines and cosines by those of a few angles."""
+        """Write sines and cosines in terms of those of a few base angles."""
         angles = [e.args[0] for e in every if e.op in ("sin", "cos")]
         if not angles:
             return
@@ -468,7 +469,7 @@ class Script:
                 self.multiple(u, bases, whole[v], n)
 
     def multiple(self, u: Expr, bases: list[Expr], c: list[int], quarters: int) -> None:
-        """The sine and cosine of u = Σ c·base + quarters·π/2."""
+        """Return the sine and cosine of u = Σ c·base + quarters·π/2."""
         names = [f"p{j}" for j, n in enumerate(c) if n]
         atoms = [(f"p{j}", n) for j, n in enumerate(c) if n]
         total = " + ".join(_repeated(name, n) for name, n in atoms) or "0"
@@ -488,7 +489,7 @@ class Script:
             self.add(f"try rewrite {use} in *; clear {law}.")
 
     def exponentials(self, every: list[Expr]) -> None:
-        """Exponentials by those of a few exponents."""
+        """Write exponentials in terms of those of a few base exponents."""
         found = [e.args[0] for e in every if e.op == "exp"]
         logs = [e for e in every if e.op == "log"]
         if not found:
@@ -522,7 +523,7 @@ class Script:
                 self.add(f"try rewrite (exp_ln {term(log.args[0], 3)}) in * by side.")
 
     def bases(self) -> None:
-        """Names for sines, cosines and exponentials of the base."""
+        """Introduce names for the sine, cosine or exponential of the bases."""
         for b in self.exponents:
             name = self.fresh("g")
             self.add(f"pose proof (exp_pos {term(b, 3)}).")
@@ -542,12 +543,12 @@ def _root(u: Expr, q: int) -> Expr:
 
 
 def as_root(e: Expr) -> tuple[Expr, int, bool]:
-    """Radicand, degree, and whether it is the root of any number."""
+    """Return the radicand, the degree, and whether the root is defined for all numbers."""
     return (e.args[0], 3, True) if e.op == "cbrt" else (e.args[0], int(e.args[1].args[0].q), False)
 
 
 def _key(e: Expr) -> object:
-    """Equal for radicands that are equal as polynomials, sin² by cos²."""
+    """Return a key that is equal for radicands equal as polynomials modulo sin² + cos² = 1."""
     try:
         terms = expanded(e)
         for _ in range(6):
@@ -569,7 +570,7 @@ def _key(e: Expr) -> object:
 
 
 def fewest_terms(e: Expr) -> Expr:
-    """A sum without the squares of sines, or of cosines, where that leaves fewer terms."""
+    """Eliminate the squares of sines, or of cosines, if that makes the sum shorter."""
     angles = list(dict.fromkeys(f.args[0] for f in nodes([e]) if f.op in ("sin", "cos")))
     if e.op != "+" or not 0 < len(angles) <= MAX_ANGLES:
         return e
@@ -582,7 +583,7 @@ def fewest_terms(e: Expr) -> Expr:
 
 
 def irreducible(e: Expr) -> list[tuple[Expr, int]]:
-    """The factors of a sum as a polynomial in its parts, each up to its sign; or itself."""
+    """Factor a sum as a polynomial in its parts, up to signs; or return the sum itself."""
     if e.op != "+":
         return [(e, 1)]
     try:
@@ -618,7 +619,7 @@ def irreducible(e: Expr) -> list[tuple[Expr, int]]:
 
 
 def primes(n: int) -> list[tuple[int, int]]:
-    """The primes of ``n`` with their powers."""
+    """Return the prime factorisation of ``n``."""
     found, p = [], 2
     while n > 1:
         k = 0
@@ -631,13 +632,13 @@ def primes(n: int) -> list[tuple[int, int]]:
 
 
 def _nested(factors: list[Expr]) -> str:
-    """A product with brackets to the right."""
+    """Return a product with parentheses to the right."""
     first, *rest = factors
     return f"{term(first, 3)} * ({_nested(rest)})" if rest else term(first, 3)
 
 
 def exchanged(e: Expr, values: dict[Expr, Expr]) -> Expr:
-    """``e`` with parts replaced, nothing folded."""
+    """Replace parts of ``e`` without simplifying."""
     if e in values:
         return values[e]
     if e.op in LEAVES:
@@ -646,14 +647,14 @@ def exchanged(e: Expr, values: dict[Expr, Expr]) -> Expr:
 
 
 def is_root(e: Expr) -> bool:
-    """Whether it is a root, or a power of one."""
+    """Return whether ``e`` is a root or a power of one."""
     return e.op == "cbrt" or (
         e.op == "^" and e.args[1].op == "number" and bool(e.args[1].args[0].q != 1)
     )
 
 
 def quarters(u: Expr) -> tuple[Expr, int]:
-    """``u`` as v + n·π/2 with v free of such a term."""
+    """Write ``u`` as v + n·π/2 where v has no such term."""
     try:
         v = expanded(u)
     except OverflowError:
@@ -666,7 +667,7 @@ def quarters(u: Expr) -> tuple[Expr, int]:
 
 
 def _repeated(name: str, n: int) -> str:
-    """n times the name, as a sum."""
+    """Return n times the name, written as a sum."""
     if abs(n) > MAX_MULTIPLE:
         raise OverflowError
     one = name if n > 0 else f"- {name}"
@@ -674,7 +675,7 @@ def _repeated(name: str, n: int) -> str:
 
 
 def _addition(atoms: list[tuple[str, int]]) -> tuple[str, str]:
-    """The sine and cosine of a sum of multiples."""
+    """Return the sine and cosine of a sum of multiples by the addition theorems."""
     sine, cosine = "0", "1"
     for name, n in atoms:
         s = f"sin {name}" if n > 0 else f"(- sin {name})"

@@ -1,9 +1,9 @@
 """Write the ledger as Coq files, one for each part of the proofs, with an index.
 
-The proofs that Coq accepted are kept in ``coq.json`` beside the claims, each with a stamp of its
-statement: a statement that has changed since is written without a proof, in a comment. A proof
-that applies theorems which are not proved has them among its premises, and the claim is proved in
-part.
+The proofs that Coq accepted are stored in ``coq.json`` in the package of proofs, each with a hash
+of its statement. If the statement has changed since, the claim is exported without a proof. A proof
+may apply the theorems of other claims; if one of those is not proved, it becomes a premise, and the
+claim counts as partially proved.
 """
 
 from __future__ import annotations
@@ -38,13 +38,14 @@ Makefile.coq: _CoqProject
 
 
 class Entry(NamedTuple):
-    """What Coq has of a claim.
+    """The Coq theorem and proof of a claim.
 
     Attributes:
-        theorem: its statement, None where its kind is not exported yet.
-        proof: lemmas and a script that Coq accepted, None where there is none.
+        theorem: the statement; None if this kind of claim cannot be exported yet.
+        lemmas: the lemmas that the proof needs, as Coq text.
+        script: a script that Coq accepted, or None.
         premises: labels of the claims whose theorems it applies and that are not proved.
-        why: what is missing.
+        why: what is missing for a complete proof; empty if nothing is.
     """
 
     theorem: Theorem | Joint | None
@@ -55,12 +56,12 @@ class Entry(NamedTuple):
 
     @property
     def status(self) -> str:
-        """``proved``, ``partial`` where a premise is not proved, or ``none``."""
+        """``"proved"``, ``"partial"`` if a premise is not proved, or ``"none"``."""
         return "none" if self.script is None else "partial" if self.premises else "proved"
 
 
 def stored() -> dict[str, Any]:
-    """The proofs that Coq accepted."""
+    """Return the stored proofs that Coq accepted."""
     path = file_of(STORE)
     if not path.is_file():
         return {"coq": "", "claims": {}}
@@ -69,9 +70,11 @@ def stored() -> dict[str, Any]:
 
 
 def entries(store: Mapping[str, Any], wanted: Iterable[str] | None = None) -> dict[str, Entry]:
-    """The theorems of claims with the proofs that are stored for these very statements.
+    """Return the theorems of claims, with the proofs stored for exactly these statements.
 
-    Those that are applied are among them, and with nothing wanted all.
+    Args:
+        store: the stored proofs.
+        wanted: labels of claims; the claims whose theorems they apply are added. None means all.
     """
     found: dict[str, Entry] = {}
     claims = {claim.label: claim for claim in all_claims()}
@@ -95,27 +98,27 @@ def entries(store: Mapping[str, Any], wanted: Iterable[str] | None = None) -> di
             why = f"{missing[0]} is not exported: {found[missing[0]].why}"
             found[claim.label] = Entry(None, "", None, (), why)
             continue
-        kept = store["claims"].get(claim.label)
-        if kept is None or kept["statement"] != stamp(whole):
+        proof_row = store["claims"].get(claim.label)
+        if proof_row is None or proof_row["statement"] != stamp(whole):
             why = "no proof is stored for this statement"
             found[claim.label] = Entry(whole, "", None, (), why)
             continue
-        open_ = tuple(used for used in kept["uses"] if found[used].status != "proved")
+        open_ = tuple(used for used in proof_row["uses"] if found[used].status != "proved")
         if any(found[used].theorem is None for used in open_):
             found[claim.label] = Entry(
-                whole, "", None, (), "its proof applies what is not exported"
+                whole, "", None, (), "its proof applies a theorem that is not exported"
             )
             continue
         if isinstance(whole, Joint) and len(open_) == len(whole.parts):
             found[claim.label] = Entry(whole, "", None, (), "none of its parts is proved")
             continue
         why = f"{', '.join(open_)} not proved" if open_ else ""
-        found[claim.label] = Entry(whole, kept["lemmas"], kept["script"], open_, why)
+        found[claim.label] = Entry(whole, proof_row["lemmas"], proof_row["script"], open_, why)
     return found
 
 
 def open_claims() -> list[Claim]:
-    """The claims of whose statement, as it stands, no proof is stored."""
+    """Return the claims for whose current statement no proof is stored."""
     store, found = stored()["claims"], []
     for claim in all_claims():
         try:
@@ -128,31 +131,35 @@ def open_claims() -> list[Claim]:
 
 
 def save(store: Mapping[str, Any]) -> None:
-    """Keep the proofs beside the claims."""
+    """Write the stored proofs."""
     write_text(str(file_of(STORE)), json.dumps(store, indent=0, ensure_ascii=False) + "\n")
 
 
 def write(
     folder: Path, labels: Iterable[str], store: Mapping[str, Any], force: bool = False
 ) -> dict[str, Any]:
-    """Write the files into ``folder``; returns the index.
+    """Write the Coq files into a folder and return the index.
 
-    ``Statements.v`` holds what the claims say, the files of the parts their proofs, each from the
-    theorems that it applies, and ``Ledger.v`` puts these together.
+    ``Statements.v`` contains the statements of all claims. One file for each part of the proofs
+    contains the proofs, each with the theorems that it applies as premises. ``Ledger.v`` combines
+    them.
 
     Args:
-        folder: made where it is missing.
-        labels: the claims asked for, all where there are none.
+        folder: the folder; it is created if it does not exist.
+        labels: labels of claims; all if empty.
         store: the stored proofs.
-        force: replace files that tresym did not write.
+        force: whether to replace files that tresym did not write.
+
+    Returns:
+        One row for each claim, by label, as written to ``index.json``.
 
     Raises:
-        InputError: an unknown label, or a folder that cannot be written.
+        InputError: a label is unknown, or the folder cannot be written.
     """
     wanted = set(labels)
     claims = {claim.label: claim for claim in all_claims()}
     if wanted - claims.keys():
-        raise InputError(f"no claim is called {', '.join(sorted(wanted - claims.keys()))}")
+        raise InputError(f"no claim is labelled {', '.join(sorted(wanted - claims.keys()))}")
     found = entries(store)
     wanted = _behind(wanted, found, store) if wanted else set(claims)
     chosen = {label: e for label, e in found.items() if label in wanted}
@@ -190,7 +197,7 @@ def _parts() -> tuple[str, ...]:
 
 
 def _behind(wanted: set[str], found: Mapping[str, Entry], store: Mapping[str, Any]) -> set[str]:
-    """The claims and all whose theorems they apply or speak of."""
+    """Return the claims and all claims whose theorems they apply or combine."""
     whole, stack = set(), [*wanted]
     while stack:
         label = stack.pop()
@@ -204,7 +211,7 @@ def _behind(wanted: set[str], found: Mapping[str, Entry], store: Mapping[str, An
 
 
 def statements(chosen: Mapping[str, Entry]) -> str:
-    """What every claim says, proved or not."""
+    """Return the text of ``Statements.v``: one definition per claim, whether proved or not."""
     lines = [f"(* What the claims say. *)\n\n{HEAD}"]
     for label, entry in chosen.items():
         if entry.theorem is not None:
@@ -213,7 +220,7 @@ def statements(chosen: Mapping[str, Entry]) -> str:
 
 
 def _text(label: str, entry: Entry, store: Mapping[str, Any]) -> str:
-    """The lemmas of a claim, and its theorem from those that it applies."""
+    """Return the lemmas and the theorem of a claim, with the theorems it applies as premises."""
     if entry.script is None:
         return ""
     uses = store["claims"][label]["uses"]
@@ -226,10 +233,10 @@ def _text(label: str, entry: Entry, store: Mapping[str, Any]) -> str:
 
 
 def closed(chosen: Mapping[str, Entry], parts: Iterable[str], store: Mapping[str, Any]) -> str:
-    """The theorems whose premises are all proved, put together, and what they rest on.
+    """Return the text of ``Ledger.v``: theorems with all premises proved, and their assumptions.
 
-    Coq goes through all its library to say that, so it is asked once of those whose proofs name no
-    machine arithmetic and once of the others.
+    ``Print Assumptions`` is slow because Coq traverses its whole library. It is therefore called
+    only twice: for the theorems whose proofs use no machine arithmetic, and for the others.
     """
     lines = [f"(* The theorems put together. *)\n\n{HEAD}Require Import {' '.join(parts)}.\n"]
     groups: dict[str, list[str]] = {"by_reals": [], "by_machine": []}
@@ -253,17 +260,28 @@ def closed(chosen: Mapping[str, Entry], parts: Iterable[str], store: Mapping[str
     return "\n".join(lines) + "\n"
 
 
-def assumed(folder: Path, said: str) -> dict[str, str]:
-    """What each theorem rests on, by name, from what Coq printed when it read Ledger.v."""
+def assumed(folder: Path, output: str) -> dict[str, str]:
+    """Return what each theorem depends on, by name, from Coq's output for ``Ledger.v``.
+
+    Args:
+        folder: the folder with the exported files.
+        output: what Coq printed.
+
+    Raises:
+        InputError: the output has another number of blocks than ``Ledger.v`` has groups.
+    """
     groups = re.findall(
         r"^Definition (?:by_reals|by_machine) :=\s+\((.*)\)\.$",
         (folder / "Ledger.v").read_text(encoding="utf-8"),
         re.MULTILINE,
     )
-    blocks = re.split(r"^(?=Axioms:|Closed under)", said, flags=re.MULTILINE)[1:]
+    blocks = re.split(r"^(?=Axioms:|Closed under)", output, flags=re.MULTILINE)[1:]
     blocks = blocks[-len(groups) :]  # Ledger.v is read last
     if len(groups) != len(blocks):
-        raise InputError(f"Coq says of {len(blocks)} groups what they rest on, not {len(groups)}")
+        raise InputError(
+            f"Coq printed the assumptions of {len(blocks)} groups of theorems, but Ledger.v has "
+            f"{len(groups)}"
+        )
     return {
         name: assumptions(block).replace("and on Coq's", "and at most on Coq's")
         for group, block in zip(groups, blocks, strict=True)
@@ -276,7 +294,11 @@ def _theorem(label: str, entry: Entry) -> str:
 
 
 def possible(store: Mapping[str, Any]) -> str:
-    """A point for each set of conditions, so that nothing is said of no point."""
+    """Return the text of ``Possible.v``: a point for each set of conditions.
+
+    The theorems show that the conditions of the claims can be satisfied, so that no theorem holds
+    vacuously.
+    """
     lines = [f"(* Points at which the conditions of the claims hold. *)\n\n{HEAD}"]
     for row in store.get("possible", {}).values():
         lines.append(f"Theorem {row['name']} :\n{row['body']}.\nProof.\n{row['script']}\nQed.\n")
@@ -284,12 +306,12 @@ def possible(store: Mapping[str, Any]) -> str:
 
 
 def _row(label: str, entry: Entry, file: str, store: Mapping[str, Any]) -> dict[str, Any]:
-    """The claim in the index."""
-    told = entry.theorem
+    """Return the row of a claim in the index."""
+    theorem = entry.theorem
     return {
         "file": file if entry.script else "",
-        "theorem": None if told is None else told.name,
-        "statement": None if told is None else stamp(told),
+        "theorem": None if theorem is None else theorem.name,
+        "statement": None if theorem is None else stamp(theorem),
         "status": entry.status,
         "premises": list(entry.premises),
         "assumptions": store["claims"][label].get("assumptions") if entry.script else None,

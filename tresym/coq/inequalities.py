@@ -55,7 +55,7 @@ UP, DOWN = ("+", ">=0", "0"), ("-", "<=0", "0")
 
 
 def inequality_proofs(theorem: Theorem, depth: int = 3) -> Iterator[str]:
-    """Proofs to try: as the prover of signs goes, by what implies it, and by what Coq finds."""
+    """Yield proofs to try: as the sign prover argues, by reductions, by Coq's automation."""
     left, right, relation = theorem.left, theorem.right, theorem.relation
     d = left - right if relation in (">", ">=", "!=") else right - left
     strict = relation in (">", "<", "!=")
@@ -74,15 +74,15 @@ def inequality_proofs(theorem: Theorem, depth: int = 3) -> Iterator[str]:
 
 
 def expected(theorem: Theorem, d: Expr, strict: bool, given: Given) -> Iterator[str]:
-    """The proofs that the prover of signs goes."""
-    said = directly(d, ">" if strict else ">=", given)
-    if said is None or any(e.op == "abs" for e in nodes([d])):
+    """Yield the proofs that correspond to the methods of the sign prover."""
+    reason = directly(d, ">" if strict else ">=", given)
+    if reason is None or any(e.op == "abs" for e in nodes([d])):
         yield QUICK
-        if said is None:
+        if reason is None:
             yield from by_intervals(theorem, given)
-    elif "concave" in said:
+    elif "concave" in reason:
         yield from by_concavity(theorem, d, given)
-    elif "about" in said:
+    elif "about" in reason:
         yield from by_taylor(theorem, d, given)
     else:
         if len({e.args[0] for e in nodes([d]) if e.op in ("sin", "cos")}) > 1:
@@ -97,7 +97,7 @@ def expected(theorem: Theorem, d: Expr, strict: bool, given: Given) -> Iterator[
 
 
 def _reduced(way: Reduction, depth: int) -> Iterator[str]:
-    """The proofs of what is left, put in."""
+    """Combine a reduction with proofs of the inequalities that remain."""
     most = 5 if len(way.steps) == 1 else 3
     found = [list(islice(inequality_proofs(step, depth), most)) for step in way.steps]
     for proofs in product(*found):
@@ -109,17 +109,17 @@ def _reduced(way: Reduction, depth: int) -> Iterator[str]:
 
 
 def order(strict: bool) -> str:
-    """The sign of the relation."""
+    """Return the sign of the relation."""
     return "<" if strict else "<="
 
 
 def by_polynomials(theorem: Theorem, d: Expr, strict: bool, hints: bool) -> str:
-    """The numerator by ``nra``, the denominator by its structure."""
+    """Yield proofs by ``nra`` for the numerator and by structure for the denominator."""
     return "\n".join(["intros; saturate; laws.", *shown(theorem, d, strict, hints), "lra."])
 
 
 def shown(theorem: Theorem, d: Expr, strict: bool, hints: bool, expand: bool = True) -> list[str]:
-    """Sentences after which ``0 <= d``, or ``0 < d``, is among the premises."""
+    """Return sentences after which ``0 <= d`` or ``0 < d`` is a premise."""
     u = unfolded(d)
     top, bottom = quotient(u)
     rel = order(strict)
@@ -152,7 +152,7 @@ def shown(theorem: Theorem, d: Expr, strict: bool, hints: bool, expand: bool = T
 
 
 def cone_proofs(theorem: Theorem, d: Expr) -> Iterator[str]:
-    """By a tree of orders, roots of variables put in for them."""
+    """Yield proofs by a tree of comparisons (`tresym.coq.orthant_cones`), with roots replaced."""
     lines = ["intros; saturate."]
     roots = [e for e in nodes([d]) if is_root(e)]
     put: dict[Expr, Expr] = {}
@@ -241,7 +241,7 @@ def cone_proofs(theorem: Theorem, d: Expr) -> Iterator[str]:
 
 
 def homogeneous_proofs(theorem: Theorem, d: Expr) -> Iterator[str]:
-    """By q >= c or q <= c among the conditions, which makes the constant homogeneous."""
+    """Yield proofs that use a condition q >= c or q <= c to make the constant term homogeneous."""
     premises = known(theorem)
     try:
         terms = expanded(d)
@@ -297,13 +297,13 @@ FACTS = {
 
 
 def _is_power(e: Expr) -> bool:
-    """Whether it is a whole power of a symbol."""
+    """Return whether the expression is an integer power of a symbol."""
     whole = e.op == "^" and e.args[1].op == "number" and e.args[1].args[0].q == 1
     return whole and e.args[0].op == "symbol" and bool(e.args[1].args[0] > 0)
 
 
 def _root_value(u: Expr, q: int, put: Mapping[Expr, Expr]) -> Expr | None:
-    """The root of a product of powers of what was put in."""
+    """Return the root of a product of powers of the substituted symbols."""
     factors = []
     for f in u.args if u.op == "*" else (u,):
         x, n = (f, 1) if f.op == "symbol" else (f.args[0], int(f.args[1].args[0].p))
@@ -315,7 +315,7 @@ def _root_value(u: Expr, q: int, put: Mapping[Expr, Expr]) -> Expr | None:
 
 
 def _roots_out(e: Expr, values: Mapping[Expr, Expr]) -> Expr:
-    """Powers of roots as powers of their values."""
+    """Replace powers of roots by powers of their values."""
     if e.op in LEAVES:
         return e
     if is_root(e) and e.op == "^":
@@ -329,7 +329,7 @@ def _roots_out(e: Expr, values: Mapping[Expr, Expr]) -> Expr:
 def _span(
     part: Expr, known: Given, put: Mapping[Expr, Expr]
 ) -> tuple[Fraction | None, Fraction | None]:
-    """Numbers between which a part lies."""
+    """Return numbers between which a part lies."""
     if part.op == "exp" or part.op == "abs" or is_root(part):
         return Fraction(0), None
     if part.op in ("sin", "cos"):
@@ -347,7 +347,7 @@ def _span(
 
 
 def _total(theorem: Theorem, put: Mapping[Expr, Expr]) -> Expr | None:
-    """What is left of 1 by a condition 1 >= x + y + z."""
+    """Return 1 − x − y − z for a condition 1 >= x + y + z."""
     if put:
         return None
     for x, relation, y in theorem.given:
@@ -365,7 +365,7 @@ def _total(theorem: Theorem, put: Mapping[Expr, Expr]) -> Expr | None:
 
 
 def by_concavity(theorem: Theorem, d: Expr, given: Given) -> Iterator[str]:
-    """Concave between two ends at which it is not negative."""
+    """Yield proofs that a function is concave between two ends at which it is not negative."""
     names = symbols(d)
     if len(names) != 1:
         return
@@ -407,7 +407,7 @@ def by_concavity(theorem: Theorem, d: Expr, given: Given) -> Iterator[str]:
 
 
 def squares(texts: Sequence[str], theorem: Theorem) -> str:
-    """Squares that a certificate is often made of."""
+    """Return squares that often occur in certificates."""
     texts = texts[:4]
     found = [f"({x} - {y})" for x, y in combinations(texts, 2)]
     found += [f"({x} + {y})" for x, y in combinations(texts, 2)][:2]
@@ -432,7 +432,7 @@ def squares(texts: Sequence[str], theorem: Theorem) -> str:
 
 
 def collected(e: Expr) -> Expr:
-    """The polynomial multiplied out, where that is small."""
+    """Expand the polynomial, if it is small."""
     try:
         terms = expanded(e)
     except OverflowError:
@@ -441,7 +441,7 @@ def collected(e: Expr) -> Expr:
 
 
 def by_intervals(theorem: Theorem, given: Given) -> Iterator[str]:
-    """Interval arithmetic, by bisection."""
+    """Yield proofs by interval arithmetic with bisection."""
     names = theorem.variables
     box = given.box
     bounded = all(
@@ -458,7 +458,7 @@ def by_intervals(theorem: Theorem, given: Given) -> Iterator[str]:
 
 
 def by_taylor(theorem: Theorem, d: Expr, given: Given) -> Iterator[str]:
-    """By the signs of the terms below some order about a point, and of the derivative of it."""
+    """Yield proofs by Taylor's theorem: signs of the low-order terms and of the last derivative."""
     count = 0
     for name in sorted(symbols(d)):
         where = given.box.get(name, Range())
@@ -475,14 +475,14 @@ def by_taylor(theorem: Theorem, d: Expr, given: Given) -> Iterator[str]:
 
 
 def _by_e(c: Expr) -> Expr:
-    """A point exp(r) as a power of e."""
+    """Write a point exp(r) as a power of e."""
     if c.op == "exp" and c.args[0].op == "number" and c.args[0].args[0].q == 1:
         return power(Expr("exp", (ONE,)), c.args[0])
     return c
 
 
 def _about(theorem: Theorem, d: Expr, given: Given, name: str, c: Expr) -> list[str]:
-    """The proofs about ``name = c``, where the signs are as they need them."""
+    """Yield the proofs about ``name = c`` whose signs are suitable."""
     beside = sign_inside(symbol(name) - c, given)
     inside = opened(Given(tuple(c for c in given.comparisons if c[1] != "!=")), name)
     sides = [1] * (beside not in ("-", "<=0")) + [-1] * (beside not in ("+", ">=0"))
@@ -516,7 +516,7 @@ def last_step(
     between: tuple[tuple[Expr, str, Expr], ...],
     strict: bool = False,
 ) -> str:
-    """The sign of the last derivative at another point."""
+    """Return the sign of the last derivative at another point."""
     if mode == 0:
         return f"facts; first [positive | lra | nra{' | beside' * strict}]."
     theorem = replace(theorem, given=(*theorem.given, *between))
@@ -540,7 +540,7 @@ def _chain(
     sides: list[int],
     start: int = -1,
 ) -> str:
-    """Signs from the last derivative down; up to ``start`` they are strict, but at the point."""
+    """Integrate signs from the last derivative down; they are strict, except at the point."""
     x, base, n = variable(name), term(c, 3), len(chain) - 1
     lines = ["intros; saturate."]
     if sign(c, Given()) == "+":

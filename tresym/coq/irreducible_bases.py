@@ -29,12 +29,12 @@ ONE_ = fmpq(1)
 
 
 class Bases(Writing):
-    """What they are by names."""
+    """Roots and logarithms expressed by those of irreducible factors, with names."""
 
     # Roots.
 
     def root(self, u: Expr, q: int, odd: bool) -> None:
-        """By roots of irreducible factors."""
+        """Express a root by roots of irreducible factors."""
         e = _root(u, q, odd)
         if u == ZERO:
             return self.exchange(e, ZERO, "apply sqrt_0", "apply root_zero")
@@ -48,7 +48,7 @@ class Bases(Writing):
         return None
 
     def of_square(self, e: Expr, u: Expr) -> bool:
-        """The square root of v²·w as |v|·√w, where the sign of v varies."""
+        """Write the square root of v²·w as |v|·√w if the sign of v varies."""
         _, factors = self.quotients.factors(u)
         within = [(f, n) for f, n in factors if self.sign(f) is None]
         rest = [f for f, _ in factors if (f, _) not in within]
@@ -64,13 +64,13 @@ class Bases(Writing):
         )
 
     def has_root(self, u: Expr, q: int) -> bool:
-        """Whether such a root stands in a side."""
+        """Return whether such a root occurs in one of the sides."""
         return any(is_root(e) and e.args[0] == u and degree_of(e) == q for e in nodes(self.sides))
 
     def signed_factors(self, u: Expr, even: bool, three: bool) -> list[tuple[Expr, int]]:
-        """Factors with their powers, primes among them; what is known to be so is positive.
+        """Return the factors (primes included) with their powers; prove positivity if possible.
 
-        Where the sign of one decides on which side it is taken, and varies, there are cases.
+        If the sign of a factor matters and varies, the proof splits into cases.
         """
         constant, factors = self.quotients.factors(u)
         if constant == 0:
@@ -99,7 +99,7 @@ class Bases(Writing):
         return found
 
     def root_of(self, u: Expr, q: int) -> Expr:
-        """The value of a root, by names."""
+        """Return the value of a root in terms of names."""
         values = []
         factors = self.signed_factors(u, q % 2 == 0, three=False)
         if q == 2 and len(factors) == 1 and (simpler := self.denested(*factors[0])) is not None:
@@ -124,7 +124,7 @@ class Bases(Writing):
         return self.quotients.canonical(multiply(*values))
 
     def by_cubes(self, factors: list[tuple[Expr, int]]) -> list[tuple[Expr, int]]:
-        """The factors, those whose cube roots have names by these."""
+        """Return the factors whose cube roots already have names."""
         names = dict[Expr, Expr]()
         for (f, degree), name in self.roots.items():
             if degree == 3:
@@ -135,7 +135,7 @@ class Bases(Writing):
         return [(f, n) for f, n in found.items() if n]
 
     def denested(self, f: Expr, n: int) -> Expr | None:
-        """The root of A + B·√r as √P ± √Q, where A² − B²·r is a square."""
+        """Write the root of A + B·√r as √P ± √Q, if A² − B²·r is a square."""
         parts = dict(self.quotients.parts(f))
         a = parts.pop(ONE, fmpq(0))
         if n != 1 or len(parts) != 1 or symbols(f) - set(self.quotients.powers):
@@ -156,7 +156,7 @@ class Bases(Writing):
         return self.root_of(number(high), 2) + (1 if b > 0 else -1) * self.root_of(number(low), 2)
 
     def fine(self, f: Expr, q: int) -> int:
-        """The degree of the root of a factor: as high as it was ever asked for."""
+        """Return the degree of the root of a factor: the highest that has been needed."""
         old = int(self.finest.get(f, ONE_).p)
         new = lcm(old, q)
         self.finest[f] = fmpq(new)
@@ -165,7 +165,7 @@ class Bases(Writing):
         return new
 
     def base_root(self, f: Expr, q: int) -> Expr:
-        """The name of a root, with what binds it."""
+        """Return the name of a root, introducing it with its equation if necessary."""
         if (f, q) in self.roots:
             return self.roots[f, q]
         if q % 2 == 0 and not (self.is_above(f) or self.is_above(f, strict=False)):
@@ -191,7 +191,7 @@ class Bases(Writing):
     # Logarithms.
 
     def logarithm(self, e: Expr, u: Expr) -> None:
-        """By logarithms of irreducible factors."""
+        """Express a logarithm by logarithms of irreducible factors."""
         factors = self.signed_factors(u, even=True, three=True)
         if sum(abs(n) for _, n in factors) > 2 * MULTIPLE:
             raise StuckError
@@ -215,7 +215,7 @@ class Bases(Writing):
             )
 
     def logarithm_of(self, f: Expr) -> tuple[Expr, str]:
-        """The logarithm of a factor, and the name of the equation that says so."""
+        """Return the logarithm of a factor and the name of its equation."""
         label, says = self.label("K"), f"ln {term(f, 3)} ="
         for b, name in self.exponents.items():
             if name == f:
@@ -241,7 +241,7 @@ class Bases(Writing):
         return name, f"D_{name.args[0]}"
 
     def tied(self, f: Expr, label: str) -> Expr | None:
-        """The logarithm of ``f`` by logarithms that have names, if a sum of multiples is zero."""
+        """Express the logarithm of ``f`` by named logarithms, if a linear combination vanishes."""
         named = list(self.logarithms.items())[-4:]
         own, values = self.values(Expr("log", (f,))), [self.values(n) for _, n in named]
         for counts in sorted(product((0, 1, -1, 2, -2), repeat=len(named)), key=_length):
@@ -274,7 +274,7 @@ def _root(u: Expr, q: int, odd: bool) -> Expr:
 
 
 def nested(factors: list[Expr]) -> str:
-    """A product with brackets to the right."""
+    """Return a product with parentheses to the right."""
     if not factors:
         return "1"
     first, *rest = factors

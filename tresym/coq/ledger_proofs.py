@@ -1,8 +1,8 @@
 """Find Coq proofs for the claims of the ledger, one claim at a time.
 
-What Coq says of a text is kept, so that a search is taken up where it ended; a lemma whose proof is
-stored with a claim is not asked again. Time is the processor's, so that a busy machine finds as
-much as an idle one.
+Coq's answers are stored in a file, so that an interrupted search can be continued. The proof of a
+lemma that is stored with a claim is not searched for again. Time limits are in CPU seconds, so that
+the results do not depend on the load of the machine.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ EFFORTS = (3, 2), (8, 4)  # how many proofs of a lemma are tried, and seconds fo
 
 
 class Memory:
-    """What Coq said of texts and which proofs of lemmas it accepted, kept in a file."""
+    """Coq's answers about texts, and the accepted proofs of lemmas, stored in a file."""
 
     def __init__(self, path: Path | None, store: Mapping[str, Any] | None = None) -> None:
         self.path = path
@@ -52,32 +52,38 @@ class Memory:
                 self.known["lemma " + _hash(body)] = proof
 
     def accepts(self, text: str, patience: int | None = None) -> bool:
-        """Whether Coq accepts the text, in these seconds for a sentence and four times as many."""
+        """Return whether Coq accepts the text.
+
+        Args:
+            text: Coq text.
+            patience: CPU seconds per sentence; the whole text may take four times as long. None
+                means the current default.
+        """
         key, patience = _hash(text), patience or self.patience
         lost = f"{key} {patience} {_hash(prelude() + lemmas())}"
         if key not in self.known and lost not in self.known:
             self.count += 1
             coq = self.dialogue()
             if self.count % TEXTS == 0:
-                coq.end()  # what it has defined takes room
+                coq.end()  # its definitions accumulate and use memory
             coq.patience = patience
             ok = coq.accepts(text.replace("@", str(self.count)), 4.0 * patience)
             self.known[key if ok else lost] = ok
         return key in self.known
 
     def dialogue(self) -> Dialogue:
-        """The dialogue, begun where there is none."""
+        """Return the running Coq process; start one if there is none."""
         self.coq = self.coq or Dialogue(lemmas=lemmas())
         return self.coq
 
     def close(self) -> None:
-        """End the dialogue."""
+        """End the Coq process."""
         if self.coq is not None:
             self.coq.end()
             self.coq.folder.cleanup()
 
     def keep(self) -> None:
-        """Write it down."""
+        """Write the answers to the file."""
         if self.path is not None:
             self.path.parent.mkdir(parents=True, exist_ok=True)
             self.path.write_text(json.dumps(self.known), encoding="utf-8")
@@ -93,7 +99,14 @@ def search(
     keep: Callable[[str, dict[str, Any]], object],
     say: Callable[[str], object] = lambda _: None,
 ) -> None:
-    """Find proofs by asking Coq; each is handed to ``keep`` as it is found."""
+    """Search for proofs of the claims, first with little effort, then with more.
+
+    Args:
+        claims: the claims.
+        memory: Coq's answers so far.
+        keep: called with the label and the proof of each claim that was proved.
+        say: called with a progress line for each claim.
+    """
     left = []
     for claim in claims:
         with suppress(NotExportedError):
@@ -113,7 +126,16 @@ def search(
 def found(
     claim: Claim, whole: Theorem | Joint, memory: Memory
 ) -> tuple[dict[str, Any] | None, str]:
-    """What is stored of a claim, by the first plan that holds; or what is missing."""
+    """Try the plans for a claim; return the first proof that Coq accepts, or what is missing.
+
+    Args:
+        claim: the claim.
+        whole: its theorem.
+        memory: Coq's answers so far.
+
+    Returns:
+        The row to store, or None, and a few words on what is missing.
+    """
     missing = "no plan"
     for plan in plans(claim, whole):
         shown = []
@@ -137,7 +159,7 @@ def found(
 
 
 def lemma_proof(lemma: Theorem, memory: Memory) -> str | None:
-    """A proof of a lemma that Coq accepts."""
+    """Return a proof of a lemma that Coq accepts, or None."""
     try:
         body = lemma.body
         key = "lemma " + _hash(body)
@@ -156,7 +178,7 @@ def lemma_proof(lemma: Theorem, memory: Memory) -> str | None:
 
 
 def stepped(lemma: Theorem, memory: Memory) -> str | None:
-    """A proof of an equation that is found by asking Coq after each step."""
+    """Prove an equation step by step, asking Coq after every step; None if that fails."""
     if lemma.relation != "==" or lemma.by is not None:
         return None
     plain, intros = without_definitions(lemma)
@@ -167,7 +189,7 @@ def stepped(lemma: Theorem, memory: Memory) -> str | None:
 
 
 def witnesses(claims: Iterable[Claim], memory: Memory) -> dict[str, Any]:
-    """A point for each set of conditions, and the proof that they hold there."""
+    """Find a point for each set of conditions, with a Coq proof that the conditions hold there."""
     found: dict[str, Any] = {}
     for claim in claims:
         try:
@@ -195,11 +217,11 @@ def witnesses(claims: Iterable[Claim], memory: Memory) -> dict[str, Any]:
 
 
 class _LateError(BaseException):
-    """A proof takes too long to write; those who write it have nothing to catch it with."""
+    """Writing a proof took too long; not an Exception, so that no handler of errors catches it."""
 
 
 def _found_soon(proofs: Iterator[str]) -> Iterator[str]:
-    """The proofs that are written in a few seconds of the processor each."""
+    """Yield proofs as long as writing each takes only little CPU time."""
 
     def late(*_: object) -> None:
         raise _LateError
@@ -222,12 +244,12 @@ def _found_soon(proofs: Iterator[str]) -> Iterator[str]:
 
 
 def _trial(claim: Claim, whole: Theorem | Joint, plan: Plan) -> str | None:
-    """The claim's theorem with its lemmas, and the theorems that it applies, as premises."""
+    """Return a theorem with the lemmas and the applied theorems as premises, or None."""
 
-    def whole_of(told: Theorem | Joint) -> str:
-        if isinstance(told, Theorem):
-            return f"({told.body})"
-        return f"({_AND.join(whole_of(theorem_of(part)) for part in told.parts)})"
+    def whole_of(theorem: Theorem | Joint) -> str:
+        if isinstance(theorem, Theorem):
+            return f"({theorem.body})"
+        return f"({_AND.join(whole_of(theorem_of(part)) for part in theorem.parts)})"
 
     behind = {used.label: used for used in claim.rests_on}
     try:

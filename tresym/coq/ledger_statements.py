@@ -1,10 +1,10 @@
 """Turn the claims of the ledger into Coq theorems with their premises.
 
-The definitions that a claim speaks of are premises, each an equation for a symbol, and so is what
-it assumes. A definition has a theorem of its own: that what it defines exists. What is refuted is
-that there is a point at which the conditions hold and the statement does not. A sentence that says
-several claims together is the conjunction of their theorems; where it is refuted, of those of the
-parts that are.
+- The definitions of the symbols in a claim, and its assumptions, are premises (equations).
+- A definition has a theorem of its own: the defined value exists.
+- A refutation states that some point satisfies the conditions and violates the statement.
+- A conjunction of claims is the conjunction of their theorems; if it is refuted, of the theorems of
+  its refuted parts.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ from tresym.ledger.conversion import conditions
 from tresym.ledger.evidence.refutation import denied_at
 from tresym.ledger.paper import file_of
 from tresym.ledger.statements import Rounds
-from tresym.reals.language import sympy as door
+from tresym.reals.language import sympy as sympy_reader
 from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.expression import (
     ZERO,
@@ -61,14 +61,14 @@ from tresym.reals.verdict import Verdict
 
 @dataclass(frozen=True)
 class Joint:
-    """A theorem that says what those of other claims say together."""
+    """The conjunction of the theorems of other claims."""
 
     name: str
     parts: tuple[Claim, ...]
 
     @property
     def body(self) -> str:
-        """The proposition."""
+        """The proposition as Coq text."""
         return "  " + " /\\ ".join(f"says_{stem(part.label)}" for part in self.parts)
 
     @property
@@ -78,25 +78,25 @@ class Joint:
 
 
 def stem(label: str) -> str:
-    """The label as a part of a name in Coq."""
+    """Return the label with all characters that Coq does not allow in names replaced."""
     return re.sub(r"\W", "_", label, flags=re.ASCII)
 
 
 def name_of(label: str) -> str:
-    """The theorem of a claim."""
+    """Return the name of a claim's theorem."""
     return "claim_" + stem(label)
 
 
 def lemmas() -> str:
-    """Racket.v: what proofs of several claims share, written by hand beside the claims."""
+    """Return ``Racket.v``: hand-written lemmas that the proofs of several claims use."""
     return file_of("coq").joinpath("Racket.v").read_text(encoding="utf-8")
 
 
 def theorem_of(claim: Claim) -> Theorem | Joint:
-    """What the claim says.
+    """Return the Coq theorem of a claim.
 
     Raises:
-        NotExportedError: a kind of claim that has no statement in Coq yet.
+        NotExportedError: this kind of claim cannot be exported yet.
     """
     found = _theorem_of(claim)
     stamp(found)  # which prints it
@@ -108,9 +108,14 @@ def _theorem_of(claim: Claim) -> Theorem | Joint:
     if isinstance(proof, ImplicitFunction):
         raise NotExportedError("the implicit function theorem is not exported yet")
     if isinstance(proof, Root):
-        raise NotExportedError("a root that is given a name is a premise of what speaks of it")
+        raise NotExportedError(
+            "the definition of a root has no theorem of its own; it is a premise of the theorems "
+            "about that root"
+        )
     if isinstance(proof, Definition) and proof.assumes:
-        raise NotExportedError("what is assumed is a premise of what rests on it")
+        raise NotExportedError(
+            "an assumption has no theorem of its own; it is a premise of the theorems that use it"
+        )
     if isinstance(proof, AllOf):
         parts = (p for p in proof.claims if not _assumed(p))
         if claim.expect is Verdict.REFUTED:  # since some of its parts are
@@ -118,7 +123,7 @@ def _theorem_of(claim: Claim) -> Theorem | Joint:
         return Joint(name_of(claim.label), tuple(parts))
     statement = claim.statement
     if statement is None:
-        raise NotExportedError("a sentence whose formula is not at hand is not exported yet")
+        raise NotExportedError("a sentence without a formula cannot be exported to Coq")
     try:
         if type(statement).__name__ == "As":
             return tending(claim, statement)
@@ -138,16 +143,18 @@ def _theorem_of(claim: Claim) -> Theorem | Joint:
             return theorem(claim, denied(says), above, exists=True)
         return theorem(claim, says)
     except (InputError, TypeError, AttributeError, ValueError) as error:
-        raise NotExportedError(f"what is said is not read as real expressions ({error})") from None
+        raise NotExportedError(
+            f"the statement cannot be converted to real expressions ({error})"
+        ) from None
 
 
 def conditions_of(given: Iterable[Basic]) -> list[Relation]:
-    """Conditions as relations, equations among them."""
+    """Return the conditions as relations, equations included."""
     return [part for e in given for part in relations(read(e))]
 
 
 def relations(says: Formula) -> Iterator[Relation]:
-    """The relations that a conjunction consists of."""
+    """Yield the relations of a conjunction."""
     if isinstance(says, Relation):
         yield says
     elif isinstance(says, Conjunction):
@@ -160,7 +167,7 @@ def _assumed(claim: Claim) -> bool:
 
 
 def read(says: Basic) -> Formula:
-    """A statement as a formula."""
+    """Convert a statement to a formula."""
     kind = type(says).__name__
     if kind == "Tuple":
         return Conjunction(tuple(map(read, says.args)))  # type: ignore[arg-type]
@@ -169,21 +176,21 @@ def read(says: Basic) -> Formula:
     if kind == "Under":
         return Wherever(tuple(conditions_of(says.args[1].args)), read(says.args[0]))
     if kind == "ExactlyOne":
-        x, low, high = map(door.unworked, says.args[:3])
+        x, low, high = map(sympy_reader.unworked, says.args[:3])
         between = Relation(x, ">", low), Relation(x, "<", high)
         return One(x.args[0], Conjunction((*between, read(says.args[3]))))  # type: ignore[arg-type]
     if kind == "AtMostOne":
-        return _at_most_one(door.unworked(says.args[0]), says)
+        return _at_most_one(sympy_reader.unworked(says.args[0]), says)
     if isinstance(says, Rounds):
-        return _rounded(door.unworked(says.term), says)
-    return door.formula(says)
+        return _rounded(sympy_reader.unworked(says.term), says)
+    return sympy_reader.formula(says)
 
 
 def _at_most_one(x: Expr, says: Basic) -> Formula:
-    """That two values between the ends of which it is said are the same."""
-    low, high = map(door.unworked, says.args[1:3])
-    said = read(says.args[3])
-    other = symbol(fresh(f"{x.args[0]}'", free(said)))
+    """Return that two values between the ends that both satisfy the equation are equal."""
+    low, high = map(sympy_reader.unworked, says.args[1:3])
+    inner_formula = read(says.args[3])
+    other = symbol(fresh(f"{x.args[0]}'", free(inner_formula)))
     there = [
         part
         for one in (x, other)
@@ -196,7 +203,7 @@ def _at_most_one(x: Expr, says: Basic) -> Formula:
                     p.sign,
                     substitute(p.right, {x.args[0]: one}),
                 )
-                for p in relations(said)
+                for p in relations(inner_formula)
             ),
         )
     ]
@@ -204,7 +211,7 @@ def _at_most_one(x: Expr, says: Basic) -> Formula:
 
 
 def _rounded(e: Expr, says: Rounds) -> Formula:
-    """That a term is what is printed, to within half a unit of its last place or as many."""
+    """Return that a term lies within the tolerance around the printed decimal."""
     interval = printed(says.text)
     middle, half = (interval.low + interval.high) / 2, (interval.high - interval.low) / 2
     half *= says.half_units
@@ -215,10 +222,10 @@ def _rounded(e: Expr, says: Rounds) -> Formula:
 
 
 def denied(says: Formula) -> Formula:
-    """What holds where the parts are defined and the statement fails.
+    """Return the negation of a statement whose parts are defined.
 
     Raises:
-        NotExportedError: a statement of which one point is no counterexample.
+        NotExportedError: a single point cannot refute this kind of statement.
     """
     if isinstance(says, Conjunction) and len(says.parts) == 1:
         return denied(says.parts[0])
@@ -226,11 +233,11 @@ def denied(says: Formula) -> Formula:
         return says.negated
     if isinstance(says, Conjunction) and all(isinstance(part, Relation) for part in says.parts):
         return Fails(says)
-    raise NotExportedError("it is refuted, and its witness is not exported yet")
+    raise NotExportedError("the refutation of this kind of statement is not exported yet")
 
 
 def free(says: Formula) -> frozenset[str]:
-    """The free variables of a formula."""
+    """Return the free variables of a formula."""
     match says:
         case Relation():
             return symbols(says.left) | symbols(says.right)
@@ -249,7 +256,7 @@ def free(says: Formula) -> frozenset[str]:
 
 
 def asked(says: Formula) -> Iterator[Part]:
-    """What makes the parts of a formula defined, of the variables that are free in it."""
+    """Return the conditions, in the free variables, under which a formula is defined."""
     match says:
         case Relation():
             yield from (part for e in (says.left, says.right) for part in defined(e))
@@ -268,7 +275,14 @@ def asked(says: Formula) -> Iterator[Part]:
 def theorem(
     claim: Claim, says: Formula, above: tuple[Basic, ...] = (), exists: bool = False
 ) -> Theorem:
-    """The claim's definitions, conditions, what makes it defined, and what it says."""
+    """Return the theorem of a claim: its definitions, conditions, definedness and conclusion.
+
+    Args:
+        claim: the claim.
+        says: the conclusion.
+        above: further conditions.
+        exists: whether to state the existence of a point instead of a universal statement.
+    """
     given = tuple(dict.fromkeys(conditions_of((*claim.given, *above))))
     sides = [e for x, _, y in given for e in (x, y)]
     parts = [*asked(says), *(part for e in sides for part in defined(e))]
@@ -288,16 +302,16 @@ def theorem(
 
 
 def tending(claim: Claim, says: Basic) -> Theorem:
-    """An order: with which bound for which distance, at all points so near that are allowed.
+    """Return an order as an ε–δ statement: a bound that holds at all sufficiently near points.
 
     Raises:
-        NotExportedError: an order of derivatives.
+        NotExportedError: the order contains derivatives.
     """
     equation, what, points, side = says.args
-    left, right = door.unworked(equation.lhs), door.unworked(equation.rhs)
+    left, right = sympy_reader.unworked(equation.lhs), sympy_reader.unworked(equation.rhs)
     (node,) = {e for e in outermost(right) if e.op in ("O", "o")}
     if not elementary(left):
-        raise NotExportedError("an order of derivatives is not exported to Coq yet")
+        raise NotExportedError("orders of derivatives are not exported to Coq yet")
     k, d = symbol("bound"), symbol("near")
     without, whole = (replaced(right, {node: e}) for e in (ZERO, node.args[0]))
     small = Relation(abs(left - without), "<=", k * abs(whole - without))
@@ -305,7 +319,7 @@ def tending(claim: Claim, says: Basic) -> Theorem:
     pairs = zip(what.args, points.args, strict=True) if several else [(what, points)]
     where = [part for x, p in pairs for part in _beside(x, p, int(side), d)]
     if not several and not int(side):
-        where.append(Relation(door.unworked(what), "!=", door.unworked(points)))
+        where.append(Relation(sympy_reader.unworked(what), "!=", sympy_reader.unworked(points)))
     given = [*conditions_of(claim.given), *where]
     sides = [e for c in given for e in (c.left, c.right)]
     used = frozenset().union(free(small), *map(symbols, sides)) - {"bound", "near"}
@@ -324,12 +338,12 @@ def tending(claim: Claim, says: Basic) -> Theorem:
 
 
 def _beside(x: Basic, point: Basic, side: int, d: Expr) -> Iterator[Relation]:
-    """That ``x`` is as near to the point as said, and on that side; beyond ``d`` at infinity."""
-    e = door.unworked(x)
+    """Return that ``x`` is within ``d`` of the point on its side, or beyond ``d`` at infinity."""
+    e = sympy_reader.unworked(x)
     if point.is_infinite:
         yield Relation(e, ">", d)
         return
-    p = door.unworked(point)
+    p = sympy_reader.unworked(point)
     yield from [
         Relation(e, ">", p if side > 0 else p - d),
         Relation(e, "<", p if side < 0 else p + d),
@@ -340,11 +354,10 @@ Meaning = tuple[tuple[Condition, ...], Relation]
 
 
 def definitions(claim: Claim, names: frozenset[str]) -> tuple[list[Meaning], frozenset[str]]:
-    """The equations for the symbols ``names`` and for those in them, foundations first.
+    """Return the equations that define the symbols ``names``, dependencies first, and all symbols.
 
-    What is assumed of an integral is among them where it speaks of one of these, and so are the
-    equations for a symbol that has several: together they tie what they say it is. Returns all the
-    symbols, too.
+    This includes assumed equations for integrals of these symbols, and all equations for a symbol
+    that has several, which together restrict its value.
     """
     table = [
         (conditions(used.given), part)
@@ -374,7 +387,7 @@ def definitions(claim: Claim, names: frozenset[str]) -> tuple[list[Meaning], fro
 
 
 def existence(claim: Claim, says: Formula) -> Theorem:
-    """That under the conditions of a definition there is what it defines."""
+    """Return that the defined value exists under the conditions of its definition."""
     parts = [*relations(says)]
     new = [part.left.args[0] for part in parts if part.left.op == "symbol"]
     inner = Conjunction(tuple(parts)) if len(parts) > 1 else parts[0]
@@ -382,11 +395,11 @@ def existence(claim: Claim, says: Formula) -> Theorem:
     whole = theorem(claim, made)
     needs = [part for p in parts for part in defined(p.right) if symbols(part[0])]
     shown = [Relation(e, sign, ZERO) for e, sign in dict.fromkeys(needs) if not symbols(e) & {*new}]
-    kept = tuple(part for part in whole.defined if (part[0], part[1]) not in set(needs))
+    remaining = tuple(part for part in whole.defined if (part[0], part[1]) not in set(needs))
     every: Formula = Conjunction((*shown, made)) if shown else made  # type: ignore[arg-type]
-    return Theorem(whole.name, whole.variables, whole.definitions, whole.given, kept, every)
+    return Theorem(whole.name, whole.variables, whole.definitions, whole.given, remaining, every)
 
 
 def stamp(found: Theorem | Joint) -> str:
-    """What changes when a statement does."""
+    """Return a hash of the statement; it changes when the statement does."""
     return sha256(f"{found.text}".encode()).hexdigest()[:16]

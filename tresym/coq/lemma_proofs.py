@@ -1,8 +1,8 @@
 """Prove a claim from lemmas, each of which is one relation that a tactic closes.
 
-Two plans are tried. The first puts in the definitions and has the tactics show what is said at
-once. The second is the claim's own chain: each step is a lemma, under what the claims that it names
-say; that these hold is taken from their theorems.
+Two plans are tried. The first substitutes the definitions and lets the tactics prove the statement
+directly. The second follows the claim's own chain: each step is a lemma, with the equations of the
+claims it names as premises; these premises follow from the theorems of those claims.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ from tresym.reals.numbers.exact import InputError
 
 @dataclass(frozen=True)
 class Plan:
-    """Lemmas, a proof that rests on them, and the claims whose theorems it applies."""
+    """A proof plan: lemmas, a script that uses them, labels of claims whose theorems it applies."""
 
     lemmas: tuple[Theorem, ...]
     script: str
@@ -59,7 +59,10 @@ class Plan:
 
 
 def plans(claim: Claim, whole: Theorem | Joint) -> Iterator[Plan]:
-    """The plans to try, the likeliest first."""
+    """Yield the plans to try for a claim, the most likely first.
+
+    A hand-written script in ``proofs/coq`` comes before the generated ones.
+    """
     if isinstance(whole, Joint):
         labels = tuple(part.label for part in whole.parts)
         yield Plan((), f"exact {_conjoined([name_of(label) for label in labels])}.", labels)
@@ -82,7 +85,7 @@ def plans(claim: Claim, whole: Theorem | Joint) -> Iterator[Plan]:
 
 
 def _pattern(says: Formula, name: str) -> str:
-    """What takes a conjunction apart, and no equation in it."""
+    """Return the intro pattern that destructs a conjunction, but none of its equations."""
     if not isinstance(says, Conjunction):
         return name
     first, *rest = (_pattern(part, f"{name}_{n}") for n, part in enumerate(says.parts, 1))
@@ -92,17 +95,18 @@ def _pattern(says: Formula, name: str) -> str:
 
 
 def _conjoined(names: list[str]) -> str:
+    """Return the proof term of a conjunction from the names of its parts' proofs."""
     first, *rest = names
     return f"(conj {first} {_conjoined(rest)})" if rest else first
 
 
 class _NoPlanError(Exception):
-    """There is no such plan for this claim."""
+    """This plan does not apply to the claim."""
 
 
 @dataclass
 class _Planner:
-    """A plan in the making."""
+    """The state of a plan under construction."""
 
     claim: Claim
     whole: Theorem
@@ -116,7 +120,7 @@ class _Planner:
     posed: list[str] = field(default_factory=list)
 
     def plan(self) -> Plan:
-        """The whole plan."""
+        """Return the complete plan."""
         whole, proof = self.whole, self.claim.proof
         names = [*map(variable, whole.variables)]
         counts = (len(whole.definitions), len(whole.given), len(whole.defined))
@@ -138,7 +142,7 @@ class _Planner:
         return Plan(tuple(self.lemmas), text, tuple(self.uses))
 
     def shown(self, says: Formula, chain: Chain, entry: int = 0) -> str:
-        """A script that shows what is said."""
+        """Return a script that proves the formula."""
         match says:
             case Conjunction(parts):
                 return _split([self.shown(part, chain, n) for n, part in enumerate(parts)])
@@ -151,7 +155,7 @@ class _Planner:
         raise _NoPlanError
 
     def witness(self, names: tuple[str, ...], says: Formula) -> str:
-        """That there is what a definition defines."""
+        """Return a script for the existence of a defined value."""
         parts = says.parts if isinstance(says, Conjunction) else (says,)
         values: dict[str, Expr] = {}
         for part in parts:
@@ -169,7 +173,7 @@ class _Planner:
         return f"exists {texts}; repeat split; first [reflexivity | integrable]."
 
     def relation(self, says: Relation, chain: Chain, entry: int) -> str:
-        """One relation: its integrals and derivatives have values, and these are so related."""
+        """Return a script for a relation whose integrals and derivatives must be shown to exist."""
         bare, names = values_of(says)
         if not names:
             return self.bare(says, chain, entry)
@@ -195,7 +199,7 @@ class _Planner:
         return f"exists {given}.\n{text}"
 
     def derivative(self, node: Expr) -> tuple[Expr, str]:
-        """The value of a derivative, and that it is its value."""
+        """Return the value of a derivative, and a script that proves it."""
         (bound,), body = inside(node)
         place = node.args[1]
         if not elementary(body):
@@ -210,7 +214,7 @@ class _Planner:
         return exchanged(value, {at: place}), self.applied(lemma, actual)
 
     def bare(self, says: Relation, chain: Chain, entry: int) -> str:
-        """A relation without integrals and derivatives."""
+        """Return a script for a relation without integrals and derivatives."""
         if not elementary(put_at(says.left), put_at(says.right)):
             says = Relation(worked_out(says.left), says.sign, worked_out(says.right))
             text = self.bare(says, chain, entry)
@@ -226,7 +230,7 @@ class _Planner:
         rules: Iterable[Relation] | None = None,
         more: Iterable[Relation] = (),
     ) -> Theorem:
-        """A lemma under the claim's conditions and definitions, or under these rules."""
+        """Add a lemma under the claim's conditions and definitions, or under ``rules``."""
         whole = self.whole
         if rules is None:
             rules = [
@@ -240,26 +244,26 @@ class _Planner:
         parts = tuple(dict.fromkeys((*(p for p in extra if symbols(p[0])), *whole.defined)))
         sides = [e for x, _, y in given for e in (x, y)] + [e for e, _ in parts]
         used = frozenset().union(free(says), *map(symbols, sides))
-        kept: list[Relation] = []
+        retained: list[Relation] = []
         for rule in reversed([*once.values()]):
             if symbols(rule.left) & used:
                 used |= symbols(rule.right)
-                kept.insert(0, rule)
+                retained.insert(0, rule)
         name = f"{stem(self.claim.label)}_{len(self.lemmas) + 1}"
         lemma = Theorem(
-            name, tuple(sorted(used)), tuple(((), rule) for rule in kept), given, parts, says
+            name, tuple(sorted(used)), tuple(((), rule) for rule in retained), given, parts, says
         )
         self.lemmas.append(lemma)
         return lemma
 
     def applied(self, lemma: Theorem, actual: Mapping[str, str] | None = None) -> str:
-        """The lemma applied, its premises shown."""
+        """Return a script that applies the lemma and proves its premises."""
         actual = actual or {}
         names = [actual.get(name, variable(name)) for name in lemma.variables]
         return f"apply ({' '.join([lemma.name, *names])}); give."
 
     def chain(self, says: Relation, chain: Chain, entry: int) -> str:
-        """The claim's own steps; an inequality ends at a form whose sign is shown."""
+        """Return a script that follows the claim's steps; an inequality ends at a provable sign."""
         equal = says.sign == "=="
         upward = says.upward
         current = says.left if equal else upward.left - upward.right
@@ -304,7 +308,7 @@ class _Planner:
         return "\n".join([*lines, "lra."])
 
     def reasons(self, reasons: Iterable[Reason]) -> tuple[list[Relation], list[Relation]]:
-        """What the claims that are named say: equations for symbols, and the rest."""
+        """Return what the named claims state: equations for symbols, and other relations."""
         rules: list[Relation] = []
         facts: list[Relation] = []
         for reason in reasons:
@@ -322,7 +326,7 @@ class _Planner:
         return rules, facts
 
     def fact(self, used: Claim) -> tuple[Relation, ...]:
-        """What a claim says that is used; that it holds is put before the script."""
+        """Return what a used claim states; its proof is put at the head of the script."""
         if used.label in self.facts:
             return self.facts[used.label]
         self.facts[used.label] = ()
@@ -335,36 +339,36 @@ class _Planner:
             self.facts[used.label] = tuple(parts)
             return self.facts[used.label]
         try:
-            told = theorem_of(used)
+            theorem = theorem_of(used)
         except NotExportedError:
             return ()
-        if isinstance(told, Joint) or told.exists:
+        if isinstance(theorem, Joint) or theorem.exists:
             return ()
-        says = [*relations(told.says)]
+        says = [*relations(theorem.says)]
         if not says:
             return ()
         known = {*self.whole.variables, *self.posed}
-        for name in told.variables:
+        for name in theorem.variables:
             if name not in known:
                 meaning = next(
-                    (m.right for _, m in told.definitions if m.left == symbol(name)), None
+                    (m.right for _, m in theorem.definitions if m.left == symbol(name)), None
                 )
                 if meaning is None or not elementary(meaning) or not symbols(meaning) <= known:
                     return ()
                 self.head.append(f"pose ({variable(name)} := {term(meaning)}).")
                 self.posed.append(name)
                 known.add(name)
-        names = " ".join([name_of(used.label), *map(variable, told.variables)])
+        names = " ".join([name_of(used.label), *map(variable, theorem.variables)])
         fact = f"F_{len(self.facts)}"
-        self.head.append(f"assert ({fact} : {formula(told.says)}) by (apply ({names}); give).")
+        self.head.append(f"assert ({fact} : {formula(theorem.says)}) by (apply ({names}); give).")
         if len(says) > 1:
-            self.head.append(f"destruct {fact} as {_pattern(told.says, fact)}.")
+            self.head.append(f"destruct {fact} as {_pattern(theorem.says, fact)}.")
         self.uses[used.label] = None
         self.facts[used.label] = tuple(says)
         return tuple(says)
 
     def equivalence(self, first: Relation, second: Relation, chain: Chain) -> str:
-        """Both equations by one-to-one operations on their sides, step by step."""
+        """Return a script that transforms one equation into the other by injective operations."""
         if not chain:
             raise _NoPlanError
         last = chain[-1].expression
@@ -459,7 +463,7 @@ INJECTIVE = {
 
 
 def _split(scripts: list[str]) -> str:
-    """A script for each part of a conjunction."""
+    """Return a script that proves a conjunction part by part."""
     if not scripts:
         return "exact I."
     text = scripts[-1]
@@ -474,7 +478,7 @@ def _transitive(names: list[str]) -> str:
 
 
 def candidates(lemma: Theorem) -> Iterator[str]:
-    """Proofs of a lemma to try: one by hand, and others after its definitions are put in."""
+    """Yield proofs of a lemma to try: a hand-written one, then others without definitions."""
     path = file_of("coq") / f"{lemma.name}.v"
     if path.is_file():
         yield path.read_text(encoding="utf-8").rstrip()
@@ -493,8 +497,8 @@ def candidates(lemma: Theorem) -> Iterator[str]:
             f" match goal with H : {term(e)} = _ |- _ => try rewrite H in *; clear H end."
             for e in rewritten
         )
-        kept = replace(lemma, given=tuple(c for c in lemma.given if c[0] not in rewritten))
-        for proof in islice(candidates(_put_in(kept, rewritten)), 4):
+        retained = replace(lemma, given=tuple(c for c in lemma.given if c[0] not in rewritten))
+        for proof in islice(candidates(_put_in(retained, rewritten)), 4):
             yield f"intros.{lines} {proof}"
     turns = turned(lemma)
     if turns and lemma.by is None:
@@ -515,7 +519,7 @@ def candidates(lemma: Theorem) -> Iterator[str]:
 
 
 def without_definitions(lemma: Theorem) -> tuple[Theorem, str]:
-    """The lemma after its definitions are put in, and the tactic that puts them in."""
+    """Substitute the definitions of a lemma; return it with the tactic that does the same."""
     meanings = {meaning.left: meaning.right for _, meaning in lemma.definitions}
     if not meanings:
         return lemma, "intros"
@@ -523,7 +527,7 @@ def without_definitions(lemma: Theorem) -> tuple[Theorem, str]:
 
 
 def turned(lemma: Theorem) -> list[tuple[Expr, Expr, str]]:
-    """Sines and cosines of what is turned by right angles: their values, and why they are these."""
+    """Return rules for sines and cosines of angles shifted by multiples of π/2, with proofs."""
     found = []
     sides = [lemma.left, lemma.right, *(e for e, _ in lemma.defined)]
     for e in nodes(sides):
@@ -546,7 +550,7 @@ def turned(lemma: Theorem) -> list[tuple[Expr, Expr, str]]:
 
 
 def _put_in(lemma: Theorem, meanings: Mapping[Expr, Expr]) -> Theorem:
-    """The lemma after its definitions are put in, brackets kept."""
+    """Return the lemma with its definitions substituted, keeping parentheses."""
 
     def whole(e: Expr) -> Expr:
         for _ in range(20):
@@ -559,16 +563,18 @@ def _put_in(lemma: Theorem, meanings: Mapping[Expr, Expr]) -> Theorem:
     given = tuple(Relation(whole(x), relation, whole(y)) for x, relation, y in lemma.given)
     parts = tuple((whole(e), sign) for e, sign in lemma.defined)
     names = tuple(name for name in lemma.variables if symbol(name) not in meanings)
-    said = lemma.says
-    assert isinstance(said, Relation)
+    conclusion = lemma.says
+    assert isinstance(conclusion, Relation)
     if lemma.by is None:
-        said = Relation(whole(said.left), said.sign, whole(said.right))
+        conclusion = Relation(whole(conclusion.left), conclusion.sign, whole(conclusion.right))
     else:
-        said = Relation(exchanged_under(said.left, whole), said.sign, whole(said.right))
-    return Theorem(f"{lemma.name}_put", names, (), given, parts, said)
+        conclusion = Relation(
+            exchanged_under(conclusion.left, whole), conclusion.sign, whole(conclusion.right)
+        )
+    return Theorem(f"{lemma.name}_put", names, (), given, parts, conclusion)
 
 
 def exchanged_under(node: Expr, whole: object) -> Expr:
-    """A derivative with definitions put into its function."""
+    """Substitute definitions into the function under a derivative."""
     body = node.args[0]
     return Expr(node.op, (whole(body), *node.args[1:]), node.names)  # type: ignore[operator]

@@ -15,7 +15,10 @@ MAX_TERMS = 400
 
 
 def expanded(e: Expr) -> Vector:
-    """``e`` as a polynomial with rational coefficients; what is no sum or product is a part."""
+    """Return ``e`` as a polynomial with rational coefficients.
+
+    Parts other than sums and products count as variables.
+    """
     if e.op == "number":
         return {frozenset(): Fraction(int(e.args[0].p), int(e.args[0].q))} if e.args[0] != 0 else {}
     if e.op == "+":
@@ -60,12 +63,12 @@ def _times(x: Monomial, y: Monomial) -> Monomial:
 
 
 def scaled(e: Expr, by: Fraction) -> Expr:
-    """``by·e``."""
+    """Return ``by·e``."""
     return e if by == 1 else multiply(number(by), e)
 
 
 def combination(basis: Sequence[Vector], v: Vector) -> list[Fraction] | None:
-    """The coefficients of ``v`` over independent vectors, None where it is independent of them."""
+    """Return the coefficients of ``v`` in independent vectors, or None if there are none."""
     rows = sorted({m for w in (*basis, v) for m in w}, key=str)
     matrix = [[w.get(m, Fraction(0)) for w in (*basis, v)] for m in rows]
     n, done = len(basis), 0
@@ -85,10 +88,11 @@ def combination(basis: Sequence[Vector], v: Vector) -> list[Fraction] | None:
 def whole_basis(
     terms: Sequence[Expr], first: Sequence[Expr] = ()
 ) -> tuple[list[Expr], dict[Expr, list[int]]]:
-    """Independent expressions of which all ``terms`` are sums of whole multiples.
+    """Return independent expressions of which all ``terms`` are integer linear combinations.
 
     Args:
-        first: what is taken for the basis before all others.
+        terms: the expressions.
+        first: expressions that are preferred for the basis.
     """
     chosen: list[Expr] = []
     vectors: list[Vector] = []
@@ -117,19 +121,19 @@ def whole_basis(
 
 
 def as_expression(terms: Vector) -> Expr:
-    """The expression of a polynomial."""
+    """Return the expression of a polynomial."""
     parts = sorted(((str(sorted(map(str, m))), m, c) for m, c in terms.items()), key=lambda p: p[0])
     return add(*(_term(m, c) for _, m, c in parts)) if parts else ZERO
 
 
 def _term(m: Monomial, c: Fraction) -> Expr:
-    """One term."""
+    """Return one term of a polynomial as an expression."""
     factors = [power(part, number(n)) for part, n in sorted(m, key=str)]
     return multiply(number(c), *factors)
 
 
 def without_squares(terms: Vector, angles: Sequence[Expr]) -> Iterator[Vector]:
-    """The terms without squares of the sine, or of the cosine, of each angle."""
+    """Eliminate the squares of the sine, or of the cosine, of each angle."""
     for choice in product(("sin", "cos"), repeat=len(angles)):
         found = terms
         for name, angle in zip(choice, angles, strict=True):
@@ -138,9 +142,9 @@ def without_squares(terms: Vector, angles: Sequence[Expr]) -> Iterator[Vector]:
 
 
 def without_square(terms: Vector, name: str, angle: Expr) -> Vector:
-    """Terms in which the sine, or the cosine, of the angle stands at most once."""
+    """Reduce to terms in which the sine (or cosine) of the angle occurs at most once."""
     gone = apply(name, angle)
-    kept = apply("cos" if name == "sin" else "sin", angle)
+    cofunction = apply("cos" if name == "sin" else "sin", angle)
     found: Vector = {}
     for monomial, c in terms.items():
         powers = dict(monomial)
@@ -152,7 +156,7 @@ def without_square(terms: Vector, name: str, angle: Expr) -> Vector:
         for k in range(half + 1):  # (1 − kept²)^half
             own = dict(powers)
             if k:
-                own[kept] = own.get(kept, 0) + 2 * k
+                own[cofunction] = own.get(cofunction, 0) + 2 * k
             key = frozenset((part, m) for part, m in own.items() if m)
             found[key] = found.get(key, Fraction(0)) + c * coefficient
             coefficient = -coefficient * (half - k) / (k + 1)

@@ -24,7 +24,7 @@ Open Scope R_scope.
 
 
 def numbers() -> str:
-    """The text of Numbers.v."""
+    """Return the text of ``Numbers.v``."""
     text = files("tresym.coq").joinpath("Numbers.v").read_text(encoding="utf-8")
     first, rest = text.split("\n\nSection", 1)
     bodies = "".join(of_body(name) for name in NAMED_BODIES)
@@ -32,7 +32,7 @@ def numbers() -> str:
 
 
 def of_body(name: str) -> str:
-    """The theorem of one body: whatever solves the equation gives these digits."""
+    """Return the theorem for one body: every solution of the equation has these digits."""
     shape = NAMED_BODIES[name].shape
     defect = solve(shape.a, shape.b, DIGITS + 4).defect
     with ball_precision(BITS):
@@ -65,7 +65,7 @@ Qed.
 
 
 def _decimal(x: arb, up: int) -> str:
-    """The middle of a ball, in decimals, moved by a little beyond its radius."""
+    """Return the midpoint of a ball in decimals, shifted slightly beyond its radius."""
     digits = DIGITS + 6
     scale = fmpq(10) ** digits
     middle = fmpq(*_quotient(x)) * scale
@@ -74,7 +74,7 @@ def _decimal(x: arb, up: int) -> str:
 
 
 def _quotient(x: arb) -> tuple[int, int]:
-    """The middle of a ball as a fraction."""
+    """Return the midpoint of a ball as a fraction."""
     man, exp = x.mid().man_exp()
     f = Fraction(int(man)) * Fraction(2) ** int(exp)
     return f.numerator, f.denominator

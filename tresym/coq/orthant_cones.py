@@ -1,9 +1,10 @@
 """Prove polynomial inequalities by subdividing the orthant into cones (certificates for Coq).
 
-A polynomial is written in coordinates that are not negative: a square, a distance from a bound, a
-side of a simplex. Where coefficients are negative, two coordinates are compared, and the larger one
-becomes the smaller one and a difference. The tree is a search of ours; what is written is checked
-by Coq, leaf by leaf: an equation of polynomials, and a sum of products of what is not negative.
+A polynomial is written in non-negative coordinates: a square, a distance from a bound, a side of a
+simplex. If all coefficients are non-negative, so is the polynomial. Otherwise two coordinates are
+compared, and the larger one is replaced by the smaller one plus a difference (successive
+subdivision). The tree of comparisons is found by a heuristic search. Coq checks the result leaf by
+leaf: a polynomial identity, and a sum of products of non-negative terms.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ MAX_DEGREE = 14
 
 @dataclass(frozen=True)
 class Span:
-    """What is known of a part: that it lies between numbers."""
+    """A known range of a part: it lies between two numbers."""
 
     low: Fraction | None = None
     high: Fraction | None = None
@@ -43,7 +44,7 @@ class Leaf:
 
 @dataclass(frozen=True)
 class Fork:
-    """Which of two coordinates is the smaller one."""
+    """A comparison of two coordinates, with one subtree for each outcome."""
 
     one: Expr
     other: Expr
@@ -54,9 +55,10 @@ class Fork:
 def cone_lines(
     top: Expr, spans: Mapping[Expr, Span], total: Expr | None = None
 ) -> list[str] | None:
-    """Sentences that prove ``0 <= top``, None where no tree was found.
+    """Return sentences that prove ``0 <= top``, or None if no tree was found.
 
     Args:
+        top: the polynomial.
         spans: bounds of the parts of the polynomial, which ``lra`` finds among the premises.
         total: a linear expression that is not negative, 1 − Σ c·part with positive c, of parts that
             are not negative.
@@ -97,7 +99,7 @@ def cone_lines(
 
 
 def _split(signs: Sequence[Expr], blocks: list[str]) -> str:
-    """The blocks, one for each combination of signs, the first half not negative."""
+    """Return the blocks, one for each combination of signs, the first half being non-negative."""
     if not signs:
         return blocks[0]
     half = len(blocks) // 2
@@ -113,10 +115,10 @@ Choice = tuple[tuple[Expr, ...], tuple[Fraction, ...], int]
 
 
 def _coordinates(terms: Vector, part: Expr, span: Span, simplex: bool) -> list[Choice]:
-    """Ways to write a part, one for each of its signs where these are not known.
+    """Return ways to write a part in coordinates, one for each possible sign.
 
-    A way is a tuple of coordinates with the coefficients of the part in them, and what the part is
-    a power of: 2 where only even powers occur and its square is taken.
+    A way is a tuple of coordinates with the coefficients of the part in them, and the exponent: 2
+    if only even powers occur and the square of the part is used.
     """
     even = all(n % 2 == 0 for m in terms for p, n in m if p == part)
     low, high = span.low, span.high
@@ -185,18 +187,18 @@ def _q(x: Fraction) -> fmpq:
 
 
 def _count(p: fmpq_mpoly) -> fmpq:
-    """How many coefficients are negative."""
+    """Return the number of negative coefficients."""
     return fmpq(sum(1 for c in p.coeffs() if c < 0))
 
 
 def _share(p: fmpq_mpoly) -> fmpq:
-    """How much of all coefficients the negative ones are."""
+    """Return the share of the negative coefficients in the sum of all absolute values."""
     total = sum((abs(c) for c in p.coeffs()), fmpq(0))
     return sum((-c for c in p.coeffs() if c < 0), fmpq(0)) / total if total else fmpq(0)
 
 
 def _sum(p: fmpq_mpoly) -> fmpq:
-    """The sum of the negative coefficients."""
+    """Return the sum of the negative coefficients."""
     return sum((-c for c in p.coeffs() if c < 0), fmpq(0))
 
 
@@ -241,12 +243,12 @@ def _tree(
 
 
 def _fails_at_vertex(p: fmpq_mpoly) -> bool:
-    """Whether it is negative on an axis, which no comparison heals."""
+    """Return whether the polynomial is negative on an axis, so that no comparison can help."""
     return any(c < 0 and sum(1 for n in m if n) == 1 for m, c in p.to_dict().items())
 
 
 def _pairs_of_negative(p: fmpq_mpoly) -> list[tuple[int, int]]:
-    """Pairs of coordinates in terms with negative coefficients."""
+    """Return pairs of coordinates in terms with negative coefficients."""
     found: dict[tuple[int, int], None] = {}
     for m, c in p.to_dict().items():
         if c < 0:
@@ -284,6 +286,6 @@ def _lines(top: Expr, tree: Leaf | Fork) -> list[str]:
 
 
 def multiply_raw(c: Fraction, factors: Sequence[tuple[Expr, int]]) -> str:
-    """A product of powers as text, nothing folded."""
+    """Return a product of powers as text, without simplification."""
     powers = [term(e, 3) if n == 1 else f"{term(e, 3)} ^ {n}" for e, n in factors if e != ONE]
     return " * ".join([term(number(c), 3), *powers])

@@ -32,19 +32,19 @@ Ask = Callable[[str], bool]
 
 
 class StuckError(Exception):
-    """No next step was found."""
+    """No further step of the proof was found."""
 
 
 class AgainError(Exception):
-    """A base was chosen too coarse; it is known now which is fine enough."""
+    """A base was too coarse; a finer one is now known, and the proof must be restarted."""
 
 
 class CasesError(Exception):
-    """The proof goes on in cases, by the sign of the first argument; by three where it says so."""
+    """The proof must split into cases by the sign of an expression; in three if the flag is set."""
 
 
 def spelled(e: Expr, plainly: bool = False) -> Expr:
-    """``e`` as ``spell`` of Tresym.v leaves it, or ``spell_plainly``."""
+    """Return ``e`` as the tactic ``spell`` (or ``spell_plainly``) of ``Tresym.v`` rewrites it."""
     if e.op in LEAVES:
         return e
     args = tuple(spelled(arg, plainly) for arg in e.args)
@@ -68,7 +68,7 @@ def spelled(e: Expr, plainly: bool = False) -> Expr:
 
 
 class Turned(NamedTuple):
-    """A base angle: its sine and cosine, and the name of the fact that says so."""
+    """The sine and cosine of a base angle, and the name of the equation that relates them."""
 
     sine: Expr
     cosine: Expr
@@ -76,7 +76,7 @@ class Turned(NamedTuple):
 
 
 class Writing:
-    """A proof in the making."""
+    """A proof script under construction, with the facts and names known so far."""
 
     def __init__(
         self, theorem: Theorem, ask: Ask, finest: dict[object, fmpq], plainly: bool
@@ -105,10 +105,10 @@ class Writing:
             for point in known.points(theorem.variables, POINTS, start)
         ]
 
-    # What is said to Coq.
+    # Sentences sent to Coq.
 
     def say(self, sentence: str) -> bool:
-        """One sentence; it is kept where Coq accepts it."""
+        """Send a sentence to Coq; keep it in the script if Coq accepts it."""
         self.count += 1
         if self.count > STEPS:
             raise StuckError
@@ -118,24 +118,24 @@ class Writing:
         return held
 
     def must(self, *sentences: str) -> None:
-        """The first of the sentences that Coq accepts."""
+        """Keep the first of the sentences that Coq accepts; raise StuckError if there is none."""
         if not any(map(self.say, sentences)):
             raise StuckError
 
     def label(self, letter: str) -> str:
-        """A label not used before."""
+        """Return a fresh label."""
         self.count += 1
         return f"{letter}_{self.count}"
 
     @property
     def by_field(self) -> str:
-        """The tactic for equations of rational functions of the names."""
+        """The tactic for equations between rational functions of the names."""
         known = f" [{' '.join(self.bound.values())}]" if self.bound else ""
         away = f"away ltac:(fun _ => ring{known})"
         return f"first [ring{known} | field{known}; {away} | unfold Rdiv; field{known}; {away}]"
 
     def put(self, old: Expr, new: Expr) -> None:
-        """``old`` replaced in both sides, powers of a root with it."""
+        """Replace ``old`` in both sides; for a root, also in its powers."""
         degree = degree_of(old) if is_root(old) else 0
 
         def walk(e: Expr) -> Expr:
@@ -151,7 +151,7 @@ class Writing:
         self.sides = list(map(walk, self.sides))
 
     def equation(self, old: Expr, new: Expr, *proofs: str) -> bool:
-        """That ``old = new``, put into all that there is."""
+        """Prove ``old = new`` and substitute it everywhere; return whether that succeeded."""
         name = self.label("E")
         for proof in proofs:
             if term(old) == term(new) or self.say(
@@ -163,12 +163,12 @@ class Writing:
         return False
 
     def exchange(self, old: Expr, new: Expr, *proofs: str) -> None:
-        """The same, without which there is no next step."""
+        """Prove ``old = new`` and substitute it; raise StuckError if that fails."""
         if not self.equation(old, new, *proofs):
             raise StuckError
 
     def named(self, e: Expr) -> Expr:
-        """A name for ``e``; what it is a name of is kept out of the way of the tactics."""
+        """Introduce a name for ``e``, hiding its meaning from the tactics."""
         name = symbol(fresh(f"n{len(self.taken)}", self.taken))
         self.taken.add(name.args[0])
         text, is_called = term(e, 3), f"D_{name.args[0]}"
@@ -181,11 +181,11 @@ class Writing:
         return name
 
     def back(self, name: Expr) -> str:
-        """The tactic that writes what the name is a name of."""
+        """Return the tactic that replaces a name by its meaning."""
         return f"unfold same in D_{name.args[0]}; rewrite <- D_{name.args[0]}"
 
     def fact(self, says: str, *proofs: str) -> bool:
-        """A fact among the premises, if it can be shown in one of the ways."""
+        """Add a fact to the premises if one of the proofs succeeds; return whether it did."""
         name = self.label("F")
         for proof in proofs:
             if (says, proof) not in self.refused:
@@ -196,7 +196,7 @@ class Writing:
         return False
 
     def is_above(self, e: Expr, strict: bool = True) -> bool:
-        """Whether Coq shows that ``e`` is above zero; it is among the premises then."""
+        """Return whether Coq proves ``e > 0`` (or ``>= 0``); if so, it becomes a premise."""
         if e.op == "number":
             return bool(e.args[0] > 0)
         return self.fact(f"0 {'<' if strict else '<='} {term(e)}", "plainly", "in_numbers", "nra")
@@ -207,7 +207,7 @@ class Writing:
         factors: list[tuple[Expr, int]],
         ways: tuple[str, ...] = ("plainly", "in_numbers", "rest", "nra"),
     ) -> list[Expr]:
-        """That factors of ``u`` are above zero; those that are not shown to be."""
+        """Prove that factors of ``u`` are positive; return those for which this failed."""
         left = [f for f, _ in factors if f.op != "number"]
         for way in ways:
             for f in list(left):
@@ -230,14 +230,14 @@ class Writing:
                     left.remove(f)
         return left
 
-    # What the values at the points say.
+    # Values at the sample points
 
     def values(self, e: Expr) -> list[arb]:
-        """The values at the points."""
+        """Return the values at the sample points."""
         return [evaluate(e, point) for point in self.points]
 
     def sign(self, e: Expr) -> int | None:
-        """The sign at the points, None where it varies; 0 where all are zero."""
+        """Return the sign at the sample points: 1, −1 or 0; None if it varies."""
         values = self.values(e)
         if all(is_zero(v) for v in values):
             return 0
@@ -246,19 +246,19 @@ class Writing:
         return -1 if all(v < 0 or is_zero(v) for v in values) else None
 
     def equal(self, x: Expr, y: Expr) -> bool:
-        """Whether the values agree."""
+        """Return whether two expressions agree at the sample points."""
         return self.sign(x - y) == 0
 
     def has(self, e: Expr) -> bool:
-        """Whether it stands in a side."""
+        """Return whether ``e`` occurs in one of the sides."""
         return e in nodes(self.sides)
 
 
 def degree_of(e: Expr) -> int:
-    """The degree of a root."""
+    """Return the degree of a root."""
     return 3 if e.op == "cbrt" else int(e.args[1].args[0].q)
 
 
 def is_zero(v: arb) -> bool:
-    """Whether it is zero, as far as it is known."""
+    """Return whether the ball contains zero and is narrow."""
     return bool(v.is_finite() and v.contains(0) and v.rad() < arb("1e-20"))

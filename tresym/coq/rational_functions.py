@@ -1,7 +1,8 @@
 """Rational functions of names bound by equations, in lowest terms and factored.
 
-A name may have an equation n**q = p, where p is a polynomial in names that are older: the leading
-powers have nothing in common, so that what is left below them is a normal form.
+A name may have an equation n**q = p, where p is a polynomial in older names. The leading monomials
+of these equations are pairwise coprime, so they form a Gröbner basis, and what remains after
+reduction is a normal form.
 """
 
 from __future__ import annotations
@@ -23,13 +24,13 @@ _PI = "[pi]"
 
 
 class Quotients:
-    """The rational functions; ``powers`` has the equation of each name that has one."""
+    """The field of rational functions; ``powers`` contains the equations of the names."""
 
     def __init__(self) -> None:
         self.powers: dict[str, tuple[int, Expr]] = {}
 
     def fraction(self, e: Expr) -> Fraction | None:
-        """Numerator and denominator in lowest terms, None where these are too long."""
+        """Return numerator and denominator in lowest terms, or None if they are too long."""
         if any(part.op not in ("+", "*", "^", *LEAVES) or is_root(part) for part in nodes([e])):
             return None
         try:
@@ -38,7 +39,7 @@ class Quotients:
             return None
 
     def canonical(self, e: Expr) -> Expr:
-        """``e`` in lowest terms and in factors; itself where that is too long."""
+        """Return ``e`` in lowest terms and factored; ``e`` itself if that is too long."""
         found = self.fraction(e)
         if found is None:
             return e
@@ -56,7 +57,7 @@ class Quotients:
         return result / multiply(*down) if down else result
 
     def factors(self, e: Expr) -> Factors:
-        """A constant, and irreducible factors with their powers."""
+        """Return a constant and the irreducible factors with their powers."""
         found = self.fraction(e)
         if found is None:
             return fmpq(1), [(e, 1)]
@@ -77,7 +78,7 @@ class Quotients:
 
     @staticmethod
     def cosine(e: Expr) -> Expr | None:
-        """The c of 1 − c², None where it is something else."""
+        """Return the c of 1 − c², or None if the expression has another form."""
         for part in e.args if e.op == "+" else ():
             for square in part.args if part.op == "*" else ():
                 if square.op == "^" and square.args[0].op == "symbol" and 1 - square == e:
@@ -86,7 +87,7 @@ class Quotients:
         return None
 
     def _squared(self, sine: Expr, c: Expr, powers: Counter[Expr]) -> int:
-        """(1 − c)(1 + c) by the square of a sine; the sign that it leaves."""
+        """Replace (1 − c)(1 + c) by the square of a sine; return the remaining sign."""
         sign = 1
         for x, turned in ((1 - c, 1), (c - 1, -1)):
             low, high = self.canonical(x), self.canonical(c + 1)
@@ -100,7 +101,7 @@ class Quotients:
         return sign
 
     def parts(self, e: Expr) -> list[tuple[Expr, fmpq]]:
-        """A sum of bases with rational factors, of which the bases have none."""
+        """Return a sum of base parts with rational coefficients."""
         found = self.fraction(e)
         if found is None:
             return [(e, fmpq(1))]
@@ -176,7 +177,7 @@ class Quotients:
         return top, bottom
 
     def _reduced(self, p: fmpq_mpoly, context: fmpq_mpoly_ctx) -> fmpq_mpoly:
-        """The powers of each name below the one that its equation has."""
+        """Reduce the powers of each name by its equation."""
         for k, name in enumerate(context.names()):
             if name not in self.powers or p.degrees()[k] < (q := self.powers[name][0]):
                 continue
@@ -199,12 +200,12 @@ class Quotients:
 
 
 def exact(p: fmpq_mpoly, g: fmpq_mpoly) -> fmpq_mpoly:
-    """p/g, which leaves nothing over."""
+    """Return p/g, which must divide exactly."""
     return divmod(p, g)[0] if g != 1 else p
 
 
 def written(p: fmpq_mpoly, names: Iterable[str]) -> Expr:
-    """A polynomial as an expression."""
+    """Return a polynomial as an expression."""
     gens = [PI if name == _PI else symbol(name) for name in names]
     terms = []
     for exponents, c in sorted(p.to_dict().items(), reverse=True):

@@ -1,6 +1,6 @@
 """Reduce an inequality to others that imply it, with the Coq text that completes the proof.
 
-Each way is one that the prover of signs goes too, and asks it first whether what is left holds.
+The sign prover uses the same reductions; it is asked first whether the reduced inequality holds.
 """
 
 from __future__ import annotations
@@ -33,13 +33,13 @@ from tresym.reals.signs.sign import directly, sign
 
 @dataclass(frozen=True)
 class Reduction:
-    """What is left to show, each under the name ``step_n``, and how the claim follows.
+    """Inequalities that remain to be shown, named ``step_n``, and how they imply the claim.
 
     Attributes:
-        steps: theorems under the premises that there are.
-        after: sentences that finish.
-        before: sentences before it.
-        only: for each step the condition of its own, where it has one.
+        steps: theorems under the available premises.
+        after: sentences that complete the proof.
+        before: sentences that precede it.
+        only: for each step an additional condition, or None.
     """
 
     steps: tuple[Theorem, ...]
@@ -49,18 +49,18 @@ class Reduction:
 
 
 def known(theorem: Theorem) -> Given:
-    """The premises with what is defined by them."""
+    """Return the premises with the definitions they determine."""
     given = Given(tuple(c for c in theorem.given if c[1] != "=="))
     return with_domain(given, theorem.left, theorem.right)
 
 
 def stated(theorem: Theorem, left: Expr, relation: str, right: Expr) -> Theorem:
-    """Another conclusion from the same premises."""
+    """Return a theorem with the same premises and another conclusion."""
     return replace(theorem, says=Relation(left, relation, right))
 
 
 def is_likely(theorem: Theorem) -> bool:
-    """Whether the prover of signs says so."""
+    """Return whether the sign prover proves the theorem."""
     up = theorem.relation in (">", ">=")
     d = theorem.left - theorem.right if up else theorem.right - theorem.left
     relation = ">" if theorem.relation in (">", "<") else ">="
@@ -68,7 +68,7 @@ def is_likely(theorem: Theorem) -> bool:
 
 
 def reductions(theorem: Theorem) -> Iterator[Reduction]:
-    """Ways to reduce an inequality between two sides, the likeliest first."""
+    """Yield ways to reduce an inequality, the most likely first."""
     if theorem.relation in (">", ">="):
         small, great = theorem.right, theorem.left
     else:
@@ -86,7 +86,7 @@ def reductions(theorem: Theorem) -> Iterator[Reduction]:
 
 
 def by_absolute_values(t: Theorem) -> Iterator[Reduction]:
-    """By the sign of what an absolute value is taken of."""
+    """Split by the sign of the argument of an absolute value."""
     for e in sorted({e for e in nodes([t.left, t.right]) if e.op == "abs"}, key=lambda e: e.size):
         u = e.args[0]
         if "abs" in {part.op for part in nodes([u])}:
@@ -109,7 +109,7 @@ def by_absolute_values(t: Theorem) -> Iterator[Reduction]:
 
 
 def by_turns(t: Theorem) -> Iterator[Reduction]:
-    """A variable of which an arc sine or an arc cosine is taken as the sine or cosine of it."""
+    """Substitute sin or cos of a new variable for the argument of an arcsine or arccosine."""
     found = [e for e in nodes([t.left, t.right]) if e.op in ("asin", "acos")]
     if len(found) != 1 or found[0].args[0].op != "symbol":
         return
@@ -151,7 +151,7 @@ def _factors(e: Expr) -> tuple[Expr, ...]:
 
 
 def log_of(e: Expr) -> Expr:
-    """The logarithm of a product of positive factors."""
+    """Return the logarithm of a product of positive factors as a sum."""
     if e.op == "*":
         return add(*map(log_of, e.args))
     if e.op == "exp":
@@ -166,7 +166,7 @@ def log_of(e: Expr) -> Expr:
 
 
 def of_numbers(e: Expr) -> str:
-    """Sentences that write the logarithms of numbers in a product by those of primes."""
+    """Return sentences that write logarithms of numbers in terms of logarithms of primes."""
     lines = []
     for part in dict.fromkeys(nodes([e])) | {e: None}:
         for f in part.args if part.op in ("*", "^") else (part,):
@@ -191,7 +191,7 @@ def of_numbers(e: Expr) -> str:
 
 
 def by_logarithms(t: Theorem) -> Iterator[Reduction]:
-    """Of both sides, where one is an exponential and both are positive."""
+    """Take logarithms of both sides, if one is an exponential and both are positive."""
     given = known(t)
     d = t.left - t.right
     terms = d.args if d.op == "+" else (d,)
@@ -219,7 +219,7 @@ def by_logarithms(t: Theorem) -> Iterator[Reduction]:
 
 
 def by_exponentials(t: Theorem) -> Iterator[Reduction]:
-    """Of both sides, where these are sums of logarithms."""
+    """Take exponentials of both sides, if they are sums of logarithms."""
     sides: list[list[Expr]] = [[], []]
     try:
         parts = expanded(t.right - t.left)
@@ -250,7 +250,7 @@ def by_exponentials(t: Theorem) -> Iterator[Reduction]:
 
 
 def by_clearing(t: Theorem) -> Iterator[Reduction]:
-    """Of a positive denominator."""
+    """Multiply by a positive denominator."""
     d = t.right - t.left
     for e in dict.fromkeys((d, unfolded(d))):
         top, bottom = quotient(e)
@@ -270,7 +270,7 @@ def by_clearing(t: Theorem) -> Iterator[Reduction]:
 
 
 def by_squares(t: Theorem) -> Iterator[Reduction]:
-    """Of both sides, where one is a root."""
+    """Square both sides, if one of them is a root."""
     if t.relation != "<=":
         return
     half = number(1) / number(2)

@@ -1,10 +1,11 @@
 """Print statements in Coq: the code a referee must read, beside Coq itself.
 
 A claim becomes ``forall symbols, definitions -> given -> defined -> says`` over Coq's real numbers.
-The functions of Coq are total, so that what makes the parts defined stands among the premises; a
-derivative and an integral are values that are said to exist. Inside a function that is derived, a
-root and an inverse function are asked to be strictly inside. Where a definition has conditions
-that the claim has not, they stand before it. What Coq's library lacks is defined in ``Tresym.v``.
+Coq's functions are total (1/0 and sqrt(-1) have values), so the conditions under which all parts
+are defined are premises; integrals and derivatives are values that are stated to exist. Inside a
+function that is differentiated, the arguments of roots and inverse functions must lie in the
+interior of their domains. A definition that holds only under conditions of its own has these as
+premises. Functions that Coq's library lacks are defined in ``Tresym.v``.
 """
 
 from __future__ import annotations
@@ -48,21 +49,21 @@ SUM, PRODUCT, POWER, ATOM = range(4)
 
 
 class NotExportedError(Exception):
-    """A kind of claim that has no statement in Coq yet; the text is a sentence that says which."""
+    """This kind of claim cannot be exported to Coq yet; the text is a sentence that says why."""
 
 
 def variable(name: str) -> str:
-    """The name of a variable in Coq: different ones for different names, and no word of Coq's."""
+    """Return the name of a variable in Coq: injective, and never a keyword of Coq."""
     if _PLAIN.fullmatch(name):
         return name
     return "v_" + re.sub(r"\W", lambda found: f"'{ord(found[0]):x}'", name, flags=re.ASCII)
 
 
 def term(e: Expr, level: int = SUM) -> str:
-    """The expression as a real number of Coq, in brackets where ``level`` asks for them.
+    """Return the expression as a Coq term, in parentheses if the context ``level`` requires them.
 
     Raises:
-        NotExportedError: an operation that has no translation.
+        NotExportedError: the expression contains an operation without a translation.
     """
     if e.op == "number":
         return _number(e.args[0], level)
@@ -83,7 +84,7 @@ def term(e: Expr, level: int = SUM) -> str:
 
 
 def _function(e: Expr) -> str:
-    """The function that a node binds the variables of, and what it is taken at."""
+    """Return the function that a binder node stands for, applied to the node's other arguments."""
     names, body = inside(e)
     function = f"(fun {' '.join(map(variable, names))} : R => {term(body)})"
     return " ".join([function, *(term(arg, ATOM) for arg in e.args[1:])])
@@ -101,7 +102,7 @@ def _number(value: fmpq, level: int) -> str:
 
 
 def _power(base: Expr, exponent: Expr, level: int) -> str:
-    """Whole powers are repeated products; roots are those of Coq; all others are exponentials."""
+    """Translate a power: repeated products, Coq's roots, or ``Rpower`` for other exponents."""
     if exponent.op != "number":
         return _in_brackets(f"Rpower {term(base, ATOM)} {term(exponent, ATOM)}", POWER, level)
     r = exponent.args[0]
@@ -117,24 +118,24 @@ def _power(base: Expr, exponent: Expr, level: int) -> str:
 
 
 def comparison(left: Expr, relation: str, right: Expr) -> str:
-    """A relation of two expressions."""
+    """Return the relation of two expressions as Coq text."""
     return f"{term(left)} {RELATIONS[relation]} {term(right)}"
 
 
 def condition(e: Expr, relation: str) -> str:
-    """``e relation 0``, with 0 on the left of an order."""
+    """Return ``e relation 0`` as Coq text; orders are written with 0 on the left."""
     return f"{term(e)} <> 0" if relation == "!=" else f"0 {relation.replace('>', '<')} {term(e)}"
 
 
 def has_value(node: Expr, value: str) -> str:
-    """That an integral, a derivative, or the one zero between two ends, exists and is ``value``."""
+    """Return that an integral or derivative exists, or a root is unique, with this value."""
     if node.op not in SAID:
         raise NotExportedError(f"{node.op} is not exported to Coq yet")
     return f"{SAID[node.op]} {_function(node)} {value}"
 
 
 def formula(f: Formula) -> str:
-    """A formula as a proposition."""
+    """Return the formula as a Coq proposition."""
     if isinstance(f, Conjunction):
         return " /\\ ".join(f"({formula(part)})" for part in f.parts) or "True"
     if isinstance(f, Equivalence):
@@ -162,9 +163,9 @@ def formula(f: Formula) -> str:
 
 @dataclass(frozen=True)
 class Theorem(Single):
-    """``forall variables, premises -> says``, or that there is a point where all of it holds.
+    """``forall variables, premises -> says``, or the existence of a point where all of it holds.
 
-    ``definitions`` are equations, each with the conditions that stand before it.
+    ``definitions`` are equations, each with the conditions under which it holds.
     """
 
     name: str
@@ -177,7 +178,7 @@ class Theorem(Single):
 
     @property
     def body(self) -> str:
-        """The proposition."""
+        """The proposition as Coq text."""
         names = " ".join(map(variable, self.variables))
         quantifier, join = ("exists", "/\\") if self.exists else ("forall", "->")
         lines = [f"  {quantifier} {names} : R,"] if names else []

@@ -1,10 +1,11 @@
 """Prove equations step by step, asking Coq after every step.
 
-The innermost function is taken first, while what it is taken of is a rational function of real
-numbers that have names. It is written by these names, or gets one: a root, an exponential, a sine
-and a cosine are bound by one equation each, an inverse function by its sine and cosine. What equals
-what is seen from values at a few points; where the sign of something decides and is not constant
-there, the proof goes on in cases. What is left at the end is an equation for ``field``.
+Innermost functions are treated first, as soon as their arguments are rational functions of named
+real numbers. Each is either expressed in existing names or gets a new one: a root, an exponential
+and a sine–cosine pair satisfy one polynomial equation each, an inverse function is described by its
+sine and cosine. Equalities are guessed from values at a few sample points and then proved. Where a
+sign matters and is not constant at the points, the proof splits into cases. The remaining equation
+is left to ``field``.
 """
 
 from __future__ import annotations
@@ -53,11 +54,12 @@ TURNING = ("exp", "sin", "cos")
 
 
 def stepwise(theorem: Theorem, ask: Ask, begin: Callable[[], None]) -> str | None:
-    """A proof of an equation, None where none was found.
+    """Return a proof of an equation, or None if none was found.
 
     Args:
-        ask: whether Coq accepts a sentence.
-        begin: begins the proof anew.
+        theorem: the theorem.
+        ask: returns whether Coq accepts a sentence.
+        begin: restarts the proof in Coq.
     """
     inside = {e.op for e in nodes([theorem.left, theorem.right])}
     for plainly in (True, False) if inside.intersection(HYPERBOLIC) else (False,):
@@ -78,12 +80,12 @@ def stepwise(theorem: Theorem, ask: Ask, begin: Callable[[], None]) -> str | Non
 
 
 class _Steps(Bases):
-    """A proof in the making."""
+    """A proof under construction."""
 
     # The walk.
 
     def go_on(self) -> None:
-        """What is left of the proof."""
+        """Return the rest of the proof."""
         if not self.points:
             for g in self.is_arc_tangent:
                 self.sided(g)
@@ -97,7 +99,7 @@ class _Steps(Bases):
         return self.must(f"{self.by_field}.")
 
     def said_at_first(self) -> None:
-        """What is lost once parts have names: products of signs, and where arcs are defined."""
+        """State facts needed before parts get names: products of signs, domains of arcs."""
         found = sorted(nodes(self.sides), key=lambda e: e.size)
         for e in found:
             if e.op in ("asin", "acos") and e.args[0].op not in LEAVES:
@@ -112,19 +114,19 @@ class _Steps(Bases):
                 self.multiplied(sine, Expr("^", (cosine, MINUS_ONE)), e.args[0], law)
 
     def next(self) -> Expr | None:
-        """The smallest part that is to be written by names."""
+        """Return the smallest part that is not yet expressed in names."""
         ready = self.ready()
         return min(
             ready, key=lambda e: (e.op == "sign", e.op == "abs", e.size, str(e)), default=None
         )
 
     def ready(self) -> list[Expr]:
-        """What is to be written by names, of parts that are so written."""
+        """Return a part whose arguments are all expressed in names."""
         left = [e for e in nodes(self.sides) if not _plain(e) and e not in self.done]
         return [e for e in left if not any(part in left for part in nodes(e.args))]
 
     def step(self, e: Expr) -> None:
-        """One part written by names."""
+        """Express one part in names."""
         u = e.args[0]
         better = self.quotients.canonical(u)
         if better != u and (e.op == "log" or (is_root(e) and e.op != "cbrt")):
@@ -152,14 +154,14 @@ class _Steps(Bases):
                 self.done.add(e)
 
     def alike(self, u: Expr) -> None:
-        """Angles and exponents that are ``u`` or −u in other words, written as it is."""
+        """Rewrite angles and exponents that equal ``u`` or −u in another form."""
         for v in dict.fromkeys(e.args[0] for e in self.ready() if e.op in TURNING):
             for same in (u, -u):
                 if v not in (u, -u) and self.equal(v, same):
                     self.equation(v, same, self.by_field)
 
     def in_cases(self, u: Expr, three: bool) -> None:
-        """The proof in cases, by the sign of ``u``."""
+        """Split the proof into cases by the sign of ``u``."""
         self.splits += 1
         if self.splits > SPLITS:
             raise StuckError
@@ -177,8 +179,8 @@ class _Steps(Bases):
             case.refused = set()
             case.quotients = Quotients()
             case.quotients.powers = dict(self.quotients.powers)
-            kept = zip(self.points, values, strict=True)
-            case.points = [dict(p) for p, v in kept if (v > 0 if want > 0 else v < 0)]
+            pairs = zip(self.points, values, strict=True)
+            case.points = [dict(p) for p, v in pairs if (v > 0 if want > 0 else v < 0)]
             self.must("{")
             if want or not case.at_zero(u, name, self.points):
                 case.go_on()
@@ -186,12 +188,12 @@ class _Steps(Bases):
             self.count = case.count
 
     def at_zero(self, u: Expr, name: str, points: list[dict[str, arb | fmpq]]) -> bool:
-        """The case where ``u = 0``, if it ends at once; a variable is zero in it otherwise."""
+        """Prove the case ``u = 0`` if that is immediate; otherwise set a variable to zero."""
         if self.say("exfalso; absurd_."):
             return True
-        kept, self.points = self.points, points
+        saved_points, self.points = self.points, points
         zeros = [f for f, n in self.quotients.factors(u)[1] if n > 0 and self.sign(f) is None]
-        self.points = kept
+        self.points = saved_points
         if len(zeros) != 1 or zeros[0].op != "symbol":
             raise StuckError
         x = zeros[0]
@@ -212,7 +214,7 @@ class _Steps(Bases):
     # Absolute values and signs.
 
     def of_sign(self, e: Expr, u: Expr) -> None:
-        """An absolute value or a sign."""
+        """Eliminate an absolute value or a sign."""
         sign = self.sign(u)
         if u == ZERO:
             return self.exchange(e, ZERO, "apply sign_zero", "apply Rabs_R0")
@@ -229,7 +231,7 @@ class _Steps(Bases):
         return self.exchange(e, u if sign > 0 else -u, proof)
 
     def paired(self, u: Expr) -> bool:
-        """A product of the sign and the absolute value of ``u``, or of a root, without them."""
+        """Simplify a product of the sign and the absolute value of ``u``, or of a root."""
         sign, absolute = Expr("sign", (u,)), Expr("abs", (u,))
         root = Expr("^", (absolute, number(Fraction(1, 3))))
         base, n = u.args if u.op == "^" else (u, ONE)
@@ -242,7 +244,7 @@ class _Steps(Bases):
         )
 
     def multiplied(self, one: Expr, other: Expr, new: Expr, law: str) -> bool:
-        """Products with both factors, with what a law says that they make; whether there are."""
+        """Rewrite products of two given factors by a law; return whether any occurred."""
         products = [e for e in nodes(self.sides) if e.op == "*" and {one, other} <= {*e.args}]
         for e in sorted(products, key=lambda e: -e.size):
             rest = list(e.args)
@@ -255,7 +257,7 @@ class _Steps(Bases):
     # Exponentials.
 
     def hyperbolic(self, e: Expr, u: Expr) -> None:
-        """An inverse hyperbolic function by one that has a name, or by a new name."""
+        """Express an inverse hyperbolic function by an existing or a new name."""
         for name, g in self.hyperbolics.items():
             v = g.args[0]
             for n in (1, -1) if e.op != "acosh" else ():
@@ -282,7 +284,7 @@ class _Steps(Bases):
         self.hyperbolics[name] = e
 
     def exponential(self, e: Expr, u: Expr) -> None:
-        """By exponentials of a few exponents, and by what the exponents are logarithms of."""
+        """Write an exponential by a few base exponentials and by logarithms in its exponent."""
         if u == ZERO:
             return self.exchange(e, ONE, "apply exp_0")
         inner = {name: v for v, name in self.logarithms.items()}
@@ -322,7 +324,7 @@ class _Steps(Bases):
         )
 
     def base_exponential(self, b: Expr) -> tuple[Expr, str]:
-        """The exponential of a base exponent, by name."""
+        """Return the name of the exponential of a base exponent."""
         if b not in self.exponents:
             name = self.exponents[b] = self.named(Expr("exp", (b,)))
             back, text = self.back(name), term(name)
@@ -333,7 +335,7 @@ class _Steps(Bases):
         return name, f"D_{name.args[0]}"
 
     def of_logarithm(self, base: Expr, b: Expr, v: Expr, q: int) -> tuple[Expr, str]:
-        """exp(ln(v)/q), and the name of the equation."""
+        """Return exp(ln(v)/q) and the name of its equation."""
         value = v if q == 1 else self.root_of(v, q)
         label, back = self.label("X"), self.back(base)
         proof = f"{back}; apply exp_ln; signed"
@@ -346,7 +348,7 @@ class _Steps(Bases):
         return value, label
 
     def unit(self, kind: str, base: Expr, c: fmpq) -> fmpq:
-        """The greatest part of the base of which all that was ever asked for are multiples."""
+        """Return the largest unit of the base of which all occurring multiples are multiples."""
         if base == PI or base in self.is_arc_tangent:
             c = fmpq(1, c.q)
         old = self.finest.get((kind, base), fmpq(0))
@@ -360,7 +362,7 @@ class _Steps(Bases):
     # Angles.
 
     def trigonometric(self, e: Expr, u: Expr) -> None:
-        """By the sines and cosines of a few angles."""
+        """Write a sine or cosine in terms of those of a few base angles."""
         if u == ZERO:
             value = ZERO if e.op == "sin" else ONE
             return self.exchange(e, value, f"apply {e.op}_0")
@@ -380,7 +382,7 @@ class _Steps(Bases):
         )
 
     def turned(self, u: Expr, atoms: list[tuple[Expr, int]], quarters: int) -> Turned:
-        """Sine and cosine of ``u``, a sum of multiples of base angles and of quarter turns."""
+        """Return sine and cosine of ``u``, a sum of multiples of base angles and of π/2."""
         if sum(abs(n) for _, n in atoms) + abs(quarters) > MULTIPLE:
             raise StuckError
         pairs = [self.base_angle(b) for b, _ in atoms]
@@ -413,7 +415,7 @@ class _Steps(Bases):
         return Turned(s, c, label)
 
     def base_angle(self, b: Expr) -> Turned:
-        """Sine and cosine of a base angle, by names."""
+        """Return sine and cosine of a base angle as names."""
         if b in self.turns:
             return self.turns[b]
         if b in self.inverses:
@@ -438,7 +440,7 @@ class _Steps(Bases):
         return self.turns[b]
 
     def special_angle(self, b: Expr, n: int, s: Expr, c: Expr) -> Turned:
-        """A third, a quarter or a sixth of π, whose sine and cosine have values."""
+        """Return the exact sine and cosine of π/3, π/4 or π/6."""
         s, c = (self.root_of(self.quotients.canonical(x), 2) for x in (s, c))
         label, says = (
             self.label("T"),
@@ -452,7 +454,7 @@ class _Steps(Bases):
         return self.turns[b]
 
     def inverse_function(self, e: Expr, u: Expr) -> None:
-        """By an angle that has a name, or by a new name."""
+        """Express an inverse function by an existing or a new angle."""
         if u == ZERO and e.op != "acos":
             return self.exchange(e, ZERO, f"apply {e.op}_0")
         if e.op == "acos":
@@ -478,7 +480,7 @@ class _Steps(Bases):
         return self.inverse_name(e, u)
 
     def sided(self, g: Expr) -> None:
-        """The sign of an inverse function, if it is constant."""
+        """Prove the sign of an inverse function, if it is constant."""
         back, law = self.back(g), "atan" if self.is_arc_tangent[g] else "asin"
         signs = {self.sign(g)} if self.points else {1, -1}
         for sign, says, way in ((1, f"0 < {term(g)}", "above"), (-1, f"{term(g)} < 0", "below")):
@@ -486,17 +488,17 @@ class _Steps(Bases):
                 return
 
     def jumps(self, e: Expr, u: Expr) -> None:
-        """Cases by the sign of a factor, where there is an angle like this one for one sign."""
+        """Split by the sign of a factor, if a similar angle exists for one sign."""
         for f, _ in self.quotients.factors(u)[1]:
             if self.sign(f) is None:
                 above = copy(self)
-                kept = zip(self.points, self.values(f), strict=True)
-                above.points = [point for point, v in kept if v > 0]
+                pairs = zip(self.points, self.values(f), strict=True)
+                above.points = [point for point, v in pairs if v > 0]
                 if next(above.like(e), None) is not None:
                     raise CasesError(f, True)
 
     def like(self, e: Expr) -> Iterator[tuple[Expr, list[tuple[Expr, int]], int, bool]]:
-        """Angles with the same values, or twice them: multiples of base angles and of π/2."""
+        """Return angles with equal values at the points, up to a factor 2 or multiples of π/2."""
         for halved in (False, True) if e.op == "atan" else (False,):
             for g in [ZERO, *self.is_arc_tangent]:
                 for n in (1, -1, 2, -2) if g != ZERO else (0,):
@@ -506,7 +508,7 @@ class _Steps(Bases):
                             yield angle, [(g, n)] if n else [], k, halved
 
     def inverse_name(self, e: Expr, u: Expr) -> None:
-        """A new name for an inverse function, with its bounds."""
+        """Introduce a name for an inverse function, with its bounds."""
         op, name = e.op, self.named(e)
         sign = "<" if op == "atan" else "<="
         self.must(
@@ -517,7 +519,7 @@ class _Steps(Bases):
         self.is_arc_tangent[name] = op == "atan"
 
     def inverse_angle(self, name: Expr, e: Expr) -> Turned:
-        """The sine and cosine of an inverse function that has a name."""
+        """Return the sine and cosine of a named inverse function."""
         op, u = e.op, e.args[0]
         square = 1 + u**2 if op == "atan" else 1 - u**2
         root = self.root_of(self.quotients.canonical(square), 2)
@@ -535,7 +537,7 @@ class _Steps(Bases):
 
 
 def _plain(e: Expr) -> bool:
-    """Whether it is written by names as it stands."""
+    """Return whether ``e`` is already expressed in names."""
     return e.op in ("+", "*", *LEAVES) or (
         e.op == "^"
         and not is_root(e)
@@ -544,7 +546,7 @@ def _plain(e: Expr) -> bool:
 
 
 def _sum(counts: list[int], bases: list[Expr] | None = None, quarters: int = 0) -> tuple[str, str]:
-    """A sum of multiples, written out, and the bases; variables where there are no bases."""
+    """Write a sum of multiples and its bases; use variables if there are no bases."""
     names = [f"v'{j}" if bases is None else f"({term(bases[j])})" for j in range(len(counts))]
     each = zip([*names, "(PI / 2)"], [*counts, quarters], strict=True)
     parts = [name if n > 0 else f"- {name}" for name, n in each for _ in range(abs(n))]
@@ -552,7 +554,7 @@ def _sum(counts: list[int], bases: list[Expr] | None = None, quarters: int = 0) 
 
 
 def _addition_text(atoms: list[tuple[str, str, int]], quarters: int) -> tuple[str, str]:
-    """The sine and cosine of a sum of multiples, as text."""
+    """Return the sine and cosine of a sum of multiples as text."""
     sine, cosine = "0", "1"
     for s, c, n in atoms:
         s = s if n > 0 else f"(- {s})"
@@ -564,7 +566,7 @@ def _addition_text(atoms: list[tuple[str, str, int]], quarters: int) -> tuple[st
 
 
 def _addition(atoms: list[tuple[Expr, Expr, int]]) -> tuple[Expr, Expr]:
-    """The same as expressions."""
+    """Return the sine and cosine of a sum of multiples as expressions."""
     sine, cosine = ZERO, ONE
     for s, c, n in atoms:
         s = s if n > 0 else -s

@@ -1,8 +1,8 @@
 """Signs that follow from premises and from products of sines and cosines.
 
-A sum in which the terms of a premise stand is the premise and the rest. A polynomial in sines and
-cosines is written without the square of the one or the other and factored, until each factor has a
-sign that is seen.
+A sum that contains the terms of a premise is written as the premise plus the remaining terms. A
+polynomial in sines and cosines is rewritten without the squares of one of them and factored until
+the sign of each factor is evident.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ MAX_ANGLES = 3
 
 
 def manifest_proofs(theorem: Theorem) -> Iterator[str]:
-    """Proofs of an inequality to try."""
+    """Yield proofs of an inequality to try."""
     if theorem.relation in ("!=", "=="):
         return
     up = theorem.relation in (">", ">=")
@@ -49,7 +49,7 @@ def manifest_proofs(theorem: Theorem) -> Iterator[str]:
 
 
 def premise_lines(theorem: Theorem, d: Expr) -> list[str]:
-    """The signs of sums that contain a premise or are seen to have one, the smallest first."""
+    """Return the signs of sums that contain a premise or have an evident sign, smallest first."""
     given, premises = known(theorem), []
     for x, relation, y in theorem.given:
         if relation in (">", ">=", "<", "<="):
@@ -77,7 +77,7 @@ def premise_lines(theorem: Theorem, d: Expr) -> list[str]:
 
 
 def factored(d: Expr) -> Iterator[tuple[Expr, Expr]]:
-    """The numerator in factors, without the squares of sines or of cosines, and the denominator."""
+    """Factor the numerator without squares of sines or cosines; return it with the denominator."""
     u = unfolded(d)
     top, bottom = quotient(u)
     angles = list(dict.fromkeys(e.args[0] for e in nodes([u]) if e.op in ("sin", "cos")))
@@ -99,7 +99,7 @@ def factored(d: Expr) -> Iterator[tuple[Expr, Expr]]:
 
 
 def _signed(e: Expr) -> Expr:
-    """A product whose number is positive, where a factor can take the sign."""
+    """Return a product with a positive coefficient, if one of its factors can absorb the sign."""
     factors = list(e.args) if e.op == "*" else [e]
     if factors[0].op == "number" and factors[0].args[0] < 0 and len(factors) > 1:
         for n, part in enumerate(factors):

@@ -1,8 +1,8 @@
 """Write polynomials as sums of squares of two terms with nonnegative factors.
 
-What is asked for is a linear program: nonnegative coefficients of products of conditions and of
-squares of m ± n, where m and n are monomials, that add up to the polynomial. It is solved exactly;
-Coq is given the squares that take part and finds the rest by linear arithmetic.
+The search is a linear program: find non-negative coefficients of products of the conditions and of
+squares of m ± n, with monomials m and n, that add up to the polynomial. It is solved exactly by the
+simplex method. Coq is given the squares that occur and finds the coefficients by linear arithmetic.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ MOST_COLUMNS, MOST_ROWS, MOST_PIVOTS = 420, 90, 120
 
 
 def square_proofs(theorem: Theorem, d: Expr, strict: bool) -> Iterator[str]:
-    """That d ≥ 0, or d > 0, by squares."""
+    """Yield proofs of d ≥ 0 or d > 0 by sums of squares."""
     top, bottom = quotient(unfolded(d))
     try:
         polynomial = expanded(top)
@@ -34,7 +34,7 @@ def square_proofs(theorem: Theorem, d: Expr, strict: bool) -> Iterator[str]:
 
 
 def conditions(theorem: Theorem) -> list[tuple[Expr, Vector]]:
-    """The conditions as polynomials that are not negative."""
+    """Return the conditions as polynomials that are not negative."""
     found = []
     for x, relation, y in theorem.given:
         if relation != "!=":
@@ -49,7 +49,7 @@ def conditions(theorem: Theorem) -> list[tuple[Expr, Vector]]:
 def certificate(
     polynomial: Vector, known: list[tuple[Expr, Vector]], most: int
 ) -> list[tuple[list[Expr], Expr]] | None:
-    """Products of at most so many conditions, each with what is squared, None where none add up."""
+    """Find products of conditions with their squares that add up to the polynomial, or None."""
     columns: list[tuple[Vector, list[Expr], Expr]] = []
     for n in range(most + 1):
         for chosen in combinations_with_replacement(known, n):
@@ -79,7 +79,7 @@ def _degree(m: Monomial) -> int:
 
 
 def _squares(polynomial: Vector, factor: Vector) -> Iterator[tuple[Expr, Vector]]:
-    """Monomials and their sums and differences whose squares fit, and these squares."""
+    """Return monomials, their sums and differences whose squares fit, and these squares."""
     if not factor or not polynomial or any(n < 0 for m in polynomial for _, n in m):
         return
     degrees, own = [_degree(m) for m in polynomial], [_degree(m) for m in factor]
@@ -103,7 +103,7 @@ def _squares(polynomial: Vector, factor: Vector) -> Iterator[tuple[Expr, Vector]
 
 
 def nonnegative(matrix: list[list[Fraction]], b: list[Fraction]) -> list[Fraction] | None:
-    """A solution x ≥ 0 of A·x = b, None where none is found: the first phase of the simplex method.
+    """Find a solution x ≥ 0 of A·x = b by the first phase of the simplex method, or None.
 
     Source: G. B. Dantzig, Linear Programming and Extensions (1963), chapter 5.
     """
@@ -145,7 +145,7 @@ def nonnegative(matrix: list[list[Fraction]], b: list[Fraction]) -> list[Fractio
 def _proof(
     d: Expr, top: Expr, bottom: Expr, found: list[tuple[list[Expr], Expr]], strict: bool
 ) -> str:
-    """The squares among the premises, and the numerator over the denominator."""
+    """Return a script with the squares as premises, for the numerator over the denominator."""
     relation = "<" if strict else "<="
     lines = ["intros; saturate; laws."]
     for chosen, base in found:

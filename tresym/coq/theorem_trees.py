@@ -26,35 +26,35 @@ Condition = tuple[Expr, str, Expr]
 
 
 class Wherever(NamedTuple):
-    """What is said wherever the conditions hold."""
+    """``says`` holds wherever the conditions do."""
 
     conditions: tuple[Condition, ...]
     says: Formula
 
 
 class One(NamedTuple):
-    """There is one value of the variable, and no other, of which it is said."""
+    """There is exactly one value of the variable that satisfies ``says``."""
 
     name: str
     says: Formula
 
 
 class Some(NamedTuple):
-    """There are values of the variables of which it is said."""
+    """There are values of the variables that satisfy ``says``."""
 
     names: tuple[str, ...]
     says: Formula
 
 
 class Every(NamedTuple):
-    """It is said of all values of the variables."""
+    """``says`` holds for all values of the variables."""
 
     names: tuple[str, ...]
     says: Formula
 
 
 class Fails(NamedTuple):
-    """It does not hold."""
+    """``says`` does not hold."""
 
     says: Formula
 
@@ -63,41 +63,41 @@ Formula: TypeAlias = Relation | Conjunction | Equivalence | Wherever | One | Som
 
 
 class Single:
-    """The one relation that a theorem says, taken apart."""
+    """Access to the parts of a theorem whose conclusion is a single relation."""
 
     says: Formula
 
     @property
     def by(self) -> str | None:
-        """Of a derivative that is the left side: the variable."""
+        """The variable of differentiation, if the left side is a derivative; else None."""
         node = self._relation.left
         return str(node.args[1].args[0]) if node.op == "derivative" else None
 
     @property
     def left(self) -> Expr:
-        """The left side of the relation that is said; of a derivative, the function."""
+        """The left side of the relation; for a derivative, the differentiated function."""
         node = self._relation.left
         return node if self.by is None else instantiate(node.args[0], node.args[1:])
 
     @property
     def relation(self) -> str:
-        """The sign of the relation that is said."""
+        """The sign of the relation."""
         return self._relation.sign
 
     @property
     def right(self) -> Expr:
-        """Its right side."""
+        """The right side of the relation."""
         return self._relation.right
 
     @property
     def _relation(self) -> Relation:
         if not isinstance(self.says, Relation):
-            raise TypeError("what is said is no single relation")
+            raise TypeError("the theorem does not state a single relation")
         return self.says
 
 
 def inside(node: Expr) -> tuple[tuple[str, ...], Expr]:
-    """The variables that a node binds, by names that are not free in its body, and the body."""
+    """Return the bound variables of a node, renamed if they are free in its body, and the body."""
     names: list[str] = []
     for name in node.names:
         names.append(fresh(name, {*symbols(node.args[0]), *names}))
@@ -105,7 +105,7 @@ def inside(node: Expr) -> tuple[tuple[str, ...], Expr]:
 
 
 def put_at(e: Expr) -> Expr:
-    """``e`` with the values put in at which integrals and derivatives are taken."""
+    """Carry out the substitutions (`at` nodes) in ``e`` whose bodies contain binders."""
     if e.op == "at":
         names, body = inside(e)
         if not elementary(body):
@@ -113,11 +113,11 @@ def put_at(e: Expr) -> Expr:
     if e.op in LEAVES | BINDERS:
         return e
     parts = tuple(map(put_at, e.args))
-    return e if parts == e.args else rebuild(e, parts)  # as it is written
+    return e if parts == e.args else rebuild(e, parts)  # without simplification
 
 
 def values_of(f: Relation) -> tuple[Relation, dict[Expr, Expr]]:
-    """The relation with names for its integrals and derivatives, and what they are names of."""
+    """Replace the integrals and derivatives of a relation by names; return it and the names."""
     left, right = put_at(f.left), put_at(f.right)
     nodes = [node for node in dict.fromkeys(outermost(left, right)) if node.op != "at"]
     if not nodes:
@@ -128,9 +128,9 @@ def values_of(f: Relation) -> tuple[Relation, dict[Expr, Expr]]:
 
 
 def defined(e: Expr) -> Iterator[Part]:
-    """What is above zero, or not zero, where ``e`` is defined, but for its integrals.
+    """Return what must be positive or non-zero for ``e`` to be defined, integrals excepted.
 
-    What is derived is asked to be defined beside the point, too.
+    A function that is differentiated must be defined in a neighbourhood of the point.
     """
     e = put_at(e)
     names = {node: symbol(f"[{n}]") for n, node in enumerate(outermost(e))}

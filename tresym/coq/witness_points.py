@@ -1,8 +1,8 @@
 """Points at which an existential theorem holds, written for Coq.
 
-The witness gives some of the variables; the definitions and the conditions that are equations give
-others, and what is left is chosen where the conditions hold. The defect of a shape is a number of
-which Coq knows that there is one between two decimals.
+The witness gives values for some of the variables. Definitions and conditions that are equations
+determine others, and the remaining ones are chosen such that the conditions hold. The defect of a
+shape is a number that Coq knows to lie between two decimals.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ WAYS = "", "inverse_sines; ", "laws; unfold root, acosh, atanh in *; inverse_sin
 
 
 def point_proofs(claim: Claim, whole: Theorem) -> Iterator[str]:
-    """The witness of what is refuted, or of what rounds to a number; scripts to try."""
+    """Yield scripts for the existence of a point: a counterexample, or inputs of a number."""
     point = witness(claim)
     if point is None:
         return
@@ -66,7 +66,7 @@ def point_proofs(claim: Claim, whole: Theorem) -> Iterator[str]:
 
 
 def witness(claim: Claim) -> dict[str, fmpq] | None:
-    """The exact point at which the claim fails."""
+    """Return the exact point at which the claim fails."""
     if isinstance(claim.proof, Counterexample):
         return dict(claim.proof.point)
     found = judge_evidence(claim)
@@ -74,7 +74,7 @@ def witness(claim: Claim) -> dict[str, fmpq] | None:
 
 
 def chosen(whole: Theorem, point: dict[str, fmpq], free: str) -> dict[str, Expr]:
-    """Values of the variables: those of the point, by equations, and where conditions hold."""
+    """Choose values for the variables: from the point, from equations, or by sampling."""
     values = {name: number(x) for name, x in point.items()}
     equations = [(m.left, m.right) for _, m in whole.definitions if m.sign == "=="]
     equations += [(x, y) for x, sign, y in whole.given if sign == "=="]
@@ -97,7 +97,7 @@ def chosen(whole: Theorem, point: dict[str, fmpq], free: str) -> dict[str, Expr]
 
 
 def between(a: fmpq, b: fmpq) -> tuple[str, str]:
-    """Two decimals between which the defect of a shape lies."""
+    """Return two decimals between which the defect of a shape lies."""
     man, exp = solve(a, b, DIGITS).defect.mid().man_exp()
     middle = Fraction(int(man)) * Fraction(2) ** int(exp)
     places = DIGITS - 4

@@ -16,7 +16,7 @@ from sympy import Expr as Expression
 
 from tresym.ledger.claim import Claim, Definition, ImplicitFunction, Root
 from tresym.reals.domain.conditions import Given
-from tresym.reals.language import sympy as door
+from tresym.reals.language import sympy as sympy_reader
 from tresym.reals.language.binders import elementary, ordered
 from tresym.reals.language.expression import (
     BINDERS,
@@ -50,13 +50,13 @@ class CircularError(ValueError):
 @lru_cache(maxsize=REMEMBERED)
 def tree(e: Basic) -> Expr:
     """Return the expression tree of ``e`` without evaluating or simplifying anything."""
-    return door.unworked(e)
+    return sympy_reader.unworked(e)
 
 
 @lru_cache(maxsize=REMEMBERED)
 def formula(says: Basic) -> Formula:
     """Return the formula of a SymPy statement."""
-    return door.formula(says)
+    return sympy_reader.formula(says)
 
 
 def stage(e: Basic) -> Stage:

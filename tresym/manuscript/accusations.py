@@ -1,9 +1,9 @@
 """When a link that fails somewhere is reported as false: the statement is known, and it is whole.
 
-A counterexample refutes what was read. A display is more than that: its text restricts symbols in
-ways that are not read. A refutation is therefore withheld, with the reason, where a symbol is not
-free, where a remembered definition of another paragraph is needed for it, and where an equality
-holds at other points, so that a condition is missing rather than the equality wrong.
+A counterexample refutes the formula as it was read, but the text around it may restrict its
+symbols in ways that were not understood. A refutation is therefore withheld, with the reason, if a
+symbol is not free, if it needs a definition from another paragraph, or if the equality holds at
+other points, so that a condition is missing rather than the equality wrong.
 """
 
 from __future__ import annotations
@@ -38,15 +38,15 @@ _BOUNDS = frozenset(("<", ">", "<=", ">=", "!="))
 
 @dataclass(frozen=True)
 class Ground:
-    """On what a refutation of a link stands.
+    """The evidence that decides whether a refutation of a link is reported.
 
     Attributes:
-        doubts: why none is reported.
-        explicit: the sentence says for which values of all its symbols it is claimed.
-        universal: it is called an identity, or said "for all".
-        reach: the scopes in which the link stands, outermost first.
-        alike: both sides are read as the same expression.
-        places: in which lines the symbols of a side of its own are defined, 0 in the running text.
+        doubts: reasons not to report one.
+        explicit: whether its sentence says for which values of all its symbols it is claimed.
+        universal: whether the text calls it an identity, or says "for all".
+        reach: the numbers of the scopes around the link, outermost first.
+        alike: whether both sides are read as the same expression.
+        places: for a side that is one symbol, the line of its definition, 0 for running text.
         bounds: bounds in the text that may be meant for its symbols.
     """
 
@@ -62,7 +62,7 @@ class Ground:
 def ground(
     memory: Memory, compared: Compared, said: Said, n: int, under: Under, head: Head | None
 ) -> Ground:
-    """On what a refutation of the ``n``-th link of a chain would stand."""
+    """Return the evidence on whether to report a refutation of the ``n``-th link of a chain."""
     now = memory.scopes.now
     left, relation, right = compared
     reach = memory.scopes.path
@@ -88,7 +88,7 @@ def ground(
         doubts.append(f"the sentence says '{under.stated}'")
     doubts += [f"the text does not say what the function {name} is" for name in sorted(unknown)]
     doubts += [
-        (f"{x} depends on something that was not read") for x in sorted(names) if base_of(x) != x
+        f"{x} depends on something that was not read" for x in sorted(names) if base_of(x) != x
     ]
     if n == 0 and head is not None and not explicit:
         doubts.append(f"it may define {head.name}")
@@ -110,7 +110,7 @@ def ground(
 
 
 def far_definitions(memory: Memory, put_in: Iterable[str], under: Under) -> tuple[str, ...]:
-    """Which of the symbols that are put in are defined in another paragraph."""
+    """Return the substituted symbols that are defined in another paragraph."""
     now = memory.scopes.now
     near = {name for name, _ in under.sources} | memory.ahead.keys()
     return tuple(
@@ -119,7 +119,7 @@ def far_definitions(memory: Memory, put_in: Iterable[str], under: Under) -> tupl
 
 
 def _far_functions(memory: Memory, terms: Iterable[Sequence[str]]) -> set[str]:
-    """The functions in terms whose definition was read in another paragraph, and put in."""
+    """Return the functions in the terms that are defined in another paragraph."""
     now = memory.scopes.now
     heads = (memory.head([token]) for term in terms for token in term if token[-1:].isalpha())
     names = {head.name for head in heads if head}
@@ -133,7 +133,7 @@ def _far_functions(memory: Memory, terms: Iterable[Sequence[str]]) -> set[str]:
 
 
 def _is_near(compared: Compared) -> bool:
-    """Whether two constants differ by no more than one part in fifty, or may do so."""
+    """Whether two constants differ, or may differ, by at most one part in fifty."""
     if not elementary(compared[0], compared[2]):
         return True
     with ball_precision():
@@ -142,7 +142,7 @@ def _is_near(compared: Compared) -> bool:
 
 
 def _may_be_sequence(node: Expr) -> bool:
-    """Whether a limit by an index oscillates for numbers that are no integers: sin(pi*n)."""
+    """Whether a limit over an index oscillates for numbers that are not integers: sin(pi*n)."""
     return node.names[0][0] in _INDICES and bool(_WAVES.search(str(node)))
 
 
@@ -152,14 +152,14 @@ def _is_number(term: Sequence[str]) -> bool:
 
 
 def _repeated(names: Iterable[str]) -> set[str]:
-    """The index letters in the subscripts of several symbols, as in ``R_{1p} T_{pq}``."""
+    """Return index letters in the subscripts of several symbols, as p in ``R_{1p} T_{pq}``."""
     found = (m[1] for name in names if (m := _SUBSCRIPT.fullmatch(name)))
     counts = Counter(letter for letters in found for letter in {*letters} if letter.isalpha())
     return {letter for letter, count in counts.items() if count > 1}
 
 
 def _within_print(memory: Memory, compared: Compared, terms: Sequence[Sequence[str]]) -> bool:
-    """Whether two constants differ by no more than decimals in them may be rounded."""
+    """Whether the difference of two constants may come from rounding the printed decimals."""
     slack = fmpq(0)
     with ball_precision():
         try:
@@ -180,10 +180,14 @@ def _within_print(memory: Memory, compared: Compared, terms: Sequence[Sequence[s
 
 
 def holds_elsewhere(sides: Compared, given: Sequence[Compared]) -> dict[str, str] | None:
-    """A point at which an equality holds that fails at others, where one is found.
+    """Return a random point at which a failing equality holds; None if none is found.
 
-    Sides that are analytic and differ do so at almost all points: what holds at one of a few random
-    points holds on a region, as ``sqrt(x**2) = x`` does, and its condition is not read.
+    Two different analytic functions differ at almost all points. So an equality that holds at one
+    of a few random points holds on a region, as ``sqrt(x**2) = x`` does: a condition is missing.
+
+    Args:
+        sides: the equality.
+        given: the conditions that the point must satisfy.
     """
     one, relation, other = sides
     if relation != "==" or not elementary(one, other):

@@ -17,7 +17,7 @@ from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
 SHORT = 1.0
-"""Seconds of the first look."""
+"""Seconds for each attempt in the first round."""
 INTERRUPTED = "not decided: interrupted; run again to continue"
 Found: TypeAlias = dict[int, list[Answer | InputError]]
 Check: TypeAlias = Callable[..., Iterator[tuple[Task, Answer | InputError]]]
@@ -30,10 +30,13 @@ def answers_to(
     progress: Callable[[int, int], None],
     keep: bool = False,
 ) -> Found:
-    """The answers to the attempts at each link, up to the first that passes.
+    """Return the answers to the attempts at each link, up to the first that passes.
 
     Args:
-        keep: at Ctrl-C, keep what is done; the rest is UNDECIDED.
+        limit: seconds for each attempt.
+        processes: how many to use; None for one per core.
+        progress: called with the number of links done and their total.
+        keep: after Ctrl-C, return what is done; the rest is UNDECIDED.
     """
     answers: Found = {}
     asked = [n for n, link in enumerate(links) if link.claims]
@@ -45,7 +48,7 @@ def answers_to(
     except KeyboardInterrupt:
         if not keep:
             raise
-        for n in {*asked} - finished:  # of some of whose attempts nothing is known
+        for n in {*asked} - finished:  # links with attempts that are not decided
             answers[n] = [Answer(Verdict.UNDECIDED, INTERRUPTED)]
     return answers
 
@@ -59,7 +62,7 @@ def _first(
     finished: set[int],
     progress: Callable[[int, int], None],
 ) -> None:
-    """A look at all attempts, one after the other at each link."""
+    """Try all attempts with a short limit, one after the other at each link."""
     total, attempt = len(open_), 0
     while open_:
         tasks = [Task(links[n].claims[attempt].text, line=n) for n in open_]
@@ -82,7 +85,7 @@ def _again(
     processes: int | None,
     answers: Found,
 ) -> None:
-    """A longer look at what was stopped, at links where no attempt has passed."""
+    """Repeat stopped attempts with the full limit, at links where no attempt has passed."""
     places = {n: _stopped(answers[n]) for n in asked}
     while open_ := {n: left.pop(0) for n, left in places.items() if left}:
         tasks = [Task(links[n].claims[attempt].text, line=n) for n, attempt in open_.items()]
@@ -96,7 +99,7 @@ def _again(
 
 
 def _stopped(found: Sequence[Answer | InputError]) -> list[int]:
-    """The attempts at a link that time stopped, where none has passed."""
+    """Return the attempts at a link that ran out of time, if none has passed."""
     read = [(n, answer) for n, answer in enumerate(found) if isinstance(answer, Answer)]
     if any(answer for _, answer in read):
         return []

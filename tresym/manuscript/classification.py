@@ -38,19 +38,24 @@ TOLD = "as the text before it says, with"
 WHERE = "under the conditions of the definition, with"
 EARLIER = "under conditions from earlier sections"
 _WORKED = frozenset(("antiderivative", "derivative", "nth", "limit"))
-"""What is written to be worked out: an equality with one of these, or with a series, is no equation
-to be solved."""
+"""Expressions that are evaluated: an equality with one of these, or with a series, is not an
+equation to be solved."""
 
 
 class Attempt(NamedTuple):
-    """What is asked, what was put in for it, what is thereby said, and whether a no counts.
+    """One form of a link to be decided: as it stands, or with definitions substituted.
 
     Attributes:
-        sides, given: what is asked, taken apart.
-        put: the values of symbols that were put in, in order; ``plain`` is what was asked before.
-        far: symbols that are put in and were defined in another paragraph.
+        text: the claim, in the grammar of ``tresym check``.
+        how: what was substituted or assumed, in words.
+        read_as: the link as it is shown to the author.
+        may_fail: whether a refutation of this form refutes the link.
+        put: the values substituted for symbols, in order.
+        plain: the claim before the substitutions.
+        sides, given: the claim and its conditions as expressions.
+        far: substituted symbols that were defined in another paragraph.
         same: whether the same variables stand on both sides.
-        under: its conditions or its path, in words.
+        under: its conditions or its path, in the grammar of ``tresym check``.
     """
 
     text: str
@@ -68,24 +73,25 @@ class Attempt(NamedTuple):
 
 @dataclass(frozen=True)
 class Link:
-    """One link of a chain, and what is to be decided of it.
+    """One link of a chain, and the claims that decide it.
 
     Attributes:
         number: its place in the display, from 1.
-        sides: both sides and the relation, where they are read.
-        read_as: what was read, with its conditions.
-        status: where nothing is left to decide.
-        claims: what is asked, in the order of trying: as it stands, then with definitions put in.
-        firm: whether a refutation counts; else the link is then ``otherwise``.
+        sides: both sides and the relation; None if they could not be read.
+        read_as: the link with its conditions, in the grammar of ``tresym check``.
+        status, why: the status and its reason, if nothing is left to decide.
+        claims: the forms to try in order: as it stands, then with definitions substituted.
+        firm: whether a refutation makes it REFUTED; if not, it becomes ``otherwise``.
+        otherwise: status and reason for a link that fails without being a firm claim.
         same: whether the same variables stand on both sides.
-        unknown: whether there is a function in it that is left unknown.
+        unknown: whether it contains an arbitrary function.
         around: the text before and behind its display, and the number of its scope.
-        noted: the kind that a note of the author's gives its display.
+        noted: the kind that a directive gives its display.
         second: the same link in the other of two readings.
-        symbols: those of its chain, each with its kind and what speaks for that.
-        constants: symbols that are said to be numbers.
-        counted: symbols that number something elsewhere, and so are positive integers.
-        ground: on what a refutation of it stands.
+        symbols: the symbols of its chain, each with its kind and the evidence for that.
+        constants: symbols that the text calls numbers.
+        counted: symbols that are indices elsewhere, and so are positive integers.
+        ground: the evidence that decides whether a refutation is reported.
     """
 
     display: Display
@@ -120,7 +126,16 @@ def claim(
     head: Head | None,
     signed: bool,
 ) -> Link:
-    """What is asked of a link, and what it is if the answer is no."""
+    """Return a link with the claims that decide it, and its status if they fail.
+
+    Args:
+        n: its index in the chain ``said``, from 0.
+        compared: both sides and the relation.
+        pieces: both sides as they were read, with the digits of printed numbers.
+        under: the conditions of its display.
+        head: the symbol that its left side may define, if any.
+        signed: whether it stands for two statements, with an upper and a lower sign.
+    """
     left, relation, right = compared
     try:
         known = memory.known(under)
@@ -214,15 +229,15 @@ def claim(
 
 
 def _is_up_to(n: int, said: Said, known: Mapping[str, Expr]) -> bool:
-    """Whether a link holds up to what is not said: another constant ``+ C`` on both sides, or the
-    range of a substitution x = φ(θ), where a chain begins with an integral by x."""
+    """Whether a link holds only up to something unsaid: a constant ``+ C`` on both sides, or the
+    range of a substitution x = φ(θ) in a chain that begins with an integral over x."""
     constants = all(term[-2:] == ("+", "C") for term in said.terms[n : n + 2])
     return constants or not known.keys().isdisjoint(variables_of_integrals(said.terms[0]))
 
 
 def _is_general(left: Expr, right: Expr, under: Under, head: Head | None, signed: bool) -> bool:
-    """Whether an equality is claimed of all values: a sentence says for which, of all its
-    variables, or it is two, with an upper and a lower sign in both sides."""
+    """Whether an equality is claimed for all values: a sentence says for which values of all its
+    variables, or it stands for two statements, with an upper and a lower sign on both sides."""
     names = (symbols(left) | symbols(right)) - NO_VARIABLES
     if head is not None or under.kind or unknown_in(left, right):
         return False
@@ -234,7 +249,7 @@ def _is_general(left: Expr, right: Expr, under: Under, head: Head | None, signed
 def _attempts(
     memory: Memory, compared: Compared, under: Under, as_path: str
 ) -> tuple[tuple[Attempt, ...], bool]:
-    """What is asked, in order, and whether the same variables stand on both sides in one of it."""
+    """Return the claims to try, in order, and whether one has the same variables on both sides."""
     left, relation, right = compared
     attempts: dict[str, Attempt] = {}
     same, free, end = False, {*NO_VARIABLES}, as_path.split()[1] if as_path else ""
@@ -246,7 +261,9 @@ def _attempts(
         spoken = chained(about(symbols(left) | symbols(right), conditions))
         said_so = f"{left} {relation} {right}" + (f" given {spoken}" if spoken else "") + as_path
         for one, other, given, how, put in _forms(memory, left, right, conditions, under):
-            given = [c for c in given if end not in names_in((c,))]  # where it holds, the path says
+            given = [
+                c for c in given if end not in names_in((c,))
+            ]  # the path says where the claim holds
             shown = chained(about(symbols(one) | symbols(other), given))
             told = (f" given {shown}" if shown else "") + as_path
             text = _with_functions_named(f"{one} {relation} {other}{told}", unknown_in(one, other))
@@ -267,7 +284,7 @@ def _attempts(
 
 
 def _with_functions_named(text: str, names: Iterable[str]) -> str:
-    """The claim with names for unknown functions by which the grammar of text knows them."""
+    """Return the claim with arbitrary functions renamed to names that the grammar accepts."""
     for name in names:
         alone = re.search(rf"\b{name}\b(?!\s*\()", text)
         if alone or not UNKNOWN.fullmatch(name):
@@ -276,10 +293,10 @@ def _with_functions_named(text: str, names: Iterable[str]) -> str:
 
 
 def _by_one_variable(left: Expr, right: Expr, known: Mapping[str, Expr]) -> tuple[Expr, Expr]:
-    """Integrals without ends by u as ones by x where u stands for φ(x): of f(φ(x)) dφ/dx.
+    """Return both sides with indefinite integrals over u = φ(x) written as integrals over x.
 
-    They are so where x is a variable of another such integral, or else stands in the link, and is
-    all that φ knows.
+    The integrand becomes f(φ(x)) dφ/dx. This is done if x is the variable of another such integral,
+    or occurs in the link and is the only variable of φ.
     """
     nodes = [n for n in outermost(left, right) if n.op == "antiderivative"]
     by = {str(node.args[1]) for node in nodes}
@@ -306,10 +323,10 @@ def _forms(
     given: Sequence[Compared],
     under: Under,
 ) -> Iterator[tuple[Expr, Expr, Sequence[Compared], str, Mapping[str, Expr]]]:
-    """Both sides and the conditions as they stand, and with definitions put in.
+    """Yield both sides and the conditions as they stand, and with definitions substituted.
 
-    What was defined last is put in first, by itself, then all of what the claim is said to
-    follow from; in the end everything is.
+    The latest definition is substituted first, alone; then those from which the claim is said to
+    follow; then all of them.
     """
     yield left, right, given, "", {}
     known, equal = memory.known(under), {name for name, _ in under.sources}
@@ -333,7 +350,7 @@ def _forms(
 def _put_in(
     known: dict[str, Expr], left: Expr, right: Expr, given: Sequence[Compared]
 ) -> Iterator[tuple[Expr, Expr, Sequence[Compared], dict[str, Expr]]]:
-    """Both sides, the conditions and what was put in, one definition after the other."""
+    """Yield both sides, conditions and substitutions, with one definition more at each step."""
     put: dict[str, Expr] = {}
     for _ in range(DEPTH):
         names = symbols(left) | symbols(right)
@@ -357,7 +374,7 @@ def _spoken(put: Mapping[str, Expr]) -> str:
 def _fallback(
     memory: Memory, left: Expr, relation: str, right: Expr, head: Head | None
 ) -> tuple[str, str]:
-    """What an equality is that does not hold everywhere."""
+    """Return the status and the reason for an equality that does not hold everywhere."""
     if relation != "==":
         return "UNDECIDED", ""
     known = head is not None and head.name in memory.functions and not head.derived
@@ -376,7 +393,7 @@ def _fallback(
 
 
 def _printed(link: Link, compared: Compared, piece: Piece) -> Link:
-    """A constant, and its digits as they are printed."""
+    """Return the link between a constant and its printed digits: rounded, or cut off."""
     left, _, right = compared
     digits = piece.printed.strip("-")
     if not digits:
@@ -399,7 +416,7 @@ def _printed(link: Link, compared: Compared, piece: Piece) -> Link:
 
 
 def _usual_path(right: Expr) -> str:
-    """Where a remainder is small: O(x**3) as x -> 0, O(1/n) as n -> oo."""
+    """Return the usual path of a remainder: ``x -> 0`` for O(x**3), ``n -> oo`` for O(1/n)."""
     (*_, gauge) = [None, *(node.args[0] for node in outermost(right) if node.op == "O")]
     if gauge is None:
         return ""
@@ -410,6 +427,6 @@ def _usual_path(right: Expr) -> str:
 
 
 def read_so(link: Link, compared: Compared) -> Link:
-    """The link with its sides, and nothing of conditions."""
+    """Return the link with its sides, and with ``read_as`` without conditions."""
     left, relation, right = compared
     return replace(link, sides=compared, read_as=f"{left} {relation} {right}")

@@ -38,9 +38,9 @@ _LETTER_E = re.compile(
     r"|1\s*-\s*e\s*\^\s*(?:\{\s*2\s*\}|2(?!\d))|(?<![a-zA-Z\\^_{])e\s*(?:<|\\ll|\\to)"
     r"|<\s*e(?![a-zA-Z^])|(?:^|[^\\a-z\s]|[$\n])\s*e\s*&?=(?!\s*(?:2\.7|e\s*\^|\\exp|\\lim|\\sum))"
 )
-"""Where e stands as no number does: e sin E, 1 - e, 1 - e^2, e < 1, e = c/a."""
+"""Where e is a variable rather than the number: e sin E, 1 - e, 1 - e^2, e < 1, e = c/a."""
 _LETTER_DELTA = re.compile(r"\\Delta(?![a-zA-Z])\s*(?:[-+=<>^_,.$)}&]|\\(?:[gl]e|[,;]\s*[=<>])|$)")
-"""Where Δ stands by itself, as no difference does."""
+"""Where Δ stands by itself, so that it is a symbol and not a difference."""
 _CALLED = re.compile(
     r"(?<![a-zA-Z\\_^{])((?:[a-zA-Z]|\\[a-zA-Z]+(?:\s*\{\s*\\?[a-zA-Z]+\s*\})?)"
     r"(?:_(?:\w|\{\w+\}))?)\s*\(\s*(?:[a-z]|\\[a-z]+)"
@@ -55,6 +55,9 @@ _DERIVATIVES = (
     (rf"\\[dt]?frac\s*\{{{_D}{_L}\s*\}}\s*\{{{_D}{_L}", ""),
 )
 """How derivatives of symbols are written."""
+_ITERATES = re.compile(
+    r"\b(?:iterat|with itself|compositional power|period-\w|n-fold)", re.IGNORECASE
+)
 _PRIMED_TIME = re.compile(r"(?<![a-zA-Z\\])t'(?!')")
 _TIME_WITHIN = re.compile(r"(?<![a-zA-Z\\])d\s*\}?\s*\{?t'|''")
 """Where t' is a variable of integration, or derivatives are marked by primes."""
@@ -68,7 +71,7 @@ _DIFFERENTIAL = re.compile(r"\s*d\s*[a-zA-Z\\]+\s*=")
 
 @dataclass(frozen=True)
 class Under:
-    """What a display is said under."""
+    """The conditions of a display, and what its sentence says about it."""
 
     given: tuple[Compared, ...] = ()
     put_in: tuple[tuple[str, Expr], ...] = ()
@@ -80,35 +83,36 @@ class Under:
     told: bool = False
     """Whether the sentence says that it holds: "Then", "we have"."""
     passing: tuple[Compared, ...] = ()
-    """What its own sentence says, of all that is given."""
+    """Those of the given conditions that its own sentence states."""
     row: tuple[Compared, ...] = ()
     """The conditions that a word such as "for" ties to its own formula."""
     anew: frozenset[str] = frozenset()
-    """The symbols of which its sentence speaks anew, as "for all real $x$" does."""
+    """Symbols that its sentence introduces anew, as "for all real $x$" does."""
     unread: str = ""
-    """A condition in its sentence that is not read."""
+    """A condition in its sentence that was not understood."""
     stated: str = ""
-    """The words of its sentence that make it a statement about what exists, or a supposition."""
+    """Words of its sentence that make it an existence statement or a supposition."""
 
 
 class Memory(ConditionReader):
-    """What was said, and what it makes of what is read.
+    """What the manuscript has said so far.
 
     Attributes:
-        noted: conditions of the author's notes, to the section's end.
-        scopes: what the text says, as far as that reaches.
-        labels: what displays say, by their labels and numbers.
-        ahead: what is defined further on in the display.
+        noted: conditions of directives, to the end of the section.
+        scopes: definitions and conditions of the text, with their scopes.
+        labels: the links of displays, by the labels and numbers of these.
+        ahead: definitions further on in the display.
         partial: whether derivatives in a chain are written with ∂.
-        by: the one variable by which a chain integrates, if it is one.
-        uses: what the names of the display are elsewhere.
-        seen: names that stood in a display before.
-        primes: whether primes make other symbols, as where there is a time t', and no derivatives.
-        where: conditions of the sentences that define symbols, by the symbol.
-        told: values that the lines before the display tell, without defining by them.
-        own: what the sentence of the next display defines.
-        line: where the display stands that is read, 0 in the running text.
-        lines: where symbols were defined.
+        by: the variable of integration of a chain, if there is exactly one.
+        uses: how the names of the display are used elsewhere.
+        seen: names that occurred in an earlier display.
+        primes: whether a prime makes another symbol, as in a time t', and not a derivative.
+        where: the conditions under which symbols are defined, by the symbol.
+        told: values stated, but not defined, in the text before the display.
+        own: symbols that the sentence of the next display defines.
+        line: the line of the current display, 0 in running text.
+        lines: the lines in which symbols were defined.
+        counts_derivatives: whether ``f^{(4)}(x)`` is a derivative, not an iterate of f.
     """
 
     def __init__(self, text: str) -> None:
@@ -124,6 +128,7 @@ class Memory(ConditionReader):
         self.ahead: dict[str, Expr] = {}
         self.by = ""
         self.partial = False
+        self.counts_derivatives = "derivative" in text and not _ITERATES.search(text)
         self.primes = bool(_PRIMED_TIME.search(text)) and not _TIME_WITHIN.search(text)
         self.dependent = _dependent(text)
         self.called = frozenset(
@@ -136,12 +141,12 @@ class Memory(ConditionReader):
 
     @property
     def functions(self) -> dict[str, Function]:
-        """What symbols and functions stand for, the latest last."""
+        """The definitions of symbols and functions, the latest last."""
         return self.scopes.now.functions
 
     @property
     def lasting(self) -> list[Compared]:
-        """Conditions of the prose, to the end of the section or of a scope in it."""
+        """Conditions of the text, to the end of the section or of a scope in it."""
         return self.scopes.now.lasting
 
     @lasting.setter
@@ -150,17 +155,17 @@ class Memory(ConditionReader):
 
     @property
     def earlier(self) -> list[Compared]:
-        """Conditions of sections before, of symbols that are not spoken of anew."""
+        """Conditions of earlier sections, on symbols that were not introduced anew."""
         return self.scopes.now.earlier
 
     @property
     def recent(self) -> set[str]:
-        """What was defined in this section; before it a letter may have been another."""
+        """Symbols defined in this section; before it a letter may have meant something else."""
         return self.scopes.now.recent
 
     @property
     def author(self) -> Author:
-        """Whose formulas are read, for the reader of LaTeX."""
+        """What the LaTeX parser must know about the author's symbols."""
         unclear = self.scopes.now.ambiguous - self.own
         return Author(
             {n: f for n, f in self.functions.items() if n not in unclear},
@@ -195,17 +200,17 @@ class Memory(ConditionReader):
         now.functions[name] = found
 
     def undefine(self, name: str) -> None:
-        """A symbol is another from here on, and how is not read."""
+        """Forget the definition of a symbol that gets a new one which is not understood."""
         self.functions.pop(name, None)
         self.restrict({name}, "it has a definition that was not understood")
 
     def section(self, chapter: bool) -> None:
-        """A section begins: conditions end, and what is said in scopes."""
+        """Begin a section, which ends the conditions and scopes before it."""
         self.scopes.section(chapter)
         self.noted = []
 
     def known(self, under: Under) -> dict[str, Expr]:
-        """What symbols stand for, what was said last at the end."""
+        """Return the definitions that may be substituted, the latest last."""
         unclear = self.scopes.now.ambiguous - self.own
         functions = {n: f.body for n, f in self.functions.items() if n not in unclear}
         known = self.ahead | functions
@@ -217,15 +222,15 @@ class Memory(ConditionReader):
     def under_binders(
         self, e: Expr, known: Mapping[str, Expr], constants: frozenset[str] = frozenset()
     ) -> Expr:
-        """With what is a function of the variable of a derivative or an integral put in there.
+        """Substitute functions of the variable under a derivative, an integral, a limit or a sum.
 
-        In print ``y`` under ``d/dx`` is what it stands for, where that has x in it.
+        In print ``y`` under ``d/dx`` means its definition, if that contains x.
 
         Args:
-            constants: what is bound around it, or said to be a number.
+            constants: symbols bound further out, or called numbers in the text.
 
         Raises:
-            InputError: it is not known whether a symbol is a function of the variable.
+            InputError: the text does not say whether a symbol is a function of the variable.
         """
         if e.op in LEAVES or elementary(e):
             return e
@@ -234,7 +239,9 @@ class Memory(ConditionReader):
                 return e
             return rebuild(e, tuple(self.under_binders(arg, known, constants) for arg in e.args))
         args = tuple(self.under_binders(arg, known, constants) for arg in e.args[1:])
-        constants = constants.union(*map(symbols, args))  # an end is not moved by the variable
+        constants = constants.union(
+            *map(symbols, args)
+        )  # limits of integration do not depend on the variable
         body = instantiate(e.args[0], tuple(map(symbol, e.names)))
         for _ in range(DEPTH):
             values = {
@@ -252,14 +259,13 @@ class Memory(ConditionReader):
             varies = name in self.uses.functions or may_depend(name, e, body, self.partial)
             if on & {"", *e.names} or (free and varies):
                 advice = f"write {name}({e.names[0]}), or % tresym: let {name} real"
-                raise InputError(
-                    f"the text does not say whether {name} is a function of {e.names[0]}: {advice}"
-                )
+                why = f"the text does not say whether {name} is a function of {e.names[0]}"
+                raise InputError(f"{why}: {advice}")
         inner = self.under_binders(body, known, constants | {*e.names})
         return Expr(e.op, (bind(inner, e.names), *args), e.names)
 
     def remember(self, text: str) -> None:
-        """Definitions, lasting conditions and what restricts symbols in the lines of a text."""
+        """Collect definitions, conditions and restrictions of symbols from running text."""
         for n, paragraph in enumerate(_PARAGRAPH.split(text)):
             if n:
                 self.scopes.paragraph()
@@ -268,7 +274,7 @@ class Memory(ConditionReader):
                     self.heed(said, found)
 
     def heed(self, said: Said, found: prose.Inline) -> None:
-        """What one formula in the line says."""
+        """Collect what one inline formula defines, assumes or restricts."""
         name = self.lone(said) if found.whole or found.anew else ""
         if name and found.anew:
             self.forget(name)
@@ -313,7 +319,7 @@ class Memory(ConditionReader):
         by: Iterable[str] = (),
         bounds: tuple[Compared, ...] = (),
     ) -> None:
-        """Symbols are not free for a counterexample from here on, where ``by`` is spoken of too."""
+        """Mark symbols as not free for counterexamples, in claims that contain one of ``by``."""
         for name in names:
             before = self.scopes.now.restricted.get(name)
             if before is None:
@@ -324,7 +330,7 @@ class Memory(ConditionReader):
                 self.scopes.now.restricted[name] = before._replace(bounds=before.bounds + bounds)
 
     def spoken_of(self, said: Said) -> set[str]:
-        """The symbols and functions in a formula, by their letters where it is not read."""
+        """Return the symbols and functions of a formula; its letters if it cannot be read."""
         names: set[str] = set()
         for term in said.terms:
             try:
@@ -336,22 +342,19 @@ class Memory(ConditionReader):
         return names
 
     def lone(self, said: Said) -> str:
-        """The symbol of which a plain formula speaks, if it is one."""
+        """Return the symbol that a formula such as ``n`` or ``x > 0`` is about, else ``""``."""
         head = self.head(said.terms[0])
         plain = head is not None and not head.parameters and all(map(is_plain, said.terms))
         return head.name if head and plain else ""
 
     def forget(self, name: str) -> None:
-        """No condition on a symbol holds any longer: it is spoken of anew."""
+        """Drop all conditions on a symbol that is introduced anew."""
         for conditions in (self.lasting, self.earlier):
             conditions[:] = [c for c in conditions if name not in names_in((c,))]
         self.scopes.now.restricted.pop(name, None)
 
     def defined_in_line(self, said: Said, found: prose.Inline) -> bool:
-        """Whether it is a definition in the line, by the words before it or as f(x) = ….
-
-        What is only told, as in "then $m = 2k + 1$", may help to prove the next display.
-        """
+        """Store an inline definition, and return whether it is one; "then $m = 2k + 1$" is not."""
         head = self.head(said.terms[0])
         if head is None or head.derived:
             return False
@@ -383,7 +386,7 @@ class Memory(ConditionReader):
         return False
 
     def conditions_around(self, before: str, after: str) -> Under:
-        """What the sentence around a display says of its conditions."""
+        """Return the conditions that the sentence around a display states for it."""
         given: list[Compared] = []
         put_in: list[tuple[str, Expr]] = []
         anew: set[str] = set()
@@ -429,12 +432,12 @@ class Memory(ConditionReader):
         )
 
     def is_defined_function(self, said: Said) -> bool:
-        """Whether it is the definition of a function, f(x) = …, which is no condition."""
+        """Whether it is the definition of a function, f(x) = …, and so not a condition."""
         head = self.head(said.terms[0]) if said.ops in (("=",), (":=",)) else None
         return head is not None and bool(head.parameters) and head.name in self.functions
 
     def following(self, around: Under, orders: Orders) -> Under:
-        """With the displays from which this one follows: equations, and what symbols stand for."""
+        """Add the displays from which this one follows, as conditions and definitions."""
         given = list(around.given)
         values: list[tuple[str, Expr]] = []
         for left, op, right in self.noted:
@@ -458,7 +461,7 @@ class Memory(ConditionReader):
 
 
 def _reaches(name: str, names: Iterable[str], known: Mapping[str, Expr]) -> bool:
-    """Whether what ``name`` stands for has one of ``names`` in it, however deep."""
+    """Whether the definition of ``name`` contains one of ``names``, directly or indirectly."""
     reached, left = set(), {name}
     while left:
         reached |= left
@@ -467,7 +470,7 @@ def _reaches(name: str, names: Iterable[str], known: Mapping[str, Expr]) -> bool
 
 
 def _dependent(text: str) -> dict[str, set[str]]:
-    """The letters of which derivatives are written, and by what; the empty name for any."""
+    """Return the letters that are differentiated, and by which variables (``""`` for any)."""
     found: dict[str, set[str]] = {}
     for pattern, by in _DERIVATIVES:
         for match in re.finditer(pattern, text):
@@ -477,7 +480,7 @@ def _dependent(text: str) -> dict[str, set[str]]:
 
 
 def quietly(tex: str) -> list[Said]:
-    """The chains of a formula in the line, none where it is not taken apart."""
+    """Return the chains of an inline formula, none if it cannot be split."""
     try:
         return statements(tex) if len(tex) < 400 else []
     except InputError:
@@ -485,12 +488,12 @@ def quietly(tex: str) -> list[Said]:
 
 
 def names_in(comparisons: Iterable[Compared]) -> frozenset[str]:
-    """The names that stand in comparisons."""
+    """Return the names that occur in comparisons."""
     return frozenset().union(*(symbols(a) | symbols(b) for a, _, b in comparisons))
 
 
 def about(names: frozenset[str], given: Sequence[Compared]) -> list[Compared]:
-    """The conditions that speak of these variables, and of those that they tie to them."""
+    """Return the conditions on these variables, and on variables connected to them."""
     reached, size = set(names), 0
     while len(reached) != size:
         size = len(reached)

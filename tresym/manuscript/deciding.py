@@ -29,11 +29,15 @@ class Row:
     """A link and its status.
 
     Attributes:
-        witness: for REFUTED and SUSPECT, names to exact numbers.
-        instead: for these, claims close to it that hold.
-        refuted: what fails, in the grammar of text; empty where nothing does.
-        put: the values of its symbols that were put in.
-        fails_at: where, whatever the status.
+        status: one of ``STATUSES``.
+        why: the reason, for a reader.
+        witness: for REFUTED and SUSPECT, the counterexample: names to exact numbers.
+        given: the conditions of the claim that was decided.
+        seconds: processor time.
+        instead: for REFUTED and SUSPECT, true statements close to it.
+        refuted: the claim that fails, in the grammar of ``tresym check``; empty if none does.
+        put: the values that were substituted for symbols.
+        fails_at: a point at which it fails, whatever its status.
     """
 
     link: Link
@@ -48,7 +52,7 @@ class Row:
     fails_at: dict[str, str] | None = None
 
     def as_json(self) -> dict[str, Any]:
-        """A JSON value; every key is always there."""
+        """Return a JSON value; every key is always present."""
         display = self.link.display
         return {
             "display": display.number,
@@ -73,10 +77,13 @@ def decided(
     progress: Callable[[int, int], None] = lambda done, total: None,
     keep: bool = False,
 ) -> list[Row]:
-    """A row for each link; each claim is asked for at most ``limit`` seconds.
+    """Decide the claims of all links, in parallel, and return a row for each link.
 
     Args:
-        keep: at Ctrl-C, keep what is done; the other rows say that they were interrupted.
+        limit: seconds for each claim.
+        processes: how many to use; None for one per core.
+        progress: called with the number of links done and their total.
+        keep: after Ctrl-C, return what is done; the other rows say that they were interrupted.
     """
     asked = [*links, *(link.second for link in links if link.second is not None)]
     answers = answers_to(asked, limit, processes, progress, keep)
@@ -97,7 +104,7 @@ def _varied(
     limit: float,
     processes: int | None,
 ) -> list[Row]:
-    """The rows, but for passes of which an instance is refuted."""
+    """Return the rows; a proved link of which an instance is refuted becomes UNDECIDED."""
     tasks: list[Task] = []
     told: list[tuple[int, str]] = []
     for n, row in enumerate(rows):
@@ -121,7 +128,7 @@ def _varied(
 def _of_both(
     first: tuple[Row, list[Answer | InputError]], second: tuple[Row, list[Answer | InputError]]
 ) -> Row:
-    """The row of a link that can be read in two ways: a status where both have it, else UNREAD."""
+    """Return the row of a link with two readings: proved if both are, else UNREAD."""
     (one, _), (other, _) = first, second
     if one.status in PASSES and other.status in PASSES:
         weaker = max((one, other), key=lambda row: PASSES.index(row.status))
@@ -134,16 +141,16 @@ def _of_both(
 
 
 def _verdict(answers: list[Answer | InputError]) -> str:
-    """The best verdict of several attempts at one reading."""
+    """Return the best verdict of several attempts at one reading."""
     read = [answer for answer in answers if isinstance(answer, Answer)]
     best = next((answer for answer in read if answer), read[0] if read else None)
     return best.verdict.value if best is not None else "not read"
 
 
 def _failing(row: Row, answers: list[Answer | InputError]) -> Row:
-    """The row with what of its link is refuted, whatever its status, and where.
+    """Return the row with the claim that fails and a point at which it does, whatever its status.
 
-    It is the last way to ask that needs no definition of another paragraph.
+    This is the last attempt that needs no definition from another paragraph.
     """
     pairs = [*zip(row.link.claims, answers, strict=False)]
     for asked, answer in reversed(pairs):
@@ -156,7 +163,7 @@ def _failing(row: Row, answers: list[Answer | InputError]) -> Row:
 
 
 def _restates(link: Link, asked: Attempt) -> str:
-    """Why nothing was shown by an equality whose sides are the same, where it is no more."""
+    """Return why a proved equality shows nothing, as its sides are the same; ``""`` if it does."""
     one, _, other = asked.sides or (ZERO, "", ONE)
     if one != other:
         return ""
@@ -171,7 +178,7 @@ def _restates(link: Link, asked: Attempt) -> str:
 
 
 def _refuted(link: Link, answers: list[Answer | InputError]) -> tuple[Attempt, Answer] | None:
-    """The last way to ask that rests on nothing said elsewhere, if all are refuted."""
+    """Return the last attempt that needs no definition from elsewhere, if all are refuted."""
     found = None
     for asked, answer in zip(link.claims, answers, strict=False):
         if isinstance(answer, Answer) and asked.may_fail:
@@ -183,7 +190,7 @@ def _refuted(link: Link, answers: list[Answer | InputError]) -> tuple[Attempt, A
 
 
 def _needed(link: Link) -> str:
-    """Why a refutation that rests on what is said elsewhere is not reported."""
+    """Return why a refutation that needs a definition from elsewhere is not reported."""
     far = dict.fromkeys(name for asked in link.claims for name in asked.far)
     if not far:
         return "other readings of it are not refuted"
@@ -191,7 +198,7 @@ def _needed(link: Link) -> str:
 
 
 def _doubt(link: Link, asked: Attempt, limit: float) -> str:
-    """Why a refutation is not reported as a falsehood of the text; empty where it is."""
+    """Return why a refutation is not reported as an error of the text; empty if it is reported."""
     if link.ground.doubts:
         return link.ground.doubts[0]
     if asked.sides is None or link.ground.explicit or " as " in asked.text:
@@ -212,19 +219,19 @@ def _doubt(link: Link, asked: Attempt, limit: float) -> str:
 
 
 def _told(why: str, how: str) -> str:
-    """A reason, with what was put in; functions under the names that the author gives them."""
+    """Return a reason with the substitutions; functions have the names that the author uses."""
     return re.sub(r"\bfn_", "", f"{why}; {how}" if how else why)
 
 
 def _named(witness: Mapping[str, str] | None) -> dict[str, str] | None:
-    """A witness with functions under the names that the author gives them."""
+    """Return a witness in which functions have the names that the author uses."""
     if witness is None:
         return None
     return {re.sub(r"\bfn_", "", name): value for name, value in witness.items()}
 
 
 def _uncounted(link: Link, answer: Answer) -> str:
-    """Why a refutation at a number that counts nothing is not reported."""
+    """Return why a refutation at a number that cannot be an index is not reported."""
     witness = answer.witness or {}
     wrong = [n for n in sorted(link.counted) if not witness.get(n, "1").isdecimal()]
     return f"{', '.join(wrong)} is an index elsewhere, so an integer" if wrong else ""

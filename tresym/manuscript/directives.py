@@ -19,17 +19,17 @@ _LET = re.compile(r"(.+?)\s+(?:is |are |an? )*([a-z]+?)(?:s| number| variable)?"
 
 @dataclass(frozen=True)
 class Orders:
-    """What notes ask for.
+    """The meaning of one or more directives.
 
     Attributes:
-        given: conditions from here to the end of the section.
-        forget: they end here.
-        kind: what the next display is: define, assume, solve or claim.
+        given: conditions to the end of the section.
+        forget: whether such conditions end here.
+        kind: the kind of the next display: define, assume, solve or claim.
         sources: labels of the displays from which the next one follows.
         path: the path of the orders and limits in the next display.
-        shorter: of two readings of the next display the shorter is meant, sin(x)*(y + z).
-        skip: why the next display is not to be read.
-        lets: symbols in LaTeX, and their kinds.
+        shorter: whether the shorter argument is meant in the next display: sin(x)*(y + z).
+        skip: why the next display is to be skipped; None if it is not.
+        lets: symbols in LaTeX, with their kinds.
     """
 
     given: str = ""
@@ -42,7 +42,7 @@ class Orders:
     lets: tuple[tuple[str, str], ...] = ()
 
     def with_(self, later: Orders) -> Orders:
-        """Both, for the next display."""
+        """Return both together, for the next display."""
         found = {f.name: getattr(later, f.name) or getattr(self, f.name) for f in fields(self)}
         if later.skip is not None:
             found["skip"] = later.skip
@@ -50,10 +50,10 @@ class Orders:
 
 
 def orders_of(note: Note) -> Orders:
-    """What a note asks for.
+    """Parse a directive.
 
     Raises:
-        InputError: a note that is not understood; one line says where and what can be written.
+        InputError: it is not understood; the message says where it is and what can be written.
     """
     word, _, rest = note.text.partition(" ")
     rest = rest.strip()
@@ -87,10 +87,10 @@ def orders_of(note: Note) -> Orders:
 
 
 def _let(text: str, place: str) -> Orders:
-    """``T operator, A B matrix, s > 0``: kinds of symbols, and conditions.
+    """Parse ``T operator, A B matrix, s > 0``: kinds of symbols, and conditions.
 
     Raises:
-        InputError: a part that is neither.
+        InputError: a part is neither.
     """
     lets: list[tuple[str, str]] = []
     given: list[str] = []
@@ -116,12 +116,13 @@ def _let(text: str, place: str) -> Orders:
 
 
 def with_notes(events: list[Event], path: Path) -> list[Event]:
-    """The manuscript with notes from a file of their own, for one that is not to be changed.
+    """Return the manuscript with directives from a separate file added.
 
-    A line has the number of a display, the beginning of the SHA-256 of its text, and the note.
+    Each line of the file has the number of a display, at least 8 hexadecimal digits of the SHA-256
+    hash of its text, and a directive.
 
     Raises:
-        InputError: a line that is not understood, or a display that is another.
+        InputError: a line is not understood, or its hash is not that of the display.
     """
     found: dict[int, tuple[Note, ...]] = {}
     displays = {event.number: event for event in events if isinstance(event, Display)}

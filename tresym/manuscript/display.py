@@ -1,7 +1,7 @@
 """A display taken apart: its rows and cells, the statements in them, and the terms of each chain.
 
-Nothing is read here as mathematics: a term is a list of tokens, so one that cannot be read takes
-no other with it.
+Terms stay lists of tokens here and are not parsed, so one that cannot be read does not affect the
+others.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ STRANGE = frozenset(
         *("\\mapsto", "\\longmapsto", "\\questioned"),
     )
 )
-"""Relations that are told apart, and not read."""
+"""Relations that are recognised, but not supported."""
 _TWO = ["_", "{", "1", ",", "2", "}"]
 _STOPS = frozenset((",", ";", ".", AND, OR, GAP, CONDITION)) | ARROWS
 _NESTED = frozenset(
@@ -62,14 +62,14 @@ class Said:
 
     Attributes:
         ops: the relations as they are written.
-        before: the arrow or word that leads it in, ``\\implies`` or ``or``.
-        values: what follows by commas, as in ``n = 0, 1, 2``.
-        conditions: those that are said of it with a word such as "for".
-        words: upright text that stands in it.
-        remarks: how much of it stands behind it, so that its conditions are not all known.
-        universal: it is said "for all".
+        before: the arrow or word before it, such as ``\\implies`` or ``or``.
+        values: further values after commas, as in ``n = 0, 1, 2``.
+        conditions: conditions stated with a word such as "for".
+        words: the upright text in it.
+        remarks: the number of texts behind it that are not understood and may be conditions.
+        universal: whether it is stated "for all".
         row: the row of the display in which it ends, from 0.
-        opens: it begins in the first column of its row.
+        opens: whether it begins in the first column of its row.
     """
 
     terms: tuple[tuple[str, ...], ...]
@@ -85,7 +85,7 @@ class Said:
 
     @property
     def tokens(self) -> tuple[str, ...]:
-        """All of them, as they stand."""
+        """All tokens of the chain, in order."""
         found = [*self.terms[0]]
         for op, term in zip(self.ops, self.terms[1:], strict=True):
             found += [op, *term]
@@ -93,14 +93,14 @@ class Said:
 
     @property
     def either(self) -> bool:
-        """Whether a sign that is left open leads one side alone: ``\\cos x = \\pm\\sqrt{…}``."""
+        """Whether only one side begins with ``\\pm`` or ``\\mp``: ``\\cos x = \\pm\\sqrt{…}``."""
         signs = {"\\pm", "\\mp"}
         leads = [bool(signs & {*term[:1]}) for term in self.terms]
         inside = any(signs & {*term[1:]} for term in self.terms)
         return not inside and any(leads) and not all(leads)
 
     def signed(self, sign: str) -> Said:
-        """With ``\\pm`` as this sign; of ``x_{1,2}`` the first is that of the upper signs."""
+        """Return the chain with this sign for ``\\pm``; for +, ``x_{1,2}`` becomes x_1."""
         terms = (_one_of_two(list(term), "1" if sign == "+" else "2") for term in self.terms)
         return replace(self, terms=tuple(tuple(with_sign(term, sign)) for term in terms))
 
@@ -111,10 +111,10 @@ def _one_of_two(tokens: list[str], which: str) -> list[str]:
 
 
 def statements(text: str) -> list[Said]:
-    """The chains that a display states, in order.
+    """Return the chains of a display, in order.
 
     Raises:
-        InputError: environments that are not closed, or more tokens than are read.
+        InputError: an environment is not closed, or the display is too long.
     """
     words: list[str] = []
     tokens = tokenize(prepared(text, words), frozenset({"hot"}))
@@ -146,7 +146,7 @@ def _environment(token: str) -> str:
 
 
 def _levels(tokens: list[str]) -> Iterator[tuple[int, str, int]]:
-    """Each token with its place and how deep it stands in brackets and environments."""
+    """Yield each token with its index and its depth in brackets and environments."""
     depth = 0
     for n, token in enumerate(tokens):
         if token in _CLOSE or token.startswith("\\end{"):
@@ -157,7 +157,7 @@ def _levels(tokens: list[str]) -> Iterator[tuple[int, str, int]]:
 
 
 class _Cell(NamedTuple):
-    """A statement, the row in which it ends, and whether it begins in the first column of one."""
+    """The tokens of a statement, the row it ends in, and whether it begins in the first column."""
 
     tokens: list[str]
     row: int = 0
@@ -165,7 +165,7 @@ class _Cell(NamedTuple):
 
 
 def _rows(tokens: list[str]) -> list[_Cell]:
-    """The statements of a display, each cell one unless it goes on with the one before."""
+    """Return the statements of a display: one per cell, unless a cell continues another."""
     tokens = _unwrapped(tokens)
     tokens = _without_brace(tokens)
     start = next((n for n, t, d in _levels(tokens) if d == 0 and t.startswith("\\begin{")), None)
@@ -176,7 +176,7 @@ def _rows(tokens: list[str]) -> list[_Cell]:
             return _cases(tokens, start, end)
         if name in _NESTED:
             inner, rest = _body(tokens[start + 1 : end], name), tokens[end + 1 :]
-            if _relation_in(rest) and rest[0] in (",", GAP, CONDITION):  # it is said of all rows
+            if _relation_in(rest) and rest[0] in (",", GAP, CONDITION):  # it applies to all rows
                 rest = ["\\\\", "&", *rest]
             return _rows([*tokens[:start], *inner, *rest])
     cells: list[_Cell] = []
@@ -205,19 +205,19 @@ def _rows(tokens: list[str]) -> list[_Cell]:
 def _goes_on(
     before: list[str], cell: list[str], after: list[str], column: int, row: list[str]
 ) -> bool:
-    """Whether a cell goes on with the statement before it."""
+    """Whether a cell continues the statement before it."""
     if cell[0] in RELATIONS or cell[0] in STRANGE:
         return True
     if before[-1] in _OPERATORS or before[-1] in RELATIONS:
         return True
     starts = after[:1] and after[0] in RELATIONS and _relation_in(before)
-    if cell[0] in _OPERATORS:  # in an even column of an align an equation begins
+    if cell[0] in _OPERATORS:  # an equation begins in an even column of an align
         return not (starts and column % 2 == 0) and (column > 0 or not _relation_in(row))
     return column > 0 and not starts and not _relation_in(cell) and cell[0] != CONDITION
 
 
 def _without_brace(tokens: list[str]) -> list[str]:
-    """Without a brace at the left of an environment whose partner does not print."""
+    """Return the tokens without a left brace whose right partner is invisible."""
     starts = [
         n
         for n in range(len(tokens) - 1)
@@ -243,7 +243,7 @@ def _relation_in(tokens: list[str]) -> bool:
 
 
 def _unwrapped(tokens: list[str]) -> list[str]:
-    """Without braces around everything."""
+    """Return the tokens without braces around everything."""
     tokens = _without_gaps(tokens)
     while tokens[:1] == ["{"] and tokens[-1] == "}":
         closing = next(n for n, t, d in _levels(tokens) if n and t == "}" and d == 0)
@@ -303,7 +303,7 @@ def _split(tokens: list[str], separator: str) -> list[list[str]]:
 
 
 def _parts(tokens: list[str]) -> list[tuple[str, list[str]]]:
-    """What lies between stops, each with the stop before it; gaps inside brackets are spaces.
+    """Return the parts between stops, each with the stop before it; gaps in brackets are spaces.
 
     A comma with a gap behind it is :class:`Spaced`.
     """
@@ -329,7 +329,7 @@ def _parts(tokens: list[str]) -> list[tuple[str, list[str]]]:
 
 
 def _chains(tokens: list[str]) -> list[Said]:
-    """The chains of one row."""
+    """Return the chains of one row."""
     found: list[Said] = []
     pending: list[list[str]] = []
     ahead: list[Said] = []
@@ -361,7 +361,7 @@ def _chains(tokens: list[str]) -> list[Said]:
         chain = _chain(part)
         apart = stop == GAP or isinstance(stop, Spaced)
         if apart and "=" in chain.ops and len(chain.terms[0]) > 2:
-            under = False  # an equality apart is one more
+            under = False  # a separate equality is a statement of its own
         if not chain.ops:
             if colon:
                 continue
@@ -404,8 +404,7 @@ def _chains(tokens: list[str]) -> list[Said]:
 
 
 def _without_bracket(part: list[str]) -> tuple[list[str], list[str]]:
-    """A part without the bracket at its end, and what stands in that, if there is a relation in it:
-    ``a = b (x > 0)``."""
+    """Split off a bracket with a relation at the end of a part: ``a = b (x > 0)``."""
     if part[-1] not in (")", "]"):
         return part, []
     start = max((n for n, t, depth in _levels(part) if depth == 0 and t in ("(", "[")), default=-1)
@@ -415,7 +414,7 @@ def _without_bracket(part: list[str]) -> tuple[list[str], list[str]]:
 
 
 def _plain(part: list[str]) -> bool:
-    """A value in a list, such as ``2`` or ``\\ldots``."""
+    """Whether a part is a value in a list, such as ``2`` or ``\\ldots``."""
     return all(t[0].isdigit() or t in _IN_VALUES or t[0] == "." for t in part)
 
 

@@ -16,7 +16,9 @@ _DEFINED = re.compile(
 _DROPPED = re.compile(
     r"\\(?:nonumber|notag|displaystyle|ds|textstyle|allowbreak|nobreak|noindent|hfill|hfil|qedhere"
     r"|pause|null|small|footnotesize|scriptsize|normalsize"
-    r"|mathstrut|strut|Biggl|Biggr|middle)(?![a-zA-Z])"
+    r"|mathstrut|strut|Biggl|Biggr|middle|qed|postdisplaypenalty\s*=\s*-?\d+)(?![a-zA-Z])"
+    r"|\\(?:display|page|no|line)break(?![a-zA-Z])\s*(?:\[\d\])?"
+    r"|\\rule\s*(?:\[[^\[\]]*\]\s*)?\{[^{}]*\}\s*\{[^{}]*\}"
     r"|\\(?:hspace|vspace|vphantom|hphantom|phantom|tag|label|cite|footnote|eqref|ref|color|raisebox"
     r"|smash)\*?\s*(?:\[[^\[\]]*\]\s*)?\{[^{}]*\}|\\hskip\s*-?[\d.]+\s*[a-z]{2}|\\hline"
 )
@@ -49,7 +51,7 @@ _WHEN = re.compile(
     r"(?:for|if|iff|when|whenever|where|provided|with|unless|as long as|as soon as|on|in"
     r"|at|assuming|given|except|near|while|until|under|because of|over|outside|inside)\b"
 )
-"""What a condition begins with."""
+"""Words at the beginning of a condition."""
 _TEXT = re.compile(
     r"\\(text|textrm|textnormal|mbox|textit|hbox|intertext|shortintertext|textup|mathrm"
     r"|operatorname\*?)\s*\{((?:[^{}]|\{[^{}]*\})*)\}"
@@ -68,14 +70,18 @@ _WITHOUT = re.compile(
 
 
 def prepared(text: str, words: list[str]) -> str:
-    """With marks for gaps and upright text; what only sets the page is dropped."""
+    """Return the text with marks for gaps and upright text, and without layout commands.
+
+    Args:
+        words: upright text that is not understood is appended to this list.
+    """
     text = _DROPPED.sub(" ", text)
     text = _SET.sub(r" \1 ", text)
     text = _THOUSANDS.sub(lambda m: re.sub(r"\{?,\}?|\\,", "", m[0]), text)
     text = _ONE_COMMA.sub(r"{\1{,}\2}", text)
     text = _REPEATING.sub(_repeating, text)
     text = _BRACED_ARRAY.sub(r"\\begin{cases} \1 \\end{cases}", text)
-    text = re.sub(r"\\boxed(?![a-zA-Z])", " ", text)
+    text = re.sub(r"\\boxed(?![a-zA-Z])|\\tcboxmath(?![a-zA-Z])(?:\s*\[[^\[\]]*\])?", " ", text)
     text = _without_braces_under(text)
     text = _INTEGER.sub(lambda m: rf"\text{{for }} {m[3]} \in {_set(m[1] or m[2] or '')}", text)
     text = re.sub(r"\\\\\s*\*?\s*(?:\[\s*-?[\d.]+\s*[a-z]{2}\s*\])?", r"\\\\ ", text)
@@ -93,7 +99,7 @@ def prepared(text: str, words: list[str]) -> str:
 
 
 def _repeating(found: re.Match[str]) -> str:
-    """A decimal whose last digits repeat, as a fraction."""
+    """Return a repeating decimal as a fraction."""
     places, period = found[2], found[3]
     nines = 10 ** len(places) * (10 ** len(period) - 1)
     above = int(found[1] + places + period) - int(found[1] + places)
@@ -101,7 +107,7 @@ def _repeating(found: re.Match[str]) -> str:
 
 
 def _relation_under(found: re.Match[str]) -> str:
-    """An equality sign with something over it: a definition, a question, or the sign alone."""
+    """Return the meaning of an equality sign with something over it, such as "def" or "?"."""
     if re.search(r"[?!]", found[1]):
         return r" \questioned "
     return ":=" if re.search("def|triangle|Delta", found[1]) else "="
@@ -112,17 +118,17 @@ _SETS |= {"odd": "O", "even": "E"}
 
 
 def _set(words: str) -> str:
-    """The integers that words such as "odd" and "positive" name."""
+    """Return the set of integers that words such as "odd" and "positive" name."""
     return rf"\mathbb{{{_SETS[words.strip()]}}}"
 
 
 def between(text: str) -> tuple[str, list[str]]:
-    """A display without the prose between its lines, and that prose."""
+    """Split a display into its formulas and the prose between its lines."""
     return _BETWEEN.sub(" ", text), _BETWEEN.findall(text)
 
 
 def _without_braces_under(text: str) -> str:
-    """What stands over or under a brace alone, without what the brace is labelled with."""
+    """Remove braces over or under formulas, with the labels of the braces."""
     while (mark := _BRACE.search(text)) is not None:
         inside, end = group(text, mark.end())
         label = re.compile(r"\s*[_^]").match(text, end)
@@ -132,7 +138,7 @@ def _without_braces_under(text: str) -> str:
 
 
 def _spoken(found: re.Match[str], words: list[str]) -> str:
-    """Upright text as the tokens that it stands for."""
+    """Replace upright text by the tokens that it stands for."""
     command, text = found[1], found[2]
     if command in ("mathrm", "operatorname", "operatorname*") or re.fullmatch(r"\s*\w\s*", text):
         return found[0]

@@ -2,7 +2,8 @@
 
 ``\\input``, ``\\include`` and ``\\subfile`` are followed inside the project: the nearest folder
 with one of ``PROJECT`` in it, or the manuscript's own folder. Of a conditional that ``\\newif``
-declares, and of ``\\iftrue`` and ``\\iffalse``, the branch that TeX takes is read.
+declares, and of ``\\iftrue`` and ``\\iffalse``, the branch that TeX takes is read. The macros of
+the author's own packages are read, and for a chapter alone those of the main file that inputs it.
 """
 
 from __future__ import annotations
@@ -10,6 +11,9 @@ from __future__ import annotations
 import os
 import re
 from bisect import bisect_right
+from collections.abc import Iterator
+from contextlib import suppress
+from itertools import islice
 from pathlib import Path
 from typing import NamedTuple
 
@@ -19,8 +23,11 @@ from tresym.reals.numbers.exact import InputError
 
 MAX_CHARACTERS = 20_000_000
 MAX_FILES = 500
+MAX_DEPTH = 4
+"""Folders around a chapter in which its main file is sought, and inputs in inputs there."""
+MAX_PREAMBLE = 400_000
 PROJECT = (".git", "latexmkrc", ".latexmkrc", "pyproject.toml")
-"""What marks the top folder of a project."""
+"""Files and folders that mark the top folder of a project."""
 _HIDDEN = re.compile(
     r"""(?P<verbatim>\\begin\{(?P<name>verbatim\*?|lstlisting|minted|comment|filecontents\*?)\}
           .*? (?:\\end\{(?P=name)\}|\Z))
@@ -32,6 +39,7 @@ _HIDDEN = re.compile(
 )
 _NOTE = re.compile(r"\s*tresym:\s*(.*)", re.IGNORECASE)
 _INPUT = re.compile(r"\\(?:input|include|subfile)(?![a-zA-Z])\s*(?:\{\s*([^{}]*?)\s*\}|([\w./-]+))")
+_PACKAGES = re.compile(r"\\(?:usepackage|RequirePackage)\s*(?:\[[^\[\]]*\]\s*)?\{([\w./,\s-]*)\}")
 _SUBFILE = re.compile(r"\\documentclass\s*\[\s*([^\[\]]*?)\s*\]\s*\{subfiles\}")
 _BODY = re.compile(r"\\begin\s*\{document\}(.*?)(?:\\end\s*\{document\}|\Z)", re.DOTALL)
 _CONDITIONAL = re.compile(
@@ -44,12 +52,12 @@ _PRIMITIVES = frozenset(
         *("hmode", "inner", "void", "hbox", "vbox", "eof"),
     )
 )
-"""Conditionals of TeX that end in ``\\fi``; which branch they take is not followed."""
+"""Conditionals of TeX that end in ``\\fi`` and are not evaluated."""
 _OPENS = re.compile(r"\\begin\s*\{|\\end\s*\{|\\\[|\\\]|\$\$")
 
 
 class Note(NamedTuple):
-    """A comment ``% tresym: …`` of the author's, and where it stands."""
+    """A directive: a comment ``% tresym: …`` of the author's, and its place."""
 
     text: str
     file: str
@@ -57,15 +65,15 @@ class Note(NamedTuple):
 
 
 class Files:
-    """The text of all files, where its lines come from, and the notes in its comments.
+    """The text of all files, the origin of its lines, and the directives in its comments.
 
     Attributes:
-        missing: files that are input and not there, as those of packages of TeX.
-        outside: files that are input from outside the project, which are not read.
+        missing: input files that do not exist in the project, such as those of TeX packages.
+        outside: input files outside the project, which are not read.
     """
 
     def __init__(self, path: Path, root: Path | None = None, text: str | None = None) -> None:
-        """Read them all; ``text`` stands for what the first of them holds, as in an editor."""
+        """Read all files; ``text`` replaces the contents of the first, as in an editor."""
         self._unsaved = text
         self.path, self.folder = path, path.resolve().parent
         self.root = _project(self.folder) if root is None else root.resolve()
@@ -76,6 +84,7 @@ class Files:
         self.outside: list[str] = []
         self.parts: list[tuple[str, int, str]] = []
         self.size = 0
+        self._add_macros_around()
         self._add(path, ())
         self._write_out_environments()
         self.text = _taken("".join(text for _, _, text in self.parts))
@@ -92,12 +101,12 @@ class Files:
             offset += len(text)
 
     def place(self, at: int) -> tuple[str, int]:
-        """The file and the line of a place in the text."""
+        """Return the file and the line of a position in the text."""
         return self._places[bisect_right(self._starts, at) - 1]
 
     def _add(self, path: Path, around: tuple[Path, ...], preamble: bool = False) -> None:
-        """Add a file and what it inputs: of one that is input its body, of a main file that a
-        part of it names its preamble."""
+        """Add a file and its inputs: the body of an input file, or only the preamble of the main
+        file that a subfile names."""
         here = path.resolve()
         shown = "" if not around else os.path.relpath(here, self.folder)
         if here in around:
@@ -106,7 +115,7 @@ class Files:
         text = self._visible(read_text(path) if unsaved is None else unsaved, shown)
         self.size += len(text)
         if self.size > MAX_CHARACTERS or len(self.parts) > MAX_FILES:
-            raise InputError(f"{self.path}: with all that it includes it is beyond all bounds")
+            raise InputError(f"{self.path}: it is too large with the files that it includes")
         body = _BODY.search(text)
         start, stop = 0, len(text)
         if body is not None and preamble:
@@ -125,11 +134,66 @@ class Files:
             start = mark.end()
         self._part(shown, text, start, stop)
 
+    def _add_macros_around(self) -> None:
+        """Add the macros of the author's packages; of a chapter that is read alone, those of the
+        main file that inputs it."""
+        text = read_text(self.path) if self._unsaved is None else self._unsaved
+        if "\\documentclass" in text or "\\begin{document}" in text:
+            made = self._definitions(self.path, text, True)
+        else:
+            main = next(self._main_files(), None)
+            made = "" if main is None else self._definitions(main, _text_of(main))
+        if made:
+            self.parts.append(("", 0, made + "\n"))
+
+    def _main_files(self) -> Iterator[Path]:
+        """The main files that input this one, from its own folder outwards."""
+        own = self.path.resolve()
+        folders = (f for f in (self.folder, *self.folder.parents) if f.is_relative_to(self.root))
+        for folder in islice(folders, MAX_DEPTH):
+            for main in sorted(folder.glob("*.tex"))[:MAX_FILES]:
+                text = "" if main.resolve() == own else _shown(_text_of(main))
+                if "\\documentclass" in text and "\\begin{document}" in text:
+                    names = (mark[1] or mark[2] or "" for mark in _INPUT.finditer(text))
+                    if any(
+                        (folder / name).with_suffix("") == own.with_suffix("") for name in names
+                    ):
+                        yield main
+
+    def _definitions(
+        self, path: Path, text: str, packages: bool = False, depth: int = MAX_DEPTH
+    ) -> str:
+        """The definitions before the document of a file, and of what it inputs there.
+
+        Args:
+            packages: only those of the author's packages.
+        """
+        text = _shown(text).partition("\\begin{document}")[0]
+        names = [
+            f"{name.strip()}.sty" for m in _PACKAGES.finditer(text) for name in m[1].split(",")
+        ]
+        for mark in () if packages else _INPUT.finditer(text):
+            name = mark[1] or mark[2] or ""
+            names += [name, f"{name}.tex"]
+        made = []
+        for name in names if depth else ():
+            file = (path.parent / name).resolve()
+            if file.is_relative_to(self.root) and file.is_file():
+                made.append(self._definitions(file, _text_of(file), False, depth - 1))
+        for command in () if packages else DEFINITIONS.finditer(text):
+            with suppress(InputError):
+                found, end = definition(text, command)
+                written = " ".join(text[command.start() : end].split())
+                itself = any((macro.body or "").count(name) for name, macro in found.items())
+                if not (itself or "@" in written or command[0] == "\\let"):
+                    made.append(written)  # what TeX does inside is left out, as it may not end
+        return " ".join(made)
+
     def _part(self, file: str, text: str, start: int, end: int) -> None:
         self.parts.append((file, text.count("\n", 0, start) + 1, text[start:end]))
 
     def _included(self, name: str, beside: Path) -> Path | None:
-        """The file of that name; None where the project has none, as of a package of TeX."""
+        """Return the file of that name; None if the project has none, as for a TeX package."""
         outside = False
         for folder in dict.fromkeys((self.folder, beside, self.root)):
             for ending in ("", ".tex"):
@@ -145,9 +209,14 @@ class Files:
         return None
 
     def _visible(self, text: str, file: str) -> str:
-        """Without comments and verbatim text; each note is a mark, and every line stays."""
+        """Return the text without comments and verbatim text, with a mark for each directive.
+
+        Line breaks stay, so that line numbers remain correct.
+        """
         if "\x01" in text or "\x02" in text:
-            raise InputError(f"{file or self.path}: holds control characters; LaTeX is text")
+            raise InputError(
+                f"{file or self.path}: it contains control characters, so it is not LaTeX text"
+            )
         lines = _Lines(text)
 
         def replaced(found: re.Match[str]) -> str:
@@ -164,7 +233,7 @@ class Files:
         return _HIDDEN.sub(replaced, text)
 
     def _write_out_environments(self) -> None:
-        """Write out the macros that open or close displays, as ``\\be`` and ``\\ee`` do."""
+        """Expand the macros that open or close displays, as ``\\be`` and ``\\ee`` do."""
         found: dict[str, str] = {}
         for _, _, text in self.parts:
             for command in DEFINITIONS.finditer(text):
@@ -190,7 +259,7 @@ class Files:
 
 
 class _Lines:
-    """The lines of a text, asked for from first to last."""
+    """Line numbers of a text, for increasing positions."""
 
     def __init__(self, text: str) -> None:
         self.text, self.seen, self.line = text, 0, 1
@@ -201,16 +270,28 @@ class _Lines:
         return self.line
 
 
+def _text_of(path: Path) -> str:
+    """What a file holds; nothing where it cannot be read as text."""
+    with suppress(InputError, OSError, ValueError):
+        return read_text(path) if path.stat().st_size < MAX_PREAMBLE else ""
+    return ""
+
+
+def _shown(text: str) -> str:
+    """The text without comments and verbatim text."""
+    return _HIDDEN.sub(lambda found: found["command"] or "", text)
+
+
 def _project(folder: Path) -> Path:
-    """The nearest folder around that a project begins in, else the folder itself."""
+    """Return the nearest folder upwards that is the top of a project, else the folder itself."""
     around = (one for one in (folder, *folder.parents) if any((one / p).exists() for p in PROJECT))
     return next(around, folder)
 
 
 def _taken(text: str) -> str:
-    """The text with spaces for the branches of conditionals that TeX does not take."""
+    """Return the text with blanks for the branches of conditionals that TeX does not take."""
     flags = {"true": True, "false": False}
-    open_: list[bool | None] = []  # of each conditional around whether its branch is taken
+    open_: list[bool | None] = []  # for each open conditional: whether its branch is taken
     kept: list[str] = []
     at = 0
     for mark in _CONDITIONAL.finditer(text):

@@ -40,7 +40,7 @@ math { font-size: 1.2em } code { overflow-wrap: anywhere }
 
 
 def page(rows: Sequence[Row], name: str) -> str:
-    """A page with every display in order, link by link, typeset as it was read."""
+    """Return an HTML page with every display in order, link by link, typeset as it was read."""
     counts = Counter(row.status for row in rows)
     summary = ", ".join(f"{counts[s]} {s}" for s in STATUSES if counts[s])
     title = escape(name)
@@ -55,7 +55,7 @@ def page(rows: Sequence[Row], name: str) -> str:
 
 
 def _symbols(rows: Sequence[Row]) -> str:
-    """What each symbol was taken for, and what speaks for that."""
+    """Return the table of symbols with their kinds and the evidence for these."""
     found: dict[tuple[str, str, str], list[int]] = {}
     for row in rows:
         for known in row.link.symbols:
@@ -101,7 +101,7 @@ def _sections(rows: Sequence[Row]) -> Iterator[str]:
 
 
 def _attention(rows: Sequence[Row], name: str) -> Iterator[str]:
-    """What an author must look at, in front of everything else."""
+    """Yield the section of the problems, which comes first."""
     found = attention(rows)
     if not found:
         return
@@ -118,7 +118,7 @@ def _attention(rows: Sequence[Row], name: str) -> Iterator[str]:
 
 
 def _findings(row: Row) -> str:
-    """Why a row is to be looked at, where it fails, and what is true instead."""
+    """Return the reason of a row, its counterexample and its suggestions."""
     text = f'<br><span class="why">{escape(row.why)}</span>'
     if row.witness is not None:
         values = ", ".join(f"{name} = {value}" for name, value in row.witness.items())
@@ -131,7 +131,7 @@ def _findings(row: Row) -> str:
 
 
 def _formula(claim: str) -> str:
-    """A claim in the grammar of text, typeset in the line."""
+    """Return a claim in the grammar of ``tresym check``, typeset inline."""
     try:
         return ", ".join(relation(link, block=False) for link in parse_claim(claim))
     except InputError:
@@ -149,12 +149,12 @@ def _link(row: Row) -> str:
 
 
 def worst(rows: Sequence[Row]) -> str:
-    """The status of a display: of those of its links the one to be seen first."""
+    """Return the status of a display: the worst one of its links."""
     return min((row.status for row in rows), key=_WORST.index)
 
 
 def marks(rows: Sequence[Row]) -> str:
-    """The statuses for tresym.sty: one a display, in the order of the displays in the PDF."""
+    """Return the statuses for tresym.sty: one line per display, in order."""
     lines = []
     for number, links in groupby(rows, key=lambda row: row.link.display.number):
         found = list(links)
@@ -163,7 +163,7 @@ def marks(rows: Sequence[Row]) -> str:
 
 
 MARK = '<meta name="generator" content="tresym">'
-"""In every page, which may be replaced by another."""
+"""Marks a page as written by tresym, so that a later run may replace it."""
 
 STYLE = r"""\NeedsTeXFormat{LaTeX2e}
 \ProvidesPackage{tresym}[marks in the margin: what tresym paper says of each display]

@@ -33,6 +33,7 @@ from tresym.manuscript.kinds_in_prose import (
     UNKNOWN,
     VECTOR,
     declared,
+    intervals_in,
     of_sentence,
 )
 from tresym.manuscript.source import Display, Event, Prose, Section
@@ -41,30 +42,31 @@ from tresym.reals.language.latex_tokens import RELATIONS, tokenize
 from tresym.reals.numbers.exact import InputError
 
 READ = frozenset((REAL, INTEGER, FUNCTION, SEQUENCE))
-"""Kinds of symbols about which statements are decided."""
+"""The kinds of symbols that statements may contain to be decided."""
 ONLY = "only statements about real numbers, integers, functions and sequences are checked"
 _DECLARED_IN_TEXT = re.compile(r"\\(?:text\w*|mbox|intertext)\s*\{((?:[^{}]|\{[^{}]*\})*)\}")
 _ALGEBRA = frozenset(("+", "-", "^", "{", "}", "_", "\\cdot", "\\times", "\\frac", "/", "\\,"))
 _NAMING_RELATIONS = ("=", ":=", "==", "\\equiv", ":", "\\colon", "\\in", "\\sim")
-"""What stands behind a symbol that the words before a formula name."""
+"""Relations that may follow a symbol named by the words before a formula."""
 _NAMES_BELOW = (("p",), ("q",), ("r",), ("s",))
-"""Subscripts that are mostly names where nothing is summed: ``y_p`` is a particular solution."""
+"""Subscripts that are names if nothing is summed: ``y_p`` is a particular solution."""
 Key = tuple[str, str, bool]
 """A letter, its accent, and whether it has a subscript."""
 
 
 @dataclass(frozen=True)
 class Evidence:
-    """What speaks for a symbol's kind.
+    """Evidence for the kind of a symbol.
 
     Attributes:
-        kind: what it is.
-        words: the words or the formula.
-        line: where they stand.
-        place: the number of the event in which they stand.
-        section: that of the section.
-        said: in words or by a directive, and not in notation.
-        local: it holds in its section alone.
+        kind: the kind, such as "a matrix".
+        words: the words or the formula that say so.
+        line, file: where they stand.
+        place: the index of the event in which they stand.
+        section: the number of the section; -1 for a directive.
+        said: whether it is stated in words or by a directive, not only by notation.
+        local: whether it counts in its section only.
+        onward: whether it does not count in earlier sections.
     """
 
     kind: str
@@ -75,24 +77,25 @@ class Evidence:
     section: int = 0
     said: bool = False
     local: bool = False
+    onward: bool = False
 
     @property
     def where(self) -> str:
-        """Place and words, for a reader."""
+        """The place and the words, for a reader."""
         file = f"{self.file}, " if self.file else ""
         return f"{file}line {self.line}: '{self.words}'"
 
 
 class Uses(NamedTuple):
-    """What the names of a formula are, and how they stand elsewhere in its chapter.
+    """How the names of a formula are used in its chapter.
 
     Attributes:
-        numbers: those that are said to be numbers.
-        applied: those before a bracket that holds an argument, or said to be functions.
-        bare: those without a bracket behind them.
-        sequences: letters whose subscripts number terms.
-        indices: letters that number terms or are bound by sums elsewhere.
-        functions: names that are said to be functions.
+        numbers: names that the text calls numbers.
+        applied: names followed by an argument in brackets, or called functions.
+        bare: names that occur without a bracket behind them.
+        sequences: letters whose subscripts are indices.
+        indices: letters that are indices, or bound by sums, elsewhere.
+        functions: names that the text calls functions.
         inverses: whether ``\\sin^{-1}`` is the inverse function.
     """
 
@@ -107,14 +110,16 @@ class Uses(NamedTuple):
 
 @dataclass
 class Chapter:
-    """What is known of the symbols of one chapter.
+    """The evidence on the symbols of one chapter.
 
     Attributes:
-        found: evidence, by the symbol.
-        applied: names before a bracket that holds an argument; bare: names without one.
-        sequences: letters whose subscripts number terms.
-        indices: letters that number terms, or that a sum or a product binds.
-        inverses: it speaks of inverse trigonometric functions.
+        found: the evidence, by symbol.
+        applied: names followed by an argument in brackets, with the line.
+        bare: names that occur without a bracket behind them.
+        sequences: letters whose subscripts are indices.
+        indices: letters that are indices, or bound by a sum or a product.
+        inverses: whether it mentions inverse trigonometric functions.
+        intervals: letters that the text calls intervals, from there on.
     """
 
     found: dict[Key, list[Evidence]] = field(default_factory=dict)
@@ -123,6 +128,7 @@ class Chapter:
     sequences: dict[str, Evidence] = field(default_factory=dict)
     indices: set[str] = field(default_factory=set)
     inverses: bool = False
+    intervals: set[str] = field(default_factory=set)
 
 
 class Kinds:
@@ -152,24 +158,26 @@ class Kinds:
                 self._formula(event.text, event.file, event.line, place, True)
 
     def _words(self, text: str, file: str, line: int, place: int) -> None:
-        """The evidence in words."""
+        """Collect the evidence in a text."""
         self.chapters[-1].inverses |= bool(INVERSES.search(text))
+        self.chapters[-1].intervals |= intervals_in(text)
         for found in declared(text):
             at = line + text.count("\n", 0, found.at)
             for tex in found.formulas:
                 evidence = self._evidence(found.kind, found.words, file, at, place, True)
                 for key in _named(tex, found.kind):
-                    self._add(key, evidence)
+                    onward = found.kind == COMPLEX and key[0] not in ("z", "w")
+                    self._add(key, replace(evidence, onward=onward))
 
     def _formula(self, tex: str, file: str, line: int, place: int, display: bool) -> None:
-        """The evidence in a formula's notation."""
+        """Collect the evidence in the notation of a formula."""
         try:
             tokens = tokenize(without_upright(tex))
         except InputError:
             return
         found = list(mentions(tokens))
         chapter = self.chapters[-1]
-        for kind, one, words in noted(tokens, found, display):
+        for kind, one, words in noted(tokens, found, display, chapter.intervals):
             said = kind in (REAL, INTEGER)
             evidence = self._evidence(kind, words, file, line, place, said)
             local = kind == COMPLEX and one.letter not in ("z", "w")
@@ -194,13 +202,13 @@ class Kinds:
         self.chapters[chapter].found.setdefault(key, []).append(evidence)
 
     def settle(self, names: str, kind: str, words: str, line: int, place: int) -> None:
-        """What a directive says some symbols are, from there to the end of the chapter."""
+        """Set the kind of symbols by a directive, to the end of the chapter."""
         evidence = Evidence(kind, words, line, "", place, -1, True)
         for one in mentions(tokenize(names)):
             self._add(_key(one), evidence, self.chapter_of[place])
 
     def spread(self, left: Sequence[str], right: Sequence[str], place: int, line: int) -> None:
-        """A symbol stands for an expression in which one is no real number: so it may be none."""
+        """Record that a symbol equal to an expression with a non-real one may be non-real."""
         head = _lone(left)
         plain = all(t in _ALGEBRA or t[0].isdigit() or t.lstrip("\\").isalnum() for t in right)
         if head is None or not plain or "(" in right:
@@ -217,7 +225,7 @@ class Kinds:
                 return
 
     def at(self, one: Mention, place: int) -> Evidence | None:
-        """The evidence for a symbol's kind at a place; None where it is taken for a real number."""
+        """Return the evidence for a symbol's kind at a place; None if it is real by default."""
         chapter = self.chapters[self.chapter_of[place]]
         letter, accent, below = _key(one)
         found = [*chapter.found.get((letter, accent, below), ())]
@@ -234,7 +242,11 @@ class Kinds:
         if settled:
             return max(settled, key=lambda e: e.place)
         section = self.section_of[place]
-        found = [e for e in found if e.section == section or not e.local]
+        found = [
+            e
+            for e in found
+            if e.section == section or not (e.local or (e.onward and e.place > place))
+        ]
         here = [e for e in found if e.said and e.section == section]
         before = [e for e in here if e.place <= place]
         latest = max(before, key=lambda e: e.place) if before else None
@@ -250,9 +262,11 @@ class Kinds:
     def against_link(
         self, left: list[str], op: str, right: list[str], place: int, words: str = ""
     ) -> str:
-        """Why a link is not decided: which of its symbols is no real number; else nothing.
+        """Return which symbol of a link is not a real number, as a reason; ``""`` if none is.
 
         Args:
+            left, op, right: the tokens of its sides, and its relation.
+            place: the index of the event in which it stands.
             words: the sentence around the display.
         """
         head = _lone(left) if RELATIONS.get(op) == "==" else None
@@ -265,7 +279,7 @@ class Kinds:
         return why
 
     def against(self, tokens: list[str], place: int, words: str = "") -> str:
-        """Why a formula is not decided: which of its symbols is no real number; else nothing."""
+        """Return which symbol of a formula is not a real number, as a reason; ``""`` if none is."""
         found = list(mentions(tokens))
         for one in found:
             evidence = self.at(one, place)
@@ -279,7 +293,7 @@ class Kinds:
         return doubts(tokens, found, lambda one: self.is_real(one, place))
 
     def known(self, tokens: Sequence[str], place: int) -> tuple[tuple[str, str, str], ...]:
-        """The symbols of a formula, each with its kind and what speaks for that."""
+        """Return the symbols of a formula, each with its kind and the evidence for it."""
         found: dict[str, tuple[str, str, str]] = {}
         chapter = self.chapters[self.chapter_of[place]]
         for one in mentions(list(tokens)):
@@ -296,7 +310,7 @@ class Kinds:
         return tuple(found.values())
 
     def uses(self, tokens: Sequence[str], place: int) -> Uses:
-        """What the names of a formula are, for the reader of LaTeX."""
+        """Return how the names of a formula are used, for the LaTeX parser."""
         tokens = list(tokens)
         found, chapter = list(mentions(tokens)), self.chapters[self.chapter_of[place]]
         kinds = {one.name: self.at(one, place) for one in found}
@@ -318,19 +332,19 @@ class Kinds:
         )
 
     def sequences(self, place: int) -> set[str]:
-        """The letters of the sequences of a chapter."""
+        """Return the letters of the sequences of a chapter."""
         chapter = self.chapters[self.chapter_of[place]]
         said = {k[0] for k, found in chapter.found.items() for e in found if e.kind == SEQUENCE}
         return said | chapter.sequences.keys()
 
     def is_real(self, one: Mention, place: int) -> bool:
-        """Whether something says that a symbol is a number."""
+        """Whether the text calls a symbol a number."""
         evidence = self.at(one, place)
         return evidence is not None and evidence.kind in (REAL, INTEGER)
 
 
 def _lone(tokens: Sequence[str]) -> Mention | None:
-    """The symbol that the tokens are, if they are one."""
+    """Return the symbol that the tokens consist of; None if they are more than one symbol."""
     found = list(mentions(tokens))
     return (
         found[0] if len(found) == 1 and (found[0].start, found[0].end) == (0, len(tokens)) else None
@@ -342,14 +356,14 @@ def _key(one: Mention) -> Key:
 
 
 def _weak(one: Mention) -> Evidence | None:
-    """What a symbol's own print says of its kind."""
+    """Return the evidence in the accent of a symbol, such as ``\\hat``."""
     if one.accent in ("hat", "widehat", "mathcal", "mathscr", "mathfrak"):
         return Evidence(f"{UNKNOWN}, by its \\{one.accent}", "", 0)
     return None
 
 
 def _named(tex: str, kind: str) -> Iterator[Key]:
-    """The symbols of a formula that words before or behind it name: its first, or all of a list."""
+    """Yield the symbols of a formula that the words around it name: the first, or all of a list."""
     try:
         tokens = tokenize(without_upright(tex))
     except InputError:
@@ -378,7 +392,7 @@ def _named(tex: str, kind: str) -> Iterator[Key]:
 def _spoken_of(
     found: Sequence[Mention], words: str, tokens: Sequence[str]
 ) -> Iterator[tuple[Mention, str, str]]:
-    """Symbols of which a sentence speaks without naming them, with their kinds and its words."""
+    """Yield symbols that a sentence describes without naming them, with kinds and words."""
     named = {
         letter for d in declared(words) for tex in d.formulas for letter, *_ in _named(tex, d.kind)
     }

@@ -2,7 +2,7 @@ r"""What print says of a formula's symbols: ``A^T``, ``x \in \mathbb{R}^n``, ``A
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 
 from tresym.manuscript.kinds_in_prose import (
     COMPLEX,
@@ -25,6 +25,7 @@ from tresym.manuscript.symbols import (
     is_plain_number,
 )
 from tresym.reals.language.latex_cursor import INDICES
+from tresym.reals.language.latex_tokens import RELATIONS
 
 Noted = Iterator[tuple[str, Mention, str]]
 _SETS = frozenset(
@@ -39,15 +40,28 @@ _TOTALS = frozenset(
     ("\\sum", "\\prod", "\\lim", "\\bigcup", "\\bigcap", "\\sup", "\\limsup", "\\liminf")
 )
 _ARROWS = ("\\to", "\\rightarrow", "\\longrightarrow")
+_NO_DOMAIN = frozenset((*_ARROWS, *RELATIONS, "\\}", "\\lim", "\\sup", "\\inf")) - {":", "\\colon"}
+"""What ends the domain behind the colon of ``f : [a, b] \\to \\mathbb{R}``; a relation says that
+the colon was that of a set, as in ``\\{ x_k : k \\ge n \\}``."""
 _FUNCTIONS = frozenset(("f", "g", "h", "phi", "psi", "varphi"))
 _GREEK_CAPITALS = frozenset(
     ("Gamma", "Theta", "Lambda", "Xi", "Sigma", "Upsilon", "Phi", "Psi", "Omega")
 )
 
 
-def noted(tokens: Sequence[str], found: Sequence[Mention], display: bool) -> Noted:
-    """Each symbol that the notation of a formula says the kind of, and by which of it."""
-    for sought in (_members, _maps, _neighbours, _followers, _transposed, _normed, _conjugates):
+def noted(
+    tokens: Sequence[str],
+    found: Sequence[Mention],
+    display: bool,
+    intervals: Collection[str] = (),
+) -> Noted:
+    """Each symbol that the notation of a formula says the kind of, and by which of it.
+
+    Args:
+        intervals: letters of intervals of real numbers.
+    """
+    yield from _maps(tokens, found, intervals)
+    for sought in (_members, _neighbours, _followers, _transposed, _normed, _conjugates):
         yield from sought(tokens, found)
     if display:
         yield from _both_orders(tokens, found)
@@ -114,17 +128,19 @@ def _distributed(tokens: Sequence[str], at: int) -> str:
     return RANDOM if name or tokens[at : at + 1] == ["("] else ""
 
 
-def _maps(tokens: Sequence[str], found: Sequence[Mention]) -> Noted:
+def _maps(tokens: Sequence[str], found: Sequence[Mention], intervals: Collection[str]) -> Noted:
     """``f \\colon [0, 1] \\to \\mathbb{R}``: a function of real values, or another map."""
     for one in found:
         if tokens[one.end : one.end + 1] not in ([":"], ["\\colon"]):
             continue
-        arrow = next((n for n in range(one.end, len(tokens)) if tokens[n] in _ARROWS), None)
-        if arrow is None:
+        arrow = next((n for n in range(one.end, len(tokens)) if tokens[n] in _NO_DOMAIN), None)
+        if arrow is None or tokens[arrow] not in _ARROWS:
             continue
         values = _plain(tokens, arrow + 1)
-        real = values[:2] == ["\\mathbb", "R"] and values[2:3] != ["^"]
+        numbers = values[:1] == ["\\mathbb"] and values[1:2] and values[1] in "RQZN"
+        real = numbers and values[2:3] != ["^"]
         real = real or values[:1] in (["["], ["("])
+        real = real or (values[0] in intervals and values[1:2] != ["^"] if values else False)
         yield FUNCTION if real else OPERATOR, one, _shown(tokens, one.start, one.end + 16)
 
 
@@ -133,7 +149,8 @@ def _neighbours(tokens: Sequence[str], found: Sequence[Mention]) -> Noted:
     for at, token in enumerate(tokens):
         if token in _SETS or token in _OF_VECTORS:
             for one in found:
-                if one.end == at or one.start == at + 1:
+                image = one.letter in _FUNCTIONS and tokens[one.end : one.end + 1] == ["("]
+                if one.end == at or (one.start == at + 1 and not image):
                     kind = SET if token in _SETS else VECTOR
                     yield kind, one, _shown(tokens, at - 1, at + 2)
 
@@ -203,6 +220,7 @@ def _conjugates(tokens: Sequence[str], found: Sequence[Mention]) -> Noted:
         if pair[0].letter == pair[1].letter and "" in accents and accents & _CONJUGATE:
             yield from ((COMPLEX, m, f"{pair[0].shown} beside {pair[1].shown}") for m in pair)
     imaginary = any(one.letter == "i" and not one.subscript for one in found)
+    imaginary = imaginary and not any("i" in one.subscript for one in found)  # there i is an index
     counts = {"\\sum", "\\ldots"} & {*tokens}
     heads = len(found) > 1 and found[0].start == 0 and tokens[found[0].end] == "="
     if imaginary and heads and not counts:

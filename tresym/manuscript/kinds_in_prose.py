@@ -89,6 +89,11 @@ _AFTER = re.compile(
     rf"{_OTHER_NOUN}(?![\s~]+\x02)",
     re.IGNORECASE,
 )
+_DOMAIN_OF = re.compile(
+    r"\b(?:domain|range|image|graph|codomain|support)[\s~]+of[\s~]+(?:the function[\s~]+)?\Z",
+    re.IGNORECASE,
+)
+"""Before a name of which not itself is a set."""
 _NAMING = re.compile(
     rf"\b(?:denote by|denoted by|write|call|writing|by)[\s~]+{_LIST}[\s~]+"
     rf"(?:for[\s~]+|we denote[\s~]+|denote[\s~]+|the[\s~]+)+{_WORDS}(?:{_ANY}){_OTHER_NOUN}",
@@ -142,14 +147,23 @@ SPEAKERS = (
     (re.compile(r"\b(?:differential|derivative|difference) operators?\b", re.IGNORECASE), "D"),
     (re.compile(r"\b(?:difference operator|Laplacian)\b", re.IGNORECASE), "Delta"),
 )
-"""Words, and the letter that is usual for the operator that they name."""
+"""Names of operators, with their usual letters."""
+
+
+_LETTERS = r"[A-Z](?:_\d)?(?:\s*,\s*[A-Z](?:_\d)?)*(?![a-zA-Z^])"
+_CAPITALS = rf"(?:\$\s*{_LETTERS}[^$]{{0,60}}\$(?:[\s~]*(?:,|and|or)[\s~]*)*)+"
+_INTERVALS_AFTER = re.compile(rf"\bintervals?[\s~]+{_CAPITALS}")
+_INTERVALS_BEFORE = re.compile(
+    rf"{_CAPITALS}[\s~]*(?:is|are|be)[\s~]+(?:an?[\s~]+)?"
+    r"(?:(?:open|closed|bounded|compact|nonempty|real|two|nontrivial|finite|any)[\s~]+)*intervals?\b"
+)
 
 
 class Declared(NamedTuple):
-    """What words say of the symbols of formulas in the line.
+    """The kind that words give to the symbols of inline formulas.
 
     Attributes:
-        kind: what they are.
+        kind: their kind.
         words: the words, with the formulas.
         formulas: the formulas.
         at: where the words begin in the text.
@@ -162,7 +176,7 @@ class Declared(NamedTuple):
 
 
 def declared(text: str) -> Iterator[Declared]:
-    """What the words of a text say its symbols are."""
+    """Yield the kinds that the words of a text give to its symbols."""
     formulas: list[str] = []
     places: list[tuple[int, int]] = []
 
@@ -187,6 +201,10 @@ def declared(text: str) -> Iterator[Declared]:
 
     for pattern in (_BEFORE, _AFTER, _NAMING):
         for found in pattern.finditer(marked):
+            if pattern is _AFTER and _DOMAIN_OF.search(
+                marked, max(found.start() - 40, 0), found.start()
+            ):
+                continue
             named = next(k for k in range(len(_NOUNS)) if found[f"n{k}"] is not None)
             yield made(_NOUNS[named][0], found, found[f"n{named}"], pattern is not _AFTER)
     for found in _ADJECTIVE.finditer(marked):
@@ -196,10 +214,17 @@ def declared(text: str) -> Iterator[Declared]:
             yield made(COMPLEX, found)
 
 
-def of_sentence(sentence: str) -> Iterator[tuple[str, str, bool]]:
-    """The kinds of which a sentence speaks without a name, as in "the matrices satisfy".
+def intervals_in(text: str) -> set[str]:
+    """The capital letters that the words of a text call intervals of real numbers."""
+    found = (m[0] for words in (_INTERVALS_AFTER, _INTERVALS_BEFORE) for m in words.finditer(text))
+    lists = (m[1] for words in found for m in re.finditer(rf"\$\s*({_LETTERS})", words))
+    return {letter for letters in lists for letter in re.findall("[A-Z]", letters)}
 
-    Each comes with its word, and with whether there are several of them.
+
+def of_sentence(sentence: str) -> Iterator[tuple[str, str, bool]]:
+    """Yield kinds that a sentence mentions without naming symbols: "the matrices satisfy".
+
+    Each comes with its word, and with whether that is in the plural.
     """
     words = INLINE.sub(" ", sentence)
     for found in _OF_SENTENCE.finditer(words):

@@ -1,9 +1,10 @@
 """What each link of a display says, and of what kind it is: a definition, an equation, a claim.
 
-What was said before is remembered: definitions, conditions, and displays by their labels. Without
-a note of the author's a link is called false only where nothing else can be meant: a chain that
-goes on (``… = a = b``), with the same variables on both sides, or a sentence that says "identity"
-or "for all". Any other equality that does not hold everywhere is an equation to be solved.
+The manuscript is read once, from first to last. Definitions, conditions and labelled displays are
+remembered and used for later links. Without a directive of the author's, a link is called false
+only if it must be a claim: if it continues a chain (``… = a = b``) with the same variables on both
+sides, or if its sentence says "identity" or "for all". Any other equality that does not hold
+everywhere is read as an equation to be solved.
 """
 
 from __future__ import annotations
@@ -36,12 +37,14 @@ from tresym.manuscript.source import Display, Event, Missing, Prose, Scope, Sect
 from tresym.manuscript.terms import (
     SIGNS,
     Head,
+    as_derivatives,
     base_of,
     is_plain,
     plain,
     read_term,
     unknown_in,
     variables_of_integrals,
+    with_derivatives_counted,
     with_primed_variables,
     without_units,
 )
@@ -59,22 +62,26 @@ Group: TypeAlias = tuple[Said, list[Said]]
 
 
 def read_links(events: Sequence[Event]) -> list[Link]:
-    """Every link of every display, in order."""
+    """Return every link of every display, in order.
+
+    Args:
+        events: the manuscript as :func:`tresym.manuscript.source.read_manuscript` returns it.
+    """
     return list(_Reading(events).links())
 
 
 _FUNCTION = re.compile(r"\\(?:a?(?:rc)?(?:sin|cos|tan|cot|sec|csc)h?|exp|ln|log|operatorname|sqrt)")
-"""What a condition behind an inequality does not have in it."""
+"""Functions: an inequality that contains one is not a mere condition of the one before it."""
 
 
 EITHER = "either"
-"""What leads in a chain that "or" follows."""
+"""Marks the first of two alternatives: a chain that is followed by "or"."""
 BOUNDS = frozenset(("<", ">", "<=", ">=", "!="))
 FIRST = "compared with the first side of the chain, which is equal"
 
 
 class _Reading:
-    """One pass over a manuscript."""
+    """One pass over a manuscript: what was read so far, and where the reader is."""
 
     def __init__(self, events: Sequence[Event]) -> None:
         self.events = events
@@ -85,7 +92,7 @@ class _Reading:
         self.cases: list[tuple[tuple[str, ...], tuple[Compared, ...]]] = []
 
     def links(self) -> Iterator[Link]:
-        """The links of all displays."""
+        """Yield the links of all displays."""
         before, scope = "", 0
         for n, event in enumerate(self.events):
             scope += isinstance(event, Section | Scope)
@@ -125,7 +132,7 @@ class _Reading:
                 self.orders, before, self.memory.told = Orders(), "", {}
 
     def note(self, note: Note) -> None:
-        """Heed a note of the author's."""
+        """Apply a directive of the author's."""
         orders = orders_of(note)
         if orders.forget:
             self.memory.noted, self.memory.lasting = [], []
@@ -135,7 +142,12 @@ class _Reading:
         self.orders = self.orders.with_(orders)
 
     def display(self, display: Display, before: str, after: str) -> Iterator[Link]:
-        """The links of a display."""
+        """Yield the links of one display.
+
+        Args:
+            before: the text before it, back to the previous display or heading.
+            after: the text behind it, up to the next display.
+        """
         orders = self.orders
         self.words = f"{prose.last_sentence(before)} {prose.first_sentence(after)}"
         self.memory.shorter = orders.shorter
@@ -189,7 +201,7 @@ class _Reading:
                 yield replace(link, number=count)
 
     def swallowed(self, blank: Link, under: Iterable[Said], around: Under) -> Iterator[Link]:
-        """Conditions that may be claims: bounds on what was defined."""
+        """Yield conditions that may be claims: bounds on a symbol that was defined before."""
         for said in under:
             if len(said.ops) != 1 or RELATIONS.get(said.ops[0]) not in BOUNDS or said.before:
                 continue
@@ -209,7 +221,7 @@ class _Reading:
             yield replace(link, firm=False, unknown=True, otherwise=(UNREAD, why))
 
     def defined_in(self, found: Iterable[Said]) -> Iterator[tuple[str, Expr]]:
-        """What the chains of a display define, for those that stand before."""
+        """Yield what the chains of a display define, since earlier chains of it may use that."""
         for said in found:
             if not said.ops or said.ops[0] not in ("=", ":=") or {"\\pm", "\\mp"} & {*said.tokens}:
                 continue
@@ -224,14 +236,20 @@ class _Reading:
     def chain(
         self, blank: Link, said: Said, extra: Sequence[Said], around: Under, signed: bool
     ) -> Iterator[Link]:
-        """The links of one chain."""
+        """Yield the links of one chain."""
         if not said.ops:
             shown = " ".join(said.tokens)
             why = "it has no relation such as = or <, so there is nothing to check"
             if said.words:
                 why = f"the words {said.words[0]!a} in it are not understood"
+            elif not isinstance(self.piece(said.terms[0], said), str):
+                return  # an expression alone
             yield replace(blank, status=UNREAD, why=why, shown=shown)
             return
+        if said.values == (("\\ldots",),) and {*said.ops} == {"="} and len(said.ops) > 1:
+            said = replace(said, values=())  # more of the kind follows
+        if (derived := as_derivatives(said.terms)) and {*said.ops} == {"="}:
+            said = replace(said, terms=derived)
         if said.values:
             listed = said.ops == ("=",) and said.values[-1] == ("\\ldots",)
             found = self.memory.integers(said) if listed else None
@@ -279,7 +297,7 @@ class _Reading:
             yield link
 
     def strange(self, said: Said, n: int, line: int) -> str:
-        """Why a link is not decided: one of its symbols is no real number; else nothing."""
+        """Return why a link cannot be decided: a symbol in it is not a real number. Else ``""``."""
         left, right = list(said.terms[n]), list(said.terms[n + 1])
         why = self.kinds.against_link(left, said.ops[n], right, self.place, self.words)
         if why and n == 0:
@@ -287,7 +305,7 @@ class _Reading:
         return why
 
     def either_reading(self, blank: Link, said: Said, under: Under, why: str) -> Iterator[Link]:
-        """The links of a chain that can be read in two ways, each with both; or none."""
+        """Yield the links of a chain that has two readings, each link with both readings."""
         rows: list[list[Piece | str]] = []
         for longer in (True, False):
             self.memory.longer, self.memory.shorter = longer, not longer
@@ -312,7 +330,7 @@ class _Reading:
             yield both[0] if both[0].claims == both[1].claims else replace(both[0], second=both[1])
 
     def under(self, said: Said, extra: Sequence[Said], around: Under) -> tuple[Under, str]:
-        """What a chain is said under, and what of it is not read."""
+        """Return the conditions of a chain, and the condition that was not understood, if any."""
         given: list[Compared] = []
         row: tuple[Compared, ...] = ()
         put_in = list(around.put_in)
@@ -352,7 +370,7 @@ class _Reading:
         ), problem
 
     def other_cases(self, said: Said, condition: Said) -> Conditions | None:
-        """Of "otherwise" what it says: that no case before it is; of other words nothing."""
+        """Return the meaning of "otherwise": no case before it applies. None for other words."""
         if condition.tokens != (OTHERWISE,):
             return None
         cases = [given for head, given in self.cases if head == said.terms[0]]
@@ -371,7 +389,7 @@ class _Reading:
         problem: str,
         signed: bool,
     ) -> Link:
-        """One link: the kind of the first one is told by its form, the later ones are claims."""
+        """Classify one link: the first of a chain by its form; later ones are claims."""
         left, right = sides
         relation = RELATIONS.get(op, op)
         head = self.memory.head(said.terms[0]) if n == 0 and relation == "==" else None
@@ -419,7 +437,7 @@ class _Reading:
         return claim(self.memory, link, n, said, compared, (left, right), under, head, signed)
 
     def is_of_defined(self, said: Said) -> bool:
-        """Whether a chain bounds what has a definition, so that it holds or fails."""
+        """Whether a chain bounds a symbol that has a definition, so that it is true or false."""
         heads = (self.memory.head([t for t in term if t not in SIGNS]) for term in said.terms)
         return any(head and head.name in self.memory.functions for head in heads)
 
@@ -440,7 +458,7 @@ class _Reading:
         return replace(link, status=UNREAD, why="the path of the limit is not understood")
 
     def is_new(self, head: Head, value: Expr, under: Under) -> bool:
-        """Whether ``head = value`` defines: it was not defined before and is not in the value."""
+        """Whether ``head = value`` is a definition: the head is new and not part of the value."""
         if under.noted and under.kind == prose.SOLVE:
             return False
         if under.noted and under.kind == prose.CLAIM:
@@ -474,7 +492,7 @@ class _Reading:
             if CONSTANTS.fullmatch(name)
         )
         of_some = not names_in(under.passing).isdisjoint(head.parameters)
-        if several or of_some:  # no value of all arguments
+        if several or of_some:  # it holds for some arguments only
             self.memory.undefine(head.name)
         elif symbols(value) or under.noted:
             self.memory.define(head, value, under.passing)
@@ -497,7 +515,7 @@ class _Reading:
         return replace(read_so(link, compared), status=ASSUMED, why=why)
 
     def piece(self, tokens: Sequence[str], said: Said) -> Piece | str:
-        """A term, or why it is not read."""
+        """Return a term as an expression, or the reason why it cannot be read."""
         if "hot" in tokens:
             return "the text does not say how small the terms of higher order are"
         if any(tuple(tokens[n : n + 3]) == ("{", ",", "}") for n in range(len(tokens))):
@@ -507,6 +525,8 @@ class _Reading:
         try:
             lone = len(said.ops) == 1 and self.memory.head(said.terms[0]) is not None
             tokens = with_primed_variables(without_units(tokens) if lone else tokens)
+            if self.memory.counts_derivatives:
+                tokens = with_derivatives_counted(tokens)
             if said.either and tokens[:1] in (("\\pm",), ("\\mp",)):
                 tokens = tokens[1:]
             return read_term(tokens, self.memory.author)
@@ -515,9 +535,9 @@ class _Reading:
 
 
 def _grouped(found: list[Said]) -> Iterator[Group]:
-    """Each chain with the conditions that follow it: ``a = b, x > 0``, or ``otherwise``.
+    """Yield each chain with the conditions that follow it: ``a = b, x > 0``, or ``otherwise``.
 
-    Where they leave a choice, ``x > 1 or x < 0``, the chain is said once for each.
+    If the conditions are alternatives, ``x > 1 or x < 0``, the chain is yielded once for each.
     """
     ways: list[Group] = []
     for said in found:
@@ -538,8 +558,8 @@ def _grouped(found: list[Said]) -> Iterator[Group]:
 
 
 def _with_conditions_behind(groups: Iterable[Group]) -> list[Group]:
-    """The groups: what has no condition of its own has those of the next chain of its row, or of
-    the next row that has nothing else in it."""
+    """Return the groups, each with conditions: a chain without one of its own gets those of the
+    next chain in its row, or of the next row that consists of conditions only."""
     groups = list(groups)
     result: list[Group] = []
     rows, row = {said.row for said, _ in groups}, -1
@@ -555,7 +575,7 @@ def _with_conditions_behind(groups: Iterable[Group]) -> list[Group]:
 
 
 def _is_condition(said: Said, before: Said, others: Sequence[Said]) -> bool:
-    """Whether a chain behind an equality is a condition of it, by its form."""
+    """Whether a chain behind another one has the form of a condition of it."""
     claims = "=" in before.ops or not all(map(is_plain, before.terms))
     if said.before or said.conditions or not said.ops or not claims or (said.opens and said.row):
         return False
@@ -566,7 +586,8 @@ def _is_condition(said: Said, before: Said, others: Sequence[Said]) -> bool:
         return True
     if not relations <= {"<", ">", "<=", ">=", "!=", "in"}:
         value = bool(others or before.conditions) and all(map(is_plain, said.terms))
-        return (bool(said.values) or value) and relations == {"=="}
+        listed = bool(said.values) and len(said.ops) == 1
+        return (listed or value) and relations == {"=="}
     short = any(len(term) <= 4 for term in said.terms)
     if "=" not in before.ops:  # an inequality behind an inequality may be one more
         powers = {pair for term in said.terms for pair in pairwise(term)}

@@ -27,13 +27,13 @@ _POWER = re.compile(r"(?<=[\d.])[eEdD]([-+]?\d+)\Z")
 
 
 class Macro(NamedTuple):
-    """What a command stands for: ``#1`` to ``#9`` in its body are its arguments.
+    """The definition of a command; ``#1`` to ``#9`` in its body are its arguments.
 
     Attributes:
-        takes: how many arguments it takes.
-        body: what it stands for, None for what is not read here.
-        default: the first argument where none is given in brackets; None where it has no such.
-        starred: a star and a size in brackets behind it do not matter.
+        takes: the number of arguments.
+        body: the replacement text; None for a definition that is not supported.
+        default: the default of an optional first argument; None if there is none.
+        starred: whether a star and a size in brackets behind it are skipped.
     """
 
     takes: int
@@ -63,12 +63,14 @@ USUAL = {
     "\\arcosh": Macro(0, r"\operatorname{arcosh}"),
     "\\arsinh": Macro(0, r"\operatorname{arsinh}"),
     "\\artanh": Macro(0, r"\operatorname{artanh}"),
+    **{f"\\{letter}": Macro(0, rf"\mathbb{{{letter}}}") for letter in "RNZQC"},
 }
-"""Commands of usual packages, for documents that do not define them."""
+"""Commands of usual packages, and usual names of sets of numbers, for documents (a chapter alone,
+say) that do not define them."""
 
 
 def group(text: str, at: int) -> tuple[str, int]:
-    """What stands in the braces at ``at``, and where to go on; else the one token there.
+    """Return the group in braces at ``at``, or the single token, and where to continue.
 
     Raises:
         InputError: the group is not closed.
@@ -83,7 +85,7 @@ def group(text: str, at: int) -> tuple[str, int]:
         depth += (mark[0] == "{") - (mark[0] == "}")
         if depth == 0:
             return text[at + 1 : mark.start()], mark.end()
-    raise InputError("a brace { is not closed, or only after very much")
+    raise InputError(f"a brace {{ is not closed within {MAX_GROUP} characters")
 
 
 def _skip(text: str, at: int) -> int:
@@ -102,7 +104,7 @@ def _optional(text: str, at: int) -> tuple[str | None, int]:
 
 
 def definition(text: str, command: re.Match[str]) -> tuple[dict[str, Macro], int]:
-    """What the definition at ``command`` defines, and where to go on.
+    """Return the macros that the definition at ``command`` defines, and where to continue.
 
     An environment is defined by two macros, ``\\begin{name}`` and ``\\end{name}``.
 
@@ -147,10 +149,10 @@ def definition(text: str, command: re.Match[str]) -> tuple[dict[str, Macro], int
 
 
 def written_out(text: str, macros: Mapping[str, Macro]) -> str:
-    """``text`` with the macros written out.
+    """Return ``text`` with the macros expanded.
 
     Raises:
-        InputError: a macro that does not end, or takes what is not read here.
+        InputError: a macro expands without end, or its definition is not supported.
     """
     done: list[str] = []
     steps = size = at = 0
@@ -163,16 +165,16 @@ def written_out(text: str, macros: Mapping[str, Macro]) -> str:
         done.append(text[at : mark.start()])
         steps, size = steps + 1, size + mark.start() - at
         if macro.body is None:
-            raise InputError(f"the macro {mark[0]} is defined in a way that is not read here")
+            raise InputError(f"the definition of the macro {mark[0]} is not supported")
         value, at = _applied(macro, mark[0], text, mark.end())
         text, at = _joined(value, text[at:]), 0
         if steps > MAX_STEPS or size + len(text) > MAX_WRITTEN_OUT:
-            raise InputError(f"the macro {mark[0]} does not end, or grows beyond all bounds")
+            raise InputError(f"the macro {mark[0]} does not end, or its expansion is too long")
     return "".join(done) + text[at:]
 
 
 def _applied(macro: Macro, name: str, text: str, at: int) -> tuple[str, int]:
-    """The body with the arguments that follow, and where to go on."""
+    """Return the body with its arguments inserted, and where to continue."""
     given: list[str] = []
     if macro.starred:
         at += text[at : at + 1] == "*"
@@ -196,6 +198,6 @@ def _applied(macro: Macro, name: str, text: str, at: int) -> tuple[str, int]:
 
 
 def _joined(first: str, second: str) -> str:
-    """Side by side, and not one command where the first ends in one and the second is letters."""
+    """Join two texts, with a space if a command would otherwise run into letters."""
     apart = second[:1].isalpha() and re.search(r"\\[a-zA-Z@]+\Z", first)
     return f"{first} {second}" if apart else first + second

@@ -39,7 +39,7 @@ _NAMED = re.compile(
     r"[\w-]+[\s~]+){1,3}\Z",
     re.IGNORECASE,
 )
-"""What a formula behind it is the value of: "the energy $E = mc^2$"."""
+"""Words that name the value of a formula: "the energy $E = mc^2$"."""
 INLINE = re.compile(r"(?<!\\)\$([^$]+)\$|\\\((.+?)\\\)", re.DOTALL)
 _SENTENCE = re.compile(r"(?<=[a-z)}$])[.!?](?=\s+[A-Z\\$])|\n\s*\n|\\par(?![a-zA-Z])")
 _LASTING = re.compile(
@@ -149,24 +149,24 @@ MAX_AFTER = 600
 
 
 class Inline(NamedTuple):
-    """A formula in the line, and what the words before it make of it.
+    """An inline formula, and what the words around it say about it.
 
     Attributes:
         tex: the formula.
-        lasting: a condition from here to the end of the section ("Let $a > 0$").
-        passing: a condition of the display of this sentence ("for $x > 0$").
+        lasting: it is a condition to the end of the section ("Let $a > 0$").
+        passing: it is a condition of the display of this sentence ("for $x > 0$").
         defining: it may define a symbol ("where $r = \\sqrt{b/a}$").
-        told: it is said to hold ("then $m = 2k + 1$").
-        whole: its symbols are integers, from the number that is said on ("a positive integer $n$",
-            "$m$ is odd, so $m = 2k + 1$").
-        tends: where its symbol goes, as in "for small $x$": 0 or oo.
-        anew: its symbols are spoken of anew ("for all real $x$"): what was said of them has ended.
-        binds: the words that tie its symbols down ("there is", "choose").
+        told: it is claimed to hold ("then $m = 2k + 1$").
+        whole: the set of integers its symbols belong to: Z, N or N0; empty if not integers
+            ("a positive integer $n$", "$m$ is odd, so $m = 2k + 1$").
+        tends: the limit of its symbol, 0 or oo, as in "for small $x$".
+        anew: it introduces its symbols anew ("for all real $x$"), so earlier conditions end.
+        binds: words that bind its symbols ("there is", "choose").
         hypothesis: it is supposed or denied, so that it defines nothing.
         conditional: it says when something else holds ("if $a = b$").
-        piece: it is said of some arguments alone ("$f(t) = t$ for $t < 0$").
-        last: it stands in the last sentence.
-        introduced: it names what is spoken of from here on ("Let $f(x)$ be").
+        piece: it holds for some arguments only ("$f(t) = t$ for $t < 0$").
+        last: it is in the last sentence.
+        introduced: it introduces a symbol or a function ("Let $f(x)$ be").
     """
 
     tex: str
@@ -186,7 +186,7 @@ class Inline(NamedTuple):
 
 
 def kind_of(before: str) -> str:
-    """What the sentence before a display calls it: the word that stands last decides."""
+    """Return what the sentence before a display calls it; the last such word decides."""
     words = _BY.sub(" ", INLINE.sub(" ", last_sentence(before)).lower())
     found = [(m.end(), kind) for kind, pattern in _KIND for m in pattern.finditer(words)]
     return max(found)[1] if found else ""
@@ -196,18 +196,18 @@ _CONDITION = re.compile(r"(?:and\s+)?(?:for|where|when|whenever|if|provided|with
 
 
 def without_formulas(text: str) -> str:
-    """A text with ``$`` for each formula in it."""
+    """Return a text with ``$`` in place of each formula."""
     return INLINE.sub("$", text)
 
 
 def last_sentence(text: str) -> str:
-    """The sentence that leads over to what follows ``text``."""
+    """Return the last sentence of a text, which leads to the display behind it."""
     pieces = _SENTENCE.split(text)
     return next((piece for piece in reversed(pieces) if piece.strip()), "")
 
 
 def first_sentence(text: str) -> str:
-    """The end of a sentence that goes on in ``text`` after a display, if one does."""
+    """Return the rest of a sentence that continues after a display, else ``""``."""
     text = text[:MAX_AFTER]
     start = text.lstrip(" \n\t.,;")
     skipped = text[: len(text) - len(start)]
@@ -218,15 +218,17 @@ def first_sentence(text: str) -> str:
 
 
 def is_of_next(between: str) -> bool:
-    """Whether what stands between two displays leads over to the second: "and for $x < 0$,"."""
+    """Whether the text between two displays belongs to the second: "and for $x < 0$,"."""
     leads = re.match(r"[\s~,;]*(?:and|but|while|whereas|or)\b", between)
     return bool(leads) and len(_SENTENCE.split(between.strip())) == 1 and "." not in between
 
 
 def is_universal(before: str, after: str) -> bool:
-    """Whether the sentence before a display says for which values it is claimed, and nothing else:
-    "If $x > 0$, then", "For real $a$ and $b$". It may end in a condition behind the display, and in
-    nothing else: what "has a root" is an equation."""
+    """Whether the sentence before a display only says for which values it is claimed.
+
+    Examples are "If $x > 0$, then" and "For real $a$ and $b$". Behind the display it may continue
+    with a condition only: a formula that "has a root" is an equation.
+    """
     words = INLINE.sub(" ", last_sentence(before)).lower()
     rest = first_sentence(after)
     return (not rest or bool(_CONDITION.match(rest))) and bool(
@@ -235,22 +237,22 @@ def is_universal(before: str, after: str) -> bool:
 
 
 def is_told(before: str) -> bool:
-    """Whether the sentence before a display says that it holds: "Let $z < 0$. Then"."""
+    """Whether the sentence before a display claims it: "Let $z < 0$. Then"."""
     return bool(_TOLD.search(last_sentence(before)))
 
 
 def is_narrowed(before: str) -> bool:
-    """Whether "for all $x$" goes on in words that narrow it, and that no reader takes in."""
+    """Whether "for all $x$" is narrowed by further words, which are not understood."""
     return bool(_NARROWED.search(last_sentence(before)))
 
 
 def is_of_signs(text: str) -> bool:
-    """Whether it tells conditions of the upper and the lower of two signs, which are no one's."""
+    """Whether a text states different conditions for the upper and the lower sign."""
     return bool(re.search(r"\bupper\b.*\blower\b|\blower\b.*\bupper\b", text, re.DOTALL))
 
 
 def inline(text: str) -> Iterator[Inline]:
-    """The formulas in the lines of a text, sentence by sentence."""
+    """Yield the inline formulas of a text, sentence by sentence."""
     sentences = _SENTENCE.split(text)
     for number, sentence in enumerate(sentences):
         start, carried, anew = 0, (False, False, False, False), False
@@ -267,11 +269,11 @@ def inline(text: str) -> Iterator[Inline]:
                     bool(_DEFINING.search(words)),
                     bool(_TOLD.search(words) or _NAMED.search(words)),
                 )
-            if _WANTED.search(words):  # it is to be reached, and no condition
+            if _WANTED.search(words):  # a goal, not a condition
                 marks, conditional = (False, False, *marks[2:]), False
             tex, rest = found[1] or found[2], sentence[found.end() :]
             signed = _signed(tex, words, rest)
-            if signed:  # spoken of anew, and then under its condition
+            if signed:  # introduced anew, then restricted
                 yield Inline(tex, *marks, anew=anew)
                 tex, anew = signed, False
             elif parity := _parity(tex, words, rest):
@@ -300,9 +302,9 @@ def inline(text: str) -> Iterator[Inline]:
 
 
 def _signed(tex: str, before: str, after: str) -> str:
-    """The condition that words around symbols state of their signs; empty where they state none.
+    """Return the condition on the signs of symbols that the words around them state, else ``""``.
 
-    What is said behind a list is said of all in it only where that is of many.
+    Words behind a list apply to all of it only if they are in the plural.
     """
     if not _SYMBOLS.fullmatch(tex) or _NEITHER.search(before):
         return ""
@@ -318,7 +320,7 @@ def _signed(tex: str, before: str, after: str) -> str:
 
 
 def _parity(tex: str, before: str, after: str) -> str:
-    """Of a lone symbol whether the words around it say that it is odd, O, or even, E."""
+    """Return O or E if the words around a symbol call it odd or even, else ``""``."""
     if not re.fullmatch(rf"\s*{_SYMBOL}\s*", tex):
         return ""
     before = before[-60:]
@@ -328,7 +330,7 @@ def _parity(tex: str, before: str, after: str) -> str:
 
 
 def conditions_behind(after: str) -> Iterator[Inline]:
-    """What the sentences behind a display say of when it holds: "It is valid only if $s > 0$"."""
+    """Yield conditions in the sentences after a display: "It is valid only if $s > 0$"."""
     paragraph = re.split(r"\n\s*\n", after[:MAX_AFTER].lstrip(" \t\n.,;"))[0]
     for sentence in _SENTENCE.split(paragraph)[:3]:
         for found in inline(sentence):
@@ -338,13 +340,13 @@ def conditions_behind(after: str) -> Iterator[Inline]:
 
 
 def _is_no_condition(before: str, after: str) -> bool:
-    """Whether a formula between these words is denied, or one of several that may hold."""
+    """Whether a formula between these words is denied, or one of several alternatives."""
     denied = _DENIED.search(before) or _DENIED_AFTER.match(after[:60])
     return bool(denied or _OR.fullmatch(before) or _OR.match(after[:60]))
 
 
 def opposite(tex: str) -> str:
-    """The contrary of a formula with one relation; of another, what no reader takes for one."""
+    """Return the negation of a formula with one relation, ``""`` for any other formula."""
     found = [*_RELATION.finditer(tex)]
     if len(found) != 1 or found[0][0] not in _OPPOSITE:
         return ""
@@ -353,10 +355,10 @@ def opposite(tex: str) -> str:
 
 
 def _whole(before: str, after: str, alone: bool) -> str:
-    """Whether the words around a formula say that its symbols are integers, and which.
+    """Return the set of integers, Z, N or N0, that the words around symbols state, else ``""``.
 
-    What is said behind a list is said of all in it where that is of many, and each stands alone:
-    in "$x > 0$ and $n$ a positive integer" it is of the last.
+    Words behind a list apply to all of it if they are in the plural and each symbol stands alone:
+    in "$x > 0$ and $n$ a positive integer" they apply to the last.
     """
     found, kind = _INTEGER_BEFORE.search(before[-60:]), 1
     if found is not None and _NO_INTEGER.search(before[-60:][: found.start()]):

@@ -1,8 +1,8 @@
 """Reports for machines: GitHub annotations, SARIF, JUnit; and the baseline of known problems.
 
-A baseline holds the problems that are known, each by the file, the status and the LaTeX of its
-link, not by its line: text before it may change. Sources: SARIF 2.1.0 (OASIS, 2020); the JUnit XML
-that CI systems read; GitHub's workflow commands.
+A baseline lists the known problems, each by the file, the status and the LaTeX of its link. Line
+numbers are not recorded, so the text before a problem may change. Sources: SARIF 2.1.0 (OASIS,
+2020); the JUnit XML that CI systems read; GitHub's workflow commands.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from tresym.reals.numbers.exact import InputError
 
 FORMATS = ("text", "json", "github", "sarif", "junit")
 PROBLEMS = ("REFUTED", "SUSPECT", "UNDECIDED", "UNREAD")
-"""The statuses that a baseline holds, worst first."""
+"""The statuses of problems, worst first."""
 _LEVELS = {"REFUTED": "error", "SUSPECT": "warning"}
 _RULES = {
     "REFUTED": "A formula is false at the point shown",
@@ -30,18 +30,18 @@ _RULES = {
     "UNREAD": "A formula could not be read",
 }
 _MOST = 1000
-"""Characters of a message at most."""
+"""The maximal length of a message, in characters."""
 _HEAD = "tresym baseline 1"
 
 
 def place(row: Row, paper: Path) -> str:
-    """The file in which a link stands, as a path from where tresym runs."""
+    """Return the path of the file that contains a link, relative to the working directory."""
     file = row.link.display.file
     return (paper.parent / file if file else paper).as_posix()
 
 
 def message(row: Row) -> str:
-    """What is said of a link, in one line."""
+    """Return the message on a link, in one line."""
     parts = [row.link.read_as or " ".join(row.link.shown.split()), row.why]
     if row.witness:
         parts.append("at " + ", ".join(f"{name} = {value}" for name, value in row.witness.items()))
@@ -50,18 +50,18 @@ def message(row: Row) -> str:
 
 
 def fingerprint(row: Row, paper: Path) -> str:
-    """What a problem is known by."""
+    """Return the identifier of a problem: a hash of its file, status and LaTeX."""
     said = json.dumps([place(row, paper), row.status, " ".join(row.link.shown.split())])
     return hashlib.sha256(said.encode()).hexdigest()[:20]
 
 
 def problems(rows: Iterable[Row], paper: Path) -> list[tuple[Row, str]]:
-    """The problems with their fingerprints."""
+    """Return the problems with their fingerprints."""
     return [(row, fingerprint(row, paper)) for row in rows if row.status in PROBLEMS]
 
 
 def baseline_text(found: Sequence[tuple[Row, str]]) -> str:
-    """A baseline: a line for each problem, its fingerprint first; what follows is for people."""
+    """Return a baseline: one line per problem; only the fingerprint at its start is read."""
     lines = [
         f"{known} {row.status} {' '.join(row.link.shown.split())[:80]!a}" for row, known in found
     ]
@@ -69,10 +69,10 @@ def baseline_text(found: Sequence[tuple[Row, str]]) -> str:
 
 
 def read_baseline(path: Path) -> Counter[str]:
-    """How often each problem is known.
+    """Return how often each problem occurs in a baseline, by its fingerprint.
 
     Raises:
-        InputError: the file is no baseline; one line says so.
+        InputError: the file is not a baseline.
     """
     head, *lines = read_text(path).splitlines() or [""]
     if head.strip() != _HEAD:
@@ -81,7 +81,7 @@ def read_baseline(path: Path) -> Counter[str]:
 
 
 def new_since(found: Sequence[tuple[Row, str]], known: Counter[str]) -> list[Row]:
-    """The problems that a baseline does not know; of equal ones those beyond their number."""
+    """Return the problems that are not in a baseline, or occur more often than in it."""
     left = known.copy()
     result = []
     for row, mark in found:
@@ -92,12 +92,17 @@ def new_since(found: Sequence[tuple[Row, str]], known: Counter[str]) -> list[Row
 
 
 def report(kind: str, rows: Sequence[tuple[Row, Path]]) -> str:
-    """The rows of manuscripts in one of the formats for machines."""
+    """Return the rows of manuscripts in a machine-readable format.
+
+    Args:
+        kind: ``github``, ``sarif`` or ``junit``.
+        rows: the rows, each with its manuscript.
+    """
     return {"github": _github, "sarif": _sarif, "junit": _junit}[kind](rows)
 
 
 def _github(rows: Sequence[tuple[Row, Path]]) -> str:
-    """Annotations of GitHub, one a line."""
+    """Return workflow commands of GitHub, one per line."""
     lines = []
     for row, paper in rows:
         if row.status in PROBLEMS:
@@ -117,7 +122,7 @@ def _property(text: str) -> str:
 
 
 def _sarif(rows: Sequence[tuple[Row, Path]]) -> str:
-    """A log of SARIF."""
+    """Return a SARIF log."""
     results: list[dict[str, Any]] = []
     for row, paper in rows:
         if row.status not in PROBLEMS:
@@ -146,7 +151,7 @@ def _sarif(rows: Sequence[tuple[Row, Path]]) -> str:
 
 
 def _junit(rows: Sequence[tuple[Row, Path]]) -> str:
-    """A test case for each link."""
+    """Return a JUnit report with one test case per link."""
     failed = skipped = 0
     cases = []
     for row, paper in rows:
@@ -174,5 +179,5 @@ def _junit(rows: Sequence[tuple[Row, Path]]) -> str:
 
 
 def _clean(text: str) -> str:
-    """Without the characters that XML has no way to write."""
+    """Replace the characters that XML cannot represent."""
     return "".join(c if c in "\t\n" or c.isprintable() else "?" for c in text)

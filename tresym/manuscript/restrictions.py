@@ -1,8 +1,8 @@
 """Words that tie a symbol down: after them it is not free for a counterexample.
 
-"There is an $M$ such that", "choose $d$", "let $r$ be a root": what holds for such a symbol need
-not hold for every number, and what restricts it is not read. Of a statement about it no
-counterexample is reported.
+After "there is an $M$ such that", "choose $d$" or "let $r$ be a root", a statement about the symbol
+need not hold for every number, and its restriction is not understood. So no counterexample to such
+a statement is reported.
 """
 
 from __future__ import annotations
@@ -56,7 +56,8 @@ _NEXT = re.compile(
 
 
 _LOOSE = re.compile(
-    r"approximat\w*|neglect\w*|ignor\w*|\border\b|roughly|\bsmall\b|\blarge\b|asymptotic\w*"
+    r"approximat\w*|neglect\w*|ignor\w*|roughly|(?<!\\)\b(?:small|large)\b"
+    r"|(?<!using the )\border\b(?! of integration)|asymptotic\w*"
     r"|\bleading\b|lineari[sz]\w*|\bup to\b|\bmod(?:ulo)?\b|characteristic|formal(?:ly)?\b"
     r"|\berrors?\b|mistakes?|\bwrong\w*|incorrect\w*|\bfalse\w*|fallac\w+|nonsense|naive\w*"
     r"|\b(?:may|might|could) (?:write|think|guess|try|say|be)|tempt\w*|pretend\w*|heuristic\w*"
@@ -64,7 +65,7 @@ _LOOSE = re.compile(
     r"|\binstead of\b|\bcompare\w*",
     re.IGNORECASE,
 )
-"""Words by which a display is approximate, wrong, or true in a special case."""
+"""Words that mark a display as approximate, wrong, or true in a special case only."""
 _PHRASE = re.compile(
     r"\s*(?:and |but |so |now |then |while )?((?:for|if|when|whenever|where|at|on|in|under|unless"
     r"|near|with|without|inside|outside|along|during|after|before|only|except)\b"
@@ -75,7 +76,7 @@ _PHRASE = re.compile(
     r"[^$,.;:]{3,60})[,:]?\s*(?:we\b|then\b|one\b|\Z)",
     re.IGNORECASE,
 )
-"""A phrase in front of a statement that restricts it, and is not read."""
+"""A phrase before a statement that restricts it in a way that is not understood."""
 _RETRACTED = re.compile(
     r"\s*(?:this|it|that|which|these|they|but this|however, this|of course,? this)\b[^.$]{0,40}?"
     r"\b(?:wrong|false|not|incorrect|nonsense|impossible|absurd|contradict\w*|fails?|approximat\w*)\b",
@@ -84,7 +85,7 @@ _RETRACTED = re.compile(
 
 
 def loose(before: str, after: str) -> str:
-    """Words around a display by which it is approximate, wrong, or true in a case that is not read.
+    """Return the words that mark a display as approximate, wrong or a special case; else ``""``.
 
     Args:
         before: the part of its sentence before it, with ``$`` for formulas.
@@ -96,7 +97,7 @@ def loose(before: str, after: str) -> str:
 
 
 def binding(before: str, after: str) -> str:
-    """The words of a sentence that tie down a symbol between them; empty where none does.
+    """Return the words that bind the symbols of a formula between them; ``""`` if none do.
 
     Args:
         before: the sentence up to the formula, with other formulas replaced by ``$``.
@@ -113,29 +114,29 @@ def binding(before: str, after: str) -> str:
 
 
 def is_absurd(words: str) -> bool:
-    """Whether the words that tie a symbol down say that something does not hold."""
+    """Whether words that bind a symbol say that something does not hold."""
     return bool(_HYPOTHETICAL.search(words))
 
 
 def stated_under(before: str) -> str:
-    """The words of the sentence before a display that make it a statement about what exists, or a
-    supposition; empty where there are none."""
+    """Return the words before a display that make it an existence statement or a supposition;
+    ``""`` if there are none."""
     found = _STATED.search(before)
     return found[0] if found else ""
 
 
 def is_hypothesis(before: str, after: str) -> bool:
-    """Whether a formula between these words of a sentence is supposed, or denied."""
+    """Whether a formula between these words is supposed or denied."""
     absurd = _HYPOTHETICAL.search(before) or _HYPOTHETICAL.search(after[:200])
     return bool(absurd or _SUPPOSED.search(before))
 
 
 def is_conditional(before: str) -> bool:
-    """Whether a formula behind these words says when something else holds."""
+    """Whether a formula after these words is a condition of something else."""
     return bool(_CONDITIONAL.search(before))
 
 
 def is_of_display_before(before: str) -> bool:
-    """Whether a formula behind these words, in the sentence after a display, says when that holds:
+    """Whether a formula after these words is a condition of the display before their sentence:
     "This is valid only if $s > 0$"."""
     return bool(_NEXT.search(before))

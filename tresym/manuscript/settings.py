@@ -60,10 +60,10 @@ class Settings:
 
 
 def settings_for(folder: Path) -> Settings:
-    """The settings that hold in a folder.
+    """Return the settings for a folder, from the nearest settings file upwards.
 
     Raises:
-        InputError: a file of settings that is not understood; one line says why.
+        InputError: the settings file is not understood; the message says why.
     """
     folder = folder.resolve()
     for place in (folder, *folder.parents)[:_MOST]:
@@ -78,11 +78,11 @@ def settings_for(folder: Path) -> Settings:
 
 
 def _table(path: Path, names: Sequence[str]) -> dict[str, Any] | None:
-    """A table of a TOML file, or nothing if it has none."""
+    """Return a table of a TOML file, None if it has no such table."""
     try:
         found: Any = tomllib.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError, RecursionError) as error:
-        if names:  # a pyproject.toml that is wrong is for others to refuse
+        if names:  # other tools report an invalid pyproject.toml
             return None
         said = str(error).splitlines()[0][:100] if str(error) else "it cannot be read"
         raise InputError(f"{path}: {said}") from None
@@ -126,7 +126,7 @@ def _settings(found: dict[str, Any], path: Path) -> Settings:
 
 
 def with_settings(events: Sequence[Event], settings: Settings) -> list[Event]:
-    """The manuscript with the notes that hold everywhere, and without the macros left out."""
+    """Return the manuscript with the directives of the settings, and without ignored macros."""
     notes = [Note(text, "settings", 0) for text in settings.directives]
     names = {name.removeprefix("\\") for name in settings.ignore_macros}
     result: list[Event] = [*notes]
@@ -136,13 +136,13 @@ def with_settings(events: Sequence[Event], settings: Settings) -> list[Event]:
         elif names and isinstance(event, Prose):
             event = event._replace(text=_without(event.text, names))
         result.append(event)
-        if isinstance(event, Section):  # where conditions end
+        if isinstance(event, Section):  # conditions end there, so they are repeated
             result += notes
     return result
 
 
 def _without(text: str, names: set[str]) -> str:
-    """The text without some macros and the arguments behind them."""
+    """Return the text without some macros and their arguments."""
     result, at = [], 0
     for match in re.finditer(r"\\([A-Za-z@]+)\*?", text):
         if match.start() < at or match[1] not in names:

@@ -78,18 +78,19 @@ _ENVIRONMENT = re.compile(r"\\(begin|end)\s*\{([^{}]*)\}")
 
 
 class Section(NamedTuple):
-    """A heading: conditions of the section before it end; of a chapter, definitions too."""
+    """A heading: it ends the conditions before it; that of a chapter ends definitions too."""
 
     line: int
     chapter: bool = False
 
 
 class Scope(NamedTuple):
-    """Where a theorem, a proof, an example, a list, an item or a case opens or ends.
+    """The beginning or end of a theorem, a proof, an example, a list, an item or a case.
 
     Attributes:
-        kind: which of these.
-        name: the environment, or "heading" where only a heading opens it.
+        opens: whether it begins here.
+        kind: which of these it is.
+        name: the environment, or "heading" if only a heading opens it.
     """
 
     opens: bool
@@ -98,7 +99,7 @@ class Scope(NamedTuple):
 
 
 class Prose(NamedTuple):
-    """What stands between displays, and where it begins."""
+    """The text between displays, and where it begins."""
 
     text: str
     file: str = ""
@@ -107,17 +108,17 @@ class Prose(NamedTuple):
 
 @dataclass(frozen=True)
 class Display:
-    """A display, as it is to be read.
+    """A displayed formula.
 
     Attributes:
-        number: its place in the manuscript, from 1.
+        number: its number in the manuscript, from 1.
         kind: the environment, ``brackets`` or ``dollars``.
-        label: its labels, in order.
-        file: nothing for the manuscript itself, else the file that it includes.
-        line: its first line there.
-        text: between the delimiters, macros written out.
-        problem: why it cannot be written out, if so.
-        notes: those that stand in it.
+        labels: its labels, in order.
+        file: the included file that contains it; empty for the manuscript itself.
+        line: its first line in that file.
+        text: the LaTeX between the delimiters, with macros expanded.
+        problem: why its macros cannot be expanded; empty if they can.
+        notes: the directives in it.
     """
 
     number: int
@@ -131,12 +132,12 @@ class Display:
 
     @property
     def sha256(self) -> str:
-        """Of the text with white space made single spaces."""
+        """The SHA-256 hash of the text with single spaces as white space."""
         return hashlib.sha256(" ".join(self.text.split()).encode()).hexdigest()
 
 
 class Missing(NamedTuple):
-    """A file that is included and not there, as of a package of TeX, or outside the project."""
+    """An included file that does not exist, or is outside the project."""
 
     name: str
     outside: bool = False
@@ -146,16 +147,16 @@ Event: TypeAlias = Note | Section | Scope | Prose | Display | Missing
 
 
 def read_manuscript(path: Path, root: Path | None = None, text: str | None = None) -> list[Event]:
-    """What a manuscript holds, in order, and first which files it lacks.
+    """Return the contents of a manuscript in order; missing files come first.
 
     Args:
         path: its main file.
-        root: the top folder of the project, from which files are included; found if not given.
-        text: what the main file is to hold, where an editor has not saved it yet.
+        root: the top folder of the project; None to search for it from ``path`` upwards.
+        text: the contents of the main file, if an editor has not saved it yet.
 
     Raises:
-        InputError: it cannot be read, is not closed, includes itself, or holds no display; one
-            line says which.
+        InputError: it cannot be read, something in it is not closed, it includes itself, or it
+            has no display.
     """
     source = Files(path, root, text)
     lacking = [Missing(name) for name in source.missing]
@@ -167,7 +168,7 @@ def read_manuscript(path: Path, root: Path | None = None, text: str | None = Non
 
 
 class _Scanner:
-    """One pass over the text."""
+    """One pass over the text, which splits it into events."""
 
     def __init__(self, source: Files) -> None:
         self.source, self.text = source, source.text
@@ -176,7 +177,7 @@ class _Scanner:
         self.count = 0
 
     def events(self) -> Iterator[Event]:
-        """Notes, headings, prose and displays, in order."""
+        """Yield directives, headings, scopes, prose and displays, in order."""
         at = self.text.find("\\begin{document}")
         whole = at >= 0
         if whole:
@@ -219,7 +220,7 @@ class _Scanner:
         yield self.prose(prose, stop)
 
     def scope(self, mark: re.Match[str]) -> Scope | None:
-        """The scope that opens or ends at a mark, if one does."""
+        """Return the scope that opens or ends at a mark, if one does."""
         if mark["item"]:
             return Scope(True, ITEM, ITEM)
         if word := mark["heading"]:
@@ -230,7 +231,7 @@ class _Scanner:
         return Scope(mark["end"] is None, kind, name) if kind else None
 
     def kind_of(self, name: str) -> str:
-        """Which kind of scope an environment is, by its name or by the title it declares."""
+        """Return the kind of scope of an environment, by its name or by its declared title."""
         for word in (name, self.titles.get(name, "")):
             word = word.rstrip("*").lower()
             for kind, pattern in _SCOPE.items():
@@ -239,7 +240,7 @@ class _Scanner:
         return ""
 
     def define(self, start: int, stop: int) -> None:
-        """The macros that are defined there."""
+        """Collect the macros that are defined in a range of the text."""
         at = start
         while (command := DEFINITIONS.search(self.text, at, stop)) is not None:
             at = self.defined(command)
@@ -253,7 +254,7 @@ class _Scanner:
         return end
 
     def inline(self, at: int) -> int:
-        """Step over a formula in the line."""
+        """Return where an inline formula ends."""
         end = self.text.find("$", at)
         return end + 1 if 0 <= end < at + MAX_DISPLAY else at
 
@@ -266,7 +267,7 @@ class _Scanner:
         return Prose(text, file, line)
 
     def display(self, kind: str, start: int, at: int, stop: int) -> tuple[Display, int]:
-        """The display whose text begins at ``at``, and where to go on."""
+        """Return the display whose text begins at ``at``, and where to continue."""
         end, after = self.closed(kind, start, at, stop)
         text = self.text[at:end]
         if len(text) > MAX_DISPLAY:
@@ -308,7 +309,7 @@ class _Scanner:
         return Display(self.count, kind, labels, file, line, text, problem, notes), after
 
     def closed(self, kind: str, start: int, at: int, stop: int) -> tuple[int, int]:
-        """Where the display ends, and where to go on."""
+        """Return where the display ends, and where to continue."""
         if kind == "brackets":
             ends = (m for m in _CLOSED.finditer(self.text, at, stop) if m[0] == "\\]")
             found = next(ends, None)

@@ -1,11 +1,11 @@
 """Proof-reading: which equalities that fail are misprints, and what is true instead.
 
 An equality that fails somewhere may be an equation to be solved, a law, a condition, a definition,
-or a misprint. It is SUSPECT when nothing around it introduces it as one of the former, and
+or a misprint. It is SUSPECT if no words around it introduce it as one of the former, and
 
-- a claim one edit away holds, or it holds itself under a natural condition, or
-- the other links of its display are identities, or a word such as "hence" leads to it, and the same
-  variables stand on both sides.
+- a statement one edit away holds, or it holds itself under a natural condition, or
+- the other links of its display are identities, or a word such as "hence" leads to it, and both
+  sides have the same variables.
 
 A symbol that is defined again in the same scope, one edit away from its first definition and
 without a word such as "now", is SUSPECT as well. What is REFUTED keeps its status and gets the
@@ -18,13 +18,14 @@ import re
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from itertools import groupby
+from itertools import groupby, pairwise
 
 from tresym.manuscript import prose
-from tresym.manuscript.classification import CONSTANTS, DEFINED, EQUATION, Link
+from tresym.manuscript.classification import CONSTANTS, DEFINED, EQUATION, UNREAD, Link
 from tresym.manuscript.deciding import Row
 from tresym.manuscript.terms import base_of
-from tresym.reals.decisions.answer import Alternative
+from tresym.reals.decisions.answer import Alternative, Answer
+from tresym.reals.decisions.time_limited import Task, check_all
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.expression import Expr, differentiate, symbols
 from tresym.reals.repair import suggestions
@@ -45,7 +46,7 @@ _INTRODUCED = re.compile(
     r"|absurd|differential)\b",
     re.IGNORECASE,
 )
-"""Words before a display by which it is no claim for all values."""
+"""Words before a display that mark it as an equation or the like, not as an identity."""
 _AFTER = re.compile(
     r"\b(?:solutions?|roots?|solv\w+|satisf\w+|if and only if|holds? (?:only )?(?:if|when)"
     r"|unknowns?|is (?:called|false|wrong|not)|does not hold|equation|zeros?|cannot"
@@ -53,21 +54,21 @@ _AFTER = re.compile(
     r"|impossible|fails)\b",
     re.IGNORECASE,
 )
-"""Words behind a display by which it is no claim for all values."""
+"""Words behind a display that mark it as an equation or the like, not as an identity."""
 _TOLD = re.compile(
     r"\b(?:hence|therefore|thus|identit\w+|it follows|consequently|then"
     r"|we (?:\w+ )?(?:get|obtain|find|have|see|prove|show|compute|deduce)|gives?|yields?|shows?"
     r"|implies|becomes?|know that)\b",
     re.IGNORECASE,
 )
-"""Words by which what follows holds for all values."""
+"""Words that claim that the display behind them holds for all values."""
 _ANEW = re.compile(
     r"\b(?:now|instead|redefin\w+|new|another|other|replac\w+|becom\w+|alternativ\w+|else|second"
     r"|case|cases|chang\w+|example|consider|let|set|put|suppose|take|choos\w+|if|when|for|similarly"
     r"|again|next|also|with|where|right|left|above|below|inside|outside|upper|lower|other(?:wise)?)\b",
     re.IGNORECASE,
 )
-"""Words by which a second definition is another one on purpose."""
+"""Words that mark a second definition of a symbol as intended."""
 _REAL = re.compile(r"[xyzuvw]\d*")
 """Letters that take all real values in most texts."""
 _SIGNED = re.compile(
@@ -75,14 +76,16 @@ _SIGNED = re.compile(
     r"|quadrant|angles?|large|small|greater|less|between|least|most)\b|[<>]|\\[gl]e|\\in\b",
     re.IGNORECASE,
 )
-"""What says of variables that they do not take all real values."""
+"""Words and signs by which variables do not take all real values."""
 _DOUBTED = re.compile(
     r"what the function|something that was not read|may be summed|may be rounded|contradiction"
     r"|how close|of a sequence|the sentence says|another paragraph"
 )
-"""Reasons for which what fails is no misprint either."""
+"""Reasons of a withheld refutation by which the link is not a misprint either."""
+_FAR = re.compile("another paragraph")
+"""The one of these that does not count if a true claim is one edit away."""
 _OPEN = re.compile(r"no real point was found where both sides|no antiderivative was found")
-"""Why an equality is not decided that may be a misprint."""
+"""Reasons of an undecided equality that may nevertheless be a misprint."""
 _STRICT = re.compile(r" ([<>])=? ")
 _RELATIONS = frozenset(("==", "<", "<=", ">", ">="))
 _HOLD = frozenset(("PROVED", "ENCLOSED"))
@@ -91,13 +94,15 @@ _HOLD = frozenset(("PROVED", "ENCLOSED"))
 def proofread(
     rows: Sequence[Row], seconds: float = SECONDS, processes: int | None = None
 ) -> list[Row]:
-    """The rows, misprints SUSPECT, with what is true instead of them and of what is REFUTED.
+    """Return the rows with misprints marked SUSPECT, and with true statements close to those and
+    to REFUTED ones.
 
     Args:
-        seconds: processor time for the search beside each of them.
-        processes: how many at once; all cores unless given.
+        seconds: processor time for each search.
+        processes: how many searches at once; None for one per core.
     """
     asked = {n: row for n, row in enumerate(rows) if row.status == "REFUTED" or may_be(row)}
+    closed = _closing(rows, processes)
     texts = [_question(row) for row in asked.values()]
     found = dict(zip(asked, suggestions(texts, processes, seconds), strict=True)) if texts else {}
     blocks = _blocks(rows)
@@ -111,18 +116,63 @@ def proofread(
         if why:
             witness = row.fails_at
             result[n] = replace(row, status=SUSPECT, why=why, instead=instead, witness=witness)
+    for n, chain in closed.items():
+        if result[n].status not in (SUSPECT, "REFUTED"):
+            row, why = rows[n], "it fails, and so does the next link, but the chain holds without"
+            why = f"{why} the term between them"
+            result[n] = replace(row, status=SUSPECT, why=why, instead=chain, witness=row.fails_at)
     return _defined_twice(result)
 
 
+def _closing(rows: Sequence[Row], processes: int | None) -> dict[int, tuple[Alternative, ...]]:
+    """Find consecutive links ``a = b = c`` that both fail while ``a = c`` holds.
+
+    Then the term between them is a misprint, whatever the words around the display.
+
+    Returns:
+        What holds, by the place of the first link in ``rows``.
+    """
+    found: dict[int, Task] = {}
+    for n, (row, after) in enumerate(pairwise(rows)):
+        (first, _, given), (second, _, same) = (
+            one.refuted.partition(" given ") for one in (row, after)
+        )
+        left, equal, middle = first.partition(" == ")
+        if not equal or given != same or not _goes_on(row, after):
+            continue
+        for start in (f"{middle} == ", f"abs({middle} - ("):  # the second is of printed digits
+            if second.startswith(start):
+                claim = start.replace(middle, left, 1) + second.removeprefix(start)
+                found[n] = Task(claim, given, line=n)
+    answers = check_all(found.values(), SECONDS, processes) if found else ()
+    return {
+        int(task.line or 0): (
+            Alternative(task.claim, task.given, "without the term", answer.verdict.value),
+        )
+        for task, answer in answers
+        if isinstance(answer, Answer) and answer.verdict.value in _HOLD
+    }
+
+
+def _goes_on(row: Row, after: Row) -> bool:
+    """Whether the second link continues the chain of the first."""
+    one, other = row.link, after.link
+    if one.sides is None or other.sides is None or one.display != other.display:
+        return False
+    return one.number + 1 == other.number and one.sides[2] == other.sides[0]
+
+
 def may_be(row: Row) -> bool:
-    """Whether a row is a comparison that fails, and that nothing introduces as something else."""
+    """Whether a row may be a misprint: it fails, and no words mark it as an equation."""
     link = row.link
     if row.status not in (EQUATION, "UNDECIDED") or link.sides is None:
         return False
     left, relation, right = link.sides
+    vary = link.same and bool(symbols(left)) and bool(symbols(right))
     if relation not in _RELATIONS or is_introduced(link) or _stands_alone(left, right):
         return False
-    if any(_DOUBTED.search(doubt) for doubt in link.ground.doubts) or _has_constants(left, right):
+    doubts = [doubt for doubt in link.ground.doubts if not (vary and _FAR.search(doubt))]
+    if any(_DOUBTED.search(doubt) for doubt in doubts) or _has_constants(left, right):
         return False
     if relation != "==":
         return bool(row.refuted) and not row.put
@@ -130,17 +180,23 @@ def may_be(row: Row) -> bool:
 
 
 def _has_constants(*sides: Expr) -> bool:
-    """Whether a constant that is to be determined stands in both sides, each linear in it."""
+    """Whether both sides are linear in a constant that is to be determined.
+
+    A constant of integration, which is added to both sides, is not.
+    """
     if not elementary(*sides):
         return False
     names = [name for name in symbols(sides[0]) & symbols(sides[1]) if CONSTANTS.fullmatch(name)]
+    slopes = [[differentiate(side, name) for side in sides] for name in names]
     return any(
-        all(name not in symbols(differentiate(side, name)) for side in sides) for name in names
+        all(name not in symbols(slope) for slope in found) and found[0] != found[1]
+        for name, found in zip(names, slopes, strict=True)
     )
 
 
 def _question(row: Row) -> tuple[str, Definitions, bool, bool]:
-    """What is looked for instead of, whether with caution, and whether by unusual edits."""
+    """Return the claim to repair, its substitutions, whether to be cautious, and whether to try
+    unusual edits."""
     relation, sure = row.link.sides[1] if row.link.sides else "", row.status == "REFUTED"
     if row.refuted:
         return row.refuted, row.put, relation != "==" and not sure, sure
@@ -150,7 +206,7 @@ def _question(row: Row) -> tuple[str, Definitions, bool, bool]:
 
 
 def is_introduced(link: Link) -> bool:
-    """Whether words around a display say that it is an equation, a condition or the like."""
+    """Whether words around a display mark it as an equation, a condition or the like."""
     before, after = link.around[:2]
     lead, trail = (_words(prose.last_sentence(before)), _words(prose.first_sentence(after)))
     if _AFTER.search(trail) or link.noted in (prose.SOLVE, prose.ASSUME, prose.DEFINE):
@@ -160,7 +216,7 @@ def is_introduced(link: Link) -> bool:
 
 
 def _last(pattern: re.Pattern[str], text: str) -> int:
-    """Where the last match of a pattern ends, -1 without one; words on the way do not count."""
+    """Return where the last match of a pattern ends, -1 if there is none; means do not count."""
     return max((found.end() for found in pattern.finditer(_METHODS.sub(_blank, text))), default=-1)
 
 
@@ -177,12 +233,12 @@ _METHODS = re.compile(
     r"\b(?:equations?|laws?|conditions?|relations?|definitions?|rules?|solutions?)\b",
     re.IGNORECASE,
 )
-"""What is spoken of on the way to a claim: "by the equation above", "into the law"."""
+"""The means of a derivation, which say nothing about its result: "by the equation above"."""
 
 
 def _stands_alone(left: Expr, right: Expr) -> bool:
-    """Whether a side is a symbol that the other one does not have, or the sides share no symbol: a
-    definition or a law."""
+    """Whether an equality has the form of a definition or a law: one side is a symbol that the
+    other does not contain, or the sides have no symbol in common."""
     own, others = symbols(left), symbols(right)
     if own and others and own.isdisjoint(others):
         return True
@@ -191,14 +247,19 @@ def _stands_alone(left: Expr, right: Expr) -> bool:
 
 
 def reason(row: Row, instead: Sequence[Alternative], others: Sequence[str]) -> str:
-    """Why an equality that fails is a misprint, as far as can be seen; empty where it is not."""
+    """Return why a failing equality looks like a misprint; empty if it does not.
+
+    Args:
+        instead: true statements close to it.
+        others: the statuses of the other links of its display.
+    """
     at = ", ".join(f"{name} = {value}" for name, value in (row.fails_at or {}).items())
     fails = f"it fails at {at}" if at else "it fails" if row.refuted else row.why
     relation = row.link.sides[1] if row.link.sides else ""
     if any(one.edit.startswith(GIVEN) for one in instead) and not _is_free(row):
-        return ""  # what is not read may well be the condition
+        return ""  # the unread text may well state the condition
     if relation != "==" and instead and _STRICT.sub(r" \1 ", instead[0].claim) == _bare(row):
-        return ""  # at a point or two both sides are equal
+        return ""  # only strictness differs: the sides are equal at single points
     if instead:
         first = instead[0]
         condition = first.edit.startswith(GIVEN)
@@ -213,22 +274,25 @@ def reason(row: Row, instead: Sequence[Alternative], others: Sequence[str]) -> s
     sides = (link.sides[0], link.sides[2]) if link.sides else ()
     if not sides or not link.same or any(not symbols(side) for side in sides):
         return ""
-    if others and all(status in _HOLD for status in others):
+    if any(_FAR.search(doubt) for doubt in link.ground.doubts):
+        return ""
+    read = [status for status in others if status != UNREAD]
+    if read and all(status in _HOLD for status in read):
         return f"{fails}; the other links of its display are identities"
     lead = _words(link.around[0])
-    several = len(symbols(sides[0])) > 1  # of one variable it may be an equation on the way
+    several = len(symbols(sides[0])) > 1  # with one variable it may be an equation
     if several and _TOLD.search(lead[-60:]) and not _INTRODUCED.search(lead):
         return f"{fails}; the words before it claim that it holds"
     return ""
 
 
 def _bare(row: Row) -> str:
-    """What fails without its conditions, its relation not strict or strict alike."""
+    """Return the failing claim without conditions, with its relation made strict."""
     return _STRICT.sub(r" \1 ", row.refuted.partition(" given ")[0])
 
 
 def _is_free(row: Row) -> bool:
-    """Whether the variables are ones that take all real values in most texts, and no word says
+    """Whether the letters of the variables usually take all real values, and no word says
     otherwise."""
     names = symbols(row.link.sides[0]) | symbols(row.link.sides[2]) if row.link.sides else set()
     text = row.link.around[0] + row.link.around[1][: prose.MAX_AFTER]
@@ -237,7 +301,7 @@ def _is_free(row: Row) -> bool:
 
 
 def _blocks(rows: Sequence[Row]) -> dict[int, list[str]]:
-    """The statuses of the other links in the display of each row."""
+    """Return, for each row, the statuses of the other links in its display."""
     result: dict[int, list[str]] = {}
     for _, group in groupby(enumerate(rows), key=lambda pair: pair[1].link.display.number):
         found = list(group)
@@ -247,7 +311,7 @@ def _blocks(rows: Sequence[Row]) -> dict[int, list[str]]:
 
 
 def _defined_twice(rows: list[Row]) -> list[Row]:
-    """The rows, those SUSPECT that define a symbol again by a value one edit away."""
+    """Return the rows; a second definition one edit away from the first is SUSPECT."""
     known: dict[tuple[int, str], list[Row]] = defaultdict(list)
     for n, row in enumerate(rows):
         link = row.link
@@ -277,7 +341,7 @@ _SKIPPED = re.compile(r"[\s&{}]|\\(?:left|right|,|;|:|!|quad|qquad|nonumber|nota
 
 
 def printed(link: Link) -> str:
-    """The formula of a link as its source has it: the display, or the line in which it stands."""
+    """Return the source of a link: its line of the display, or the whole display."""
     whole = " ".join(link.display.text.split())
     wanted = _SKIPPED.sub("", link.shown)
     for line in re.split(r"\\\\(?:\[[^]]*\])?", whole):
@@ -287,5 +351,5 @@ def printed(link: Link) -> str:
 
 
 def attention(rows: Iterable[Row]) -> list[Row]:
-    """What an author must look at."""
+    """Return the rows that an author must look at: SUSPECT and REFUTED."""
     return [row for row in rows if row.status in (SUSPECT, "REFUTED")]

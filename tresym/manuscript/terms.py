@@ -9,13 +9,14 @@ from itertools import pairwise
 
 from tresym.reals.decisions.claim_parsing import functions
 from tresym.reals.language.expression import Expr
-from tresym.reals.language.latex_cursor import Author
+from tresym.reals.language.latex_cursor import Author, is_letter
 from tresym.reals.language.latex_grammar import Reader
 from tresym.reals.language.latex_operands import Piece
 from tresym.reals.language.parsing import FACTORIAL
 from tresym.reals.numbers.exact import InputError
 
 _DERIVED = re.compile(r"(?:d|partial)\d?([A-Za-z]\w*?)_(?:d|partial)[A-Za-z]\w*|(\w+?)_prime\d?")
+_COUNTED = frozenset("123456789")
 _UNITS = frozenset(("\\mathrm", "\\text", "\\textrm", "\\rm", "\\unit"))
 
 
@@ -29,12 +30,12 @@ class Head:
 
     @property
     def base(self) -> str:
-        """Of a derivative what it is one of, else the name itself."""
+        """The differentiated symbol for a derivative, else the name itself."""
         return base_of(self.name) if self.derived else self.name
 
 
 def head_of(tokens: list[str], author: Author) -> Head | None:
-    """The symbol, function of symbols or derivative of one that ``tokens`` are, else nothing."""
+    """Return the symbol, function of symbols, or derivative that ``tokens`` are; else None."""
     try:
         reader = Reader(tokens, author)
         if reader.kind(0) == "letter" and reader.peek() != "\\pi":
@@ -60,7 +61,7 @@ def head_of(tokens: list[str], author: Author) -> Head | None:
 
 
 def base_of(name: str) -> str:
-    """Of a derivative's symbol what it is one of."""
+    """Return the symbol that is differentiated in the name of a derivative, else the name."""
     found = _DERIVED.fullmatch(name.split("_of_")[0])
     return (found[1] or found[2]) if found else name
 
@@ -69,7 +70,7 @@ SIGNS = ("+", "-", "|", "\\left|", "\\right|")
 
 
 def is_plain(term: Sequence[str]) -> bool:
-    """A symbol or a number, perhaps with a sign, or infinity."""
+    """Whether a term is a symbol, a number or infinity, perhaps with a sign."""
     bare = [t for t in term if t not in SIGNS]
     if not bare:
         return False
@@ -79,15 +80,15 @@ def is_plain(term: Sequence[str]) -> bool:
 
 
 def unknown_in(*trees: Expr) -> set[str]:
-    """The names of the functions in the trees that are left unknown."""
+    """Return the names of the arbitrary functions in the expressions."""
     return {str(f.args[0].args[0]) for e in trees for f in functions(e)} - {FACTORIAL}
 
 
 def read_term(tokens: Sequence[str], author: Author) -> Piece:
-    """A term as it is read.
+    """Parse a term.
 
     Raises:
-        InputError: one that is not.
+        InputError: it cannot be read.
     """
     tokens = _digits_joined(list(tokens))
     while tokens and tokens[-1] in (",", ".", ";", ":"):
@@ -103,7 +104,7 @@ def read_term(tokens: Sequence[str], author: Author) -> Piece:
 
 
 def with_primed_variables(tokens: Sequence[str]) -> tuple[str, ...]:
-    """With a variable of integration that has a prime, ``\\int f(t')\\,dt'``, by a name."""
+    """Rename a variable of integration with a prime, as in ``\\int f(t')\\,dt'``."""
     ends = zip(tokens, tokens[1:], tokens[2:], strict=False)
     by = {b for a, b, c in ends if (a, c) == ("d", "'")}
     result: list[str] = []
@@ -115,13 +116,57 @@ def with_primed_variables(tokens: Sequence[str]) -> tuple[str, ...]:
     return tuple(result)
 
 
+def with_derivatives_counted(tokens: Sequence[str]) -> tuple[str, ...]:
+    """``f^{(4)}(x)`` with primes."""
+    result: list[str] = []
+    at = 0
+    while at < len(tokens):
+        above = tuple(tokens[at : at + 6])
+        counted = above[:3] == ("^", "{", "(") and above[4:] == (")", "}")
+        counted = counted and above[3] in _COUNTED and tokens[at + 6 : at + 7] in (["("], ("(",))
+        if counted and result and is_letter(result[-1]):
+            result += ["'"] * int(above[3])
+            at += 6
+            continue
+        result.append(tokens[at])
+        at += 1
+    return tuple(result)
+
+
+def as_derivatives(terms: Sequence[Sequence[str]]) -> tuple[tuple[str, ...], ...] | None:
+    """The terms of ``du = 2x\\,dx`` as those of ``du/dx = 2x``; None of another form."""
+    head, *others = terms
+    if len(head) != 2 or head[0] != "d" or not is_letter(head[1]) or not others:
+        return None
+    bodies = []
+    for term in others:
+        *body, d, x = ("", "", *term)
+        body = [token for token in body if token]
+        last = body[-1] if body else ""
+        if (d, x) != ("d", others[0][-1]) or x == head[1] or not is_letter(x):
+            return None
+        depth = 0
+        for n, (token, after) in enumerate(pairwise([*body, ""])):
+            depth += (token in ("(", "[", "{", "\\{")) - (token in (")", "]", "}", "\\}"))
+            if token == "\\int" or (token == "d" and is_letter(after)):
+                return None
+            if depth == 0 and n and token in ("+", "-", "\\pm", "\\mp"):
+                return None
+        if depth or last in ("/", "^", "_", "+", "-", ":"):
+            return None
+        bodies.append(tuple(body[:-1] if last in ("\\cdot", "\\times") else body) or ("1",))
+        if bodies[-1] in (("-",), ("+",)):
+            return None
+    return ("\\frac", "{", "d", head[1], "}", "{", "d", others[0][-1], "}"), *bodies
+
+
 def variables_of_integrals(tokens: Sequence[str]) -> set[str]:
-    """The letters behind the d of integrals."""
+    """Return the variables of integration."""
     return {b.removeprefix("\\") for a, b in pairwise(tokens) if a == "d" and "\\int" in tokens}
 
 
 def _digits_joined(tokens: list[str]) -> list[str]:
-    """``2.71828 18284 59045 \\ldots`` as one decimal."""
+    """Join groups of digits, ``2.71828 18284 59045 \\ldots``, to one decimal."""
     result: list[str] = []
     for n, token in enumerate(tokens):
         grouped = result and "." in result[-1] and result[-1][0].isdigit() and token.isdigit()
@@ -136,7 +181,7 @@ def _digits_joined(tokens: list[str]) -> list[str]:
 
 
 def without_units(tokens: Sequence[str]) -> Sequence[str]:
-    """A number without the unit behind it."""
+    """Return a number without the unit behind it."""
     start = next((n for n, token in enumerate(tokens) if token in _UNITS), 0)
     numbers = {"\\times", "\\cdot", "^", "{", "}", "-", "+"}
     if start and all(t in numbers or t[0].isdigit() or t[0] == "." for t in tokens[:start]):
@@ -145,5 +190,5 @@ def without_units(tokens: Sequence[str]) -> Sequence[str]:
 
 
 def plain(why: str) -> str:
-    """What is said of LaTeX, on one line."""
+    """Return an error of the LaTeX parser on one line, without its prefix."""
     return " ".join(why.removeprefix("LaTeX: ").split())

@@ -1,12 +1,13 @@
-"""Independent check: try to falsify a statement numerically before it passes.
+"""Try to falsify a statement numerically before it is accepted: an independent check.
 
-It shares the tree of expressions with the provers and nothing else: the meaning of every operation
-stands here once more, in balls, and so does the choice of points. They lie past the first period
-of what oscillates, far out, near zero, just inside every end of the conditions, with unlike scales
-in several variables, on hyperplanes where evaluation is exact, and at random, always the same.
+This module shares only the expression trees with the provers. It defines the meaning of every
+operation again, in balls, and chooses its own points. They lie beyond the first period of
+oscillating functions, far out, near zero, just inside every end of the conditions, at different
+scales in several variables, on hyperplanes where evaluation is exact, and at pseudo-random places
+that are always the same.
 
-A statement speaks of the points at which its conditions are shown to hold and all of its parts are
-shown to be defined; it is contradicted by balls alone. What is not shown contradicts nothing.
+A statement is about the points at which its conditions are proved to hold and all of its parts are
+proved to be defined. Only balls contradict it; what is not proved contradicts nothing.
 """
 
 from __future__ import annotations
@@ -28,32 +29,32 @@ from tresym.reals.numbers.exact import fraction_text
 
 Comparison = tuple[Expr, str, Expr]
 Derivative = tuple[Expr, str, int, Expr]
-"""A function, a variable, an order, and what is said to be that derivative."""
+"""A function, a variable, an order, and the stated derivative."""
 Tried = list[arb]
 
 BITS = 128
 ENOUGH, TRIED = 4, 16
-"""Points looked at, and tried for that, where a bare equation is decided in a millisecond."""
+"""Points checked, and points tried, for an equation that is decided in a millisecond."""
 SLOWER = 4
-"""How many times as many elsewhere."""
+"""The factor for all other statements."""
 SHARE = 0.06
-"""The part of a decision's time that more points may take."""
+"""The share of the time of the decision that further points may take."""
 MOST = 600
 QUADRATURE, TERMS, LONGEST_POWER, LARGEST_FACTORIAL = 600, 400, 10**5, 1000
-"""Of an integral, a sum, a power and a factorial: how far they are computed."""
+"""Limits for integrals, sums, powers and factorials."""
 GRID = (-40, -9, -5, -3, -2, -1, 0, 1, 2, 3, 5, 9, 40)
-"""Between which the root of an equation is looked for."""
+"""The points between which a root of an equation is searched for."""
 HALVINGS = 90
 EXPONENTS = (arb(2), arb(1) / 2, arb(-1), arb(1), arb(3))
 BASES = (arb(-1), arb(-2), arb(2), arb(-1) / 2)
 POWERS = 40
-"""Points at which powers are looked at first, and of what they are put together."""
+"""The number of first points for powers; they combine ``BASES`` and ``EXPONENTS``."""
 ROUGH = arb((1, -20))
-"""What is less sharp is as good as unknown."""
+"""The largest radius of a ball that counts as known."""
 TOLERANCE = arb((1, -60))
 FACTORIAL = "factorial"
 INFINITE = "oo"
-"""The end of an integral, and no variable."""
+"""Infinity as an end of an integral; it is not a variable."""
 
 FALSE = {"==": operator.ne, "!=": operator.eq} | {
     ">": operator.le,
@@ -61,7 +62,7 @@ FALSE = {"==": operator.ne, "!=": operator.eq} | {
     "<": operator.ge,
     "<=": operator.gt,
 }
-"""What shows a relation between two balls to be false: FLINT's answer yes when they are sure."""
+"""The operator that refutes each relation; FLINT returns true only if it is certain."""
 SHOWN: dict[str, Callable[[arb, arb], Any]] = {
     "==": lambda x, y: (x - y).is_zero(),
     "!=": operator.ne,
@@ -71,8 +72,8 @@ SHOWN: dict[str, Callable[[arb, arb], Any]] = {
     "<=": operator.le,
 }
 
-STOPPED = "it was taken to be proved, but {}: the proof is at fault; please report this claim"
-"""What is said of a statement that the advocate has stopped."""
+STOPPED = "a proof was found, but {}, so the proof must be wrong; please report this claim"
+"""The reason given for a statement that this check has contradicted."""
 
 
 def contradiction(
@@ -84,15 +85,16 @@ def contradiction(
     integers: Sequence[str] = (),
     anywhere: bool = False,
 ) -> str | None:
-    """Where balls contradict ``claim`` and what they are there, in words; None if nowhere found.
+    """Return where balls contradict ``claim``, in words, or None if no contradiction is found.
 
     Args:
-        given: conditions on the points, equations among them.
-        functions: what has to be defined there, too.
-        derivatives: each is compared with difference quotients of its function.
-        spent: seconds that the decision took; with more of them, more points are tried.
-        integers: the variables that take the values of integers alone.
-        anywhere: whether bases of powers need not be positive where an exponent is a variable.
+        claim: a left side, a relation and a right side.
+        given: conditions on the points, including equations.
+        functions: further expressions that must be defined at the points.
+        derivatives: stated derivatives; each is compared with difference quotients of its function.
+        spent: the seconds that the decision took; after a longer decision more points are tried.
+        integers: the variables that take only integer values.
+        anywhere: whether the base of a power with a variable exponent may be non-positive.
     """
     left, relation, right = claim
     field = _REAL._replace(general=_anywhere) if anywhere else _REAL
@@ -153,7 +155,7 @@ def contradiction(
 def somewhere(
     trees: Sequence[Expr], given: Sequence[Comparison] = (), integers: Sequence[str] = ()
 ) -> bool:
-    """Whether a point is found at which the conditions hold and all ``trees`` are defined."""
+    """Return whether a point is found where the conditions hold and all ``trees`` are defined."""
     names = _names(trees, given)
     with ball_precision(BITS):
         value = program(trees, names, integers)
@@ -169,7 +171,7 @@ def _names(
 
 
 def _exponents(trees: Sequence[Expr]) -> set[str]:
-    """The variables in exponents: beside an integer a power of what is negative has no value."""
+    """Return the variables in exponents, where a negative base requires integer values."""
     found: set[str] = set()
     stack = list(trees)
     while stack:
@@ -181,10 +183,10 @@ def _exponents(trees: Sequence[Expr]) -> set[str]:
 
 
 class Points:
-    """Points at which the conditions are shown to hold, and None for each that was tried in vain.
+    """Yield points at which the conditions are proved to hold, and None for each failed trial.
 
     Attributes:
-        solved: the variables whose values are worked out of equations.
+        solved: the variables whose values are computed from equations.
     """
 
     def __init__(
@@ -194,9 +196,12 @@ class Points:
         integers: Sequence[str] = (),
         raised: Set[str] = frozenset(),
     ) -> None:
-        """Of an equation that is not solved here no point is found.
+        """Prepare the search. If an equation cannot be solved here, no point is found.
 
         Args:
+            names: the variables.
+            given: the conditions.
+            integers: the variables that take only integer values.
             raised: the variables in exponents; bases are negative at the first points.
         """
         self.names, self.integers, self.raised = names, integers, raised
@@ -244,7 +249,7 @@ class Points:
             yield moved if moved is not None and self.holds(moved) else None
 
     def _moved(self, point: Tried, k: int) -> Tried | None:
-        """The point with small integers for some of its coordinates, and with roots for others."""
+        """Return the point with small integers for some coordinates, and with roots for others."""
         point = [
             self._integer(name, (k * (j + 1) + k // 7) % 14) if name in self.integers else x
             for j, (name, x) in enumerate(zip(self.names, point, strict=True))
@@ -257,7 +262,7 @@ class Points:
         return point
 
     def _integer(self, name: str, away: int) -> arb:
-        """An integer near an end of its range, or near 0."""
+        """Return an integer near an end of its range, or near 0."""
         low, high = _range(name, self.bounds)
         start = arb(-2) if low is None else low.ceil()
         if low is None and high is not None and high < 9:
@@ -270,7 +275,7 @@ def _all(sets: Sequence[frozenset[str]]) -> frozenset[str]:
 
 
 def _root(sides: Program, point: Tried, n: int, whole: bool) -> arb | None:
-    """A value of the ``n``-th coordinate at which the sides are equal, in a ball; None if none."""
+    """Return a ball for the ``n``-th coordinate at which the sides are equal; None if not found."""
 
     def gap(x: arb) -> arb | None:
         found = sides([*point[:n], x, *point[n + 1 :]])
@@ -303,7 +308,7 @@ def _root(sides: Program, point: Tried, n: int, whole: bool) -> arb | None:
 
 
 def _halved(gap: Callable[[arb], arb | None], low: arb, high: arb) -> arb | None:
-    """A small ball in which the gap changes its sign and has values throughout."""
+    """Return a small ball in which the gap changes its sign and is defined throughout."""
     first, last = gap(low), gap(high)
     if first is None or last is None or not (first * last < 0):
         return None
@@ -318,12 +323,12 @@ def _halved(gap: Callable[[arb], arb | None], low: arb, high: arb) -> arb | None
 
 
 def _room(sides: list[arb], relation: str) -> arb:
-    """About how far an inequality is from being false."""
+    """Return approximately how far an inequality is from being false."""
     return (sides[0] - sides[1] if relation[0] == ">" else sides[1] - sides[0]).mid()
 
 
 def _downhill(lowest: list[Any] | None, holds: Callable[[Tried], bool]) -> Iterator[Tried]:
-    """Neighbours of the second of ``lowest``, which may move meanwhile, closer and closer."""
+    """Yield neighbours of the current lowest point, at decreasing distances."""
     part = 1
     while lowest is not None and lowest[1] and part < 1 << 40:
         before = lowest[1]
@@ -337,7 +342,7 @@ def _downhill(lowest: list[Any] | None, holds: Callable[[Tried], bool]) -> Itera
 
 
 def where(names: Sequence[str], point: Sequence[arb]) -> str:
-    """A point in words, exactly where that is short."""
+    """Return a point in words, exactly if that is short."""
     shown = []
     for name, x in zip(names, point, strict=True):
         size = abs(x.mid())
@@ -348,7 +353,7 @@ def where(names: Sequence[str], point: Sequence[arb]) -> str:
 
 
 def said(x: arb) -> str:
-    """A ball in words; FLINT writes a tower of digits forever."""
+    """Return a ball as text; FLINT does not terminate on numbers of astronomical size."""
     size = abs(x)
     if size.contains(0) or arb((1, -(10**6))) < size < arb((1, 10**6)):
         return str(x.str(12, radius=not x.is_exact()))
@@ -356,7 +361,7 @@ def said(x: arb) -> str:
 
 
 def exact(x: arb) -> fmpq:
-    """The middle of a ball."""
+    """Return the midpoint of a ball as a rational."""
     mantissa, exponent = (int(part) for part in x.mid().man_exp())
     return fmpq(mantissa * 2 ** max(exponent, 0), 2 ** max(-exponent, 0))
 
@@ -409,10 +414,11 @@ def _are_slopes(
 
 
 class _UndefinedError(Exception):
-    """Not shown to be defined."""
+    """Raised for a value that is not proved to be defined."""
 
 
 def _sign(x: arb) -> arb:
+    """Return the sign."""
     if x.is_zero() or not x.contains(0):
         return arb(0 if x.is_zero() else 1 if x > 0 else -1)
     raise _UndefinedError
@@ -438,7 +444,7 @@ def _general(x: arb, y: arb) -> arb:
 
 
 def _anywhere(x: arb, y: arb) -> arb:
-    """The same, of bases that are not positive where the exponent is a number that allows it."""
+    """Return the same, also for non-positive bases if the exponent is a number that allows it."""
     if x > 0:
         return _general(x, y)
     if y.is_exact() and abs(y) < LONGEST_POWER and exact(y).q < LONGEST_POWER:
@@ -447,9 +453,11 @@ def _anywhere(x: arb, y: arb) -> arb:
 
 
 def _to_integer(x: arb, y: arb) -> arb:
-    """A power whose exponent takes the values of integers alone."""
+    """Return a power whose exponent has only integer variables; n + 1/2 needs x > 0."""
     n = y.unique_fmpz()
-    if n is None or x.contains(0):
+    if n is None:
+        return _general(x, y)
+    if x.contains(0):
         raise _UndefinedError
     if abs(n) <= LONGEST_POWER:
         return x ** int(n)
@@ -460,7 +468,7 @@ def _to_integer(x: arb, y: arb) -> arb:
 def _integrated(
     body: Callable[[arb], arb], holomorphic: Callable[[acb], acb], low: arb, high: arb
 ) -> arb:
-    """An integral by adaptive quadrature in balls; 0 where the ends are equal."""
+    """Return an integral by adaptive quadrature in balls; 0 if the ends are equal."""
     if low.is_exact() and high.is_exact() and low == high:
         return arb(0)
     if not (low.is_finite() and high.is_finite()):
@@ -480,7 +488,7 @@ def _integrated(
 
 
 def _added(body: Callable[[arb], arb], low: arb, high: arb, product: bool = False) -> arb:
-    """A sum or a product, term by term."""
+    """Return a sum or product, term by term."""
     first, last = low.unique_fmpz(), high.unique_fmpz()
     if first is None or last is None or not -1 <= last - first < TERMS:
         raise _UndefinedError
@@ -497,7 +505,7 @@ _BOUND: dict[str, Callable[..., arb]] = {
 
 
 def _rational(p: int, q: int) -> Callable[[arb], arb]:
-    """x^(p/q): a root of any degree asks for x ≥ 0, a power that is not positive for x ≠ 0."""
+    """Return x^(p/q) as a function: roots require x ≥ 0, and negative powers x ≠ 0."""
 
     def power(x: arb) -> arb:
         if (p <= 0 and x.contains(0)) or (q > 1 and not x >= 0):
@@ -521,7 +529,7 @@ _BY_NAME: dict[str, Callable[..., arb]] = (
 
 
 class _Field(NamedTuple):
-    """What operations mean in real or in complex balls."""
+    """The meaning of the operations in real or in complex balls."""
 
     by_name: dict[str, Callable[..., Any]]
     rational: Callable[[int, int], Callable[[Any], Any]]
@@ -575,7 +583,7 @@ _COMPLEX = _Field(
     _complex_rational,
     _complex_power,
 )
-"""Holomorphic where they are finite."""
+"""Functions that are holomorphic where their balls are finite."""
 _REAL = _Field(_BY_NAME, _rational, _general, _integrated)
 
 
@@ -587,7 +595,9 @@ def _factorial(x: arb) -> arb:
 
 
 def _instance(seed: int, orders: tuple[int, ...], u: arb) -> arb:
-    """The value of the function that is put in for an unknown one, ``1/2 + 3/2 sin(c . x + s)``."""
+    """Return the value of the function substituted for an arbitrary one, ``1/2 + 3/2 sin(c·x +
+    s)``.
+    """
     times, turned = sum(orders), u + arb(seed % 5)
     wave = [turned.sin(), turned.cos(), -turned.sin(), -turned.cos()][times % 4]
     for n, order in enumerate(orders):
@@ -600,7 +610,7 @@ def _unknown(*_: Any) -> arb:
 
 
 def has_meaning(e: Expr) -> bool:
-    """Whether every operation in ``e`` has a meaning here: a function left unknown has none."""
+    """Return whether every operation in ``e`` has a meaning here, unlike an arbitrary function."""
     known = e.op in LEAVES or e.op in _BOUND or e.op in _BY_NAME or e.op == "integral"
     return known and (e.op in LEAVES or all(map(has_meaning, e.args)))
 
@@ -614,7 +624,9 @@ def program(
     integers: Sequence[str] = (),
     field: _Field = _REAL,
 ) -> Program:
-    """The values of ``trees`` as a function of a point; None where not all are shown defined."""
+    """Return ``trees`` as a function of a point; it returns None if some value is not proved
+    defined.
+    """
     here: Tried = []
     places: dict[Expr, int] = {}
     start: list[Any] = [None] * len(names)
@@ -718,7 +730,7 @@ def program(
 def conditions(
     names: Sequence[str], given: Sequence[Comparison], integers: Sequence[str] = ()
 ) -> Callable[[Tried], bool]:
-    """Whether all of ``given`` is shown to hold at a point."""
+    """Return a function that decides whether all of ``given`` is proved to hold at a point."""
     sides = program([e for c in given for e in (c[0], c[2])], names, integers)
     relations = [SHOWN[relation] for _, relation, _ in given]
 
@@ -734,7 +746,9 @@ def conditions(
 def points(
     names: Sequence[str], given: Sequence[Comparison], holds: Callable[[Tried], bool]
 ) -> Iterator[Tried | None]:
-    """Points for all names, the more telling first; None where ``given`` is not shown to hold."""
+    """Yield points for all names, the more informative first; None if ``given`` is not proved
+    there.
+    """
     ranges = [_range(name, given) for name in names]
     inside = outside = None
     for k in range(MOST if names else 1):
@@ -754,7 +768,7 @@ def points(
 
 
 def _at_the_edge(holds: Callable[[Tried], bool], inside: Tried, outside: Tried) -> Tried:
-    """A point just inside of the conditions, between two points."""
+    """Return a point just inside the conditions, between an inner and an outer point."""
     for _ in range(40):
         middle = [((x + y) / 2).mid() for x, y in zip(inside, outside, strict=True)]
         if holds(middle):
@@ -765,7 +779,7 @@ def _at_the_edge(holds: Callable[[Tried], bool], inside: Tried, outside: Tried) 
 
 
 def _range(name: str, given: Sequence[Comparison]) -> tuple[arb | None, arb | None]:
-    """Where the bounds by constants put a variable, about."""
+    """Return approximately the range that constant bounds give a variable."""
     low: arb | None = None
     high: arb | None = None
     for left, relation, right in given:
@@ -788,12 +802,12 @@ def _range(name: str, given: Sequence[Comparison]) -> tuple[arb | None, arb | No
 
 @lru_cache(maxsize=1 << 12)
 def _free(k: int, count: int) -> Tried:
-    """The ``k``-th point where there are no conditions."""
+    """Return the ``k``-th point if there are no conditions."""
     return [_offset(k, j)[0] for j in range(count)]
 
 
 def _coordinate(k: int, j: int, low: arb | None, high: arb | None) -> arb:
-    """The ``k``-th value of the ``j``-th variable: out from 0, or in from an end of its range."""
+    """Return the ``k``-th value of the ``j``-th variable: outward from 0, or inward from an end."""
     size, part = _offset(k, j)
     end = high if low is None else low
     if end is None:
@@ -810,12 +824,12 @@ _LISTED = (
     *((1, -1, 0), (13, -24, 0), (-13, -24, 0), (3, -160, 0), (-3, -160, 0), (19, -3, 0)),
     *((-19, -3, 0), (45, -6, 40), (-23, -4, -40)),
 )
-"""The first values n·2^e, and how the second variable differs: 1 in sign, else in size."""
+"""The first values n·2^e, and how the second variable differs: 1 for sign, else for size."""
 
 
 @lru_cache(maxsize=1 << 14)
 def _offset(k: int, j: int) -> tuple[arb, arb]:
-    """A signed distance, and one below 1/2 that is near 0 where the first is large or small."""
+    """Return a signed distance, and one below 1/2 that is near 0 if the first is large or small."""
     if k < len(_LISTED):
         n, e, other = _LISTED[k]
         if other == 1:
@@ -836,7 +850,7 @@ def _offset(k: int, j: int) -> tuple[arb, arb]:
 
 
 def _noise(k: int, j: int) -> int:
-    """The same number for the same arguments, and no pattern in them."""
+    """Return a pseudo-random number that depends only on the arguments."""
     mixed = (k * 0x9E3779B97F4A7C15 + j * 0xC2B2AE3D27D4EB4F + 0x165667B19E3779F9) % (1 << 64)
     mixed = (mixed ^ mixed >> 30) * 0xBF58476D1CE4E5B9 % (1 << 64)
     mixed = (mixed ^ mixed >> 27) * 0x94D049BB133111EB % (1 << 64)

@@ -7,14 +7,14 @@ from collections.abc import Iterable
 from html import escape
 
 LONGEST = 160
-"""Characters of a line at most."""
+"""The maximal number of characters of a line."""
 LONGEST_NUMBER = 60
-"""Digits of a number that text output shows in full."""
+"""The maximal number of digits of a number that text output shows in full."""
 _LONG_NUMBER = re.compile(rf"\d{{{LONGEST_NUMBER + 1},}}")
 
 
 def in_one_line(text: str) -> str:
-    """``text`` on one line, its end left out where it is long."""
+    """Return ``text`` on one line, truncated if it is long."""
     line = " ".join(text.split())
     return line if len(line) <= LONGEST else line[: LONGEST - 1] + "…"
 
@@ -32,7 +32,7 @@ def abbreviated(text: str) -> str:
 
 
 def html_table(head: str, rows: Iterable[tuple[str, ...]]) -> str:
-    """A heading in bold, and a small table of text under it."""
+    """Return HTML with a heading in bold and a small table of text below it."""
     lines = (
         "".join(f"<td style='text-align:left'>{escape(cell)}</td>" for cell in row) for row in rows
     )

@@ -18,72 +18,83 @@ from typing import Any, NamedTuple
 from tresym.reals.numbers.exact import whole_number
 
 DEATHS = 3
-"""Processes that may die over one call before it is given up."""
+"""The number of processes that may die during one call before it fails."""
 
 GRACE = 5.0
-"""Seconds beyond the limit of a call after which its process ends of itself."""
+"""The seconds beyond the limit of a call after which its process ends by itself."""
 
 AHEAD = 1000
-"""Calls in order that are under way at most: one that is slow keeps few others waiting."""
+"""The maximal number of ordered calls in progress, so that a slow one delays few others."""
 
 MOST_WORKERS = 1024
 
 _lock = threading.Lock()
-"""Held where a process is started or the list of them changes: one at a time, whosever it is."""
+"""The lock for starting a process or changing the list of processes, in all pools."""
 
 
 def cores() -> int:
-    """How many processes can run at once here: the cores that this process may use."""
+    """Return the number of processor cores that this process may use."""
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0)) or 1
     return os.cpu_count() or 1
 
 
 def parse_workers(text: str) -> int:
-    """The number of processes that ``text`` asks for; InputError unless it is 1 to 1024."""
+    """Return the number of processes that ``text`` states.
+
+    Raises:
+        InputError: it is not an integer from 1 to 1024.
+    """
     word = text.strip(" ")
     is_number = word.isascii() and word.isdecimal() and len(word) <= len(str(MOST_WORKERS))
     return checked_workers(int(word) if is_number else 0)
 
 
 def checked_workers(count: int) -> int:
-    """``count`` if it is between 1 and 1024; InputError otherwise."""
+    """Return ``count``.
+
+    Raises:
+        InputError: it is not between 1 and 1024.
+    """
     return whole_number(count, 1, MOST_WORKERS, "workers")
 
 
 class _Child(NamedTuple):
-    """A process, and our end of the pipe to it."""
+    """A process, and this side of the pipe to it."""
 
     process: BaseProcess
     connection: Connection
 
     def end(self) -> None:
-        """End it at once, and wait until it has ended."""
+        """Kill the process and wait until it has ended."""
         self.process.kill()
         self.process.join()
         self.connection.close()
 
 
 class Processes(ThreadPoolExecutor):
-    """Processes of this machine, each led by a thread of its own through a pipe of its own.
+    """A pool of processes, each controlled by a thread of its own through a pipe of its own.
 
-    A process that dies is replaced and its call made again; one over the limit is ended and
-    replaced. (The standard pool of processes has one pipe for all answers: who dies while answering
-    leaves half of one there, and the rest is waited for forever. It knows no limit: FLINT cannot be
-    interrupted from inside, so one is kept from outside.)
+    A process that dies is replaced and its call repeated. A process that exceeds the time limit is
+    killed and replaced. The standard process pool has a single pipe for all results; a process that
+    dies while sending leaves half a message there, and all others wait forever. It also has no time
+    limit, and FLINT cannot be interrupted from within a process, so the limit is enforced from
+    outside.
     """
 
     def __init__(
         self, count: int, limit: float | None = None, deaths: int = DEATHS, forked: bool = False
     ) -> None:
-        """Lead ``count`` processes, each started when it is first needed.
+        """Prepare ``count`` processes, each of which is started when it is first needed.
 
         Args:
-            count: how many at most.
-            limit: seconds that a call may take; its future then fails with TimeoutError.
-            deaths: processes that may die over one call; its future then fails with BrokenExecutor.
-            forked: start them at once as copies of this one, where the system can. For calls that
-                run Python and FLINT alone: other libraries take locks that a copy never gets back.
+            count: the maximal number of processes.
+            limit: the time limit of a call in seconds; its future then fails with TimeoutError.
+            deaths: the number of processes that may die during one call; its future then fails with
+                BrokenExecutor.
+            forked: whether to fork this process where the system can. Use it only for calls that
+                run Python and FLINT alone, as locks of other libraries may remain locked in the
+                copy.
         """
         self._forked = forked and "fork" in get_all_start_methods()
         super().__init__(count, initializer=_deaf_to_interrupts, initargs=(self._forked,))
@@ -94,13 +105,15 @@ class Processes(ThreadPoolExecutor):
         self._ended = False
 
     def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
-        """Have ``fn`` called in one of the processes."""
+        """Call ``fn`` in one of the processes, and return the future of its result."""
         return super().submit(self._lead, fn, args, kwargs)
 
     def in_order(
         self, fn: Callable[..., Any], calls: Iterable[tuple[Any, ...]]
     ) -> Iterator[Future[Any]]:
-        """The future of ``fn`` on each tuple of arguments, in order; few calls are read ahead."""
+        """Yield the future of ``fn`` on each tuple of arguments, in order; few calls are read
+        ahead.
+        """
         under_way: deque[Future[Any]] = deque()
         for call in calls:
             under_way.append(self.submit(fn, *call))
@@ -124,20 +137,20 @@ class Processes(ThreadPoolExecutor):
             if error is not None:
                 raise error
             return value
-        raise BrokenExecutor(f"{self._deaths} processes have died over one batch")
+        raise BrokenExecutor(f"{self._deaths} processes have died during one batch")
 
     def _start(self) -> _Child:
         with _lock, _unhindered():
             if self._ended:
-                raise BrokenExecutor("the processes have been ended")
+                raise BrokenExecutor("the process pool has been shut down")
             ours, theirs = self._context.Pipe()
-            # A copy of this process holds all ends that this one holds, and has to let them go.
+            # A forked process inherits all open pipe ends of this one, and must close them.
             copied = [ours, *(child.connection for child in self._children)] if self._forked else []
             process = self._context.Process(
                 target=_serve, args=(theirs, self._limit, copied), daemon=True
             )
             process.start()
-            # Now only the child holds its end, and its death is the end of the pipe.
+            # Now only the child holds its end, so that the pipe closes when the child dies.
             theirs.close()
             self._mine.child = _Child(process, ours)
             self._children.append(self._mine.child)
@@ -150,37 +163,37 @@ class Processes(ThreadPoolExecutor):
         child.end()
 
     def end(self) -> None:
-        """End the processes at once, whatever they are doing."""
+        """Kill the processes at once."""
         with _lock:
             self._ended = True
             for child in self._children:
                 child.process.kill()
 
     def __exit__(self, kind: Any, value: Any, trace: Any) -> None:
-        """Let the processes go, or end them where something went wrong."""
+        """Shut the processes down, or kill them after an exception."""
         if kind is not None:
             self.end()
         self.shutdown(cancel_futures=True)
 
     def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
-        """Let the processes go when nothing is left to do."""
+        """Shut the processes down when no call is left."""
         super().shutdown(wait, cancel_futures=cancel_futures)
         for child in self._children:
             child.end()
 
 
 def _serve(connection: Connection, limit: float | None, copied: list[Connection]) -> None:
-    """The life of a process: calls in, answers out, until the other end of the pipe is gone."""
+    """Run calls from the pipe and send their results, until the other end of the pipe closes."""
     for end in copied:
         end.close()
-    signal.signal(signal.SIGTERM, signal.SIG_DFL)  # a copy has what its parent answers
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)  # a fork inherits the handler of its parent
     alarm = getattr(signal, "setitimer", None) if limit is not None else None
     if alarm is not None:
         signal.signal(signal.SIGALRM, signal.SIG_DFL)
     with suppress(EOFError, OSError):
         while True:
             fn, args, kwargs = connection.recv()
-            if alarm is not None:  # should the parent be killed, nobody else stops this
+            if alarm is not None:  # if the parent is killed, nothing else stops this call
                 alarm(signal.ITIMER_REAL, (limit or 0) + GRACE)
             answer: tuple[Any, Exception | None]
             try:
@@ -193,22 +206,22 @@ def _serve(connection: Connection, limit: float | None, copied: list[Connection]
 
 
 def _deaf_to_interrupts(forked: bool) -> None:
-    """Processes started by this thread do not hear Ctrl-C: it is for their parent."""
+    """Block Ctrl-C in processes started by this thread; their parent handles it."""
     if hasattr(signal, "pthread_sigmask"):
         if not forked:
             from multiprocessing import resource_tracker
 
-            # Starting the tracker, as the first process would, opens the ears again.
+            # Starting the tracker, as the first process would, unblocks the signal again.
             resource_tracker.ensure_running()
         signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
 
 
 @contextmanager
 def _unhindered() -> Iterator[None]:
-    """Inside, any process may start others, and these do not run the script that it runs.
+    """Allow any process to start others inside the block, without running its main script in them.
 
-    What is called are functions of modules, so a script needs no ``__main__`` guard for us; and
-    ours end with their parent, a worker of somebody's pool (a daemon) as well.
+    Calls name functions of modules, so that a script needs no ``__main__`` guard. The processes end
+    with their parent, also if it is a daemonic worker of another pool.
     """
     parent, prepared = current_process(), spawn.get_preparation_data
     daemon, parent.daemon = parent.daemon, False
@@ -220,7 +233,7 @@ def _unhindered() -> Iterator[None]:
     spawn.get_preparation_data = without_main
     try:
         with warnings.catch_warnings():
-            # Python warns of copies beside threads, for the sake of locks: see ``forked``.
+            # Python warns of forking with threads because of locks; see the argument ``forked``.
             warnings.simplefilter("ignore", DeprecationWarning)
             yield
     finally:

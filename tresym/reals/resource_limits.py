@@ -1,6 +1,6 @@
-"""Limits on processor time and on garbage collection.
+"""Limit processor time and garbage collection.
 
-That of time is kept by a signal of the operating system.
+The limit on time uses a timer signal of the operating system.
 """
 
 from __future__ import annotations
@@ -13,17 +13,19 @@ from contextlib import contextmanager
 
 
 class TimeUp(BaseException):
-    """The limit is reached. Not an ``Exception``: a method under test must not swallow it."""
+    """Raised at the time limit. It is not an ``Exception``, so that a method cannot catch it by
+    mistake.
+    """
 
 
 SOON = 0.01
-"""Seconds after which a limit strikes again that was put off."""
+"""The delay in seconds after which a suspended limit is tried again."""
 _held: list[None] = []
 
 
 @contextmanager
 def held() -> Iterator[None]:
-    """Inside, no limit strikes: a C library that calls back loses what the callback raises."""
+    """Suspend time limits inside the block, as C libraries lose exceptions of their callbacks."""
     _held.append(None)
     try:
         yield
@@ -35,8 +37,12 @@ def held() -> Iterator[None]:
 def time_limit(seconds: float, error: type[BaseException] = TimeUp) -> Iterator[None]:
     """Raise ``error`` in the block once it has used ``seconds`` of processor time.
 
-    Work inside one call of a C library goes on to the end of that call. Where the system has no
-    such signal, outside the main thread, and where a limit runs already, there is no limit.
+    A call of a C library is not interrupted. There is no limit where the system has no such signal,
+    outside the main thread, and inside another limit.
+
+    Args:
+        seconds: the processor time.
+        error: the exception that is raised.
     """
     main = threading.current_thread() is threading.main_thread()
     if not main or not hasattr(signal, "setitimer") or signal.getitimer(signal.ITIMER_PROF)[0]:
@@ -49,7 +55,7 @@ def time_limit(seconds: float, error: type[BaseException] = TimeUp) -> Iterator[
         signal.setitimer(signal.ITIMER_PROF, SOON, seconds)
 
     before = signal.signal(signal.SIGPROF, over)
-    # Struck in a callback of the collector, the first one is lost: so it strikes again.
+    # An exception raised in a callback of the garbage collector is lost, so the timer repeats.
     signal.setitimer(signal.ITIMER_PROF, seconds, seconds)
     try:
         yield
@@ -60,7 +66,10 @@ def time_limit(seconds: float, error: type[BaseException] = TimeUp) -> Iterator[
 
 @contextmanager
 def collecting_seldom(objects: int) -> Iterator[None]:
-    """Inside, memory is searched for circles after so many new objects: terms make few circles."""
+    """Run cyclic garbage collection inside the block only after ``objects`` new objects.
+
+    Expression trees contain few reference cycles.
+    """
     thresholds = gc.get_threshold()
     gc.set_threshold(max(objects, thresholds[0]) if thresholds[0] else 0, *thresholds[1:])
     try:

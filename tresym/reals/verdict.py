@@ -6,7 +6,7 @@ from enum import Enum
 
 
 class Verdict(Enum):
-    """What tresym says of a statement. The value is the word printed everywhere.
+    """The result of checking a statement. The value is the word printed everywhere.
 
     Example:
         >>> import tresym
@@ -15,9 +15,9 @@ class Verdict(Enum):
     """
 
     PROVED = "PROVED"
-    """An exact decision procedure said yes; no floating point took part."""
+    """An exact decision procedure proves the statement, without floating-point arithmetic."""
     ENCLOSED = "ENCLOSED"
-    """Ball arithmetic contains it: a number with its radius, or an inequality on a whole box."""
+    """Ball arithmetic proves it: a number within its radius, or an inequality on a whole box."""
     REFUTED = "REFUTED"
     """A witness whose ball excludes the statement, or an exact counterexample."""
     UNDECIDED = "UNDECIDED"
@@ -25,5 +25,5 @@ class Verdict(Enum):
 
     @property
     def holds(self) -> bool:
-        """True for PROVED and ENCLOSED only."""
+        """Return whether the verdict is PROVED or ENCLOSED."""
         return self in (Verdict.PROVED, Verdict.ENCLOSED)

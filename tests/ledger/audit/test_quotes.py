@@ -50,5 +50,5 @@ def test_of_every_quote_it_is_kept_from_which_lines_it_was_taken(tmp_path: Path)
     index = file_of("index.json")
     assert [q.label for q in load_quotes(index, texts)] == [*texts]
     assert {item["label"] for item in json.loads(index.read_text())["quotes"]} == {*texts}
-    with pytest.raises(InputError, match="where the quote of c was taken from"):
+    with pytest.raises(InputError, match="does not list the source lines of the quotation in c"):
         load_quotes(index, {"c": "words"})

@@ -39,7 +39,8 @@ def test_a_margin_that_forgets_radii_shows_nothing() -> None:
         for found in (boxes(blind).judge(), boxes(bound("0.7"), blind).judge()):
             assert (found.verdict, found.why) == (
                 UNDECIDED,
-                "the formula over a box does not hold its values there",
+                "the ball of the formula over a box does not contain its "
+                "values at points of the box",
             )
 
 

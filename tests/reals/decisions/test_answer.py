@@ -129,7 +129,7 @@ def test_long_numbers_are_abbreviated_in_text_and_whole_in_json() -> None:
 
 
 def test_constants_refute_without_a_point() -> None:
-    assert dict(refuted("why", {}).rows())["witness"] == "the constants themselves"
+    assert dict(refuted("why", {}).rows())["witness"] == "the claim has no variables"
 
 
 def test_notebooks_get_text_that_is_escaped() -> None:

@@ -72,9 +72,9 @@ def test_nothing_is_refuted_where_no_function_is_real(claim: str) -> None:
 
 def test_a_proof_names_a_point_at_which_the_function_is_real() -> None:
     found = decided("diff(sqrt(3 - x), x) == -1/(2*sqrt(3 - x))")
-    assert "what is differentiated is real at x = 441/388" in found.why
+    assert "the differentiated functions are real at x = 441/388" in found.why
     found = decided("diff(log(x) + log(y), x) == 1/x")  # the sides are defined at a negative y
-    assert "what is differentiated is real at x = " in found.why
+    assert "the differentiated functions are real at x = " in found.why
 
 
 def test_points_at_which_a_function_is_not_real_refute_nothing() -> None:

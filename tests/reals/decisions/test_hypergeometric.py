@@ -79,7 +79,7 @@ def test_a_series_that_diverges_everywhere_has_no_range() -> None:
 def test_numbers_diverge_beyond_the_radius() -> None:
     s = series("(3/2)**n")
     assert s is not None
-    assert out_of_range(s, Given()) == "it diverges"
+    assert out_of_range(s, Given()) == "the series diverges"
 
 
 def test_factorials_of_fractions_are_no_numbers() -> None:

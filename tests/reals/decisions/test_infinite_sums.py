@@ -15,7 +15,7 @@ from tresym.reals.verdict import Verdict
     [
         ("exp(x) == sum(x**n/factorial(n), n, 0, oo)", "differential equation"),
         ("pi**2/6 == sum(1/n**2, n, 1, oo)", "DLMF"),
-        ("sum(1/(k*(k + 1)), k, 1, oo) == 1", "limit of its first terms"),
+        ("sum(1/(k*(k + 1)), k, 1, oo) == 1", "limit of the partial sums"),
         ("E/(E - 1) == sum(1/factorial(k), k, 0, oo)*sum(exp(-k), k, 0, oo)/E", "power series of"),
         (r"e^x = \sum_{n=0}^\infty \frac{x^n}{n!}", "differential equation"),
         (r"\ln 2 = \sum_{n=1}^\infty \frac{(-1)^{n-1}}{n}", "power series of"),

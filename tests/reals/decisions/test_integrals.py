@@ -162,4 +162,4 @@ def test_what_is_infinite_or_ends_at_a_parameter_is_compared_with_care(claim: st
 def test_what_binds_a_variable_inside_is_not_entered(claim: str) -> None:
     answer = tresym.check(claim)
     assert answer.verdict is not Verdict.REFUTED
-    assert "procedure failed" not in answer.why
+    assert "internal error" not in answer.why

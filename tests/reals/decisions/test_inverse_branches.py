@@ -115,7 +115,7 @@ def test_what_is_no_logarithm_of_it_is_not_proved(claim: str) -> None:
 def test_what_is_not_defined_is_named(claim: str, part: str) -> None:
     answer = tresym.check(claim)
     assert answer.verdict is Verdict.UNDECIDED
-    assert answer.why.startswith(f"{part} is not defined")
+    assert answer.why.startswith(f"{part} is undefined")
 
 
 @pytest.mark.parametrize(

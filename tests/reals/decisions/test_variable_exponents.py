@@ -50,7 +50,7 @@ def test_what_fails_at_other_bases_is_refuted_there(claim: str) -> None:
 def test_what_passes_says_where_its_powers_are_taken(claim: str) -> None:
     answer = tresym.check(claim)
     assert answer.verdict is Verdict.PROVED
-    assert "where their base is positive: " in answer.why
+    assert "where the bases of powers are positive (" in answer.why
 
 
 @pytest.mark.parametrize("claim", CLOSED)

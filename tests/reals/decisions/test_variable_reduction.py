@@ -23,21 +23,21 @@ from tresym.reals.language.parsing import parse, parse_claim
 from tresym.reals.verdict import Verdict
 
 HOLD = [
-    ("sqrt(x*y) <= (x - y)/(log(x) - log(y)) given 0 < x, x < y", "it is homogeneous"),
-    ("(x - y)/(log(x) - log(y)) <= (x + y)/2 given 0 < x, x < y", "it is homogeneous"),
-    ("tan(x)/x < tan(y)/y given 0 < x, x < y, y < pi/2", "it compares"),
-    ("log(x)/x >= log(y)/y given E <= x, x < y", "it compares"),
-    ("sin(x)/x >= sin(y)/y given 0 < x, x < y, y < pi", "it compares"),
-    ("x**3 <= y**3 given x < y, -2*x <= 3, 2*y < 7", "it compares"),
-    ("exp(x) + exp(y) >= 2 + x + y", "each variable by itself"),
-    ("exp(x) - log(y) >= x + 2 - y given y > 0", "each variable by itself"),
-    ("sin(x)/sin(y) <= pi/2*x/y given 0 < x, x < y, y < pi/2", "each factor by itself"),
-    ("sin(x)/sin(y) < pi/2*x/y given 0 < x, x < y, y < pi/2", "each factor by itself"),
-    ("(exp(x) - 1)*(exp(y) - 1) > x*y given x > 0, y > 0", "each factor by itself"),
-    ("tan(x)/tan(y) < x/y given 0 < x, x < y, y < pi/2", "it compares"),
-    ("log(1 + x)/log(1 + y) > x/y given 0 < x, x < y", "it compares"),
-    ("sin(x)*sin(y) <= x*y given x >= 0, y >= 0", "each factor by its size"),
-    ("2*tanh(x)*atan(y) >= -2*x*y given x >= 0, y >= 0", "each factor by its size"),
+    ("sqrt(x*y) <= (x - y)/(log(x) - log(y)) given 0 < x, x < y", "the claim is homogeneous"),
+    ("(x - y)/(log(x) - log(y)) <= (x + y)/2 given 0 < x, x < y", "the claim is homogeneous"),
+    ("tan(x)/x < tan(y)/y given 0 < x, x < y, y < pi/2", "at two points"),
+    ("log(x)/x >= log(y)/y given E <= x, x < y", "at two points"),
+    ("sin(x)/x >= sin(y)/y given 0 < x, x < y, y < pi", "at two points"),
+    ("x**3 <= y**3 given x < y, -2*x <= 3, 2*y < 7", "at two points"),
+    ("exp(x) + exp(y) >= 2 + x + y", "each variable separately"),
+    ("exp(x) - log(y) >= x + 2 - y given y > 0", "each variable separately"),
+    ("sin(x)/sin(y) <= pi/2*x/y given 0 < x, x < y, y < pi/2", "each factor separately"),
+    ("sin(x)/sin(y) < pi/2*x/y given 0 < x, x < y, y < pi/2", "each factor separately"),
+    ("(exp(x) - 1)*(exp(y) - 1) > x*y given x > 0, y > 0", "each factor separately"),
+    ("tan(x)/tan(y) < x/y given 0 < x, x < y, y < pi/2", "at two points"),
+    ("log(1 + x)/log(1 + y) > x/y given 0 < x, x < y", "at two points"),
+    ("sin(x)*sin(y) <= x*y given x >= 0, y >= 0", "absolute value of each factor"),
+    ("2*tanh(x)*atan(y) >= -2*x*y given x >= 0, y >= 0", "absolute value of each factor"),
 ]
 FAIL = [
     "(x - y)/(log(x) - log(y)) <= (x + y)/2.0001 given 0 < x, x < y",
@@ -95,7 +95,7 @@ def test_what_is_said_of_one_variable_holds_of_several(claim: str, why: str) -> 
     answer = by_one_variable(left, relation, right, Given.parse(given), decide_inequality)
     assert answer is not None
     assert answer
-    assert answer.why.startswith(why)
+    assert why in answer.why
 
 
 @pytest.mark.parametrize("claim", FAIL)

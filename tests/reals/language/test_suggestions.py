@@ -65,14 +65,14 @@ def test_long_text_is_answered_briefly(text: str) -> None:
     ("name", "keyword"),
     [
         ("integrate", "integral(f, x, a, b)"),
-        ("gamma", "outside"),
+        ("gamma", "not supported"),
         ("log2", "log(x, 2)"),
         ("log_10", "log(x, 10)"),
         ("O", "right end"),
         ("f", "f*("),
         ("sine", "sin?"),
         ("arcos", "acos?"),
-        ("qqqq", "known are"),
+        ("qqqq", "known functions are"),
     ],
 )
 def test_functions_that_are_not_known(name: str, keyword: str) -> None:

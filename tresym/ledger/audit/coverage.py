@@ -1,11 +1,11 @@
 """The audit: which claims answer each display, theorem, table and figure of a paper.
 
-So is every line of its running text that has a formula, or a word that speaks of the motion.
+Every line of the running text that contains a formula, or a word about the motion, must also be
+answered by claims. Quotations in claims are compared word by word (`tresym.ledger.audit.quotes`).
 
-What claims quote is compared too, word by word (`tresym.ledger.audit.quotes`).
-
-The index holds, for each of them, where it stands and the hash of the text that the claims were
-written against; the paper's text is not part of it. An alteration is named, not only noticed.
+The index contains, for each piece of the paper, its place and the hash of the text that the claims
+were written against, but not the text itself. A piece that was changed, removed or added is
+reported.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from tresym.reals.numbers.exact import InputError
 
 
 class Text(Enum):
-    """Whether a piece of the paper is what the claims were written against."""
+    """Whether a piece of the paper agrees with the text that the claims were written against."""
 
     SAME = "same"
     ALTERED = "altered"
@@ -37,23 +37,23 @@ class Text(Enum):
 
 
 class Transcription(Enum):
-    """Whether the claims say what the display says."""
+    """Whether the claims state what the display states."""
 
     EQUAL = "equal"
-    """Read from the LaTeX; every relation agrees in balls with what a claim says."""
+    """Read from the LaTeX; every relation agrees in ball arithmetic with one of a claim."""
     AS_READ = "equal as read"
-    """The same, with something read otherwise than it is printed: the note says what."""
+    """The same, but with an interpretation that differs from the printed text; see the note."""
     DIFFERS = "differs"
     SENTENCE = "sentence"
-    """No claim can say it as it stands, for the reason in the index, which transcribes it twice."""
+    """Not comparable as printed, for the reason in the index; the index transcribes it again."""
     NOT_READ = "not read"
     NOT_A_FORMULA = ""
-    """A theorem, remark, table, figure or quote; or no claim, or no unaltered text."""
+    """Not a display (a theorem, table, …), or there is no claim or no unaltered text."""
 
 
 @dataclass(frozen=True)
 class Entry:
-    """One piece as the index knows it."""
+    """A piece of the paper as listed in the index."""
 
     kind: str
     label: str
@@ -63,14 +63,14 @@ class Entry:
     number: int | None = None
     reading: Reading = field(default_factory=Reading)
     answers: tuple[str, ...] = ()
-    """Of a line of the text: the claims that answer it, all of which there must be."""
+    """For a line of the text: labels of the claims that answer it; all of them must exist."""
     no_claim: str = ""
-    """Of a line of the text: why there is nothing in it to claim."""
+    """For a line of the text: why it needs no claim."""
 
 
 @dataclass(frozen=True)
 class PieceRow:
-    """The finding on one piece; ``line`` is its line in the paper given, if it is there."""
+    """The finding on one piece; ``line`` is its line in the audited file, if it occurs there."""
 
     kind: str
     label: str
@@ -84,7 +84,7 @@ class PieceRow:
 
     @property
     def good(self) -> bool:
-        """Unaltered, answered by a claim where there is one to make, and not contradicted."""
+        """Whether the piece is unaltered, answered if needed, and not contradicted."""
         bad = (Transcription.DIFFERS, Transcription.NOT_READ)
         answered = bool(self.claims or self.no_claim)
         return self.text is Text.SAME and answered and self.transcription not in bad
@@ -92,18 +92,22 @@ class PieceRow:
 
 @dataclass(frozen=True)
 class Audit:
-    """All rows: the displays in file order, then the theorem, remark, table and figures."""
+    """The rows of an audit: displays in file order, then theorems, remarks, tables and figures."""
 
     paper: str
     rows: tuple[PieceRow, ...]
 
     @property
     def complete(self) -> bool:
-        """Every piece is unaltered, covered and rightly transcribed."""
+        """Whether every piece is unaltered, answered by claims and correctly transcribed."""
         return all(row.good for row in self.rows)
 
     def count(self, kind: str | None = None) -> tuple[int, int]:
-        """Good rows and all rows: the displays (``None``) or the pieces of one kind."""
+        """Return the numbers of good rows and of all rows.
+
+        Args:
+            kind: a kind of piece, or None for the displays.
+        """
         chosen = [
             r for r in self.rows if (r.number is not None if kind is None else r.kind == kind)
         ]
@@ -111,17 +115,17 @@ class Audit:
 
     @property
     def read(self) -> int:
-        """How many displays are read from the LaTeX itself and agree."""
+        """The number of displays that were read from the LaTeX itself and agree with a claim."""
         agree = (Transcription.EQUAL, Transcription.AS_READ)
         return sum(row.transcription in agree for row in self.rows)
 
     @property
     def read_otherwise(self) -> int:
-        """How many of these only after something is read otherwise than it is printed."""
+        """The number of these displays that agree only by an interpretation in the index."""
         return sum(row.transcription is Transcription.AS_READ for row in self.rows)
 
     def as_json(self) -> dict[str, Any]:
-        """The audit as `tresym audit --json` prints it."""
+        """Return the audit as `tresym audit --json` prints it."""
         rows = [
             {**asdict(row), "text": row.text.value, "transcription": row.transcription.value}
             for row in self.rows
@@ -136,17 +140,17 @@ class Audit:
 
     @property
     def kinds(self) -> tuple[str, ...]:
-        """The kinds of pieces that are no displays, in order."""
+        """The kinds of pieces other than displays, in order."""
         return tuple(dict.fromkeys(row.kind for row in self.rows if row.number is None))
 
 
 def load_words(path: Path) -> tuple[str, ...]:
-    """Beginnings of the words by which a line of the text says something of the motion."""
+    """Return the beginnings of words that mark a line as a statement about the motion."""
     return tuple(json.loads(path.read_text(encoding="utf-8")).get("words", ()))
 
 
 def load_index(path: Path) -> tuple[Entry, ...]:
-    """The index beside the proofs: displays in order, then the rest, then lines of the text."""
+    """Return the index: displays in order, then other pieces, then lines of the text."""
     data = json.loads(path.read_text(encoding="utf-8"))
     entries = []
     for item in (*data["displays"], *data["others"]):
@@ -162,7 +166,7 @@ def load_index(path: Path) -> tuple[Entry, ...]:
 
 
 def _line(item: dict[str, Any]) -> Entry:
-    """A line of the running text, with the claims that answer it or why there are none."""
+    """Judge a line of the running text: the claims that answer it, or why it needs none."""
     n, answers = item["line"], tuple(item.get("answers", ()))
     why = item.get("no_claim", "")
     return Entry("text", f"line{n}", n, n, item["sha256"], answers=answers, no_claim=why)
@@ -175,13 +179,17 @@ def audit(
     quotes: Iterable[Quote] = (),
     words: Sequence[str] = (),
 ) -> Audit:
-    """Compare the paper with the index and with the claims, and with what is quoted of it.
+    """Compare a paper with the index, the claims and their quotations.
 
     Args:
-        words: beginnings of words by which a line of the text has something to claim.
+        paper: the LaTeX source.
+        claims: the claims of the ledger.
+        index: the pieces listed in the index.
+        quotes: quotations in the claims.
+        words: beginnings of words; a line of the text with one of them must be answered.
 
     Raises:
-        InputError: the file cannot be read, or is no balanced LaTeX document.
+        InputError: the file cannot be read, or is not a well-formed LaTeX document.
     """
     text = read_source(paper)
     source = scan(text, str(paper), words)
@@ -204,7 +212,7 @@ def audit(
 
 
 def _answers(claims: tuple[Claim, ...], entries: tuple[Entry, ...]) -> dict[str, list[Claim]]:
-    """The claims on each piece: by the display they name, their label, or their line."""
+    """Return the claims that answer each piece, by display number, label or line."""
     found: dict[str, list[Claim]] = {entry.label: [] for entry in entries}
     for claim in claims:
         for entry in entries:
@@ -226,7 +234,7 @@ def _answers_to(claim: Claim, entry: Entry) -> bool:
 def _aligned(
     known: Sequence[Entry], pieces: Sequence[Piece]
 ) -> list[tuple[Entry | None, Piece | None]]:
-    """Entries and pieces side by side, so that one insertion does not shift all that follows."""
+    """Align entries with pieces, so that one insertion does not shift everything after it."""
     matcher = SequenceMatcher(
         None, [e.sha256 for e in known], [p.sha256 for p in pieces], autojunk=False
     )

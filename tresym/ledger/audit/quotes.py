@@ -1,7 +1,7 @@
 """Check that quotations from the paper match the lines they were taken from.
 
-A quote writes formulas in letters of its own, so that two things are compared: the hash of the
-lines, and the words and decimals of the quote, which stand in them in their order.
+A quotation writes formulas in Unicode, so two things are compared: the hash of the quoted lines,
+and the words and decimals of the quotation, which must occur in these lines in the same order.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ WORD = re.compile(r"[A-Za-z]{3,}|\d+\.\d+|\d{3,}")
 
 @dataclass(frozen=True)
 class Quote:
-    """Words of the paper that a claim quotes, and the lines they were taken from, by their hash."""
+    """A quotation in a claim, and the lines it was taken from, identified by their hash."""
 
     label: str
     text: str
@@ -29,16 +29,17 @@ class Quote:
     sha256: str
 
     def line_in(self, paper: str) -> int | None:
-        """The first of the lines in a source, where they may have moved together; None if altered.
+        """Return the first of the quoted lines in a source, or None if they were altered.
 
-        Lines that are there twice are those nearest to where they were.
+        The lines may have moved together. If they occur twice, the occurrence nearest to the old
+        place is taken.
         """
         lines, long = paper.split("\n"), self.end - self.line
         starts = sorted(range(1, len(lines) - long + 1), key=lambda n: abs(n - self.line))
         return next((n for n in starts if hash_of(lines[n - 1 : n + long]) == self.sha256), None)
 
     def lost(self, paper: str) -> str | None:
-        """The first word of the quote that does not stand in its lines, in this order; or None."""
+        """Return the first word of the quotation missing from its lines (in order), or None."""
         start = self.line_in(paper) or 1
         body = "\n".join(paper.split("\n")[start - 1 : start + self.end - self.line])
         words = iter(WORD.findall(body))
@@ -46,14 +47,16 @@ class Quote:
 
 
 def load_quotes(path: Path, texts: Mapping[str, str]) -> tuple[Quote, ...]:
-    """The quotes of the index beside the proofs, with what each claim quotes, by its label.
+    """Return the quotations listed in the index, with the words that each claim quotes, by label.
 
     Raises:
-        InputError: a claim quotes words, and the index does not say from where.
+        InputError: the index does not list the source lines of a claim's quotation.
     """
     data = json.loads(path.read_text(encoding="utf-8"))["quotes"]
     places = {item["label"]: item for item in data}
     missing = sorted(texts.keys() - places.keys())
     if missing:
-        raise InputError(f"{path.name} does not say where the quote of {missing[0]} was taken from")
+        raise InputError(
+            f"{path.name} does not list the source lines of the quotation in {missing[0]}"
+        )
     return tuple(Quote(text=text, **places[label]) for label, text in texts.items())

@@ -1,8 +1,8 @@
 """Parse a LaTeX source into its displays, theorems, tables and figures.
 
-Nothing is typeset and no macro is expanded. What is found is where each thing stands, its label,
-and the SHA-256 of its text with comments removed and white space made single spaces, so that
-another line break or another encoding is no alteration and a changed sign is.
+Nothing is typeset and no macro is expanded. The result contains the place of each piece, its label,
+and the SHA-256 hash of its text, with comments removed and white space normalised. Hence a changed
+sign counts as an alteration, but a changed line break or encoding does not.
 """
 
 from __future__ import annotations
@@ -58,15 +58,16 @@ _THEOREM = re.compile(r"\\newtheorem\*?\s*\{\s*(\w+)\s*\}\s*(?:\[\w+\])?\s*\{([^
 
 @dataclass(frozen=True)
 class Piece:
-    """A display or a numbered thing of the source.
+    r"""A display or a numbered piece of the source.
 
     Attributes:
-        kind: ``equation``, ``brackets`` (``\\[ \\]``), ``dollars`` (``$$ $$``) and the like, or
-            ``theorem``, ``remark``, ``table``, ``figure``.
-        label: the author's ``\\label``, else ``d07`` for a display, ``remark1`` for the rest.
-        line, end: its first and last line, counted from 1.
-        text: between the delimiters, white space made single spaces, no comments.
-        number: for a display its place in the file, from 1; else None.
+        kind: ``equation``, ``brackets`` (``\[ \]``), ``dollars`` (``$$ $$``) etc., or ``theorem``,
+            ``remark``, ``table``, ``figure``.
+        label: the author's ``\label``, else ``d07`` for a display, ``remark1`` for other pieces.
+        line: its first line, counted from 1.
+        end: its last line.
+        text: the text between the delimiters, without comments, with single spaces.
+        number: the position of a display in the file, from 1; None for other pieces.
     """
 
     kind: str
@@ -78,12 +79,12 @@ class Piece:
 
     @property
     def sha256(self) -> str:
-        """Of the text in UTF-8."""
+        """The hash of the text in UTF-8."""
         return _sha256(self.text)
 
 
 def hash_of(lines: Sequence[str]) -> str:
-    """The hash of these lines, as that of a piece."""
+    """Return the hash of some lines, computed as for a piece."""
     return _sha256(_body("\n".join(lines)))
 
 
@@ -92,13 +93,13 @@ def _sha256(text: str) -> str:
 
 
 def _body(text: str) -> str:
-    """Without comments, white space made single spaces."""
+    """Return the text without comments and with single spaces."""
     return " ".join(_COMMENT.sub(r"\1", text).split())
 
 
 @dataclass(frozen=True)
 class Source:
-    """What a LaTeX source holds: its displays, and its theorems, remarks, tables and figures."""
+    """The pieces of a LaTeX source: displays, and theorems, remarks, tables and figures."""
 
     displays: tuple[Piece, ...]
     others: tuple[Piece, ...]
@@ -107,12 +108,16 @@ class Source:
 
 
 def read_source(path: Path) -> str:
-    """The text of a LaTeX file: any of the usual encodings, line ends as newlines.
+    """Return the text of a LaTeX document, with line ends as newlines.
 
-    UTF-8 is tried first, then what the file itself declares with inputenc.
+    UTF-8 is tried first, then the encoding that the file declares with inputenc.
+
+    Args:
+        path: the file.
 
     Raises:
-        InputError: no such file, too large, not text, an undecodable byte, or no LaTeX document.
+        InputError: the file does not exist, is too large, is not text, cannot be decoded, or is not
+            a LaTeX document.
     """
     text = read_text(path)
     if "\\begin{document}" not in text:
@@ -121,7 +126,7 @@ def read_source(path: Path) -> str:
 
 
 def read_text(path: Path) -> str:
-    """As :func:`read_source`, of a file that need not be a whole document."""
+    """Return the text of a LaTeX file that need not be a complete document; see `read_source`."""
     text = _decoded(_bytes(path), path)
     return text.replace("\r\n", "\n").replace("\r", "\n")
 
@@ -170,14 +175,16 @@ def _decode(data: bytes, encoding: str, path: Path) -> str:
 
 
 def scan(text: str, name: str = "the source", words: Sequence[str] = ()) -> Source:
-    """The pieces of a LaTeX document, in order.
+    """Return the pieces of a LaTeX document in order.
 
     Args:
-        words: beginnings of words; a line of the text that has one is a piece, as is one with a
-            formula.
+        text: the document.
+        name: its name, for messages.
+        words: beginnings of words; a line of running text with one of them is a piece, as is a line
+            with a formula.
 
     Raises:
-        InputError: an environment or formula that is not closed, or closed by another.
+        InputError: an environment or formula is not closed, or closed by another one.
     """
     start = text.index("\\begin{document}")
     stop = text.find("\\end{document}")
@@ -206,25 +213,27 @@ def _stands_apart(name: str, kinds: dict[str, str]) -> bool:
 def _running_text(
     text: str, body: tuple[int, int], apart: list[_Found], words: Sequence[str]
 ) -> Iterator[Piece]:
-    """Each line outside of displays, floats and theorems with a formula, or one of the words."""
-    kept = [*text]
+    """Yield lines outside displays, floats and theorems with a formula or one of the words."""
+    masked = [*text]
     for _, start, stop in apart:
-        kept[start:stop] = ["\n" if c == "\n" else " " for c in text[start:stop]]
-    told = re.compile(rf"\b(?:{'|'.join(map(re.escape, words))})" if words else r"(?!)", re.I)
+        masked[start:stop] = ["\n" if c == "\n" else " " for c in text[start:stop]]
+    marking = re.compile(rf"\b(?:{'|'.join(map(re.escape, words))})" if words else r"(?!)", re.I)
     first = text.count("\n", 0, body[0]) + 1
-    for n, line in enumerate("".join(kept)[body[0] : body[1]].split("\n"), first):
-        said = _body(line)
-        if _HEADING.match(said):
+    for n, line in enumerate("".join(masked)[body[0] : body[1]].split("\n"), first):
+        cleaned = _body(line)
+        if _HEADING.match(cleaned):
             continue
-        if _FORMULA.search(said) or (told.search(said) and not said.startswith("\\bibitem")):
-            yield Piece("text", f"line{n}", n, n, said)
+        if _FORMULA.search(cleaned) or (
+            marking.search(cleaned) and not cleaned.startswith("\\bibitem")
+        ):
+            yield Piece("text", f"line{n}", n, n, cleaned)
 
 
 _Found = tuple[str, int, int]
 
 
 def _others(text: str, others: list[_Found]) -> list[Piece]:
-    """Numbered things; those without a label are named by their kind and place."""
+    """Yield the numbered pieces; without a label they are named by kind and position."""
     counts: dict[str, int] = {}
     pieces = []
     for kind, start, stop in others:
@@ -250,7 +259,7 @@ def _piece(text: str, found: _Found, number: int, unnamed: str, display: bool) -
 
 
 class _Scanner:
-    """One pass over the body: what is open, with its line and its start, and what was closed."""
+    """A single pass over the body; keeps a stack of open environments and a list of closed ones."""
 
     def __init__(self, text: str, name: str) -> None:
         self.text = text
@@ -273,7 +282,7 @@ class _Scanner:
         return sorted(self.found, key=lambda found: found[1])
 
     def dollars(self, signs: str, at: int) -> int:
-        """``$`` opens and closes a formula in the line, ``$$`` a display; where to go on."""
+        """Handle ``$`` (inline formula) and ``$$`` (display); return the next position."""
         inside = self.stack[-1][0] if self.stack else ""
         if inside == "$":
             self.close("$", at)
@@ -287,7 +296,7 @@ class _Scanner:
         return at + len(signs)
 
     def open(self, name: str, at: int, start: int) -> None:
-        """Open ``name``; a display inside a formula means that the formula was not closed."""
+        """Open ``name``; a display inside an inline formula means that that was not closed."""
         line = self.line(at)
         around = [o for o in self.stack if o[0] == "$" or _is_display(o[0])]
         if around and _is_display(name):
@@ -318,7 +327,7 @@ def _is_display(name: str) -> bool:
 
 
 def _shown(name: str, closing: bool = False) -> str:
-    """An environment or delimiter as the author wrote it."""
+    """Return an environment or delimiter as the author wrote it."""
     if name == "brackets":
         return "\\]" if closing else "\\["
     if name == "dollars":

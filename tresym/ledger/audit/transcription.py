@@ -1,7 +1,8 @@
 """Check that a claim says what its display says: read the LaTeX, and compare in balls.
 
-A display is a few chains of relations. Every link of every chain must be met by a relation that a
-claim on this display says, side by side, at exact points that satisfy the claim's conditions.
+A display consists of chains of relations. Every link of every chain must agree with a relation of a
+claim on this display: both sides are compared in ball arithmetic at exact points that satisfy the
+claim's conditions.
 """
 
 from __future__ import annotations
@@ -26,14 +27,15 @@ from tresym.reals.numbers.exact import InputError, printed
 
 @dataclass(frozen=True)
 class Reading:
-    """How a display is to be read, kept in the index beside its hash.
+    """How a display is interpreted; stored in the index beside its hash.
 
     Attributes:
-        reads: what the claims write otherwise, both as text of the expression grammar.
-        functions: what the paper says in its sentences, ``f(s)`` and its value.
-        variable: of a bracket with limits.
-        sentence: why no claim can say the display as it stands, if so.
-        again: a second transcription of such a display, made apart from the claims: claims in the
+        reads: replacements for notation that the claims write differently, as text of the
+            expression grammar.
+        functions: functions defined in the paper's sentences: ``f(s)`` and its value.
+        variable: the variable of an evaluation bracket with limits.
+        sentence: why no claim can state the display as it is printed; empty if one can.
+        again: a second transcription of such a display, made independently of the claims, in the
             expression grammar.
     """
 
@@ -45,12 +47,12 @@ class Reading:
 
     @property
     def otherwise(self) -> str:
-        """What is read otherwise than it is printed, in words."""
+        """The differences between the interpretation and the printed display, in words."""
         pairs = {**self.functions, **self.reads}.items()
         return ", ".join(f"{name} read as {meant}" for name, meant in pairs)
 
     def author(self, functions: Mapping[str, Function]) -> Author:
-        """Whose display it is, of functions that are defined in others."""
+        """The author's functions as they are used in other displays."""
         own = {}
         for head, value in self.functions.items():
             name, _, parameters = head.rstrip(")").partition("(")
@@ -60,12 +62,12 @@ class Reading:
 
 @dataclass(frozen=True)
 class Link:
-    """Two neighbours of a chain.
+    """Two neighbouring expressions of a chain.
 
     Attributes:
-        digits: of the right one, where it is a decimal.
-        defines: whether the left one is a function at its parameters.
-        under: the conditions that the display puts above it.
+        digits: the digits of the right side, if it is a decimal.
+        defines: whether the left side is a function at its parameters.
+        under: the conditions that the display states for the link.
     """
 
     left: Expr
@@ -80,7 +82,7 @@ class Link:
 
 
 def functions_of(displays: Iterable[str]) -> dict[str, Function]:
-    """The functions of several arguments that the paper defines, ``f(a, b) = …``, in order."""
+    """Return the functions of several arguments that the paper defines, ``f(a, b) = …``."""
     found: dict[str, Function] = {}
     for text in displays:
         try:
@@ -101,7 +103,7 @@ def unmet(
     functions: Mapping[str, Function],
     reads: Mapping[str, str] | None = None,
 ) -> list[Link]:
-    """The links of a display that no claim on it says, in order; empty when all are met."""
+    """Return the links of a display that no claim on it states, in order."""
     statements = [statement for claim in claims for statement in _statements(claim)]
     otherwise = {as_written(name): as_written(meant) for name, meant in (reads or {}).items()}
     ways = [*product([{}, otherwise] if otherwise else [{}], [None, functions])]
@@ -116,7 +118,7 @@ def unmet(
 
 
 def differing(chains: Iterable[Relations], again: Iterable[str]) -> str | None:
-    """The first relation in which a display and its second transcription differ, or None."""
+    """Return the first relation in which a display and its second transcription differ, or None."""
     links = [link for chain in chains for link in _links(chain)]
     twice = [relation for text in again for relation in parse_claim(text)]
     for link, second in zip_longest(links, twice):
@@ -130,7 +132,7 @@ def differing(chains: Iterable[Relations], again: Iterable[str]) -> str | None:
 
 
 def _links(chain: Relations) -> list[Link]:
-    """Neighbours; a bound by infinity says nothing, and f(…) = body defines."""
+    """Yield the links; a bound by infinity is skipped, and f(…) = body is a definition."""
     digits = chain.printed[1:] or ("",) * len(chain.ops)
     under = frozenset(chain.condition.links if chain.condition else ())
     links = [
@@ -143,7 +145,7 @@ def _links(chain: Relations) -> list[Link]:
 
 @dataclass
 class _Statement:
-    """What one claim says: its relations as trees, its printed numbers."""
+    """What a claim states: its relations as trees, and its printed numbers."""
 
     given: Given
     relations: list[tuple[Expr, str, Expr]]
@@ -151,7 +153,7 @@ class _Statement:
 
 
 def _statements(claim: Claim) -> Iterator[_Statement]:
-    """The claim's relations under its own conditions; a conjunction's parts under theirs."""
+    """Yield the claim's relations with its conditions; parts of a conjunction have their own."""
     says: list[Any] = [claim.says]
     numbers: list[str] = []
     if isinstance(claim.statement, Rounds):
@@ -161,12 +163,12 @@ def _statements(claim: Claim) -> Iterator[_Statement]:
         if isinstance(claim.proof, AllOf):
             for part in claim.proof.claims:
                 yield from _statements(part)
-    trees = [_tree(relation) for said in says for relation in _relations(said)]
+    trees = [_tree(relation) for statement in says for relation in _relations(statement)]
     yield _Statement(_conditions(claim), [tree for tree in trees if tree is not None], numbers)
 
 
 def _conditions(claim: Claim) -> Given:
-    """The claim's conditions, as far as they are comparisons of elementary expressions."""
+    """Return the claim's conditions that are comparisons of elementary expressions."""
     given = Given()
     for condition in claim.given:
         try:
@@ -177,7 +179,7 @@ def _conditions(claim: Claim) -> Given:
 
 
 def _relations(says: Any) -> list[Any]:
-    """The SymPy relations in a statement: of a tuple, a conjunction, an equivalence."""
+    """Yield the SymPy relations in a tuple, a conjunction or an equivalence."""
     from sympy import And, Equivalent, MatrixBase, Tuple
     from sympy.core.relational import Relational
 
@@ -200,7 +202,7 @@ def _tree(relation: Any) -> tuple[Expr, str, Expr] | None:
 
 
 def _says(statement: _Statement, link: Link, left: Expr, right: Expr) -> bool:
-    """Whether a claim says a link, the sides of which are read so."""
+    """Return whether a claim states the link."""
     if link.digits and any(printed(link.digits) == printed(n) for n in statement.numbers):
         return True
     given, relations = statement.given, statement.relations

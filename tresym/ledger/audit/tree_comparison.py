@@ -1,7 +1,7 @@
 """Compare the tree read from LaTeX with the tree of a claim.
 
-Trees are compared by balls at exact points, and what binds a variable part by part, under one name
-for the variable of both.
+Trees are compared in ball arithmetic at exact points. Nodes that bind a variable are compared part
+by part, with a common name for their variables.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ from tresym.reals.numbers.arithmetic import ball_precision
 
 BITS = 192
 ENOUGH = 5
-"""Points at which both sides are defined and agree before two expressions count as the same."""
+"""Number of points at which two expressions must be defined and agree to count as equal."""
 AT_LEAST = 3
 TRIES = 120
 SMALL = 1e-12
@@ -42,10 +42,10 @@ _SLOPE = re.compile(r"(d|partial)(\w+?)_(?:d|partial)(\w+)")
 
 
 def of_claim(e: Any) -> Expr:
-    """What a claim says, from SymPy; the value of a symbol that stands for a function is a symbol.
+    """Return the trees of a claim; a symbol that stands for the value of a function stays a symbol.
 
     Raises:
-        InputError: SymPy expressions without a tree.
+        InputError: the claim contains SymPy expressions that have no tree.
     """
     from sympy import Subs, Symbol
 
@@ -61,19 +61,20 @@ def of_claim(e: Any) -> Expr:
 def of_display(
     e: Expr, reads: Mapping[Expr, Expr], functions: Mapping[str, Function] | None = None
 ) -> Expr:
-    """What a display says, comparable with a claim.
+    """Return an expression of a display in a form that can be compared with a claim.
 
     Args:
-        e: as it was read.
-        reads: what the claim writes otherwise.
-        functions: those of which ``∂F/∂x`` is worked out, where it is not a symbol of the claim's.
+        e: the expression as it was read.
+        reads: replacements for notation that the claim writes differently.
+        functions: functions whose derivatives ``∂F/∂x`` are carried out, unless the claim has a
+            symbol for them.
     """
     e = replaced(_claims_names(e), {_claims_names(k): _claims_names(v) for k, v in reads.items()})
     return _values_held(_slopes_opened(e, functions) if functions else e)
 
 
 def _claims_names(e: Expr) -> Expr:
-    """Names that text reserves end in an underscore there, and not in claims."""
+    """Remove the underscore from names that are reserved in text but not in claims."""
     reserved = (name for name in symbols(e) if name.endswith("_"))
     return substitute(e, {name: symbol(name.rstrip("_")) for name in reserved})
 
@@ -103,7 +104,7 @@ def _slopes_opened(e: Expr, functions: Mapping[str, Function]) -> Expr:
 
 
 def same(x: Expr, y: Expr, given: Given) -> bool:
-    """Whether two trees agree under the conditions."""
+    """Return whether two trees agree under the conditions."""
     if x == y:
         return True
     x, y = worked_out(x), worked_out(y)
@@ -115,7 +116,7 @@ def same(x: Expr, y: Expr, given: Given) -> bool:
 
 
 def _alike(p: Expr, q: Expr, given: Given) -> bool:
-    """Whether two nodes of one kind agree in all their parts, integrands on their interval."""
+    """Return whether two nodes of one kind agree in all parts, integrands on their interval."""
     if p == q:
         return True
     if (p.op, len(p.names), len(p.args)) != (q.op, len(q.names), len(q.args)):
@@ -131,9 +132,9 @@ def _alike(p: Expr, q: Expr, given: Given) -> bool:
 
 
 def agree(x: Expr, y: Expr, given: Given) -> bool:
-    """Whether balls at exact points of ``given`` overlap wherever both sides are defined.
+    """Return whether balls at exact points of ``given`` overlap wherever both sides are defined.
 
-    Agreement guards against slips of transcription; it is no proof and gives no verdict.
+    Agreement detects transcription errors; it is not a proof and gives no verdict.
     """
     if x == y:
         return True

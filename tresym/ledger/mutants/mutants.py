@@ -1,14 +1,18 @@
 """Generate false variants of claims, which no evidence may prove.
 
-What a claim says is changed (the ends of its chains follow), and each step of its chains alone; see
+This is mutation testing of the verifier. The statement of a claim is changed (and the ends of its
+chains accordingly), and so is each single step of its chains; see
 `tresym.ledger.mutants.mutations` and, for numbers, bounds and orders,
-`tresym.ledger.mutants.number_mutations`. What a claim says is also put to the judge without its
-chain. A definition cannot be false, so what is changed is what others prove by it, and of a
-function that it defines the slope; a conjunction has its parts changed. What is denied at a point
-has its conditions changed too, and what claims deny has those claims changed: then nothing may be
-made of the denial.
+`tresym.ledger.mutants.number_mutations`. The changed statement is also judged without its chain.
 
-A mutant counts only where balls show it violated: γ ≤ 2a differs from γ ≤ a and is true.
+- A definition cannot be false. It is changed, and claims that use it are judged with the changed
+  definition; of an implicitly defined function, the stated derivative is changed.
+- In a conjunction, one part is changed at a time.
+- Of a refutation at a point, the conditions are changed, too; of a sentence that other claims
+  refute, those claims are changed. The changed evidence must no longer refute anything.
+
+A mutant counts only if balls show that it is violated, since a changed statement may still be true:
+γ ≤ 2a differs from γ ≤ a but holds.
 """
 
 from __future__ import annotations
@@ -71,23 +75,24 @@ Variant = Any
 """A changed expression, relation, printed text or function."""
 
 TRIES, INPUT_TRIES = 40, 3
-"""Changes tried at one place to find those that count: few of an input, whose every change is
-looked at over its whole box."""
+"""Changes tried at one place to find those that count; fewer for an input of a number, since each
+change is evaluated over its whole box."""
 EVALUATED_TRIES = 40
-"""Changes tried of what is evaluated over a box, integrals and all."""
+"""Changes tried of a statement that is evaluated over a box, integrals included."""
 LOOSENED, REGION_TRIES, CHARTED_TRIES = 3, 12, 5
-"""Changes of each condition, and of all of them those that are tried; fewer of a chart's."""
+"""Changes per condition, and the total number tried; fewer for bounds on charts."""
 LARGEST = 60
-"""Operations of a denial and its conditions that is also decided without its point."""
+"""Largest size of a refuted statement with its conditions that is also decided without its
+point."""
 DEPENDENTS = 2
-"""At most this many claims are asked to prove something by a changed definition."""
+"""Maximal number of claims that are judged with a changed definition."""
 
 
 @dataclass(frozen=True)
 class Mutant:
     """A false claim made from ``origin`` by one change at one place.
 
-    ``beneath`` are the changed claims that it rests on, foundations first.
+    ``beneath`` are the changed claims that it depends on, dependencies first.
     """
 
     origin: Claim
@@ -108,7 +113,7 @@ class _Spot:
     tries: int = TRIES
 
     def mutants(self, origin: Claim) -> Iterator[tuple[Mutant, ...]]:
-        """For every change that counts, the claims that it makes false."""
+        """Yield, for every change that counts, the claims that it makes false."""
         for variant in islice(self.variants, self.tries):
             claims = self.claims(variant)
             if self.violated(claims[0]):
@@ -125,12 +130,13 @@ def mutants(
     dependents: tuple[Claim, ...] = (),
     made: Callable[[Claim], Iterable[Mutant]] | None = None,
 ) -> Iterator[Mutant]:
-    """Mutants of ``claim`` that balls show violated, the same ones in every run.
+    """Return mutants of a claim that balls show to be violated; the same ones in every run.
 
     Args:
-        wanted: changes to each claim, spread over its places, one or more at each.
-        dependents: claims that use it, for a definition.
-        made: the mutants of a part of a conjunction; by default they are made anew.
+        claim: the claim.
+        wanted: the number of changes, spread over its places, at least one at each.
+        dependents: for a definition, claims that use it.
+        made: the mutants of the parts of a conjunction; None to compute them.
     """
     if isinstance(claim.proof, AllOf | Denied):
         yield from _of_parts(claim, wanted, made or (lambda part: mutants(part, wanted)))
@@ -141,14 +147,14 @@ def mutants(
     for found in (m for place in places for m in islice(place, share)):
         count += 1
         yield from found
-    # Where some places have no more, others make up for them.
+    # If some places have no further changes, more are made at the others.
     rest = (m for place in places for m in place)
     for found in islice(rest, max(0, wanted - count)):
         yield from found
 
 
 def why_few(claim: Claim, dependents: tuple[Claim, ...] = ()) -> str:
-    """Why a claim has fewer mutants than were wanted, for the list of those."""
+    """Return why a claim has fewer mutants than wanted."""
     asked = [*_proving(dependents), *_sloping(dependents)]
     if isinstance(claim.proof, Definition | Root | ImplicitFunction) and not asked:
         return "nothing is proved by this definition directly"
@@ -160,7 +166,7 @@ def why_few(claim: Claim, dependents: tuple[Claim, ...] = ()) -> str:
 def _of_parts(
     claim: Claim, wanted: int, made: Callable[[Claim], Iterable[Mutant]]
 ) -> Iterator[Mutant]:
-    """The conjunction, or the denial, with one part changed; the parts take turns."""
+    """Yield the conjunction or refutation with one part changed, taking the parts in turn."""
     evidence: Any = claim.proof
     parts: tuple[Claim, ...] = evidence.claims
     waiting = [(part, iter(made(part))) for part in parts]
@@ -244,7 +250,7 @@ def _is_refuted(claim: Claim) -> bool:
 
 
 def _nowhere_spot(claim: Claim, says: ForSome) -> _Spot:
-    """That something is nowhere, which is why the claim is refuted, of what is somewhere."""
+    """Change a statement "for some values" that is refuted because its relation holds nowhere."""
 
     def claims(changed: Variant) -> tuple[Claim, ...]:
         return (saying(claim, changed.negated),)
@@ -258,7 +264,7 @@ def _region_spot(
     violated: Callable[[Claim], bool] = _is_violated,
     tries: int = REGION_TRIES,
 ) -> _Spot:
-    """What is said under other conditions: one dropped, turned round, or with other constants."""
+    """Change the conditions: drop one, reverse one, or change its constants."""
     given = claim.given
 
     def variants() -> Iterator[Named]:
@@ -283,7 +289,7 @@ def _formal_spot(claim: Claim, relation: Basic, name: str) -> _Spot:
 
 
 def _charted_spot(claim: Claim) -> _Spot:
-    """Another bound on the region, which fails at an exact point of it."""
+    """Change a bound on a region so that it fails at an exact point."""
 
     def claims(changed: Variant) -> tuple[Claim, ...]:
         return (saying(claim, changed),)
@@ -295,7 +301,7 @@ def _charted_spot(claim: Claim) -> _Spot:
 
 
 def _evaluated_spot(claim: Claim) -> _Spot:
-    """Another statement, which balls refute on the same box."""
+    """Change a statement on a box so that balls refute it on the same box."""
 
     def claims(changed: Variant) -> tuple[Claim, ...]:
         return (saying(claim, changed),)
@@ -307,7 +313,7 @@ def _evaluated_spot(claim: Claim) -> _Spot:
 
 
 def _counterexample_spot(claim: Claim) -> _Spot:
-    """What is denied at the point, changed; also decided without the point."""
+    """Change the statement that is refuted at a point; judge it with and without the point."""
 
     def claims(changed: Variant) -> tuple[Claim, ...]:
         at_point = saying(claim, changed)
@@ -324,7 +330,7 @@ def _counterexample_spot(claim: Claim) -> _Spot:
 
 
 def _condition_spot(claim: Claim, n: int, condition: Basic) -> _Spot:
-    """The sentence under one other condition: as false, where the point satisfies that."""
+    """Change one condition of a refuted sentence; still false if the point satisfies it."""
 
     def claims(changed: Variant) -> tuple[Claim, ...]:
         given = (*claim.given[: n - 1], changed, *claim.given[n:])
@@ -353,13 +359,13 @@ def _chain_spots(claim: Claim, says: Basic, chain: Chain, prefix: str) -> Iterat
 
 
 def _is_plain(chain: Chain) -> bool:
-    """Whether a chain leaves all to the provers, as no chain does."""
+    """Return whether a chain has a single step, which the provers decide directly."""
     (link, *more) = chain
     return not more and link.expression is None and not any(r.theories for r in link.reasons)
 
 
 def _following(chain: Chain, says: Any, changed: Any) -> Chain:
-    """The chain with its last expression, where that is an end of ``says``, changed along."""
+    """Change the last expression of a chain if it is an end of the changed statement."""
     last = chain[-1]
     ends = dict(zip(says.args, changed.args, strict=True))
     return (*chain[:-1], Step(ends.get(last.expression, last.expression), last.reasons))
@@ -372,7 +378,7 @@ def _start(says: Any) -> Basic:
 
 
 def _step_spots(claim: Claim, start: Basic, chain: Chain, prefix: str) -> Iterator[_Spot]:
-    """Each expression of a chain, changed alone and claimed to follow from the one before."""
+    """Change each expression of a chain alone, claimed to follow from the one before."""
     before = start
     for n, link in enumerate(chain, 1):
         if link.expression is None:
@@ -388,7 +394,7 @@ def _step_spots(claim: Claim, start: Basic, chain: Chain, prefix: str) -> Iterat
 
 
 def _root_spots(claim: Claim, proof: UniqueRoot, root: ExactlyOne) -> Iterator[_Spot]:
-    """The equation, the ends, and the chain of the derivative."""
+    """Change the equation of a root, its ends, and the chain of the derivative."""
 
     def violated(mutated: Claim) -> bool:
         other: Any = mutated.statement
@@ -414,7 +420,7 @@ def _slope_spots(claim: Claim, chain: Chain, root: ExactlyOne | AtMostOne) -> It
 
 
 def _proving(dependents: tuple[Claim, ...]) -> Iterator[Claim]:
-    """Claims that prove something of a definition they rest on."""
+    """Return claims that prove something about a definition they depend on."""
     kinds = tuple | Together | Formally | Charted | Printed
     return (d for d in dependents if isinstance(d.proof, kinds))
 
@@ -428,7 +434,7 @@ def _spoken_of(claim: Claim) -> set[Basic]:
 
 
 def _definition_spot(claim: Claim, dependent: Claim) -> _Spot:
-    """What a claim proves by a definition, asked of it with the definition changed."""
+    """Change a definition and judge a claim that uses it."""
 
     def claims(changed: Variant) -> tuple[Claim, ...]:
         return (_resting_on(dependent, replace(claim, says=changed)),)
@@ -441,9 +447,9 @@ def _sloping(dependents: tuple[Claim, ...]) -> Iterator[Claim]:
 
 
 def _equation_spot(claim: Claim, dependent: Claim) -> _Spot:
-    """The slope of a function that ``claim`` defines, where the equation for it is changed.
+    """Change the equation that defines a function implicitly, and keep the stated derivative.
 
-    It counts where balls show, at a point of the equation, that the function has another slope.
+    The mutant counts if balls show, at a point of the equation, that the derivative differs.
     """
     proof: Any = dependent.proof
 
@@ -454,7 +460,7 @@ def _equation_spot(claim: Claim, dependent: Claim) -> _Spot:
 
 
 def _other_meanings(says: Basic) -> Iterator[Basic]:
-    """The definition with another right side, or with another integral on its left."""
+    """Yield the definition with a different right side, or a different integral on its left."""
     parts = parts_of(says)
     for n, part in enumerate(parts):
         if not isinstance(part, Eq):
@@ -469,7 +475,7 @@ def _other_meanings(says: Basic) -> Iterator[Basic]:
 
 
 def _falls(claim: Claim) -> bool:
-    """Whether what the claim proves is violated where all that it uses holds."""
+    """Return whether the claim is violated at a point where everything that it uses holds."""
     if isinstance(claim.proof, Printed):
         return no_inputs_give_it(claim)
     if isinstance(claim.proof, Charted):
@@ -478,7 +484,7 @@ def _falls(claim: Claim) -> bool:
 
 
 def _resting_on(claim: Claim, other: Claim) -> Claim:
-    """The claim with evidence that names ``other`` in place of its namesake."""
+    """Return the claim with evidence that names ``other`` instead of the claim with its label."""
 
     def named(claims: tuple[Claim, ...]) -> tuple[Claim, ...]:
         return tuple(other if c.label == other.label else c for c in claims)

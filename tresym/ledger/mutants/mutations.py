@@ -1,7 +1,7 @@
 """Mutations of an expression: one typical slip at a time.
 
-A sign is flipped, a coefficient changed by one, an exponent by one or by the factor 2, two symbols
-or sine and cosine are swapped, a term or a factor is dropped, an inequality is turned round.
+A mutation reverses a sign, changes a coefficient by one or an exponent by one or by the factor 2,
+swaps two symbols or sine and cosine, drops a term or a factor, or reverses an inequality.
 """
 
 from __future__ import annotations
@@ -38,14 +38,15 @@ Changes = Callable[[Basic], Iterable[Basic]]
 
 
 SLIPS = 12
-"""Slips that are tried before other constants are."""
+"""Number of typical slips that are tried before other constants."""
 
 
 def mutations(e: Basic, alike: tuple[Symbol, Symbol]) -> Iterator[Basic]:
-    """``e`` with one change anywhere in it, or two symbols swapped; the first few of all kinds.
+    """Return variants of ``e`` with one change each; the first few are of all kinds.
 
     Args:
-        alike: the symbols of the paper that are most easily taken for each other.
+        e: the expression.
+        alike: the two symbols of the paper that are most easily confused; they are swapped, too.
     """
     a, b = alike
     slips = scattered([((), e.xreplace({a: b, b: a})), *_edits(e, (), _here)])
@@ -59,7 +60,7 @@ def mutations(e: Basic, alike: tuple[Symbol, Symbol]) -> Iterator[Basic]:
 
 
 def _is_alike(e: Basic, changed: Basic) -> bool:
-    """Whether a changed relation is still one: SymPy evaluates some to true or false."""
+    """Return whether the changed relation is still one; SymPy evaluates some to true or false."""
     for kind in (Relational, Equivalent):
         if isinstance(e, kind):
             return isinstance(changed, kind) and len(changed.args) == len(e.args)
@@ -67,7 +68,7 @@ def _is_alike(e: Basic, changed: Basic) -> bool:
 
 
 def _edits(e: Basic, path: Path, here: Changes) -> Iterator[tuple[Path, Basic]]:
-    """Every node of ``e`` with what it can be changed to."""
+    """Yield every node of ``e`` with its possible replacements."""
     for changed in here(e):
         yield path, changed
     for n in _changeable(e):
@@ -82,7 +83,7 @@ def _replaced(e: Basic, path: Path, changed: Basic) -> Basic:
 
 
 def _changeable(e: Basic) -> range:
-    """Which arguments of ``e`` may be changed: not the variables that it binds."""
+    """Return the indices of the arguments that may be changed (not bound variables)."""
     if isinstance(e, Derivative):
         return range(1)
     if isinstance(e, Subs):
@@ -107,7 +108,7 @@ def _rebuilt(e: Basic, args: tuple[Basic, ...]) -> Basic:
 
 
 def _here(e: Basic) -> Iterator[Basic]:
-    """Changes of the outermost operation of ``e``."""
+    """Yield changes of the outermost operation of ``e``."""
     match e:
         case Add():
             for n, term in enumerate(e.args):
@@ -134,7 +135,7 @@ def _here(e: Basic) -> Iterator[Basic]:
 
 
 def _further(e: Basic) -> Iterator[Basic]:
-    """Changes that are tried where slips of the pen are too few: other constants."""
+    """Yield other constants, for expressions with too few typical slips."""
     match e:
         case Rational():
             yield from (e + 2, e - 2, 3 * e)
@@ -146,7 +147,7 @@ def _further(e: Basic) -> Iterator[Basic]:
 
 
 def of_relations(says: Basic) -> Iterator[Basic]:
-    """``says`` with one of its relations turned round, or with another number on the right."""
+    """Yield ``says`` with one relation reversed, or with another number on its right side."""
     parts = says.args if isinstance(says, Tuple) else (says,)
     for change in (_here, _further):
         for n, part in enumerate(parts):
@@ -156,6 +157,6 @@ def of_relations(says: Basic) -> Iterator[Basic]:
 
 
 def scattered(variants: Iterable[Any]) -> list[Any]:
-    """The same in an order in which the first few are of all kinds."""
+    """Reorder the variants so that the first few are of different kinds."""
     numbered = enumerate(variants)
     return [v for _, v in sorted(numbered, key=lambda item: item[0] * 2654435761 % 2**32)]

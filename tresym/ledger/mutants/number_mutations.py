@@ -1,7 +1,7 @@
 """False variants of printed numbers, bounds and orders, with what shows that they are false.
 
-Only balls decide that a changed number, bound or order is false, at points or over a whole box of
-inputs; nothing is shared with the searches that are to refuse it.
+A changed number, bound or order counts as false only if ball arithmetic shows it, at points or over
+the whole box of inputs. The code shares nothing with the searches under test.
 """
 
 from __future__ import annotations
@@ -29,22 +29,22 @@ from tresym.reals.numbers.exact import InputError, Interval, fraction_text, prin
 from tresym.reals.verdict import Verdict
 
 Changes = tuple[str, Iterable[Any], Callable[[Any], Claim]]
-"""A place, the changes that can be made there, and the claim that each makes."""
+"""A place, the changes that can be made there, and the claim that each change produces."""
 
 BITS = 128
 SPLITS = (1, 4, 16)
 CELLS = 16
-"""Pieces that each input of a printed number is cut into, and the most cells they may make."""
+"""Number of pieces of each input of a printed number, and the maximal number of cells."""
 RANGES = 1024
 NEAR = (12, 20, 28)
-"""Where an order is looked at: small parameters 2^−n, with as many bits as follow."""
+"""Exponents n: an order is evaluated at the small parameters 2^−n, with `NEAR_BITS` bits."""
 NEAR_BITS = 640
 LESS = arb("0.9")
 
 
 @dataclass(frozen=True)
 class Named:
-    """A changed function or statement, with the change in words."""
+    """A changed function or statement, with a description of the change."""
 
     text: str
     changed: Any
@@ -59,7 +59,7 @@ class Named:
 def printed_changes(
     claim: Claim, mutations: Callable[[Basic], Iterable[Basic]]
 ) -> Iterator[Changes]:
-    """The unit and the term changed, and digits moved in the number and in every printed input."""
+    """Yield changes of the unit, the term, and the digits of the number and its inputs."""
     says = cast(Rounds, claim.statement)
 
     def stated(term: Basic, text: str) -> Claim:
@@ -84,13 +84,13 @@ def _with(claim: Claim, **changes: Any) -> Claim:
 
 
 def other_units(text: str) -> Iterator[str]:
-    """The same digits in a unit ten times as large, or as small."""
+    """Yield the same digits in a unit ten times as large or as small."""
     digits, _, exponent = text.lower().partition("e")
     yield from (f"{digits}e{int(exponent or 0) + by}" for by in (1, -1, 3, -3))
 
 
 def moved_digits(text: str) -> Iterator[str]:
-    """Each digit before the exponent by one, leading ones first, the sign, then by more."""
+    """Yield variants of a decimal: each digit changed by one, the sign, then larger changes."""
     places = [n for n, c in enumerate(text.lower().partition("e")[0]) if c.isdigit()]
     for by in range(1, 10):
         for n in places:
@@ -102,7 +102,7 @@ def moved_digits(text: str) -> Iterator[str]:
 
 
 def no_inputs_give_it(claim: Claim) -> bool:
-    """Whether balls over pieces of the box of inputs all miss the printed interval."""
+    """Return whether no inputs in the box give a value in the printed interval."""
     says = cast(Rounds, claim.statement)
     interval = printed(says.text)
     half = interval.width / 2 * says.half_units
@@ -116,7 +116,7 @@ def no_inputs_give_it(claim: Claim) -> bool:
 
 @lru_cache(maxsize=RANGES)
 def _values(term: Basic, given: tuple[Basic, ...], proof: Printed, pieces: int) -> tuple[arb, ...]:
-    """Balls for the term over cells that cover its inputs; none where they are too many."""
+    """Yield balls for the term on cells that cover the box; none if there are too many."""
     claim = Claim("changed", "", proof, given=given, means=Rounds(term, "0"))
     try:
         number = number_of(claim)
@@ -137,7 +137,7 @@ def _pieces(side: Interval, pieces: int) -> list[arb]:
 
 
 def _in_words(claim: Claim) -> Claim:
-    """The claim without its formula, of which changed evidence says nothing."""
+    """Return the claim without its formula, so that changed evidence does not contradict it."""
     return replace(claim, says=str(claim.says), given=())
 
 
@@ -145,9 +145,9 @@ def _in_words(claim: Claim) -> Claim:
 
 
 def bound_changes(claim: Claim) -> Iterator[Changes]:
-    """Each margin, alone: negated, or lowered by twice its size at the centre or at a corner.
+    """Yield the evidence with one margin changed: negated, or lowered by twice its size at a point.
 
-    What is claimed is that the changed margin is positive on the box, no more and no less.
+    The mutant states that the changed margin is positive on the box.
     """
     proof = cast(Boxes, claim.proof)
     for n, bound in enumerate(proof.bounds, 1):
@@ -160,19 +160,19 @@ def bound_changes(claim: Claim) -> Iterator[Changes]:
 
 
 def bounds_fail(claim: Claim) -> bool:
-    """Whether a ball shows one of the bounds violated at a point of its box."""
+    """Return whether a ball shows that one of the bounds is violated at a point of its box."""
     bounds = cast(Boxes, claim.proof).bounds
     with ball_precision(BITS):
         return any(bound_fails(bound, p) for bound in bounds for p in _places(bound.box))
 
 
 def bound_fails(bound: Bound, point: BoxPoint) -> bool:
-    """Whether a ball shows the bound violated at ``point``."""
+    """Return whether a ball shows that the bound is violated at ``point``."""
     return bool(value_at(bound.margin, point) < 0)
 
 
 def _places(region: Box) -> list[BoxPoint]:
-    """The centre of the box, then points near its corners."""
+    """Yield the centre of the box, then points near its corners."""
     inward = [(s.low + s.width / 2**32, s.high - s.width / 2**32) for s in region]
     centre = tuple(side.middle for side in region)
     return list(dict.fromkeys((centre, *product(*inward))))
@@ -195,9 +195,9 @@ def _lowered(bound: Bound) -> Iterator[Named]:
 
 
 def order_changes(claim: Claim) -> Iterator[Changes]:
-    """The order of what is left out, and what is not left out, in other powers.
+    """Yield changes of the power of the remainder, and of the terms that are kept.
 
-    Of an order that is refuted on a path only smaller ones: they are false with it.
+    For an order that is refuted on a path, only smaller orders are generated; they are false, too.
     """
     says = claim.statement
     if isinstance(says, As):
@@ -207,7 +207,7 @@ def order_changes(claim: Claim) -> Iterator[Changes]:
 
 
 def is_refuted(claim: Claim) -> bool:
-    """Whether the claim is one that its evidence refutes."""
+    """Return whether the evidence is meant to refute the claim."""
     return claim.expect is Verdict.REFUTED
 
 
@@ -232,7 +232,7 @@ def _orders(says: As, claim: Claim) -> Iterator[As]:
 
 
 def order_fails(claim: Claim) -> bool:
-    """Whether balls show it: nearer and nearer the ratio grows, or for o does not shrink."""
+    """Return whether balls show that the ratio grows (for o: does not shrink) near the limit."""
     says = claim.statement
     stated = ordered(says.args[0]) if isinstance(says, As) else None
     if stated is None or not isinstance(says, As) or not isinstance(says.args[1], Symbol):

@@ -25,15 +25,15 @@ from tresym.reals.resource_limits import time_limit
 from tresym.reals.verdict import Verdict
 
 SECONDS = 0.5
-"""Processor time that a mutant's evidence gets, or twice as much as the claim's own, if more."""
+"""CPU seconds for the evidence of a mutant, or twice the time of the claim's own, if more."""
 MUTANTS = 5
-"""Changes that are tried on each claim, one or more at each place of it."""
+"""Changes per claim, at least one at each of its places."""
 BATCH = 4
-"""Claims that a process takes at once: neighbours, which share the mutants of their parts."""
+"""Number of consecutive claims per task of a process; neighbours share mutants of their parts."""
 
 
 class Slip(NamedTuple):
-    """A mutant in words."""
+    """A mutant, described in words."""
 
     label: str
     place: str
@@ -42,54 +42,54 @@ class Slip(NamedTuple):
 
 @dataclass(frozen=True)
 class MutantRow:
-    """What became of the mutants of one claim."""
+    """The results for the mutants of one claim."""
 
     label: str
     counts: dict[str, int]
-    """How many got each verdict; all are always present."""
+    """The number of mutants with each verdict."""
     survivors: tuple[Slip, ...]
-    """Mutants that were PROVED or ENCLOSED, or denied something: there must be none."""
+    """Mutants that were accepted (PROVED, ENCLOSED, or still refuting something): must be empty."""
     stopped: tuple[Slip, ...]
-    """Mutants that the evidence let through and the advocate alone stopped, UNDECIDED: none too."""
+    """Mutants that passed and were stopped only by the independent check: must be empty, too."""
     changes: int
-    """How many changes made them: one change may be judged with and without its chain."""
+    """The number of changes; one change may give two mutants, with and without the chain."""
     why_few: str = ""
-    """Why there are fewer changes than wanted; empty where there are not."""
+    """Why there are fewer changes than wanted; empty if there are not."""
 
     @property
     def total(self) -> int:
-        """How many mutants were judged."""
+        """The number of mutants judged."""
         return sum(self.counts.values())
 
 
 @dataclass(frozen=True)
 class MutantReport:
-    """The score of the verifier against mutants, a row per claim that has any."""
+    """The results of mutation testing, one row for each claim that has mutants."""
 
     rows: tuple[MutantRow, ...]
 
     @property
     def counts(self) -> dict[str, int]:
-        """How many mutants got each verdict."""
+        """The number of mutants with each verdict."""
         return {v.value: sum(row.counts[v.value] for row in self.rows) for v in RULINGS}
 
     @property
     def survivors(self) -> tuple[Slip, ...]:
-        """Every mutant that was believed."""
+        """The mutants that were accepted; there must be none."""
         return tuple(mutant for row in self.rows for mutant in row.survivors)
 
     @property
     def stopped(self) -> tuple[Slip, ...]:
-        """Every mutant that only the advocate stopped."""
+        """The mutants that passed the evidence and were stopped by the independent check only."""
         return tuple(mutant for row in self.rows for mutant in row.stopped)
 
     @property
     def few(self) -> tuple[MutantRow, ...]:
-        """The claims with fewer changes than wanted, with the reason."""
+        """The claims with fewer changes than wanted, with the reasons."""
         return tuple(row for row in self.rows if row.why_few)
 
     def as_json(self) -> dict[str, Any]:
-        """The report as `tresym verify --mutants --json` prints it."""
+        """Return the report as `tresym verify --mutants --json` prints it."""
         return {
             "version": JSON_VERSION,
             "workload": "mutants",
@@ -111,19 +111,19 @@ def verify_mutants(
     on_row: Callable[[MutantRow], None] | None = None,
     workers: int = 1,
 ) -> MutantReport:
-    """Judge mutants of every claim, or of those named by ``labels``: none may hold.
+    """Judge mutants of all claims, or of those with these labels; none may pass.
 
-    With those of every claim, the falsehoods that are planted for the guards of the judge. What a
-    mutant rests on, and is not changed, is taken to be what it is expected to be.
+    If all claims are asked for, the seeded faults that test the guards of the judge are included.
+    Unchanged claims that a mutant depends on are assumed to have their expected verdicts.
 
     Args:
-        labels: labels of claims; none means all.
-        wanted: changes to each claim, spread over its places, one or more at each.
-        on_row: called with each row as it is found, for progress.
-        workers: processes to judge in; with 1, this very process.
+        labels: labels of claims; all if empty.
+        wanted: the number of changes per claim, spread over its places, at least one at each.
+        on_row: called with each row as soon as it is known, or None.
+        workers: the number of processes; 1 uses the current process.
 
     Raises:
-        InputError: a label that no claim has, or processes that keep dying.
+        InputError: no claim has one of the labels, or worker processes die repeatedly.
     """
     asked = tuple(labels)
     chosen = [claim.label for claim in choose(asked) if not asked or claim.label in asked]
@@ -154,7 +154,7 @@ def _rows(labels: list[str], wanted: int, workers: int) -> Iterator[MutantRow]:
 
 
 def rows_of(labels: tuple[str, ...], wanted: int) -> list[MutantRow]:
-    """What becomes of the mutants of the claims with these labels, in this process."""
+    """Judge the mutants of the claims with these labels in the current process."""
     claims = paper.all_claims()
     using = _dependents(claims)
     found = {claim.label: Finding(claim.expect, "as expected") for claim in claims}
@@ -185,12 +185,12 @@ def _row(
 
 @cache
 def _mutants_of(claim: Claim, wanted: int, dependents: tuple[Claim, ...] = ()) -> Kept[Mutant]:
-    """The mutants of a claim; conjunctions share those of their parts."""
+    """Return the mutants of a claim; conjunctions reuse those of their parts."""
     return Kept(lambda: mutants(claim, wanted, dependents, lambda part: _mutants_of(part, wanted)))
 
 
 def _planted_row(claim: Claim) -> MutantRow:
-    """What became of a planted falsehood, with all that it rests on."""
+    """Judge a seeded fault together with the claims that it depends on."""
     found: dict[str, Finding] = {}
     for used in (*claim.rests_on, claim):
         found[used.label] = judge(used, found)
@@ -207,15 +207,15 @@ def _believed(claim: Claim, verdict: Ruling) -> bool:
 
 
 def _survives(mutant: Mutant, verdict: Ruling) -> bool:
-    """Whether a false variant is believed: it holds, or what is false still denies something."""
+    """Return whether a false variant is accepted: it passes, or still refutes something."""
     denies = isinstance(mutant.claim.proof, Denied)
     return verdict.holds or (denies and verdict is Verdict.REFUTED)
 
 
 def _judge_mutant(mutant: Mutant, found: dict[str, Finding]) -> Finding:
-    """The finding on a mutant, where the changed claims it rests on are judged first.
+    """Return the finding on a mutant, after judging the changed claims that it depends on.
 
-    A conjunction with a part that is refuted is false, whatever else says that it is no ledger.
+    A conjunction with a refuted part is false, even if the definitions also conflict.
     """
     changed = dict(found)
     for claim in mutant.beneath:
@@ -229,7 +229,7 @@ def _judge_mutant(mutant: Mutant, found: dict[str, Finding]) -> Finding:
 
 
 class _NotBelievedError(BaseException):
-    """The evidence has had its time."""
+    """The time limit for the evidence was reached."""
 
 
 _once: dict[int, tuple[Claim, Finding]] = {}
@@ -237,9 +237,10 @@ _once: dict[int, tuple[Claim, Finding]] = {}
 
 
 def _judged(claim: Claim, found: dict[str, Finding]) -> Finding:
-    """The finding on a changed claim, once: not believed where its evidence takes too long.
+    """Return the finding on a changed claim (cached); a timeout counts as not accepted.
 
-    What the judge leaves open, as two definitions of one symbol, may still be false at a point.
+    If the judge is undecided, for example because definitions conflict, a counterexample is
+    searched for.
     """
     if id(claim) not in _once:
         label = claim.label
@@ -256,11 +257,11 @@ def _judged(claim: Claim, found: dict[str, Finding]) -> Finding:
 
 
 _allowed: dict[str, float] = {}
-"""Processor time for mutants of claims of which one took too long."""
+"""CPU seconds for mutants of a claim after one of them took too long."""
 
 
 def _own_seconds(label: str) -> float:
-    """Processor time of a claim's own evidence."""
+    """Return the CPU time that the claim's own evidence takes."""
     claims = paper.all_claims()
     began = process_time()
     judge_evidence(next(claim for claim in claims if claim.label == label))
@@ -276,7 +277,7 @@ def _within(seconds: float, claim: Claim, found: dict[str, Finding]) -> Finding 
 
 
 def _dependents(claims: tuple[Claim, ...]) -> dict[Claim, tuple[Claim, ...]]:
-    """For every claim those that name it as evidence, in order."""
+    """Return for every claim those that name it as evidence, in order."""
     found: dict[Claim, list[Claim]] = {claim: [] for claim in claims}
     for claim in claims:
         for used in claim.uses:

@@ -1,6 +1,7 @@
 """Seeded faults: false statements that pass if a guard of the judge is missing.
 
-They are judged with the mutants: a verifier that believes one has lost that guard.
+They are judged together with the mutants. If one is accepted, the guard that should refuse it is
+missing.
 """
 
 from __future__ import annotations
@@ -38,7 +39,7 @@ HALF = Rational(1, 2)
 
 
 def planted() -> Iterator[Claim]:
-    """Each false claim, with evidence that only a guard of the judge refuses."""
+    """Return the false claims, each with evidence that only one guard of the judge refuses."""
     yield from _of_integrals()
     yield from _of_definitions()
     yield from _of_evidence()

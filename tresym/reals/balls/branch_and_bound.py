@@ -1,14 +1,14 @@
-"""Branch and bound in ball arithmetic: decide inequalities on boxes.
+"""Decide inequalities on boxes by branch and bound in ball arithmetic.
 
-A *margin* is a plain function of balls (last argument the arithmetic) that a claim makes positive
-on a box with rational sides. The search halves boxes until each one is closed: because the ball of
-the margin over it is positive, or because its mean-value form with monotone coordinates moved to
-their lower side is. What it finds is a :class:`BoxProof`, a bisection tree that can be stored,
-re-checked without any search, and found anew.
+A *margin* is a plain function of balls (its last argument is the arithmetic) that is positive on a
+box with rational sides if the claim holds. The search bisects the box until each part is closed. A
+part is closed if the ball of the margin over it is positive, or if its mean-value form is, with the
+coordinates in which it is monotone set to their lower side. The result is a :class:`BoxProof`: a
+bisection tree that can be stored, checked again without a search, and found anew.
 
-Unbounded regions enter through charts (a coordinate 1/a, say), so that infinity is an edge; a
-corner is closed because the margin is positive there too. An edge where the margin tends to 0 is
-never closed: divide it out first.
+Unbounded regions are mapped to boxes by charts (with a coordinate 1/a, for example), so that
+infinity becomes an edge. The margin must be positive on the closed box. Where it tends to 0 at an
+edge, the search cannot succeed, and the vanishing factor must be divided out first.
 """
 
 from __future__ import annotations
@@ -33,42 +33,49 @@ BY_BALL = "b"
 BY_SLOPES = "m"
 AXES = "xyzw"
 SMALLEST = fmpq(1, 2**40)
-"""The search ends at a box whose longest side is this part of the whole: it touches zero there."""
+"""The search stops at a box of this relative size, since the margin probably touches zero there."""
 
 
 FINE = 512
-"""Bits at which a formula must differ at two points: flat ones differ by little."""
+"""The precision in bits at which a margin must differ at two points, as it may be nearly flat."""
 SLENDER = 2**8
-"""No box is made longer than this times its width, both as parts of the whole."""
+"""The maximal ratio of the relative lengths of two sides of a box."""
 
 
 class CertificateError(ValueError):
-    """A stored box proof that is malformed or does not prove its bound."""
+    """Raised for a stored box proof that is malformed or does not prove its bound."""
 
 
 def box(*sides: tuple[Any, Any]) -> Box:
-    """The box with these sides; ends are exact (text, integers, fractions).
+    """Return the box with these sides.
+
+    Args:
+        sides: pairs of exact ends (text, integers or fractions).
 
     Raises:
-        ValueError: a side whose ends are out of order.
+        ValueError: the lower end of a side is above its upper end.
+
+    Example:
+        >>> box((0, "1/2"))[0].middle
+        1/4
     """
     made = tuple(Interval(as_rational(low), as_rational(high)) for low, high in sides)
     if any(side.low > side.high for side in made):
-        raise ValueError("the ends of a side are out of order")
+        raise ValueError("a side of the box has its lower end above its upper end; swap the ends")
     return made
 
 
 @dataclass(frozen=True)
 class Bound:
-    """The statement: ``margin(x₁, …, x_n, m) > 0`` for every point of ``box``.
+    """The statement ``margin(x₁, …, x_n, m) > 0`` for every point of ``box``.
 
     Attributes:
-        margin: function of n balls and the arithmetic.
+        margin: a function of n balls and the arithmetic.
         box: the closed box.
-        slopes: whether mean-value forms are tried too (the margin must run on gradients).
-        precision: working precision in bits.
-        sufficient: whether the margin only suffices for what is claimed. A point at which it is
-            negative then refutes nothing, and the search ends open.
+        slopes: whether mean-value forms are also tried; the margin must then accept gradients.
+        precision: the working precision in bits.
+        sufficient: whether a positive margin is only sufficient for the claim. A point with a
+            negative margin then refutes nothing, and the search ends undecided.
     """
 
     margin: Margin
@@ -80,10 +87,10 @@ class Bound:
 
 @dataclass(frozen=True)
 class BoxProof:
-    """A bisection tree in prefix order, one letter a node.
+    """A bisection tree in prefix order, with one letter per node.
 
-    ``x``, ``y``, ``z``, ``w`` halve the box along that axis; ``b`` closes it because the ball of
-    the margin over it is positive, ``m`` because the mean-value form is.
+    The letters ``x``, ``y``, ``z`` and ``w`` bisect the box along that axis. The letter ``b``
+    closes it because the ball of the margin is positive, and ``m`` because the mean-value form is.
     """
 
     tree: str
@@ -91,7 +98,7 @@ class BoxProof:
 
     @property
     def leaves(self) -> int:
-        """The number of boxes closed."""
+        """Return the number of closed boxes."""
         return self.tree.count(BY_BALL) + self.tree.count(BY_SLOPES)
 
 
@@ -106,18 +113,23 @@ class Counterexample:
 
 @dataclass(frozen=True)
 class Open:
-    """Nothing is shown, for lack of budget or of a better margin; ``worst`` stayed open."""
+    """No result, for lack of budget or of a sharper margin; ``worst`` is a box left unclosed."""
 
     worst: Box
     verdict: ClassVar = Verdict.UNDECIDED
 
 
 def inconsistent(function: Margin, region: Box, slopes: bool = False) -> str | None:
-    """Why ``function`` is none of its coordinates in balls, or None; at the working precision.
+    """Return why ``function`` is not a valid margin, or None if no fault is found.
 
-    It must not be constant, and what it gives over a small box must hold what it gives at points of
-    it: a margin that compares floats, forgets radii or goes by the type of what it is given does
-    not.
+    The function must not be constant, and its ball over a small box must contain its values at
+    points of the box. A function that compares floats, drops radii or depends on the types of its
+    arguments fails this test.
+
+    Args:
+        function: the margin.
+        region: the box.
+        slopes: whether the derivatives are tested as well.
     """
     start = tuple(side.middle for side in region)
     end = tuple((side.low + 3 * side.high) / 4 for side in region)
@@ -125,7 +137,7 @@ def inconsistent(function: Margin, region: Box, slopes: bool = False) -> str | N
     here = tuple(Interval(p, q) for p, q in zip(start, near, strict=True))
     values = [value_at(function, start), value_at(function, near), function(*_sides(here), balls)]
     if not all(isinstance(v, arb) for v in values):
-        return "the formula gives no ball"
+        return "the formula does not return a ball"
     if start == near or not all(v.is_finite() for v in values):
         return None
     first, second, whole = values
@@ -134,24 +146,29 @@ def inconsistent(function: Margin, region: Box, slopes: bool = False) -> str | N
             if value_at(function, start).mid() == value_at(function, near).mid():
                 return "the formula does not depend on its coordinates"
     if not (whole.overlaps(first) and whole.overlaps(second)):
-        return "the formula over a box does not hold its values there"
+        return "the ball of the formula over a box does not contain its values at points of the box"
     if slopes:
         rates = _slopes(function, here)
         steps = [rate * arb(q - p) for rate, p, q in zip(rates, start, near, strict=True)]
         if not (second - first).overlaps(sum(steps, arb(0))):
-            return "the formula's slopes are not those of its values"
+            return "the derivatives of the formula do not agree with its values"
     return None
 
 
 def decide_bound(
     bound: Bound, budget: int = 20_000, stored: BoxProof | None = None
 ) -> BoxProof | Counterexample | Open:
-    """A proof of the bound, a point that refutes it, or neither, found in ``budget`` boxes.
+    """Return a proof of the bound, a point that refutes it, or neither.
 
-    What is called a proof has been checked, whether it was stored or found.
+    Every proof that is returned has been checked, whether it was stored or found.
+
+    Args:
+        bound: the statement.
+        budget: the maximal number of boxes that are examined.
+        stored: a proof found earlier, which is checked instead of searching.
 
     Raises:
-        CertificateError: ``stored``, or what was found, does not prove the bound.
+        CertificateError: ``stored``, or the result of the search, does not pass the check.
     """
     found = stored or _found(bound, budget)
     if isinstance(found, BoxProof):
@@ -160,7 +177,9 @@ def decide_bound(
         with ball_precision(bound.precision):
             inside = all(s.holds(x) for s, x in zip(bound.box, found.point, strict=True))
             if not (inside and value_at(bound.margin, found.point) < 0):
-                raise CertificateError("the bound does not fail at the point that was found")
+                raise CertificateError(
+                    "the margin is not negative at the counterexample that was found"
+                )
     return found
 
 
@@ -174,7 +193,7 @@ def _found(bound: Bound, budget: int) -> BoxProof | Counterexample | Open:
 
 
 def _negative(bound: Bound, point: BoxPoint, value: arb) -> Counterexample | Open:
-    """What a point with a negative margin shows: where the margin only suffices, nothing."""
+    """Return what a point with a negative margin shows; nothing if the margin only suffices."""
     if bound.sufficient:
         return Open(tuple(Interval(x, x) for x in point))
     return Counterexample(point, value)
@@ -209,7 +228,7 @@ def _search(bound: Bound, budget: int) -> BoxProof | Counterexample | Open:
 
 
 def recheck(bound: Bound, proof: BoxProof) -> None:
-    """Check a stored proof: replay the tree and close every box again, with no search.
+    """Check a stored proof: replay the tree and close every box again, without a search.
 
     Raises:
         CertificateError: the tree is malformed, or a box does not close.
@@ -226,17 +245,17 @@ def recheck(bound: Bound, proof: BoxProof) -> None:
 
 
 def leaf_boxes(region: Box, proof: BoxProof) -> Iterator[tuple[Box, str]]:
-    """The boxes a proof closes, which together are the region, and the marks that say how.
+    """Yield the boxes that a proof closes, which together form the region, and their marks.
 
     Raises:
         CertificateError: the tree is malformed.
     """
     if not isinstance(proof.tree, str):
-        raise CertificateError("the tree is no text")
+        raise CertificateError("the bisection tree is not a string")
     stack = [region]
     for mark in proof.tree:
         if not stack:
-            raise CertificateError("the tree goes on after its last box")
+            raise CertificateError("the bisection tree continues after its last box")
         here = stack.pop()
         if mark in (BY_BALL, BY_SLOPES):
             yield here, mark
@@ -245,16 +264,16 @@ def leaf_boxes(region: Box, proof: BoxProof) -> Iterator[tuple[Box, str]]:
         else:
             raise CertificateError(f"unknown mark {mark!r} in the tree")
     if stack:
-        raise CertificateError("the tree ends before its last box")
+        raise CertificateError("the bisection tree ends before its last box")
 
 
 def value_at(function: Margin, point: BoxPoint) -> arb:
-    """The ball of the function at a rational point, at the working precision."""
+    """Return the ball of the function at a rational point, at working precision."""
     return function(*(arb(x) for x in point), balls)
 
 
 def halves(here: Box, axis: int) -> tuple[Box, Box]:
-    """The two halves of the box along ``axis``."""
+    """Return the two halves of the box along ``axis``."""
     side, before, after = here[axis], here[:axis], here[axis + 1 :]
     lower, upper = side._replace(high=side.middle), side._replace(low=side.middle)
     return (*before, lower, *after), (*before, upper, *after)
@@ -269,37 +288,37 @@ def _shown(here: Box) -> str:
 
 
 def inner_points(region: Box) -> list[BoxPoint]:
-    """The middle, and what is next to the corners; one point where there is nothing to choose."""
+    """Return the middle and points next to the corners; one point if the box has no sides."""
     middle = tuple(side.middle for side in region)
     return [middle, *(_inner_corners(region) if region else ())]
 
 
 def _inner_corners(region: Box) -> list[BoxPoint]:
-    """The corners, moved inward by 2⁻³² of the sides: an excluded edge yields no witness."""
+    """Return the corners, moved inward by 2⁻³² of the sides, as an edge may be excluded."""
     inset = fmpq(1, 2**32)
     return list(product(*((x.low + x.width * inset, x.high - x.width * inset) for x in region)))
 
 
 def _relative(here: Box, whole: Box, axis: int) -> fmpq:
-    """The length of a side as a part of the whole one."""
+    """Return the length of a side relative to the side of ``whole``."""
     side = whole[axis].width
     return here[axis].width / side if side else fmpq(0)
 
 
 def _longest(here: Box, whole: Box) -> int:
-    """The axis along which ``here`` is longest relative to ``whole``."""
+    """Return the axis along which ``here`` is longest relative to ``whole``."""
     return max(range(len(here)), key=lambda axis: _relative(here, whole, axis))
 
 
 def _slopes(function: Margin, here: Box) -> tuple[arb, ...]:
-    """Enclosures of the partial derivatives over the box."""
+    """Return enclosures of the partial derivatives over the box."""
     return function(*coordinates(_sides(here)), gradients).slopes
 
 
 def _steepest(here: Box, whole: Box, slopes: tuple[arb, ...], longest: int) -> int:
-    """The axis along which the function can vary most, of those not far shorter than the longest.
+    """Return the axis along which the function varies most, among those not much too short.
 
-    The longest where the slopes are unknown: they may be large along one axis however short it is.
+    If the slopes are unknown, the longest axis is returned, since any axis may have a large slope.
     """
     if not all(s.is_finite() for s in slopes):
         return longest
@@ -312,10 +331,11 @@ def _steepest(here: Box, whole: Box, slopes: tuple[arb, ...], longest: int) -> i
 
 
 def _extreme(function: Margin, here: Box, slopes: tuple[arb, ...], lowest: bool) -> arb:
-    """A ball whose lower end bounds the function below on the box (upper end above, for highest).
+    """Return a ball whose lower end is a lower bound of the function on the box.
 
-    Coordinates in which the function is monotone move to the end that matters, which is exact; the
-    others enter by the mean value theorem about their middle, f(m) + Σ ∂ᵢf(box)·(Xᵢ − mᵢ).
+    With ``lowest`` false, the upper end is an upper bound. Coordinates in which the function is
+    monotone are set to the end that matters. For the others, the mean value theorem about their
+    middle is used: f(m) + Σ ∂ᵢf(box)·(Xᵢ − mᵢ).
     """
     point, spread = [], arb(0)
     for side, slope in zip(here, slopes, strict=True):

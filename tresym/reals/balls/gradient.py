@@ -1,10 +1,10 @@
-"""Forward automatic differentiation in ball arithmetic.
+"""Differentiate by forward automatic differentiation in ball arithmetic.
 
-A formula that runs in balls runs here unchanged (last argument ``gradients``) and returns its
-value together with enclosures of all partial derivatives on the box. That is what the mean-value
-form and the monotonicity test of :mod:`tresym.reals.balls.branch_and_bound` need. Where a
-derivative does not exist on the box (a square root at 0, say) its enclosure is not finite, and
-nothing is concluded.
+A formula that accepts balls is called here unchanged, with ``gradients`` as its last argument. It
+returns its value together with enclosures of all partial derivatives on the box. The mean-value
+form and the monotonicity test of :mod:`tresym.reals.balls.branch_and_bound` use them. Where a
+derivative does not exist on the box, such as that of a square root at 0, its enclosure is not
+finite, and nothing is concluded.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from tresym.reals.numbers.arithmetic import balls
 
 
 class Gradient:
-    """A ball and the balls of its partial derivatives."""
+    """A ball together with the balls of its partial derivatives."""
 
     __slots__ = ("slopes", "value")
 
@@ -31,7 +31,9 @@ class Gradient:
         self.slopes = slopes
 
     def chain(self, value: arb, slope: arb) -> Gradient:
-        """The composite with a function of that ``value`` and derivative ``slope`` here."""
+        """Return the composition with a function that has this ``value`` and derivative ``slope``
+        here.
+        """
         return Gradient(value, tuple(slope * s for s in self.slopes))
 
     def __neg__(self) -> Gradient:
@@ -86,7 +88,7 @@ class Gradient:
 def _lifted(
     value: Callable[[arb], arb], slope: Callable[[arb, arb], arb]
 ) -> Callable[[Any, Any], Any]:
-    """A method that applies ``value`` to a ball, and with its ``slope(x, y)`` to a gradient."""
+    """Return a method that applies a function to a ball, or to a gradient by the chain rule."""
 
     def method(_: Any, x: Any) -> Any:
         if isinstance(x, Gradient):
@@ -98,7 +100,7 @@ def _lifted(
 
 
 class Gradients:
-    """The arithmetic of :class:`Gradient`, under the array API's function names."""
+    """The arithmetic of :class:`Gradient`, with the function names of the array API standard."""
 
     @property
     def pi(self) -> arb:
@@ -128,7 +130,14 @@ gradients = Gradients()
 
 
 def coordinates(point: tuple[arb, ...]) -> tuple[Gradient, ...]:
-    """The coordinates of a box as gradients: the i-th has slope 1 in direction i."""
+    """Return the coordinates of a box as gradients; the i-th has derivative 1 in direction i.
+
+    Example:
+        >>> from flint import arb
+        >>> x, y = coordinates((arb(2), arb(3)))
+        >>> (x * y).slopes[0] == 3
+        True
+    """
     n = len(point)
     return tuple(
         Gradient(x, tuple(arb(int(i == j)) for j in range(n))) for i, x in enumerate(point)
@@ -136,22 +145,23 @@ def coordinates(point: tuple[arb, ...]) -> tuple[Gradient, ...]:
 
 
 CANCELLED = 6
-"""Beyond 2^−CANCELLED a point is not near 0: a quotient may stand for its Taylor form."""
+"""For |x| > 2^−CANCELLED the quotient may be used instead of the Taylor form."""
 
 
 @dataclass(frozen=True)
 class Divided:
-    """The function (h(x) − its Taylor polynomial at 0 of degree < p) / x^p, regular at 0.
+    """The function (h(x) − T(x))/xᵖ, with T the Taylor polynomial of h at 0 of degree < p.
 
-    Near 0, where the quotient would lose all digits, it is the Taylor polynomial of the quotient
-    with the remainder ∂ⁿ/n! ∈ h_{n+p}(hull of 0 and x), h_j the j-th Taylor coefficient: the
-    integral form of the remainder, (1/(p−1)!) ∫₀¹ (1−t)^{p−1} h^{(p)}(tx) dt, differentiated.
+    The function is regular at 0. Near 0 the quotient would lose all digits, so the Taylor
+    polynomial of degree < n of the quotient is used there. Its remainder is xⁿ·h_{n+p}, where h_j
+    is the j-th Taylor coefficient of h enclosed on the hull of 0 and x. This follows from the
+    integral form of the remainder, (1/(p−1)!) ∫₀¹ (1−t)^{p−1} h^{(p)}(tx) dt, by differentiation.
 
     Args:
         series: h as a function of an ``arb_series``.
         power: p ≥ 1.
-        near: where |x| is at most this the Taylor form is used, elsewhere the quotient.
-        terms: n, terms kept.
+        near: the Taylor form is used for |x| up to this value, and the quotient elsewhere.
+        terms: n, the number of terms.
     """
 
     series: Callable[[Any], Any]
@@ -160,7 +170,7 @@ class Divided:
     terms: int = 12
 
     def __call__(self, x: Any) -> Any:
-        """The value at a ball, or value and slopes at a gradient; a step where it is traced."""
+        """Return the value at a ball, the value and slopes at a gradient, or a step if traced."""
         if isinstance(x, Traced):
             return Traced(self, (x,))
         if isinstance(x, Gradient):
@@ -171,21 +181,23 @@ class Divided:
         return value if x.is_exact() else value + self._rough(x) * (x - middle)
 
     def meaning(self, x: Expr) -> Expr:
-        """The quotient as a tree, which has a value where x is not 0."""
+        """Return the quotient as a tree, which has a value where x is not 0."""
         h = program(self.series(Traced(None, (0,))), 1).run((x,), trees, lambda *_: None)
         start = self.series(fmpq_series([0, 1], 1, self.power + 1)).coeffs()[: self.power]
         terms = (number(c) * (x**j if j else 1) for j, c in enumerate(start) if c)
         return (h - sum(terms, ZERO)) / x**self.power
 
     def _point(self, x: arb) -> arb:
-        """The value at an exact point; the quotient loses at most p times ``CANCELLED`` bits."""
+        """Return the value at an exact point; the quotient loses at most p times ``CANCELLED``
+        bits.
+        """
         if not abs(x) > arb(2) ** -CANCELLED:
             return self._direct(x)[0]
         start = _expansion(self, ctx.prec)[: self.power]
         return (taylor_coefficients(self.series, x, 1)[0] - horner(start, x)) / x**self.power
 
     def _rough(self, x: arb) -> arb:
-        """The slope over a ball, by few coefficients: h_{p+1} on the hull of 0 and x."""
+        """Return the slope over a ball from few coefficients: h_{p+1} on the hull of 0 and x."""
         rough = taylor_coefficients(self.series, x.union(arb(0)), self.power + 2)[self.power + 1]
         if not abs(x) > self.near / 4:
             return rough
@@ -195,7 +207,9 @@ class Divided:
         return slope.intersection(rough) if slope.is_finite() else rough
 
     def _jet(self, x: arb) -> tuple[arb, arb]:
-        """Value and slope over the ball: the value by the mean value theorem from its middle."""
+        """Return value and slope over the ball, the value by the mean value theorem from its
+        middle.
+        """
         middle = x.mid()
         value, slope = self._direct(middle)
         if x.is_exact():
@@ -206,7 +220,7 @@ class Divided:
         return value + slope * (x - middle), slope
 
     def _direct(self, x: arb) -> tuple[arb, arb]:
-        """Value and slope by the Taylor form near 0 and by the quotient elsewhere."""
+        """Return value and slope, by the Taylor form near 0 and by the quotient elsewhere."""
         p, n = self.power, self.terms
         start = _expansion(self, ctx.prec)
         if abs(x) > self.near:
@@ -221,20 +235,27 @@ class Divided:
 
 @lru_cache(maxsize=256)
 def _expansion(function: Divided, precision: int) -> list[arb]:
-    """The Taylor coefficients at 0 that ``function`` needs, at the working ``precision``."""
+    """Return the Taylor coefficients at 0 that ``function`` needs, at this ``precision``."""
     return taylor_coefficients(function.series, arb(0), function.power + function.terms)
 
 
 def taylor_coefficients(
     function: Callable[[arb_series], arb_series], x: arb, length: int
 ) -> list[arb]:
-    """The Taylor coefficients h⁽ʲ⁾(ξ)/j!, j < ``length``, enclosed for all ξ in the ball ``x``.
+    """Return the Taylor coefficients h⁽ʲ⁾(ξ)/j!, enclosed for all ξ in the ball ``x``.
 
-    FLINT cuts every series at a global length; it is raised here and restored. Where the function
-    is not defined on all of ``x`` the coefficients are NaN.
+    FLINT truncates every series at a global length, which is raised here and restored.
+
+    Args:
+        function: h as a function of an ``arb_series``.
+        x: a ball.
+        length: the number of coefficients.
+
+    Returns:
+        The coefficients for j < ``length``; all NaN if h is not defined on all of ``x``.
 
     Raises:
-        RuntimeError: ``function`` returned a shorter series than asked for.
+        RuntimeError: ``function`` returned a shorter series than requested.
     """
     before = ctx.cap
     ctx.cap = length
@@ -250,7 +271,7 @@ def taylor_coefficients(
 
 
 def horner(coefficients: Sequence[arb], x: arb, total: arb = arb(0)) -> arb:  # noqa: B008
-    """The polynomial with these coefficients and then ``total`` at ``x``."""
+    """Return Σ cⱼ xʲ + ``total``·xⁿ for n coefficients, by Horner's rule."""
     for c in reversed(coefficients):
         total = total * x + c
     return total

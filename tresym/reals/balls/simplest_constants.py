@@ -22,11 +22,16 @@ _KINDS: tuple[tuple[Callable[[arb], arb], Callable[[Expr], Expr]], ...] = (
     (lambda x: x.log(), lambda r: apply("exp", r)),
     (lambda x: x.tan(), lambda r: apply("atan", r)),
 )
-"""Maps of the line under which a point may be a simple rational, with their inverses."""
+"""Maps under which a constant may become a simple rational, with their inverses."""
 
 
 def candidates(worst: Interval, known: Sequence[Expr] = ()) -> Iterator[Expr]:
-    """Exact points that ``worst`` suggests, the simplest of each kind, and those that are known."""
+    """Yield exact points near the interval ``worst``, the simplest ones of each kind.
+
+    Args:
+        worst: the interval in which a point of contact is expected.
+        known: exact points that are yielded first if they lie in the interval.
+    """
     seen: set[Expr] = set()
     for point in known:
         with ball_precision():
@@ -53,7 +58,7 @@ def candidates(worst: Interval, known: Sequence[Expr] = ()) -> Iterator[Expr]:
 
 
 def enclosure(point: Expr) -> tuple[fmpq, fmpq]:
-    """Rationals on both sides of the constant, equal to it where it is rational."""
+    """Return rationals on both sides of the constant, equal to it if it is rational."""
     if point.op == "number":
         return point.args[0], point.args[0]
     with ball_precision(2 * WORKING):

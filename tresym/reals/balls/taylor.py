@@ -1,9 +1,10 @@
-"""Taylor enclosure of a function of one variable on an interval.
+"""Enclose a function of one variable on an interval by Taylor's theorem.
 
     f(m + h) = c₀ + c₁h + … + c_{n−1}h^{n−1} + R hⁿ,
 
-where R is the nth coefficient over the whole interval. Where f is a difference that all but
-vanishes, with all its first derivatives, balls and the mean value theorem see nothing of that.
+where R is the n-th Taylor coefficient over the whole interval. This gives sharp enclosures of a
+difference that nearly vanishes together with its first derivatives, where direct evaluation in
+balls and the mean value theorem are too coarse.
 """
 
 from __future__ import annotations
@@ -30,7 +31,7 @@ _QUOTIENTS = {
 
 
 class _InSeries(Walker):
-    """Taylor coefficients; NaN, or an error of division, where a function is not smooth."""
+    """Compute Taylor coefficients; NaN or ``ZeroDivisionError`` where a function is not smooth."""
 
     def _number(self, x: Any) -> arb_series:
         return x if isinstance(x, arb_series) else arb_series([arb(x)], ctx.cap)
@@ -77,9 +78,18 @@ class _InSeries(Walker):
 
 
 def taylor_value(e: Expr, name: str, x: arb, terms: int = TERMS) -> arb:
-    """A ball that contains ``e`` at every value of its variable in ``x``; NaN where none is found.
+    """Return a ball that contains ``e`` at every value of its variable in ``x``.
 
-    FLINT cuts every series at a global length; it is raised here and restored.
+    FLINT truncates every series at a global length, which is raised here and restored.
+
+    Args:
+        e: the expression.
+        name: its variable.
+        x: a ball.
+        terms: the number of Taylor coefficients before the remainder.
+
+    Returns:
+        The ball; NaN if no enclosure is found.
     """
     middle = x.mid()
     before = ctx.cap

@@ -1,13 +1,13 @@
-"""Trace a formula: record the steps that run in balls as an expression.
+"""Trace a formula: record its steps in balls as an expression.
 
-A formula is a plain function whose last argument is an arithmetic. It is run once, on stand-ins
-that write down what is done to them, and never again: the steps are replayed in balls and in
-gradients, where they bound it, and in trees, where they are what it means. So a formula cannot tell
-one thing to the bounds and another to the reader.
+A formula is a plain function whose last argument is an arithmetic. It is called once, with
+stand-ins for numbers that record every operation. The recorded steps are then replayed in balls and
+in gradients, which gives the bounds, and in trees, which gives the meaning of the formula. So the
+bounds and the displayed formula cannot disagree.
 
-Two kinds of step are more than an operation. A :class:`Named` function has a program of its own in
-balls, and says what the program is about: these are trusted. A :class:`Part` is a formula that is
-worth a name; it is traced like the rest, and can be read as something shorter once that is shown.
+There are two special kinds of steps. A :class:`Named` function has a program of its own in balls
+and a stated meaning; this pair is trusted. A :class:`Part` is a named formula. It is traced like
+any other, but may be displayed in a shorter form once that form is proved.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from flint import arb, fmpq
 from tresym.reals.language.expression import FUNCTIONS, Expr, number, trees
 
 RECORDED = (FUNCTIONS | {"sqrt", "expm1", "log1p"}) - {"abs", "sign", "cbrt"}
-"""The functions that formulas may apply: they are analytic inside of where they are defined."""
+"""The functions that formulas may apply; all are analytic in the interior of their domain."""
 OPERATORS = {
     *(operator.add, operator.sub, operator.mul, operator.truediv, operator.pow, operator.neg)
 }
@@ -31,16 +31,16 @@ Meaning = Callable[..., Expr]
 
 
 class Traced:
-    """A stand-in for a number: what was done, to what."""
+    """A stand-in for a number that records an operation and its operands."""
 
     __slots__ = ("args", "op")
 
     def __init__(self, op: Any, args: tuple[Any, ...]) -> None:
-        """Internal: formulas make these by computing with others."""
+        """Create a record; formulas do so only by computing with other records."""
         self.op, self.args = op, args
 
     def __getattr__(self, name: str) -> Callable[[], Traced]:
-        """A function of this number, called as a method."""
+        """Return a function of this number, to be called as a method."""
         if name not in RECORDED:
             raise AttributeError(name)
         return lambda: Traced(name, (self,))
@@ -76,7 +76,7 @@ class Traced:
         return Traced(operator.neg, (self,))
 
     def __bool__(self) -> bool:
-        raise TypeError("a traced formula cannot go by the values of numbers")
+        raise TypeError("a traced formula cannot branch on the values of its numbers")
 
 
 class Tracing:
@@ -84,11 +84,11 @@ class Tracing:
 
     @property
     def pi(self) -> Traced:
-        """π."""
+        """Return the record of π."""
         return Traced("pi", ())
 
     def __getattr__(self, name: str) -> Callable[[Any], Traced]:
-        """A function, of a number."""
+        """Return a function of one number."""
         if name not in RECORDED:
             raise AttributeError(name)
         return lambda x: Traced(name, (x,))
@@ -99,15 +99,15 @@ tracing = Tracing()
 
 @dataclass(frozen=True, eq=False)
 class Named:
-    """A function with a program of its own in balls, which is trusted.
+    """A function with a trusted program of its own in balls.
 
     Attributes:
-        program: from balls or gradients, to what contains the value at every point of them.
-        meaning: from trees, to the tree of which that is the value; None for a root.
-        image: for a root x: what it is equal to, as a function of x and the arguments. The ball
-            contains every x equal to its image that lies ``between`` the ends.
-        between: for a root, the closed interval.
-        asks: from trees, to what must not be negative.
+        program: maps balls or gradients to an enclosure of the value at every point of them.
+        meaning: maps trees to the tree of the value; None for a root.
+        image: for a root x, the expression it equals, as a function of x and the arguments. The
+            ball contains every solution ``between`` the ends.
+        between: for a root, the closed interval that contains it.
+        asks: maps trees to expressions that must not be negative.
     """
 
     program: Callable[..., Any]
@@ -117,23 +117,23 @@ class Named:
     asks: Callable[..., tuple[Expr, ...]] = lambda *_: ()
 
     def __call__(self, *args: Any) -> Any:
-        """The value, or a step that stands for it."""
+        """Return the value, or a record of this step."""
         if any(isinstance(x, Traced) for x in args):
             return Traced(self, args)
         return self.program(*args)
 
 
 class Part:
-    """A formula that has a name: traced like any other, and known by its name and arguments."""
+    """A named formula; it is traced like any other, and known by its name and arguments."""
 
     def __init__(self, formula: Callable[..., Any]) -> None:
-        """``formula`` is a function of numbers and the arithmetic."""
+        """Name a formula, which is a function of numbers and the arithmetic."""
         self.formula = formula
         self.__doc__ = formula.__doc__
         self.__name__ = formula.__name__
 
     def __call__(self, *args: Any) -> Any:
-        """The value, or a step that stands for it."""
+        """Return the value, or a record of this step."""
         *numbers, m = args
         found = self.formula(*numbers, m)
         return Traced(self, (found, *numbers)) if m is tracing else found
@@ -141,10 +141,10 @@ class Part:
 
 @dataclass(frozen=True)
 class Program:
-    """A traced formula: steps from ``count`` numbers to one, run in any arithmetic.
+    """A traced formula: steps from ``count`` numbers to one number, for any arithmetic.
 
-    Each step has an operation and its operands, which are exact numbers or the places of earlier
-    values; the first ``count`` places hold the arguments.
+    Each step has an operation and operands. An operand is an exact number or the index of an
+    earlier value; the first ``count`` indices are the arguments.
     """
 
     count: int
@@ -152,14 +152,17 @@ class Program:
     end: int
 
     def __call__(self, *point: Any) -> Any:
-        """The value at balls or gradients; the last argument is their arithmetic."""
+        """Return the value at balls or gradients; the last argument is their arithmetic."""
         *numbers, m = point
         return self.run(numbers, m, _in_balls)
 
     def meaning(self, numbers: Sequence[Expr], special: Meaning) -> Expr:
-        """What the value is, as a tree; ``special`` says it of steps that are named.
+        """Return the value as a tree.
 
-        It gets the step, its arguments and, for a part, what gives the meaning of its formula.
+        Args:
+            numbers: the arguments as trees.
+            special: returns the tree of a named step. Its arguments are the step, its arguments,
+                and for a part a function that returns the tree of its formula.
         """
         known = dict(enumerate(numbers))
 
@@ -180,7 +183,7 @@ class Program:
         return found
 
     def run(self, numbers: Sequence[Any], m: Any, special: Callable[..., Any]) -> Any:
-        """The value in an arithmetic, with ``special`` for the steps that have names."""
+        """Return the value in an arithmetic, with ``special`` for the named steps."""
         values = list(numbers)
         for op, operands in self.steps:
             args = tuple([values[x] if inner else x for inner, x in operands])
@@ -195,7 +198,7 @@ def _done(op: Any, args: tuple[Any, ...], m: Any, special: Callable[..., Any]) -
 
 
 def _number(x: Any, m: Any) -> Any:
-    """An exact number as the arithmetic has it."""
+    """Convert an exact number to the arithmetic."""
     if not isinstance(x, int | fmpq):
         return x
     return number(x) if m is trees else arb(x)
@@ -216,10 +219,10 @@ def _function(m: Any, name: str) -> Callable[[Any], Any]:
 
 @lru_cache(maxsize=4096)
 def traced(formula: Callable[..., Any], count: int) -> Program:
-    """The program of a formula of ``count`` numbers and the arithmetic.
+    """Return the program of a formula of ``count`` numbers and the arithmetic.
 
     Raises:
-        TypeError: the formula goes by the values of numbers, or computes with inexact ones.
+        TypeError: the formula branches on the values of numbers, or uses inexact numbers.
     """
     return program(formula(*_places(count), tracing), count)
 
@@ -229,10 +232,10 @@ def _places(count: int) -> list[Traced]:
 
 
 def program(end: Any, count: int) -> Program:
-    """The program that ends at a traced number; equal steps are done once.
+    """Return the program that ends at a traced number; equal steps are executed once.
 
     Raises:
-        TypeError: a number that is not exact stands in the formula, or none that was traced does.
+        TypeError: the formula contains an inexact number, or ``end`` was not traced.
     """
     steps: dict[tuple[Any, tuple[tuple[bool, Any], ...]], int] = {}
     known: dict[int, int] = {}

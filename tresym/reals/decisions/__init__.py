@@ -44,9 +44,9 @@ def check(
         'REFUTED'
     """
     if not (path is None or isinstance(path, str)):
-        raise InputError("path: text such as x -> 0+")
+        raise InputError("path: give text such as x -> 0+")
     if not (limit is None or _is_limit(limit)):
-        raise InputError(f"limit: a number of seconds above 0 and at most {MAX_SECONDS}")
+        raise InputError(f"limit: give a number of seconds above 0 and at most {MAX_SECONDS}")
     if not (isinstance(claim, str) and isinstance(given, str)):
         claim, given, path = read(claim, given, path), "", None  # SymPy evaluates what it copies
     if limit is None:

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 from flint import arb, fmpq
 
 from tresym.reals.decisions.claim_parsing import Comparison, Statement, in_latex
-from tresym.reals.decisions.identity import shown
+from tresym.reals.decisions.identity import with_point
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.expression import Expr
 from tresym.reals.normal.to_expression import normal_form
@@ -148,7 +148,7 @@ class Answer:
         rows.append(("why", self.why))
         if self.witness is not None:
             shown = ", ".join(f"{name} = {value}" for name, value in self.witness.items())
-            rows.append(("witness", shown or "the constants themselves"))
+            rows.append(("witness", shown or "the claim has no variables"))
         if self.values is not None:
             rows.append(("left side", ball_text(self.values[0])))
             rows.append(("right side", ball_text(self.values[1])))
@@ -189,7 +189,7 @@ Decide = Callable[[Comparison, Statement], Answer]
 
 
 def worst(answers: Iterable[Answer]) -> Answer:
-    """What several claims come to together."""
+    """Return the weakest of several answers: REFUTED, then UNDECIDED, ENCLOSED, PROVED."""
     return min(answers, key=lambda found: _WORST.index(found.verdict))
 
 
@@ -198,13 +198,13 @@ def _unspaced(text: str) -> str:
 
 
 def ball_text(ball: Decimal) -> str:
-    """A ball in decimal: exact, or with its radius."""
+    """Return a ball in decimal, with its radius unless it is exact."""
     return ball.mid if ball.rad == "0" else f"{ball.mid} ± {ball.rad}"
 
 
-def exactly(point: Mapping[str, fmpq | Expr]) -> str:
-    """An exact point in words, roots of whole numbers among its coordinates."""
-    return shown(point, exact_text)
+def exactly(sentence: str, point: Mapping[str, fmpq | Expr]) -> str:
+    """Return the sentence followed by an exact point, which may have irrational coordinates."""
+    return with_point(sentence, point, exact_text)
 
 
 def exact_text(value: fmpq | Expr) -> str:
@@ -217,7 +217,7 @@ def exact_text(value: fmpq | Expr) -> str:
 def refuted(
     why: str, point: Mapping[str, fmpq | Expr], left: arb | None = None, right: arb | None = None
 ) -> Answer:
-    """A refutation at an exact point, with both sides there."""
+    """Return a refutation at an exact point, with the values of both sides if they are given."""
     witness = {name: exact_text(value) for name, value in point.items()}
     values = None
     if left is not None and right is not None:
@@ -240,6 +240,6 @@ def _apart(left: arb, right: arb) -> tuple[Decimal, Decimal]:
 
 
 def constant_ball(x: arb) -> Decimal:
-    """The constant of an order statement in decimal."""
+    """Return the constant of an O claim in decimal, to 6 digits."""
     with ball_precision(128):
         return decimal_ball(x, 6)

@@ -144,7 +144,7 @@ class AnswerCache:
                 self._database.close()
         self._database = None
         if sys.stderr is not None:
-            print(f"tresym: the cache {self.path} is not used ({error})", file=sys.stderr)
+            print(f"tresym: continuing without the cache {self.path}: {error}", file=sys.stderr)
 
 
 def _keys(claim: str, given: str, path: str | None, limit: float) -> tuple[bytes, bytes]:

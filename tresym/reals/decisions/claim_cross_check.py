@@ -45,7 +45,7 @@ def attack(
     spent: float,
     anywhere: bool = False,
 ) -> str | None:
-    """What contradicts a comparison that is about to pass, in words, or None.
+    """Return a numerical contradiction to a proved comparison, in words, or None.
 
     Args:
         spent: seconds that its decision took.
@@ -82,7 +82,7 @@ def attack(
 
 
 def with_orders(e: Expr, put: Mapping[str, Expr]) -> Expr:
-    """``e`` with derivatives whose orders are numbers worked out."""
+    """Return ``e`` with ``put`` substituted and derivatives of fixed order carried out."""
     e = substitute(e, put)
     known = {}
     for node in outermost(e):
@@ -109,7 +109,10 @@ def _attack_order(claim: Comparison, statement: Statement, answer: Answer) -> st
             found = value([*at.values(), x])
             if found is not None and abs(found[0]) > constant * abs(found[1]):
                 sides = f"{said(found[0])} and {said(found[1])}"
-                return f"at {where([path.name], [x])} its sides are {sides}, beyond the constant"
+                return (
+                    f"at {where([path.name], [x])} its sides are {sides}, which "
+                    "violates the bound with the constant C"
+                )
     return None
 
 
@@ -122,7 +125,7 @@ def _attack_path(claim: Comparison, statement: Statement, path: Path) -> str | N
         for side in path.sides:
             if fails(Ray(claim, path, side, at, statement.integers)):
                 given = f" for {where([*at], [*at.values()])}" if at else ""
-                return f"numbers near the end of the path show it to fail{given}"
+                return f"numerical values near the end of the path contradict it{given}"
     return None
 
 

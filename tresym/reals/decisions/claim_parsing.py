@@ -52,7 +52,7 @@ ORDERS = ("O", "o", "~", "Theta", "omega")
 LIMIT = "->"
 MAX_CHARACTERS = 30_000
 MAX_PATH = 200
-NO_CHAIN = "an order claim is one relation, and no chain"
+NO_CHAIN = "a limit or an order claim cannot be part of a chain: write one relation at a time"
 
 _WORD = re.compile(r"(?<!\{)\s(?:--)?(given|as)\s(?!\s*\})")
 _LATEX = re.compile(r"[\\{}]")
@@ -61,19 +61,21 @@ _AND = re.compile(r"\band\b|;|&&?|∧")
 _INFINITE = re.compile(r"([-+]?)(?:oo|inf|infinity)")
 _SIDES = {"+": (1,), "-": (-1,), "": (1, -1)}
 _NOT_DECIDED = {
-    "antiderivative": "integral(f, x) is compared with what it is: integral(f, x) == F",
-    "root": "the root of an equation is not decided here",
-    "limit": "a limit is claimed by itself: limit(f, x, a) == L, or f -> L as x -> a",
-    "at": "a value at a point is not decided here: put the point in",
-    "derivative": "the value of a derivative at a point is not decided: write the derivative out",
+    "antiderivative": (
+        "an indefinite integral must be compared with an antiderivative: integral(f, x) == F"
+    ),
+    "root": "claims about the root of an equation are not supported",
+    "limit": "a limit must stand alone on its side: write limit(f, x, a) == L, or f -> L as x -> a",
+    "at": "a value at a point is not supported here: substitute the point yourself",
+    "derivative": "the value of a derivative at a point is not supported: write the derivative out",
     **dict.fromkeys(
-        expression.ORDERS, "O(…) and o(…) stand at the right end of a claim: f == g + O(h)"
+        expression.ORDERS, "O(…) and o(…) belong on the right side of a claim: f == g + O(h)"
     ),
 }
 _ENDS = (INFINITY, -INFINITY)
 VALUED = ("integral", "nth", "sum", "product", "unknown")
 """What may stand in a claim and is worked out when it is decided."""
-_LONE = "the limit stands alone on one side, compared by == with its value"
+_LONE = "a limit must stand alone on one side and be compared by == with its value"
 _ASSUMPTIONS = {
     "is_extended_positive": ">",
     "is_extended_negative": "<",
@@ -120,7 +122,7 @@ class Comparison:
         return frozenset(found.by for found in self.derivatives)
 
     def solved(self, node: Expr) -> Expr | None:
-        """What an equation says that ``node`` is, where it is linear in it."""
+        """Solve the equation for ``node``; None if it is not linear in it."""
         mark = symbol("[S]")
         left, right = (replaced(side, {node: mark}) for side in (self.left, self.right))
         gap = left - right
@@ -186,7 +188,7 @@ class Statement:
 
     @property
     def said(self) -> list[Expr]:
-        """The sides of all conditions."""
+        """Both sides of every condition."""
         pairs = (*((left, right) for left, _, right in self.given.comparisons), *self.equations)
         return [side for pair in pairs for side in pair]
 
@@ -200,7 +202,7 @@ class Statement:
 
     @property
     def under(self) -> str:
-        """All conditions in words."""
+        """The conditions as text, separated by commas."""
         equal = ((left, "==", right) for left, right in self.equations)
         whole = ((symbol(name), "in", INTEGERS) for name in self.integers)
         return chained((*self.given.comparisons, *equal, *whole))
@@ -220,7 +222,7 @@ class _Written(NamedTuple):
 
 
 def in_latex(text: str) -> str:
-    """A claim in the grammar of text, in LaTeX with its conditions and path; empty if not read."""
+    """Return a claim in the grammar of text as LaTeX; empty if it cannot be read."""
     try:
         comparisons, given, path = _written(text, "", None)
     except InputError:
@@ -235,7 +237,7 @@ def in_latex(text: str) -> str:
 
 
 def chained(comparisons: Iterable[Compared]) -> str:
-    """Comparisons in the grammar of text, ``0 < x <= 1`` for two with a side in common."""
+    """Return comparisons as text, with a common side written once, as in ``0 < x <= 1``."""
     text = ""
     last: tuple[Expr | None, str] = (None, "")
     for left, relation, right in comparisons:
@@ -247,7 +249,7 @@ def chained(comparisons: Iterable[Compared]) -> str:
 
 
 def read(claim: Any, given: Any = "", path: str | None = None) -> Statement:
-    """A claim with its conditions.
+    """Read a claim with its conditions and its path.
 
     Args:
         claim: text, LaTeX or a SymPy relation. Text may end in ``given CONDITIONS`` and
@@ -256,13 +258,15 @@ def read(claim: Any, given: Any = "", path: str | None = None) -> Statement:
         path: such as ``"x -> 0+"``.
 
     Raises:
-        InputError: what is not read; one line says why.
+        InputError: the input cannot be read; the message is one line and says what to write.
     """
     written = _written(claim, given, path)
     text = _split(claim)[0] if isinstance(claim, str) else str(claim)
     for _, relation, _ in written.comparisons:
         if relation not in (*RELATIONS.values(), *ORDERS, LIMIT):
-            raise InputError(f"{relation} is no claim: one is made with == != > >= < <= ~ or ->")
+            raise InputError(
+                f"{relation} does not make a claim: use one of == != > >= < <= ~ or ->"
+            )
         if relation in (*ORDERS, LIMIT) and len(written.comparisons) > 1:
             raise InputError(NO_CHAIN)
     shown = str(written)
@@ -313,14 +317,19 @@ def _need_apart(comparisons: Iterable[Comparison], said: Iterable[Compared]) -> 
     heads = {node.args[0].args[0]: len(node.args) for e in trees for node in functions(e)}
     for e in trees:
         for name in symbols(e) & heads.keys():
-            raise InputError(f"{name} is a function and a variable; for a product write {name}*(…)")
+            raise InputError(
+                f"{name} is used both as a function and as a variable; for a "
+                f"product write {name}*(…)"
+            )
         for node in functions(e):
             if len(node.args) != heads[node.args[0].args[0]]:
-                raise InputError(f"{node.args[0].args[0]} has several numbers of arguments")
+                raise InputError(
+                    f"{node.args[0].args[0]} is used with different numbers of arguments"
+                )
 
 
 def functions(e: Expr) -> Iterator[Expr]:
-    """The functions left unknown in ``e``, at their arguments."""
+    """Yield the applications of arbitrary functions in ``e``, such as f(x)."""
     if e.hidden:
         for arg in e.args:
             yield from functions(arg)
@@ -329,7 +338,7 @@ def functions(e: Expr) -> Iterator[Expr]:
 
 
 def implied_integers(trees: Iterable[Expr], known: Iterable[str] = ()) -> tuple[str, ...]:
-    """The variables that are integers because ends of sums, orders and factorials are.
+    """Return the variables that must be integers: in ends of sums, orders and factorials.
 
     Args:
         known: those that are integers already.
@@ -362,7 +371,7 @@ def _integer_places(e: Expr) -> Iterator[Expr]:
 
 
 def read_as(claim: Any, given: Any = "", path: str | None = None) -> str:
-    """The claim with its conditions and path in the grammar; nothing where it is not read.
+    """Return the claim with conditions and path in the grammar of text; empty if unreadable.
 
     Nothing is worked out of it, so that it is at hand also where deciding did not end.
     """
@@ -401,7 +410,10 @@ def _strictly(claim: str, given: Any, path: str | None) -> _Written:
     last = chains[-1] if chains[1:] and chains[-1].ops[0].startswith("->") else None
     said = last or chains[0].condition
     if len(chains) != (2 if last else 1):
-        raise InputError("LaTeX: one claim at a time; conditions follow \\text{for} or go apart")
+        raise InputError(
+            "LaTeX: give one claim at a time; put its conditions after "
+            "\\text{for} or give them separately"
+        )
     if said is not None and said.ops[0].startswith("->"):
         end = _path_of(said)
     elif said is not None:
@@ -412,12 +424,12 @@ def _strictly(claim: str, given: Any, path: str | None) -> _Written:
 def _split(text: str) -> tuple[str, str, str]:
     """The claim, its conditions and its path, quotes around the latter two dropped."""
     if len(text) > MAX_CHARACTERS:
-        raise InputError(f"{len(text)} characters are beyond the limit of {MAX_CHARACTERS}")
+        raise InputError(f"the claim has {len(text)} characters; the limit is {MAX_CHARACTERS}")
     claim, *rest = _WORD.split(text)
     found = {"given": "", "as": ""}
     for word, part in zip(rest[::2], rest[1::2], strict=True):
         if found[word]:
-            raise InputError(f"a claim has one part that begins with the word {word}")
+            raise InputError(f"a claim can have only one part that begins with the word {word}")
         found[word] = part.strip().strip("'\"")
     return claim.strip(), found["given"], found["as"]
 
@@ -465,7 +477,7 @@ def _spread(e: Expr) -> Expr:
 def _limit(left: Expr, relation: str, right: Expr, path: Path | None) -> tuple[Comparison, Path]:
     """``limit(f, x, p) == L`` as ``f -> L`` on its path."""
     if path is not None:
-        raise InputError("a limit has its path in it: write no other")
+        raise InputError("limit(…) states its own path: leave out the other one")
     left, value = (left, right) if left.op == "limit" else (right, left)
     if relation != "==" or not (elementary(value) or is_infinite(value)):
         raise InputError(_LONE)
@@ -490,7 +502,9 @@ def _without_ends(left: Expr, right: Expr) -> Comparison:
         names.add(name)
         known.append(multiply(*factors, instantiate(node.args[0], (node.args[1],))))
     if len(names) != 1:
-        raise InputError("integrals without ends are compared by one variable")
+        raise InputError(
+            "all indefinite integrals of a claim must have the same variable of integration"
+        )
     (by,) = names
     f, function = (worked_out(add(*terms)) for terms in (known, rest))
     for side in (f, function):
@@ -515,7 +529,10 @@ def _derivatives(e: Expr, work: Callable[[Expr], Expr]) -> Iterator[Derivative]:
         place = node.args[-1]
         if node.op in VALUED:
             if not all(map(_is_valued, work(node).args)):
-                raise InputError("what is integrated or summed holds no derivative, limit or order")
+                raise InputError(
+                    "an integrand or summand cannot contain a derivative, a "
+                    "limit or an order term here"
+                )
             continue
         if _is_slope_of_unknown(node):
             continue
@@ -568,7 +585,7 @@ def _path(path: str | None) -> Path | None:
 def _path_of(chain: Relations) -> Path:
     """A path that LaTeX states as ``x \\to 0^+``."""
     if len(chain.ops) != 1 or not chain.ops[0].startswith("->") or chain.terms[0].op != "symbol":
-        raise InputError("LaTeX: a path is written like x \\to 0^+")
+        raise InputError("LaTeX: write a path like x \\to 0^+")
     return _ending(str(chain.terms[0]), chain.terms[1], chain.ops[0][2:])
 
 
@@ -576,7 +593,7 @@ def _ending(name: str, point: Expr, side: str) -> Path:
     if point in (INFINITY, -INFINITY):
         return Path(name, None, (1 if point == INFINITY else -1,))
     if name in symbols(point) or not elementary(point):
-        raise InputError("a path ends at a constant, at a parameter or at oo")
+        raise InputError("a path must end at a constant, at a parameter or at oo")
     return Path(name, point, _SIDES[side])
 
 
@@ -613,14 +630,20 @@ def _from_sympy(claim: Any) -> tuple[Compared, tuple[Compared, ...]]:
     """A SymPy relation, and the assumptions its symbols carry."""
     name = type(claim).__name__
     if name not in RELATIONS:
-        hint = "; SymPy evaluated it: pass evaluate=False" if name.startswith("Boolean") else ""
-        raise InputError(f"{name} is not a claim: give text or a relation such as Eq(f, g){hint}")
+        hint = (
+            "; SymPy evaluated the relation: pass evaluate=False"
+            if name.startswith("Boolean")
+            else ""
+        )
+        raise InputError(
+            f"{name} is not a claim: give text or a SymPy relation such as Eq(f, g){hint}"
+        )
     comparison = unworked(claim.lhs), RELATIONS[name], unworked(claim.rhs)
     conditions = []
     names: set[str] = set()
     for variable in _variables(claim):
         if variable.name in names:
-            raise InputError(f"two different symbols are called {variable.name}")
+            raise InputError(f"two different SymPy symbols are both called {variable.name}")
         names.add(variable.name)
         for assumption, sign in _ASSUMPTIONS.items():
             if getattr(variable, assumption):
@@ -639,12 +662,13 @@ def _variables(claim: Any) -> list[Any]:
     found = atoms(claim, "Symbol")
     for variable in found:
         if variable.is_extended_real is False or variable.is_finite is False:
-            raise InputError(f"{variable.name} is not a real variable, and all variables here are")
+            raise InputError(f"{variable.name} is not real: only real variables are supported")
         for kind in () if variable.is_integer else ("integer", "rational", "algebraic"):
             if variable.assumptions0.get(kind) is not None:
                 raise InputError(
-                    f"whether {variable.name} is {kind} is assumed, and variables here take every "
-                    "real value that their sign allows"
+                    f"the SymPy assumption about whether {variable.name} is "
+                    f"{kind} is not supported: only "
+                    "signs and integer=True are"
                 )
     return found
 
@@ -657,7 +681,7 @@ def read_path(text: str) -> Path:
     """
     match = _PATH.fullmatch(plain(text)) if len(text) <= MAX_PATH else None
     if match is None:
-        raise InputError("a path is written like x -> 0+ (or 0, 0-, 1/2, pi, oo, -oo)")
+        raise InputError("write a path like x -> 0+ (or 0, 0-, 1/2, pi, oo, -oo)")
     name, end = match[1], match[2].replace(" ", "")
     infinite = _INFINITE.fullmatch(end)
     if infinite:
@@ -679,13 +703,15 @@ def _checked(statement: Statement) -> Statement:
         return statement
     if not near and "==" in kinds:
         raise InputError(
-            "a path belongs to O, o, ~, -> and inequalities; of an equation write its conditions"
+            "a path is only for O, o, ~, -> and inequalities; give an equation conditions instead"
         )
     whole = path.name in statement.integers and path.point is not None
     if whole:
-        raise InputError(f"an integer {path.name} tends to oo or -oo alone")
+        raise InputError(f"{path.name} is an integer, so its path must end at oo or -oo")
     said = [*statement.given.names]
     said += [name for sides in statement.equations for e in sides for name in symbols(e)]
     if path.name in said:
-        raise InputError(f"no condition speaks of {path.name}: the path says where the claim holds")
+        raise InputError(
+            f"leave out the conditions on {path.name}: the path says where the claim holds"
+        )
     return statement

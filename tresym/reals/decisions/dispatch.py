@@ -37,21 +37,27 @@ SELDOM = 20_000
 LOOKED_AT = 40
 """Points of the conditions at which it is seen where a claim is defined."""
 _LOOK_ALIKE = {
-    "e": "the number is E",
-    "Pi": "the number is pi",
-    "PI": "the number is pi",
-    "i": "and real as all are",
-    "j": "and real as all are",
+    "e": "not the number 2.718…, which is E",
+    "Pi": "not the number pi",
+    "PI": "not the number pi",
+    "i": "not the imaginary unit; all variables are real",
+    "j": "not the imaginary unit; all variables are real",
 }
 
 
 def decide_claim(claim: Any, given: Any = "", path: str | None = None) -> Answer:
-    """Read a claim, unless it is read already, and decide it.
+    """Decide a claim, after reading it if necessary.
 
-    Arguments are those of :func:`tresym.reals.decisions.claim_parsing.read`.
+    Args:
+        claim: text, LaTeX, a SymPy relation, or a :class:`Statement` that is read already.
+        given: conditions, as for :func:`tresym.reals.decisions.claim_parsing.read`.
+        path: the path of an order claim, such as ``"x -> 0+"``; None for other claims.
+
+    Returns:
+        The verdict with its reason. A chain has the weakest verdict of its comparisons.
 
     Raises:
-        InputError: the claim is not read.
+        InputError: the claim cannot be read.
     """
     start = time.perf_counter()
     with collecting_seldom(SELDOM):
@@ -76,7 +82,7 @@ def decide_claim(claim: Any, given: Any = "", path: str | None = None) -> Answer
 
 
 def _part_spoken_of(statement: Statement) -> str | None:
-    """Which part of the conditions a claim speaks of, where its sides are undefined in another."""
+    """Return where both sides are defined, if that is not everywhere under the conditions."""
     sides = [side for c in statement.comparisons for side in (c.left, c.right)]
     given = statement.given
     if not given.comparisons or any(e.hidden for e in (*sides, *statement.said)):
@@ -105,7 +111,7 @@ def _everywhere(comparison: Comparison, statement: Statement) -> Answer:
 
         missing = unspoken(comparison, statement)
         if missing is not None:
-            why = f"{answer.why}; but {missing}, and nothing is proved vacuously"
+            why = f"{missing}, so there may be nothing to prove ({answer.why})"
             return Answer(Verdict.UNDECIDED, why)
     if answer and any(holds_powers(e) for e in (comparison.left, comparison.right)):
         spent = time.perf_counter() - start
@@ -116,25 +122,27 @@ def _everywhere(comparison: Comparison, statement: Statement) -> Answer:
 def _attacked(
     answer: Answer, comparison: Comparison, statement: Statement, spent: float, anywhere: bool
 ) -> Answer:
-    """An answer that passes, UNDECIDED where the independent check contradicts it."""
+    """Return the answer, or UNDECIDED if the independent numerical check contradicts it."""
     against = attack(comparison, statement, answer, spent, anywhere)
     return answer if against is None else Answer(Verdict.UNDECIDED, STOPPED.format(against))
 
 
 def _with_integers(comparison: Comparison, statement: Statement) -> Statement:
-    """The statement, which says what must be an integer for the comparison to have a meaning."""
+    """Return the statement with the variables that must be integers, such as ends of sums."""
     trees = (comparison.left, comparison.right, *statement.said)
     return replace(statement, integers=implied_integers(trees, statement.integers))
 
 
 def _bounded(comparison: Comparison, statement: Statement) -> Answer:
-    """The answer, UNDECIDED where what was read well grows beyond the bounds of expressions."""
+    """Decide a comparison; UNDECIDED if an intermediate expression exceeds the size limit."""
     start = time.perf_counter()
     statement = _with_integers(comparison, statement)
     try:
         answer = _decide(comparison, statement)
     except InputError as error:
-        return Answer(Verdict.UNDECIDED, f"an expression on the way grew too large: {error}")
+        return Answer(
+            Verdict.UNDECIDED, (f"an intermediate expression exceeds the size limit: {error}")
+        )
     if answer.verdict is Verdict.REFUTED and statement.path is not None:
         from tresym.reals.decisions.asymptotics.refutation_check import checked
 
@@ -157,10 +165,10 @@ def _decide(comparison: Comparison, statement: Statement) -> Answer:
 
         return decide_by_leibniz(comparison, statement, _bounded)
     if hiding:
-        return Answer(Verdict.UNDECIDED, "the derivative of a sum or a limit is not worked out")
-    door = _door(comparison, statement)
-    if door is not None:
-        return door(comparison, statement, _bounded)
+        return Answer(Verdict.UNDECIDED, "derivatives of sums and limits are not supported")
+    procedure = _procedure_for(comparison, statement)
+    if procedure is not None:
+        return procedure(comparison, statement, _bounded)
     real = comparison.differentiated, comparison.by
     if left.op == "abs" and relation in ("<", "<=") and not symbols(right):
         halves = (replace(comparison, left=side * left.args[0]) for side in (1, -1))
@@ -173,12 +181,12 @@ def _decide(comparison: Comparison, statement: Statement) -> Answer:
     return _decide_inequality(left, relation, right, statement.given, *real)
 
 
-Door = Callable[[Comparison, Statement, Decide], Answer]
+Procedure = Callable[[Comparison, Statement, Decide], Answer]
 """Decides a claim by simpler ones, which it hands to its last argument."""
 
 
-def _door(comparison: Comparison, statement: Statement) -> Door | None:
-    """What decides claims that hold more than elementary expressions and inequalities."""
+def _procedure_for(comparison: Comparison, statement: Statement) -> Procedure | None:
+    """Return the procedure for claims with sums, integrals, paths and the like, or None."""
     sides = comparison.left, comparison.right
     nodes = {node.op for node in outermost(*sides)}
     unknown = {f.args[0].args[0] for e in (*sides, *statement.said) for f in functions(e)}
@@ -250,7 +258,7 @@ def _decide_inequality(
     differentiated: tuple[Expr, ...],
     by: frozenset[str],
 ) -> Answer:
-    """The answer to an inequality; where sign and atan2 jump, it is one by itself."""
+    """Decide an inequality, and separately at the points where sign and atan2 jump."""
     from tresym.reals.decisions.inequalities import decide_inequality
 
     nodes = jumps((left, right), given)
@@ -273,7 +281,7 @@ def _decide_inequality(
 
 
 def _exact(witness: Mapping[str, str] | None) -> dict[str, Expr] | None:
-    """The witness as it was before it was written, None where that was no point."""
+    """Return the witness as expressions, or None if it is not an exact point."""
     try:
         return None if witness is None else {name: parse(v) for name, v in witness.items()}
     except InputError:  # intervals between whose ends the sign changes
@@ -281,10 +289,10 @@ def _exact(witness: Mapping[str, str] | None) -> dict[str, Expr] | None:
 
 
 def _mistaken(statement: Statement) -> str:
-    """A remark on variables that may have been meant as numbers."""
+    """Return a remark on variables such as e and i that may have been meant as constants."""
     names = frozenset().union(*(symbols(c.left) | symbols(c.right) for c in statement.comparisons))
     remarks = [
-        f"; {name} is a variable here, {other}"
+        f"; {name} is read as a variable, {other}"
         for name, other in _LOOK_ALIKE.items()
         if name in names
     ]
@@ -292,6 +300,6 @@ def _mistaken(statement: Statement) -> str:
 
 
 def _short(text: str) -> str:
-    """``text`` on one line, the middle of a very long one left out."""
+    """Return ``text`` on one line, abbreviated in the middle if it is very long."""
     line = " ".join(text.split())
     return line if len(line) <= 400 else f"{line[:200]} … {line[-100:]}"

@@ -1,11 +1,11 @@
 """Power series written with an ellipsis: ``f == t0 + t1 + t2 + ...``.
 
-It is read so: the expansion of f in powers of what the terms are powers of begins with these terms,
-none left out, and it converges to f under the conditions. The coefficients are compared exactly.
-Where more of them have ratios that are one rational function, the series is one of
-:mod:`tresym.reals.decisions.power_series`, and decided with its range. Else f is put together of
-functions whose complex singularities are known, and its series converges to it inside the smallest
-circle that meets one.
+Such a claim means: the expansion of f in powers of u, the expression whose powers the terms are,
+begins with exactly these terms, and it converges to f under the conditions. The coefficients are
+compared exactly. Convergence is proved in one of two ways. If the ratios of further coefficients
+are a rational function of the index, the series is one of
+:mod:`tresym.reals.decisions.power_series`. Otherwise f must be composed of functions with known
+complex singularities; its series converges inside the circle through the nearest one.
 """
 
 from __future__ import annotations
@@ -67,21 +67,30 @@ _OPEN = Verdict.UNDECIDED
 
 
 def decide_dotted(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
-    """PROVED, REFUTED or UNDECIDED for an equation with dots in a sum.
+    """Decide an equation with dots in a sum, such as ``1 + x + x**2 + ... == 1/(1 - x)``.
 
     Args:
-        decided: not asked; every such claim is decided here.
+        decided: unused; it is here so that all procedures have one signature.
     """
     node = next(filter(None, map(_sum_with_dots, (claim.left, claim.right))), None)
     if claim.relation != "==" or node is None or claim.derivatives or statement.equations:
-        return Answer(_OPEN, "dots are read in a sum of powers, on one side of an equation")
+        return Answer(
+            _OPEN, ("dots are supported only in a sum of powers on one side of an equation")
+        )
     side = claim.solved(node)
     terms = [term for term in node.args if term not in (DOTS, -DOTS)]
     if side is not None and is_infinite(side) and not statement.path:
         return _first_of(side, add(*terms), statement.given)
     if side is None or statement.path or DOTS.args[0] in symbols(side) or not elementary(side):
-        return Answer(_OPEN, "what the series with dots is said to be is not seen")
-    given, why = statement.given, "the terms before the dots are no rising powers of one thing"
+        return Answer(
+            _OPEN,
+            "the series with dots must be compared with an elementary "
+            "function or a series without dots",
+        )
+    given, why = (
+        statement.given,
+        "the terms before the dots are not increasing powers of one expression",
+    )
     for u in _raised(terms):
         powers = _powers(terms, u)
         if powers is None:
@@ -101,7 +110,7 @@ def decide_dotted(claim: Comparison, statement: Statement, decided: Decide) -> A
 
 
 def _first_of(series: Expr, terms: Expr, given: Given) -> Answer:
-    """Whether the terms before the dots are the first ones of the series on the other side."""
+    """Decide whether the terms before the dots are the first terms of ``series``."""
     (k,), body = opened(series, given.names)
     low, first = series.args[1], ZERO
     if series.op == "sum" and low.op == "number":
@@ -112,9 +121,14 @@ def _first_of(series: Expr, terms: Expr, given: Given) -> Answer:
             first = first + term
             found = decide(first, terms, given)
             if n and found.verdict is Verdict.PROVED:
-                why = f"they are the first {n + 1} terms of the series: {found.why}"
+                why = (
+                    f"the terms before the dots are the first {n + 1} terms of "
+                    f"the series: {found.why}"
+                )
                 return Answer(Verdict.PROVED, why)
-    return Answer(_OPEN, "the terms before the dots are not shown to be the first of the series")
+    return Answer(
+        _OPEN, "the terms before the dots could not be shown to be the first terms of the series"
+    )
 
 
 def _sum_with_dots(e: Expr) -> Expr | None:
@@ -125,7 +139,7 @@ def _sum_with_dots(e: Expr) -> Expr | None:
 
 
 def _raised(terms: list[Expr]) -> Iterator[Expr]:
-    """What the terms may be powers of."""
+    """Yield the expressions that the terms may be powers of."""
     names = frozenset().union(*map(symbols, terms))
     spoken = {name: sum(name in symbols(t) for t in terms) for name in sorted(names)}
     common = [name for name, times in spoken.items() if times > len(terms) - 2]
@@ -152,7 +166,7 @@ def _factors(e: Expr, times: int) -> Iterator[tuple[Expr, int]]:
 
 
 def _powers(terms: list[Expr], u: Expr) -> dict[int, Expr] | None:
-    """The coefficients of the terms as powers of ``u``, which rise; a number may stand anywhere."""
+    """Return the coefficients of the terms by their power of ``u``; None if not increasing."""
     found: dict[int, Expr] = {}
     rising: list[int] = []
     if u.op == "+":  # x - 1 is a power of it, as a sum
@@ -172,7 +186,7 @@ def _powers(terms: list[Expr], u: Expr) -> dict[int, Expr] | None:
 
 
 def _power(term: Expr, u: Expr) -> tuple[int, Expr] | None:
-    """m and c where the term is c u^m."""
+    """Return m and c if the term is c u^m, else None."""
     for m in range(LEAST, MOST):
         c = in_lowest_terms(term * u ** number(-m))
         if symbols(c).isdisjoint(symbols(u)):
@@ -183,7 +197,7 @@ def _power(term: Expr, u: Expr) -> tuple[int, Expr] | None:
 def _decided(
     f: Expr, y: str, u: Expr, powers: dict[int, Expr], given: Given, fixed: Given
 ) -> Answer:
-    """Of the function f of y = u."""
+    """Decide the claim for the function f of y = u."""
     last = max(powers)
     try:
         germ = germ_of(f, y)
@@ -191,18 +205,24 @@ def _decided(
     except OpenError:
         germ = None
         if last > DIFFERENTIATED:
-            return Answer(_OPEN, "the coefficients of the other side are not worked out")
+            return Answer(_OPEN, "the Taylor coefficients of the other side could not be computed")
         coefficients = _by_derivatives(f, y, last)
     for m in range(min(*powers, *coefficients), last + 1):
         one, other = coefficients.get(m, ZERO), powers.get(m, ZERO)
         found = decide(one, other, fixed)
         if found.verdict is Verdict.REFUTED and germ is not None and _is_near(u, given):
-            why = f"the term of order {m} in {u} is {one}, and not {other}"
+            why = f"the coefficient of order {m} in {u} is {one}, not {other}"
             return Answer(Verdict.REFUTED, why, witness={f"coefficient of {u}**{m}": str(one)})
         if found.verdict is not Verdict.PROVED:
-            return Answer(_OPEN, f"the term of order {m} in {u} is not shown to be {other}")
+            return Answer(
+                _OPEN, f"the coefficient of order {m} in {u} could not be shown to be {other}"
+            )
     if next(given.points(symbols(f) - {y} | symbols(u), 1), None) is None:
-        return Answer(_OPEN, "no point satisfies the conditions")
+        return Answer(
+            _OPEN,
+            "no point was found that satisfies the conditions, so there "
+            "is nothing to prove; check the conditions",
+        )
     agree = f"the expansion in {u} begins with these terms"
     series = None if germ is None else _fitted(germ, u)
     if series is not None:
@@ -215,7 +235,7 @@ def _decided(
 
 
 def _is_near(u: Expr, given: Given) -> bool:
-    """Whether the conditions allow that u is small."""
+    """Return whether the conditions allow arbitrarily small u."""
     small = given & Given(((apply("abs", u), "<", number(fmpq(1, 1000))),))
     return next(small.points(symbols(u), 1), None) is not None
 
@@ -229,7 +249,7 @@ def _by_derivatives(f: Expr, y: str, last: int) -> dict[int, Expr]:
 
 
 def _fitted(germ: Germ, u: Expr) -> Series | None:
-    """The series whose coefficients begin so, if their ratios are one rational function of k."""
+    """Return the hypergeometric series that fits the first coefficients, or None."""
     places = [m for m in range(germ.order, germ.order + len(germ.series)) if germ[m]]
     if len(places) < 2:
         return None
@@ -271,12 +291,18 @@ def _inside_circle(f: Expr, y: str, u: Expr, agree: str, given: Given, fixed: Gi
     try:
         radii = list(dict.fromkeys(_singular(f, y, fixed)))
     except OpenError as error:
-        return Answer(_OPEN, f"{agree}; how far it converges is not known: {error}")
+        return Answer(
+            _OPEN, f"{agree}, but its radius of convergence could not be determined: {error}"
+        )
     for radius in radii:
         if sign(radius - size_of(u), given, ">") != "+":
-            return Answer(_OPEN, f"{agree}; it converges where abs({u}) < {radius}: say so")
-    nearest = f", the nearest of which lies at {', '.join(map(str, radii))}" if radii else ""
-    why = f"{agree}, and converges to it off its complex singularities{nearest}"
+            return Answer(
+                _OPEN,
+                f"{agree}, but it converges only where abs({u}) < {radius}: "
+                "add this as a condition",
+            )
+    below = f"abs({u}) < {', '.join(map(str, radii))}, the distance of the nearest singularity"
+    why = f"{agree}, and the series converges to it {f'where {below}' if radii else 'everywhere'}"
     return Answer(Verdict.PROVED, why)
 
 
@@ -295,7 +321,7 @@ _BRANCHED = frozenset(("asin", "acos", "atan", "asinh", "atanh"))
 
 
 def _singular(e: Expr, y: str, given: Given) -> Iterator[Expr]:
-    """How far from 0 the singularities of ``e``, but for those at 0, may lie.
+    """Yield the possible distances from 0 of the nonzero singularities of ``e``.
 
     Raises:
         OpenError: that is not known.
@@ -324,7 +350,7 @@ def _singular(e: Expr, y: str, given: Given) -> Iterator[Expr]:
         yield from _zeros(e.args[0], y)
         _need_positive(e.args[0], y, given)
     else:
-        raise OpenError(f"the singularities of {e}")
+        raise OpenError(f"the singularities of {e} are not known")
 
 
 def _scaled(distance: Expr, inner: Expr, y: str) -> Expr:
@@ -334,11 +360,11 @@ def _scaled(distance: Expr, inner: Expr, y: str) -> Expr:
         if y not in symbols(c):
             found = distance / apply("abs", c) if c.op != "number" else distance / abs(c.args[0])
             return found if m == 1 else found ** number(fmpq(1, m))
-    raise OpenError(f"the singularities of a function of {inner}")
+    raise OpenError(f"the singularities of a function of {inner} are not known")
 
 
 def _zeros(e: Expr, y: str) -> Iterator[Expr]:
-    """How far from 0 the zeros of ``e``, but for one at 0, may lie."""
+    """Yield the possible distances from 0 of the nonzero zeros of ``e``."""
     if y not in symbols(e) or e.op in ("exp", "symbol", *_BRANCHED) or e.op in ("sec", "csc"):
         return
     if e.op == "*":
@@ -382,7 +408,7 @@ def _roots(e: Expr, y: str) -> Iterator[Expr]:
         elif factor.degree() == 2 and factor[1] ** 2 < 4 * factor[0] * factor[2]:
             yield sqrt(number(fmpq(int(factor[0]), int(factor[2]))))
         else:
-            raise OpenError(f"the zeros of {e}")
+            raise OpenError(f"the zeros of {e} are not known")
 
 
 def _need_positive(e: Expr, y: str, given: Given) -> None:
@@ -399,4 +425,4 @@ def _need_positive(e: Expr, y: str, given: Given) -> None:
                     return
             elif evaluate(at, {}) > 0:
                 return
-    raise OpenError(f"whether {e} is positive at {y} = 0")
+    raise OpenError(f"{e} could not be shown to be positive at {y} = 0")

@@ -24,9 +24,9 @@ from tresym.reals.numbers.arithmetic import decided
 from tresym.reals.verdict import Verdict
 
 LOOKS = 10
-REAL = "what is differentiated is real"
+REAL = "the differentiated functions are real"
 NOWHERE = f"no point was found at which {REAL}"
-FORMAL = "so that this is proved of formal derivatives alone"
+FORMAL = "so the proof is about formal derivatives only"
 
 
 def decide_equality(
@@ -36,10 +36,11 @@ def decide_equality(
     differentiated: tuple[Expr, ...] = (),
     by: Iterable[str] = (),
 ) -> Decision:
-    """Whether ``left = right`` wherever both are defined, and what is differentiated too.
+    """Decide ``left = right`` wherever both sides and the differentiated functions are real.
 
     Args:
-        differentiated: the functions of which derivatives, by the variables ``by``, are compared.
+        differentiated: the functions whose derivatives occur in the claim.
+        by: the variables of differentiation.
     """
     found = decide(left, right, given)
     if not differentiated:
@@ -52,22 +53,25 @@ def decide_equality(
         more = (point for point, _ in sampled_values(left, right, given, names, LOOKS))
         for point in chain((found.at,), more):
             if _is_real(differentiated, by, point):
-                return replace(found, why=f"{found.why}, {REAL} at {exactly(point)}")
+                return replace(found, why=exactly(f"{found.why}; {REAL}", point))
     proved = found.verdict is Verdict.PROVED
     if real_nowhere(given, differentiated if proved else parts):
-        why = f"{REAL} nowhere, {FORMAL}" if proved else f"{NOWHERE}, and there is none"
+        why = f"{REAL} nowhere, {FORMAL}" if proved else f"{NOWHERE}, and none exists"
         verdict = Verdict.PROVED if proved else Verdict.UNDECIDED
         return Decision(verdict, f"{found.why}; {why}")
     inside, whole = where_real(given, differentiated, by)
     real = next(sampled_values(left, right, inside, names, 1), None)
     if proved:
-        where = f", {REAL} at {exactly(real[0])}" if real else f"; {NOWHERE}, {FORMAL}"
+        where = exactly(f"; {REAL}", real[0]) if real else f"; {NOWHERE}, {FORMAL}"
         return replace(found, why=found.why + where)
     if real is None:
         return Decision(Verdict.UNDECIDED, f"{no_point(parts, given)}; {NOWHERE}")
     again = decide(left, right, whole, stated=given)
     if again.verdict is Verdict.UNDECIDED and found.witness is not None:
-        why = f"{again.why}; {found.why}, but what is differentiated is not shown to be real there"
+        why = (
+            f"{again.why}; {found.why}, but the differentiated functions "
+            "could not be shown to be real there"
+        )
         return replace(again, why=why)
     return again
 

@@ -1,15 +1,14 @@
 """Equations as conditions: their consequences, and elimination of a variable case by case.
 
-1. An equation that is claimed, or denied, may be a consequence of the equations: see ideals.py.
-2. Of an inequality between polynomials, an equation between a form and a number makes a
-   homogeneous one: under x² + y² + z² = 1, xy + yz + zx ≤ 1 says that it is at most x² + y² + z².
-3. An equation is split at the factors of its numerator, and solved for a variable that it
-   determines: one that it is linear or quadratic in, or that stands in it once, under functions
-   that can be undone; a sine has its values at an angle and its whole turns. Each case has its
-   value of the variable and the conditions under which it is one, and together they are all points
-   of the equation. The claim, the other conditions and the other equations are decided in every
-   case with the value put in; cases that are shown to have no point are left out, and where all
-   are, nothing is decided.
+1. *Consequences.* A claimed equation, or its negation, may follow from the equations algebraically
+   (ideals.py).
+2. *Homogenisation.* An equation between a form and a number makes a polynomial inequality
+   homogeneous: under x² + y² + z² = 1, xy + yz + zx ≤ 1 becomes xy + yz + zx ≤ x² + y² + z².
+3. *Elimination.* An equation is split at the factors of its numerator and solved for a variable
+   (equation_solutions.py). Each case consists of a value of the variable and the conditions under
+   which it is a solution; together the cases cover all points of the equation. The claim is decided
+   in every case after substitution. Cases that are proved to be empty are left out. If all are
+   empty, there is nothing to prove and the answer is UNDECIDED.
 """
 
 from __future__ import annotations
@@ -52,16 +51,19 @@ from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
 
 NO_POINT = Answer(
-    Verdict.UNDECIDED, "no point satisfies the conditions, and nothing is proved vacuously"
+    Verdict.UNDECIDED,
+    "no point satisfies the conditions, so there is nothing to prove; check the conditions",
 )
 """Where the conditions are shown to have no point."""
 
 
 def decide_under_equations(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
-    """The answer at the points that satisfy the equations of the statement.
+    """Decide a claim at the points that satisfy the equations of the statement.
 
     Args:
-        decided: decides the claim under what is left.
+        claim: the comparison to decide.
+        statement: its conditions, equations among them.
+        decided: the procedure for the claim under the remaining conditions.
     """
     statement = among_integers(statement) or statement
     for pair in statement.equations:
@@ -78,7 +80,7 @@ def decide_under_equations(claim: Comparison, statement: Statement, decided: Dec
 def _without_variables(
     claim: Comparison, statement: Statement, pair: tuple[Expr, Expr], decided: Decide
 ) -> Answer | None:
-    """The answer where an equation holds at every point, or at none; None for others."""
+    """Handle an equation that holds everywhere or nowhere; return None for other equations."""
     left, right = pair
     e = left - right
     if symbols(e) and not is_zero(e, Given()):
@@ -90,23 +92,26 @@ def _without_variables(
     if is_zero(e, Given()) and undefined(e, statement.given) is None:
         others = tuple(other for other in statement.equations if other is not pair)
         return decided(claim, replace(statement, equations=others))
-    return Answer(Verdict.UNDECIDED, f"{left} == {right} is not shown to have a point")
+    return Answer(
+        Verdict.UNDECIDED,
+        f"no point was found that satisfies the condition {left} == {right}; check the conditions",
+    )
 
 
 def is_contradictory(statement: Statement) -> bool:
-    """Whether the equations have no common point, by their ideal."""
+    """Return whether the ideal of the equations shows that they have no common solution."""
     return bool(statement.equations) and follows(ONE, *_known(statement), vanishes=True)
 
 
 def _known(statement: Statement) -> tuple[list[Expr], list[Expr]]:
-    """What is 0 at the points in question, and what is not."""
+    """Return the expressions that are 0, and those that are not 0, under the conditions."""
     zero = [left - right for left, right in statement.equations]
     nonzero = [c.expression for c in statement.given.conditions if c.relation != ">="]
     return zero, nonzero
 
 
 def _speaking(claim: Comparison, statement: Statement) -> Statement:
-    """The statement under the condition that no denominator of both sides vanishes."""
+    """Return the statement with the condition that no denominator vanishes."""
     parts = (e for e, relation in needs((claim.left, claim.right)) if relation == "!=")
     links = tuple(bound(e, "!=") for e in parts if symbols(e) and not e.loose)
     if claim.relation != "==" or statement.path is not None:
@@ -120,20 +125,23 @@ def _speaking(claim: Comparison, statement: Statement) -> Statement:
 
 
 def _as_consequence(claim: Comparison, statement: Statement, decided: Decide) -> Answer | None:
-    """A proof of an equation, or of ``!=``, by the ideal of the equations; None without one."""
+    """Return a proof of ``==`` or ``!=`` by the ideal of the equations, or None."""
     left, relation, right = claim.left, claim.relation, claim.right
     if relation not in ("==", "!=") or claim.derivatives or statement.path is not None:
         return None
     if not follows(left - right, *_known(statement), vanishes=relation == "=="):
         return None
-    why = "it is in the radical of the ideal of the equations (Groebner basis)"
+    why = (
+        "it follows algebraically from the equations: it lies in the "
+        "radical of their ideal (Gröbner basis)"
+    )
     return _with_a_point(Answer(Verdict.PROVED, why), claim, statement, decided)
 
 
 def _with_a_point(
     answer: Answer, claim: Comparison, statement: Statement, decided: Decide
 ) -> Answer | None:
-    """A proof, if a point is found that satisfies the conditions, and none that contradicts it."""
+    """Return the proof if some point satisfies the conditions, and no point contradicts it."""
     sides = claim.left, claim.right
     if any(side.hidden for side in sides):
         return None
@@ -146,11 +154,17 @@ def _with_a_point(
         if left.is_finite() and right.is_finite():
             if not stands(left - right, NEGATED[claim.relation]):
                 near = ", ".join(f"{name} = {at[name].str(6, radius=False)}" for name in sorted(at))
-                return replace(answer, why=f"{answer.why}; the equations have a point near {near}")
+                return replace(
+                    answer, why=f"{answer.why}; the equations are satisfied at a point near {near}"
+                )
             return None
     both = add(*sides)
     same = _by_elimination(Comparison(both, "==", both), statement, decided)
-    return replace(answer, why=f"{answer.why}; they have a point: {same.why}") if same else None
+    return (
+        replace(answer, why=f"{answer.why}; a point satisfies the equations: {same.why}")
+        if same
+        else None
+    )
 
 
 def _homogeneous(claim: Comparison, statement: Statement, decided: Decide) -> Answer | None:
@@ -172,7 +186,7 @@ def _homogeneous(claim: Comparison, statement: Statement, decided: Decide) -> An
                 continue
             found = decided(Comparison(made, claim.relation, ZERO), free)
             if found:
-                why = f"made homogeneous by {pair[0]} == {pair[1]}: {found.why}"
+                why = f"made homogeneous with the condition {pair[0]} == {pair[1]}: {found.why}"
                 return _with_a_point(
                     replace(found, why=why, region=None), claim, statement, decided
                 )
@@ -194,7 +208,8 @@ def _by_elimination(claim: Comparison, statement: Statement, decided: Decide) ->
     left, right = statement.equations[0]
     return Answer(
         Verdict.UNDECIDED,
-        f"no variable of the condition {left} == {right} is eliminated: write it solved for one",
+        f"the condition {left} == {right} could not be solved for a "
+        "variable: give it in the form x == …",
     )
 
 
@@ -288,7 +303,9 @@ def _by_cases(
         try:
             sides, inside = _put_in(claim, rest, case, known)
         except InputError as error:
-            return Answer(Verdict.UNDECIDED, f"an expression on the way grew too large: {error}")
+            return Answer(
+                Verdict.UNDECIDED, f"an intermediate expression exceeds the size limit: {error}"
+            )
         if is_empty(inside.given):
             continue
         found = decided(sides, inside)
@@ -355,13 +372,20 @@ def _with_value(answer: Answer, case: Case, name: str) -> Answer:
     """A refutation with the value of the variable that was eliminated."""
     point, value = exact_witness(answer), case.value or ZERO
     if point is None:
-        return Answer(Verdict.UNDECIDED, f"{answer.why}, at no exact point")
+        return Answer(
+            Verdict.UNDECIDED,
+            f"the claim seems false ({answer.why}), but no exact counterexample was found",
+        )
     for missing in symbols(value) - point.keys():
         point[missing] = ONE
     at = substitute(value, point)
     with ball_precision():
         if not evaluate(at, {}).is_finite():
-            return Answer(Verdict.UNDECIDED, f"{answer.why}, where {name} is not shown to be real")
+            return Answer(
+                Verdict.UNDECIDED,
+                f"the claim seems false ({answer.why}), but {name} "
+                "could not be shown to be real there",
+            )
     point[name] = at
     shown = sorted(item for item in point.items() if item[0] not in case.integers)
     return replace(answer, witness={n: exact_text(v) for n, v in shown})

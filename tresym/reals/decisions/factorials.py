@@ -1,9 +1,9 @@
 """Factorials: cancel those whose arguments differ by an integer.
 
-n! is spoken of where n is an integer from 0 on, and nowhere else. Of the factorials in a claim
-whose arguments differ by integers the least is any number F from 1 on, and (n + 2)! is
-F (n + 1)(n + 2): what holds for all F ≥ 1 holds. What is false is refuted at small integers, where
-the factorials are numbers.
+n! is defined for integers n ≥ 0 only. Among factorials whose arguments differ by integers, the
+smallest is replaced by an arbitrary number F ≥ 1, and (n + 2)! becomes F (n + 1)(n + 2). A claim
+that holds for all F ≥ 1 is proved; the converse fails, so such a failure is UNDECIDED. False claims
+are refuted at small integers.
 """
 
 from __future__ import annotations
@@ -40,10 +40,10 @@ MOST, FAR, LOOKED_AT = 600, 50, 6
 
 
 def decide_factorials(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
-    """PROVED, ENCLOSED, REFUTED or UNDECIDED for a claim with factorials.
+    """Decide a claim with factorials.
 
     Args:
-        decided: decides what holds none.
+        decided: the procedure for claims without factorials.
     """
     folded = {node: _value(node.args[-1]) or node for node in outermost(claim.left, claim.right)}
     sides = replaced(claim.left, folded), replaced(claim.right, folded)
@@ -59,7 +59,9 @@ def decide_factorials(claim: Comparison, statement: Statement, decided: Decide) 
         or statement.path is not None
         or claim.derivatives
     ):
-        why = "of a factorial, sums, derivatives, limits and conditions are not decided"
+        why = (
+            "factorials are not supported together with sums, derivatives, limits or in conditions"
+        )
         return Answer(Verdict.UNDECIDED, why)
     found = _looked_at(claim, statement, list(nodes), decided)
     if found is not None:
@@ -69,14 +71,19 @@ def decide_factorials(claim: Comparison, statement: Statement, decided: Decide) 
     given = statement.given & Given(tuple(positive))
     found = decided(Comparison(left, claim.relation, right), replace(statement, given=given))
     if found.verdict is Verdict.REFUTED:
-        return Answer(Verdict.UNDECIDED, f"it is open; of any numbers for factorials, {found.why}")
+        meant = ", ".join(f"{node} = {value}" for node, value in known.items())
+        return Answer(
+            Verdict.UNDECIDED,
+            "no counterexample was found at small integers, but the claim fails when factorials "
+            f"are replaced by arbitrary numbers >= 1 (with {meant}: {found.why})",
+        )
     return found
 
 
 def _looked_at(
     claim: Comparison, statement: Statement, nodes: list[Expr], decided: Decide
 ) -> Answer | None:
-    """A refutation at small integers, or that it is shown at none; None where it may be true."""
+    """Return a refutation at small integers, or UNDECIDED if none is proved; None otherwise."""
     names = sorted({name for node in nodes for name in symbols(node)})
     seen = False
     for at in islice(_small(names), MOST):
@@ -99,7 +106,11 @@ def _looked_at(
             witness = where | dict(found.witness or {})
             return replace(found, why=f"at {shown}: {found.why}", witness=witness)
         seen = seen or bool(found)
-    return None if seen else Answer(Verdict.UNDECIDED, "it is shown at no small integers")
+    return (
+        None
+        if seen
+        else Answer(Verdict.UNDECIDED, "the claim could not be proved at any small integers")
+    )
 
 
 def _small(names: list[str]) -> Iterator[dict[str, Expr]]:
@@ -108,7 +119,7 @@ def _small(names: list[str]) -> Iterator[dict[str, Expr]]:
 
 
 def _value(e: Expr) -> Expr | None:
-    """The factorial of a number, None where it has none."""
+    """Return the factorial of an integer ≥ 0 as an expression, else None."""
     n = integer(e)
     return None if n is None or n < 0 else number(factorial(n))
 
@@ -116,7 +127,7 @@ def _value(e: Expr) -> Expr | None:
 def _by_least(
     nodes: Iterable[Expr], given: Given
 ) -> tuple[dict[Expr, Expr], list[tuple[Expr, str, Expr]]]:
-    """Each factorial by the least of those that differ from it by integers, and what these are."""
+    """Express each factorial by the smallest one whose argument differs by an integer."""
     classes: list[dict[Expr, int]] = []
     for node in nodes:
         for others in classes:
@@ -145,7 +156,7 @@ def _by_least(
 
 
 def _apart(one: Expr, other: Expr) -> int | None:
-    """The integer that is the difference of two arguments, if it is one."""
+    """Return the difference of two arguments if it is an integer, else None."""
     gap = one - other
     apart = integer(substitute(gap, dict.fromkeys(symbols(gap), ZERO)))
     if apart is None or abs(apart) > FAR:

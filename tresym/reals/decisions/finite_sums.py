@@ -1,12 +1,16 @@
 """Finite sums and products: term by term between numbers, by induction in general.
 
-A sum from a to b is one of the integers from a to b; with b = a − 1 it has no term and is 0, a
-product 1, and beyond that none is spoken of. A claim about a sum whose upper end is n + c is one
-about the integers n at which it is spoken of. It is refuted at small n, where the sum is written
-out. It is proved by induction: at the least n the sum is written out; from n to n + 1 the sum S is
-any number for which the claim holds at n, and S + f(n + 1 + c) is put in at n + 1. Where that does
-not settle it, a closed form that SymPy suggests is shown first, in the same way, and put in. A
-series, a sum to ∞, is the limit of such a closed form, and nothing where it has none.
+A sum from a to b runs over the integers from a to b. For b = a − 1 it is empty: the sum is 0, the
+product 1. For smaller b it is undefined. A claim about a sum with upper end n + c is a claim about
+the integers n for which the sum is defined.
+
+1. *Counterexamples.* The claim is refuted at small n, where the sum is written out.
+2. *Induction.* The claim is proved at the least n. In the step from n to n + 1, the sum S is an
+   arbitrary number for which the claim holds at n; S + f(n + 1 + c) replaces it at n + 1.
+3. *Closed forms.* If induction fails, a closed form suggested by SymPy is proved by induction and
+   substituted. A series (a sum to ∞) is the limit of such a closed form.
+
+Limitations: nested sums and sums with several upper ends are undecided.
 """
 
 from __future__ import annotations
@@ -54,19 +58,24 @@ INSIDE = ("sum", "product")
 
 
 def decide_totals(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
-    """PROVED, ENCLOSED, REFUTED or UNDECIDED for a claim with finite sums and products.
+    """Decide a claim with finite sums and products.
 
     Args:
-        decided: decides claims with fewer of them, and with none.
+        claim: the comparison to decide.
+        statement: its conditions.
+        decided: the procedure for claims with fewer sums and products, or none.
+
+    Returns:
+        PROVED, ENCLOSED or REFUTED, or UNDECIDED with the obstacle as the reason.
     """
     if claim.derivatives or statement.path is not None:
-        return Answer(Verdict.UNDECIDED, "of sums, derivatives and limits are not decided")
+        return Answer(Verdict.UNDECIDED, "derivatives and limits of sums are not supported")
     long = _long_totals(claim, statement, decided)
     claim = claim.mapped(partial(replaced, known=long))
     try:
         claim = replace(claim, left=written_out(claim.left), right=written_out(claim.right))
     except InputError as error:
-        return Answer(Verdict.UNDECIDED, f"a sum is not written out: {error}")
+        return Answer(Verdict.UNDECIDED, f"a sum cannot be expanded: {error}")
     nodes = _nodes(claim)
     if not nodes:
         return decided(claim, statement)
@@ -81,8 +90,8 @@ def decide_totals(claim: Comparison, statement: Statement, decided: Decide) -> A
     if None in ends.values() or len(names) != 1:
         return Answer(
             Verdict.UNDECIDED,
-            "a sum is decided from an integer to n + c, with one n in all sums, and without "
-            "a sum in it",
+            "sums are supported from an integer to n + c, with the same n in all sums and without "
+            "nested sums",
         )
     (n,) = names
     least = max(end[2] - 1 - end[1] for end in ends.values() if end is not None)
@@ -98,7 +107,7 @@ def decide_totals(claim: Comparison, statement: Statement, decided: Decide) -> A
 
 
 def _long_totals(claim: Comparison, statement: Statement, decided: Decide) -> dict[Expr, Expr]:
-    """Sums of many terms, and their values by closed forms that are shown by induction."""
+    """Return the long sums with their values, by closed forms proved by induction."""
     from tresym.reals.decisions.antiderivatives import summed
 
     known: dict[Expr, Expr] = {}
@@ -119,7 +128,11 @@ def _long_totals(claim: Comparison, statement: Statement, decided: Decide) -> di
 
 
 def first_terms(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
-    """With the values of series put in: limits of closed forms of their first terms."""
+    """Decide a claim about series by the limits of closed forms of their partial sums.
+
+    Args:
+        decided: the procedure for claims without series.
+    """
     from tresym.reals.decisions.antiderivatives import summed
 
     nodes = _nodes(claim)
@@ -130,7 +143,7 @@ def first_terms(claim: Comparison, statement: Statement, decided: Decide) -> Ans
         (k,), body = opened(node)
         low = integer(node.args[1])
         if node.args[2] != INFINITY or low is None:
-            return Answer(Verdict.UNDECIDED, "a series goes from an integer to oo")
+            return Answer(Verdict.UNDECIDED, "a series must run from an integer to oo")
         first = total(node.op, body, k, node.args[1], symbol(n))
         for form in summed(node.op, body, k, node.args[1], symbol(n)):
             whole = replace(statement, integers=(*statement.integers, n))
@@ -143,15 +156,17 @@ def first_terms(claim: Comparison, statement: Statement, decided: Decide) -> Ans
                 known[node] = value
                 break
         else:
-            return Answer(Verdict.UNDECIDED, f"{node}: no closed form of its first terms is shown")
+            return Answer(
+                Verdict.UNDECIDED, (f"{node}: no closed form of its partial sums could be proved")
+            )
     left, right = (replaced(side, known) for side in (claim.left, claim.right))
     found = decided(Comparison(left, claim.relation, right), statement)
     values = ", ".join(f"{node} = {value}" for node, value in known.items())
-    return replace(found, why=f"{values} as the limit of its first terms; {found.why}")
+    return replace(found, why=f"{values}, the limit of the partial sums; {found.why}")
 
 
 def _tends(form: Expr, n: str, given: Given) -> Expr | None:
-    """The limit as n → ∞, finite: a power b^(n + c) with |b| < 1 beats each power of n."""
+    """Return the finite limit as n → ∞, or None; b^(n + c) with |b| < 1 dominates powers of n."""
     raised = (e for e in operations((form,)) if e.op == "^")
     powers = {e for e in raised if n in symbols(e.args[1]) - symbols(e.args[0])}
     small = symbol(fresh("z", symbols(form)))
@@ -180,10 +195,10 @@ def _nodes(claim: Comparison) -> list[Expr]:
 
 
 def written_out(e: Expr) -> Expr:
-    """``e`` with the sums between numbers written out.
+    """Return ``e`` with the sums and products between two numbers expanded.
 
     Raises:
-        InputError: one of too many terms, or of fewer than none.
+        InputError: a sum has more than ``TERMS`` terms, or its upper end is below a − 1.
     """
     if e.op in LEAVES:
         return e
@@ -195,14 +210,14 @@ def written_out(e: Expr) -> Expr:
     if low is None or high is None:
         return e
     if not -1 <= high - low < TERMS:
-        raise InputError(f"{high - low + 1} terms; it has from 0 to {TERMS}")
+        raise InputError(f"it has {high - low + 1} terms; from 0 to {TERMS} are supported")
     (name,), body = opened(e)
     terms = (written_out(substitute(body, {name: number(k)})) for k in range(low, high + 1))
     return add(ZERO, *terms) if e.op == "sum" else multiply(ONE, *terms)
 
 
 def _end(node: Expr) -> tuple[str, int, int] | None:
-    """n, c and the lower end a, where the sum goes from a to n + c; None for others."""
+    """Return n, c and a for a sum from a to n + c, and None for other sums."""
     low, high = integer(node.args[1]), node.args[2]
     names = symbols(high)
     if low is None or len(names) != 1 or INFINITY.args[0] in names:
@@ -222,9 +237,9 @@ def _end(node: Expr) -> tuple[str, int, int] | None:
 
 
 def from_on(statement: Statement, n: str, least: int) -> tuple[Statement, int]:
-    """Without all that is said of an integer, and the first from ``least`` that it allows.
+    """Return the statement without its conditions on ``n``, and the first n that they allow.
 
-    An induction needs what is said to be the same at n + 1.
+    Conditions on n cannot be used in an induction step, since they may fail at n + 1.
     """
     given = statement.given
     low = given.box[n].low if n in given.box else None
@@ -243,7 +258,7 @@ def _at(claim: Comparison, n: str, value: Expr) -> Comparison:
 def _looked_at(
     claim: Comparison, statement: Statement, n: str, least: int, decided: Decide
 ) -> Answer | None:
-    """A refutation at small n, or that the claim holds at none; None where it may be true."""
+    """Return a refutation at a small n, or UNDECIDED if no small n is proved; None otherwise."""
     seen = empty = False
     for value in range(least, least + FIRST):
         try:
@@ -260,15 +275,18 @@ def _looked_at(
             return replace(found, why=f"at {n} = {value}: {found.why}", witness=witness)
         seen = seen or (bool(found) and not _has_no_term(claim, n, value))
     if empty:
-        why = f"it fails of a sum without a term: say from which {n} on it is claimed"
+        why = f"it fails where a sum is empty: add a condition that says from which {n} on it holds"
         return Answer(Verdict.UNDECIDED, why)
     if not seen:
-        return Answer(Verdict.UNDECIDED, f"it is shown at no small {n}, and not by induction")
+        return Answer(
+            Verdict.UNDECIDED,
+            f"the claim could not be proved at any small {n}, so induction has no base case",
+        )
     return None
 
 
 def _has_no_term(claim: Comparison, n: str, value: int) -> bool:
-    """Whether a sum of the claim is empty at this n."""
+    """Return whether a sum of the claim is empty at this n."""
     ends = (_end(node) for node in _nodes(claim))
     return any(end is not None and value + end[1] < end[2] for end in ends)
 
@@ -276,7 +294,7 @@ def _has_no_term(claim: Comparison, n: str, value: int) -> bool:
 def decided_at(
     claim: Comparison, statement: Statement, n: str, value: int, decided: Decide
 ) -> Answer | None:
-    """The answer under what is said of ``n`` at this value; None where that fails."""
+    """Decide the claim for one value of ``n``; None if the conditions exclude that value."""
     there = statement.mapped(partial(substitute, mapping={n: number(value)}))
     given = constants_hold(there.given.comparisons)
     others = tuple(name for name in statement.integers if name != n)
@@ -296,7 +314,7 @@ def _induction(
     fixed = replace(statement, integers=tuple(m for m in statement.integers if m != n))
     base = decided(_at(claim, n, number(least)), fixed)
     if not base:
-        why = f"induction has no base at {n} = {least}: {base.why}"
+        why = f"the base case of the induction, {n} = {least}, could not be proved: {base.why}"
         return Answer(Verdict.UNDECIDED, why)
     taken = {*symbols(claim.left), *symbols(claim.right), *statement.given.names}
     now: dict[Expr, Expr] = {}
@@ -318,7 +336,10 @@ def _induction(
     beyond = statement.given & Given(((symbol(n), ">=", number(least)),))
     under = replace(statement, given=beyond)
     if not is_lasting((left, right), beyond, n, *map(str, now.values())):
-        why = f"it is not shown to be spoken of at every {n} from {least} on"
+        why = (
+            "induction does not apply: the sides could not be shown to be "
+            f"defined at every {n} >= {least}"
+        )
         return Answer(Verdict.UNDECIDED, why)
     steps = _smaller_step(Comparison(left, claim.relation, right), after, ends)
     smaller = [decided(part, under) for part in steps]
@@ -330,20 +351,21 @@ def _induction(
         under = replace(under, equations=(*statement.equations, (left, right)))
     step = worst(smaller) if smaller and all(smaller) else decided(after, under)
     if not step:
-        why = f"the step of the induction from {n} to {n} + 1 is open: {step.why}"
+        meant = ", ".join(f"{mark} = {node}" for node, mark in now.items())
+        why = f"the induction step could not be proved (with {meant}: {step.why})"
         return Answer(Verdict.UNDECIDED, why)
     weaker = base if base.verdict is Verdict.ENCLOSED else step
     begin = f"{n} = {least}"
     if _has_no_term(claim, n, least):
-        begin += ", where a sum has no term and below which none is spoken of"
-    why = f"by induction from {begin}: {base.why}; from {n} to {n} + 1, {step.why}"
+        begin += ", where a sum is empty and below which no claim is made"
+    why = f"by induction from {begin}: {base.why}; step from {n} to {n} + 1: {step.why}"
     return replace(weaker, why=why, region=None, constant=None)
 
 
 def _smaller_step(
     now: Comparison, after: Comparison, ends: dict[Expr, tuple[str, int, int] | None]
 ) -> list[Comparison]:
-    """Of S <= g: what is enough for the step, as what comes of S rises with it; else nothing."""
+    """Return a sufficient condition for the step of S <= g, by monotonicity in S, or nothing."""
     sides = (now.left, now.right) if now.left.op == "symbol" else (now.right, now.left)
     name, bound = str(sides[0]), sides[1]
     is_alone = len(ends) == 1 and sides[0].op == "symbol" and name not in symbols(bound)
@@ -366,7 +388,7 @@ def _by_closed_forms(
     ends: dict[Expr, tuple[str, int, int] | None],
     decided: Decide,
 ) -> Answer | None:
-    """The claim with closed forms put in, each shown by induction; None where there are none."""
+    """Decide the claim by closed forms proved by induction; None if one is missing."""
     from tresym.reals.decisions.antiderivatives import summed
 
     known: dict[Expr, Expr] = {}

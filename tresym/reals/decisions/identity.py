@@ -69,7 +69,10 @@ LATER_LOOKS = ((128, 60), (700, 20), (4000, 2))
 SEARCH_POINTS = 400
 MAX_CASES = 2
 SIZES = (8, 16, 32, 64, 128)
-JUMP = "it is proved but where sign or atan2 jumps, and these points could not be told apart"
+JUMP = (
+    "undecided at points where sign or atan2 jumps; it is proved "
+    "elsewhere, and a condition that excludes those points helps"
+)
 NOWHERE = "no real point was found where both sides are defined"
 
 
@@ -99,20 +102,24 @@ def decide(
     theories: frozenset[str] = ALL_THEORIES,
     stated: Given | None = None,
 ) -> Decision:
-    """Whether ``left = right`` at every real point of ``given`` where both are defined.
+    """Decide whether ``left = right`` at every real point of ``given`` where both are defined.
 
     Args:
-        stated: the conditions in ``given`` that may not hold at single points; None where all are.
+        left, right: elementary expressions.
+        given: inequalities that hold at the points in question.
+        stated: the conditions that the user wrote, if ``given`` contains further ones.
         theories: what the proof may use beyond algebra; a function of another theory is a mere
             name whose equal arguments give equal values. Refutation is not limited by it.
     """
     if not elementary(left, right):
-        return Decision(Verdict.UNDECIDED, "a sum, an integral or a limit in it is not worked out")
+        return Decision(
+            Verdict.UNDECIDED, "a sum, an integral or a limit in the claim could not be evaluated"
+        )
     found = _almost_everywhere(left, right, given, theories, _by_constants)
     if found.verdict is Verdict.UNDECIDED and (moved := at_domain_ends((left, right), given)):
         (left, right), inside = moved
         found = decide(left, right, inside, theories, given if stated is None else stated)
-        return replace(found, why=f"as {left} = {right}: {found.why}")
+        return replace(found, why=f"rewritten as {left} = {right}: {found.why}")
     if found.verdict is not Verdict.PROVED:
         return found
     unproved = _at_jumps((left, right), given, theories)
@@ -126,7 +133,7 @@ def decide_continuous(
     given: Given = Given(),  # noqa: B008 - frozen
     theories: frozenset[str] = ALL_THEORIES,
 ) -> Decision:
-    """As :func:`decide`, by the normal form alone; UNDECIDED where a side may jump."""
+    """Decide as :func:`decide`, by the normal form alone; UNDECIDED if a side may jump."""
     found = _almost_everywhere(left, right, given, theories, None)
     if found.verdict is not Verdict.PROVED:
         return found
@@ -180,7 +187,7 @@ def _almost_everywhere(
     if proof is None:
         return Decision(Verdict.UNDECIDED, obstacle)
     at = defined[0]
-    return Decision(Verdict.PROVED, f"{proof}; both sides are defined at {shown(at)}", at=at)
+    return Decision(Verdict.PROVED, with_point(f"{proof}; both sides are defined", at), at=at)
 
 
 def _at_limits(
@@ -191,7 +198,7 @@ def _at_limits(
     stated: Given,
     further: Further | None,
 ) -> Decision | None:
-    """What is not shown at points of the conditions that are no limits of those inside them."""
+    """Return UNDECIDED if the proof may miss isolated points of the conditions, else None."""
     if left == right or is_regular(stated):
         return None
     names, fewer = sorted(symbols(left) | symbols(right)), _open(given)
@@ -206,14 +213,14 @@ def _at_limits(
 
 
 def _open(given: Given) -> Given:
-    """The conditions, less those with equality, or with roots, that are no bounds of a variable."""
+    """Return the conditions without those with >= or with roots that do not bound a variable."""
     beyond = {c for c in given.beyond_box if c.relation == ">=" or needs((c.expression,))}
     pairs = zip(given.comparisons, given.conditions, strict=True)
     return Given(tuple(comparison for comparison, c in pairs if c not in beyond))
 
 
 def _at_jumps(sides: tuple[Expr, ...], given: Given, theories: frozenset[str]) -> Decision | None:
-    """What fails, or is not shown, at points that a proof at almost all points leaves out."""
+    """Return a failure, or UNDECIDED, at jumps, which the proof leaves out; None if it holds."""
     left, right = sides
     if left == right:
         return None
@@ -223,7 +230,7 @@ def _at_jumps(sides: tuple[Expr, ...], given: Given, theories: frozenset[str]) -
         found = decide(case.of(left), case.of(right), case.given, theories)
         if found.verdict is Verdict.PROVED:
             continue
-        why = f"it is proved but {case}; there, {found.why}"
+        why = f"it is proved except {case}; there, {found.why}"
         point = case.point(found.witness)
         if point is not None and found.values is not None:
             return _refutation(point, found.values)
@@ -239,7 +246,7 @@ def sampled_values(
     count: int,
     bits: int = WORKING,
 ) -> Iterator[tuple[dict[str, fmpq], tuple[arb, arb]]]:
-    """Points where both sides are defined, at most ``count``, with their values."""
+    """Yield at most ``count`` points where both sides are defined, with their values in balls."""
     trees: tuple[Expr, ...] = (left, right)
     found = 0
     for point in given.points(names, SEARCH_POINTS):
@@ -255,27 +262,46 @@ def sampled_values(
 
 
 def _refutation(point: dict[str, fmpq], values: tuple[arb, arb]) -> Decision:
-    why = f"the two sides differ at {shown(point)}"
+    why = with_point("the two sides differ", point)
     return Decision(Verdict.REFUTED, why, point, values)
 
 
 def shown(point: Mapping[str, Any], text: Callable[[Any], str] = fraction_text) -> str:
-    """The exact point in words, each coordinate in its ``text``; rationals as they are."""
-    parts = (f"{name} = {text(value)}" for name, value in point.items())
-    return ", ".join(parts) or "the constants themselves"
+    """Return the coordinates of a point as ``x = 1/2, y = 3``.
+
+    Args:
+        point: the value of each variable.
+        text: writes a value; by default as a fraction.
+    """
+    return ", ".join(f"{name} = {text(value)}" for name, value in point.items())
+
+
+def with_point(
+    sentence: str, point: Mapping[str, Any], text: Callable[[Any], str] = fraction_text
+) -> str:
+    """Return the sentence followed by the point, and alone if a claim has no variables.
+
+    Example:
+        >>> with_point("it fails", {"x": fmpq(1, 2)})
+        'it fails at x = 1/2'
+    """
+    return f"{sentence} at {shown(point, text)}" if point else sentence
 
 
 def no_point(parts: tuple[Expr, ...], given: Given) -> str:
-    """Why nothing is proved where no point is found at which all ``parts`` are defined."""
+    """Return the reason of UNDECIDED if no point is found where all ``parts`` are defined."""
     names = sorted(frozenset().union(*map(symbols, parts)))
     if not names:
         with ball_precision():
             for part in undefined_parts(parts, {}):
                 if _is_undefined(part):
-                    return f"{part} is not defined; nothing is proved vacuously"
-        return "one of the sides is not shown to be a real number; nothing is proved vacuously"
+                    return f"{part} is undefined, so there is nothing to prove; check the claim"
+        return "a side could not be shown to be a real number, so there may be nothing to prove"
     if next(given.points(names, 1), None) is None:
-        return "no exact point satisfies the conditions strictly; nothing is proved vacuously"
+        return (
+            "no point was found that satisfies the conditions strictly, "
+            "so there is nothing to prove; check the conditions"
+        )
     missing: Counter[Expr] = Counter()
     with ball_precision():
         for point in given.points(names, BLAMED_POINTS):
@@ -285,7 +311,7 @@ def no_point(parts: tuple[Expr, ...], given: Given) -> str:
     hint = "a condition that bounds the variables may help"
     if any(part.op == "log" for part in missing):
         hint += ", or log(abs(u)) for log(u)"
-    return f"{NOWHERE}: {blamed or 'parts of them'} would have to be real; {hint}"
+    return f"{NOWHERE}: {blamed or 'parts of them'} must be real; {hint}"
 
 
 _POLES = {"tan": "cos", "sec": "cos", "cot": "sin", "csc": "sin"}
@@ -293,7 +319,7 @@ _POLES = {"tan": "cos", "sec": "cos", "cot": "sin", "csc": "sin"}
 
 
 def _is_undefined(part: Expr) -> bool:
-    """Whether a constant, whose operands are numbers, is shown to be none."""
+    """Return whether a constant expression is proved to be undefined."""
     inner = part.args[0]
     if part.op in _POLES:
         return equal_at(apply(_POLES[part.op], inner), ZERO, {})
@@ -315,14 +341,14 @@ def _prove(
     further: Further | None,
     depth: int = 0,
 ) -> tuple[str | None, str, Expr | None]:
-    """A sentence on the proof, or None, a sentence on what stopped it, and whose sign did so."""
+    """Return the proof as a sentence or None, the obstacle, and the part whose sign is open."""
     left, right = sides
     if left == right:
         return "both sides are the same expression", "", None
     try:
         field, value = _difference(sides, given, theories, points)
     except (TooLargeError, UndefinedError) as error:
-        return None, f"the exact normal form stopped: {error}", None
+        return None, f"the exact normal form could not be computed: {error}", None
     if value.num.is_zero():
         return f"the difference has normal form 0 ({_counted(field)})", "", None
     proof = in_doubt = None
@@ -332,7 +358,7 @@ def _prove(
     if in_doubt is not None:
         cases = [given & Given(((e, ">", ZERO),)) for e in (in_doubt, -in_doubt)]
         if all(_prove(sides, case, theories, points, further, depth + 1)[0] for case in cases):
-            return f"it is proved by cases, in the sign of {in_doubt}", "", None
+            return f"it is proved in each case of the sign of {in_doubt}", "", None
     return proof, "" if proof else _obstacle(field, value), in_doubt
 
 
@@ -343,12 +369,15 @@ def _by_constants(
     given: Given,
     theories: frozenset[str],
 ) -> tuple[str | None, Fraction, Expr | None]:
-    """A proof by what is known of constants, or by derivatives, or None; and what is left."""
+    """Return a proof by relations between constants or by derivatives, or None; and the rest."""
     proof = None
     with suppress(TooLargeError, UndefinedError):
         value = settled(field, value, functions=any(map(symbols, sides)))
         if vanishes(field, value.num):
-            why = f"the difference has normal form 0 after its constants ({_counted(field)})"
+            why = (
+                "the difference has normal form 0 after its constants are "
+                f"simplified ({_counted(field)})"
+            )
             return why, value, None
         proof = equal_by_derivative(*sides, given, theories, field.size)
     return proof, value, None if proof else _sign_in_doubt(field, value)
@@ -361,17 +390,20 @@ def _prove_by_branch(
     points: Points,
     further: Further | None,
 ) -> str | None:
-    """A sentence on the proof of the sides without an inverse function, or None."""
+    """Return a proof of an equivalent equation without inverse functions, or None."""
     for pair in without_inverse(*sides, given, theories):
         if _prove(pair, given, theories, points, further, MAX_CASES)[0]:
-            return f"in the range of the inverse function it says that {pair[0]} = {pair[1]}"
+            return (
+                "on the range of the inverse function it is equivalent to "
+                f"{pair[0]} = {pair[1]}, which is proved"
+            )
     return None
 
 
 def _difference(
     sides: tuple[Expr, Expr], given: Given, theories: frozenset[str], points: Points
 ) -> tuple[Field, Fraction]:
-    """The normal form of the first side less the second."""
+    """Return the normal form of the difference of the two sides, with its field."""
     fewest = _generator_count(sides)
     for size in (size for size in SIZES if size >= fewest):
         field = Field(given, theories, size, lambda: points(given))
@@ -381,11 +413,11 @@ def _difference(
         except TooLargeError:
             if len(field.generators) < size:
                 raise
-    raise TooLargeError("more generators than the largest ring has room for")
+    raise TooLargeError("the expression has too many independent subexpressions")
 
 
 def _generator_count(sides: tuple[Expr, ...]) -> int:
-    """About how many generators the normal forms will need: parts that are not rational."""
+    """Estimate how many generators the normal forms need: the subexpressions not rational."""
     seen: set[Expr] = set()
     stack = list(sides)
     count = 0
@@ -401,7 +433,7 @@ def _generator_count(sides: tuple[Expr, ...]) -> int:
 
 
 def _sign_in_doubt(field: Field, value: Fraction) -> Expr | None:
-    """A polynomial in the symbols, not zero, on whose sign the normal form depends."""
+    """Return a nonzero polynomial on whose sign the normal form depends, or None."""
     for i in field.used(value.num):
         generator = field.at(i)
         if generator.kind == "sign":
@@ -415,11 +447,11 @@ def _obstacle(field: Field, value: Fraction) -> str:
     kinds = {field.at(i).kind for i in field.used(value.num)}
     for generator in map(field.at, field.used(value.num)):
         if generator.kind == "sign":
-            factor = written(field, generator.data[0]) or "a part"
+            factor = written(field, generator.data[0]) or "a subexpression"
             return (
                 f"the normal form of the difference depends on the sign of {factor}; "
-                "an assumption on it may help"
+                "a condition on it may help"
             )
     if "opaque" in kinds:
-        return "the difference is not zero by the allowed theories alone"
-    return "the normal form of the difference is not zero, and no point was found that refutes"
+        return "the difference could not be shown to be zero with the allowed theories alone"
+    return "the normal form of the difference is not zero, and no counterexample was found"

@@ -1,7 +1,7 @@
 """Decide inequalities: counterexamples, exact sign proofs, Taylor's theorem, then boxes.
 
-A claim ``left >= right`` speaks of every real point of ``given`` where both sides are defined, like
-an identity, and nothing is proved where no such point is found.
+A claim ``left >= right`` is about every real point of ``given`` where both sides are defined. It is
+proved only if such a point is found.
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ def decide_inequality(
     differentiated: Iterable[Expr] = (),
     by: Iterable[str] = (),
 ) -> Answer:
-    """PROVED, ENCLOSED, REFUTED or UNDECIDED for ``left relation right``.
+    """Decide the inequality ``left relation right`` under ``given``.
 
     Args:
         differentiated: the functions of which derivatives, by the variables ``by``, are compared.
@@ -78,15 +78,15 @@ def decide_inequality(
     if defined is None and (moved := at_domain_ends((left, right), given)):
         (left, right), given = moved
         answer = decide_inequality(left, relation, right, given, differentiated, by)
-        return replace(answer, why=f"as {left} {relation} {right}: {answer.why}")
+        return replace(answer, why=f"rewritten as {left} {relation} {right}: {answer.why}")
     if defined is None and not names:
         return Answer(Verdict.UNDECIDED, no_point((left, right), inside))
     if defined is None:
         return Answer(
             Verdict.UNDECIDED,
-            "no exact point was found inside the conditions where both sides "
-            f"{'and what is differentiated ' if differentiated else ''}are defined, "
-            "and nothing is proved vacuously; a condition that bounds the variables may help",
+            "no point was found that satisfies the conditions and where both sides "
+            f"{'and the differentiated functions ' if differentiated else ''}are defined, "
+            "so there may be nothing to prove; check the conditions, or bound the variables",
         )
     if not symbols(left) | symbols(right):
         return _constants(left, relation, right)
@@ -94,7 +94,7 @@ def decide_inequality(
     found = proof(left - right, relation, region)
     partly = found is not None and not is_regular(given)
     if found is not None and not partly:
-        return Answer(Verdict.PROVED, f"{found}; both sides are defined at {exactly(defined)}")
+        return Answer(Verdict.PROVED, exactly(f"{found}; both sides are defined", defined))
     for zero_of in (equal_at_algebraic, equal_at_turns) if relation != ">=" else ():
         zero = zero_of(left, right, inside)
         if zero is not None:
@@ -123,14 +123,14 @@ def decide_inequality(
 
 
 def _shown_under(given: Given, found: Answer) -> Answer:
-    """What boxes enclose, with the conditions that were typed."""
+    """Return an enclosed answer with the conditions as the user wrote them."""
     if found.verdict is not Verdict.ENCLOSED or not given.comparisons:
         return found
     return replace(found, region=str(given))
 
 
 def _one_period(difference: Expr, region: Given, given: Given) -> Given:
-    """The region, cut down to one period where the claim has one."""
+    """Return the region, reduced to one period if the claim is periodic."""
     names = symbols(difference)
     if len(names) != 1 or names & given.names:
         return region
@@ -147,20 +147,20 @@ def _one_period(difference: Expr, region: Given, given: Given) -> Given:
 def _sampled(
     left: Expr, relation: str, right: Expr, given: Given, names: list[str]
 ) -> tuple[dict[str, fmpq] | None, Answer | None]:
-    """A point where both sides are defined, and a refutation where a point gives one."""
+    """Return a point where both sides are defined, and a refutation if a sample gives one."""
     defined = None
     for bits, count in LOOKS:
         for point, (x, y) in sampled_values(left, right, given, names, count, bits):
             defined = point
             if relation != "!=" and x < y:
-                return defined, refuted(f"it fails at {exactly(point)}", point, x, y)
+                return defined, refuted(exactly("it fails", point), point, x, y)
             if relation != ">=" and x.overlaps(y) and equal_at(left, right, point):
-                return defined, refuted(f"both sides are equal at {exactly(point)}", point, x, y)
+                return defined, refuted(exactly("both sides are equal", point), point, x, y)
     return defined, _at_corners(left, relation, right, given, names) if defined else None
 
 
 def _in_cells(difference: Expr, region: Given) -> Iterator[dict[str, fmpq]]:
-    """A point of an open cell in which a polynomial is negative, where there is one."""
+    """Yield a point of each open cell in which the polynomial difference is negative."""
     with suppress(TooLargeError):
         found = cells(difference, region)
         if found is not None and found.against is not None:
@@ -170,7 +170,7 @@ def _in_cells(difference: Expr, region: Given) -> Iterator[dict[str, fmpq]]:
 def _at_corners(
     left: Expr, relation: str, right: Expr, given: Given, names: list[str]
 ) -> Answer | None:
-    """A refutation where variables are 0, 1 or at closed ends of their ranges."""
+    """Return a refutation with variables at 0, 1 or the closed ends of their ranges, or None."""
     for point in dict.fromkeys(tuple(p.items()) for p in corners(names, given.box)):
         found = _refuted_at(dict(point), left, relation, right, given)
         if found is not None:
@@ -181,7 +181,7 @@ def _at_corners(
 def _refuted_at(
     point: dict[str, fmpq], left: Expr, relation: str, right: Expr, given: Given
 ) -> Answer | None:
-    """A refutation where the exact point satisfies the conditions and violates the claim."""
+    """Return a refutation if the point satisfies the conditions and violates the claim."""
     if not given.names <= point.keys():  # found where the claim's own variables are
         return None
     if is_isolated({name: arb(value) for name, value in point.items()}, (left, right)):
@@ -195,28 +195,31 @@ def _refuted_at(
         if not (x.is_finite() and y.is_finite()):
             continue
         if relation != "!=" and x < y:
-            return refuted(f"it fails at {exactly(point)}", point, x, y)
+            return refuted(exactly("it fails", point), point, x, y)
         if relation != ">=" and x.overlaps(y) and equal_at(left, right, point):
-            return refuted(f"both sides are equal at {exactly(point)}", point, x, y)
+            return refuted(exactly("both sides are equal", point), point, x, y)
     return None
 
 
 def _constants(left: Expr, relation: str, right: Expr) -> Answer:
-    """Both sides are constants, and no ball refuted the claim."""
+    """Decide an inequality between two constants that no ball refutes."""
     if equal_at(left, right, {}):
         if relation == ">=":
             return Answer(Verdict.PROVED, "the two constants are equal")
         return refuted("the two constants are equal", {})
     found = sign(left - right, Given())
     if found in PROVING[relation]:
-        return Answer(Verdict.ENCLOSED, "the balls of the two constants are apart")
-    return Answer(Verdict.UNDECIDED, "the balls of the two constants overlap at 1024 bits")
+        return Answer(Verdict.ENCLOSED, "interval arithmetic separates the two constants")
+    return Answer(
+        Verdict.UNDECIDED,
+        ("the two constants agree to 1024 bits, and could not be shown to be equal"),
+    )
 
 
 def _apart(
     left: Expr, right: Expr, region: Given, inside: Given, defined: dict[str, fmpq]
 ) -> Answer:
-    """``left != right``: refuted by a zero between two points, or by a strict inequality."""
+    """Decide ``left != right``: a zero refutes it, a strict inequality proves it."""
     names = sorted(defined)
     signs: dict[bool, list[dict[str, fmpq]]] = {True: [], False: []}
     sampled = sampled_values(left, right, region, names, *LOOKS[0][::-1])
@@ -230,7 +233,7 @@ def _apart(
             return zero
     above = bool(signs[True])
     if above and signs[False]:
-        why = "the difference has both signs, so it may vanish; no zero of it was found"
+        why = "the difference takes both signs, so it may vanish, but no zero was found"
         return Answer(Verdict.UNDECIDED, why)
     pair = (left, right) if above else (right, left)
     found = search(*pair, True, region, inside)
@@ -238,20 +241,20 @@ def _apart(
         return found
     point = {name: parse(text) for name, text in (found.witness or {}).items()}
     if equal_at(left, right, point):
-        return replace(found, why=f"both sides are equal at {exactly(point)}")
+        return replace(found, why=exactly("both sides are equal", point))
     if all(value.op == "number" for value in point.values()):
         exact = defined | {name: value.args[0] for name, value in point.items()}
         zero = _zero_between(left - right, region, defined, exact)
         if zero is not None:
             return zero
-    why = "the difference changes its sign, so it may vanish; no zero of it was found"
+    why = "the difference changes sign, so it may vanish, but no zero was found"
     return Answer(Verdict.UNDECIDED, why)
 
 
 def _on_grid(
     left: Expr, right: Expr, given: Given, names: list[str]
 ) -> Iterator[tuple[dict[str, fmpq], tuple[arb, arb]]]:
-    """Values at equal steps along the line, for poles and zeros that take turns."""
+    """Yield values on a regular grid, which finds zeros between neighbouring poles."""
     for k in GRID if len(names) == 1 else ():
         point = {names[0]: fmpq(k, GRID_STEPS)}
         with ball_precision():
@@ -265,7 +268,7 @@ def _on_grid(
 def _neighbours(
     signs: dict[bool, list[dict[str, fmpq]]],
 ) -> Iterator[tuple[dict[str, fmpq], dict[str, fmpq]]]:
-    """Points of one variable next to each other at which the signs differ: no pole is between."""
+    """Yield neighbouring points of one variable at which the signs of the difference differ."""
     points = [(*p.values(), above, p) for above, found in signs.items() for p in found]
     if points and len(points[0]) == 3:
         for (_, above, p), (_, below, q) in pairwise(sorted(points, key=itemgetter(0))):
@@ -274,7 +277,7 @@ def _neighbours(
 
 
 def _sides(given: Given) -> tuple[Given, Given] | None:
-    """The conditions on both sides of one that excludes the zeros of an expression."""
+    """Split the conditions at one of the form ``u != v`` into u > v and u < v, or None."""
     for k, comparison in enumerate(given.comparisons):
         left, relation, right = comparison
         if relation == "!=":
@@ -284,7 +287,7 @@ def _sides(given: Given) -> tuple[Given, Given] | None:
 
 
 def _on_both_sides(left: Expr, right: Expr, one: Given, other: Given, answer: Answer) -> Answer:
-    """``left != right`` by cases, or the ``answer`` where they do not settle it."""
+    """Decide ``left != right`` in two cases; return ``answer`` if they do not decide it."""
     found = [decide_inequality(left, "!=", right, case) for case in (one, other)]
     for each in found:
         if each.verdict is Verdict.REFUTED:
@@ -292,14 +295,14 @@ def _on_both_sides(left: Expr, right: Expr, one: Given, other: Given, answer: An
     if not all(found):
         return answer
     weakest = next((each for each in found if each.verdict is Verdict.ENCLOSED), found[0])
-    why = f"on both sides of what the conditions exclude: {weakest.why}"
+    why = f"in each of the two cases left by the condition with !=: {weakest.why}"
     return replace(weakest, why=why, region=None)
 
 
 def _zero_between(
     difference: Expr, region: Given, start: dict[str, fmpq], end: dict[str, fmpq]
 ) -> Answer | None:
-    """A refutation of ``difference != 0``, which has two signs at two points, by halving.
+    """Refute ``difference != 0`` by bisection between two points of opposite sign, or return None.
 
     The difference is continuous on the small box about the last two points, as its ball there is
     finite, so it vanishes on the segment between them.
@@ -321,5 +324,8 @@ def _zero_between(
         name: f"[{fraction_text(low)}, {fraction_text(high)}]" if low < high else fraction_text(low)
         for name, (low, high) in ends.items()
     }
-    why = "the difference is continuous there and changes its sign, so it vanishes between"
+    why = (
+        "the difference is continuous and changes sign between the "
+        "ends of the intervals given as witness, so it vanishes there"
+    )
     return Answer(Verdict.REFUTED, why, witness=witness)

@@ -47,7 +47,7 @@ _ONE, _NAN = arb(1), arb.nan()
 
 
 def is_isolated(at: Mapping[str, arb], sides: tuple[Expr, Expr]) -> bool:
-    """Whether no point is found close by where both sides are defined: no claim speaks of it."""
+    """Return whether no point nearby is found where both sides are defined."""
     with ball_precision(2 * PRECISION):
         for signs in product((1, -1), repeat=len(at)):
             steps = (arb(fmpq(sign, (1 << 40) + 7**k)) for k, sign in enumerate(signs))
@@ -58,11 +58,14 @@ def is_isolated(at: Mapping[str, arb], sides: tuple[Expr, Expr]) -> bool:
 
 
 def search(left: Expr, right: Expr, strict: bool, region: Given, inside: Given) -> Answer:
-    """ENCLOSED, REFUTED or UNDECIDED for ``left > right`` (or ``>=``).
+    """Decide ``left > right`` (or ``>=`` if not ``strict``) by branch and bound.
 
     Args:
-        region: what holds wherever the claim speaks.
-        inside: what a point must satisfy besides at which it is refuted.
+        region: conditions that hold wherever the claim is made.
+        inside: further conditions that a counterexample must satisfy.
+
+    Returns:
+        ENCLOSED, REFUTED, or UNDECIDED with the region that could not be closed.
     """
     region = _about(region, symbols(left) | symbols(right))
     names = sorted(symbols(left) | symbols(right) | region.names)
@@ -76,8 +79,8 @@ def search(left: Expr, right: Expr, strict: bool, region: Given, inside: Given) 
     free = [n for n, r in zip(names, ranges, strict=True) if not _bounded(r)]
     return Answer(
         Verdict.UNDECIDED,
-        "no sign of the difference is proved, and boxes need bounds on at most "
-        f"{MAX_VARIABLES} variables: bounds on {', '.join(free or names)} may help",
+        "the sign of the difference could not be proved, and interval subdivision needs bounds on "
+        f"at most {MAX_VARIABLES} variables: bounds on {', '.join(free or names)} may help",
     )
 
 
@@ -226,7 +229,7 @@ class _Search:
             if all(satisfies(c, {name: point}, at) for c in self.spoken_of):
                 values = [evaluate(side, at) for side in (self.left, self.right)]
                 return refuted(
-                    f"both sides are equal at {exactly({name: point})}", {name: point}, *values
+                    exactly("both sides are equal", {name: point}), {name: point}, *values
                 )
         return False
 
@@ -254,8 +257,8 @@ class _Search:
                     return found
         return Answer(
             Verdict.UNDECIDED,
-            f"the sign of the difference near {where} is not settled; a condition that keeps "
-            "away from there may help",
+            f"the sign of the difference near {where} could not be determined; a condition that "
+            "excludes a neighbourhood may help",
         )
 
     # -- boxes ------------------------------------------------------------------------------
@@ -276,9 +279,10 @@ class _Search:
         return outcome.worst
 
     def _closed(self, leaves: int) -> str:
-        parts = [f"closed in {leaves} box" + "es" * (leaves != 1)]
-        if self.pieces:
-            parts.append(f"and by expansion in {len(self.pieces)} neighbourhood(s) of contact")
+        parts = [f"verified in interval arithmetic on {leaves} box" + "es" * (leaves != 1)]
+        if count := len(self.pieces):
+            plural = "s" * (count != 1)
+            parts.append(f"and by series expansion near {count} point{plural} of contact")
         return " ".join(parts)
 
     def _refute(self, point: tuple[fmpq, ...]) -> Answer | None:
@@ -298,7 +302,7 @@ class _Search:
                     continue
                 x, y = evaluate(self.left, at), evaluate(self.right, at)
                 if x < y and not is_isolated(at, (self.left, self.right)):
-                    return refuted(f"it fails at {exactly(exact)}", exact, x, y)
+                    return refuted(exactly("it fails", exact), exact, x, y)
         return None
 
     def _margin(self, *arguments: Any) -> arb:
@@ -369,5 +373,6 @@ def _open(names: list[str], worst: Box) -> Answer:
         )
     return Answer(
         Verdict.UNDECIDED,
-        f"boxes near {near} stayed open: the two sides may touch there; a smaller region may help",
+        f"interval subdivision did not succeed near {near}: the two "
+        "sides may touch there; a smaller region may help",
     )

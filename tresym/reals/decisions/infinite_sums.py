@@ -1,8 +1,8 @@
 """Infinite sums and products: power series, quoted theorems, limits of finite sums.
 
-A claim with one series is first given to :mod:`tresym.reals.decisions.power_series`. Where that
-does not settle it, each series is replaced by what a theorem says that it is, which is named, or by
-the limit of a closed form of its first terms.
+A claim with one series is first given to :mod:`tresym.reals.decisions.power_series`. If that does
+not decide it, each series is replaced by its value according to a quoted theorem, or by the limit
+of a closed form of its partial sums.
 """
 
 from __future__ import annotations
@@ -24,18 +24,18 @@ from tresym.reals.verdict import Verdict
 
 
 def decide_infinite(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
-    """PROVED, ENCLOSED, REFUTED or UNDECIDED for a claim with sums or products to oo.
+    """Decide a claim with infinite sums or products.
 
     Args:
-        decided: decides claims without them.
+        decided: the procedure for claims without them.
     """
     nodes = [node for node in outermost(claim.left, claim.right) if is_infinite(node)]
     limit = statement.path is not None
     if claim.derivatives or statement.equations or (limit and not is_infinite(claim.right)):
-        why = "a series with derivatives, limits or equations beside it is not decided"
+        why = "a series together with derivatives, limits or conditions with == is not supported"
         return Answer(Verdict.UNDECIDED, why)
     if claim.relation not in ("==", "->") and any(symbols(node) - {"oo"} for node in nodes):
-        return Answer(Verdict.UNDECIDED, "of a series with variables an equation is decided alone")
+        return Answer(Verdict.UNDECIDED, "for a series with variables only equations are supported")
     found = None
     if len(set(nodes)) == 1 and claim.relation == "==" and not statement.integers:
         side = claim.solved(nodes[0])
@@ -48,7 +48,7 @@ def decide_infinite(claim: Comparison, statement: Statement, decided: Decide) ->
     for node in dict.fromkeys(nodes):
         form = quoted_total(node, others, statement.given)
         if form is None and limit:
-            return Answer(Verdict.UNDECIDED, f"{node}: no theorem says what it is")
+            return Answer(Verdict.UNDECIDED, f"{node}: no known theorem gives its value")
         if form is None:
             answer = first_terms(claim, statement, decided)
             return answer if found is None or answer.verdict is not Verdict.UNDECIDED else found
@@ -70,7 +70,7 @@ def _as_claimed(found: Answer, claim: Comparison, series: Expr) -> Answer:
 def with_values(
     claim: Comparison, statement: Statement, known: dict[Expr, Quoted], decided: Decide
 ) -> Answer:
-    """The claim with the values that theorems give put in, and again where these are removable."""
+    """Decide the claim with the values of the series according to quoted theorems."""
     values = {node: form.value for node, form in known.items()}
     left, right = (replaced(side, values) for side in (claim.left, claim.right))
     answer = decided(replace(claim, left=left, right=right), statement)

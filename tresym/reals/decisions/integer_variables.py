@@ -60,10 +60,10 @@ MOST_TRIED, MOST_SIZE = 5000, 200
 
 
 def decide_whole(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
-    """The answer where some variables are integers.
+    """Decide a claim in which some variables are integers.
 
     Args:
-        decided: decides what holds for real values.
+        decided: the procedure for claims about real variables.
     """
     sides = [claim.left, claim.right, *statement.said]
     if statement.path is not None and statement.path.point is not None:
@@ -92,7 +92,7 @@ def decide_whole(claim: Comparison, statement: Statement, decided: Decide) -> An
             )
         seen = seen or bool(found)
     if not seen:
-        why = f"it was shown at no integer {', '.join(names)}, and nothing is proved vacuously"
+        why = f"the claim could not be proved at any small integer {', '.join(names)}"
         return Answer(Verdict.UNDECIDED, why)
     exact = _by_divisors(claim, statement, names)
     if exact is not None:
@@ -102,12 +102,14 @@ def decide_whole(claim: Comparison, statement: Statement, decided: Decide) -> An
         beyond = _beyond(claim, statement, names[0], decided)
         found = found if beyond is None else beyond
     if found.verdict is Verdict.REFUTED:  # at what need be no integer
-        return Answer(Verdict.UNDECIDED, f"of integers it is open; of real values, {found.why}")
+        return Answer(
+            Verdict.UNDECIDED, (f"undecided for integers; it is false for real values: {found.why}")
+        )
     return replace(found, why=f"for integers {', '.join(names)}: {found.why}", region=None)
 
 
 def with_integer_bounds(given: Given, integers: Iterable[str]) -> Given:
-    """The conditions, and the bounds of the integers by integers: n > 1/2 is n >= 1."""
+    """Return the conditions with integer bounds for the integers: n > 1/2 becomes n >= 1."""
     links = []
     for name in integers:
         low, high = given.box.get(name, Interval())[:2]
@@ -163,7 +165,8 @@ def _by_divisors(claim: Comparison, statement: Statement, names: list[str]) -> A
             value(at, m) for at in product(range(m), repeat=len(names))
         ):
             return Answer(
-                Verdict.PROVED, f"for integers {', '.join(names)}: it is not 0 modulo {m}"
+                Verdict.PROVED,
+                f"for integers {', '.join(names)}: the difference is never 0 modulo {m}",
             )
     size = max(k for k in range(MOST_SIZE) if (2 * k + 1) ** len(names) <= MOST_TRIED)
     for at in sorted(product(range(-size, size + 1), repeat=len(names)), key=_size):
@@ -173,7 +176,7 @@ def _by_divisors(claim: Comparison, statement: Statement, names: list[str]) -> A
         ):
             point = {name: fmpq(x) for name, x in zip(names, at, strict=True)}
             balls = [arb(evaluate(side, point)) for side in (left, right)]
-            return refuted(f"both sides are equal at {exactly(point)}", point, *balls)
+            return refuted(exactly("both sides are equal", point), point, *balls)
     return None
 
 
@@ -192,11 +195,17 @@ def _by_residues(
     trees = (claim.left, claim.right, *claim.differentiated, *statement.said)
     periods = [period_of(trees, name, statement.given) for name in names]
     if None in periods:
-        return Answer(Verdict.UNDECIDED, "an angle or an exponent has no period in the integers")
+        return Answer(
+            Verdict.UNDECIDED,
+            "the claim could not be reduced to finitely many residue classes of the integers",
+        )
     whole = [period for period in periods if period is not None]
     residues = list(islice(product(*map(range, whole)), MOST_RESIDUES + 1))
     if len(residues) > MOST_RESIDUES:
-        return Answer(Verdict.UNDECIDED, f"more than {MOST_RESIDUES} residues of the integers")
+        return Answer(
+            Verdict.UNDECIDED,
+            f"the claim needs more than {MOST_RESIDUES} residue classes of the integers",
+        )
     answers = []
     nodes = outermost(claim.left, claim.right)
     holds_integrals = any(node.op != "unknown" for node in nodes)
@@ -364,8 +373,8 @@ def _beyond(claim: Comparison, statement: Statement, name: str, decided: Decide)
     answers = near + far
     if not answers or not all(answers):
         return None
-    said = [f"one by one up to {SMALL} in size"] if near else []
-    said += [f"beyond, {worst(far).why}"] if far else []
+    said = [f"each integer up to {SMALL} in absolute value separately"] if near else []
+    said += [f"for all larger ones: {worst(far).why}"] if far else []
     return replace(worst(answers), why="; ".join(said))
 
 

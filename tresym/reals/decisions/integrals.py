@@ -1,15 +1,15 @@
 """Definite integrals: by a checked antiderivative, or enclosed by quadrature.
 
-∫ f from a to b, a < b, is F(b−) − F(a+) where F and f are analytic on the open interval, F′ = f
-there by the normal form, and F has these limits at its ends: so the integral converges, improper or
-not, and where one of the limits is infinite it diverges. An interval is cut where a part of f or F
-may be singular, and each piece is looked at by itself. Where the order of the ends is open, either
-order is. How F is found plays no part: it may be given in the claim, by values of it that are
-written ``at(F, x, b) - at(F, x, a)``; else SymPy suggests one.
+∫ f from a to b, a < b, equals F(b−) − F(a+) if F and f are analytic on the open interval, F′ = f
+there by the normal form, and F has these limits at the ends. The integral, proper or improper, then
+converges; if one of the limits is infinite, it diverges. The interval is cut where a part of f or F
+may be singular, and each piece is treated separately. If it is unknown which end is larger, both
+cases are checked. Where F comes from does not matter for the proof: it may be given in the claim as
+``at(F, x, b) - at(F, x, a)``, and otherwise SymPy suggests candidates.
 
-Some integrals are theorems, which are quoted (:mod:`tresym.reals.decisions.known_integrals`).
-Another of which no antiderivative is known is enclosed by certified quadrature
-(:mod:`tresym.reals.domain.binder_values`), which refutes an equation, and bounds.
+Some integrals are quoted from tables (:mod:`tresym.reals.decisions.known_integrals`). An integral
+without a known antiderivative is enclosed by rigorous quadrature
+(:mod:`tresym.reals.domain.binder_values`), which can refute equations and prove bounds.
 """
 
 from __future__ import annotations
@@ -75,38 +75,41 @@ CUTS, DENOMINATOR = 12, 5040
 TURNS = 40
 """Multiples of π at which a sine or a cosine in the integrand is looked at."""
 PARAMETERS = 3
-_OPEN = "no antiderivative was found that is shown to be one on the whole interval"
+_OPEN = "no antiderivative could be found and verified on the whole interval"
 
 
 class _Work(NamedTuple):
-    """Sentences on what was shown, and antiderivatives that may have been written."""
+    """Sentences for the reason, and antiderivatives that the claim itself contains."""
 
     notes: list[str]
     primitives: tuple[Expr, ...]
 
 
 class _OpenError(Exception):
-    """Nothing is shown; the text says of what."""
+    """An integral could not be evaluated; the text is the reason."""
 
 
 class _DivergentError(_OpenError):
-    """An integral is shown to have no value, infinite or not, wherever ``given`` holds."""
+    """An integral is proved to have no value, finite or infinite, wherever ``given`` holds."""
 
     def __init__(self, f: Expr, why: str, given: Given) -> None:
-        super().__init__(f"the integral of {f} {why}, and so it has no value")
+        super().__init__(f"the integral of {f} has no value: it {why}")
         self.given = given
 
 
 def decide_integrals(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
-    """PROVED, ENCLOSED, REFUTED or UNDECIDED for a claim with definite integrals.
+    """Decide a claim with definite integrals.
 
     Args:
-        decided: decides what holds no integral.
+        claim: the comparison to decide.
+        statement: its conditions.
+        decided: the procedure for claims without integrals.
+
+    Returns:
+        PROVED, ENCLOSED or REFUTED, or UNDECIDED with the obstacle as the reason.
     """
     if any(next(functions(side), None) for side in (claim.left, claim.right)):
-        return Answer(
-            Verdict.UNDECIDED, "the integral of a function left unknown is not worked out"
-        )
+        return Answer(Verdict.UNDECIDED, "integrals of arbitrary functions cannot be evaluated")
     found = _by_quadrature(claim, statement)
     if found is not None:
         return found
@@ -120,13 +123,18 @@ def decide_integrals(claim: Comparison, statement: Statement, decided: Decide) -
         found = _at_parameters(claim, statement, decided) if found is None else found
         return Answer(Verdict.UNDECIDED, str(error)) if found is None else found
     except InputError as error:
-        return Answer(Verdict.UNDECIDED, f"an expression on the way grew too large: {error}")
+        return Answer(
+            Verdict.UNDECIDED, (f"an intermediate expression exceeds the size limit: {error}")
+        )
     said = "; ".join(dict.fromkeys(work.notes))
     if any(side in (INFINITY, MINUS_INFINITY) for side in sides):
         points = simple_points(_parameters(claim), given, PARAMETERS, statement.integers)
         return _infinite(claim.relation, sides, said, points)
     if any(INFINITY.args[0] in symbols(side) for side in sides):
-        return Answer(Verdict.UNDECIDED, f"an infinite value stands in a sum or product; {said}")
+        return Answer(
+            Verdict.UNDECIDED,
+            f"an integral is infinite and part of a sum or product, which is not supported; {said}",
+        )
     plain = replace(statement, given=given)
     answer = decided(replace(claim, left=sides[0], right=sides[1]), plain)
     return replace(answer, why=f"{said}; {answer.why}")
@@ -135,7 +143,7 @@ def decide_integrals(claim: Comparison, statement: Statement, decided: Decide) -
 def without_integrals(
     sides: Iterable[Expr], given: Given, primitives: tuple[Expr, ...]
 ) -> tuple[list[Expr], str] | None:
-    """The sides with the values of their integrals, and what was shown; None where that is open."""
+    """Return the sides with their integrals evaluated and the reason; None if that fails."""
     work = _Work([], primitives)
     try:
         found = [_without(side, given, work) for side in sides]
@@ -145,7 +153,7 @@ def without_integrals(
 
 
 def _where_defined(claim: Comparison, given: Given) -> Given:
-    """The conditions, and that what stands beside the integrals is defined."""
+    """Return the conditions, and that everything outside the integrals is defined."""
     marks = {node: symbol(f"[{node}]") for node in outermost(claim.left, claim.right)}
     names = {str(mark.args[0]) for mark in marks.values()}
     parts = needs(replaced(side, marks) for side in (claim.left, claim.right))
@@ -154,9 +162,14 @@ def _where_defined(claim: Comparison, given: Given) -> Given:
 
 
 def _infinite(relation: str, sides: list[Expr], said: str, points: list[dict[str, fmpq]]) -> Answer:
-    """The comparison of values of which one is infinite wherever the conditions hold."""
+    """Decide an equation in which a side is infinite wherever the conditions hold."""
     if relation != "==" or not points:
-        return Answer(Verdict.UNDECIDED, f"{said}; a value that is infinite is claimed by ==")
+        return Answer(
+            Verdict.UNDECIDED,
+            f"{said}; the value is infinite; such a claim is supported "
+            "only with ==, and where some simple point satisfies the conditions",
+        )
+    said = f"{said}; the left side is {sides[0]} and the right side is {sides[1]}"
     if sides[0] == sides[1]:
         return Answer(Verdict.PROVED, said)
     finite = [side for side in sides if not _ends(side)]
@@ -164,22 +177,22 @@ def _infinite(relation: str, sides: list[Expr], said: str, points: list[dict[str
         with ball_precision():
             if all(evaluate(side, at).is_finite() for side in finite):
                 return refuted(said, at)
-    return Answer(Verdict.UNDECIDED, f"{said}; the other side was found to be defined nowhere")
+    return Answer(Verdict.UNDECIDED, f"{said}; no point was found where the other side is defined")
 
 
 def _by_identity(claim: Comparison, statement: Statement, decided: Decide) -> Answer | None:
-    """A proof for all values of the integrals, which exist; None without one."""
+    """Return a proof that holds for arbitrary values of the (existing) integrals, or None."""
     values = Antiderivatives(statement.given)
     left, right = values.put_in(claim.left), values.put_in(claim.right)
     if left is None or right is None or claim.derivatives or statement.path is not None:
         return None
     answer = decided(replace(claim, left=left, right=right), statement)
-    why = f"by linearity of integrals and joined intervals; {answer.why}"
+    why = f"by linearity and additivity of integrals; {answer.why}"
     return replace(answer, why=why) if answer.verdict is Verdict.PROVED else None
 
 
 def _without_value(claim: Comparison, error: _OpenError) -> Answer | None:
-    """A refutation of an equation that gives a value to an integral that has none."""
+    """Refute an equation that gives a value to a divergent integral, or return None."""
     nodes = list(outermost(claim.left, claim.right))
     if not isinstance(error, _DivergentError) or claim.relation != "==" or claim.derivatives:
         return None
@@ -201,7 +214,7 @@ def _without_value(claim: Comparison, error: _OpenError) -> Answer | None:
 
 
 def _at_parameters(claim: Comparison, statement: Statement, decided: Decide) -> Answer | None:
-    """A refutation at simple values of the parameters, each integral worked out there."""
+    """Return a refutation at simple values of the parameters, or None."""
     names = _parameters(claim)
     if not names or claim.derivatives or claim.relation not in NEGATED:
         return None  # the variable of a path is no parameter
@@ -216,7 +229,7 @@ def _at_parameters(claim: Comparison, statement: Statement, decided: Decide) -> 
 
 
 def _parameters(claim: Comparison) -> list[str]:
-    """The free symbols of both sides that are no infinite end."""
+    """Return the free variables of both sides, without oo."""
     return sorted((symbols(claim.left) | symbols(claim.right)) - {str(INFINITY.args[0])})
 
 
@@ -224,7 +237,7 @@ def _parameters(claim: Comparison) -> list[str]:
 
 
 def _without(e: Expr, given: Given, work: _Work) -> Expr:
-    """``e`` with the values of its integrals put in.
+    """Return ``e`` with its integrals replaced by their values.
 
     Raises:
         _OpenError: one has no value that is shown.
@@ -239,7 +252,7 @@ def _without(e: Expr, given: Given, work: _Work) -> Expr:
 
 
 def _is_odd(name: str, f: Expr, low: Expr, high: Expr, given: Given) -> bool:
-    """Whether f(−x) = −f(x), on an interval about 0 on all of which it is smooth."""
+    """Return whether f is odd and smooth on an interval symmetric about 0."""
     x = symbol(name)
     if _ends(high) or decide(low, -high, given).verdict is not Verdict.PROVED:
         return False
@@ -270,9 +283,15 @@ def _integral(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Wo
         value = _between(name, f, low, high, rising, work)
         backward = _between(name, f, high, low, falling, work)
         if _ends(value) or decide(value + backward, ZERO, given).verdict is not Verdict.PROVED:
-            raise _OpenError(f"which of {low} and {high} is the greater one is not known")
+            raise _OpenError(
+                f"it could not be determined which of {low} and {high} is "
+                "larger; a condition may help"
+            )
     if found not in PROVING["!="] and not _vanishes_where_they_meet(value, low, high, given):
-        raise _OpenError(f"where {low} and {high} are equal the integral is 0: say {low} != {high}")
+        raise _OpenError(
+            f"the integral is 0 where {low} = {high}, unlike the formula: "
+            f"add the condition {low} != {high}"
+        )
     return value
 
 
@@ -301,7 +320,7 @@ def _vanishes_with(e: Expr, value: Expr, given: Given) -> bool:
 
 
 def _factors(e: Expr) -> Iterator[Expr]:
-    """Expressions of which one is 0 where ``e`` is."""
+    """Yield expressions of which at least one is 0 wherever ``e`` is."""
     if e.op == "*":
         for factor in e.args:
             yield from _factors(factor)
@@ -319,14 +338,16 @@ def _order(low: Expr, high: Expr) -> int:
 
 
 def _between(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Work) -> Expr:
-    """∫ f from ``low`` to ``high``, which is greater under ``given``."""
+    """Return ∫ f from ``low`` to ``high``, where low < high under ``given``."""
     inside = given & _inside(name, low, high)
     f = _without(f, inside, work)
     if not elementary(f):
-        raise _OpenError(f"integral of {f}: a sum or a limit in it is not worked out")
+        raise _OpenError(
+            f"integral of {f}: a sum or a limit in the integrand could not be evaluated"
+        )
     for root, size in _roots_of_squares(f, inside):
         f = replaced(f, {root: size})
-        work.notes.append(f"{root} is {size}")
+        work.notes.append(f"{root} = {size} on the interval")
     known = standard(f, name, low, high, given)
     if known is not None:
         work.notes.append(f"the integral of {f} is {known.value} by {known.source}")
@@ -338,7 +359,7 @@ def _between(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Wor
     values = [_piece(name, f, start, end, given, work) for start, end in pieces]
     infinite = {value for value in values if _ends(value)}
     if len(infinite) > 1:
-        raise _DivergentError(f, "has parts that are oo and -oo", given)
+        raise _DivergentError(f, "has both parts that are oo and parts that are -oo", given)
     return infinite.pop() if infinite else add(*values)
 
 
@@ -350,7 +371,7 @@ def _inside(name: str, low: Expr, high: Expr) -> Given:
 
 
 def _pieces(name: str, parts: Iterable[Expr], low: Expr, high: Expr) -> Iterator[tuple[Expr, Expr]]:
-    """The interval, cut at points at which a part may be singular."""
+    """Yield the parts of the interval between the points where ``parts`` may be singular."""
     cuts: list[Expr] = []
     within = (c for c in _cuts(name, parts) if not symbols(c) and _is_between(low, c, high))
     for c in sorted(within, key=_middle):
@@ -458,7 +479,7 @@ def _is_between(low: Expr, c: Expr, high: Expr) -> bool:
 
 
 def _piece(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Work) -> Expr:
-    """∫ f over one piece, by the first antiderivative that passes, of the first cut that does."""
+    """Return ∫ f over one piece, by the first candidate that is verified."""
     from tresym.reals.decisions.antiderivatives import suggested
 
     inside = given & _inside(name, low, high)
@@ -481,7 +502,7 @@ def _piece(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Work)
             shown = [value for value in values if value is not None]
             infinite = {value for value in shown if _ends(value)}
             if len(infinite) > 1:
-                raise _DivergentError(f, "has parts that are oo and -oo", given)
+                raise _DivergentError(f, "has both parts that are oo and parts that are -oo", given)
             where = f" for {inside}" if inside.comparisons else ""
             work.notes.append(f"{candidate} is an antiderivative of {f}{where}")
             return infinite.pop() if infinite else add(*shown)
@@ -515,7 +536,7 @@ def _of_waves(f: Expr, name: str) -> Iterator[Expr]:
 def _difference(
     name: str, f: Expr, function: Expr, low: Expr, high: Expr, given: Given
 ) -> Expr | None:
-    """F(high−) − F(low+), if F is shown to be an antiderivative of f between them."""
+    """Return F(high−) − F(low+) if F is proved to be an antiderivative of f; None otherwise."""
     inside = given & _inside(name, low, high)
     if any(continuous_on(e, inside, proof) is not None for e in (f, function)):
         return None
@@ -529,14 +550,16 @@ def _difference(
         if value is None:
             value = limit_of(function, name, point, toward, given)
         if value is None and point is None and has_no_limit(function, name, toward, given):
-            raise _DivergentError(f, f"oscillates, as {function} does towards {end}", given)
+            raise _DivergentError(
+                f, f"oscillates without a limit, as {function} does towards {end}", given
+            )
         if value is None:
             return None
         ends.append(value)
     above, below = ends
     if _ends(above) or _ends(below):
         if above == below:
-            raise _DivergentError(f, "has parts that are oo and -oo", given)
+            raise _DivergentError(f, "has both parts that are oo and parts that are -oo", given)
         return above if _ends(above) else -below
     return above - below
 
@@ -564,7 +587,7 @@ def _without_corners(e: Expr, given: Given) -> Expr:
 
 
 def _by_quadrature(claim: Comparison, statement: Statement) -> Answer | None:
-    """A refutation at simple values of the parameters; without any also a proof of a bound."""
+    """Decide by rigorous quadrature: refute at simple parameters; prove a bound without any."""
     sides = claim.left, claim.right
     names = _parameters(claim)
     nodes = list(outermost(*sides))
@@ -584,10 +607,10 @@ def _by_quadrature(claim: Comparison, statement: Statement) -> Answer | None:
                 if not (left.is_finite() and right.is_finite()):
                     break
                 if _fails(left - right, claim.relation):
-                    why = "certified quadrature has the two sides apart"
+                    why = "rigorous numerical integration shows that the two sides differ"
                     return refuted(why, at, left, right)
                 if not names and claim.relation != "==" and stands(left - right, claim.relation):
-                    return Answer(Verdict.ENCLOSED, "certified quadrature of the integrals")
+                    return Answer(Verdict.ENCLOSED, "by rigorous numerical integration")
     return None
 
 

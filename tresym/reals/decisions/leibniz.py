@@ -39,24 +39,32 @@ class _OpenError(Exception):
 
 
 def decide_by_leibniz(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
-    """The answer with derivatives of integrals worked out.
+    """Decide a claim with derivatives of integrals, by differentiation under the integral sign.
 
     Args:
-        decided: decides the claim without them.
+        decided: the procedure for claims without derivatives of integrals.
     """
     given = statement.given
     if statement.path is not None or statement.equations or statement.integers:
-        why = "the derivative of an integral is decided under inequalities alone"
+        why = "derivatives of integrals are supported only under conditions that are inequalities"
         return Answer(Verdict.UNDECIDED, why)
     if not (is_regular(given) and has_inside(given)):
-        return Answer(Verdict.UNDECIDED, "the conditions are not shown to have inner points")
+        return Answer(
+            Verdict.UNDECIDED,
+            (
+                "the conditions could not be shown to have interior points, "
+                "where a derivative makes sense"
+            ),
+        )
     try:
         left, right = (_worked_out(side, given) for side in (claim.left, claim.right))
     except _OpenError as error:
         return Answer(Verdict.UNDECIDED, str(error))
     kept = tuple(d for d in claim.derivatives if not _integrals(d.function))
     answer = decided(Comparison(left, claim.relation, right, kept), statement)
-    return replace(answer, why=f"by Leibniz's rule for derivatives of integrals; {answer.why}")
+    return replace(
+        answer, why=f"by Leibniz's rule for differentiation under the integral sign; {answer.why}"
+    )
 
 
 def _integrals(e: Expr) -> list[Expr]:
@@ -72,7 +80,10 @@ def _worked_out(e: Expr, given: Given) -> Expr:
         return e if known else rebuild(e, tuple(_worked_out(arg, given) for arg in e.args))
     place = e.args[1]
     if place.op != "symbol" or symbols(place) & symbols(e.args[0]):
-        raise _OpenError("the derivative of an integral is decided at a variable alone")
+        raise _OpenError(
+            "the derivative of an integral at a point is not supported: "
+            "differentiate with respect to a variable"
+        )
     body = _worked_out(instantiate(e.args[0], (place,)), given)
     return _slope(body, str(place), given)
 
@@ -81,7 +92,7 @@ def _slope(body: Expr, name: str, given: Given) -> Expr:
     """The derivative of an expression with integrals, by the chain rule."""
     nodes = [node for node in dict.fromkeys(_integrals(body)) if name in symbols(node)]
     if any(node.op != "integral" for node in nodes):
-        raise _OpenError("the derivative of a sum or a limit is not worked out")
+        raise _OpenError("derivatives of sums and limits are not supported")
     marks = {node: symbol(f"[{n}]") for n, node in enumerate(nodes)}
     plain = replaced(body, marks)
     back = {str(mark): node for node, mark in marks.items()}
@@ -96,12 +107,16 @@ def _rule(node: Expr, name: str, given: Given) -> Expr:
     (t,), f = opened(node, given.names | {name})
     low, high = node.args[1:]
     if not elementary(low, high) or _integrals(f) or "oo" in symbols(low) | symbols(high):
-        raise _OpenError(f"{node}: its ends and its integrand are not elementary")
+        raise _OpenError(
+            f"{node}: its limits and its integrand must be finite elementary expressions"
+        )
     if any(continuous_on(end, given, proof) is not None for end in (low, high)):
-        raise _OpenError(f"{node}: its ends are not shown to be smooth")
+        raise _OpenError(f"{node}: its limits could not be shown to be differentiable")
     regions = between(t, low, high, given)
     if not (is_smooth(f, Given()) or all(is_smooth(f, inside) for inside in regions)):
-        raise _OpenError(f"{node}: its integrand is not shown to be smooth from {low} to {high}")
+        raise _OpenError(
+            f"{node}: its integrand could not be shown to be smooth from {low} to {high}"
+        )
     ends = (
         sign_ * substitute(f, {t: end}) * differentiate(end, name)
         for sign_, end in ((1, high), (-1, low))

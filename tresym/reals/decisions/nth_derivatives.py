@@ -1,8 +1,7 @@
 """Derivatives of integer order n, by induction on n.
 
-``d^n f/dx^n = g(n, x)`` for all n from the least on holds where it does for that n, and where the
-derivative of g(n, x) by x is g(n + 1, x). It is refuted at small n, where it is a derivative of
-that order.
+``d^n f/dx^n = g(n, x)`` holds for all n from n0 on if it holds for n0 and if the derivative of
+g(n, x) with respect to x is g(n + 1, x). It is refuted at small n by carrying out the derivatives.
 """
 
 from __future__ import annotations
@@ -38,22 +37,29 @@ _SMOOTH = frozenset(("+", "*", "^", "exp", "sin", "cos", "sinh", "cosh", "atan",
 
 
 def decide_repeated(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
-    """PROVED, ENCLOSED, REFUTED or UNDECIDED for a claim with such a derivative.
+    """Decide a claim with a derivative of order n.
 
     Args:
-        decided: decides claims without one.
+        decided: the procedure for claims without such a derivative.
     """
     nodes = [n for n in outermost(claim.left, claim.right) if n.op == "nth"]
     g = claim.solved(nodes[0]) if len(set(nodes)) == 1 else None
     if g is None or claim.relation != "==" or claim.derivatives or statement.path is not None:
-        return Answer(Verdict.UNDECIDED, "a derivative of order n is decided alone, in an equation")
+        return Answer(
+            Verdict.UNDECIDED,
+            ("a derivative of order n is supported only in an equation that is linear in it"),
+        )
     inner, place, order = nodes[0].args
     f, x = instantiate(inner, (place,)), str(place)
     if order.op != "symbol" or not elementary(f) or str(order) in symbols(f):
-        return Answer(Verdict.UNDECIDED, f"the order of a derivative is n, here {order}")
+        return Answer(
+            Verdict.UNDECIDED,
+            "the order of the derivative must be a variable that is not "
+            f"in the function, such as n; it is {order}",
+        )
     n = str(order)
     plain, least = from_on(statement, n, 0)
-    first = Answer(Verdict.UNDECIDED, f"it is shown at no {n}")
+    first = Answer(Verdict.UNDECIDED, f"no small value of {n} could be checked")
     for k in range(least, least + LOOKED_AT):
         value = folded(substitute(g, {n: number(k)}))
         derivative = f
@@ -68,12 +74,15 @@ def decide_repeated(claim: Comparison, statement: Statement, decided: Decide) ->
             return replace(found, why=f"at {n} = {k}: {found.why}", witness=witness)
         first = decided(same, plain) if k == least else first
     if not first:
-        why = f"induction has no base at {n} = {least}: {first.why}"
+        why = f"the base case of the induction, {n} = {least}, could not be proved: {first.why}"
         return Answer(Verdict.UNDECIDED, why)
     beyond = plain.given & Given(((order, ">=", number(least)),))
     whole = tuple(dict.fromkeys((*statement.integers, n)))
     if not is_lasting((g,), beyond, n) or not _is_smooth(g, f, x, beyond, whole):
-        why = f"it is not shown to be smooth, and spoken of at every {n} from {least} on"
+        why = (
+            "induction does not apply: the other side could not be shown "
+            f"to be smooth for every {n} >= {least}"
+        )
         return Answer(Verdict.UNDECIDED, why)
     later = substitute(g, {n: symbol(n) + 1})
     step = decided(
@@ -81,9 +90,9 @@ def decide_repeated(claim: Comparison, statement: Statement, decided: Decide) ->
         replace(plain, given=beyond, integers=whole),
     )
     if not step:
-        why = f"the step of the induction from {n} to {n} + 1 is open: {step.why}"
+        why = f"the induction step from {n} to {n} + 1 could not be proved: {step.why}"
         return Answer(Verdict.UNDECIDED, why)
-    why = f"by induction from {n} = {least}: {first.why}; from {n} to {n} + 1, {step.why}"
+    why = f"by induction from {n} = {least}: {first.why}; step from {n} to {n} + 1: {step.why}"
     return replace(step, why=why, region=None)
 
 

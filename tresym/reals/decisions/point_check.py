@@ -1,17 +1,17 @@
 """Check every refutation at a point against the complete statement.
 
-A refutation leaves the deciders only if its point satisfies all that was said (inequalities,
-equations, integrality, also of what stands as an end of a sum or in a factorial), both sides are
-defined there, and the relation fails. That is shown by evaluation in balls, and exactly where two
-sides must be equal. The values of unknown functions belong to the point: there must be functions
-that have them. There are three more kinds of evidence:
+A refutation is accepted only if its point satisfies all conditions (inequalities, equations, and
+integrality, also of ends of sums and arguments of factorials), both sides are defined there, and
+the relation fails. This is shown by evaluation in balls, and exactly where two sides must be equal.
+The point includes the values of arbitrary functions, and there must be functions with these values.
+Three more kinds of evidence are accepted:
 
-- a box in which the difference is continuous and changes its sign, so that it vanishes there;
-- a root of a polynomial, of which the coordinates are polynomials: all is computed modulo it;
-- an integral with a singular or infinite end, or a series: it is computed nearer and nearer to that
-  end, and the relation must fail on the way more and more clearly.
+- a box in which the difference is continuous and changes sign, so that it vanishes there;
+- a root of a polynomial, with coordinates that are polynomials in it; computation is modulo it;
+- an integral with a singular or infinite end, or a series: it is evaluated ever closer to that
+  end, and the failure of the relation must become more and more pronounced.
 
-Refutations along a path have a check of their own (asymptotics/refutation_check.py).
+Refutations along a path are checked in asymptotics/refutation_check.py.
 """
 
 from __future__ import annotations
@@ -61,11 +61,11 @@ Values = list[tuple[Expr, tuple[Expr, ...], Expr]]
 
 
 class _UnsupportedError(Exception):
-    """What is not shown, in words."""
+    """A counterexample could not be confirmed; the text is the reason."""
 
 
 def confirmed(answer: Answer, claim: Comparison, statement: Statement) -> Answer:
-    """The refutation of a claim at a point, UNDECIDED where it is not supported."""
+    """Return the refutation of a claim at a point, or UNDECIDED if it is not confirmed."""
     sides = claim.left, claim.right
     if any(DOTS.args[0] in symbols(side) for side in sides):
         return answer  # by a coefficient, which is no point
@@ -77,7 +77,7 @@ def confirmed(answer: Answer, claim: Comparison, statement: Statement) -> Answer
         else:
             _at_point(answer, claim, statement)
     except (_UnsupportedError, InputError) as error:
-        why = f"it was taken to be refuted ({answer.why}), but {error}"
+        why = f"a counterexample was found ({answer.why}), but {error}"
         return replace(answer, verdict=Verdict.UNDECIDED, why=why, witness=None, values=None)
     return answer
 
@@ -96,12 +96,12 @@ def _at_point(answer: Answer, claim: Comparison, statement: Statement) -> None:
             node = worked_out(parse_claim(f"{name} == 0")[0][0])
             node = _inside_known(substitute(node, taken), values)
             if node.op != "unknown":
-                raise _UnsupportedError(f"{name} is not read")
+                raise _UnsupportedError(f"its value of {name} cannot be interpreted")
             values.append((node.args[0], node.args[1:], value))
     taken |= _others(taken, claim, statement)
     for name in statement.integers:
         if name in taken and not (taken[name].op == "number" and taken[name].args[0].q == 1):
-            raise _UnsupportedError(f"{name} = {taken[name]} is no integer")
+            raise _UnsupportedError(f"{name} = {taken[name]} is not an integer")
     if _is_shown_in_balls(taken, claim, statement):
         return
 
@@ -113,20 +113,22 @@ def _at_point(answer: Answer, claim: Comparison, statement: Statement) -> None:
 
     links = [(fixed(x), relation, fixed(y)) for x, relation, y in statement.given.comparisons]
     if constants_hold(links) is None:
-        raise _UnsupportedError("its point is not shown to satisfy the conditions")
+        raise _UnsupportedError("it could not be shown to satisfy the conditions")
     for x, y in statement.equations:
         if not equal_at(fixed(x), fixed(y), {}):
-            raise _UnsupportedError(f"{x} == {y} is not shown at its point")
+            raise _UnsupportedError(f"it could not be shown to satisfy {x} == {y}")
     left, right, *real = map(fixed, (claim.left, claim.right, *claim.differentiated))
     shown = _fails(left, claim.relation, right, real)
     trusted = (*TRUSTED, "derivative")  # by a value that it has
     worked = any(n.op in trusted for n in outermost(left, right))
     if not (shown or (shown is None and worked)):
-        raise _UnsupportedError("both sides, and that it fails there, are not shown")
+        raise _UnsupportedError(
+            "it could not be confirmed that both sides are defined and the claim fails there"
+        )
 
 
 def _is_shown_in_balls(taken: Mapping[str, Expr], claim: Comparison, statement: Statement) -> bool:
-    """Whether balls alone show that all conditions hold strictly and the relation fails."""
+    """Return whether balls show that all conditions hold strictly and the relation fails."""
     trees = [claim.left, claim.right, *claim.differentiated]
     said = statement.said
     if statement.equations or not elementary(*trees, *said):
@@ -147,7 +149,7 @@ def _is_shown_in_balls(taken: Mapping[str, Expr], claim: Comparison, statement: 
 
 
 def _others(taken: Mapping[str, Expr], claim: Comparison, statement: Statement) -> dict[str, Expr]:
-    """Values of the variables that the point leaves out, under the conditions on them."""
+    """Return values, allowed by the conditions, of variables that the point leaves out."""
     trees = (claim.left, claim.right, *claim.differentiated, *statement.said)
     names = sorted(frozenset().union(*map(symbols, trees)) - taken.keys() - {str(INFINITY)})
     if not names:
@@ -160,12 +162,12 @@ def _others(taken: Mapping[str, Expr], claim: Comparison, statement: Statement) 
         found = next(iter(simple_points(names, Given(links), 1, whole)), None)
         found = found or (None if whole else Given(links).satisfying_point(names))
     if found is None:
-        raise _UnsupportedError(f"no value of {', '.join(names)} belongs to it")
+        raise _UnsupportedError(f"no values of {', '.join(names)} were found that complete it")
     return {name: number(value) for name, value in found.items()}
 
 
 def _known(e: Expr, values: Values) -> Expr:
-    """``e`` with the values of unknown functions put in; those not given are 1.
+    """Return ``e`` with the values of arbitrary functions substituted; unspecified ones are 1.
 
     Raises:
         _UnsupportedError: it is not known whether an argument is one that has a value already.
@@ -174,7 +176,9 @@ def _known(e: Expr, values: Values) -> Expr:
         put = {}
         for node in nodes:
             if node.loose:
-                raise _UnsupportedError("a point says nothing of a function under an integral")
+                raise _UnsupportedError(
+                    "a point cannot contradict a claim about a function under an integral"
+                )
             same = [value for head, args, value in values if _is_same(head, args, node)]
             if not same:
                 values.append((node.args[0], node.args[1:], ONE))
@@ -203,21 +207,21 @@ def _is_same(head: Expr, args: Iterable[Expr], node: Expr) -> bool:
         return False
     pairs = list(zip(args, node.args[1:], strict=True))
     if any(symbols(x) | symbols(y) for x, y in pairs):
-        raise _UnsupportedError("an argument of an unknown function has no value")
+        raise _UnsupportedError("an argument of an arbitrary function has no value there")
     with ball_precision():
         for x, y in pairs:
             found = program([x, y], [])([])
             if found is None:
-                raise _UnsupportedError("an argument of an unknown function is not defined")
+                raise _UnsupportedError("an argument of an arbitrary function is undefined there")
             if not found[0].overlaps(found[1]):
                 return False
     if not all(x == y or equal_at(x, y, {}) for x, y in pairs):
-        raise _UnsupportedError("arguments of an unknown function may be equal")
+        raise _UnsupportedError("two arguments of an arbitrary function may be equal there")
     return True
 
 
 def _fails(left: Expr, relation: str, right: Expr, real: list[Expr]) -> bool | None:
-    """Whether the relation of two constants fails, all being defined; None if not shown."""
+    """Return whether the relation of two constants fails; None if balls cannot tell."""
     trees = [left, right, *real]
     if any(symbols(e) - {str(INFINITY)} for e in trees):
         return False
@@ -239,7 +243,7 @@ def _fails(left: Expr, relation: str, right: Expr, real: list[Expr]) -> bool | N
 
 
 def _fails_on_the_way(left: Expr, relation: str, right: Expr) -> bool | None:
-    """Whether it fails more and more clearly as integrals and series are computed further.
+    """Return whether the failure becomes clearer as integrals and series are computed further.
 
     An integral that has no value may look as if it had one: so both ends are gone to at one pace,
     and then at two.
@@ -249,7 +253,7 @@ def _fails_on_the_way(left: Expr, relation: str, right: Expr) -> bool | None:
 
 
 def _vanishes(left: Expr, right: Expr, pace: int) -> bool:
-    """Whether the difference gets smaller and smaller on the way."""
+    """Return whether the difference tends to 0 as integrals and series are computed further."""
     nodes = [n for n in outermost(left, right) if n.op in TRUSTED]
     gaps = []
     for near, terms in STEPS:
@@ -282,12 +286,12 @@ def _cut(node: Expr, near: int, terms: int, pace: int = 1) -> Expr:
 
 
 def _in_box(witness: Mapping[str, str], claim: Comparison, statement: Statement) -> None:
-    """That the sides are equal in the box, where a strict inequality is claimed."""
+    """Confirm that the sides of a strict inequality are equal somewhere in the box."""
     box: dict[str, tuple[fmpq, fmpq]] = {}
     for name, text in witness.items():
         ends = [parse(part) for part in text.strip("[]").split(",")]
         if any(end.op != "number" for end in ends):
-            raise _UnsupportedError("its box has no exact corners")
+            raise _UnsupportedError("its intervals do not have rational ends")
         box[name] = ends[0].args[0], ends[-1].args[0]
     sides = (claim.left, claim.right)
     said = statement.said
@@ -298,7 +302,7 @@ def _in_box(witness: Mapping[str, str], claim: Comparison, statement: Statement)
         or not frozenset().union(*map(symbols, (*sides, *said))) <= box.keys()
         or any(map(jumps, sides))
     ):
-        raise _UnsupportedError("its box does not satisfy what is said")
+        raise _UnsupportedError("its intervals do not fit the claim and its conditions")
     names = sorted(box)
     with ball_precision(PRECISIONS[2]):
         whole = [arb(box[name][0]).union(arb(box[name][1])) for name in names]
@@ -309,10 +313,10 @@ def _in_box(witness: Mapping[str, str], claim: Comparison, statement: Statement)
             FALSE[NEGATED[r]](x, y)
             for r, x, y in zip(relations, held[::2], held[1::2], strict=True)
         ):
-            raise _UnsupportedError("the conditions are not shown in its box")
+            raise _UnsupportedError("the conditions could not be shown to hold on its intervals")
         value = program([*sides, *claim.differentiated], names)
         if value(whole) is None:
-            raise _UnsupportedError("its sides are not shown to be defined in its box")
+            raise _UnsupportedError("the sides could not be shown to be defined on its intervals")
         signs = set()
         moving = [name for name in names if box[name][0] < box[name][1]]
         for corner in product((0, 1), repeat=len(moving[:MOST_CORNERS])):
@@ -322,7 +326,7 @@ def _in_box(witness: Mapping[str, str], claim: Comparison, statement: Statement)
             if found is not None:
                 signs |= {1} if found[0] > found[1] else {-1} if found[0] < found[1] else set()
     if signs != {1, -1} and not _vanishes_in(claim.left - claim.right, box):
-        raise _UnsupportedError("the difference is not shown to vanish in its box")
+        raise _UnsupportedError("the difference could not be shown to vanish on its intervals")
 
 
 def _vanishes_in(difference: Expr, box: Mapping[str, tuple[fmpq, fmpq]]) -> bool:
@@ -364,7 +368,7 @@ def _quotient(e: Expr, at: Mapping[str, fmpq_poly]) -> tuple[fmpq_poly, fmpq_pol
 
 
 def _at_root(root: Root, claim: Comparison, statement: Statement) -> None:
-    """That both sides of a strict inequality are equal at polynomials in a root."""
+    """Confirm that the sides of a strict inequality are equal at algebraic numbers."""
     t = fmpq_poly([0, 1])
     found = _quotient(parse(root.polynomial), {"t": t})
     low, high = (parse(end).args[0] for end in (root.low, root.high))
@@ -377,11 +381,11 @@ def _at_root(root: Root, claim: Comparison, statement: Statement) -> None:
         or coordinates.keys() & {*statement.integers}
         or not found[0](low) * found[0](high) < 0
     ):
-        raise _UnsupportedError("its root does not satisfy what is said")
+        raise _UnsupportedError("its algebraic numbers do not fit the claim and its conditions")
     at = {name: part[0] for name, part in coordinates.items() if part is not None}
     gap = _quotient(claim.left - claim.right, at)
     if gap is None or gap[0] % found[0] != fmpq_poly([0]):
-        raise _UnsupportedError("the sides are not shown to be equal at its root")
+        raise _UnsupportedError("the sides could not be shown to be equal at its algebraic numbers")
     names = sorted(at)
     with ball_precision(PRECISIONS[1]):
         x = arb(low).union(arb(high))
@@ -393,7 +397,9 @@ def _at_root(root: Root, claim: Comparison, statement: Statement) -> None:
             FALSE[NEGATED[r]](a, b)
             for r, a, b in zip(relations, value[2::2], value[3::2], strict=True)
         ):
-            raise _UnsupportedError("the conditions are not shown at its root")
+            raise _UnsupportedError(
+                "the conditions could not be shown to hold at its algebraic numbers"
+            )
 
 
 def arb_value(p: fmpq_poly, x: arb) -> arb:

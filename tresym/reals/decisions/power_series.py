@@ -1,18 +1,18 @@
 """Power series with hypergeometric terms, by their differential equations.
 
 The terms f(k) y^(p k + q) with f(k + 1)/f(k) = P(k)/Q(k), P and Q polynomials, have a sum S(y) with
-Q(δ − 1) S − y^p P(δ) S = Q(−1) f(0) y^q, where δ = (θ − q)/p and θ = y d/dy. What is claimed to be
-S is G, analytic on an interval around 0 on which it satisfies the same equation, by the normal form
-of both sides. The difference D of the two has coefficients with
-Q((m − q)/p − 1) d(m) = P((m − q)/p − 1) d(m − p): it is 0 where d(m) is 0 at each natural number m
-at which the first factor is, of which there are few, and at these derivatives of G are compared. So
-S is G inside the radius of convergence; at an end of it by Abel's theorem, where the series
-converges, which Gauss's test decides.
+Q(δ − 1) S − y^p P(δ) S = Q(−1) f(0) y^q, where δ = (θ − q)/p and θ = y d/dy. Let G be the function
+that S is claimed to equal. It must be analytic on an interval around 0 and satisfy the same
+equation there, which the normal form proves. The coefficients d(m) of S − G satisfy Q((m − q)/p −
+1) d(m) = P((m − q)/p − 1) d(m − p), so S = G if d(m) = 0 for the finitely many natural numbers m at
+which the first factor vanishes; at these the derivatives of G are compared. Then S = G inside the
+radius of convergence. At its ends Abel's theorem applies if the series converges there, which
+Gauss's test decides.
 
-The variable y may be an expression: x is put in by its inverse. A claim is refuted by partial sums
-with a bound of the rest, or where it is made of a point at which the series diverges. The method
-is that of D. Zeilberger, *A holonomic systems approach to special functions identities*,
-J. Comput. Appl. Math. 32 (1990) 321.
+The variable y may be an expression in x, which is then solved for x. A claim is refuted by partial
+sums with a bound on the remainder, or at a point where the series diverges. The method is that of
+D. Zeilberger, *A holonomic systems approach to special functions identities*, J. Comput. Appl.
+Math. 32 (1990) 321.
 """
 
 from __future__ import annotations
@@ -70,14 +70,14 @@ from tresym.reals.verdict import Verdict
 POLES = 4
 """Up to which power of y is multiplied with, where a side has a singularity that is removable."""
 POINTS = 6
-APART = "partial sums, with a bound of the rest, have them apart"
+APART = "partial sums with a bound on the remainder show that the two sides differ"
 
 
 # The proof
 
 
 def decide_power_series(side: Expr, node: Expr, given: Given) -> Answer:
-    """PROVED, REFUTED or UNDECIDED for ``side == node``, a sum to oo of hypergeometric terms.
+    """Decide ``side == node`` for an infinite sum ``node`` of hypergeometric terms.
 
     Args:
         side: an elementary expression.
@@ -85,7 +85,13 @@ def decide_power_series(side: Expr, node: Expr, given: Given) -> Answer:
     """
     s = series_of(node, symbols(side) | given.names)
     if s is None or not elementary(side) or any(True for _ in functions(side)):
-        return Answer(Verdict.UNDECIDED, f"{node}: its terms are not hypergeometric")
+        return Answer(
+            Verdict.UNDECIDED,
+            (
+                f"{node}: only series are supported whose ratio of "
+                "consecutive terms is rational in the index"
+            ),
+        )
     found = _at_points(side, s, given)
     if found is not None:
         return found
@@ -94,16 +100,22 @@ def decide_power_series(side: Expr, node: Expr, given: Given) -> Answer:
     except OpenError as error:
         return Answer(Verdict.UNDECIDED, f"{node}: {error}")
     except InputError as error:
-        return Answer(Verdict.UNDECIDED, f"an expression on the way grew too large: {error}")
+        return Answer(
+            Verdict.UNDECIDED, f"an intermediate expression exceeds the size limit: {error}"
+        )
     for at in given.points(symbols(side) | symbols(s.u) | symbols(s.head), POINTS):
         with ball_precision():
             if evaluate(side, at).is_finite() and evaluate(s.first, at).is_finite():
-                return Answer(Verdict.PROVED, f"{how}; both sides are defined at {exactly(at)}")
-    return Answer(Verdict.UNDECIDED, "both sides are shown to be defined at no point")
+                return Answer(Verdict.PROVED, exactly(f"{how}; both sides are defined", at))
+    return Answer(
+        Verdict.UNDECIDED,
+        "no point was found where both sides are defined, so there "
+        "is nothing to prove; check the conditions",
+    )
 
 
 def _shown(side: Expr, s: Series, given: Given) -> str:
-    """The proof in words."""
+    """Return the proof in words; raise OpenError if there is none."""
     y = fresh("y", symbols(side) | symbols(s.u) | symbols(s.head) | given.names)
     need_range(side, s, given)
     for x in sorted(symbols(s.u), key=lambda name: (name not in symbols(side), name)):
@@ -114,27 +126,29 @@ def _shown(side: Expr, s: Series, given: Given) -> str:
             found = by_equation(moved, power, s, y, without(x, given))
             if found:
                 return found
-    raise OpenError("the other side is not shown to satisfy its differential equation")
+    raise OpenError(
+        "the other side could not be shown to satisfy the differential equation of the series"
+    )
 
 
 def need_range(side: Expr, s: Series, given: Given) -> None:
-    """That the series converges wherever the conditions hold, and to limits of ``side``.
+    """Check that the series converges wherever the conditions hold and ``side`` is continuous.
 
     Raises:
-        OpenError: it is not shown to.
+        OpenError: this could not be proved.
     """
-    problem = "the other side may jump" if jumps(side) else out_of_range(s, given)
+    problem = "the other side may be discontinuous" if jumps(side) else out_of_range(s, given)
     if problem:
         raise OpenError(problem)
 
 
 def without(x: str, given: Given) -> Given:
-    """The conditions that do not speak of x."""
+    """Return the conditions that do not contain x."""
     return Given(tuple(c for c in given.comparisons if x not in symbols(c[0]) | symbols(c[2])))
 
 
 def _power_of(head: Expr, u: Expr, x: str, given: Given) -> tuple[Expr, int] | None:
-    """c and n where ``head`` is c u^n, and c is free of x."""
+    """Return c and n with ``head`` = c u^n and c free of x, or None."""
     for n in (0, *(m for k in range(1, HIGHEST) for m in (k, -k))):
         for scale in (in_lowest_terms(head * u ** number(-n)), substitute(head, {x: ONE})):
             if x in symbols(scale):
@@ -147,7 +161,7 @@ def _power_of(head: Expr, u: Expr, x: str, given: Given) -> tuple[Expr, int] | N
 
 
 def functions_of(e: Expr, u: Expr, x: str, y: str, given: Given) -> Iterator[Expr]:
-    """What ``e`` is as a function of y = u, free of x, in several forms."""
+    """Yield forms of ``e`` as a function of y = u, free of x."""
     if u == symbol(x):
         yield substitute(e, {x: symbol(y)})
         return
@@ -190,7 +204,7 @@ def _moebius(u: Expr, x: str, y: str) -> Iterator[Expr]:
 
 
 def by_equation(side: Expr, power: tuple[Expr, int], s: Series, y: str, given: Given) -> str:
-    """That ``side`` is ``c y^n Σ f(k) y^(p k + q)`` inside the radius of convergence, in words.
+    """Prove ``side = c y^n Σ f(k) y^(p k + q)`` inside the radius of convergence.
 
     Args:
         side: a function of y.
@@ -222,10 +236,14 @@ def by_equation(side: Expr, power: tuple[Expr, int], s: Series, y: str, given: G
         if max(free, default=0) > 2 * HIGHEST:
             return ""
         if all(_coefficient_is(g, y, m, s, q, scale, given) for m in free):
-            at = ", ".join(map(str, sorted(free))) or "none"
+            at = ", ".join(map(str, sorted(free)))
             return (
-                f"both sides satisfy one linear differential equation in {s.u}, "
-                f"and their Taylor coefficients agree where it leaves them open (orders {at})"
+                f"both sides satisfy the same linear differential equation in {s.u}"
+                + (
+                    (f", and their Taylor coefficients of order {at}, which it leaves free, agree")
+                    if at
+                    else ", which has only one power series solution"
+                )
                 + ("" if radius is None else f"; the radius of convergence is {radius}")
             )
         return ""
@@ -245,7 +263,7 @@ def _applied(p: fmpq_poly, g: Expr, y: str) -> Expr:
 
 
 def _coefficient_is(g: Expr, y: str, m: int, s: Series, q: int, scale: Expr, given: Given) -> bool:
-    """Whether the coefficient of y^m in g is that of the series."""
+    """Return whether the coefficient of y^m in g equals that of the series."""
     for _ in range(m):
         g = differentiate(g, y)
     k, rest = divmod(m - q, s.step)
@@ -262,7 +280,7 @@ def _coefficient_is(g: Expr, y: str, m: int, s: Series, q: int, scale: Expr, giv
 
 
 def _at_points(side: Expr, s: Series, given: Given) -> Answer | None:
-    """A refutation: where the sides are apart, or where it diverges and the conditions hold."""
+    """Return a refutation where the sides differ or the series diverges, or None."""
     names = symbols(side) | symbols(s.u) | symbols(s.head)
     for at in given.points(names, POINTS):
         with ball_precision(256):
@@ -282,7 +300,7 @@ def _at_points(side: Expr, s: Series, given: Given) -> Answer | None:
 
 
 def _at_ends(side: Expr, s: Series, given: Given) -> Answer | None:
-    """A refutation at an end of its range, where it diverges and the other side has a value."""
+    """Return a refutation at an end of the interval of convergence, or None."""
     names = sorted(symbols(s.u))
     if len(names) != 1 or not s.rate or symbols(side) - {*names}:
         return None

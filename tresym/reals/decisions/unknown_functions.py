@@ -39,10 +39,10 @@ Atoms = dict[Expr, Expr]
 
 
 def decide_unknown(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
-    """The answer to a claim about every smooth function.
+    """Decide a claim about all smooth functions.
 
     Args:
-        decided: decides what holds no function left unknown.
+        decided: the procedure for claims without arbitrary functions.
     """
     found = Antiderivatives(statement.given)
     sides = None if claim.derivatives else [found.put_in(e) for e in (claim.left, claim.right)]
@@ -51,7 +51,7 @@ def decide_unknown(claim: Comparison, statement: Statement, decided: Decide) -> 
         claim = replace(claim, left=left, right=right)
     trees = outermost(claim.left, claim.right, *statement.said)
     if statement.path is not None or any(node.op != "unknown" for node in trees):
-        why = "of a function left unknown, integrals, sums, limits and orders are not decided"
+        why = "integrals, sums, limits and orders of arbitrary functions are not supported"
         return Answer(Verdict.UNDECIDED, why)
     atoms: Atoms = {}
 
@@ -75,11 +75,13 @@ def decide_unknown(claim: Comparison, statement: Statement, decided: Decide) -> 
     if answer.verdict is Verdict.REFUTED:
         answer = _realised(atoms, answer)
     if answer.verdict is Verdict.REFUTED and not found.any_values:
-        why = f"{answer.why}, where it is not shown that integrals have all of these values"
+        why = (
+            f"the claim seems false ({answer.why}), but integrals may not take all of these values"
+        )
         answer = Answer(Verdict.UNDECIDED, why)
     names = sorted({node.args[0].args[0] for node in atoms})
-    what = "a" if answer.verdict is Verdict.REFUTED else "every"
-    return replace(answer, why=f"{answer.why}, for {what} smooth {', '.join(names)}")
+    what = "some" if answer.verdict is Verdict.REFUTED else "all"
+    return replace(answer, why=f"for {what} smooth {', '.join(names)}: {answer.why}")
 
 
 def functions_inside(node: Expr) -> Iterator[Expr]:
@@ -104,7 +106,9 @@ def _realised(atoms: Atoms, answer: Answer) -> Answer:
         if _exist(atoms, point | free):
             shown = {name: str(value) for name, value in free.items()}
             return replace(answer, witness=dict(answer.witness or {}) | shown)
-    why = f"{answer.why}, where it is not shown that a function has all of these values"
+    why = (
+        f"the claim seems false ({answer.why}), but no function with all of these values was found"
+    )
     return Answer(Verdict.UNDECIDED, why)
 
 

@@ -1,10 +1,11 @@
-"""Enclose the value of integrals (rigorous quadrature) and of roots (change of sign).
+"""Enclose the values of integrals (rigorous quadrature) and of roots (change of sign).
 
-Over the balls that are given for the variables of an expression the value is enclosed for every
-choice of them. An integrand is walked over in complex balls where FLINT asks whether it is
-analytic, and in real ones, which say NaN where it is undefined, everywhere else: so it is shown to
-be defined on the whole way. What finds a root may be clever; what shows it is the
-function at the two ends of a bracket, and its values inside, by which it has no jump there.
+The variables of the expression may be balls; the result then holds for every choice of values in
+them. FLINT evaluates an integrand in complex balls where it asks whether the integrand is analytic.
+Everywhere else the integrand is evaluated in real balls, which give NaN where it is undefined, so
+that it is proved to be defined on the whole interval. The search for a root is heuristic. The proof
+consists of opposite signs at the two ends of a bracket, and of finite values inside it, by which
+the function has no jump there.
 """
 
 from __future__ import annotations
@@ -24,37 +25,47 @@ from tresym.reals.resource_limits import held
 
 At = Mapping[str, arb | fmpq]
 Unique = Callable[[Expr, At], bool]
-"""Whether it is known that a node has one root at most, where the variables have these values."""
+"""Decide whether a node is known to have at most one root at these values of the variables."""
 Root = Callable[[Expr, "Enclosing"], arb]
 
 JUMPS = frozenset(("sign", "atan2"))
-"""Operations whose balls are finite where their values jump."""
+"""Operations whose balls remain finite at jumps."""
 ROUGH = 64
-"""Bits at which a root is looked for."""
+"""The precision in bits of the first search for a root."""
 ENDS = 24
-"""It is looked for between points as near to the ends as the part 2^−ENDS of the way."""
+"""The search for a change of sign approaches the ends up to 2^−ENDS of the width."""
 STEPS = 60
 EVALUATIONS = 20_000
-"""How far an integral is refined."""
+"""The maximal number of evaluations for one integral."""
 SPARE = 6
-"""Bits by which an integral is asked for better than the integrand is known."""
+"""The bits requested of an integral beyond the accuracy of its integrand."""
 WIDER = 8
-"""How often a bracket is doubled."""
+"""How often the width of a bracket is doubled."""
 
 
 def no_root(e: Expr, outer: Enclosing) -> arb:
-    """What is known of roots where nothing is asked of them."""
+    """Refuse to evaluate roots.
+
+    Raises:
+        UndefinedError: always.
+    """
     raise UndefinedError
 
 
 class Enclosing(InBalls):
-    """Values in balls, those of integrals and roots among them, and of what is put in.
+    """Evaluate in balls, including integrals, roots and values at a point.
 
-    Raises, as all values in balls do, where a value is not shown to exist.
+    Like every evaluation in balls it raises ``UndefinedError`` where a value is not proved to
+    exist.
     """
 
     def __init__(self, at: At, root: Root = no_root) -> None:
-        """``at`` may work out what it is asked for; ``root`` finds and shows what a root is."""
+        """Prepare an evaluation.
+
+        Args:
+            at: the values of the variables; the mapping may compute them on demand.
+            root: a function that encloses a root and proves that it exists.
+        """
         super().__init__(balls, at, {})
         self.root = root
 
@@ -76,7 +87,7 @@ class Enclosing(InBalls):
         return super()._computed(e)
 
     def _quotient(self, e: Expr) -> arb:
-        """A product, what is below divided by: a fraction of integers is rounded but once."""
+        """Return a product as one quotient, so that a fraction of integers is rounded only once."""
         above, below = arb(1), arb(1)
         for factor in e.args:
             if factor.op == "^" and factor.args[1] == MINUS_ONE:
@@ -89,7 +100,7 @@ class Enclosing(InBalls):
         low, high = (acb(self.value(end)) for end in e.args[1:])
         (name,), body = opened(e)
         integrand = Integrand(worked_out(body), name, self.value)
-        # Not asked for much better than the integrand is known.
+        # A tolerance far below the accuracy of the integrand would only waste evaluations.
         known = integrand.real(((low + high) / 2).real.mid()).rel_accuracy_bits()
         tolerance = arb((1, -min(max(known, 0) + SPARE, ctx.prec)))
         fine = {"rel_tol": tolerance, "abs_tol": tolerance, "eval_limit": EVALUATIONS}
@@ -98,12 +109,18 @@ class Enclosing(InBalls):
 
 
 def enclosed(e: Expr, at: At, root: Root = no_root) -> arb:
-    """A ball that contains ``e`` at ``at``, NaN where none is shown; roots as ``root`` says."""
+    """Return a ball that contains ``e`` at ``at``; NaN if the value is not proved to exist.
+
+    Args:
+        e: the expression.
+        at: the values of its variables.
+        root: a function that encloses roots.
+    """
     return shown(e, Enclosing(at, root))
 
 
 def shown(e: Expr, walker: Enclosing) -> arb:
-    """As :func:`enclosed`, with what the walker knows from before, at the same precision."""
+    """Return the same as :func:`enclosed`, with the values that ``walker`` already knows."""
     try:
         return walker.value(e)
     except UndefinedError:
@@ -111,7 +128,7 @@ def shown(e: Expr, walker: Enclosing) -> arb:
 
 
 class _Inner(Enclosing):
-    """Values where more variables have values, the others known from outside."""
+    """Evaluate with additional variables; the other values are taken from outside."""
 
     def __init__(self, outer: Enclosing, more: dict[str, arb]) -> None:
         super().__init__(ChainMap(more, outer.at), outer.root)  # type: ignore[arg-type]
@@ -124,16 +141,16 @@ class _Inner(Enclosing):
 
 
 def jumps(e: Expr) -> bool:
-    """Whether ``e`` may have a value where it is not continuous."""
+    """Return whether ``e`` may have a value where it is not continuous."""
     inner = (arg for arg in e.args if isinstance(arg, Expr))
     return e.op in JUMPS or (e.op not in LEAVES and any(map(jumps, inner)))
 
 
 def bracketed(unique: Unique, e: Expr, outer: Enclosing) -> arb:
-    """The root that a node is: a bracket with a change of sign, of a function without a jump.
+    """Return the root of a node, enclosed by a change of sign of a function without jumps.
 
     Raises:
-        UndefinedError: none is found, or nothing says that there is one root at most.
+        UndefinedError: no bracket is found, or uniqueness of the root is not known.
     """
     low, high = (outer.value(end) for end in e.args[1:])
     (name,), body = opened(e)
@@ -145,15 +162,16 @@ def bracketed(unique: Unique, e: Expr, outer: Enclosing) -> arb:
 
 
 def bracket(near: Callable[[arb], arb], over: Callable[[arb], arb], low: arb, high: arb) -> arb:
-    """A ball between two ends, at whose own ends ``over`` has opposite signs.
+    """Return a ball between two ends such that ``over`` has opposite signs at the ends of the ball.
 
     Args:
-        near: a function near ``over`` whose values are sharp: where it is 0 is looked at first.
-        over: a function without a jump, of balls.
-        low, high: the ends.
+        near: a function close to ``over`` with sharp values, used to find the root approximately.
+        over: a function of balls without jumps.
+        low: the lower end.
+        high: the upper end.
 
     Raises:
-        UndefinedError: none is found.
+        UndefinedError: no bracket is found.
     """
     x, slope = _found(near, low.mid(), high.mid())
     width = (over(x) / slope).abs_upper() * arb("1.25") + abs(x) * arb((1, 8 - ctx.prec))
@@ -168,11 +186,13 @@ def bracket(near: Callable[[arb], arb], over: Callable[[arb], arb], low: arb, hi
 
 
 def _along(name: str, body: Expr, at: At, root: Root) -> Callable[[arb], arb]:
-    """``body`` as a function of one variable, NaN where it is undefined."""
+    """Return ``body`` as a function of one variable, NaN where it is undefined."""
     outers: dict[int, Enclosing] = {}
 
     def function(x: arb) -> arb:
-        outer = outers.setdefault(ctx.prec, Enclosing(at, root))  # what is known is so precise
+        outer = outers.setdefault(
+            ctx.prec, Enclosing(at, root)
+        )  # cached values have this precision
         try:
             return _Inner(outer, {name: x}).value(body)
         except UndefinedError:
@@ -182,12 +202,13 @@ def _along(name: str, body: Expr, at: At, root: Root) -> Callable[[arb], arb]:
 
 
 def _found(f: Callable[[arb], arb], low: arb, high: arb) -> tuple[arb, arb]:
-    """A point near a root between the ends, to the working precision, and the slope there.
+    """Return a point near a root between the ends, and the slope there.
 
-    By regula falsi with halved weights (Illinois) and then by secants.
+    The method is regula falsi with halved weights (the Illinois algorithm), followed by the secant
+    method at working precision.
 
     Raises:
-        UndefinedError: no change of sign is met.
+        UndefinedError: no change of sign is found.
     """
     with ball_precision(ROUGH):
         one, two = _change(f, low, high)
@@ -217,7 +238,7 @@ def _found(f: Callable[[arb], arb], low: arb, high: arb) -> tuple[arb, arb]:
 def _change(
     f: Callable[[arb], arb], low: arb, high: arb
 ) -> tuple[tuple[arb, arb], tuple[arb, arb]]:
-    """Two points with values of opposite signs, from the middle towards both ends."""
+    """Return two points with values of opposite signs, searching from the middle outward."""
     middle = ((low + high) / 2).mid()
     last = [(middle, f(middle))] * 2
     for n in range(2, ENDS + 1):
@@ -233,5 +254,11 @@ def _change(
 
 
 def value(e: Expr, at: At, unique: Unique) -> arb:
-    """A ball that contains ``e`` at ``at``, at the working precision; NaN where none is shown."""
+    """Return a ball that contains ``e`` at ``at``, at working precision; NaN if none is proved.
+
+    Args:
+        e: the expression.
+        at: the values of its variables.
+        unique: decides whether a node is known to have at most one root.
+    """
     return enclosed(e, at, partial(bracketed, unique))

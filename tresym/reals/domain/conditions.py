@@ -1,8 +1,8 @@
-"""Conditions on real symbols: the box and the inequalities of a claim.
+"""Represent conditions on real symbols: the ranges and the inequalities of a claim.
 
-A condition is a comparison of two expressions. Those that bound one symbol by a constant make the
-box, kept outward where the constant is irrational; all of them are checked, in balls, at every
-point handed out, so a point is a witness and not a guess.
+A condition is a comparison of two expressions. Conditions that bound one symbol by a constant form
+a box; an irrational bound is rounded outward there. Every point that this module returns is checked
+against all conditions in ball arithmetic, so that it is a proven witness.
 """
 
 from __future__ import annotations
@@ -30,20 +30,25 @@ _TRIES = 3000
 
 @dataclass(frozen=True)
 class Condition:
-    """``expression`` compared with zero: relation is ``>``, ``>=`` or ``!=``."""
+    """The condition ``expression relation 0``, with relation ``>``, ``>=`` or ``!=``."""
 
     expression: Expr
     relation: str
 
     def holds(self, point: Mapping[str, arb | fmpq], known: dict[Expr, arb] | None = None) -> bool:
-        """Whether balls show the condition, strictly, at ``point``; of which values are known."""
+        """Return whether balls prove that the condition holds strictly at ``point``.
+
+        Args:
+            point: a ball or an exact number for each symbol.
+            known: values of subexpressions at the point; they are used, and new ones are added.
+        """
         value = evaluate(self.expression, point, known)
         if self.relation == "!=":
             return bool(value > 0 or value < 0)
         return bool(value > 0)
 
     def holds_exactly(self, point: Mapping[str, arb | fmpq]) -> bool:
-        """As :meth:`holds`, with equality allowed where the relation is ``>=``."""
+        """Return the same as :meth:`holds`, but allow equality if the relation is ``>=``."""
         if self.holds(point):
             return True
         value = evaluate(self.expression, point)
@@ -52,25 +57,35 @@ class Condition:
 
 @dataclass(frozen=True)
 class Given:
-    """A conjunction of conditions on real symbols; ``Given()`` is no condition at all."""
+    """A conjunction of conditions on real symbols. ``Given()`` is the empty conjunction.
+
+    Attributes:
+        comparisons: triples of a left side, a relation (``< <= > >= !=``) and a right side.
+
+    Example:
+        >>> given = Given.parse("a > 0, 0 < b <= 1")
+        >>> given.box["b"].high
+        1
+    """
 
     comparisons: tuple[tuple[Expr, str, Expr], ...] = ()
 
     @staticmethod
     def parse(text: str) -> Given:
-        """Conditions such as ``"a > 0, 0 < b <= 1, I1 < I2 < I3, psi != 0"``.
+        """Parse conditions such as ``"a > 0, 0 < b <= 1, I1 < I2 < I3, psi != 0"``.
 
         Raises:
-            InputError: text outside the grammar of parsing.py.
+            InputError: the text does not follow the grammar of
+                :mod:`tresym.reals.language.parsing`.
         """
         return Given(tuple(parse_conditions(text)))
 
     @staticmethod
     def from_sympy(*relationals: Any) -> Given:
-        """SymPy relationals (``Gt``, ``Ge``, ``Lt``, ``Le``, ``Ne``, ``And`` of them).
+        """Convert SymPy relationals (``Gt``, ``Ge``, ``Lt``, ``Le``, ``Ne``, and ``And`` of them).
 
         Raises:
-            InputError: any other condition.
+            InputError: an argument is another condition or contains a derivative.
         """
         result: list[tuple[Expr, str, Expr]] = []
         for item in relationals:
@@ -83,15 +98,17 @@ class Given:
                 left, right = from_sympy(item.lhs), from_sympy(item.rhs)
                 result.append((left, RELATIONS[name], right))
             elif name != "BooleanTrue":
-                raise InputError(f"{shortened(str(item))} is not a condition such as a > 0")
+                raise InputError(
+                    f"{shortened(str(item))} is not a condition; give an inequality such as a > 0"
+                )
         return Given(tuple(result))
 
     def unfolded(self) -> Given:
-        """The same, with bounds of ``|u|`` and of ``log u`` by constants as bounds of ``u``."""
+        """Return the conditions with constant bounds of ``|u|`` and ``log u`` solved for ``u``."""
         return Given(tuple(link for part in self.comparisons for link in _unfolded(part)))
 
     def mapped(self, change: Callable[[Expr], Expr]) -> Given:
-        """The conditions with changed sides."""
+        """Return the conditions with ``change`` applied to every side."""
         return Given(tuple((change(x), relation, change(y)) for x, relation, y in self.comparisons))
 
     def __and__(self, other: Given) -> Given:
@@ -102,7 +119,7 @@ class Given:
 
     @cached_property
     def conditions(self) -> tuple[Condition, ...]:
-        """Every comparison as an expression compared with zero."""
+        """Return every comparison as an expression compared with zero."""
         return tuple(
             Condition(left - right, sign)
             if sign in (">", ">=", "!=")
@@ -112,12 +129,12 @@ class Given:
 
     @cached_property
     def names(self) -> frozenset[str]:
-        """The symbols that the conditions speak of."""
+        """Return the symbols in the conditions."""
         return frozenset().union(*(symbols(c.expression) for c in self.conditions))
 
     @cached_property
     def box(self) -> dict[str, Interval]:
-        """The bounds of single symbols by constants."""
+        """Return the constant bounds of single symbols."""
         box: dict[str, Interval] = {}
         for bound in self._bounds():
             _tighten(box, *bound)
@@ -129,7 +146,7 @@ class Given:
 
     @cached_property
     def half_turns(self) -> dict[str, Interval]:
-        """The same in multiples of π, exactly where a bound is written so."""
+        """Return the same bounds in multiples of π, exact where a bound is written as one."""
         found: dict[str, Interval] = {}
         for side, relation, bound in self._bounds():
             r = _pi_multiple(bound)
@@ -139,7 +156,7 @@ class Given:
         return found
 
     def _bounds(self) -> Iterator[tuple[Expr, str, Expr]]:
-        """Each expression that is compared with a constant, on the left."""
+        """Yield each comparison of an expression with a constant, the expression on the left."""
         for left, sign, right in self.unfolded().comparisons:
             for side, bound, relation in ((left, right, sign), (right, left, MIRRORED[sign])):
                 if not symbols(bound):
@@ -147,7 +164,9 @@ class Given:
 
     @cached_property
     def _implied(self) -> tuple[Condition, ...]:
-        """What ``u > |v|`` says without absolute values: ``u > v``, ``u > −v``, ``u > 0``."""
+        """Return what ``u > |v|`` implies without absolute values: ``u > v``, ``u > −v``, ``u >
+        0``.
+        """
         result = []
         for left, sign, right in self.comparisons:
             for side, bound, relation in ((left, right, sign), (right, left, MIRRORED[sign])):
@@ -159,7 +178,7 @@ class Given:
 
     @cached_property
     def beyond_box(self) -> tuple[Condition, ...]:
-        """The conditions that are not bounds of one symbol by a constant, and what they imply."""
+        """Return the conditions that are not constant bounds of one symbol, and what they imply."""
         plain = {"symbol"}
         return self._implied + tuple(
             condition
@@ -172,10 +191,10 @@ class Given:
         )
 
     def satisfying_point(self, names: Iterable[str] = ()) -> dict[str, fmpq] | None:
-        """An exact point that satisfies every condition, checked; None where none was found.
+        """Return an exact point that satisfies every condition, or None if none is found.
 
         Args:
-            names: further symbols the point shall give a value.
+            names: further symbols for which the point has values.
         """
         wanted = sorted(self.names | set(names))
         for point in self.points(wanted, 1):
@@ -187,10 +206,16 @@ class Given:
         return None
 
     def points(self, names: Iterable[str], n: int, start: int = 0) -> Iterator[dict[str, fmpq]]:
-        """At most ``n`` exact rational points inside the conditions, always the same ones.
+        """Yield at most ``n`` exact rational points in the interior of the conditions.
 
-        Both signs come early where they are allowed; small, large and boundary-near values later.
-        Every condition holds strictly at each point, shown by balls.
+        The points are always the same. Both signs of a symbol come early if they are allowed; small
+        and large values and values near the bounds come later. Balls prove that every condition
+        holds strictly at each point.
+
+        Args:
+            names: further symbols for which the points have values.
+            n: the maximal number of points.
+            start: how many candidates of the sequence are skipped.
         """
         wanted = sorted(self.names | set(names))
         ranges = [self.box.get(name, Interval()) for name in wanted]
@@ -211,7 +236,7 @@ class Given:
             yield from islice(filter(partial(_hold, conditions), self._far(wanted, ranges)), n)
 
     def _far(self, wanted: list[str], ranges: list[Interval]) -> Iterator[dict[str, fmpq]]:
-        """Points to try where the conditions hold far away or on narrow sets."""
+        """Yield candidates for conditions that hold only far away or on narrow sets."""
         starts = [
             {name: _sample(ranges[j], k, j) for j, name in enumerate(wanted)} for k in range(4)
         ]
@@ -219,7 +244,7 @@ class Given:
 
 
 def _hold(conditions: list[Condition], point: dict[str, fmpq]) -> bool:
-    """Whether all hold; one that fails is put first, as it may well fail at the next point."""
+    """Return whether all conditions hold; move one that fails to the front of the list."""
     known: dict[Expr, arb] = {}
     with ball_precision():
         for n, condition in enumerate(conditions):
@@ -261,7 +286,7 @@ def _unfolded(link: tuple[Expr, str, Expr]) -> Iterator[tuple[Expr, str, Expr]]:
 
 
 def _propagate(box: dict[str, Interval], condition: Condition, homogeneous: bool = False) -> None:
-    """Narrow the symbols of a linear condition by the bounds of the others: x > a > 0 is x > 0."""
+    """Narrow the symbols of a linear condition: with a > 0, x > a gives x > 0."""
     form = _linear(condition.expression)
     if condition.relation == "!=" or form is None or (homogeneous and form[""] != 0):
         return
@@ -283,7 +308,7 @@ def _propagate(box: dict[str, Interval], condition: Condition, homogeneous: bool
 
 
 def _within_even_powers(box: dict[str, Interval], condition: Condition) -> None:
-    """Narrow the symbols of a sum of even powers that is bounded: x**2 + 4*y**4 < 1."""
+    """Narrow the symbols of a bounded sum of even powers, such as x**2 + 4*y**4 < 1."""
     form = _sum_of(condition.expression, even=True)
     if condition.relation == "!=" or form is None or any(c > 0 for key, c in form.items() if key):
         return
@@ -297,12 +322,12 @@ def _within_even_powers(box: dict[str, Interval], condition: Condition) -> None:
 
 
 def _linear(e: Expr) -> dict[str, fmpq] | None:
-    """The coefficients of a linear expression, the constant under the empty name, or None."""
+    """Return the coefficients of a linear expression, its constant under "", or None."""
     return _sum_of(e, even=False)
 
 
 def _sum_of(e: Expr, even: bool) -> dict[str, fmpq] | None:
-    """The coefficients of symbols, or of their even powers, ``x**2``; None for other sums."""
+    """Return the coefficients of symbols, or of their even powers; None for other sums."""
     form = {"": fmpq(0)}
     stack = [(e, fmpq(1))]
     while stack:
@@ -329,7 +354,7 @@ def _is_even_power(e: Expr) -> bool:
 
 
 def _enclosure(e: Expr) -> tuple[fmpq | None, fmpq | None]:
-    """Rational ends that enclose the constant ``e``; equal where it is rational."""
+    """Return rational ends that enclose the constant ``e``, equal if it is rational."""
     if e.op == "number":
         return e.args[0], e.args[0]
     with ball_precision():
@@ -337,7 +362,7 @@ def _enclosure(e: Expr) -> tuple[fmpq | None, fmpq | None]:
 
 
 def _pi_multiple(e: Expr) -> fmpq | None:
-    """r where ``e`` is written as r·π."""
+    """Return r if ``e`` is written as r·π, else None."""
     if e.op == "pi":
         return fmpq(1)
     if e.op == "number" and e.args[0] == 0:
@@ -348,5 +373,5 @@ def _pi_multiple(e: Expr) -> fmpq | None:
 
 
 def positive(*names: str) -> Given:
-    """The condition that every named symbol is positive."""
+    """Return the condition that every named symbol is positive."""
     return Given(tuple((symbol(name), ">", number(0)) for name in names))

@@ -1,8 +1,8 @@
-"""Cylindrical decomposition: a rational sample point in every cell of polynomials.
+"""Compute a rational sample point in every cell of an open cylindrical decomposition.
 
-An open cylindrical decomposition: project with leading coefficients, discriminants and resultants,
-isolate the real roots of what is left in one variable, lift. Every connected region where none of
-the polynomials vanishes contains at least one of the points.
+The algorithm projects with leading coefficients, discriminants and resultants, isolates the real
+roots of the univariate polynomials, and lifts. Every connected region where none of the polynomials
+vanishes contains at least one of the points (McCallum 1993; Strzeboński 2000).
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ MAX_DEGREE = 40
 
 
 def _everything(point: tuple[fmpq, ...]) -> bool:
-    """No cell is passed over."""
+    """Accept every point."""
     return True
 
 
@@ -30,15 +30,15 @@ def sample_points(
     context: fmpz_mpoly_ctx,
     wanted: Callable[[tuple[fmpq, ...]], bool] = _everything,
 ) -> Iterator[tuple[fmpq, ...]]:
-    """Points of all open cells of ``polynomials``, over the variables of ``context`` in order.
+    """Yield sample points of all open cells of ``polynomials``.
 
     Args:
-        polynomials: their signs are constant on every cell.
-        context: theirs.
-        wanted: of the first coordinates of a point, whether there is need to go on from there.
+        polynomials: the polynomials, whose signs are constant on every cell.
+        context: their ring; the points have coordinates in the order of its variables.
+        wanted: decides from the first coordinates of a point whether to continue above it.
 
     Raises:
-        TooLargeError: the projections outgrow their bounds.
+        TooLargeError: the projections have too many polynomials or too high a degree.
     """
     levels = [_irreducible(polynomials)]
     for variable in range(context.nvars() - 1, 0, -1):
@@ -48,6 +48,7 @@ def sample_points(
 
 
 def _irreducible(polynomials: list[fmpz_mpoly]) -> list[fmpz_mpoly]:
+    """Return the irreducible factors, or raise if they are too many or too large."""
     found: dict[str, fmpz_mpoly] = {}
     for p in polynomials:
         if p.is_zero() or p.is_constant():
@@ -55,11 +56,15 @@ def _irreducible(polynomials: list[fmpz_mpoly]) -> list[fmpz_mpoly]:
         for factor, _ in factors_of(p)[1]:
             found[str(factor)] = factor
     if len(found) > MAX_POLYNOMIALS or any(p.total_degree() > MAX_DEGREE for p in found.values()):
-        raise TooLargeError("too many regions to visit one by one")
+        raise TooLargeError(
+            f"a decomposition by more than {MAX_POLYNOMIALS} polynomials "
+            f"or by one of degree over {MAX_DEGREE}"
+        )
     return list(found.values())
 
 
 def _projection(polynomials: list[fmpz_mpoly], variable: int) -> list[fmpz_mpoly]:
+    """Eliminate a variable by leading coefficients, discriminants and resultants."""
     result = [p for p in polynomials if p.degrees()[variable] == 0]
     active = [p for p in polynomials if p.degrees()[variable] > 0]
     for i, p in enumerate(active):
@@ -71,6 +76,7 @@ def _projection(polynomials: list[fmpz_mpoly], variable: int) -> list[fmpz_mpoly
 
 
 def _lead(p: fmpz_mpoly, variable: int) -> fmpz_mpoly:
+    """Return the leading coefficient in a variable."""
     degree = p.degrees()[variable]
     context = p.context()
     return context.from_dict(
@@ -83,6 +89,7 @@ def _lift(
     point: tuple[fmpq, ...],
     wanted: Callable[[tuple[fmpq, ...]], bool],
 ) -> Iterator[tuple[fmpq, ...]]:
+    """Yield the sample points above ``point``."""
     if not wanted(point):
         return
     k = len(point)
@@ -99,7 +106,7 @@ def _lift(
 
 
 def _restricted(p: fmpz_mpoly, point: tuple[fmpq, ...]) -> fmpz_poly:
-    """``p`` on the line above ``point``, cleared of denominators."""
+    """Return ``p`` on the line above ``point``, with denominators cleared."""
     k = len(point)
     coefficients: dict[int, fmpq] = {}
     for monomial, value in p.terms():
@@ -115,7 +122,11 @@ def _restricted(p: fmpz_mpoly, point: tuple[fmpq, ...]) -> fmpz_poly:
 
 
 def between(p: fmpz_poly) -> list[fmpq]:
-    """A simple rational in each interval between the real roots of ``p``."""
+    """Return a simple rational in each interval between the real roots of ``p``.
+
+    Raises:
+        TooLargeError: two roots are too close to be separated.
+    """
     if p.degree() < 1:
         return [fmpq(0)]
     squarefree = p // p.gcd(p.derivative())
@@ -127,8 +138,8 @@ def between(p: fmpz_poly) -> list[fmpq]:
         ends = [(None, None), *((x.lower().fmpq(), x.upper().fmpq()) for x in roots), (None, None)]
     gaps = [Interval(low, high, True, True) for (_, low), (high, _) in pairwise(ends)]
     if any(not gap.low < gap.high for gap in gaps[1:-1]):
-        raise TooLargeError("roots too close to be told apart")
+        raise TooLargeError("a polynomial has real roots that are too close to be separated")
     found = [gap.simplest() for gap in gaps]
     if not all(gap.holds(x) for gap, x in zip(gaps, found, strict=True)):
-        raise TooLargeError("a point between two roots is not found")
+        raise TooLargeError("no rational point was found between two roots of a polynomial")
     return found

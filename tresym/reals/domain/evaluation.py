@@ -1,7 +1,7 @@
-"""Evaluate an expression in any arithmetic; NaN where it is not shown to be defined.
+"""Evaluate an expression in any arithmetic; NaN where it is not proved to be defined.
 
-The advocate and the second look of the ledger walk trees of their own on purpose: nothing here can
-lead both astray.
+The cross-check and the ball evaluation of the ledger have evaluators of their own on purpose, so
+that an error here cannot mislead both.
 """
 
 from __future__ import annotations
@@ -20,20 +20,27 @@ _NAN = arb.nan()
 
 
 class Walker:
-    """The value of a tree in an arithmetic ``m``, where the variables have the values ``at``.
+    """Evaluate a tree in an arithmetic ``m``, with values ``at`` for the variables.
 
-    Sums and products are those of the values; an arithmetic may have its own way with the rest.
+    Sums and products use the operators of the values; subclasses may evaluate other operations in
+    their own way.
     """
 
     _number: Any = arb
 
     def __init__(self, m: Any, at: Mapping[str, Any], known: dict[Expr, Any] | None = None) -> None:
-        """What is ``known`` of parts is used and added to."""
+        """Prepare an evaluation.
+
+        Args:
+            m: the arithmetic, a namespace of functions.
+            at: the value of each variable.
+            known: values of subexpressions; they are used, and new ones are added.
+        """
         self.m, self.at = m, at
         self.known = {} if known is None else known
 
     def value(self, e: Expr) -> Any:
-        """The value of ``e``."""
+        """Return the value of ``e``."""
         found = self.known.get(e)
         if found is None:
             found = self.known[e] = self._computed(e)
@@ -62,20 +69,28 @@ class Walker:
 
 
 class UndefinedError(Exception):
-    """The point is outside the real domain, or the ball is too wide to tell."""
+    """Raised if a point lies outside the real domain, or the ball is too wide to decide."""
 
 
 def evaluate(e: Expr, point: Mapping[str, arb | fmpq], known: dict[Expr, arb] | None = None) -> arb:
-    """A ball that contains ``e`` at ``point``, of balls or exact numbers, at working precision.
+    """Return a ball that contains ``e`` at ``point``, at working precision.
 
-    NaN where ``e`` is undefined in the reals (radicand < 0, argument of ``log`` ≤ 0, argument of
-    ``asin`` out of range, division by a ball that contains 0) or where the balls cannot tell.
+    The result is NaN if ``e`` is undefined over the reals (radicand < 0, argument of ``log`` ≤ 0,
+    argument of ``asin`` out of range, division by a ball that contains 0), or if balls cannot
+    decide this.
 
     Args:
-        known: values at the same point, which are used and added to.
+        e: the expression.
+        point: a ball or an exact number for each variable.
+        known: values of subexpressions at the point; they are used, and new ones are added.
 
     Raises:
         KeyError: a variable of ``e`` is not in ``point``.
+
+    Example:
+        >>> from tresym.reals.language.expression import number, sqrt
+        >>> evaluate(sqrt(number(-1)), {}).is_nan()
+        True
     """
     try:
         return InBalls(balls, point, known).value(e)
@@ -84,7 +99,7 @@ def evaluate(e: Expr, point: Mapping[str, arb | fmpq], known: dict[Expr, arb] | 
 
 
 def stands(difference: arb, relation: str) -> bool:
-    """Whether a ball shows that what it holds stands in ``relation`` to zero."""
+    """Return whether a ball proves its ``relation`` to zero."""
     return bool(_STANDS[relation](difference, 0))
 
 
@@ -101,9 +116,10 @@ _STANDS: dict[str, Callable[[arb, int], object]] = {
 def values_or_broken(
     expressions: Iterable[Expr], point: Mapping[str, arb | fmpq]
 ) -> list[arb] | Expr:
-    """The values of ``expressions`` as by :func:`evaluate`, or a part of them that has none.
+    """Return the values of ``expressions``, or a subexpression without a value.
 
-    A part that has none at one point may well have none at the next, and is looked at first there.
+    A part without a value at one point is likely to have none at the next, so callers test it first
+    there.
     """
     walker = InBalls(balls, point)
     try:
@@ -113,7 +129,7 @@ def values_or_broken(
 
 
 def undefined_parts(expressions: Iterable[Expr], point: Mapping[str, arb | fmpq]) -> set[Expr]:
-    """The innermost parts that have no real value at ``point``, or none that the balls show."""
+    """Return the innermost subexpressions without a proven real value at ``point``."""
     walker = InBalls(balls, point)
     done: dict[Expr, bool] = {}
     found: set[Expr] = set()
@@ -136,14 +152,14 @@ def undefined_parts(expressions: Iterable[Expr], point: Mapping[str, arb | fmpq]
 
 
 def _angle(y: arb, x: arb) -> arb:
-    """``atan2(y, x)``; all of [−π, π] for a ball that meets the negative x-axis and more."""
+    """Return ``atan2(y, x)``; all of [−π, π] for a ball that crosses the negative x-axis."""
     if y.contains(0) and x.contains(0):
         raise UndefinedError
     return arb.atan2(y, x)
 
 
 def _natural_power(x: arb, n: int) -> arb:
-    """``x**n`` for a ball that contains 0, from its ends; FLINT's is NaN where the middle is 0."""
+    """Return ``x**n`` for a ball that contains 0; FLINT returns NaN if the midpoint is 0."""
     if n == 0:
         return arb(1)
     if n % 2:
@@ -158,7 +174,7 @@ def _sign(x: arb) -> arb:
 
 
 def _cube_root(x: arb) -> arb:
-    """The real cube root of any ball."""
+    """Return the real cube root of any ball."""
     if x >= 0:
         return _root(x, 3)
     if x < 0:
@@ -167,7 +183,7 @@ def _cube_root(x: arb) -> arb:
 
 
 def _root(x: arb, n: int) -> arb:
-    """The root of ``x ≥ 0``; FLINT's is NaN for a ball that contains 0."""
+    """Return the n-th root of ``x ≥ 0``; FLINT returns NaN for a ball that contains 0."""
     if x > 0:
         return x.root(n)
     high = x.upper()
@@ -183,13 +199,18 @@ _OWN: dict[str, Callable[..., arb]] = {
 
 
 class InBalls(Walker):
-    """Values in balls, of which every one is finite."""
+    """Evaluate in balls and require every value to be finite."""
 
     broken: Expr = ZERO
-    """The innermost part that was found without a value."""
+    """The innermost subexpression that was found to have no value."""
 
     def value(self, e: Expr) -> arb:
-        """The value of ``e``."""
+        """Return the value of ``e``.
+
+        Raises:
+            UndefinedError: the value is not proved to exist; ``broken`` is then the part without
+                one.
+        """
         found = self.known.get(e)
         if found is None:
             try:
@@ -204,7 +225,7 @@ class InBalls(Walker):
         return found
 
     def _computed(self, e: Expr) -> arb:
-        if e.op in UNWORKED or e.loose:  # it has variables of its own
+        if e.op in UNWORKED or e.loose:  # it has bound variables
             raise UndefinedError
         found: arb = super()._computed(e)
         return found
@@ -220,20 +241,20 @@ class InBalls(Walker):
 
 
 def applied(name: str, *values: arb) -> arb:
-    """A function of balls; not finite, or undefined, where it has no value."""
+    """Return a function of balls; not finite, or undefined, where it has no value."""
     return _OWN[name](*values) if name in _OWN else getattr(values[0], name)()
 
 
 def real_power(x: arb, y: arb) -> arb:
-    """``x**y``, where y is no number that is written."""
+    """Return ``x**y`` for an exponent that is not a written number."""
     return (y * x.log()).exp()
 
 
 def rational_power(x: arb, r: fmpq) -> arb:
-    """``x**r``.
+    """Return ``x**r``.
 
     Raises:
-        UndefinedError: the ball does not tell that it has a value.
+        UndefinedError: the ball does not prove that the power exists.
     """
     p, q = int(r.p), int(r.q)
     if p < 0 and x.contains(0):
@@ -247,10 +268,15 @@ def rational_power(x: arb, r: fmpq) -> arb:
 
 
 class Tape:
-    """A tree made ready for many points: its value in balls there, as by :func:`evaluate`."""
+    """A tree compiled for evaluation at many points, with the values of :func:`evaluate`."""
 
     def __init__(self, e: Expr, names: Sequence[str]) -> None:
-        """Its variables are among ``names``, in whose order a point gives their values."""
+        """Compile ``e``.
+
+        Args:
+            e: the expression.
+            names: its variables, in the order of the coordinates of a point.
+        """
         self._places = {symbol(name): n for n, name in enumerate(names)}
         self._numbers: list[tuple[int, Expr]] = []
         self._steps: list[tuple[Callable[..., arb], int, int | None, int]] = []
@@ -259,7 +285,7 @@ class Tape:
         self._end = self._place(e)
 
     def __call__(self, point: Sequence[arb]) -> arb:
-        """The value where the variables have these; NaN where it is not shown to be defined."""
+        """Return the value at a point; NaN where it is not proved to be defined."""
         if self._bits != ctx.prec:
             self._bits = ctx.prec
             for k, leaf in self._numbers:
@@ -279,7 +305,7 @@ class Tape:
         return found if found.is_finite() else _NAN
 
     def _place(self, e: Expr) -> int:
-        """Where the value of ``e`` comes to lie."""
+        """Return the slot of the value of ``e``."""
         if e in self._places:
             return self._places[e]
         if e.op in ("number", "pi"):
@@ -301,7 +327,7 @@ class Tape:
 
     @staticmethod
     def _power(x: arb, y: arb) -> arb:
-        """``x**y``, where y is no number that is written."""
+        """Return ``x**y`` for an exponent that is not a written number."""
         found = real_power(x, y)
         if not found.is_finite():
             raise UndefinedError

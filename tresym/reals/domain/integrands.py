@@ -1,8 +1,8 @@
-"""Compile integrands to steps that run in real and complex balls.
+"""Compile integrands to a list of steps that run in real and complex balls.
 
-What does not speak of the variable is worked out before, and equal parts are one step. In complex
-balls every step is holomorphic or not finite, as FLINT asks of integrands; in real ones a step that
-is not shown to have a value makes the whole NaN.
+Parts without the variable are evaluated in advance, and equal parts share a step. In complex balls
+every step is holomorphic or not finite, as FLINT requires of integrands. In real balls a step
+without a proven value makes the result NaN.
 """
 
 from __future__ import annotations
@@ -30,10 +30,15 @@ class Integrand:
     """An expression as a function of one variable."""
 
     def __init__(self, e: Expr, name: str, known: Callable[[Expr], arb]) -> None:
-        """``known`` gives the values of the parts that do not depend on the variable.
+        """Compile an expression.
+
+        Args:
+            e: the integrand.
+            name: its variable.
+            known: a function that returns the values of the parts without the variable.
 
         Raises:
-            UndefinedError: a part that binds variables depends on it.
+            UndefinedError: a part that binds variables depends on the variable.
         """
         self.name, self.known = name, known
         self.start: list[Any] = [None]
@@ -42,7 +47,7 @@ class Integrand:
         self.end = self._place(e)
 
     def _place(self, e: Expr) -> int:
-        """Where the value of a part stands."""
+        """Return the slot of the value of a part."""
         if e.op == "symbol" and e.args[0] == self.name:
             return 0
         if e not in self.places:
@@ -59,7 +64,7 @@ class Integrand:
         return self.places[e]
 
     def real(self, x: arb) -> arb:
-        """The value at a real ball; NaN where none is shown."""
+        """Return the value at a real ball; NaN where none is proved."""
         values = [x, *self.start[1:]]
         try:
             for place, args, done, _ in self.steps:
@@ -71,21 +76,21 @@ class Integrand:
         return values[self.end]
 
     def holomorphic(self, z: acb) -> acb:
-        """The value at a complex ball; not finite where it is not shown to be holomorphic on it."""
+        """Return the value at a complex ball; not finite unless proved holomorphic on it."""
         values = [z, *self.start[1:]]
         for place, args, _, done in self.steps:
             values[place] = done(*[values[n] for n in args])
         return acb(values[self.end])
 
     def __call__(self, z: acb, analytic: bool) -> acb:
-        """As FLINT asks for it."""
+        """Evaluate as FLINT's quadrature requires."""
         if analytic:
             return self.holomorphic(z)
         return acb(self.real(z.real) if z.imag.is_zero() else arb.nan())
 
 
 def _step(e: Expr) -> tuple[tuple[Expr, ...], Done, Done]:
-    """The operands of a part, and what is done to them in real and in complex balls."""
+    """Return the operands of a part, and its operation in real and in complex balls."""
     if e.op == "+":
         return e.args, _sum, _sum
     if e.op == "*":
@@ -110,7 +115,7 @@ def _sum(*values: Any) -> Any:
 
 
 def _quotient(above: int, *values: Any) -> Any:
-    """The product of the first values, the rest divided by: a fraction is rounded but once."""
+    """Return a product divided by the remaining values; a fraction is thus rounded only once."""
     product = reduce(operator.mul, values[:above], arb(1))
     return product / reduce(operator.mul, values[above:]) if values[above:] else product
 

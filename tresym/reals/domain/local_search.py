@@ -1,7 +1,7 @@
 """Search for a counterexample to an inequality by descent from sample points.
 
-Directions and steps are those of a pattern search, which needs no derivatives. What it finds is
-rounded to simple rationals, and judged at exact points alone.
+The directions and steps are those of a pattern search, which needs no derivatives. The points found
+are rounded to simple rationals. Only exact points are used as counterexamples.
 """
 
 from __future__ import annotations
@@ -27,7 +27,13 @@ TOLERANCES = (fmpq(1, 2**6), fmpq(1, 2**12), fmpq(1, 2**20))
 def low_points(
     difference: Expr, given: Given, starts: Iterable[ExactPoint]
 ) -> Iterator[ExactPoint]:
-    """Points of ``given`` at which the difference is small, simple ones first."""
+    """Yield points of ``given`` at which the difference is small, simple ones first.
+
+    Args:
+        difference: the expression that is minimised.
+        given: the conditions.
+        starts: points from which the descent starts.
+    """
 
     def depth(point: ExactPoint) -> float | None:
         with ball_precision(WORKING // 2):
@@ -44,7 +50,7 @@ def low_points(
 
 
 def _directions(names: list[str]) -> Iterator[dict[str, int]]:
-    """Along each axis, and along the diagonals of two."""
+    """Yield the directions of each axis and of the diagonals of two axes."""
     for name in names:
         yield {name: 1}
         yield {name: -1}

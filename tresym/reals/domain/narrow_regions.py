@@ -1,8 +1,9 @@
 """Find points of conditions that hold only far away or on narrow sets.
 
-Polynomials cut space into regions, each of which has a point of its own (see cells.py). From there,
-and from a few points anywhere, a pattern search climbs until every condition holds: one that holds
-counts more than any that almost does.
+Polynomials divide space into regions, each with a sample point (see
+:mod:`tresym.reals.domain.cylindrical_decomposition`). From these points, and from a few others, a
+pattern search climbs until every condition holds. Its score counts the conditions that hold first,
+and then by how much the others fail.
 """
 
 from __future__ import annotations
@@ -32,10 +33,11 @@ BESIDE = tuple(fmpq(sign, 2**k) for k in (4, 12, 24, 48, 96) for sign in (1, -1)
 
 
 def windows(conditions: Sequence[Expr], starts: Sequence[ExactPoint]) -> Iterator[ExactPoint]:
-    """Points that may lie inside, for the caller to check, from regions and from ``starts``.
+    """Yield candidate points inside the conditions; the caller checks them.
 
     Args:
         conditions: expressions that shall be positive.
+        starts: points from which the search also starts.
     """
     names = sorted(starts[0])
     centres = list(islice(_of_regions(conditions, names, starts[0]), MAX_CELLS))
@@ -53,7 +55,7 @@ def windows(conditions: Sequence[Expr], starts: Sequence[ExactPoint]) -> Iterato
 def _of_regions(
     conditions: Sequence[Expr], names: list[str], other: ExactPoint
 ) -> Iterator[ExactPoint]:
-    """A point of every region that the polynomials in the conditions cut out."""
+    """Yield a point of every region between the zeros of the polynomials in the conditions."""
     context = fmpq_mpoly_ctx.get(tuple(names), Ordering.lex)
     found = dict(part for e in conditions for part in _polynomials(e, context))
     used = sorted(frozenset().union(*map(symbols, found)))
@@ -69,7 +71,7 @@ def _of_regions(
 def _values(
     polynomials: list[fmpq_mpoly], places: list[int], used: list[str]
 ) -> Iterable[tuple[fmpq, ...]]:
-    """The points, in the variables at these places; of one variable whatever its coefficients."""
+    """Return sample points in the variables at these positions."""
     terms = [_whole(p, places) for p in polynomials]
     if len(used) > 1:
         ring = fmpz_mpoly_ctx.get(tuple(used), Ordering.lex)
@@ -81,13 +83,13 @@ def _values(
 
 
 def _whole(p: fmpq_mpoly, places: list[int]) -> dict[tuple[int, ...], int]:
-    """The terms of ``p`` in some of its variables, cleared of denominators."""
+    """Return the terms of ``p`` in some of its variables, with denominators cleared."""
     scale = prod(int(c.q) for c in p.coeffs())
     return {tuple(int(m[k]) for k in places): int((c * scale).p) for m, c in p.terms()}
 
 
 def _polynomials(e: Expr, context: fmpq_mpoly_ctx) -> Iterator[tuple[Expr, fmpq_mpoly]]:
-    """The largest parts of ``e`` that are polynomials, as it changes its ways at their zeros."""
+    """Yield the largest polynomial parts of ``e``, at whose zeros its behaviour may change."""
     p = _polynomial(e, context)
     if p is None:
         for arg in () if e.op in UNWORKED else e.args:
@@ -97,7 +99,7 @@ def _polynomials(e: Expr, context: fmpq_mpoly_ctx) -> Iterator[tuple[Expr, fmpq_
 
 
 def _polynomial(e: Expr, context: fmpq_mpoly_ctx) -> fmpq_mpoly | None:
-    """``e`` as a polynomial with rational coefficients, None where it is none of low degree."""
+    """Return ``e`` as a rational polynomial, or None if it is not one of low degree."""
     if e.op == "number":
         return context.constant(e.args[0])
     if e.op == "symbol":
@@ -125,11 +127,19 @@ def climbed(
     smallest: fmpq,
     enough: Any = None,
 ) -> ExactPoint:
-    """Where no step in any direction leads to a greater score, or where that is ``enough``."""
+    """Return a local maximum of the score by pattern search, or a point with score ``enough``.
+
+    Args:
+        score: the function that is maximised; None where it is undefined.
+        start: the starting point.
+        directions: the directions of the steps.
+        smallest: the smallest step.
+        enough: a score at which the search stops.
+    """
     here, best, step, left = start, score(start), fmpq(1), MAX_EVALUATIONS
     while best is not None and best != enough and step > smallest and left > 0:
         if here is start and step < COARSE:
-            break  # it does not rise anywhere near
+            break  # no step near the start increases the score
         better = False
         for direction in directions:
             there = {name: x + step * direction.get(name, 0) for name, x in here.items()}
@@ -142,7 +152,7 @@ def climbed(
 
 
 def _score(conditions: Sequence[Expr], point: ExactPoint) -> tuple[int, float]:
-    """How many conditions hold, and by how much the others that have a value fail."""
+    """Return how many conditions hold, and by how much the others fail."""
     with ball_precision():
         known: dict[Expr, arb] = {}
         values = [evaluate(e, point, known) for e in conditions]

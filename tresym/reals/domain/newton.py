@@ -1,9 +1,9 @@
-"""Points that satisfy equations, enclosed by Newton's method in balls.
+"""Enclose points that satisfy equations, by the interval Newton method.
 
-All variables but as many as there are equations have rational values; from there floating Newton
-steps lead near a solution, and one interval Newton step N(X) = m − F′(X)⁻¹ F(m) that ends inside X
-shows that X holds exactly one. Source: R. Moore, R. Kearfott, M. Cloud, *Introduction to Interval
-Analysis*, 8.4.
+With k equations, all variables but k are set to rational values. Floating-point Newton steps lead
+near a solution. Then one interval Newton step N(X) = m − F′(X)⁻¹ F(m) is made. If N(X) lies in the
+interior of X, X contains exactly one solution. Source: R. Moore, R. Kearfott, M. Cloud,
+*Introduction to Interval Analysis*, 8.4.
 """
 
 from __future__ import annotations
@@ -27,9 +27,12 @@ SMALL, WIDTH = arb((1, -80)), arb((1, -60))
 def points_on(
     equations: Sequence[Expr], given: Given, names: Sequence[str]
 ) -> Iterator[dict[str, arb]]:
-    """Balls that hold exactly one point each at which all ``equations`` are 0.
+    """Yield balls that contain exactly one point each at which all ``equations`` vanish.
 
-    Every condition of ``given`` is shown to hold there, strictly.
+    Args:
+        equations: the expressions that vanish.
+        given: conditions that are proved to hold strictly at the points.
+        names: further symbols for which the points have values.
     """
     known = sorted(frozenset(names).union(given.names, *map(symbols, equations)))
     slopes = [{n: differentiate(e, n) for n in symbols(e)} for e in equations]
@@ -53,7 +56,7 @@ def _solution(
     start: dict[str, arb],
     moving: Sequence[str],
 ) -> dict[str, arb] | None:
-    """The point near which Newton's steps in the ``moving`` variables end, if it is shown."""
+    """Return a ball with exactly one solution in the ``moving`` variables, or None."""
 
     def step(middle: dict[str, arb], where: dict[str, arb]) -> dict[str, arb] | None:
         values = arb_mat([[evaluate(e, middle)] for e in equations])

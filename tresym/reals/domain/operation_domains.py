@@ -1,7 +1,8 @@
-"""The table of domains: where each operation is defined, and where it is analytic.
+"""List where each operation is defined, and where it is analytic.
 
-Only the advocate and the walkers of balls know it once more: the first shares nothing with the
-provers, the others find by a ball that has no value that a point may be outside.
+This is the only such table for the provers. The independent cross-check has its own, so that it
+shares no code with the provers. The evaluators in ball arithmetic need none: they return NaN at a
+point that may lie outside the domain.
 """
 
 from __future__ import annotations
@@ -25,37 +26,50 @@ from tresym.reals.language.formula import MIRRORED
 
 
 def with_domain(given: Given, *expressions: Expr) -> Given:
-    """``given`` and what holds at every point where the expressions are defined.
+    """Return ``given`` with the conditions under which the expressions are defined.
 
-    A claim speaks of those points alone, so a proof may use it.
+    A claim is a statement about the points where its sides are defined, so that a proof may use
+    these conditions.
     """
     parts = (part for part in needs(expressions) if symbols(part[0]))
     return Given(given.comparisons + tuple(bound(*part) for part in parts))
 
 
 def needs(expressions: Iterable[Expr], powers: bool = True) -> list[tuple[Expr, str]]:
-    """What is ``>``, ``>=`` or ``!=`` zero wherever all of ``expressions`` are defined.
+    """Return the conditions that hold wherever all of ``expressions`` are defined.
 
     Args:
-        powers: whether powers with a variable as exponent ask for a positive base.
+        expressions: the expressions.
+        powers: whether a power with a variable exponent requires a positive base.
+
+    Returns:
+        Pairs of an expression and its relation to zero: ``>``, ``>=`` or ``!=``.
+
+    Example:
+        >>> [(str(e), relation) for e, relation in needs([apply("log", symbol("x"))])]
+        [('x', '>')]
     """
     nodes = (e for e in operations(expressions) if powers or e.op != "^" or not symbols(e.args[1]))
     return list(dict.fromkeys(part for node in nodes for part in needs_of(node)))
 
 
 def denominators(e: Expr) -> list[Expr]:
-    """What must not vanish for ``e`` to be defined."""
+    """Return the expressions that must not vanish for ``e`` to be defined."""
     return [part for part, relation in needs((e,)) if relation != ">="]
 
 
 def singularities(e: Expr) -> list[tuple[Expr, bool]]:
-    """Expressions off whose zeros ``e`` is analytic; True where they must be positive."""
+    """Return expressions such that ``e`` is analytic where none of them vanishes.
+
+    Returns:
+        Pairs of an expression and whether it must be positive.
+    """
     parts = dict.fromkeys(part for node in operations((e,)) for part in analytic_of(node))
     return [(part, relation == ">") for part, relation in parts]
 
 
 def operations(expressions: Iterable[Expr]) -> Iterator[Expr]:
-    """Every operation in the expressions, once."""
+    """Yield every operation in the expressions once."""
     seen: set[Expr] = set()
     stack = list(expressions)
     while stack:
@@ -68,7 +82,7 @@ def operations(expressions: Iterable[Expr]) -> Iterator[Expr]:
 
 
 def needs_of(node: Expr) -> list[tuple[Expr, str]]:
-    """Expressions that are ``>``, ``>=`` or ``!=`` zero just where the operation is defined."""
+    """Return the expressions, with relations to zero, that state where the operation is defined."""
     x = node.args[0]
     match node.op:
         case "^":
@@ -99,17 +113,17 @@ def needs_of(node: Expr) -> list[tuple[Expr, str]]:
 
 
 def analytic_of(node: Expr) -> list[tuple[Expr, str]]:
-    """The same for where it is analytic: ``>`` or ``!=`` zero."""
+    """Return the same for where the operation is analytic, with relations ``>`` and ``!=``."""
     x = node.args[0]
     if node.op in ("abs", "sign", "cbrt"):
         return [(x, "!=")]
-    if node.op == "atan2":  # zero on the half line where it jumps
+    if node.op == "atan2":  # this expression is zero on the half line where atan2 jumps
         return [(sqrt(node.args[1] ** 2 + x**2) + node.args[1], "!=")]
     return [(part, relation.replace(">=", ">")) for part, relation in needs_of(node)]
 
 
 def bound(e: Expr, relation: str) -> tuple[Expr, str, Expr]:
-    """``e relation 0``, written as a bound of one symbol where ``e`` is affine in it alone."""
+    """Return ``e relation 0``, solved for its symbol if ``e`` is affine in a single one."""
     if e.op == "abs" and relation in (">", "!="):
         return bound(e.args[0], "!=")
     names = sorted(symbols(e))

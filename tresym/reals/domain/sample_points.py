@@ -1,4 +1,4 @@
-"""Exact sample points in a box."""
+"""Choose exact sample points in a box, in a fixed pseudo-random order."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _UNIT = [
         *((1, 1000), (999, 1000), (6, 11), (1, 2), (2, 3), (10**6 - 1, 10**6), (1, 10**6)),
     )
 ]
-"""Where in a bounded range the samples lie: the middle first, the ends last."""
+"""The relative positions of samples in a bounded range: central ones first, the ends last."""
 _RAY = [
     fmpq(*pair)
     for pair in (
@@ -30,10 +30,11 @@ _RAY = [
         *((1, 900), (100, 7), (1, 2), (2, 1), (1, 1), (1000, 3), (1, 10**6)),
     )
 ]
-"""How far from the end of an unbounded range the samples lie."""
+"""The distances of samples from the end of an unbounded range."""
 
 
 def _hash(k: int, j: int) -> int:
+    """Return a 32-bit hash of two integers."""
     h = (k * 2654435761 + j * 2246822519 + 374761393) & 0xFFFFFFFF
     h = ((h ^ (h >> 15)) * 2246822519) & 0xFFFFFFFF
     h = ((h ^ (h >> 13)) * 3266489917) & 0xFFFFFFFF
@@ -41,11 +42,11 @@ def _hash(k: int, j: int) -> int:
 
 
 def _sample(where: Interval, k: int, j: int) -> fmpq:
-    """The ``k``-th value of the ``j``-th symbol, inside its range."""
+    """Return the ``k``-th sample value of the ``j``-th symbol, inside its range."""
     h = _hash(k, j)
     pool = 5 if k < 6 else 9 if k < 20 else 16
     low, high = where.low, where.high
-    anywhere = fmpq(1 + (h >> 12) % 9973, 9974)  # late samples leave the lists below
+    anywhere = fmpq(1 + (h >> 12) % 9973, 9974)  # late samples do not come from the lists
     if k >= LISTED and (k + j) % 4 == 0:
         low, high = _beside_zero(low, high, h % 2 == 0)
     if low is not None and high is not None:
@@ -67,7 +68,7 @@ def _sample(where: Interval, k: int, j: int) -> fmpq:
 def _beside_zero(
     low: fmpq | None, high: fmpq | None, below: bool
 ) -> tuple[fmpq | None, fmpq | None]:
-    """The finite part of a range on one side of 0, which may be short beside the other."""
+    """Return the part of a range on one side of 0, which may be short compared with the other."""
     if low is not None and low < 0 and (high is None or (below and high > 0)):
         return low, fmpq(0)
     if high is not None and high > 0 and (low is None or (not below and low < 0)):
@@ -76,7 +77,9 @@ def _beside_zero(
 
 
 def _simple(x: fmpq, low: fmpq, high: fmpq) -> fmpq:
-    """A rational near ``x`` that can be read, where ends that stand for constants make x long."""
+    """Return a simpler rational near ``x`` if ``x`` is long, as at ends that stand for irrational
+    constants.
+    """
     if x.q < LONG:
         return x
     gap = max(min(x - low, high - x), fmpq(0)) / 16  # a range may be empty
@@ -84,7 +87,7 @@ def _simple(x: fmpq, low: fmpq, high: fmpq) -> fmpq:
 
 
 def corners(names: list[str], box: dict[str, Interval]) -> Iterator[dict[str, fmpq]]:
-    """Points with some symbols at closed ends of their ranges."""
+    """Yield points some of whose symbols are at closed ends of their ranges."""
     choices = []
     for name in names:
         where = box.get(name, Interval())

@@ -1,10 +1,9 @@
-"""Nodes that bind a variable: integrals, derivatives, limits, sums, products, roots.
+"""Create nodes that bind a variable: integrals, derivatives, limits, sums, products, roots.
 
-The variable of a node is a number in its body (de Bruijn's index) and a free variable is a name,
-so substitution needs no renaming, and ``∫ f(x) dx`` and ``∫ f(y) dy`` are one tree. A body is
-looked at by :func:`tresym.reals.language.expression.opened`, which gives its variables names that
-are free nowhere in it. The source of the technique is A. Charguéraud, *The locally nameless
-representation*, J. Automated Reasoning 49 (2012) 363.
+In the body of such a node the variable is a de Bruijn index, while free variables have names. So
+substitution needs no renaming, and ``∫ f(x) dx`` and ``∫ f(y) dy`` are the same tree. To inspect a
+body, call :func:`tresym.reals.language.expression.opened`, which gives its variables fresh names.
+Source: A. Charguéraud, *The locally nameless representation*, J. Automated Reasoning 49 (2012) 363.
 """
 
 from __future__ import annotations
@@ -32,44 +31,55 @@ from tresym.reals.numbers.exact import InputError
 
 
 def integral(f: Expr, name: str, low: Expr, high: Expr) -> Expr:
-    """∫ f from ``low`` to ``high`` over the variable ``name``, which the ends do not know."""
+    """Return ∫ f from ``low`` to ``high`` over the variable ``name``, which is not bound in the
+    ends.
+
+    Example:
+        >>> str(integral(symbol("x"), "x", number(0), number(1)))
+        'integral(x, x, 0, 1)'
+    """
     return Expr("integral", (bind(f, (name,)), low, high), (name,))
 
 
 def antiderivative(f: Expr, name: str) -> Expr:
-    """∫ f of the variable ``name`` without ends: any function of it whose derivative is ``f``."""
+    """Return the indefinite integral of f: any function of ``name`` whose derivative is ``f``."""
     return Expr("antiderivative", (bind(f, (name,)), symbol(name)), (name,))
 
 
 def total(kind: str, f: Expr, name: str, low: Expr, high: Expr) -> Expr:
-    """The ``"sum"`` or ``"product"`` of ``f`` over the integers ``name`` from ``low`` to ``high``.
+    """Return the ``"sum"`` or ``"product"`` of ``f`` over the integers from ``low`` to ``high``.
 
-    The ends do not know the variable. Where ``high`` is ``low - 1`` there is no term: 0, or 1.
+    Args:
+        kind: ``"sum"`` or ``"product"``.
+        f: the term.
+        name: the index, which is not bound in the ends.
+        low: the first index.
+        high: the last index; for ``low - 1`` the sum is 0 and the product 1.
     """
     return Expr(kind, (bind(f, (name,)), low, high), (name,))
 
 
 def is_infinite(e: Expr) -> bool:
-    """Whether it is a sum or a product of infinitely many terms."""
+    """Return whether ``e`` is a sum or product of infinitely many terms."""
     ends = (symbol("oo"), -symbol("oo"))
     return e.op in ("sum", "product") and any(end in ends for end in e.args[1:])
 
 
 def derivative(f: Expr, name: str, point: Expr | None = None) -> Expr:
-    """The derivative of ``f`` by the variable ``name``, at ``point`` or at the variable itself."""
+    """Return the derivative of ``f`` by the variable ``name``, at ``point`` or at the variable."""
     place = symbol(name) if point is None else point
     return Expr("derivative", (bind(f, (name,)), place), (name,))
 
 
 def nth_derivative(f: Expr, name: str, order: Expr) -> Expr:
-    """The derivative of ``f`` by the variable ``name``, as often as ``order`` says, an integer."""
+    """Return the derivative of ``f`` by ``name`` of integer order ``order``."""
     return Expr("nth", (bind(f, (name,)), symbol(name), order), (name,))
 
 
 def at(f: Expr, values: Mapping[str, Expr]) -> Expr:
-    """``f`` where its variables have these values, all at once, not yet worked out.
+    """Return ``f`` at these values of its variables, as a node that is not evaluated.
 
-    The value of a derivative by that very variable is the derivative at the point.
+    The value of a derivative with respect to the same variable is the derivative at that point.
     """
     names = tuple(values)
     if f.op == "derivative" and len(names) == 1 and f.args[1] == symbol(names[0]):
@@ -80,29 +90,36 @@ def at(f: Expr, values: Mapping[str, Expr]) -> Expr:
 
 
 def limit(f: Expr, name: str, point: Expr, side: int = 0) -> Expr:
-    """The limit of ``f`` as the variable goes to ``point``: from above (1), below (−1), or both."""
+    """Return the limit of ``f`` as ``name`` tends to ``point``, from above (1), below (−1) or both
+    (0).
+    """
     return Expr("limit", (bind(f, (name,)), point, number(side)), (name,))
 
 
 def root(f: Expr, name: str, low: Expr, high: Expr) -> Expr:
-    """The value of the variable ``name`` between the ends at which ``f`` is 0, where there is one
-    and no other; the ends do not count, and do not know the variable."""
+    """Return the unique zero of ``f`` in the variable ``name`` strictly between the ends.
+
+    The node has a value only if there is exactly one such zero. The variable is not bound in the
+    ends.
+    """
     return Expr("root", (bind(f, (name,)), low, high), (name,))
 
 
 def order(kind: str, gauge: Expr) -> Expr:
-    """Landau's term ``O(gauge)``, ``o(gauge)``, ``Theta(gauge)`` or ``omega(gauge)``.
+    """Return the Landau symbol ``O(gauge)``, ``o(gauge)``, ``Theta(gauge)`` or ``omega(gauge)``.
 
     Raises:
-        InputError: another letter.
+        InputError: ``kind`` is another name.
     """
     if kind not in ORDERS:
-        raise InputError(f"{kind} is no order; known are O, o, Theta and omega")
+        raise InputError(f"{kind} is not an order symbol; use O, o, Theta or omega")
     return Expr(kind, (gauge,))
 
 
 def outermost(*trees: Expr) -> Iterator[Expr]:
-    """Integrals, derivatives, values, limits and orders that no other such node contains."""
+    """Yield the integrals, derivatives, values, limits and orders not contained in another such
+    node.
+    """
     for e in trees:
         if e.op in UNWORKED:
             yield e
@@ -111,14 +128,15 @@ def outermost(*trees: Expr) -> Iterator[Expr]:
 
 
 def elementary(*trees: Expr) -> bool:
-    """Whether there is no such node."""
+    """Return whether the trees contain no such node."""
     return not any(e.hidden for e in trees)
 
 
 def worked_out(e: Expr) -> Expr:
-    """``e`` with values put in and derivatives carried out, but those of what hides its variable.
+    """Return ``e`` with values substituted and derivatives carried out where possible.
 
-    An integral, a limit and a sum hide what they depend on; unknown functions do not.
+    A derivative by a variable inside an integral, a limit or a sum remains a node. Derivatives of
+    arbitrary functions are carried out.
     """
     if e.op in LEAVES or elementary(e):
         return e
@@ -129,7 +147,7 @@ def worked_out(e: Expr) -> Expr:
     place = e.args[1]
     if e.op == "derivative" and place.op == "symbol" and symbols(e.args[0]).isdisjoint(place.args):
         body = instantiate(e.args[0], (place,))
-        if elementary(body):  # as in nearly all that is written, where no name need be found
+        if elementary(body):  # the usual case, in which no fresh name is needed
             return differentiate(body, place.args[0])
     names, body = opened(e)
     body, points = worked_out(body), tuple(map(worked_out, e.args[1:]))
@@ -142,7 +160,7 @@ def worked_out(e: Expr) -> Expr:
 
 
 def _slopes_worked_out(e: Expr) -> Expr:
-    """An integral with f' for the derivatives of unknown functions in its integrand."""
+    """Return an integral with f' for the derivatives of arbitrary functions in its integrand."""
     inner = [node for node in outermost(e.args[0]) if node.op == "derivative"]
     while any(node.op == "derivative" for node in inner):
         inner = [node.args[0] if node.op == "derivative" else node for node in inner]
@@ -153,7 +171,9 @@ def _slopes_worked_out(e: Expr) -> Expr:
 
 
 def _hides(e: Expr, name: str) -> bool:
-    """Whether a node hides how ``e`` depends on the variable."""
+    """Return whether the dependence of ``e`` on the variable is inside a node other than a
+    function.
+    """
     return any(
         any(_hides(arg, name) for arg in node.args) if node.op == "unknown" else True
         for node in outermost(e)
@@ -162,8 +182,11 @@ def _hides(e: Expr, name: str) -> bool:
 
 
 def ordered(e: Expr) -> Expr:
-    """``e`` with the operands of its sums and products in an order that no name of a bound variable
-    has a say in: what was written in another order is one tree."""
+    """Return ``e`` with the operands of sums and products sorted, so that their order does not
+    matter.
+
+    The order is independent of the names of bound variables.
+    """
     keys: dict[Expr, str] = {}
 
     def key(node: Expr) -> str:
@@ -182,11 +205,11 @@ def ordered(e: Expr) -> Expr:
 
 
 def generalised(*trees: Expr) -> tuple[Expr, ...]:
-    """The trees with a variable for each node that binds, equal variables for equal nodes.
+    """Replace each binding node by a variable, equal nodes by the same variable.
 
-    What holds for all values of the variables holds for those of the nodes. No text can write the
-    names. Nodes are equal up to the order of terms and factors, and constant factors of integrands
-    are taken out of the integrals first.
+    A statement that holds for all values of the variables holds for the values of the nodes. Users
+    cannot write the names of these variables. Nodes are compared up to the order of terms and
+    factors, after constant factors of integrands have been moved out of the integrals.
     """
     if elementary(*trees):
         return trees
@@ -197,7 +220,7 @@ def generalised(*trees: Expr) -> tuple[Expr, ...]:
 
 
 def _factors_out(e: Expr) -> Expr:
-    """``∫ c f dx`` as ``c ∫ f dx`` for the factors c that do not know the variable."""
+    """Write ``∫ c f dx`` as ``c ∫ f dx`` for factors c that do not contain the variable."""
     if e.op in LEAVES or (e.op in UNWORKED and e.op != "integral"):
         return e
     if e.op != "integral":

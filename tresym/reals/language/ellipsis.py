@@ -1,11 +1,11 @@
 """Find the general term of a sum written with an ellipsis.
 
-Before the last term, as in ``1 + 3 + ... + (2*n - 1)``, they stand for the terms between; the last
-term is the general one, and those before the dots must be its values in a row. More dots behind it
-make a series of it. Behind three numbers
-or more, as in ``1 - 1/3 + 1/5 - ...``, they stand for a series whose terms are one over a power of
-a linear function, one over factorials, or geometric, of one sign or of signs in turn. Other dots
-stay a term.
+Dots before the last term, as in ``1 + 3 + ... + (2*n - 1)``, stand for the terms between. The last
+term is the general one, and the terms before the dots must be its consecutive values. Dots after
+the general term as well make it an infinite series. Dots after at least three numbers, as in ``1 -
+1/3 + 1/5 - ...``, stand for a series. Its terms must be reciprocals of powers of a linear function,
+reciprocals of factorials, or geometric, with constant or alternating signs. Other dots remain a
+term.
 """
 
 from __future__ import annotations
@@ -36,21 +36,21 @@ from tresym.reals.language.parsing import FACTORIAL, INFINITY, call
 from tresym.reals.numbers.exact import InputError
 
 FIRST, SEEN, HIGHEST = 4, 2, 4
-"""At which number a sum may begin, how many of its terms are needed, and what powers are seen."""
-_UNSEEN = "what the dots stand for is not seen: write the sum as sum(f, k, 1, n)"
+"""The number of possible first indices, the terms required, and the highest power tried."""
+_UNSEEN = "the general term of the sum with dots was not found: write sum(f, k, 1, n)"
 
 
 def meant(terms: Sequence[Expr]) -> Expr:
-    """The sum of these terms, one of them dots.
+    """Return the sum of these terms, one of which is dots.
 
     Raises:
-        InputError: there are several dots, or what they stand for is not seen.
+        InputError: there are several dots, or the general term is not found.
     """
     at = terms.index(DOTS)
     before, after = list(terms[:at]), list(terms[at + 1 :])
     if DOTS in after[:1] or DOTS in after[2:] or not before:
         raise InputError(_UNSEEN)
-    if after[1:] == [DOTS]:  # the general term stands between dots
+    if after[1:] == [DOTS]:  # the general term is between two dots
         *terms, whole = _finite(before, after[0])
         return add(*terms, Expr(whole.op, (*whole.args[:2], INFINITY), whole.names))
     if after:
@@ -61,7 +61,7 @@ def meant(terms: Sequence[Expr]) -> Expr:
 
 
 def _finite(before: list[Expr], last: Expr) -> list[Expr]:
-    """The terms that are no part of the sum from the first of it to ``last``, and that sum."""
+    """Return the terms before the sum, and the sum whose general term is ``last``."""
     for n in sorted(symbols(last)):
         for start in range(FIRST):
             for count in range(len(before), SEEN - 1, -1):
@@ -78,7 +78,7 @@ def _finite(before: list[Expr], last: Expr) -> list[Expr]:
 
 
 def _folded(e: Expr) -> Expr:
-    """``e`` with powers of exponent 0, and factorials of numbers, worked out."""
+    """Evaluate powers with exponent 0 and factorials of numbers in ``e``."""
     if e.op in LEAVES:
         return e
     args = tuple(map(_folded, e.args))
@@ -92,7 +92,7 @@ def _folded(e: Expr) -> Expr:
 
 
 def _series(values: list[fmpq]) -> Expr:
-    """The series of numbers that begins so."""
+    """Return the series that begins with these numbers."""
     k = symbol("k")
     signs = [value > 0 for value in values]
     alternating = all(one != other for one, other in pairwise(signs))
@@ -106,7 +106,7 @@ def _series(values: list[fmpq]) -> Expr:
 
 
 def _general(values: list[fmpq], k: Expr) -> Expr | None:
-    """The general term of positive numbers."""
+    """Return the general term of positive numbers, or None."""
     ratios = [other / one for one, other in pairwise(values)]
     if len(set(ratios)) == 1:
         return number(values[0]) * number(ratios[0]) ** k
@@ -126,6 +126,7 @@ def _general(values: list[fmpq], k: Expr) -> Expr | None:
 
 
 def _root(value: fmpq, m: int) -> fmpz | None:
+    """Return the exact m-th root of an integer, or None."""
     if value.q != 1:
         return None
     root = fmpz(value.p).root(m)

@@ -1,19 +1,19 @@
-"""Expressions: immutable trees of numbers, symbols, sums, products, powers, functions.
+"""Represent expressions as immutable trees of numbers, symbols, operations and functions.
 
-A tree is what was written, not what it means: constructors fold numbers and flatten sums and
-products, and nothing else, because ``0*log(x)`` is not defined where ``0`` is, and ``1/0`` is a
-tree that is defined nowhere. The domain is real: ``x**(p/q)`` with ``q > 1`` asks for ``x ≥ 0``
-(``cbrt`` is the real cube root of any number), ``log x`` for ``x > 0``, ``asin`` and ``acos`` for
-``|x| ≤ 1``, ``1/x`` for ``x ≠ 0``. ``sign 0`` is 0, and ``atan2(y, x)``, the angle of the point
-``(x, y)`` in (−π, π], is defined but at the origin: ``atan2(0, x)`` is π for ``x < 0``.
+A tree records what was written. Constructors fold numbers and flatten sums and products, but
+simplify nothing else: ``0*log(x)`` is not defined everywhere, though ``0`` is, and ``1/0`` is a
+tree that is defined nowhere. The domain is real: ``x**(p/q)`` with ``q > 1`` requires ``x ≥ 0``
+(``cbrt`` is the real cube root of any number), ``log x`` requires ``x > 0``, ``asin`` and ``acos``
+require ``|x| ≤ 1``, ``1/x`` requires ``x ≠ 0``. ``sign 0`` is 0. ``atan2(y, x)``, the angle of the
+point ``(x, y)`` in (−π, π], is defined except at the origin: ``atan2(0, x)`` is π for ``x < 0``.
 
 Integrals, derivatives, values at a point, limits and roots are nodes that bind a variable;
-binders.py makes them. The variable has no name in the tree, only a number, and the name that it was
-written with is kept for showing: trees are equal up to the names of bound variables, and what is
-put in for a symbol cannot be captured.
+:mod:`tresym.reals.language.binders` creates them. In the tree a bound variable has no name, only a
+de Bruijn index. The name with which it was written is stored for display. So trees are equal up to
+the names of bound variables, and substitution cannot capture a variable.
 
-A function that is left unknown, ``f(x)``, is a node ``unknown`` of a leaf ``function`` (its name,
-and how often it is differentiated in each of its places) and of its arguments; see :func:`unknown`.
+An arbitrary function ``f(x)`` is a node ``unknown``. Its operands are a leaf ``function`` (its
+name, and how often it is differentiated in each argument) and its arguments; see :func:`unknown`.
 """
 
 from __future__ import annotations
@@ -34,9 +34,9 @@ LEAVES = frozenset(("number", "symbol", "pi", "bound", "function"))
 BINDERS = frozenset(
     ("integral", "antiderivative", "derivative", "nth", "at", "limit", "root", "sum", "product")
 )
-"""Operations that bind: the first operand is the body, under as many variables as have names."""
+"""Operations that bind variables in their first operand, the body, one for each name."""
 ORDERS = frozenset(("O", "o", "Theta", "omega"))
-"""Landau's terms, of a gauge; like a binder, such a node is no number that could be computed."""
+"""Landau symbols of a gauge function; like binders, such nodes cannot be evaluated."""
 UNWORKED = BINDERS | ORDERS | {"unknown"}
 
 MAX_DEPTH = 120
@@ -44,24 +44,31 @@ MAX_SIZE = 20_000
 MAX_BITS = 40_000
 MAX_POWER = 1_000
 REMEMBERED = 1 << 10
-"""Variables and whole numbers of which there is one object, so that few trees are compared."""
+"""The number of cached variables and small integers; identical objects compare fast."""
 MAX_DERIVATIVES = 10
 
 
 class Expr:
-    """One node. Build it with :func:`number`, :func:`symbol`, :func:`apply` and the operators.
+    """A node of a tree. Create it with :func:`number`, :func:`symbol`, :func:`apply` and operators.
 
     Attributes:
-        op: ``"number"``, ``"symbol"``, ``"pi"``, ``"+"``, ``"*"``, ``"^"``, ``"atan2"``, a
-            function's name, one of :data:`UNWORKED`, ``"bound"`` or ``"function"``.
-        args: the operands; an ``fmpq`` for a number, a ``str`` for a symbol, for a bound
-            variable how many variables that are bound stand between it and its binder, and for
-            an unknown function its name and the orders of its derivatives.
-        names: what the variables that this node binds are called where it is shown. They take no
-            part in equality.
-        loose: how many variables must be bound around this node; 0 for all but parts of a body.
-        size, depth: nodes counted as a tree, and its height; both are bounded.
-        hidden: whether one of :data:`UNWORKED` is in it.
+        op: ``"number"``, ``"symbol"``, ``"pi"``, ``"+"``, ``"*"``, ``"^"``, ``"atan2"``, the name
+            of a function, one of :data:`UNWORKED`, ``"bound"`` or ``"function"``.
+        args: the operands. For a number this is an ``fmpq``, and for a symbol a ``str``. For a
+            bound variable it is the number of bound variables between it and its binder. For an
+            arbitrary function it is its name and the orders of its derivatives.
+        names: the display names of the variables that this node binds. They are ignored in
+            comparisons.
+        loose: the number of variables that must be bound outside this node; 0 except in parts of a
+            body.
+        size: the number of nodes of the tree, which is bounded.
+        depth: the height of the tree, which is bounded.
+        hidden: whether the tree contains one of :data:`UNWORKED`.
+
+    Example:
+        >>> x = symbol("x")
+        >>> str((x + 1) ** 2 / x)
+        '(x + 1)**2/x'
     """
 
     __slots__ = ("_hash", "_symbols", "args", "depth", "hidden", "loose", "names", "op", "size")
@@ -70,7 +77,9 @@ class Expr:
     args: tuple[Any, ...]
 
     def __init__(self, op: str, args: tuple[Any, ...], names: tuple[str, ...] = ()) -> None:
-        """Internal: the functions of this module fold and check, this does only the bounds."""
+        """Create a node and check its bounds; the functions of this module fold and check
+        arguments.
+        """
         size, depth, loose, hidden = 1, 1, 0, op in UNWORKED
         if op == "bound":
             loose = args[0] + 1
@@ -84,7 +93,7 @@ class Expr:
                     hidden = True
                 if arg.loose:
                     loose = max(loose, arg.loose - around)
-                around = 0  # only the first operand is under the variables
+                around = 0  # only the first operand is in the scope of the variables
             if depth > MAX_DEPTH:
                 raise InputError(f"the expression is nested deeper than {MAX_DEPTH} levels")
             if size > MAX_SIZE:
@@ -164,16 +173,20 @@ def _rebuild(op: str, args: Any, names: tuple[str, ...]) -> Expr:
 
 
 def as_expr(x: Expr | Number) -> Expr:
-    """``x`` itself, or the exact number ``x`` as an expression.
+    """Return an expression unchanged, or an exact number as an expression.
 
     Raises:
-        InputError: floats and other inexact types.
+        InputError: ``x`` is a float or of another inexact type.
     """
     return x if isinstance(x, Expr) else number(x)
 
 
 def number(x: Number) -> Expr:
-    """An exact rational number."""
+    """Return an exact rational number as an expression.
+
+    Raises:
+        InputError: the number is inexact or has more than about 12 000 digits.
+    """
     if type(x) is int and -REMEMBERED < x < REMEMBERED:
         return _small(x)
     value = exact_number(x)
@@ -191,7 +204,7 @@ def _small(n: int) -> Expr:
 
 @lru_cache(REMEMBERED)
 def symbol(name: str) -> Expr:
-    """A real variable: what is compared often is one object."""
+    """Return a real variable. Equal symbols are one cached object, which makes comparison fast."""
     return Expr("symbol", (name,))
 
 
@@ -200,13 +213,13 @@ ONE = number(1)
 MINUS_ONE = number(-1)
 HALF = number(Fraction(1, 2))
 DOTS = symbol("...")
-"""What is not written of a sum: no text writes this name."""
+"""The omitted terms of a sum; no variable can have this name."""
 PI = Expr("pi", ())
 E = Expr("exp", (ONE,))
 
 
 def add(*terms: Expr) -> Expr:
-    """The sum; nested sums are flattened and numbers folded."""
+    """Return the sum; nested sums are flattened and numbers folded."""
     rest: list[Expr] = []
     constant = fmpq(0)
     for term in terms:
@@ -221,7 +234,7 @@ def add(*terms: Expr) -> Expr:
 
 
 def multiply(*factors: Expr) -> Expr:
-    """The product; nested products are flattened and numbers folded, but zero is kept."""
+    """Return the product; nested products are flattened and numbers folded, but a zero is kept."""
     rest: list[Expr] = []
     constant = fmpq(1)
     for factor in factors:
@@ -236,10 +249,11 @@ def multiply(*factors: Expr) -> Expr:
 
 
 def power(base: Expr, exponent: Expr) -> Expr:
-    """``base**exponent``. Numeric exponents are bounded: the procedure expands them.
+    """Return ``base**exponent``. Numeric exponents are bounded, since decision procedures expand
+    them.
 
     Raises:
-        InputError: a numeric exponent beyond ±1000, or a power of a number that is too long.
+        InputError: a numeric exponent is beyond ±1000, or a power of a number is too long.
     """
     if exponent.op == "number":
         r = exponent.args[0]
@@ -254,7 +268,7 @@ def power(base: Expr, exponent: Expr) -> Expr:
             return _number_power(base.args[0], int(r.p))
         if base.op == "^" and r.q == 1 and base.args[1].op == "number":
             inner = base.args[1].args[0]
-            if inner.q == 1 and not (inner < 0 and r <= 0):  # where the base is 0 they differ
+            if inner.q == 1 and not (inner < 0 and r <= 0):  # at base 0 the two sides differ
                 return power(base.args[0], number(inner * r))
     return Expr("^", (base, exponent))
 
@@ -274,55 +288,61 @@ def _short(r: fmpq) -> str:
 
 
 def apply(name: str, argument: Expr) -> Expr:
-    """The function ``name`` of :data:`FUNCTIONS` applied to ``argument``."""
+    """Return the function ``name`` of :data:`FUNCTIONS` applied to ``argument``.
+
+    Raises:
+        InputError: the function is not known.
+    """
     if name not in FUNCTIONS:
         raise InputError(f"unknown function {name}; known are sqrt, {', '.join(sorted(FUNCTIONS))}")
     return Expr(name, (argument,))
 
 
 def sqrt(x: Expr) -> Expr:
-    """The square root."""
+    """Return the square root."""
     return power(x, HALF)
 
 
 def angle(y: Expr, x: Expr) -> Expr:
-    """atan2(y, x), the angle of the point (x, y) in (−π, π], off the origin."""
+    """Return atan2(y, x), the angle of the point (x, y) in (−π, π], undefined at the origin."""
     return Expr("atan2", (y, x))
 
 
 def unknown(name: str, args: tuple[Expr, ...], orders: tuple[int, ...] = ()) -> Expr:
-    """A function that is left unknown, ``name(args)``, or a partial derivative of it there.
+    """Return an arbitrary function ``name(args)``, or a partial derivative of it.
 
     Args:
-        orders: how often it is differentiated in each place: ``f''(u)`` is
-            ``unknown("f", (u,), (2,))``. It is smooth, so their succession plays no part.
+        name: the name of the function.
+        args: its arguments.
+        orders: how often it is differentiated in each argument: ``f''(u)`` is ``unknown("f", (u,),
+            (2,))``. The function is smooth, so that the order of differentiation does not matter.
     """
     return Expr("unknown", (Expr("function", (name, orders or (0,) * len(args))), *args))
 
 
 def off_the_cut(e: Expr) -> Expr:
-    """A node ``atan2(y, x)`` where (x, y) is not on the negative x-axis, by an arc tangent."""
+    """Return a node ``atan2(y, x)`` as an arc tangent; valid off the nonpositive x-axis."""
     y, x = e.args
     return 2 * apply("atan", y / (sqrt(x**2 + y**2) + x))
 
 
 def extreme(side: int, values: Iterable[Expr]) -> Expr:
-    """The largest of several (``side`` 1), or the smallest (−1), by absolute values."""
+    """Return the largest (``side`` 1) or smallest (−1) of several values, by absolute values."""
     return reduce(lambda x, y: (x + y + side * apply("abs", x - y)) / 2, values)
 
 
 class Trees:
-    """Expressions under the array API's function names: formulas run in it and become trees."""
+    """Expressions with the function names of the array API, so that formulas can return trees."""
 
     pi = PI
 
     @staticmethod
     def sqrt(x: Expr | Number) -> Expr:
-        """Square root."""
+        """Return the square root."""
         return sqrt(as_expr(x))
 
     def __getattr__(self, name: str) -> Any:
-        """Every function of :data:`FUNCTIONS`."""
+        """Return a function of :data:`FUNCTIONS`."""
         if name not in FUNCTIONS:
             raise AttributeError(name)
         return lambda x: apply(name, as_expr(x))
@@ -332,7 +352,7 @@ trees = Trees()
 
 
 def symbols(e: Expr) -> frozenset[str]:
-    """The names of the free variables in ``e``."""
+    """Return the names of the free variables in ``e``."""
     if e._symbols is None:
         if e.op == "symbol":
             e._symbols = frozenset(e.args)
@@ -346,7 +366,13 @@ def symbols(e: Expr) -> frozenset[str]:
 
 
 def substitute(e: Expr, mapping: Mapping[str, Expr]) -> Expr:
-    """``e`` with every free variable of ``mapping`` replaced, all at once."""
+    """Return ``e`` with the free variables of ``mapping`` replaced simultaneously.
+
+    Example:
+        >>> x, y = symbol("x"), symbol("y")
+        >>> str(substitute(x / y, {"x": y, "y": x}))
+        'y/x'
+    """
     _need_closed(mapping.values())
     done: dict[Expr, Expr] = {}
 
@@ -363,7 +389,7 @@ def substitute(e: Expr, mapping: Mapping[str, Expr]) -> Expr:
 
 
 def replaced(e: Expr, known: Mapping[Expr, Expr]) -> Expr:
-    """``e`` with parts replaced, outermost first; none of them has a variable that is bound."""
+    """Return ``e`` with subexpressions replaced, outermost first; none has a loose variable."""
     _need_closed(known.keys())
     _need_closed(known.values())
 
@@ -377,11 +403,11 @@ def replaced(e: Expr, known: Mapping[Expr, Expr]) -> Expr:
 
 def _need_closed(trees: Iterable[Expr]) -> None:
     if any(tree.loose for tree in trees):
-        raise ValueError("a variable that is bound cannot leave its binder")
+        raise ValueError("an expression with a bound variable cannot be moved out of its binder")
 
 
 def rebuild(node: Expr, args: tuple[Expr, ...]) -> Expr:
-    """The operation of ``node`` on other operands."""
+    """Return the operation of ``node`` applied to other operands."""
     if node.op in UNWORKED:
         return Expr(node.op, args, node.names)
     if node.op == "+":
@@ -394,19 +420,19 @@ def rebuild(node: Expr, args: tuple[Expr, ...]) -> Expr:
 
 
 def differentiate(e: Expr, name: str) -> Expr:
-    """The formal derivative of ``e`` with respect to the variable ``name``.
+    """Return the formal derivative of ``e`` with respect to the variable ``name``.
 
-    Formal: ``log u`` gives ``u'/u`` and ``atanh u`` gives ``u'/(1 − u²)`` whatever the sign, so
-    the derivative's domain may exceed that of ``e``. The derivative of an integral, a derivative
-    or a limit is a node of its own, for nothing here says that it exists.
+    Formal means that ``log u`` gives ``u'/u`` and ``atanh u`` gives ``u'/(1 − u²)`` whatever the
+    sign, so that the derivative may have a larger domain than ``e``. The derivative of an integral,
+    a derivative or a limit is a node, since nothing here proves that it exists.
 
     Raises:
-        InputError: an order, which is no function.
+        InputError: ``e`` contains an order such as O(x), which is not a function.
     """
     done: dict[Expr, Expr | None] = {}
 
     def walk(node: Expr) -> Expr | None:
-        """The derivative, None for zero."""
+        """Return the derivative, or None for zero."""
         if name not in symbols(node):
             return None
         if node not in done:
@@ -443,7 +469,7 @@ def _derivative(node: Expr, walk: Any) -> Expr | None:
 
 
 def _unknown_derivative(node: Expr, parts: list[Expr | None]) -> Expr:
-    """The chain rule."""
+    """Apply the chain rule to an arbitrary function."""
     name, orders = node.args[0].args
     return add(
         *(
@@ -463,7 +489,7 @@ def _kept_derivative(node: Expr, name: str) -> Expr:
 
 
 def bind(e: Expr, names: tuple[str, ...]) -> Expr:
-    """``e`` as the body of a binder of the variables ``names``."""
+    """Return ``e`` as the body of a binder of the variables ``names``."""
     places = {name: n for n, name in enumerate(names)}
 
     def walk(node: Expr, depth: int) -> Expr:
@@ -471,13 +497,13 @@ def bind(e: Expr, names: tuple[str, ...]) -> Expr:
             return Expr("bound", (places[node.args[0]] + depth,))
         if node.op in LEAVES or symbols(node).isdisjoint(places):
             return node
-        return Expr(node.op, _operands(node, depth, walk), node.names)  # one leaf for another
+        return Expr(node.op, _operands(node, depth, walk), node.names)  # only leaves change
 
     return walk(e, 0)
 
 
 def instantiate(body: Expr, values: tuple[Expr, ...]) -> Expr:
-    """The body of a binder at these values of its variables."""
+    """Return the body of a binder with these values of its variables."""
     _need_closed(values)
     plain = all(value.op == "symbol" for value in values)
 
@@ -493,7 +519,7 @@ def instantiate(body: Expr, values: tuple[Expr, ...]) -> Expr:
 
 
 def _operands(node: Expr, depth: int, walk: Callable[[Expr, int], Expr]) -> tuple[Expr, ...]:
-    """The operands walked over; the first is under the variables that the node binds."""
+    """Return the operands after ``walk``; the first one is in the scope of the bound variables."""
     if not node.names:
         return tuple([walk(arg, depth) for arg in node.args])
     inside = depth + len(node.names)
@@ -501,7 +527,12 @@ def _operands(node: Expr, depth: int, walk: Callable[[Expr, int], Expr]) -> tupl
 
 
 def opened(node: Expr, avoid: Iterable[str] = ()) -> tuple[tuple[str, ...], Expr]:
-    """The variables that ``node`` binds, by names that are free nowhere in it, and its body."""
+    """Return fresh names for the variables that ``node`` binds, and its body with them.
+
+    Args:
+        node: a binder.
+        avoid: further names that must not be used.
+    """
     taken = {*symbols(node), *avoid}
     names: list[str] = []
     for name in node.names:
@@ -511,12 +542,12 @@ def opened(node: Expr, avoid: Iterable[str] = ()) -> tuple[tuple[str, ...], Expr
 
 
 def integer(e: Expr) -> int | None:
-    """The integer that ``e`` is, None for anything else."""
+    """Return the integer that ``e`` is, or None."""
     return int(e.args[0].p) if e.op == "number" and e.args[0].q == 1 else None
 
 
 def fresh(name: str, taken: Container[str]) -> str:
-    """``name``, or the first of ``name_1``, ``name_2``, … that is not taken."""
+    """Return ``name``, or the first of ``name_1``, ``name_2``, … that is not taken."""
     return next(found for n in count() if (found := f"{name}_{n}" if n else name) not in taken)
 
 
@@ -555,7 +586,7 @@ _SLOPES: dict[str, Callable[[Expr, Expr], Expr]] = {
     "cbrt": lambda x, value: number(Fraction(1, 3)) / value**2,
     "sign": lambda x, value: multiply(ZERO, 1 / x),  # constant where it is defined
 }
-"""The derivative of each function at x, where it has this value."""
+"""The derivative of each function at x, given its value there."""
 
 FUNCTIONS = frozenset(_SLOPES)
 """The functions of one argument a tree may apply. ``sqrt x`` is ``x**(1/2)``. Of two arguments
@@ -563,7 +594,9 @@ there is ``atan2`` alone, see :func:`angle`."""
 
 
 def _text(e: Expr, level: int) -> str:
-    """The grammar of parsing.py; ``level`` is the binding strength of what surrounds ``e``."""
+    """Return the text of ``e`` in the grammar of parsing.py; ``level`` is the surrounding
+    precedence.
+    """
     if e.op == "number":
         value = e.args[0]
         own = 1 if value < 0 else (2 if value.q != 1 else 4)
@@ -575,7 +608,7 @@ def _text(e: Expr, level: int) -> str:
     if e.op == "+":
         terms = e.args
         last = terms[-1]
-        if DOTS in terms:  # they stand last, and a number before them first
+        if DOTS in terms:  # the dots are written last, and a number first
             numbers = [term for term in terms if term.op == "number"]
             terms = (*numbers, *(t for t in terms if t.op != "number" and t != DOTS), DOTS)
         elif last.op == "number" and last.args[0] > 0 and _text(terms[0], 1).startswith("-"):
@@ -605,7 +638,7 @@ def _text(e: Expr, level: int) -> str:
 
 
 def _unknown_text(e: Expr) -> str:
-    """``f(u)``, ``diff(f(x), x, 2)``, or the value of such a derivative at the arguments."""
+    """Return ``f(u)``, ``diff(f(x), x, 2)``, or the value of such a derivative at the arguments."""
     (name, orders), args = e.args[0].args, e.args[1:]
     at_symbols = len({arg for arg in args if arg.op == "symbol"}) == len(args)
     shown, names = args, [str(arg.args[0]) for arg in args if arg.op == "symbol"]
@@ -623,8 +656,8 @@ def _unknown_text(e: Expr) -> str:
 
 
 def _binder_text(e: Expr) -> str:
-    """A binder, its variables under names that capture nothing."""
-    if e.loose:  # part of a body, shown by itself in messages of errors alone
+    """Return the text of a binder, with names of its variables that capture nothing."""
+    if e.loose:  # a part of a body, which is displayed only in error messages
         return f"{e.op}({', '.join(_text(arg, 0) for arg in e.args)})"
     times, body = 0, e
     while body.op == "derivative" and _is_derived_there(body) and body.args[1] == e.args[1]:
@@ -646,12 +679,12 @@ def _binder_text(e: Expr) -> str:
 
 
 def _is_derived_there(e: Expr) -> bool:
-    """Whether a derivative is one at the variable itself."""
+    """Return whether a derivative is taken at the variable itself."""
     return e.args[1].op == "symbol" and symbols(e.args[0]).isdisjoint(symbols(e.args[1]))
 
 
 def _product_text(e: Expr, level: int) -> str:
-    """Factors in their order; a fraction in front goes below where nothing else is there."""
+    """Return the factors in their order; a leading fraction is written below if possible."""
     sign, body, below, factors = "", "", "", e.args
     if factors[0].op == "number":
         value, factors = abs(factors[0].args[0]), factors[1:]

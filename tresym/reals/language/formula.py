@@ -8,12 +8,14 @@ from typing import NamedTuple, TypeAlias
 from tresym.reals.language.expression import Expr, symbols
 
 MIRRORED = {"==": "==", "!=": "!=", ">": "<", "<": ">", ">=": "<=", "<=": ">="}
-"""The relation of y to x, for each that x may have to y."""
+"""The relation of y to x for each relation of x to y."""
 NEGATED = {"==": "!=", "!=": "==", ">": "<=", "<": ">=", ">=": "<", "<=": ">"}
 
 
 class Relation(NamedTuple):
-    """``left sign right``; the sign is one of ``== != > >= < <=``."""
+    """The relation ``left sign right``, with the sign ``==``, ``!=``, ``>``, ``>=``, ``<`` or
+    ``<=``.
+    """
 
     left: Expr
     sign: str
@@ -21,17 +23,17 @@ class Relation(NamedTuple):
 
     @property
     def mirrored(self) -> Relation:
-        """The same, read from right to left."""
+        """Return the relation with its sides exchanged."""
         return Relation(self.right, MIRRORED[self.sign], self.left)
 
     @property
     def negated(self) -> Relation:
-        """What holds where both sides have values and the relation fails."""
+        """Return the relation that holds if this one fails and both sides are defined."""
         return Relation(self.left, NEGATED[self.sign], self.right)
 
     @property
     def upward(self) -> Relation:
-        """The same, with ``>`` or ``>=`` for ``<`` and ``<=``."""
+        """Return the relation with ``>`` or ``>=`` in place of ``<`` or ``<=``."""
         return self.mirrored if self.sign in ("<", "<=") else self
 
     def __str__(self) -> str:
@@ -39,7 +41,7 @@ class Relation(NamedTuple):
 
 
 class Conjunction(NamedTuple):
-    """All of ``parts``; with none, what always holds."""
+    """The conjunction of ``parts``; without parts it is always true."""
 
     parts: tuple[Formula, ...]
 
@@ -48,7 +50,7 @@ class Conjunction(NamedTuple):
 
 
 class Equivalence(NamedTuple):
-    """``first`` wherever ``second``, and the other way round."""
+    """The statement that ``first`` holds if and only if ``second`` does."""
 
     first: Formula
     second: Formula
@@ -61,7 +63,7 @@ Formula: TypeAlias = Relation | Conjunction | Equivalence
 
 
 def relations(formula: Formula) -> Iterator[Relation]:
-    """The relations that a formula consists of, in order."""
+    """Yield the relations in a formula, in order."""
     if isinstance(formula, Relation):
         yield formula
     else:
@@ -71,6 +73,6 @@ def relations(formula: Formula) -> Iterator[Relation]:
 
 
 def names(formula: Formula) -> frozenset[str]:
-    """The names of the free variables in a formula."""
+    """Return the names of the free variables in a formula."""
     sides = (side for relation in relations(formula) for side in (relation.left, relation.right))
     return frozenset().union(*map(symbols, sides))

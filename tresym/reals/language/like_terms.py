@@ -8,14 +8,21 @@ from tresym.reals.language.expression import ONE, ZERO, Expr, add, multiply, num
 
 
 def scaled(term: Expr) -> tuple[fmpq, Expr]:
-    """A term as a number times the rest."""
+    """Return a term as a rational number times the rest."""
     if term.op == "*" and term.args[0].op == "number":
         return term.args[0].args[0], multiply(*term.args[1:])
     return fmpq(1), term
 
 
 def collected(e: Expr) -> Expr:
-    """A sum with its like terms as one, multiples of sums multiplied out."""
+    """Combine the like terms of a sum, after multiplying out multiples of sums.
+
+    Example:
+        >>> from tresym.reals.language.expression import symbol
+        >>> x = symbol("x")
+        >>> str(collected(x + 2 * x))
+        '3*x'
+    """
     found: dict[Expr, Expr] = {}
 
     def take(term: Expr, scale: Expr) -> None:

@@ -1,13 +1,13 @@
 """Parse expressions and conditions from text, through Python's ``ast`` with a whitelist.
 
-Nothing is evaluated. Text is bounded in length and nesting before it is parsed; decimals are read
-from the text itself and are exact.
+Nothing is evaluated. The length and nesting of the text are checked before it is parsed. Decimals
+are converted from the text itself and are exact.
 
 Grammar: ``+ - * / **`` (also ``^``), parentheses, decimals and fractions, names, ``pi``, ``E``, the
 functions of :data:`tresym.reals.language.expression.FUNCTIONS` with ``sqrt``, ``ln``, ``Abs``, the
-``arc…`` names and ``atan2(y, x)``, and what binds a variable: ``diff(f, x[, n])``,
-``integral(f, x, low, high)``, ``at(f, x, value)``, ``limit(f, x, point[, side])``. Comparisons make
-conditions and claims; ``O(…)`` and ``o(…)`` stand at the right end of a claim.
+``arc…`` names and ``atan2(y, x)``, and operations that bind a variable: ``diff(f, x[, n])``,
+``integral(f, x, low, high)``, ``at(f, x, value)``, ``limit(f, x, point[, side])``. Conditions and
+claims are comparisons; ``O(…)`` and ``o(…)`` may occur only at the right end of a claim.
 """
 
 from __future__ import annotations
@@ -81,36 +81,40 @@ _GUDERMANNIAN: dict[str, Callable[[Expr], Expr]] = {
 _INTEGER = re.compile(r"\b(\w+)\s+(?:is\s+)?(?:an\s+)?integer\b")
 _EQUALS = re.compile(r"(?<![=<>!~:])=(?![=<>])")
 _LONG_INTEGER = re.compile(r"(?<![\w.])(\d{4000,})(?![\w.])")
-"""Python's parser refuses integers of more digits than that, and takes them as decimals."""
+"""Python's parser rejects integers with more digits, but accepts them as decimals."""
 _FOLDED = {"max": 1, "min": -1, "Max": 1, "Min": -1}
 KNOWN = FUNCTIONS | _ALIASES.keys() | _RECIPROCALS.keys() | _FOLDED.keys()
 ORDER_NAMES = frozenset("jkmnN")
-"""Letters that an order of a derivative may have; of others diff(f, x, y) may be a mixed one."""
+"""Names allowed as the order of a derivative; with others diff(f, x, y) may be a mixed one."""
 KNOWN |= {"sqrt", "atan2", "diff", "Derivative", *_GUDERMANNIAN}
 """The names of functions."""
 UNKNOWN = re.compile(r"(?:[fghuvwyzFGHUVW]|phi|psi|theta|Phi|Psi)(?:_?\d)?|fn_\w+|factorial")
-"""The names of functions that may be left unknown, and that of one of integers.
+"""The names of arbitrary functions, and ``factorial``.
 
-A function of any other name is written with ``fn_`` before it, as the reader of manuscripts does.
+The reader of manuscripts writes an arbitrary function of another name with the prefix ``fn_``.
 """
 FACTORIAL = "factorial"
 TOTALS = {"sum": "sum", "product": "product", "prod": "product"}
 INFINITY = symbol("oo")
-"""No number, and read only where a path or an interval ends, or where a limit is claimed."""
+"""Infinity is not a number; it is allowed only as the end of a path or interval, or as a limit."""
 INFINITE = {
     f"{sign}{name}": -INFINITY if sign == "-" else INFINITY
     for sign in ("", "+", "-")
     for name in ("oo", "inf", "infinity", "Infinity")
 }
 INTEGERS = symbol("ZZ")
-"""What a variable is said to be ``in``, where it takes the values of integers alone."""
+"""The set of integers, in conditions such as ``n in ZZ``."""
 
 
 def parse(text: str) -> Expr:
-    """The expression that ``text`` writes, its derivatives carried out and its values put in.
+    """Parse an expression, carry out its derivatives and substitute its values at points.
 
     Raises:
-        InputError: text outside the grammar or its bounds; one line says which.
+        InputError: the text is outside the grammar or its bounds; the message is one line.
+
+    Example:
+        >>> str(parse("diff(x^3, x)"))
+        '3*x**2'
     """
     e = worked_out(as_written(text))
     for node in outermost(e):
@@ -120,33 +124,36 @@ def parse(text: str) -> Expr:
 
 
 def _unknown_function(name: str) -> InputError:
+    """Return the error for an unknown function."""
     return InputError(f"unknown function {name}: {about_function(name, KNOWN)}")
 
 
 def as_written(text: str) -> Expr:
-    """As :func:`parse`, with derivatives and values at a point as nodes; ``str`` writes it back.
+    """Parse an expression, with derivatives and values at a point as nodes.
+
+    ``str`` converts the result back to text.
 
     Raises:
-        InputError: text outside the grammar or its bounds; one line says which.
+        InputError: the text is outside the grammar or its bounds; the message is one line.
     """
     source = tidy(text)
     return _Reader(source).read(tree(source))
 
 
 def tidy(text: str) -> str:
-    """``text`` with ``^`` as ``**``, its length and nesting checked.
+    """Return ``text`` with ``^`` as ``**``, after checking its length and nesting.
 
     Raises:
-        InputError: empty, too long, not ASCII, or nested too deeply.
+        InputError: the text is empty, too long, not ASCII, or nested too deeply.
     """
     if len(text) > MAX_CHARACTERS:
         raise InputError(f"{len(text)} characters are beyond the limit of {MAX_CHARACTERS}")
     if not text.strip():
-        raise InputError("an expression is expected, the text is empty")
+        raise InputError("the text is empty; write an expression")
     if not text.isascii() or "\0" in text:
         strange = next((c for c in text if not c.isascii() or c == "\0"), "")
         name = unicodedata.name(strange, "control").lower()
-        raise InputError(f"the character {strange!a} ({name}) is not read")
+        raise InputError(f"the character {strange!a} ({name}) is not supported")
     depth = deepest = 0
     for character in text:
         depth += (character in "([{") - (character in ")]}")
@@ -157,13 +164,15 @@ def tidy(text: str) -> str:
 
 
 def tree(source: str) -> ast.expr:
-    """Python's syntax tree of ``source``.
+    """Return Python's syntax tree of ``source``.
 
     Raises:
-        InputError: not an expression, or too deep for the parser.
+        InputError: the text is not an expression, or is nested too deeply for the parser.
     """
     try:
-        with warnings.catch_warnings():  # of text such as 1or 2, which is refused in our words
+        with (
+            warnings.catch_warnings()
+        ):  # for text such as 1or 2, which is rejected with our message
             warnings.simplefilter("ignore", SyntaxWarning)
             warnings.simplefilter("ignore", DeprecationWarning)
             return ast.parse(source, mode="eval").body
@@ -179,7 +188,7 @@ def _quoted(source: str) -> str:
 
 
 class _Reader:
-    """Turns a syntax tree into an expression; keeps the text for exact numbers."""
+    """Convert a syntax tree to an expression, taking exact numbers from the text."""
 
     def __init__(self, source: str) -> None:
         self.source = source
@@ -193,7 +202,7 @@ class _Reader:
     def _read(self, node: ast.expr) -> Expr:
         match node:
             case ast.Constant(value=value) if value is ...:
-                raise InputError("dots stand as a term of a sum: 1 + x + x**2/2 + ...")
+                raise InputError("dots must be a term of a sum, as in 1 + x + x**2/2 + ...")
             case ast.Constant():
                 if type(node.value) not in (int, float):
                     raise self._refuse(node)
@@ -204,7 +213,9 @@ class _Reader:
                 return E
             case ast.Name(id=name):
                 if name in _NOT_REAL:
-                    raise InputError(f"{name} is no real number or variable, and all here are real")
+                    raise InputError(
+                        f"{name} is not a real number or variable; all values are real"
+                    )
                 if name in KNOWN:
                     raise InputError(about_name(name))
                 if name.startswith("__"):
@@ -237,7 +248,7 @@ class _Reader:
         join: Callable[..., Expr],
         invert: Callable[[Expr], Expr],
     ) -> Expr:
-        """A left-nested chain such as ``a - b + c``, without recursion along it."""
+        """Convert a left-nested chain such as ``a - b + c`` without recursion along it."""
         parts: list[Expr] = []
         left: ast.expr = node
         while isinstance(left, ast.BinOp) and isinstance(left.op, ops):
@@ -279,12 +290,12 @@ class _Reader:
         return call(name, [self._read(arg) for arg in args])
 
     def _stands_alone(self, name: str) -> bool:
-        """Whether a name is that of a variable, too."""
+        """Return whether a name is also used as a variable."""
         return re.search(rf"\b{name}\b(?!\s*\()", self.source) is not None
 
     def _diff(self, args: list[ast.expr]) -> Expr:
         if len(args) not in (2, 3):
-            raise InputError("diff takes an expression, a variable and perhaps an order")
+            raise InputError("diff takes an expression, a variable and optionally an order")
         e, name, times = self._read(args[0]), self._name(args[1]), 1
         if len(args) == 3 and (names := symbols(order := self._read(args[2]))):
             if not names <= ORDER_NAMES - symbols(e):
@@ -301,10 +312,10 @@ class _Reader:
         return e
 
     def _name(self, node: ast.expr) -> str:
-        """A variable that is bound, or by which is differentiated."""
+        """Return the name of a bound variable or of a variable of differentiation."""
         e = self._read(node)
         if e.op != "symbol":
-            raise InputError(f"{e} is no variable")
+            raise InputError(f"{e} is not a variable")
         return str(e.args[0])
 
     def _whole(self, node: ast.expr, allowed: range, expected: str) -> int:
@@ -314,7 +325,7 @@ class _Reader:
         return int(e.args[0].p)
 
     def _end(self, node: ast.expr) -> Expr:
-        """An expression, ``oo`` or ``-oo``."""
+        """Return an expression, ``oo`` or ``-oo``."""
         return INFINITE.get(self._segment(node).replace(" ", "")) or self._read(node)
 
     def _segment(self, node: ast.expr) -> str:
@@ -334,13 +345,13 @@ class _Reader:
 
 
 def sum_of(*terms: Expr) -> Expr:
-    """The sum of terms as they are written, of which one may be dots.
+    """Return the sum of terms, one of which may be dots.
 
-    Dots before the last term stand for the terms of a finite sum, behind numbers for those of a
-    series; else they stay as a term that is not known.
+    Dots before the last term stand for the terms of a finite sum, and dots after numbers for those
+    of a series. Other dots remain a term that is not known.
 
     Raises:
-        InputError: what the dots stand for is not seen.
+        InputError: the general term is not found.
     """
     if DOTS not in terms and -DOTS not in terms:
         return add(*terms)
@@ -350,10 +361,10 @@ def sum_of(*terms: Expr) -> Expr:
 
 
 def call(name: str, values: list[Expr]) -> Expr:
-    """A function of the grammar, by any of its names, at these arguments.
+    """Return a function of the grammar, by any of its names, applied to these arguments.
 
     Raises:
-        InputError: no function, or another number of arguments.
+        InputError: the function is unknown, or the number of arguments is wrong.
     """
     name = _ALIASES.get(name, name)
     if name == "atan2" and len(values) == 2:
@@ -388,23 +399,29 @@ _RELATIONS: dict[type[ast.cmpop], str] = {
 }
 
 Compared = tuple[Expr, str, Expr]
-"""``left relation right``, as it is written."""
+"""``left relation right`` as written."""
 
 
 def parse_conditions(text: str) -> list[Compared]:
-    """Comma-separated chains of comparisons as ``(left, relation, right)``.
+    """Parse comma-separated chains of comparisons as ``(left, relation, right)``.
 
     Raises:
-        InputError: anything but ``> >= < <= !=`` between expressions.
+        InputError: the text contains anything but ``> >= < <= !=`` between expressions.
+
+    Example:
+        >>> [(str(x), sign, str(y)) for x, sign, y in parse_conditions("0 < x <= 1")]
+        [('0', '<', 'x'), ('x', '<=', '1')]
     """
     return [condition(*part) for part in parse_given(text)]
 
 
 def parse_given(text: str) -> list[Compared]:
-    """As :func:`parse_conditions`, with equations, and ``(n, "in", ZZ)`` for ``n integer``.
+    """Parse conditions as :func:`parse_conditions` does, also equations and ``n integer``.
+
+    The condition ``n integer`` becomes ``(n, "in", ZZ)``.
 
     Raises:
-        InputError: anything but ``== > >= < <= !=`` between expressions.
+        InputError: the text contains anything but ``== > >= < <= !=`` between expressions.
     """
     if not text.strip():
         return []
@@ -414,7 +431,7 @@ def parse_given(text: str) -> list[Compared]:
     result: list[Compared] = []
     for part in body.elts if isinstance(body, ast.Tuple) else [body]:
         if not isinstance(part, ast.Compare):
-            advice = "" if not isinstance(part, ast.BoolOp) else "; conditions go apart by commas"
+            advice = "" if not isinstance(part, ast.BoolOp) else "; separate conditions by commas"
             shown = _quoted(reader._segment(part))
             raise InputError(f"{shown} is not a condition such as a > 0{advice}")
         result += _chain(reader, part)
@@ -422,7 +439,7 @@ def parse_given(text: str) -> list[Compared]:
         if (relation == "in" or right == INTEGERS) and (
             relation != "in" or right != INTEGERS or left.op != "symbol"
         ):
-            raise InputError("a variable that takes integer values is written n integer")
+            raise InputError("write n integer for a variable n with integer values")
         if {INFINITY.args[0], DOTS.args[0]} & (symbols(left) | symbols(right)):
             raise InputError(NO_INFINITY)
         if not all(map(_algebraic, (left, right))):
@@ -431,15 +448,15 @@ def parse_given(text: str) -> list[Compared]:
 
 
 def _algebraic(e: Expr) -> bool:
-    """Whether nothing in it is left to be worked out but functions that are unknown."""
+    """Return whether ``e`` contains no unevaluated node except arbitrary functions."""
     return all(node.op == "unknown" and all(map(_algebraic, node.args)) for node in outermost(e))
 
 
 def condition(left: Expr, relation: str, right: Expr) -> Compared:
-    """The comparison, if it can be a condition.
+    """Return the comparison if it can be a condition.
 
     Raises:
-        InputError: an equation, an order, derivatives, integrals or limits.
+        InputError: it is an equation or contains an order, a derivative, an integral or a limit.
     """
     if relation not in _RELATIONS.values() or relation == "==":
         raise InputError("a condition uses one of > >= < <= !=, as in 0 < x <= 1")
@@ -449,7 +466,7 @@ def condition(left: Expr, relation: str, right: Expr) -> Compared:
 
 
 def _chain(reader: _Reader, node: ast.Compare) -> list[Compared]:
-    """The links of ``a < b <= c``; each end may be infinite, for limits and integrals."""
+    """Return the links of ``a < b <= c``; each end may be infinite, for limits and integrals."""
     result = []
     left = reader._end(node.left)
     for op, other in zip(node.ops, node.comparators, strict=True):
@@ -465,18 +482,24 @@ def _is_integers(node: ast.expr) -> bool:
     return isinstance(node, ast.Name) and node.id == INTEGERS.args[0]
 
 
-NO_INFINITY = "oo is no real number or variable, and all here are real"
-NO_DERIVATIVE = "a condition takes no derivative: write it out, and where its function is real"
+NO_INFINITY = "oo is not a real number or variable; all values are real"
+NO_DERIVATIVE = (
+    "a condition cannot contain a derivative: write it out, with its domain as a condition"
+)
 
 
 def parse_claim(text: str) -> list[Compared]:
-    """A chain of comparisons, or one order statement.
+    """Parse a chain of comparisons, or one asymptotic statement.
 
-    Relations are ``== != > >= < <=``, with ``=`` for ``==``, ``f ~ g``, and ``f -> L`` for a limit.
-    In ``f == h + O(g)`` the right side has a node for the order.
+    The relations are ``== != > >= < <=``, with ``=`` for ``==``, ``f ~ g``, and ``f -> L`` for a
+    limit. In ``f == h + O(g)`` the right side contains a node for the order.
 
     Raises:
-        InputError: anything else; one line says what is expected.
+        InputError: the text is anything else; the message says in one line what is expected.
+
+    Example:
+        >>> [(str(x), sign, str(y)) for x, sign, y in parse_claim("sin(x)^2 + cos(x)^2 = 1")]
+        [('sin(x)**2 + cos(x)**2', '==', '1')]
     """
     source = tidy(text)
     if source.count("~") == 1:
@@ -491,7 +514,7 @@ def parse_claim(text: str) -> list[Compared]:
         apart = isinstance(body, ast.Tuple | ast.BoolOp)
         advice = " (one claim at a time; decimals have a point)" if apart else ""
         raise InputError(
-            f"{_quoted(source)} claims nothing{advice}; compare two expressions with one of "
+            f"{_quoted(source)} is not a claim{advice}; compare two expressions with one of "
             "== != > >= < <= ~, as in sin(x)**2 + cos(x)**2 == 1"
         )
     return _chain(_Reader(source), body)

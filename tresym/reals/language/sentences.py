@@ -1,8 +1,8 @@
-"""Claims as people type them, with their conditions: ``sqrt(x^2) = x for all x in [0, 1]``.
+"""Parse claims as people type them, with conditions: ``sqrt(x^2) = x for all x in [0, 1]``.
 
-The claim, its conditions and its path are written in the grammar of
-:mod:`tresym.reals.language.parsing`, which then reads them. Only what that grammar refuses comes
-here, so that nothing changes its meaning.
+A claim, its conditions and its path are rewritten in the grammar of
+:mod:`tresym.reals.language.parsing`, which then parses them. This module sees only text that the
+strict grammar rejects, so that it never changes the meaning of valid text.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ _SIMPLE = re.compile(
 
 
 class Spelled(NamedTuple):
-    """A claim in the strict grammar; ``given`` and ``path`` are empty where nothing is said."""
+    """A claim in the strict grammar; ``given`` and ``path`` are empty if not stated."""
 
     claim: str
     given: str
@@ -43,16 +43,16 @@ class Spelled(NamedTuple):
 
 
 def spelled(text: str) -> Spelled | None:
-    """A claim in the strict grammar, or nothing if it is not understood here either.
+    """Return a claim in the strict grammar, or None if the text is not understood.
 
     Raises:
-        InputError: it can be read in two ways, or what to write instead is known.
+        InputError: the text has two readings, or contains a known mistake.
     """
     return _read(text, claimed=True)
 
 
 def spelled_conditions(text: str) -> str | None:
-    """As :func:`spelled`, for conditions that are given apart."""
+    """Return conditions in the strict grammar, or None, as :func:`spelled` does for claims."""
     found = _read(text, claimed=False)
     return None if found is None else found.given
 
@@ -72,7 +72,7 @@ def _read(text: str, claimed: bool) -> Spelled | None:
 
 
 class _Sentence(Speller):
-    """A claim among its conditions."""
+    """Parse a claim with its conditions."""
 
     def __init__(self, source: str, found: list[Token]) -> None:
         super().__init__(found)
@@ -81,7 +81,7 @@ class _Sentence(Speller):
         self.path = ""
 
     def claim(self) -> Spelled:
-        """All of it."""
+        """Return the claim, its conditions and its path."""
         if self.peek().text in _IF:
             self.next()
             self.conditions()
@@ -102,26 +102,26 @@ class _Sentence(Speller):
         return Spelled(" ".join(first), ", ".join(self.given), self.path)
 
     def only_conditions(self) -> Spelled:
-        """Conditions and nothing else."""
+        """Return conditions without a claim."""
         self.conditions()
         if self.at < len(self.tokens) or not self.given:
             raise NotSpelledError
         return Spelled("", ", ".join(self.given), "")
 
     def chain(self) -> list[str]:
-        """Expressions with relations between them."""
+        """Return expressions with relations between them."""
         found = [self.sum()]
         while self.peek().text in _RELATIONS:
             found.append(_RELATIONS[self.next().text])
             found.append(self.sum())
         if self.peek().text in ("≈", "≅", "≃"):
             raise InputError(
-                "how near is not said: write abs(a - b) <= 0.005, or with a path a ~ b"
+                "the accuracy of ≈ is not stated: write abs(a - b) <= 0.005, or a ~ b with a path"
             )
         return found
 
     def no_other_claim(self, first: list[str]) -> None:
-        """Refuse what would be two claims, with both written out."""
+        """Reject text that contains two claims, with both written out."""
         one = " ".join(first)
         after = self.peek().text
         if after == "=>" and len(first) == 1:
@@ -149,7 +149,7 @@ class _Sentence(Speller):
             raise InputError("two signs are two claims: write one for each")
 
     def tails(self) -> None:
-        """Conditions and a path behind the claim."""
+        """Parse conditions and a path after the claim."""
         while self.at < len(self.tokens):
             self.take(",")
             if self.peek().text == "as":
@@ -173,7 +173,7 @@ class _Sentence(Speller):
                 raise NotSpelledError
 
     def conditions(self) -> None:
-        """Conditions between commas and the word "and"."""
+        """Parse conditions separated by commas or the word "and"."""
         pending: list[str] = []
         loose = False
         while True:
@@ -200,7 +200,7 @@ class _Sentence(Speller):
             raise NotSpelledError
 
     def ends_conditions(self) -> bool:
-        """Whether the claim follows behind a comma, as in ``if x > 0, x^2 > 0``."""
+        """Return whether the claim follows after a comma, as in ``if x > 0, x^2 > 0``."""
         if self.peek().text not in (",", ";") or self.tokens[0].text not in _IF:
             return False
         if self.peek(1).text == "then":
@@ -214,7 +214,12 @@ class _Sentence(Speller):
         return not any(token.text in ("then", "=>", *_IF, "in") for token in rest)
 
     def adjectives(self) -> tuple[list[str], bool, bool]:
-        """Words before a variable: what they say of it, whether of integers, whether any."""
+        """Parse the words before a variable.
+
+        Returns:
+            The relations they state, whether the variable is an integer, and whether there was a
+                word.
+        """
         kinds, integer, filled = [], False, False
         while True:
             word, after = self.peek().text, self.peek(1)
@@ -238,7 +243,7 @@ class _Sentence(Speller):
         return kinds, integer, filled
 
     def predicate(self, pending: list[str]) -> tuple[list[str], str]:
-        """What is said behind a variable: relations, ``in``, ``positive``, ``integer``."""
+        """Parse what follows a variable: relations, ``in``, ``positive``, ``integer``."""
         last = pending[-1]
         if self.peek().text in _RELATIONS and self.peek().text != "is":
             texts = []
@@ -270,7 +275,7 @@ class _Sentence(Speller):
                 return kinds, known
 
     def set_of(self, name: str) -> tuple[list[str], str]:
-        """What ``in [0, 1)`` or ``in Z`` says."""
+        """Parse the set after ``in``, such as ``[0, 1)`` or ``Z``."""
         token = self.next()
         if token.text in _NATURAL:
             raise _natural(name)
@@ -308,10 +313,10 @@ _EULER_POWER = re.compile(r"(?<![\w.])e\*\*(\(+-?\w+|-?\w+)")
 
 
 def _with_euler(found: Spelled) -> Spelled:
-    """``e`` as Euler's number where it is the base of each of its powers, and one has a variable.
+    """Replace ``e`` by Euler's number if it is the base of each of its powers and one is variable.
 
     Raises:
-        InputError: it is so at one place, and not at another.
+        InputError: this holds for some occurrences of ``e`` only.
     """
     places = len(_EULER.findall(found.claim))
     powers = _EULER_POWER.findall(found.claim)
@@ -319,11 +324,11 @@ def _with_euler(found: Spelled) -> Spelled:
     if _EULER.search(found.given):
         if varied:
             raise InputError(_TWO_E)
-        return found  # a condition speaks of it: a variable
+        return found  # a condition on e makes it a variable
     if not places:
         return found
     if not varied or places != len(powers):
         raise InputError(_TWO_E)
     if re.search(r"\bi\b", found.claim):
-        raise InputError("complex numbers are not read: all variables are real")
+        raise InputError("complex numbers are not supported: all variables are real")
     return Spelled(_EULER.sub("E", found.claim), _EULER.sub("E", found.given), found.path)

@@ -32,10 +32,16 @@ _INVERSE = {
 
 
 def solutions(e: Expr, name: str) -> list[Expr]:
-    """Candidates for zeros of ``e`` in the symbol ``name``, without it.
+    """Return candidates for zeros of ``e`` in the symbol ``name``.
 
-    Where the symbol stands in several terms of a sum nothing is found. A candidate need be neither
-    real nor a zero; the caller proves what it uses.
+    If the symbol occurs in several terms of a sum, nothing is found. A candidate may be non-real or
+    not a zero; the caller must prove what it uses.
+
+    Example:
+        >>> from tresym.reals.language.expression import symbol
+        >>> x, y = symbol("x"), symbol("y")
+        >>> [str(s) for s in solutions(x - y, "x")]
+        ['y']
     """
     try:
         return _solved(e, name, ZERO)
@@ -44,7 +50,7 @@ def solutions(e: Expr, name: str) -> list[Expr]:
 
 
 def _solved(e: Expr, name: str, value: Expr) -> list[Expr]:
-    """Candidates for ``e = value``."""
+    """Return candidates for ``e = value``."""
     if e.op == "symbol":
         return [value] if e.args == (name,) else []
     with_name = [arg for arg in e.args if name in symbols(arg)] if e.op != "number" else []

@@ -22,7 +22,7 @@ _FORMS = {
     **dict.fromkeys(("limit", "lim", "Limit"), "limit(f, x, a), at one side limit(f, x, a, 1)"),
     **{"factorial": "factorial(n)", "binomial": "binomial(n, k)", "derivative": "diff(f, x)"},
 }
-"""How nodes that bind a variable are written, and functions of integers."""
+"""How to write operations that bind a variable, and functions of integers."""
 _SLIPS: tuple[tuple[str, str], ...] = (
     (r"\bd\s*/\s*d[a-z]\b|\w'", "a derivative is written diff(f, x)"),
     (r"[=<>!]\s*$|^\s*[=<>]", "one side of the comparison is missing"),
@@ -49,7 +49,7 @@ _PRODUCT = re.compile(
 
 
 def hint(text: str, functions: frozenset[str]) -> str:
-    """Advice on ``text`` that is no expression, in parentheses after a space, or nothing."""
+    """Return advice on text that is not an expression, in parentheses after a space, or ""."""
     found = _advice(text[:MAX_TEXT], functions) or _parentheses(text)
     return f" ({found})" if found else ""
 
@@ -74,7 +74,7 @@ def _advice(text: str, functions: frozenset[str]) -> str:
 
 
 def _parentheses(text: str) -> str:
-    """Where a parenthesis has no partner."""
+    """Return a message about a parenthesis without a partner, or ""."""
     opened: list[int] = []
     for i, character in enumerate(text):
         if character == "(":
@@ -87,23 +87,23 @@ def _parentheses(text: str) -> str:
 
 
 def about_function(name: str, known: frozenset[str]) -> str:
-    """What to say of a function that is not known."""
+    """Return advice about an unknown function."""
     if name in _FORMS:
         return f"write {_FORMS[name]}"
     if name in _OUTSIDE:
-        return f"{name} is outside what is decided"
+        return f"{name} is not supported"
     if re.fullmatch(r"log_?\d+", name):
         return f"write log(x, {name.lstrip('log_')}) for {name}(x)"
     if name in ("O", "o"):
         return f"{name}(…) stands at the right end of a claim, as in f == g + {name}(h)"
     if len(name) == 1:
-        return f"{name} is no function; for a product write {name}*(…)"
+        return f"{name} is not a function; for a product write {name}*(…)"
     near = get_close_matches(name, sorted(known), 1, 0.75)
     shown = sorted(n for n in known if n.islower() and not n.startswith(("arc", "ag", "gd")))
     names = (*shown, "integral", "sum", "product", "limit", "factorial", "binomial")
-    return f"did you mean {near[0]}?" if near else f"known are {', '.join(names)}"
+    return f"did you mean {near[0]}?" if near else f"known functions are {', '.join(names)}"
 
 
 def about_name(name: str) -> str:
-    """What to say of a function that stands without its argument."""
+    """Return advice about a function without its argument."""
     return f"{name} needs its argument, as in {name}(x); a power of it is {name}(x)**2"

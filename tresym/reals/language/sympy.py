@@ -1,4 +1,4 @@
-"""Convert SymPy's expressions and relations to trees; imported only when called."""
+"""Convert SymPy's expressions and relations to trees; SymPy is imported only when needed."""
 
 from __future__ import annotations
 
@@ -36,12 +36,13 @@ from tresym.reals.numbers.exact import InputError
 
 
 def from_sympy(e: Any) -> Expr:
-    """A SymPy expression of real symbols as a tree, its derivatives carried out.
+    """Convert a SymPy expression in real symbols to a tree, with derivatives carried out.
 
-    They are formal, made by :func:`differentiate`: SymPy's ask whether symbols are real.
+    Derivatives are formal and computed by :func:`differentiate`, since SymPy's depend on
+    assumptions about symbols.
 
     Raises:
-        InputError: floats, complex numbers, and what the trees of this project do not compute.
+        InputError: the expression contains floats, complex numbers or unsupported operations.
     """
     tree = worked_out(unworked(e))
     for node in outermost(tree):
@@ -50,11 +51,11 @@ def from_sympy(e: Any) -> Expr:
 
 
 def unworked(e: Any) -> Expr:
-    """As :func:`from_sympy`, with integrals, derivatives, values, limits and orders as nodes.
+    """Convert a SymPy expression, with integrals, derivatives, values, limits and orders as nodes.
 
     Raises:
-        InputError: as there; integrals without ends, and values of what does not speak of the
-            point, such as a symbol that stands for a function.
+        InputError: as for :func:`from_sympy`; also for integrals without ends, and for values at a
+            point of an expression that does not contain the variable.
     """
     import sympy
 
@@ -67,18 +68,18 @@ def unworked(e: Any) -> Expr:
         return done[node]
 
     if isinstance(e, str):
-        raise InputError("text is read by parse, never as a SymPy expression")
+        raise InputError("text is not a SymPy expression; parse it with parse instead")
     return walk(sympy.sympify(e))
 
 
 def formula(e: Any) -> Formula:
-    """A SymPy relation, a tuple or conjunction of them, or an equivalence of two.
+    """Convert a SymPy relation, a tuple or conjunction of relations, or an equivalence of two.
 
-    An equation of matrices is the conjunction of its entries. What SymPy has evaluated to true is
-    the empty conjunction, and to false a relation that holds nowhere.
+    An equation of matrices becomes the conjunction of the equations of its entries. What SymPy has
+    evaluated to true becomes the empty conjunction, and false becomes a relation that always fails.
 
     Raises:
-        InputError: anything else.
+        InputError: ``e`` is anything else.
     """
     kind = type(e).__name__
     if kind in ("Tuple", "And"):
@@ -90,7 +91,7 @@ def formula(e: Any) -> Formula:
     if kind == "BooleanFalse":
         return Relation(ZERO, "!=", ZERO)
     if kind not in RELATIONS:
-        raise InputError(f"{e} is no relation such as a > 0")
+        raise InputError(f"{e} is not a relation such as a > 0")
     if hasattr(e.lhs, "shape") and getattr(e.rhs, "shape", None) == e.lhs.shape:
         sides = zip(map(unworked, e.lhs), map(unworked, e.rhs), strict=True)
         return Conjunction(tuple(Relation(p, RELATIONS[kind], q) for p, q in sides))
@@ -105,11 +106,11 @@ RELATIONS = {
     "StrictLessThan": "<",
     "LessThan": "<=",
 }
-"""SymPy's names of relations."""
+"""The relations by SymPy's names."""
 
 
 def atoms(e: Any, kind: str) -> list[Any]:
-    """The parts of a SymPy expression of a class of SymPy's, in the order of their text."""
+    """Return the parts of a SymPy expression that belong to a class, sorted by their text."""
     import sympy
 
     return sorted(e.atoms(getattr(sympy, kind)), key=str)
@@ -136,12 +137,12 @@ def _from_sympy_node(sympy: Any, node: Any, walk: Any) -> Expr:
     if name in KNOWN:
         return call(name, [walk(arg) for arg in node.args])
     if node is sympy.I:
-        raise InputError("I is no real number or variable, and all here are real")
+        raise InputError("I is not a real number or variable; all values are real")
     raise InputError(f"{name} is outside the expressions that tresym decides")
 
 
 def _variables(node: Any) -> Iterator[str]:
-    """The variables that a SymPy derivative is by, one after the other."""
+    """Yield the variables of a SymPy derivative, one for each differentiation."""
     for variable, times in node.variable_count:
         if not (variable.is_Symbol and times.is_Integer and 0 < times <= MAX_DERIVATIVES):
             raise InputError(f"a derivative is of order 1 to {MAX_DERIVATIVES}, by a symbol")
@@ -159,7 +160,7 @@ def _integral_as_written(node: Any, walk: Any) -> Expr:
     result = walk(node.function)
     for variable, *ends in node.limits:
         if len(ends) != 2:
-            raise InputError(f"{node} is no number: an integral has two ends")
+            raise InputError(f"{node} is not a number: an integral needs two ends")
         result = integral(result, variable.name, *map(walk, ends))
     return result
 

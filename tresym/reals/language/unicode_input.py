@@ -29,19 +29,23 @@ _BEFORE_OPENING = frozenset("+-*/^(,<>=~!&")
 
 
 def plain(text: str) -> str:
-    """``text`` in ASCII as far as its signs have one meaning, ``|x|`` as ``abs(x)``.
+    """Return ``text`` in ASCII as far as its signs are unambiguous, with ``|x|`` as ``abs(x)``.
 
-    What is not known is left as it is, for the grammar to refuse.
+    Other characters are left unchanged, and the grammar rejects them.
 
     Raises:
-        InputError: a bar without its partner.
+        InputError: a bar has no partner.
+
+    Example:
+        >>> plain("|x| ≤ π²")
+        'abs(x) <=  pi **(2)'
     """
     text = signs(text)
     return _without_bars(text) if "|" in text else text
 
 
 def signs(text: str) -> str:
-    """As :func:`plain`, with bars as they are."""
+    """Return ``text`` as :func:`plain` does, with bars unchanged."""
     if text.isascii():
         return text
     text = re.sub("[⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺]+", lambda m: f"**({m[0].translate(_UPPER)})", text)
@@ -51,7 +55,7 @@ def signs(text: str) -> str:
 
 
 def _without_bars(text: str) -> str:
-    """A bar opens where an operand is expected, and closes elsewhere."""
+    """Replace bars: one where an operand is expected opens, and any other closes."""
     written: list[str] = []
     expected, depth = True, 0
     for character in text:

@@ -1,5 +1,4 @@
-"""Decide exactly whether constants vanish: algebraic numbers, sums of arc tangents or of
-logarithms.
+"""Decide exactly whether algebraic numbers, sums of arc tangents or of logarithms vanish.
 
 The constant generators (roots of integers, possibly nested, and 2cos(π/M)) are algebraic integers.
 Let x be an algebraic integer of degree at most d whose conjugates have absolute value at most B.

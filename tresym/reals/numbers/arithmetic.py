@@ -1,11 +1,12 @@
-"""The four arithmetics of a formula, and the only place where precision is set.
+"""Provide the four arithmetics of a formula, and the only place where precision is set.
 
 A formula is a plain function whose last argument ``m`` is an arithmetic: a namespace with the
-function names of the Python array API standard (``sqrt``, ``asin``, ``sinh``, …) and ``pi``.
-``numpy``, ``mpmath.mp`` and ``sympy`` are such namespaces already; only the balls of python-flint
-need the small adapter below. Precision is global in both mpmath and FLINT, of all threads at once,
-so it is set only by the two context managers here: one thread at a time is inside, and what it
-found is restored, on errors too. (Threads lose nothing: python-flint never lets two of them run.)
+function names of the Python array API standard (``sqrt``, ``asin``, ``sinh``, …) and ``pi``. The
+modules ``numpy``, ``mpmath.mp`` and ``sympy`` are such namespaces already; the balls of
+python-flint need the small adapter below. Precision is a global setting in both mpmath and FLINT,
+shared by all threads. It is therefore set only by the two context managers here. They admit one
+thread at a time and restore the previous value, also after errors. Threads lose nothing by this, as
+python-flint never runs two of them at once.
 """
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
 Found = TypeVar("Found")
 
 WORKING = 128
-"""Bits at which balls are taken where nothing else is said."""
+"""The default precision of balls in bits."""
 
 
 class Balls:
@@ -44,9 +45,11 @@ class Balls:
 
     @staticmethod
     def atan2(y: arb, x: arb) -> arb:
-        """Angle of the point ``(x, y)``; the one that is no method, and looks at its types."""
+        """Return the angle of the point ``(x, y)``. It is not a method of ``arb``, so types are
+        checked.
+        """
         if not isinstance(y, arb):
-            raise TypeError("atan2: needs balls")
+            raise TypeError("atan2: the arguments must be balls (flint.arb)")
         return arb.atan2(y, x)
 
 
@@ -57,7 +60,7 @@ BITS_PER_DIGIT = 3.3219280948873626
 
 
 def bits(digits: int, guard: int = 32) -> int:
-    """Working precision in bits that carries ``digits`` decimal digits and ``guard`` bits more."""
+    """Return the precision in bits for ``digits`` decimal digits plus ``guard`` bits."""
     return int(digits * BITS_PER_DIGIT) + 1 + guard
 
 
@@ -65,7 +68,7 @@ _alone = RLock()
 
 
 def _alone_again() -> None:
-    """In a copy of this process: the thread that held the lock is not in it, and never lets go."""
+    """Replace the lock in a forked process, where the thread that held it does not exist."""
     global _alone
     _alone = RLock()
 
@@ -75,16 +78,16 @@ if hasattr(os, "register_at_fork"):
 
 
 class ball_precision:  # noqa: N801 - used like a function; a class because it is entered often
-    """Set FLINT's working precision to ``precision`` bits inside the block; yields the balls."""
+    """Set FLINT's working precision to ``precision`` bits inside the block, and yield the balls."""
 
     __slots__ = ("before", "held", "precision")
 
     def __init__(self, precision: int = WORKING) -> None:
-        """Remember the precision to work at."""
+        """Store the precision in bits."""
         self.precision = precision
 
     def __enter__(self) -> Balls:
-        """Set the precision, once no other thread has it set."""
+        """Set the precision, once no other thread is inside such a block."""
         self.held = _alone
         self.held.acquire()
         self.before = ctx.prec
@@ -92,7 +95,7 @@ class ball_precision:  # noqa: N801 - used like a function; a class because it i
         return balls
 
     def __exit__(self, *_: object) -> None:
-        """Restore what was found."""
+        """Restore the previous precision."""
         ctx.prec = self.before
         self.held.release()
 
@@ -100,7 +103,15 @@ class ball_precision:  # noqa: N801 - used like a function; a class because it i
 def decided(
     attempt: Callable[[], Found | None], precisions: tuple[int, ...] = (WORKING, 8 * WORKING)
 ) -> Found | None:
-    """What ``attempt`` says, at higher and higher precision until it is not None."""
+    """Call ``attempt`` at increasing precision until its result is not None.
+
+    Args:
+        attempt: the function to call.
+        precisions: the precisions in bits.
+
+    Returns:
+        The first result that is not None, or None.
+    """
     for precision in precisions:
         with ball_precision(precision):
             found = attempt()
@@ -110,13 +121,13 @@ def decided(
 
 
 def side(x: arb) -> int | None:
-    """±1 where the ball has that sign, else None."""
+    """Return ±1 if the ball has that sign, else None."""
     return 1 if x > 0 else -1 if x < 0 else None
 
 
 @contextmanager
 def mp_precision(digits: int) -> Iterator[mpmath.MPContext]:
-    """Set mpmath's working precision to ``digits`` inside the block; yields ``mpmath.mp``."""
+    """Set mpmath's working precision to ``digits`` inside the block, and yield ``mpmath.mp``."""
     import mpmath
 
     with _alone, mpmath.workdps(digits):
@@ -124,10 +135,10 @@ def mp_precision(digits: int) -> Iterator[mpmath.MPContext]:
 
 
 def ball(x: fmpq | int | arb) -> arb:
-    """The exact rational ``x`` as a ball at the working precision."""
+    """Return the exact rational ``x`` as a ball at working precision."""
     return arb(x)
 
 
 def to_mp(x: fmpq, m: Any) -> Any:
-    """The exact rational ``x`` as an mpmath number at the working precision."""
+    """Return the exact rational ``x`` as an mpmath number at working precision."""
     return m.mpf(int(x.p)) / m.mpf(int(x.q))

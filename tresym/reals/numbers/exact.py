@@ -1,8 +1,8 @@
 """Convert exact numbers: text to rationals, printed decimals to intervals, balls to text.
 
-Numbers from a user are exact decimals or fractions and never pass through ``float`` or ``eval``.
-Lengths and exponents are checked before anything is converted, and long integers go through FLINT,
-which has none of Python's limits on digits.
+Numbers from users are exact decimals or fractions and never pass through ``float`` or ``eval``.
+Lengths and exponents are checked before a number is converted. Long integers are converted by
+FLINT, which has none of Python's limits on digits.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ _DECIMAL = re.compile(r"([+-]?)(\d*)(?:\.(\d*))?(?:[eE]([+-]?\d+))?", re.ASCII)
 
 
 class InputError(ValueError):
-    """Input that tresym refuses; the message is one line that says what is allowed.
+    """Raised for input that tresym rejects; the message is one line that says what is allowed.
 
     Example:
         >>> import tresym
@@ -34,18 +34,18 @@ class InputError(ValueError):
 
 
 def shortened(text: str, length: int = 40) -> str:
-    """The beginning of a text that is too long to be shown."""
+    """Return a text, truncated to ``length`` characters if it is longer."""
     return text if len(text) <= length else text[: length - 3] + "..."
 
 
 def quoted(found: object) -> str:
-    """How a complaint quotes bad input: in ASCII, where one character may be ten, and not long."""
+    """Return bad input as quoted in an error message: short and in ASCII."""
     text = found if isinstance(found, str) else repr(found)
     return ascii(shortened(text, 40 if text.isascii() else 12))
 
 
 def _split(text: str, what: str) -> tuple[int, int]:
-    """The decimal ``text`` as ``(coefficient, exponent of ten)``."""
+    """Return the decimal ``text`` as ``(coefficient, exponent of ten)``."""
     match = _DECIMAL.fullmatch(text)
     if match is None or not (match[2] or match[3]):
         raise InputError(
@@ -75,7 +75,7 @@ def _decimal(text: str, what: str) -> fmpq:
 
 
 def _at_once(text: str) -> fmpq | None:
-    """What most texts are, a short decimal or fraction, read in few steps."""
+    """Parse a short decimal or fraction in few steps, as most texts are; None for others."""
     if len(text) < len(_TENS) and text.isascii():
         whole, point, part = text.partition(".")
         if point:
@@ -95,14 +95,19 @@ def _at_once(text: str) -> fmpq | None:
 
 
 def parse_number(text: str, what: str = "number") -> fmpq:
-    """The exact rational that a decimal (``1e-400``) or a fraction (``16380/1210``) names.
+    """Return the exact rational of a decimal (``1e-400``) or a fraction (``16380/1210``).
 
     Args:
-        text: ASCII text of at most 10 000 characters, exponents within ±10 000.
-        what: how an error message calls the number.
+        text: ASCII text of at most 10 000 characters, with exponents within ±10 000.
+        what: the name of the number in error messages.
 
     Raises:
-        InputError: anything else, zero denominators, NaN and infinities included.
+        InputError: the text is anything else, such as NaN, infinity or a fraction with denominator
+            0.
+
+    Example:
+        >>> parse_number("0.125")
+        1/8
     """
     if len(text) > MAX_CHARACTERS:
         raise InputError(f"{what}: {len(text)} characters are beyond the limit of {MAX_CHARACTERS}")
@@ -116,10 +121,19 @@ def parse_number(text: str, what: str = "number") -> fmpq:
 
 
 def as_rational(x: str | int | Rational | fmpq, what: str = "number") -> fmpq:
-    """``x`` (text, integer, fraction) as an exact rational.
+    """Return ``x`` (text, integer or fraction) as an exact rational.
+
+    Args:
+        x: the number.
+        what: its name in error messages.
 
     Raises:
-        InputError: floats (they are not the decimals they print as), booleans, other types.
+        InputError: ``x`` is a float (which is not the decimal it prints as), a boolean or of
+            another type.
+
+    Example:
+        >>> as_rational("1/3")
+        1/3
     """
     if isinstance(x, str):
         found = _at_once(x)
@@ -128,10 +142,14 @@ def as_rational(x: str | int | Rational | fmpq, what: str = "number") -> fmpq:
 
 
 def exact_number(x: int | Rational | fmpq, what: str = "number") -> fmpq:
-    """``x`` (integer, fraction) as an exact rational.
+    """Return ``x`` (integer or fraction) as an exact rational.
+
+    Args:
+        x: the number.
+        what: its name in error messages.
 
     Raises:
-        InputError: text, floats, booleans, other types.
+        InputError: ``x`` is text, a float, a boolean or of another type.
     """
     if isinstance(x, fmpq):
         return x
@@ -149,7 +167,14 @@ def exact_number(x: int | Rational | fmpq, what: str = "number") -> fmpq:
 
 
 class Interval(NamedTuple):
-    """An interval with rational ends; None is an infinite end, whatever is said of it."""
+    """An interval with rational ends.
+
+    Attributes:
+        low: the lower end, or None for −∞.
+        high: the upper end, or None for ∞.
+        low_open: whether a finite lower end is excluded.
+        high_open: whether a finite upper end is excluded.
+    """
 
     low: fmpq = None
     high: fmpq = None
@@ -158,16 +183,16 @@ class Interval(NamedTuple):
 
     @property
     def middle(self) -> fmpq:
-        """Half way between two finite ends."""
+        """Return the midpoint of two finite ends."""
         return (self.low + self.high) / 2
 
     @property
     def width(self) -> fmpq:
-        """The distance of two finite ends."""
+        """Return the distance of two finite ends."""
         return self.high - self.low
 
     def __and__(self, other: Interval) -> Interval:
-        """The values in both."""
+        """Return the intersection."""
         both = (self, other)
         lows = ((i.low, i.low_open) for i in both if i.low is not None)
         highs = ((i.high, not i.high_open) for i in both if i.high is not None)
@@ -176,17 +201,22 @@ class Interval(NamedTuple):
         return Interval(low, high, low_open, not closed)
 
     def ball(self) -> arb:
-        """The smallest ball at the working precision that contains a bounded interval."""
+        """Return the smallest ball at working precision that contains a bounded interval."""
         return arb(self.low).union(arb(self.high))
 
     def holds(self, x: fmpq) -> bool:
-        """Whether ``x`` lies in the interval."""
+        """Return whether ``x`` lies in the interval."""
         return (self.low is None or x > self.low or (x == self.low and not self.low_open)) and (
             self.high is None or x < self.high or (x == self.high and not self.high_open)
         )
 
     def simplest(self) -> fmpq:
-        """The rational of least denominator in an interval that is not empty (Stern and Brocot)."""
+        """Return the rational of least denominator in a nonempty interval (Stern–Brocot tree).
+
+        Example:
+            >>> Interval(fmpq(3, 10), fmpq(4, 10)).simplest()
+            1/3
+        """
         low, high, low_open, high_open = self
         if self.holds(fmpq(0)):
             return fmpq(0)
@@ -202,20 +232,20 @@ class Interval(NamedTuple):
 
 
 LARGEST = 1 << 20
-"""Bits of a rational at most: FLINT ends the process where memory does not hold one."""
+"""The maximal size of a rational in bits: FLINT aborts the process if memory does not suffice."""
 
 
 def rational_ends(x: arb) -> Interval:
-    """Rational ends of a ball, rounded outward where they would be too long to be written.
+    """Return rational ends of a ball, rounded outward if they would be too long.
 
-    What has no finite end there has none here.
+    An end that is not finite is None.
     """
     low, high = _lower_end(x.lower()), _lower_end((-x).lower())
     return Interval(low, None if high is None else -high)
 
 
 def _lower_end(x: arb) -> fmpq | None:
-    """A rational at or below an exact number; None where there is none of that length."""
+    """Return a rational at or below an exact number; None if there is none of admissible length."""
     if not x.is_finite():
         return None
     size = abs(x)
@@ -227,12 +257,22 @@ def _lower_end(x: arb) -> fmpq | None:
 
 
 def near(x: fmpq, tolerance: fmpq) -> fmpq:
-    """The rational of least denominator within ``tolerance`` of ``x``."""
+    """Return the rational of least denominator within ``tolerance`` of ``x``.
+
+    Example:
+        >>> near(fmpq(314159, 100000), fmpq(1, 100))
+        22/7
+    """
     return Interval(x - tolerance, x + tolerance).simplest()
 
 
 def printed(text: str) -> Interval:
-    """What a printed decimal says: half a unit in its last printed place on both sides."""
+    """Return the interval that a printed decimal stands for: ± half a unit in its last place.
+
+    Example:
+        >>> printed("0.5")[:2]
+        (9/20, 11/20)
+    """
     coefficient, exponent = _split(text.strip(), "printed number")
     half = _scaled(1, exponent) / 2
     value = _scaled(coefficient, exponent)
@@ -240,7 +280,7 @@ def printed(text: str) -> Interval:
 
 
 def _place_point(digits: str, exponent: int) -> str:
-    """``0.digits``-style plain or scientific notation of ``digits``·10^exponent."""
+    """Return ``digits``·10^exponent in plain or scientific notation."""
     sign, digits = ("-", digits[1:]) if digits.startswith("-") else ("", digits)
     point = len(digits) + exponent
     if 0 < point <= len(digits):
@@ -255,17 +295,22 @@ def _place_point(digits: str, exponent: int) -> str:
 
 
 class Decimal(NamedTuple):
-    """A ball in decimal: the truth lies in ``[mid − rad, mid + rad]``. Both are decimal text."""
+    """A ball in decimal notation; the true value lies in ``[mid − rad, mid + rad]``.
+
+    Attributes:
+        mid: the midpoint as decimal text.
+        rad: the radius as decimal text.
+    """
 
     mid: str
     rad: str
 
 
 def decimal_ball(x: arb, digits: int) -> Decimal:
-    """The ball ``x`` in decimal, rounded outward, with ``digits`` digits and three more.
+    """Return the ball ``x`` in decimal notation, rounded outward, with ``digits`` + 3 digits.
 
-    ``rad`` is as small as the ball and those digits allow; the caller checks that it is small
-    enough for what was promised.
+    The radius is as small as the ball and those digits allow. The caller checks that it is small
+    enough for the accuracy that was promised.
     """
     if x.is_zero():
         return Decimal("0", "0")
@@ -275,7 +320,7 @@ def decimal_ball(x: arb, digits: int) -> Decimal:
 
 
 def _radius(rad: int, exponent: int) -> str:
-    """The radius ``rad``·10^exponent to three digits, rounded up."""
+    """Return the radius ``rad``·10^exponent to three digits, rounded up."""
     text = str(rad)
     if len(text) > 3:
         cut = len(text) - 3
@@ -284,10 +329,16 @@ def _radius(rad: int, exponent: int) -> str:
 
 
 def whole_number(x: object, least: int, most: int, what: str) -> int:
-    """``x`` as an integer from ``least`` to ``most``; NumPy's are taken too.
+    """Return ``x`` as an integer from ``least`` to ``most``; NumPy integers are accepted.
+
+    Args:
+        x: the number.
+        least: the smallest allowed value.
+        most: the largest allowed value.
+        what: its name in the error message.
 
     Raises:
-        InputError: anything else, truth values among them.
+        InputError: ``x`` is out of range, a boolean or not an integer.
     """
     try:
         found = index(x)  # type: ignore[arg-type]
@@ -299,5 +350,10 @@ def whole_number(x: object, least: int, most: int, what: str) -> int:
 
 
 def fraction_text(x: fmpq) -> str:
-    """An exact rational as ``p`` or ``p/q``."""
+    """Return an exact rational as ``p`` or ``p/q``.
+
+    Example:
+        >>> fraction_text(fmpq(6, 4))
+        '3/2'
+    """
     return str(x.p) if x.q == 1 else f"{x.p}/{x.q}"

@@ -1,6 +1,6 @@
-"""Factor integers and integer polynomials, and verify the result.
+"""Factor integers and integer polynomials with FLINT, and verify the result.
 
-What FLINT finds is not believed: a unit and factors that do not give the product are an error.
+A unit and factors whose product is not the input raise an error.
 """
 
 from __future__ import annotations
@@ -10,39 +10,47 @@ from math import prod
 from flint import fmpz, fmpz_mpoly
 
 MOST_DEGREES = 2000
-"""Of a sum to be factored: beyond, FLINT may not end for hours, and hears no interrupt."""
+"""The maximal degree of a sum that is factored: beyond it FLINT may run for hours without
+reacting to an interrupt."""
 
 
 class TooLargeError(Exception):
-    """The normal form outgrew its bounds or ran out of generators."""
+    """Raised if a computation exceeds a limit on terms, degree or number of generators."""
 
 
 def factors_of(p: fmpz_mpoly) -> tuple[fmpz, list[tuple[fmpz_mpoly, int]]]:
-    """FLINT's unit and factors of ``p``.
+    """Return FLINT's unit and irreducible factors of ``p``.
+
+    Returns:
+        The unit, and pairs of a factor and its exponent.
 
     Raises:
-        TooLargeError: the degree is beyond the limit, or python-flint cannot sort the factors,
-            whose coefficients differ by more than a machine integer.
-        ArithmeticError: these are not its factors.
+        TooLargeError: the degree exceeds the limit, or the coefficients are too large for
+            python-flint to sort the factors.
+        ArithmeticError: the product of the factors is not ``p``.
     """
     if len(p) > 1 and p.total_degree() > MOST_DEGREES:
-        raise TooLargeError(f"a sum with powers beyond {MOST_DEGREES} is not factored")
+        raise TooLargeError(f"factoring a sum of degree over {MOST_DEGREES}")
     try:
         unit, found = p.factor()
     except OverflowError:
-        raise TooLargeError("coefficients too large for the factors to be sorted") from None
+        raise TooLargeError("factoring a polynomial with too large coefficients") from None
     if prod((factor ** int(k) for factor, k in found), start=p.context().constant(unit)) != p:
-        raise ArithmeticError("what was found are no factors")
+        raise ArithmeticError("the product of the factors that FLINT returned is not the input")
     return unit, [(factor, int(k)) for factor, k in found]
 
 
 def primes_of(n: fmpz) -> list[tuple[fmpz, int]]:
-    """FLINT's prime factors of ``n`` > 0.
+    """Return FLINT's prime factors of ``n`` > 0 with their exponents.
 
     Raises:
-        ArithmeticError: these are not its factors.
+        ArithmeticError: the product of the factors is not ``n``.
+
+    Example:
+        >>> primes_of(fmpz(12))
+        [(2, 2), (3, 1)]
     """
     found = [(prime, int(k)) for prime, k in n.factor()]
     if prod((prime**k for prime, k in found), start=fmpz(1)) != n:
-        raise ArithmeticError("what was found are no factors")
+        raise ArithmeticError("the product of the factors that FLINT returned is not the input")
     return found

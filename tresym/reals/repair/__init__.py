@@ -1,7 +1,8 @@
-"""Look for what is true instead of a refuted claim: one edit away, conditions, other values.
+"""Suggest true statements close to a refuted claim: other signs, conditions or values.
 
-:func:`check` decides a claim and, where it is refuted, looks for claims close to it that hold;
-:func:`suggestions` looks for many in processes of their own. The search is in ``search.py``.
+:func:`check` decides a claim and, if it is refuted, searches for similar claims that hold.
+:func:`suggestions` searches for many claims in parallel processes. The search itself is in
+:mod:`tresym.reals.repair.search`.
 """
 
 from __future__ import annotations
@@ -22,9 +23,9 @@ from tresym.reals.verdict import Verdict
 __all__ = ["Alternative", "check", "suggested", "suggestions"]
 
 GRACE = 15.0
-"""Seconds on the wall beyond its processor time after which a search is ended."""
+"""The wall time in seconds beyond the processor time after which a search is ended."""
 SHARE, LEAST = 0.2, 0.01
-"""Of a run over many claims: what searches may take; and seconds below which none begins."""
+"""The share of a run over many claims for searches, and the least seconds to begin one."""
 
 
 def check(
@@ -37,18 +38,22 @@ def check(
     """Decide a claim about real elementary expressions.
 
     Args:
-        claim: text such as ``"diff(F, x) == f"``, ``"exp(x) >= 1 + x"`` or
-            ``"sin(x) == x + O(x**3)"``; LaTeX of the same; or a SymPy relation such as
-            ``Eq(f, g)``, whose symbols are taken as real.
+        claim: text such as ``"diff(F, x) == f"``, ``"exp(x) >= 1 + x"`` or ``"sin(x) == x +
+            O(x**3)"``; LaTeX of the same; or a SymPy relation such as ``Eq(f, g)``, whose symbols
+            are taken as real.
         given: conditions: text such as ``"a > 0, 0 < b <= 1"``, LaTeX, or SymPy relations.
-        path: for an order claim, such as ``"x -> 0+"``.
-        limit: seconds after which the answer is UNDECIDED; the work is then done in a process of
-            its own. Without it the claim is decided here.
-        suggest: whether claims close to a refuted one that hold are looked for, for at most half a
-            second; they are ``instead`` of the answer.
+        path: the path of an asymptotic claim, such as ``"x -> 0+"``.
+        limit: the time limit in seconds, after which the answer is UNDECIDED. The work is then done
+            in a process of its own. Without a limit the claim is decided in this process.
+        suggest: whether to search for true claims close to a refuted one, for at most half a
+            second. They are the attribute ``instead`` of the answer.
+
+    Returns:
+        The answer, with its verdict and reason.
 
     Raises:
-        InputError: the claim is not read, or the limit is no number of seconds; one line says why.
+        InputError: the claim cannot be parsed, or the limit is not a number of seconds; the message
+            is one line.
 
     Example:
         >>> import tresym
@@ -71,14 +76,14 @@ def suggestions(
     processes: int | None = None,
     seconds: float = SECONDS,
 ) -> Iterator[tuple[Alternative, ...]]:
-    """What is true instead of each of several refuted claims, in their order.
+    """Yield true alternatives to each of several refuted claims, in their order.
 
     Args:
-        claims: in the grammar of text, with their conditions and paths, what symbols in them stand
-            for, whether to be cautious, and whether unusual edits count, see
+        claims: tuples of the claim in the text grammar with its conditions and path, the
+            definitions of its symbols, whether to be cautious, and whether unusual edits count; see
             :func:`tresym.reals.repair.search.alternatives`.
-        processes: how many at once; all cores unless given.
-        seconds: processor time for each.
+        processes: the number of processes; by default one for each core.
+        seconds: the processor time for each claim.
     """
     asked = [(claim, seconds, MOST, *rest) for claim, *rest in claims]
     cache = current()
@@ -103,7 +108,7 @@ def suggestions(
 
 
 def suggested(answers: Iterable[tuple[Any, Any]]) -> Iterator[tuple[Any, Any]]:
-    """The answers to many claims, with suggestions while they take at most a fifth of the time."""
+    """Yield the answers to many claims, with suggestions that take at most a fifth of the time."""
     start, spent = time.perf_counter() - time.process_time(), 0.0
     with _pool(1, SECONDS) as pool:
         pool.submit(alternatives, "0 == 0", 0.0).result()  # started before there are other threads

@@ -1,7 +1,7 @@
-"""All statements one edit away from a given one: the misprints of its operations and leaves.
+"""Generate all statements one edit away from a given one: likely misprints.
 
-An edit changes one place of one side: a sign, a number, an exponent, a function, a variable, a
-factor. Its rank says how usual it is as a misprint, 0 first.
+An edit changes one place of one side: a sign, a number, an exponent, a function, a variable or a
+factor. Its rank says how common it is as a misprint; 0 is the most common.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ from tresym.reals.numbers.exact import InputError
 SIGN, NUMBER, FUNCTION, VARIABLE, FACTOR, WRAPPED, OTHER = range(7)
 """The ranks of edits."""
 MAX_DIGITS = 6
-"""Digits of a number whose digits are changed one by one."""
+"""The maximal number of digits of a number whose digits are changed one by one."""
 
 _FAMILIES = (
     ("sin", "cos", "tan", "cot", "sec", "csc"),
@@ -56,7 +56,7 @@ _PARTNERS = (
     *(("sinh", "cosh"), ("tanh", "coth"), ("sech", "csch"), ("acos", "acosh")),
     *((name, f"{name}h") for name in (*_FAMILIES[0], "asin", "atan")),
 )
-"""Functions that are confused most often, in pairs."""
+"""Pairs of functions that are often confused."""
 STRICTNESS = {"<": "<=", "<=": "<", ">": ">=", ">=": ">"}
 RELATIONS: dict[str, tuple[str, ...]] = {
     "<": ("<=", ">"),
@@ -64,12 +64,12 @@ RELATIONS: dict[str, tuple[str, ...]] = {
     ">": (">=", "<"),
     ">=": (">", "<="),
 }
-"""The relations that stand for another one by a misprint."""
+"""The relations that a misprint may have replaced."""
 RELATIONS |= {"O": ("o",), "o": ("O",), "!=": ("==",)}
 
 
 class Change(NamedTuple):
-    """A tree with one place changed: how usual that is, what stood there and what stands now."""
+    """A tree with one place changed: the rank, the old and new text of the place, and the tree."""
 
     rank: float
     old: str
@@ -81,9 +81,11 @@ class Edit(NamedTuple):
     """A chain of comparisons with one place changed.
 
     Attributes:
-        rank: how usual such a misprint is, 0 first.
-        old, new: what stood there and what stands now.
-        terms, relations: the chain with the change.
+        rank: how common such a misprint is; 0 is the most common.
+        old: the text of the place before the change.
+        new: the text after the change.
+        terms: the terms of the changed chain.
+        relations: the relations of the changed chain.
     """
 
     rank: float
@@ -94,12 +96,12 @@ class Edit(NamedTuple):
 
     @property
     def says(self) -> str:
-        """The edit in words."""
+        """Return the edit in words."""
         return f"{self.new or 'nothing'} in place of {self.old or 'nothing'}"
 
     @property
     def links(self) -> list[Compared]:
-        """The comparisons of the chain."""
+        """Return the comparisons of the chain."""
         return [*zip(self.terms, self.relations, self.terms[1:], strict=False)]
 
 
@@ -109,11 +111,13 @@ def edits(
     indices: Sequence[str] = (),
     free: bool = True,
 ) -> list[Edit]:
-    """Every chain one edit away, each once: by rank, changes at the right end first.
+    """Return every chain one edit away, sorted by rank; changes at the right end come first.
 
     Args:
-        indices: variables that are integers, which may be confused with their neighbours.
-        free: whether the symbols are free variables, and stand for nothing else.
+        terms: the terms of the chain.
+        relations: the relations between them.
+        indices: integer variables, which may be replaced by n ± 1.
+        free: whether the symbols are free variables without definitions.
     """
     names = sorted(frozenset().union(*map(symbols, terms)) - symbols(INFINITY))
     found = [
@@ -132,11 +136,11 @@ def edits(
             if lone and rank != VARIABLE:
                 continue
             if n == 0 and tree == multiply(MINUS_ONE, terms[0]):
-                rank = FACTOR  # a sign in front of what the statement is about
+                rank = FACTOR  # a changed sign of the whole left side is unlikely
             if tree == ZERO and terms[n].op == "number":
-                rank = _later(0)  # another value, and no term left out
+                rank = _later(0)  # it counts as another value, not as an omitted term
             if rank == WRAPPED and tree.op in ("^", "abs") and tree.args[0] == terms[n]:
-                rank = OTHER  # so is what is put around a whole side
+                rank = OTHER  # a power or absolute value of a whole side is unlikely
             found.append(Edit(rank, old, new, chain, relations))
     unique = {(terms, relations): found[0]} if found else {}
     for edit in sorted(found, key=lambda edit: edit.rank):
@@ -145,15 +149,18 @@ def edits(
 
 
 def lone_variables(terms: Sequence[Expr], indices: Sequence[str] = ()) -> set[str]:
-    """The variables that stand in a chain but once: with one an equality is no identity, and an
-    edit that makes it one is of variables."""
+    """Return the variables that occur exactly once in a chain.
+
+    An equality with such a variable is not an identity, and only an edit of variables can repair
+    it.
+    """
     counts = Counter(name for term in terms for name in _leaves(term))
     apart = {*indices, *symbols(INFINITY), *symbols(DOTS)}
     return {name for name, n in counts.items() if n == 1} - apart
 
 
 def _leaves(e: Expr) -> Iterator[str]:
-    """The variables of a tree, as often as they stand in it."""
+    """Yield the variables of a tree, with repetitions."""
     if e.op == "symbol":
         yield str(e.args[0])
     elif e.op not in LEAVES:
@@ -162,7 +169,7 @@ def _leaves(e: Expr) -> Iterator[str]:
 
 
 def is_one_edit(first: Expr, second: Expr) -> bool:
-    """Whether two trees differ in one place, as by a misprint."""
+    """Return whether two trees differ in one place, as by a misprint."""
     names = sorted(symbols(first) | symbols(second))
     return first != second and any(
         change.tree == second and change.rank < OTHER for change in changes(first, names)
@@ -170,7 +177,7 @@ def is_one_edit(first: Expr, second: Expr) -> bool:
 
 
 def changes(e: Expr, names: Sequence[str], indices: Sequence[str] = ()) -> Iterator[Change]:
-    """Every tree one edit away from ``e``; some may come twice."""
+    """Yield every tree one edit away from ``e``, possibly with repetitions."""
     if e in (INFINITY, DOTS):
         return
     yield from _numbers(e)
@@ -205,7 +212,7 @@ def _built(change: Change, e: Expr, n: int) -> Iterator[Change]:
 def _try(
     rank: float, old: str, new: str, make: Callable[..., Expr], *args: Expr
 ) -> Iterator[Change]:
-    """A change, none where the tree would be too large."""
+    """Yield a change, unless the tree would be too large."""
     try:
         yield Change(rank, old, new, make(*args))
     except InputError:
@@ -213,7 +220,7 @@ def _try(
 
 
 def _inside(e: Expr, names: Sequence[str], indices: Sequence[str]) -> Iterator[Change]:
-    """Changes of the body and of the ends of what binds a variable."""
+    """Yield changes of the body and of the ends of a node that binds a variable."""
     bound: tuple[str, ...]
     if e.op in ("antiderivative", "derivative", "nth") and e.args[1].op == "symbol":
         bound, body = (str(e.args[1]),), instantiate(e.args[0], (e.args[1],))
@@ -235,7 +242,7 @@ def _inside(e: Expr, names: Sequence[str], indices: Sequence[str]) -> Iterator[C
 
 
 def _here(e: Expr, names: Sequence[str], indices: Sequence[str]) -> Iterator[Change]:
-    """Other functions, variables, terms and factors at the root of ``e``."""
+    """Yield other functions, variables, terms and factors at the root of ``e``."""
     if e.op == "symbol":
         name = str(e.args[0])
         for other in names:
@@ -262,7 +269,7 @@ def _here(e: Expr, names: Sequence[str], indices: Sequence[str]) -> Iterator[Cha
 
 
 def _terms(e: Expr) -> Iterator[Change]:
-    """The sign of one term changed, or one left out."""
+    """Yield the sum with the sign of a term changed, or a term omitted."""
     for n, term in enumerate(e.args):
         rest = (*e.args[:n], *e.args[n + 1 :])
         other = multiply(MINUS_ONE, term)
@@ -271,7 +278,7 @@ def _terms(e: Expr) -> Iterator[Change]:
         yield Change(OTHER, _signed(term), "", add(*rest))
         if term.op == "number" or (term.op == "*" and term.args[0].op == "number"):
             continue
-        for value in range(3, 10):  # 1 is not printed in front of a term
+        for value in range(3, 10):  # a coefficient 1 is not printed
             more = add(*e.args[:n], multiply(number(value), term), *e.args[n + 1 :])
             yield Change(_later(value), str(term), f"{value}*{term}", more)
     product = multiply(*e.args)
@@ -279,20 +286,20 @@ def _terms(e: Expr) -> Iterator[Change]:
 
 
 def _signs(old: Expr, new: Expr) -> float:
-    """The rank of another sign: one put in front is less usual, around a sum still less."""
+    """Return the rank of a changed sign; a new leading sign is less common."""
     if old.op == "+" and new.op != "+":
         return FACTOR
     return SIGN + (0.6 if str(new).startswith("-") and not str(old).startswith("-") else 0)
 
 
 def _signed(term: Expr) -> str:
-    """A term with its sign: ``- x`` or ``+ x``."""
+    """Return a term with its sign: ``- x`` or ``+ x``."""
     text = str(term)
     return f"- {text[1:]}" if text.startswith("-") else f"+ {text}"
 
 
 def _factors(e: Expr) -> Iterator[Change]:
-    """One factor divided by in place of multiplied with, or left out."""
+    """Yield the product with a factor omitted or inverted."""
     for n, factor in enumerate(e.args):
         rest = (*e.args[:n], *e.args[n + 1 :])
         if factor.op == "number":
@@ -315,7 +322,7 @@ def _factors(e: Expr) -> Iterator[Change]:
 
 
 def _wrapped(e: Expr) -> Iterator[Change]:
-    """A sign, a factor, a power or bars put around ``e``."""
+    """Yield ``e`` with an added sign, factor, power or absolute value."""
     old, negative = str(e), multiply(MINUS_ONE, e)
     yield Change(_signs(e, negative), old, str(negative), negative)
     for factor, rank in (
@@ -354,7 +361,7 @@ def _exponents(e: Expr, names: Sequence[str], indices: Sequence[str]) -> Iterato
 
 
 def _numbers(e: Expr) -> Iterator[Change]:
-    """A number changed, alone, as the factor in front of a product, or the 1 of a quotient."""
+    """Yield ``e`` with its number, leading factor or numerator 1 changed."""
     rest: tuple[Expr, ...]
     if e.op == "number":
         own, rest = e.args[0], ()
@@ -374,12 +381,14 @@ def _numbers(e: Expr) -> Iterator[Change]:
 
 
 def _later(n: int) -> float:
-    """The rank of the n-th of several numbers."""
+    """Return the rank of the n-th of several numbers."""
     return NUMBER + min(n, 40) / 50
 
 
 def _near(r: fmpq, beside: bool) -> list[fmpq]:
-    """Numbers that a misprint of ``r`` may be, the nearest first; an exponent changes its sign."""
+    """Return the likely misprints of ``r``, the nearest first; an exponent may also change its
+    sign.
+    """
     p, q = int(r.p), int(r.q)
     values = [fmpq(n, q) for n in _misprints(p)]
     values += [fmpq(p, n) for n in _misprints(q) if n] if q > 1 else []

@@ -1,8 +1,8 @@
-"""Values of expressions in floating point at several points at once, to filter candidates.
+"""Evaluate expressions in floating point at several points at once, to filter candidates.
 
-Nothing is proved here: what agrees in floating point is decided exactly afterwards. Values of
-subtrees are remembered, so that a tree which differs from another one in a single place costs only
-the path from that place to the root. Integrals are summed by double-exponential quadrature
+Nothing is proved here: candidates that agree in floating point are decided exactly afterwards.
+Values of subtrees are cached, so that a tree which differs from another one in a single place costs
+only the path from that place to the root. Integrals are computed by double-exponential quadrature
 (H. Takahasi and M. Mori, 1974), infinite sums by Levin's u-transform.
 """
 
@@ -23,19 +23,19 @@ MOST_TERMS = 400
 FEWEST_TERMS = 8
 LEVIN_TERMS = 22
 STEP = 0.05
-"""The distance of the nodes of a quadrature."""
+"""The step size of a quadrature."""
 CUT = 1e-11
-"""What may be missing at the end of a ray."""
+"""The relative error allowed by cutting off a ray."""
 NEGLIGIBLE = 1e-9
-"""So near to an end, or to infinity by its inverse, an integrand may have no value."""
+"""An integrand may be undefined this near to an end, or beyond the inverse of this distance."""
 
 
 class UnsupportedError(Exception):
-    """There is a node whose value is not computed in floating point."""
+    """Raised for a node that cannot be evaluated in floating point."""
 
 
 class Points:
-    """Several points: the values of each variable, and of expressions.
+    """Several points, with the values of variables and of expressions.
 
     Example:
         >>> from tresym.reals.language.parsing import parse
@@ -44,16 +44,21 @@ class Points:
     """
 
     def __init__(self, at: Mapping[str, Sequence[float]], count: int = 0) -> None:
-        """``count`` is how many points there are where no variable has values."""
+        """Create points.
+
+        Args:
+            at: the values of each variable, one for each point.
+            count: the number of points if there is no variable.
+        """
         self.at = {name: list(values) for name, values in at.items()}
         self.count = len(next(iter(self.at.values()))) if self.at else count or 1
         self._known: dict[Expr, Row] = {}
 
     def values(self, e: Expr) -> Row:
-        """The value at each point; NaN where there is none.
+        """Return the value at each point; NaN where there is none.
 
         Raises:
-            UnsupportedError: a limit, or another node without a value in floating point.
+            UnsupportedError: the expression contains a node without a floating-point value.
         """
         found = self._known.get(e)
         if found is None:
@@ -87,7 +92,7 @@ class Points:
         return [_applied(function, *values) for values in zip(*rows, strict=True)]
 
     def _unknown(self, e: Expr) -> Row:
-        """An unknown function as one fixed wave, whose derivatives are known."""
+        """Evaluate an arbitrary function as one fixed sine wave, whose derivatives are known."""
         (name, orders), rows = e.args[0].args, [self.values(arg) for arg in e.args[1:]]
         if name == FACTORIAL:
             return [_applied(lambda x: math.gamma(x + 1), x) for x in rows[0]]
@@ -101,7 +106,7 @@ class Points:
         ]
 
     def _bound(self, e: Expr) -> Row:
-        """Integrals, sums and products, one after the other unless no variable is free in them."""
+        """Evaluate integrals, sums and products, only once if no variable is free in them."""
         (name,), body = opened(e, self.at)
         lows, highs = (self._ends(arg) for arg in e.args[1:])
         free = symbols(e) & self.at.keys()
@@ -141,7 +146,7 @@ def _integral(body: Expr, name: str, low: float, high: float, here: Mapping[str,
 def _quadrature(
     body: Expr, name: str, low: float, high: float, mirrored: bool, here: Mapping[str, float]
 ) -> float:
-    """An integral over a finite range, a ray or the line; ``mirrored`` by −x."""
+    """Integrate over a finite range, a ray or the line; over −x if ``mirrored``."""
     ends = math.isfinite(low), math.isfinite(high)
     for substitution in _SUBSTITUTIONS.get(ends, ()):  # no end of a range may be undefined
         steps = range(round(substitution.first / STEP), round(substitution.last / STEP) + 1)
@@ -160,7 +165,7 @@ def _quadrature(
 
 
 class _Substitution(NamedTuple):
-    """A variable of integration by another one: its range, and the node and its weight there."""
+    """A change of the variable of integration: its range, and a function of node and weight."""
 
     first: float
     last: float
@@ -174,7 +179,7 @@ def _between(t: float, low: float, high: float) -> tuple[float, float]:
 
 
 def _decaying(t: float, low: float, high: float) -> tuple[float, float]:
-    """For integrands that decay as exponentials."""
+    """Substitute for integrands that decay exponentially."""
     x = math.exp(t - math.exp(-t))
     return low + x, x * (1 + math.exp(-t))
 
@@ -197,7 +202,7 @@ _SUBSTITUTIONS = {
 
 
 def _sum(body: Expr, name: str, low: float, high: float, here: Mapping[str, float]) -> float:
-    if high == math.inf and low == round(low):
+    if high == math.inf and math.isfinite(low) and low == round(low):
         places = [low + k for k in range(LEVIN_TERMS)]
         return _levin(_along(body, name, places, here))
     terms = _terms(body, name, low, high, here)
@@ -218,7 +223,7 @@ def _terms(body: Expr, name: str, low: float, high: float, here: Mapping[str, fl
 
 
 def _levin(terms: Row) -> float:
-    """The sum of a series from its first terms by Levin's u-transform; NaN where it is not seen."""
+    """Return the sum of a series by Levin's u-transform of its first terms; NaN if it fails."""
     if not all(map(math.isfinite, terms)):
         return NAN
     ends = terms[-1] == 0
@@ -270,7 +275,7 @@ def _applied(function: Callable[..., float], *values: float) -> float:
 
 
 def _powers(row: Row, p: int, q: int) -> Row:
-    """Rational powers, which ask for x ≥ 0 unless they are whole."""
+    """Return rational powers, which require x ≥ 0 unless the exponent is an integer."""
     if q == 1:
         return [_applied(math.pow, x, p) for x in row]
     return [_applied(math.pow, x, p / q) if x >= 0 else NAN for x in row]

@@ -1,8 +1,8 @@
-"""Collect like terms and factors, to see that an equality says nothing.
+"""Collect like terms and factors, to recognise trivial equalities.
 
-Sums and products are sorted and collected, numbers multiplied into sums, equal factors cancelled.
-No product of sums is expanded and no function has laws, so ``(x + 1)**2 == x**2 + 2*x + 1`` and
-``sin(-x) == -sin(x)`` still say something.
+Sums and products are sorted and collected, numbers are multiplied into sums, and equal factors
+cancel. Products of sums are not expanded, and no laws of functions are used. So ``(x + 1)**2 ==
+x**2 + 2*x + 1`` and ``sin(-x) == -sin(x)`` do not count as trivial.
 """
 
 from __future__ import annotations
@@ -29,10 +29,12 @@ from tresym.reals.numbers.exact import InputError
 
 
 def is_trivial(old: Compared, new: Compared, mistaken: str = "") -> bool:
-    """Whether a repaired comparison says nothing, or nothing of some variable of the old one.
+    """Return whether a repaired comparison is trivial, or no longer depends on some variable.
 
     Args:
-        mistaken: a variable that another one was printed for, which may go.
+        old: the comparison before the repair.
+        new: the repaired comparison.
+        mistaken: a variable that was printed in place of another one, and may disappear.
     """
     left, right = collected(new[0]), collected(new[2])
     names = symbols(old[0]) | symbols(old[2])
@@ -48,7 +50,7 @@ def is_trivial(old: Compared, new: Compared, mistaken: str = "") -> bool:
 
 
 def loses_names(old: Compared, new: Compared, mistaken: str = "") -> bool:
-    """Whether a repaired comparison says nothing of some variable, or function, of the old one."""
+    """Return whether a repaired comparison no longer contains some variable or function."""
     before, after = (
         frozenset().union(*(_named(collected(worked_out(side))) for side in link[::2]))
         for link in (old, new)
@@ -57,13 +59,13 @@ def loses_names(old: Compared, new: Compared, mistaken: str = "") -> bool:
 
 
 def _named(e: Expr) -> frozenset[str]:
-    """The variables and the unknown functions in an expression."""
+    """Return the variables and the arbitrary functions in an expression."""
     return symbols(e) | {str(node.args[0].args[0]) for node in functions(e)}
 
 
 @cache
 def collected(e: Expr) -> Expr:
-    """``e`` with like terms and factors collected."""
+    """Return ``e`` with like terms and factors collected."""
     if e.op in LEAVES:
         return e
     args = tuple(collected(arg) if isinstance(arg, Expr) else arg for arg in e.args)
@@ -86,7 +88,7 @@ def _sum(terms: tuple[Expr, ...]) -> Expr:
 
 
 def _split(e: Expr) -> tuple[fmpq, Expr]:
-    """The number in front of a term, and what it multiplies."""
+    """Return the coefficient of a term and the rest."""
     if e.op == "number":
         return e.args[0], ONE
     if e.op == "*" and e.args[0].op == "number":
@@ -110,7 +112,7 @@ def _product(factors: tuple[Expr, ...]) -> Expr:
 
 
 def _powers(factors: tuple[Expr, ...]) -> list[tuple[Expr, fmpq]]:
-    """The bases and the exponents of a product, whole powers of products taken apart."""
+    """Return the bases and exponents of a product; integer powers of products are split."""
     found: list[tuple[Expr, fmpq]] = []
     for factor in factors:
         for part in factor.args if factor.op == "*" else (factor,):

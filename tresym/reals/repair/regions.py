@@ -1,4 +1,4 @@
-"""Natural parts of the line and of the plane, on which a claim may hold that fails somewhere."""
+"""List natural parts of the line and plane on which a claim may hold that fails elsewhere."""
 
 from __future__ import annotations
 
@@ -35,11 +35,11 @@ _PLANE: tuple[str, ...] = (
 _PLANE += ("{x} + {y} >= 0", "{x} + {y} > 0", "{x}*{y} > 0", "{x}*{y} >= 0", "{x}*{y} < 1")
 _ALL = ("{x} > 0", "{x} >= 0")
 FEWEST = 3
-"""Points of a region at which the claim must be seen to hold."""
+"""The least number of points of a region at which the claim must be seen to hold."""
 
 
 def regions(names: Sequence[str], integers: Sequence[str]) -> Iterator[str]:
-    """Conditions on these variables, as text."""
+    """Yield conditions on these variables, as text."""
     for name in names:
         for text in _WHOLE if name in integers else _LINE:
             yield text.format(x=name)
@@ -51,10 +51,10 @@ def regions(names: Sequence[str], integers: Sequence[str]) -> Iterator[str]:
 
 
 def holding(comparisons: Sequence[Compared], points: Points, integers: Sequence[str]) -> list[str]:
-    """The conditions under which comparisons are seen to hold, those for most points first.
+    """Return the conditions under which comparisons are seen to hold, the most general first.
 
     Raises:
-        UnsupportedError: a side has no values in floating point.
+        UnsupportedError: a side cannot be evaluated in floating point.
     """
     rows = [held(points, link) for link in comparisons]
     seen = [_together(column) for column in zip(*rows, strict=True)]

@@ -1,4 +1,4 @@
-"""Points in floating point that satisfy the conditions of a claim, and what holds at them."""
+"""Sample floating-point points that satisfy the conditions of a claim, and test relations there."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _LINE: tuple[float, ...] = (
     1.13,
 )
 _LINE += (12.3, 0.55, -4.6, 2.05, -0.87, 0.71, -6.4, 4.4, 0.29, 1.37)
-"""Where an unbounded variable is tried: in (0, 1), in (1, 2.5), negative and large."""
+"""The values of an unbounded variable: in (0, 1), in (1, 2.5), negative and large."""
 _SPECIAL = (0.0, 1.0, -1.0)
 _SHARES = (0.37, 0.71, 0.13, 0.55, 0.91, 0.24, 0.83, 0.04, 0.62, 0.47)
 _WHOLE = (1, 2, 3, -1, 4, 0, -2, 5, 6, -3, 7)
@@ -36,13 +36,16 @@ CLOSE, TINY = 1e-8, 1e-12
 def sampled(
     names: Sequence[str], given: Sequence[Compared], most: int, largest: float = math.inf
 ) -> Points | None:
-    """At most ``most`` points that satisfy the conditions; None where none is found.
+    """Return at most ``most`` points that satisfy the conditions, or None if none is found.
 
     Args:
-        largest: how large values are where no condition asks for more.
+        names: the variables.
+        given: the conditions.
+        most: the maximal number of points.
+        largest: the largest value, unless a condition requires larger ones.
 
     Raises:
-        UnsupportedError: a condition has no value in floating point.
+        UnsupportedError: a condition cannot be evaluated in floating point.
     """
     integers = {str(left) for left, relation, _ in given if relation == "in"}
     values, rest = _put_in([link for link in given if link[1] != "in"])
@@ -81,7 +84,7 @@ def _names(links: Sequence[Compared]) -> frozenset[str]:
 
 
 def _put_in(given: Sequence[Compared]) -> tuple[dict[str, Expr], list[Compared]]:
-    """What equations say that symbols are, and the other conditions."""
+    """Return the values of symbols that equations state, and the other conditions."""
     values: dict[str, Expr] = {}
     rest: list[Compared] = []
     for left, relation, right in given:
@@ -105,7 +108,7 @@ def _with(values: Mapping[str, Expr], at: Mapping[str, float]) -> dict[str, floa
 
 
 def _pool(given: Given, name: str, whole: bool) -> list[float]:
-    """Where a variable is tried, by its bounds."""
+    """Return the values that are tried for a variable, by its bounds."""
     where = given.box.get(name)
     low, high = (None, None) if where is None else (where.low, where.high)
     if whole:
@@ -130,7 +133,7 @@ def _within(x: float, ends: Sequence[float | None]) -> bool:
 
 
 def satisfied(points: Points, given: Sequence[Compared]) -> list[bool]:
-    """Where all conditions hold."""
+    """Return for each point whether all conditions hold."""
     found = [True] * points.count
     for link in given:
         if link[1] == "in":
@@ -141,10 +144,10 @@ def satisfied(points: Points, given: Sequence[Compared]) -> list[bool]:
 
 
 def held(points: Points, link: Compared, close: float = CLOSE) -> list[bool | None]:
-    """Where a comparison holds; None where a side has no value.
+    """Return for each point whether a comparison holds; None if a side has no value.
 
     Raises:
-        UnsupportedError: a side has no values in floating point.
+        UnsupportedError: a side cannot be evaluated in floating point.
     """
     left, relation, right = link
     rows = points.values(left), points.values(right)
@@ -169,7 +172,7 @@ def _holds(x: float, relation: str, y: float, close: float) -> bool | None:
 
 
 def near_end(points: Points, name: str, end: Expr, side: int, step: float) -> Points:
-    """The points with a variable near the end of its path."""
+    """Return the points with one variable near the end of its path."""
     at = {other: row for other, row in points.at.items() if other != name}
     if end in (INFINITY, -INFINITY):
         sign = 1 if end == INFINITY else -1

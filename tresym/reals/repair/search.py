@@ -1,9 +1,9 @@
-"""Look for what is true instead of a claim that fails.
+"""Search for true statements close to a refuted claim.
 
-Three places are searched: parts of the line and of the plane on which the claim holds, all claims
+Three kinds of candidates are searched: the claim on parts of the line and of the plane, all claims
 one edit away, and other values of an integral, a sum, a limit or a constant. Candidates are
-filtered in floating point at several points of the conditions and then decided exactly, each like
-any claim; those that say nothing are dropped. The order is that of how usual the misprint is.
+filtered in floating point at several points of the conditions. The remaining ones are decided
+exactly like any other claim. Trivial statements are dropped. The most common misprints come first.
 """
 
 from __future__ import annotations
@@ -51,35 +51,35 @@ from tresym.reals.resource_limits import TimeUp, time_limit
 SECONDS = 0.5
 MOST = 3
 GRID, FEW = 70, 9
-"""Points at which conditions are tried, and those at which edits are."""
+"""The numbers of points at which conditions and edits are tested."""
 SHARE = 0.3
-"""Of the time: what the decision of one candidate may take."""
+"""The share of the time for the decision of one candidate."""
 MOST_REGIONS = 4
 MOST_SIZE = 400
-"""Terms and operations of a claim, beyond which no edit is tried."""
+"""The maximal size of a claim for which edits are tried."""
 SMALL = 3.0
-"""How large the variables of integrals are."""
+"""The largest value of a variable in a claim with integrals."""
 VALUE = FUNCTION - 0.5
-"""Where other values stand among the edits."""
+"""The rank of other values among the edits."""
 TOUCHING = 1e-6
-"""Sides of an inequality that come so near, relatively, are taken to touch."""
+"""The relative distance below which the sides of an inequality count as touching."""
 APART = 1e-3
-"""Sides of an equality so far apart, relatively, are taken to differ."""
+"""The relative distance above which the sides of an equality count as different."""
 GIVEN = "given"
-"""How an edit begins that is one more condition."""
+"""The first word of an edit that adds a condition."""
 _BOUNDS = frozenset(("<", "<=", ">", ">="))
 _CLOSED = {"<": "<=", ">": ">="}
 NEARER = (3e-3, 3e-4)
 ORDER_STEPS = (0.1, 0.03)
-"""How far from the end of a path limits and orders are looked at."""
+"""The distances from the end of a path at which asymptotic statements are tested."""
 
 
 Definitions: TypeAlias = tuple[tuple[str, Expr], ...]
-"""Symbols and what they stand for, in the order in which they are put in."""
+"""Symbols and their definitions, in the order of substitution."""
 
 
 class _Claim(NamedTuple):
-    """A claim in parts: a chain, its conditions, its path, and what symbols in it stand for."""
+    """The parts of a claim: a chain, its conditions, its path, and definitions of symbols."""
 
     terms: tuple[Expr, ...]
     relations: tuple[str, ...]
@@ -96,19 +96,19 @@ class _Claim(NamedTuple):
         return [str(left) for left, relation, _ in self.given if relation == "in"]
 
     def defined(self) -> _Claim:
-        """The claim with what its symbols stand for put in."""
+        """Return the claim with the definitions of its symbols substituted."""
         terms = self.terms
         for name, value in self.put:
             terms = tuple(substitute(term, {name: value}) for term in terms)
         return self._replace(terms=terms, put=())
 
     def says(self) -> str:
-        """The chain in the grammar of text."""
+        """Return the chain in the text grammar."""
         rest = (f" {r} {t}" for r, t in zip(self.relations, self.terms[1:], strict=True))
         return str(self.terms[0]) + "".join(rest)
 
     def text(self, more: str = "") -> str:
-        """The claim in the grammar of text, perhaps under one more condition."""
+        """Return the claim in the text grammar, optionally with one more condition."""
         under = ", ".join(filter(None, (chained(self.given), more)))
         text = self.defined().says() + (f" given {under}" if under else "")
         return text + (f" as {self.path}" if self.path is not None else "")
@@ -122,17 +122,17 @@ def alternatives(
     cautious: bool = False,
     unusual: bool = True,
 ) -> tuple[Alternative, ...]:
-    """What is true instead of a claim that is refuted, the likeliest first.
+    """Return true alternatives to a refuted claim, the likeliest first.
 
     Args:
-        text: the claim with its conditions and its path, in the grammar of text.
-        seconds: processor time that the search may take.
-        most: how many are looked for.
-        put: what symbols in it stand for; they are kept in what is found.
-        cautious: whether nothing is to be found beside what may be true or meant otherwise: of
-            inequalities only those whose sides touch, and none for an equality whose sides are not
-            seen to differ.
-        unusual: whether unusual edits count as well.
+        text: the claim with its conditions and its path, in the text grammar.
+        seconds: the processor time of the search.
+        most: the maximal number of alternatives.
+        put: definitions of symbols, which remain in the alternatives.
+        cautious: whether to avoid claims that may be true or have another meaning. Then only
+            inequalities whose sides touch are returned, and nothing for an equality whose sides are
+            not seen to differ.
+        unusual: whether uncommon edits count as well.
 
     Example:
         >>> [found.claim for found in alternatives("cos(2*x) == 2*cos(x)**2 + 1", most=1)]
@@ -144,7 +144,7 @@ def alternatives(
         return ()
     hard = any(node.op in ("integral", "sum") for term in claim.terms for node in outermost(term))
     if hard and seconds:
-        import sympy  # noqa: F401 - that deciding may need it is not counted
+        import sympy  # noqa: F401 - its import shall not count as time of the search
     if cautious and not _is_inequality(claim) and not _differs(claim):
         return ()
     end = time.process_time() + seconds
@@ -159,7 +159,7 @@ def alternatives(
         if cautious and _is_inequality(claim) and (more or not _touches(candidate)):
             continue
         if more and any(one.edit.startswith(GIVEN) for one in found):
-            continue  # a narrower part of what was found
+            continue  # a stricter condition than one already found
         verdict = _decided(candidate.text(more), left if hard else min(left, SHARE * seconds))
         if verdict:
             under = ", ".join(filter(None, (chained(claim.given), more)))
@@ -170,10 +170,10 @@ def alternatives(
 
 
 def _parsed(text: str) -> _Claim:
-    """The parts of a claim.
+    """Return the parts of a claim.
 
     Raises:
-        InputError: it is not in the grammar of text.
+        InputError: it is not in the text grammar.
     """
     claim, _, end = text.partition(" as ")
     claim, _, under = claim.partition(" given ")
@@ -184,7 +184,7 @@ def _parsed(text: str) -> _Claim:
 
 
 def _decided(text: str, seconds: float) -> str:
-    """PROVED or ENCLOSED; empty for a claim that is not shown in time."""
+    """Return PROVED or ENCLOSED, or "" for a claim that is not proved in time."""
     try:
         with time_limit(seconds):
             answer = decide_claim(text)
@@ -196,10 +196,10 @@ def _decided(text: str, seconds: float) -> str:
 
 
 def _candidates(claim: _Claim, until: float) -> Iterator[tuple[float, _Claim, str, str]]:
-    """Claims to be decided: how usual the misprint is, one more condition, and the edit."""
+    """Yield candidates: the rank, the claim, one more condition or "", and the edit in words."""
     grid = _grid(claim)
     under = _regions(claim, grid)
-    if _is_inequality(claim):  # which holds on some part nearly always
+    if _is_inequality(claim):  # an inequality nearly always holds on some part
         usual = list(takewhile(lambda found: found[0] <= FUNCTION, _ranked(claim, grid, until)))
         yield from usual
         yield from under
@@ -209,7 +209,7 @@ def _candidates(claim: _Claim, until: float) -> Iterator[tuple[float, _Claim, st
 
 
 def _grid(claim: _Claim) -> Points | None:
-    """Points at which conditions hold; None where none are found, or not in floating point."""
+    """Return points at which the conditions hold; None if none is found in floating point."""
     terms = claim.defined().terms
     names = sorted(frozenset().union(*map(symbols, terms)) - symbols(INFINITY))
     hard = any(node.op == "integral" for term in terms for node in outermost(term))
@@ -221,7 +221,7 @@ def _grid(claim: _Claim) -> Points | None:
 
 
 def _with_values(points: Points, put: Definitions) -> Points:
-    """The points with the values of what symbols stand for."""
+    """Return the points with the values of defined symbols."""
     for name, value in reversed(put):
         points = Points({**points.at, name: points.values(value)}, points.count)
     return points
@@ -232,7 +232,7 @@ def _is_inequality(claim: _Claim) -> bool:
 
 
 def _regions(claim: _Claim, grid: Points | None) -> Iterator[tuple[float, _Claim, str, str]]:
-    """The claim under natural conditions."""
+    """Yield the claim under natural conditions."""
     if grid is None or claim.path is not None:
         return
     try:
@@ -245,7 +245,7 @@ def _regions(claim: _Claim, grid: Points | None) -> Iterator[tuple[float, _Claim
 
 
 def _is_apart(claim: _Claim, more: str) -> bool:
-    """Whether a condition says neither the claim itself nor anything of the ends of a sum."""
+    """Return whether a condition restates neither the claim nor the ends of a sum."""
     nodes = [n for n in outermost(*claim.terms) if n.op in ("sum", "product")]
     ends = frozenset().union(*(symbols(end) for node in nodes for end in node.args[1:]))
     gaps = {collected(a - b) for a, _, b in claim.links} | {
@@ -259,7 +259,7 @@ def _is_apart(claim: _Claim, more: str) -> bool:
 def _ranked(
     claim: _Claim, grid: Points | None, until: float
 ) -> Iterator[tuple[float, _Claim, str, str]]:
-    """Other values and edits, the likelier ones first, each with its rank."""
+    """Yield other values and edits with their ranks, the likelier ones first."""
     seen = {_key(claim.terms)}
     valued = [(VALUE, *found, "") for found in _valued(claim)]
     edited = _surviving(claim, grid, until)
@@ -280,7 +280,7 @@ def _ranked(
 def _new(
     seen: set[object], found: tuple[float, _Claim, str, str]
 ) -> Iterator[tuple[float, _Claim, str, str]]:
-    """A candidate, unless it differs from one before in the order of terms and factors alone."""
+    """Yield a candidate unless an earlier one differs only in the order of terms and factors."""
     rank, claim, says, more = found
     key = _key(claim.terms)
     if key not in seen:
@@ -296,7 +296,7 @@ def _key(terms: Sequence[Expr]) -> object:
 
 
 def _valued(claim: _Claim) -> Iterator[tuple[_Claim, str]]:
-    """The claim with another value."""
+    """Yield the claim with another value."""
     if len(claim.terms) != 2:
         return
     side = worked_side(claim.links[0])
@@ -309,9 +309,9 @@ def _valued(claim: _Claim) -> Iterator[tuple[_Claim, str]]:
 
 
 def _surviving(claim: _Claim, grid: Points | None, until: float) -> Iterator[Edit]:
-    """The edits that hold in floating point and are not trivial, by rank.
+    """Yield nontrivial edits that hold in floating point, by rank.
 
-    What leaves integrals as they are costs little, and comes first but for unusual edits.
+    Edits that leave integrals unchanged are cheap to test and come first within the common ranks.
     """
     if sum(term.size for term in claim.terms) > MOST_SIZE:
         return
@@ -331,7 +331,7 @@ def _surviving(claim: _Claim, grid: Points | None, until: float) -> Iterator[Edi
 
 
 def _stands(claim: _Claim, edit: Edit, points: Points | None, until: float) -> bool:
-    """Whether an edit holds in floating point, as far as that can be seen, and says something."""
+    """Return whether an edit holds in floating point, if that can be seen, and is not trivial."""
     if time.process_time() > until:
         return False
     links = edit.links
@@ -360,7 +360,7 @@ def _stands(claim: _Claim, edit: Edit, points: Points | None, until: float) -> b
 
 
 def _fails_at_first(links: Sequence[Compared], points: Points) -> bool:
-    """Whether a link with an integral fails at the first point, so that the others are spared."""
+    """Return whether a link with an integral fails at the first point, which saves the others."""
     if not any(node.op == "integral" for link in links for node in outermost(*link[::2])):
         return False
     one = Points({name: row[:1] for name, row in points.at.items()})
@@ -368,12 +368,12 @@ def _fails_at_first(links: Sequence[Compared], points: Points) -> bool:
 
 
 def _are_alike(one: str, other: str) -> bool:
-    """Whether two variables are taken for each other: neighbours in the alphabet, or indexed."""
+    """Return whether two variables are easily confused: close in the alphabet, or both indexed."""
     return abs(ord(one[0]) - ord(other[0])) <= 2 and (len(one) == 1) is (len(other) == 1)
 
 
 def _sharp_first(claim: _Claim, found: Iterator[Edit]) -> list[Edit]:
-    """Inequalities whose sides come near to each other, as they do in print, before others."""
+    """Sort inequalities: those whose sides nearly touch, as in print, come first."""
     grid = _closed_grid(claim)
     if grid is None:
         return list(found)
@@ -386,13 +386,13 @@ def _sharp_first(claim: _Claim, found: Iterator[Edit]) -> list[Edit]:
 
 
 def _touches(claim: _Claim) -> bool:
-    """Whether the sides of an inequality are seen to come together somewhere."""
+    """Return whether the sides of an inequality are seen to touch somewhere."""
     grid = _closed_grid(claim)
     return grid is not None and _gap(claim.links, grid) < TOUCHING
 
 
 def _closed_grid(claim: _Claim) -> Points | None:
-    """Points at which the conditions hold, ends included."""
+    """Return points at which the conditions hold, ends included."""
     names = sorted(frozenset().union(*map(symbols, claim.terms)) - symbols(INFINITY))
     closed = [(a, _CLOSED.get(r, r), b) for a, r, b in claim.given if r != "!="]
     try:
@@ -402,9 +402,9 @@ def _closed_grid(claim: _Claim) -> Points | None:
 
 
 def _differs(claim: _Claim) -> bool:
-    """Whether the sides of an equality are seen to be apart somewhere, or to have no values.
+    """Return whether the sides of an equality are seen to differ, or to have no values.
 
-    Nothing is refuted by that: it is for claims that are not decided.
+    This refutes nothing; it is used for claims that are not decided.
     """
     grid = _grid(claim)
     try:
@@ -416,7 +416,7 @@ def _differs(claim: _Claim) -> bool:
 
 
 def _gap(links: Sequence[Compared], grid: Points) -> float:
-    """How near to each other the sides of inequalities come, at most."""
+    """Return how near to each other the sides of inequalities come."""
     found = 0.0
     for left, relation, right in links:
         if relation not in _BOUNDS:
@@ -435,7 +435,7 @@ def _survives(claim: _Claim, links: Sequence[Compared], points: Points) -> bool:
 
 
 def _telling(claim: _Claim, grid: Points) -> Points:
-    """A few points, at most of which the sides of the claim have values."""
+    """Return a few points, preferably ones at which the sides of the claim have values."""
     if not grid.at:
         return grid
     few = FEW if grid.count > FEW else FEW // 2
@@ -452,7 +452,7 @@ def _telling(claim: _Claim, grid: Points) -> Points:
 
 
 def _agrees(claim: _Claim, link: Compared, points: Points) -> bool:
-    """Whether a comparison holds at two points or more, and fails at one at most."""
+    """Return whether a comparison holds at two or more points, and fails at no more than one."""
     left, _, right = link
     path = claim.path
     if left.op == "limit" or right.op == "limit":
@@ -471,7 +471,7 @@ def _agrees(claim: _Claim, link: Compared, points: Points) -> bool:
 
 
 def _tends(points: Points, name: str, end: Expr, side: int, link: Compared) -> bool:
-    """Whether a limit or an order is seen to hold near the end of its path."""
+    """Return whether an asymptotic statement is seen to hold near the end of its path."""
     left, relation, right = link
     orders = [node for node in outermost(right) if node.op in ("O", "o")]
     if relation == "==" and len(orders) == 1:
@@ -499,7 +499,7 @@ def _tends(points: Points, name: str, end: Expr, side: int, link: Compared) -> b
 
 
 def _without_integrals(link: Compared) -> Compared:
-    """An equation of integrals without ends as one of its derivatives."""
+    """Return an equation of indefinite integrals as one of their derivatives."""
     left, relation, right = link
     nodes = [node for node in outermost(left, right) if node.op == "antiderivative"]
     if not nodes:
@@ -509,7 +509,7 @@ def _without_integrals(link: Compared) -> Compared:
 
 
 def _slope(e: Expr, by: str) -> Expr:
-    """The derivative by a variable, that of an integral without ends being its integrand."""
+    """Return the derivative by a variable; that of an indefinite integral is its integrand."""
     nodes = [node for node in dict.fromkeys(outermost(e)) if node.op == "antiderivative"]
     marks = {node: symbol(f"[{n}]") for n, node in enumerate(nodes)}
     plain = replaced(e, marks)

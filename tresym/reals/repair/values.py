@@ -1,8 +1,9 @@
-"""The value of an integral, a sum, a limit or a constant, recognised from its digits.
+"""Recognise the value of an integral, a sum, a limit or a constant from its digits.
 
-A number is compared with rational multiples of π, √2, log 2, e and the like, with square roots and
-logarithms of rationals, and with sums of two of these; a sum up to n with polynomials and quotients
-of polynomials in n. What is recognised is a guess, to be decided like any claim.
+A number is compared with rational multiples of π, √2, log 2, e and similar constants, with square
+roots and logarithms of rationals, and with sums of two of these. A sum up to n is compared with
+polynomials and rational functions of n. The result is a guess, which is then decided like any
+claim.
 """
 
 from __future__ import annotations
@@ -35,9 +36,9 @@ from tresym.reals.repair.floating import Points, UnsupportedError
 
 CLOSE = 3e-10
 MOST_BELOW = 60
-"""Denominators of rational factors."""
+"""The largest denominator of rational factors."""
 DEGREE = 7
-"""The degree of a closed form, numerator and denominator together."""
+"""The maximal degree of a closed form, numerator plus denominator."""
 _WORKED = ("integral", "sum", "product", "limit")
 
 
@@ -55,7 +56,7 @@ BASES = _bases()
 
 
 def recognised(value: float, most: int = 4) -> list[Expr]:
-    """Closed forms of a number, the simplest first."""
+    """Return closed forms of a number, the simplest first."""
     found: list[tuple[float, Expr]] = []
     if not math.isfinite(value):
         return []
@@ -131,7 +132,7 @@ def _operations(e: Expr) -> Iterator[str]:
 
 
 def values(comparison: Compared, given: Sequence[Compared]) -> Iterator[Expr]:
-    """Values that the side to be worked out may have."""
+    """Yield possible values of the side that is to be evaluated."""
     side = worked_side(comparison)
     if side is None or comparison[1] == "->":
         return
@@ -152,7 +153,7 @@ def values(comparison: Compared, given: Sequence[Compared]) -> Iterator[Expr]:
 
 
 def _closed_forms(tree: Expr, name: str) -> Iterator[Expr]:
-    """Quotients of polynomials in ``name`` that a sum equals at the first integers."""
+    """Yield a rational function of ``name`` that equals a sum at the first integers."""
     places = [fmpq(n) for n in range(1, DEGREE + 6)]
     rows = Points({name: [float(n.p) for n in places]}).values(tree)
     known = [
@@ -173,7 +174,7 @@ def _closed_forms(tree: Expr, name: str) -> Iterator[Expr]:
 def _quotient(
     known: list[tuple[fmpq, fmpq]], above: int, below: int
 ) -> tuple[list[fmpq], list[fmpq]] | None:
-    """Coefficients of the quotient through all points, the leading one below being 1."""
+    """Return the coefficients of the rational function through all points, monic below, or None."""
     size = above + below + 1
     rows = [
         [*(x**k for k in range(above + 1)), *(-y * x**k for k in range(below))]
@@ -195,7 +196,7 @@ def _at(coefficients: list[fmpq], x: fmpq) -> fmpq:
 
 
 def _written(coefficients: list[fmpq], name: str) -> Expr:
-    """A polynomial as a product of its factors."""
+    """Return a polynomial as a product of its factors."""
     below = math.lcm(*(int(c.q) for c in coefficients))
     constant, factors = fmpz_poly([int((c * below).p) for c in coefficients]).factor()
     x = symbol(name)

@@ -94,7 +94,7 @@ def plus(c: Expr, d: Expr) -> Expr:
     """The sum of two coefficients, like terms as one."""
     total = add(c, d)
     if total.size > MAX_SIZE:
-        raise UnresolvedError("a coefficient grew too large")
+        raise UnresolvedError("a coefficient of the expansion exceeds the size limit")
     return collected(total) if total.op == "+" else total
 
 
@@ -115,7 +115,7 @@ def times(c: Expr, d: Expr) -> Expr:
     factors = [_power(base, r) for base, r in powers.items() if r != 0]
     found = multiply(*factors, *([apply("exp", exponent)] if exponent != ZERO else []))
     if found.size > MAX_SIZE:
-        raise UnresolvedError("a coefficient grew too large")
+        raise UnresolvedError("a coefficient of the expansion exceeds the size limit")
     return found
 
 
@@ -193,7 +193,7 @@ class Expansions:
                     return Leading(first.coefficient, powers)
             if found.end is None:
                 return None
-        raise UnresolvedError("the leading term is not found")
+        raise UnresolvedError("no leading term was found")
 
     def limit(self, e: Expr) -> Expr | int:
         """The limit as t → 0; ±1 for ±∞.
@@ -204,7 +204,7 @@ class Expansions:
         inside = self.scale.elements(e)
         if not inside:
             if self.scale.phases(e) and not self.scale.is_zero(e):
-                raise UnresolvedError("a wave")
+                raise UnresolvedError("an oscillating term")
             return e
         for n in ORDERS:
             found = self.tried(e, inside[0], n)
@@ -216,7 +216,7 @@ class Expansions:
                 return self.scale.sign(first.coefficient) if first else ZERO
             if found.end is None or self.scale.sign(found.end) > 0:
                 return self.limit(found.terms[0][1]) if low == 0 else ZERO
-        raise UnresolvedError("the limit is not found")
+        raise UnresolvedError("no limit was found")
 
     def growth(self, e: Expr) -> int:
         """1 where ``e`` is unbounded, 0 where it is of the order of 1, −1 where it tends to 0."""
@@ -324,7 +324,7 @@ class Expansions:
         while f.terms and self.leading(f.terms[0][1]) is None:
             f.terms.pop(0)
         if not f.terms:
-            raise ShortError("division by what may be zero")
+            raise ShortError("division by an expression that may be zero")
         p, c = f.terms[0]
         first = self.leading(c)
         return c, p, self.scale.sign(first.coefficient if first else ZERO)
@@ -345,7 +345,7 @@ class Expansions:
             return f
         c, p, sign = self.relative(f)
         if r.q != 1 and sign < 0:
-            raise UnresolvedError("a root of what is negative")
+            raise UnresolvedError("an even root of a negative expression")
         binomials, b = [ONE], fmpq(1)
         for k in range(n):
             b = b * (r - k) / (k + 1)
@@ -354,7 +354,7 @@ class Expansions:
 
         def rest(s: arb, m: int) -> arb:
             if m != n:
-                raise UnresolvedError("an order")
+                raise UnresolvedError("a different truncation order")
             return largest * ((1 - s) ** (arb(r) - m)).max((1 + s) ** (arb(r) - m))
 
         v = self._beyond(f, c, p, w, n)
@@ -372,7 +372,7 @@ class Expansions:
             return Series([(ZERO, known[0])] if known[0] != ZERO else [])
         low = self._low(v)
         if self.scale.sign(low) <= 0:
-            raise UnresolvedError("a part that is not small")
+            raise UnresolvedError("an argument that does not tend to 0")
         size = None
         if self.reach is not None:
             whole = self._whole(v, w)
@@ -401,9 +401,9 @@ class Expansions:
             elif sign == 0:
                 constant = c
             elif self.leading(c) is not None:
-                raise UnresolvedError("an argument that is not bounded")
+                raise UnresolvedError("an unbounded argument")
         if f.end is not None and self.scale.sign(f.end) <= 0:
-            raise ShortError("an argument of which too few terms are known")
+            raise ShortError("too few terms of the argument are known")
         return constant, Series(terms, f.end, f.rest)
 
     def _exp(self, f: Series, w: str, n: int) -> Series:
@@ -415,7 +415,7 @@ class Expansions:
     def _log(self, f: Series, w: str, n: int) -> Series:
         c, p, sign = self.relative(f)
         if sign < 0 or self.scale.sign(p):
-            raise UnresolvedError("a logarithm of what is not of the order of 1")
+            raise UnresolvedError("the logarithm of an expression that is not of order 1")
         v = self._beyond(f, c, p, w, n)
         known = [ZERO, *(number(fmpq((-1) ** (k + 1), k)) for k in range(1, n))]
         body = self._compose(known, lambda s, m: 1 / (m * (1 - s) ** m), v, w, n)
@@ -465,7 +465,9 @@ class Expansions:
     def _abs(self, f: Series, w: str, n: int) -> Series:
         if len(f.terms) == 1 and f.end is None:
             return Series([(f.terms[0][0], apply("abs", f.terms[0][1]))])
-        raise UnresolvedError("the sign of a wave changes")
+        raise UnresolvedError(
+            "an absolute value of an expression that changes sign infinitely often"
+        )
 
     # -- bounds for 0 < t ≤ reach -----------------------------------------------------------
 
@@ -519,12 +521,12 @@ class Expansions:
             ratio = self.largest(self.scale.times(other.powers, top.powers, -1))
             rate -= abs(y) * other.high / top.low * ratio
         if not rate > 0:
-            raise UnresolvedError("the range is too long for an exponential to be small on it")
+            raise UnresolvedError("the range is too long: the exponential is not small on it")
         return found * self._element(names[0]) ** rate
 
     def _height(self, w: str) -> Enclosure:
         if w not in self.scale.heights:
-            raise UnresolvedError("a logarithm of too many logarithms")
+            raise UnresolvedError("logarithms are nested too deeply")
         return self.enclosure(self.scale.heights[w])
 
     def _along_chain(self, names: list[str], exponents: list[arb]) -> arb:
@@ -539,7 +541,9 @@ class Expansions:
                     between *= self._element(v)
                 slope += y * between
         if not slope > 0:
-            raise UnresolvedError("the range is too long for a power to outweigh logarithms")
+            raise UnresolvedError(
+                "the range is too long: the power does not dominate the logarithms on it"
+            )
         found = arb(1)
         for value, y in zip(heights, exponents, strict=True):
             found *= value**y
@@ -611,7 +615,7 @@ class Expansions:
         if not inside:
             found = self.scale.ball(e)
             if not found.is_finite():
-                raise UnresolvedError("a coefficient that is not a number")
+                raise UnresolvedError("a coefficient has no finite value")
             return Size(arb(found.abs_upper()), {})
         for w in inside:
             self._element(w)  # is between 0 and 1 on all of the range
@@ -633,7 +637,7 @@ class Expansions:
                 return Size(base.height ** int(r), self._raised(base.powers, r))
             about = self.enclosure(e.args[0])
             if not about.low > 0:
-                raise UnresolvedError("a power of what may be 0")
+                raise UnresolvedError("a power of an expression that may be 0")
             height = (about.low ** arb(r)).max(about.high ** arb(r))
             return Size(height, self._raised(about.powers, r))
         if e.op in ("sin", "cos"):
@@ -661,5 +665,5 @@ class Expansions:
         )
         found = getattr(argument, e.op)()
         if not found.is_finite():
-            raise UnresolvedError("a function that is not bounded on the range")
+            raise UnresolvedError("a function is not bounded on the range")
         return found

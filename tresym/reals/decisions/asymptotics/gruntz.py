@@ -1,8 +1,8 @@
 """Gruntz's algorithm: rewrite a function in its most rapidly varying subexpressions.
 
-Where u → ±∞, exp u becomes a product of powers of elements times exp of what is bounded, a new
-element where none has its order of growth; log u takes the elements out of u; sin u and cos u are
-waves of a phase of which nothing is known.
+For u → ±∞, exp u becomes a product of powers of scale elements times the exponential of a bounded
+function; a new element is added if none has this order of growth. log u is expanded in the elements
+of u. sin u and cos u become functions of a phase about which nothing is assumed.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ HALF = fmpq(1, 2)
 
 
 def is_irrational(c: Expr) -> bool:
-    """Whether a constant is a rational multiple of π, or of a root of a rational number."""
+    """Return whether a constant is a rational multiple of π or of an irrational square root."""
     for e in (c / PI, c * PI):
         if normal_form(e, Given()).op == "number":
             return bool(normal_form(e, Given()) != ZERO)
@@ -86,7 +86,9 @@ class Rewritten:
             except _FinerPhaseError as error:
                 turns = self.turns * error.args[0]
                 if turns > MAX_TURNS:
-                    raise UnresolvedError("waves of one phase with too large a period") from error
+                    raise UnresolvedError(
+                        "the common period of the sines and cosines is too large"
+                    ) from error
                 self.__init__(self.name, self.scale.given, turns)  # type: ignore[misc]
 
     def of(self, e: Expr) -> Expr:
@@ -134,7 +136,7 @@ class Rewritten:
                 self.real = False
             else:
                 if (way == 0 and r <= 0) or (way < 0 and r.q != 1):
-                    raise UnresolvedError("a power that is no real number")
+                    raise UnresolvedError("a power that is not a real number")
         return ONE if r == 0 else power(base, number(r))
 
     def _over(self, above: Expr, below: Expr) -> Expr:
@@ -159,13 +161,13 @@ class Rewritten:
                 return found if self.scale.is_zero(u) else multiply(found, apply("exp", u))
             steep = self.expansions.leading(rest)
             if steep is None or self.scale.phases(steep.coefficient):
-                raise UnresolvedError("an exponential of a wave that grows")
+                raise UnresolvedError("the exponential of an unbounded oscillation")
             w = self.scale.like(steep) or self._new(rest, steep)
             own = quotient(steep.coefficient, self.scale.steepness[w].coefficient)
             ratio = times(fixed, own)
             u = plus(u, multiply(-ratio, self.scale.heights[w]))
             found = multiply(found, Expr("^", (symbol(w), -ratio)))
-        raise UnresolvedError("an exponent that does not come to an end")
+        raise UnresolvedError("an exponent whose expansion does not terminate")
 
     def _with_sign(self, u: Expr) -> tuple[Expr, Expr | None]:
         """A constant of any sign and what tends to ±∞, whose product is ``u``; None if bounded."""
@@ -195,11 +197,11 @@ class Rewritten:
     def _log(self, u: Expr) -> Expr:
         first = self.expansions.leading(u)
         if first is None or self._way(u) <= 0:
-            raise UnresolvedError("a logarithm of what is not positive")
+            raise UnresolvedError("the logarithm of an expression that is not positive")
         terms = []
         for w, x in first.powers.items():
             if w not in self.scale.heights:
-                raise UnresolvedError("a logarithm of too many logarithms")
+                raise UnresolvedError("logarithms are nested too deeply")
             u = times(u, power(symbol(w), -x))
             terms.append(multiply(-x, self.scale.heights[w]))
         return sum(terms, ZERO if u == ONE else apply("log", u))

@@ -1,9 +1,8 @@
 """Limits and orders of what holds definite integrals, from each side of the path by itself.
 
-The values of the integrals are put in where antiderivatives are found for the values of the
-variable near its end. Otherwise an integral whose two ends come together is compared by the rule
-of Bernoulli and l'Hôpital: if F and G tend to 0, G′ does not vanish beside the end and F′/G′ has a
-limit, finite or not, then F/G has the same.
+The integrals are evaluated if antiderivatives are found near the end of the path. Otherwise an
+integral whose two limits approach each other is treated by l'Hôpital's rule: if F and G tend to 0,
+G′ does not vanish near the end and F′/G′ has a limit, finite or infinite, then F/G has the same.
 """
 
 from __future__ import annotations
@@ -38,18 +37,18 @@ from tresym.reals.signs.definedness import continuous_on
 from tresym.reals.verdict import Verdict
 
 NEAR, FAR = number(1) / 10, number(10)
-_OPEN = "no antiderivative was found that is shown to be one near the end of the path"
+_OPEN = "no antiderivative could be found and verified near the end of the path"
 
 
 def decide_integral_limits(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
-    """The answer for a claim with integrals along a path.
+    """Decide a claim with integrals along a path.
 
     Args:
-        decided: decides what holds no integral.
+        decided: the procedure for claims without integrals.
     """
     path = statement.path
     if path is None:
-        raise TypeError("a claim along a path is read with it")
+        raise TypeError("a claim along a path needs its path")
     sides = (replace(path, sides=(side,)) for side in path.sides)
     found = [_one_side(claim, replace(statement, path=side), decided) for side in sides]
     for answer in found:
@@ -71,16 +70,18 @@ def _one_side(claim: Comparison, statement: Statement, decided: Decide) -> Answe
         return replace(answer, why=f"{found[1]}; {answer.why}", region=None, constant=None)
     value = _by_derivatives(claim, path, statement.given)
     if value is not None and allows(claim.relation, value, claim.right, statement.given):
-        return Answer(Verdict.PROVED, f"the ratio of the derivatives tends to {value}")
+        return Answer(
+            Verdict.PROVED, (f"by l'Hôpital's rule: the ratio of the derivatives tends to {value}")
+        )
     if value is not None and claim.relation == LIMIT and _differs(value, claim.right):
         at = (path.point or ZERO) + number(path.sides[0]) * NEAR
-        why = f"the ratio of the derivatives tends to {value}"
+        why = f"by l'Hôpital's rule: the ratio of the derivatives tends to {value}"
         return Answer(Verdict.REFUTED, why, witness={path.name: exact_text(at)})
     return Answer(Verdict.UNDECIDED, _OPEN)
 
 
 def _differs(value: Expr, end: Expr) -> bool:
-    """Whether two constants, which may be infinite, are shown to be different."""
+    """Return whether two constants, which may be infinite, are proved to differ."""
     infinite = (INFINITY, -INFINITY)
     if value in infinite or end in infinite:
         return value != end
@@ -91,7 +92,7 @@ def _differs(value: Expr, end: Expr) -> bool:
 
 
 def _beside(path: Path) -> Given:
-    """Values of the variable near the end, on the one side of the path."""
+    """Return the conditions for values of the variable near the end of a one-sided path."""
     x, (side,) = symbol(path.name), path.sides
     if path.point is None:
         return Given(((x, ">", FAR),) if side > 0 else ((x, "<", -FAR),))
@@ -101,7 +102,7 @@ def _beside(path: Path) -> Given:
 
 
 def _by_derivatives(claim: Comparison, path: Path, given: Given) -> Expr | None:
-    """The limit of an integral whose ends come together, times what tends to ±∞."""
+    """Return the limit by l'Hôpital's rule of an integral with merging ends, or None."""
     compared = compared_of(claim)[0]
     parts = compared.args if compared.op == "*" else (compared,)
     nodes = [part for part in parts if part.op == "integral"]

@@ -31,14 +31,14 @@ class Germ:
         """The coefficient of y^m."""
         k = m - self.order
         if k >= len(self.series):
-            raise OpenError("coefficients of so high an order are not worked out")
+            raise OpenError("coefficients of this order are beyond the truncation order")
         return self.series[k] if k >= 0 else fmpq(0)
 
     @property
     def row(self) -> Row:
         """The coefficients from y^0 on."""
         if self.order < 0:
-            raise OpenError("a pole")
+            raise OpenError("the expansion has a pole")
         return ([fmpq(0)] * self.order + self.series)[: max(len(self.series), SIZE)]
 
 
@@ -52,7 +52,7 @@ def germ_of(e: Expr, y: str) -> Germ:
         return _germ(0, [fmpq(e.args[0]), *_ZEROS])
     if e.op == "symbol":
         if e.args != (y,):
-            raise OpenError("a parameter")
+            raise OpenError("the expression has a parameter")
         return Germ(1, [fmpq(1), *_ZEROS])
     if e.op == "+":
         return _sum([germ_of(arg, y) for arg in e.args])
@@ -66,7 +66,7 @@ def germ_of(e: Expr, y: str) -> Germ:
         return _power(germ_of(e.args[0], y), fmpq(e.args[1].args[0]))
     rules = _RULES.get(e.op)
     if rules is None:
-        raise OpenError(f"the expansion of {e.op}")
+        raise OpenError(f"no expansion of {e.op} is implemented")
     found = rules(germ_of(e.args[0], y))
     return found if isinstance(found, Germ) else _germ(0, found)
 
@@ -100,7 +100,7 @@ def _power(f: Germ, r: fmpq) -> Germ:
     """By f (f^r)′ = r f′ f^r."""
     c = f.series[0]
     if c == 0 or (r.q != 1 and (c < 0 or f.order)):  # of y**2 the root is abs(y)
-        raise OpenError("a power")
+        raise OpenError("a power without a Laurent expansion")
     result = [c ** int(r.p) if r.q == 1 else _root(c, r)]
     for k in range(1, len(f.series)):
         terms = ((r * i - (k - i)) * f.series[i] * result[k - i] for i in range(1, k + 1))
@@ -111,13 +111,13 @@ def _power(f: Germ, r: fmpq) -> Germ:
 def _root(c: fmpq, r: fmpq) -> fmpq:
     found = root(c, int(r.q))
     if found.op != "number":
-        raise OpenError("a root that is not rational")
+        raise OpenError("a coefficient is an irrational root")
     return fmpq(found.args[0]) ** int(r.p)
 
 
 def _exp(f: Row) -> Row:
     if f[0]:
-        raise OpenError("an exponential that is not rational")
+        raise OpenError("a coefficient is an irrational exponential")
     slope, result = _slope(f), [fmpq(1)]
     for k in range(1, len(f)):
         result.append(sum((slope[i] * result[k - 1 - i] for i in range(k)), fmpq(0)) / k)
@@ -127,7 +127,7 @@ def _exp(f: Row) -> Row:
 def _waves(f: Row, turn: int) -> tuple[Row, Row]:
     """Sine and cosine (``turn`` −1), or the hyperbolic ones (1)."""
     if f[0]:
-        raise OpenError("a value that is not rational")
+        raise OpenError("a coefficient is not rational")
     slope, s, c = _slope(f), [fmpq(0)], [fmpq(1)]
     for k in range(1, len(f)):
         up = sum((slope[i] * c[k - 1 - i] for i in range(k)), fmpq(0)) / k
@@ -145,7 +145,7 @@ def _quotient(f: Row, g: Row) -> Germ:
 
 def _log(f: Germ) -> Row:
     if f.order or f.series[0] != 1:
-        raise OpenError("a logarithm that is not rational")
+        raise OpenError("a coefficient is an irrational logarithm")
     slope = _germ(0, _slope(f.series))
     whole = _power(f, fmpq(-1))
     return _area(_times(slope.row, whole.row))
@@ -154,7 +154,7 @@ def _log(f: Germ) -> Row:
 def _integrated(f: Row, square: int, r: fmpq) -> Row:
     """∫ f′ (1 + square f²)^r."""
     if f[0]:
-        raise OpenError("a value that is not rational")
+        raise OpenError("a coefficient is not rational")
     inner = [square * c for c in _times(f, f)]
     inner[0] += 1
     return _area(_times(_slope(f), _power(Germ(0, inner), r).series))

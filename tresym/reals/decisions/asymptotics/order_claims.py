@@ -23,25 +23,29 @@ LARGEST = arb((1, 10**8))
 SHOWN_AT = tuple(fmpq(1, 2**n) for n in (4, 2, 6, 3, 1, 0))
 """Where on the path both sides are shown, if they are not real where a refutation would."""
 
-_SUCCESSES = {"o": "the ratio tends to 0", "~": "the ratio tends to 1"}
+_SUCCESSES = {"o": "the ratio left/right tends to 0", "~": "the ratio left/right tends to 1"}
 _FAILURES = {
-    "O": "left/right is not bounded",
-    "o": "left/right does not tend to 0",
-    "~": "left/right does not tend to 1",
+    "O": "the ratio left/right is not bounded",
+    "o": "the ratio left/right does not tend to 0",
+    "~": "the ratio left/right does not tend to 1",
 }
 
 
 def decide_order(claim: Comparison, path: Path) -> Answer:
-    """ENCLOSED with a range and, for O, a constant; REFUTED with the true order; UNDECIDED.
+    """Decide an O, o or ~ claim in one variable.
 
-    What is differentiated must be real on the path: a side on which it is not is not spoken of.
+    Sides of the path on which the differentiated functions are not real are ignored.
+
+    Returns:
+        ENCLOSED with a range and, for O, a constant; REFUTED with the true order; or UNDECIDED.
     """
     real = {side: _real_upto(claim, path, side) for side in path.sides}
     if None in real.values() or not any(real.values()):
         return Answer(
             Verdict.UNDECIDED,
-            "what is differentiated is not shown to be real on the way to the end of the path, and "
-            "nothing is decided of formal derivatives alone",
+            "the differentiated functions could not be shown to be real "
+            "near the end of the path; a "
+            "path from one side, such as x -> 0+, may help",
         )
     path = replace(path, sides=tuple(side for side in path.sides if real[side]))
     found = [_one_side(claim, path, side) for side in path.sides]
@@ -55,14 +59,14 @@ def decide_order(claim: Comparison, path: Path) -> Answer:
             return _holds(claim, path, found)
         return Answer(
             Verdict.UNDECIDED,
-            "the two sides are not shown to be real numbers on the way to the end of the path; "
+            "the two sides could not be shown to be real near the end of the path; "
             "a path from one side, such as x -> 0+, may help",
         )
     return Answer(
         Verdict.UNDECIDED,
-        "no expansion at the end of the path settles the order; "
-        "a function that oscillates or has no expansion in powers, exponentials and "
-        "logarithms is beyond this procedure",
+        "the order could not be decided: the method expands both sides in powers, exponentials "
+        "and logarithms at the end of the path, and functions that oscillate or have no such "
+        "expansion are not supported",
     )
 
 
@@ -148,18 +152,21 @@ def _holds(claim: Comparison, path: Path, found: list[Judgement]) -> Answer:
     constant = None
     sentence = _SUCCESSES.get(claim.relation, "")
     if claim.relation == "~" and leading.true_order is None:
-        sentence = "left - right is o(right)"
+        sentence = "(left - right) is o(right)"
     if claim.relation == "O":
         if any(judgement.constant is None for judgement in found):
-            return Answer(Verdict.UNDECIDED, "the range of the expansions does not settle it")
+            return Answer(
+                Verdict.UNDECIDED,
+                "the expansions hold on different ranges, and no common constant was found",
+            )
         with ball_precision():
             constant = arb(0)
             for judgement in found:
                 constant = constant.max(judgement.constant)
             bound = constant.upper().str(6, radius=False)
-        sentence = f"|left| <= C |right| with C at most about {bound}"
+        sentence = f"|left| <= C |right| with C about {bound}"
     if leading.true_order is not None:
-        sentence += f"; the left side is about {leading.true_order}"
+        sentence += f"; the left side behaves like {leading.true_order}"
     return Answer(
         Verdict.ENCLOSED,
         sentence,
@@ -177,11 +184,10 @@ def _refutation(
     values: tuple[arb, arb],
 ) -> Answer:
     why = _FAILURES[claim.relation]
-    if judgement.true_order is not None:
-        why = f"the left side is about {judgement.true_order}"
     if judgement.ratio is not None:
-        why += f", and left/right about {judgement.ratio}"
-        why += f", which for {claim.relation} it must not be"
+        why += f": it behaves like {judgement.ratio}"
+    if judgement.true_order not in (None, judgement.ratio):
+        why += f"; the left side behaves like {judgement.true_order}"
     name, value = _witness(path, side, t)
     return refuted(why, {name: value}, *values)
 

@@ -1,10 +1,10 @@
 """Claims along a path: limits, orders, and what holds eventually.
 
-``f -> L`` is ``f - L == o(1)``, and ``f -> oo`` is ``exp(-f) == o(1)``; from two sides it claims
-both. ``f == Theta(g)`` is two O, and ``f == omega(g)`` is ``g == o(f)``. Where parameters occur, a
-claim speaks of each of their values that the conditions allow, and of the path for each of them by
-itself: it is proved by the exact limit of what is compared (approach.py), and refuted at values of
-the parameters.
+``f -> L`` means ``f - L == o(1)``, and ``f -> oo`` means ``exp(-f) == o(1)``; on a two-sided path
+both one-sided claims are made. ``f == Theta(g)`` is ``f == O(g)`` and ``g == O(f)``, and
+``f == omega(g)`` is ``g == o(f)``. A claim with parameters is made for each value that the
+conditions allow, without uniformity. It is proved by the exact limit of the ratio or difference
+(limit_values.py), and refuted at values of the parameters.
 """
 
 from __future__ import annotations
@@ -71,24 +71,30 @@ MOST_SPLIT = 2
 """Parameters of which the signs are told apart."""
 PATH_BITS = 256
 Same = Callable[[Expr, Expr], bool]
-_EXACT = "the limit is exact, by leading terms and exact coefficients"
-_OPEN = "the leading term does not settle it with the parameters that occur"
+_EXACT = "computed exactly from leading terms"
+_OPEN = (
+    "the leading term does not decide the claim for all values "
+    "of the parameters; a condition on their signs may help"
+)
 
 
 def decide_tending(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
-    """PROVED, ENCLOSED, REFUTED or UNDECIDED for a claim along the path of the statement.
+    """Decide a claim along the path of the statement.
 
     Args:
         decided: decides what is no claim along a path.
     """
     path = statement.path
     if path is None:
-        raise TypeError("a claim along a path is read with it")
+        raise TypeError("a claim along a path needs its path")
     if statement.integers:
         return _among_integers(claim, path, statement, decided)
     path = _where_defined(claim, path, statement.given)
     if not path.sides:
-        return Answer(Verdict.UNDECIDED, "near the end of the path the two sides are not real")
+        return Answer(
+            Verdict.UNDECIDED,
+            "the two sides are not real near the end of the path, so there is nothing to prove",
+        )
     statement = replace(statement, path=path)
     if _parameters(claim, path):
         return _with_parameters(claim, path, statement, decided)
@@ -98,16 +104,19 @@ def decide_tending(claim: Comparison, statement: Statement, decided: Decide) -> 
         return _theta(claim, path)
     if claim.relation == "omega":
         found = decide_order(_order(claim, claim.right, "o", claim.left), path)
-        return replace(found, why=f"of right and left: {found.why}")
+        return replace(found, why=f"with the two sides exchanged: {found.why}")
     if claim.relation in ("O", "o", "~"):
         return decide_order(claim, path)
     if claim.derivatives and where_real(Given(), claim.differentiated, claim.by)[0] != Given():
-        return Answer(Verdict.UNDECIDED, "what is differentiated is not real everywhere")
+        return Answer(
+            Verdict.UNDECIDED,
+            "the differentiated functions are not real everywhere, and this case is not supported",
+        )
     return _eventually(claim, path, statement, decided)
 
 
 def _where_defined(claim: Comparison, path: Path, given: Given) -> Path:
-    """The path without a side on which a part of the claim is shown to have no real value.
+    """Return the path without the sides on which the claim is proved not to be real.
 
     A power with a variable as exponent may have one also where its base is negative.
     """
@@ -142,23 +151,23 @@ def _limit(claim: Comparison, path: Path) -> Answer:
     if not claim.derivatives:
         found = [limit_of(f, path.name, path.point, side, Given()) for side in path.sides]
         if all(value is not None and _are_equal(value, end, Given()) for value in found):
-            return Answer(Verdict.PROVED, f"the left side tends to {end}: {_EXACT}")
+            return Answer(Verdict.PROVED, f"the left side tends to {end}, {_EXACT}")
     if not infinite:
         answer = decide_order(_order(claim, f - end, "o", ONE), path)
-        said = "left side less the limit"
+        said = "left is the left side minus the limit and right is 1"
     else:
         answer = decide_order(_order(claim, ONE, "o", f), path)
-        said = "ratio of 1 and the left side"
+        said = "left is 1 and right is the left side"
         if answer.verdict is not Verdict.REFUTED:
             toward = apply("exp", -f if end == INFINITY else f)
             answer = decide_order(_order(claim, toward, "o", ONE), path)
-            said = f"left side of {toward} == o(1)"
+            said = f"left is {toward} and right is 1"
     if answer.verdict is Verdict.ENCLOSED:
         return replace(answer, why=f"the left side tends to {end}")
     if answer.verdict is Verdict.REFUTED:
         return replace(
             answer,
-            why=f"the left side does not tend to {end}; of the {said}: {answer.why}",
+            why=f"the left side does not tend to {end}: {answer.why}, where {said}",
             values=None,
         )
     return answer
@@ -179,8 +188,8 @@ def _theta(claim: Comparison, path: Path) -> Answer:
         return above
     below = decide_order(_order(claim, claim.right, "O", claim.left), path)
     if below.verdict is not Verdict.ENCLOSED:
-        return replace(below, why=f"of right and left: {below.why}")
-    return replace(above, why=f"{above.why}; and of right and left: {below.why}")
+        return replace(below, why=f"with the two sides exchanged: {below.why}")
+    return replace(above, why=f"{above.why}; and with the two sides exchanged: {below.why}")
 
 
 def _with_parameters(
@@ -189,7 +198,11 @@ def _with_parameters(
     given = statement.given
     names = sorted({*_parameters(claim, path), *given.names})
     if given.satisfying_point(names) is None:
-        return Answer(Verdict.UNDECIDED, "no exact point satisfies the conditions")
+        return Answer(
+            Verdict.UNDECIDED,
+            "no values of the parameters were found that satisfy the "
+            "conditions; check the conditions",
+        )
     for at in (*simple_points(names, given, PARAMETERS), *_at_ends(claim, path, names, given)):
         put_in = partial(substitute, mapping={name: number(v) for name, v in at.items()})
         try:
@@ -217,7 +230,7 @@ def _with_parameters(
 
 
 def _among_integers(claim: Comparison, path: Path, statement: Statement, decided: Decide) -> Answer:
-    """The answer where the variable of the path, or parameters, are integers."""
+    """Decide a claim in which the variable of the path, or parameters, are integers."""
     if path.name in statement.integers:
         return _through_integers(claim, path, statement, decided)
     given = with_integer_bounds(statement.given, statement.integers)
@@ -271,7 +284,10 @@ def _through_integers(
     far = statement.given & Given(((side * n, ">=", ONE),))
     period = period_of(trees, name, far)
     if period is None:
-        return Answer(Verdict.UNDECIDED, "an angle or an exponent has no period in the integers")
+        return Answer(
+            Verdict.UNDECIDED,
+            "the claim could not be reduced to finitely many residue classes of the integers",
+        )
     answers = []
     for rest in range(period):
         at = {name: number(period) * n + number(rest) if period > 1 else n}
@@ -290,7 +306,9 @@ def _through_integers(
 def _at_integers(found: Answer, claim: Comparison, path: Path, period: int, rest: int) -> Answer:
     """The refutation of a residue as one at integers; UNDECIDED if it is one at a phase."""
     if any(node.op in PERIODIC for node in operations((claim.left, claim.right))):
-        return Answer(Verdict.UNDECIDED, f"open for integers; of real values, {found.why}")
+        return Answer(
+            Verdict.UNDECIDED, f"undecided for integers; it is false for real values: {found.why}"
+        )
     witness = dict(found.witness or {})
     value = witness.get(path.name, "")
     if value.lstrip("-").isdecimal():
@@ -318,21 +336,21 @@ def _at_ends(
 
 
 def compared_of(claim: Comparison) -> tuple[Expr, str]:
-    """What has a limit that decides the claim, and what it is."""
+    """Return the expression whose limit decides the claim, and a phrase for it."""
     left, right = claim.left, claim.right
     if claim.relation == LIMIT:
         return left, "left side"
     if claim.relation == "omega":
-        return right / left, "ratio of right and left"
+        return right / left, "ratio right/left"
     if claim.relation in ("O", "o", "~", "Theta"):
-        return left / right, "ratio"
-    return left - right, "difference"
+        return left / right, "ratio left/right"
+    return left - right, "difference left - right"
 
 
 def _by_exact_limit(
     claim: Comparison, path: Path, given: Given, same: Same | None = None
 ) -> Answer | None:
-    """The claim by the exact limit of a side, of their ratio, or of their difference.
+    """Prove the claim by the exact limit of a side, of the ratio, or of the difference.
 
     Args:
         same: decides whether two constants are equal; by the conditions alone unless told.
@@ -344,11 +362,11 @@ def _by_exact_limit(
     if len(values) < len(found):
         ends = ((compared, path.name, path.point, side, given) for side in path.sides)
         if relation == "O" and all(stays_bounded(*end) for end in ends):
-            return Answer(Verdict.PROVED, "the ratio is bounded by that of its waves")
+            return Answer(Verdict.PROVED, "the ratio is bounded, since its sines and cosines are")
         return None
     if not all(allows(relation, v, right, given, same) for v in values):
         return None
-    return Answer(Verdict.PROVED, f"the {what} tends to {values[0]}: {_EXACT}")
+    return Answer(Verdict.PROVED, f"the {what} tends to {values[0]}, {_EXACT}")
 
 
 def _by_signs(claim: Comparison, path: Path, given: Given) -> Answer | None:
@@ -364,12 +382,14 @@ def _by_signs(claim: Comparison, path: Path, given: Given) -> Answer | None:
         there = (part for part in given.mapped(put_in).comparisons if symbols(part[0] - part[2]))
         cases.append((claim.mapped(put_in), Given(tuple(there))))
     if all(_by_exact_limit(c, path, g) or _by_signs(c, path, g) for c, g in cases):
-        return Answer(Verdict.PROVED, f"for each sign of {name}: {_EXACT}")
+        return Answer(
+            Verdict.PROVED, f"the limit, {_EXACT}, confirms the claim for each sign of {name}"
+        )
     return None
 
 
 def allows(relation: str, value: Expr, right: Expr, given: Given, same: Same | None = None) -> bool:
-    """Whether the claim holds where what is compared has this limit."""
+    """Return whether the claim follows if the compared expression has the limit ``value``."""
     infinite = value in (INFINITY, -INFINITY)
     if relation == LIMIT:
         return _are_equal(value, right, given, same)
@@ -388,7 +408,7 @@ def allows(relation: str, value: Expr, right: Expr, given: Given, same: Same | N
 
 
 def _eventually(claim: Comparison, path: Path, statement: Statement, decided: Decide) -> Answer:
-    """An inequality on a whole neighbourhood of the end of the path."""
+    """Decide an inequality on some neighbourhood of the end of the path."""
     difference = claim.left - claim.right
     signs = [sign_towards(difference, path.name, path.point, side) for side in path.sides]
     for side, found in zip(path.sides, signs, strict=True):
@@ -398,7 +418,7 @@ def _eventually(claim: Comparison, path: Path, statement: Statement, decided: De
     if len(reaches) == len(signs):
         return Answer(
             Verdict.ENCLOSED,
-            "the sign of the difference is that of its leading term",
+            "the leading term of left - right determines its sign",
             region=region(path, min(reaches)),
         )
     exact = _by_exact_limit(claim, path, Given())
@@ -406,9 +426,9 @@ def _eventually(claim: Comparison, path: Path, statement: Statement, decided: De
 
 
 def _fails_beside(claim: Comparison, path: Path, side: int, found: int, reach: fmpq) -> Answer:
-    """A refutation: the difference has the wrong sign for all 0 < t <= reach."""
+    """Refute: the difference has the wrong sign for all 0 < t <= reach."""
     sign_of = {0: "0", 1: "positive", -1: "negative"}[found]
-    why = f"left - right is {sign_of} on all of {region(replace(path, sides=(side,)), reach)}"
+    why = f"left - right is {sign_of} for all {region(replace(path, sides=(side,)), reach)}"
     at = number(side / reach) if path.point is None else path.point + number(side * reach)
     return Answer(Verdict.REFUTED, why, witness={path.name: exact_text(at)})
 
@@ -434,7 +454,10 @@ def _from_somewhere_on(
         found = fails(claim.left - claim.right, claim.relation, path)
         if found is not None:
             return found
-    why = f"it is not shown from {FAR[-1]} on, nor to fail again and again"
+    why = (
+        "the claim could not be proved on any of a few neighbourhoods of the end of the "
+        "path, and no sequence of counterexamples was found"
+    )
     return Answer(Verdict.UNDECIDED, why)
 
 
@@ -468,8 +491,9 @@ def _periodic_failure(difference: Expr, relation: str, path: Path) -> Answer | N
                 if value.is_finite() and stands(value, NEGATED[relation]):
                     where = substitute(along, {"_u": number(at)})
                     why = (
-                        f"it has a period, and fails at {path.name} = {where} and "
-                        "wherever the same values come again on the way to the end"
+                        "the difference is periodic and the claim fails at "
+                        f"{path.name} = {where}, so it "
+                        "fails again and again towards the end of the path"
                     )
                     return Answer(Verdict.REFUTED, why, witness={path.name: exact_text(where)})
     return None
@@ -500,7 +524,10 @@ def _failure_where_waves_return(difference: Expr, relation: str, path: Path) -> 
             continue
         n = int((1 / found[1] / (6 * turns)).ceil()) + 1
         where = exact_text(side * 2 * turns * n * PI + c)
-        why = f"it fails at {name} = {where} and wherever its waves return to their values there"
+        why = (
+            f"it fails at {name} = {where} and at all later points where "
+            "the sines and cosines have the same values"
+        )
         return Answer(Verdict.REFUTED, why, witness={name: where})
     return None
 
