@@ -107,7 +107,7 @@ def test_a_chapter_alone_has_the_macros_of_its_book(tmp_path: Path) -> None:
         {
             ".git/HEAD": "",
             "book.tex": BOOK + r" \input{parts/one} \[ 1 = 2 \] \end{document}",
-            "own.sty": r"\def\half{7} \newcommand{\whole}[1]{(#1)} \let\old@x\half \def\loop{\loop}",
+            "own.sty": r"\def\half{7} \newcommand{\whole}[1]{(#1)} \def\loop{\loop}",
             "parts/one.tex": CHAPTER,
             "parts/two.tex": CHAPTER,
         },
