@@ -233,7 +233,7 @@ transverse_velocity = Claim(
     ),
     given=ordered_moments,
     proof=by(substituting(velocity_from_momentum, eq_Mi)),
-    note="The angular velocity perpendicular to the handle has the size of sin θ; it is 0 only at p₊.",
+    note="The rotation perpendicular to the handle has the size of sin θ; it is 0 only at p₊.",
 )
 
 only_about_the_handle = Claim(

@@ -104,7 +104,7 @@ def test_what_is_known_when_time_is_over(
     assert found["digits"] in (5, 50, 500)
     assert found["defect"]["mid"].startswith("0.1149441")
     assert err == (
-        "tresym: flip: still at work, for 1 s more at most; see --limit\n"
+        "tresym: flip: still computing, for 1 s more at most; see --limit\n"
         f"tresym: flip: after 1.5 s {found['digits']} of 1000 digits are known; see --limit\n"
     )
 
@@ -115,7 +115,7 @@ def test_nothing_is_written_where_nothing_is_known(
     target = tmp_path / "answer"
     extreme = ["flip", "--shape", "1e-9999", "1", "--digits", "9999", "--gamma", "1e-9999"]
     assert main([*extreme, "--limit", "0.001", "-o", str(target)]) == 1
-    assert capsys.readouterr().err.count("nothing is known") == 1
+    assert capsys.readouterr().err.count("no digits are known") == 1
     assert not target.exists()
 
 

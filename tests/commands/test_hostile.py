@@ -375,7 +375,7 @@ def test_a_line_without_an_end_is_refused_and_a_long_one_passed_over(
     assert second == ("x == x", "", None, 2)
     monkeypatch.setattr("tresym.commands.check.LONGEST_REST", 200_000)
     assert complaint_of(lambda: list(read_tasks(str(claims), "", None))) == (
-        f"{claims}: a line has no end"
+        f"{claims}: a line is too long"
     )
 
 

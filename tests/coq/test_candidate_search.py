@@ -55,7 +55,7 @@ def test_a_falsehood_is_not_accepted() -> None:
 @pytest.mark.parametrize(
     ("claim", "says"),
     [
-        ("x == x + 1", "only what is PROVED"),
+        ("x == x + 1", "only claims that are PROVED"),
         ("sin(x) == O(x) as x -> 0", "orders and limits are not exported"),
     ],
 )

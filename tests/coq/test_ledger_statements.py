@@ -74,7 +74,7 @@ def test_a_definition_says_that_there_is_what_it_defines() -> None:
 
 def test_what_is_assumed_has_no_theorem() -> None:
     claim = next(c for c in all_claims() if isinstance(c.proof, Definition) and c.proof.assumes)
-    with pytest.raises(NotExportedError, match="assumed"):
+    with pytest.raises(NotExportedError, match="assumption"):
         theorem_of(claim)
 
 

@@ -95,3 +95,43 @@ def test_a_pipe_is_refused_or_left_out(tmp_path: Path, name: str) -> None:
 def test_the_branch_that_is_taken(tmp_path: Path, text: str, found: str) -> None:
     (tmp_path / "m.tex").write_text(text)
     assert " ".join(texts(tmp_path / "m.tex")) == found
+
+
+BOOK = r"\documentclass{book} \usepackage{own,amsmath} \newcommand{\half}{\frac12} \begin{document}"
+CHAPTER = r"\[ \half x + \half x = \whole{x} \] \[ \half x = \whole{x} + 1 \]"
+
+
+def test_a_chapter_alone_has_the_macros_of_its_book(tmp_path: Path) -> None:
+    write(
+        tmp_path,
+        {
+            ".git/HEAD": "",
+            "book.tex": BOOK + r" \input{parts/one} \[ 1 = 2 \] \end{document}",
+            "own.sty": r"\def\half{7} \newcommand{\whole}[1]{(#1)} \def\loop{\loop}",
+            "parts/one.tex": CHAPTER,
+            "parts/two.tex": CHAPTER,
+        },
+    )
+    found = [r"\frac12 x + \frac12 x = (x)", r"\frac12 x = (x) + 1"]
+    assert texts(tmp_path / "parts/one.tex") == found
+    assert texts(tmp_path / "parts/two.tex") != found  # no main file inputs it
+    assert texts(tmp_path / "book.tex")[0] == found[0]
+    events = read_manuscript(tmp_path / "parts/one.tex")
+    assert [e.line for e in events if isinstance(e, Display)] == [1, 1]
+
+
+def test_macros_around_do_not_refuse_a_file(tmp_path: Path) -> None:
+    """Those that do not end, as packages have them for what they change of TeX."""
+    package = r"\let\saved\frac \def\frac{\saved@it} \def\saved@it{\frac} \newcommand{\y}{\y+\y}"
+    main = r"\documentclass{book} \usepackage{own} \begin{document} \[ \frac12 + \y = x \]"
+    write(tmp_path, {"own.sty": package, "m.tex": main + r"\end{document}"})
+    assert texts(tmp_path / "m.tex") == [r"\frac12 + \y = x"]
+
+
+def test_no_macros_from_outside_the_project(tmp_path: Path) -> None:
+    write(
+        tmp_path,
+        {"own.sty": r"\def\half{7}", "book.tex": BOOK + r"\input{notes/one}\end{document}"},
+    )
+    write(tmp_path, {"notes/one.tex": CHAPTER, "notes/own.sty": r"\def\half{8}"})
+    assert texts(tmp_path / "notes/one.tex")[0] == r"\half x + \half x = \whole{x}"

@@ -218,3 +218,45 @@ def test_the_page_shows_what_each_symbol_was_taken_for(tmp_path: Path) -> None:
     assert "Taken to be real numbers by default: x, y." in page
     assert "<td>A</td><td>a matrix</td><td>line 1: &#x27;$A$ be a matrix&#x27;</td>" in page
     assert "<td>Phi</td><td>a real number or a function</td>" in page
+
+
+MAPS = {
+    r"Let $I$ and $J$ be intervals and $f \colon I \to J$. %s": True,
+    r"Let $I,J \subset \R$ be closed intervals, $f \colon I \to J$. %s": True,
+    r"For $f \colon [a, b] \to \R$, %s": True,
+    r"Let $f \colon \{ x_k : k \geq n \} \to \R$. %s": True,
+    r"We have $f([a, b]) \subset f(\R)$. %s": True,
+    r"The domain of $f$ is a subset of the line. %s": True,
+    r"Let $f \colon \R \to \R^2$. %s": False,
+    r"Let $f \colon I \to J$. %s": False,
+    r"Let $f \colon I \to H$ on the interval $I$. %s": False,
+    r"Here $f$ is a subset of the plane. %s": False,
+    r"We have $A \subset f$. %s": False,
+}
+
+
+@pytest.mark.parametrize("words", MAPS)
+def test_maps_into_intervals_are_functions(words: str, tmp_path: Path) -> None:
+    (row,) = read(tmp_path, words % r"\[ (f(x) + 1)^2 = f(x)^2 + 2f(x) + 1 \]")
+    assert row.status == ("PROVED" if MAPS[words] else "UNREAD")
+
+
+def test_a_colon_in_a_set_is_no_map(tmp_path: Path) -> None:
+    sets = r"\[ a = \sup \{ x_k : k \ge n \} = \lim_{n \to \infty} 0 \] "
+    (*_, row) = read(tmp_path, sets + r"\[ (x_k + 1)^2 = x_k^2 + 2x_k + 1 \]")
+    assert row.status == "PROVED"
+
+
+def test_an_i_that_numbers_terms_is_not_imaginary(tmp_path: Path) -> None:
+    claim = r" \[ \sqrt{x_k^2} = |x_k| \]"
+    assert read(tmp_path, r"\[ x_i = \frac{i}{n} \]" + claim)[-1].status == "PROVED"
+    assert read(tmp_path, r"\[ x_k = 1 + i y \]" + claim)[-1].status == "UNREAD"
+
+
+def test_what_words_call_complex_holds_from_their_section_on(tmp_path: Path) -> None:
+    claim, words = r"\[ |a|^2 = a^2 \]", r"\section{B} %s The numbers $a$ are complex."
+    found = [row.status for row in read(tmp_path, claim + words % claim + r"\section{C}" + claim)]
+    assert found == ["PROVED", "UNREAD", "UNREAD"]
+    claim = claim.replace("a", "z")
+    found = [row.status for row in read(tmp_path, claim + (words % claim).replace("$a$", "$z$"))]
+    assert found == ["UNREAD", "UNREAD"]

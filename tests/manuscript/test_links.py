@@ -495,3 +495,39 @@ def test_macros_open_and_close_displays_before_environments(tmp_path: Path) -> N
     text = r"\documentclass{article}\def\be{\begin{equation}}\newcommand\ee{\end{equation}}"
     text += r"\begin{document} \be 1 + 1 = 2 \ee \begin{proof}\be 2 = 3 - 1 \ee\end{proof}"
     assert [r.status for r in read(tmp_path, text + r"\end{document}")] == ["PROVED"] * 2
+
+
+DIFFERENTIALS = {
+    r"\[ u = x^2 + 3x, \quad du = (2x + 3)\,dx \]": "PROVED",
+    r"\[ u = x^2 + 3x, \quad du = (2x + 4)\,dx \]": "UNDECIDED",
+    r"\[ u = x^2, \quad du = 2x\,dx = (x + x)\cdot dx \]": "PROVED",
+    r"\[ dv = \cos x\,dx \]": "DEFINED",
+    r"\[ du = 2x\,dx + 2y\,dy \]": "UNREAD",
+    r"\[ du = 2x + 1\,dx \]": "UNREAD",
+    r"\[ du = u / dx \]": "UNREAD",
+    r"\[ du = 2u\,du \]": "UNREAD",
+    r"\[ u = x^2, \quad du = 2x \]": "UNREAD",
+    r"The derivatives are \[ f(x) = \sin x, \quad f^{(4)}(x) = \sin x \]": "PROVED",
+    r"The derivatives are \[ f(x) = \sin x, \quad f^{(3)}(x) = \cos x \]": "REFUTED",
+    r"The iterates and the derivative: \[ f(x) = 2x, \quad f^{(2)}(x) = 4x \]": "UNREAD",
+    r"\[ f(x) = 2x, \quad f^{(2)}(x) = 4x \]": "UNREAD",
+    r"The derivative is \[ f(x) = 2x, \quad f^{(n)}(x) = 0 \]": "UNREAD",
+}
+
+
+@pytest.mark.parametrize("text", DIFFERENTIALS)
+def test_differentials_and_counted_derivatives(text: str, tmp_path: Path) -> None:
+    assert read(tmp_path, text)[-1].status == DIFFERENTIALS[text]
+
+
+def test_an_expression_alone_is_no_link(tmp_path: Path) -> None:
+    assert read(tmp_path, r"\[ \int_0^1 x\,dx \] \[ \lim_{x \to 0} \frac{\sin x}{x} \]") == []
+    (row,) = read(tmp_path, r"\[ x \frobs y \]")
+    assert row.status == "UNREAD"
+
+
+def test_dots_behind_equalities_are_no_list_of_values(tmp_path: Path) -> None:
+    text = r"\[ a = 2b + b = 3b, \quad c = 4b + b = %s b, \quad \ldots \]"
+    found = [row.status for row in read(tmp_path, text % 5)]
+    assert found == ["DEFINED", "PROVED", "DEFINED", "PROVED"]
+    assert read(tmp_path, text % 6)[-1].status == "REFUTED"

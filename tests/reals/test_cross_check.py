@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from flint import arb
 from sympy import Derivative, Eq, Equivalent, Ge, Gt, Integral, Symbol, Tuple, cos, sin
 
 import tresym
@@ -364,3 +365,13 @@ def test_where_the_points_lie() -> None:
         triangle = some("x", "y", given="x + y <= 1, x > 0, y > 0")
         assert any(p[0] + p[1] > 1 - 1e-9 for p in triangle)
         assert some("x", "y") == plane
+
+
+def test_a_power_with_a_half_integer_exponent_needs_a_positive_base() -> None:
+    power = parse("x**(n + 1/2)")
+    value = cross_check.program([power], ["n", "x"], ["n"])
+    assert value([arb(1), arb(4)]) is not None
+    assert value([arb(1), arb(-4)]) is None
+    assert value([arb(-1), arb(0)]) is None
+    assert cross_check.somewhere([power], (), ["n"])
+    assert not cross_check.somewhere([power], [(parse("x"), "<", parse("0"))], ["n"])

@@ -221,7 +221,7 @@ def test_bad_rows_stand_beside_good_ones(tmp_path: Path) -> None:
     assert found.bad == 8
     assert found.problems[0] == (3, rows[3].problem)
     wanted = {
-        3: "expected order", 4: "3 values under 6 columns", 7: "'1,5' is not a number",
+        3: "expected order", 4: "3 values for 6 columns", 7: "'1,5' is not a number",
         8: "gamma: must be between", 9: "is not a number", 10: "line: ", 11: "longer than",
         12: "beyond the limit of 10000",
     }  # fmt: skip
@@ -776,7 +776,7 @@ def test_the_command_in_this_process(tmp_path: Path, capsys: pytest.CaptureFixtu
         (["--a", "1"], "give either --csv, or --a and --b"),
         (["--csv", "x", "--a", "1"], "give either --csv"),
         (["--csv", "/nonexistent"], "no such file"),
-        (["--csv", "/dev/null"], "not a plain one"),
+        (["--csv", "/dev/null"], "not a regular file"),
         (["--a", "1", "--b", "x"], "b: 'x' is not a number"),
         (["--a", "1", "--b", "1", "--digits", "0"], "from 1 to 10000"),
         (["--a", "1", "--b", "1", "--digits", "5", "--float64"], "not allowed with"),

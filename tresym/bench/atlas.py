@@ -1,7 +1,7 @@
 """The stability atlas: digits lost by each printed formula and by its stable form.
 
-Every formula is evaluated in float64 and at 50 digits on a grid of its plane, and counted against
-a ball of the same quantity, formed from the same numbers.
+Every formula is evaluated in float64 and at 50 digits on a grid in its plane, and compared with a
+ball of the same quantity, computed from the same numbers.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ FLOAT_DIGITS = 53 * math.log10(2)
 MANY = 50
 STR = named_body("str").shape
 TRUTH = 400
-"""Digits at which the balls are formed."""
+"""The digits with which the balls are computed."""
 
 Numbers = dict[str, Any]
 """The coordinates of a point and what follows from them, in some arithmetic."""
@@ -46,13 +46,13 @@ class Plane(NamedTuple):
     x: tuple[str, float, float]
     y: tuple[str, float, float]
     point: Callable[[fmpq, fmpq], Numbers]
-    """From exact coordinates to the numbers that a formula is given there, as balls."""
+    """Converts exact coordinates to the arguments of a formula, as balls."""
 
 
 class Pair(NamedTuple):
-    """One quantity: as printed, in its stable form, and as a ball (the stable form unless given).
+    """One quantity: as printed, in its stable form, and as a ball (by default the stable form).
 
-    A pair that takes long has ``stride`` 2: every second column and row.
+    A slow pair has ``stride`` 2: only every second column and row is computed.
     """
 
     name: str
@@ -103,7 +103,7 @@ PLANES = (
 
 
 def _root_printed(p: Numbers, m: Any) -> Any:
-    """A root of the printed equation where a root finder leaves it, from near the true one."""
+    """The root of the printed equation that a root finder returns, started near the true one."""
     if m is np:
         from scipy.optimize import brentq
 
@@ -166,7 +166,7 @@ def _momentum(p: Numbers, _: Any) -> Any:
 
 
 def _turning(p: Numbers, m: Any) -> Any:
-    """γ of the trajectory that turns at ψ_min."""
+    """γ of the trajectory with the turning point ψ_min."""
     return -p["b"] * m.sin(p["psi_min"]) ** 2
 
 
@@ -199,7 +199,7 @@ def _rotating_stable(p: Numbers, m: Any) -> Any:
 
 
 def _carlson(psi: Any, z: Any, a: Any, b: Any, g: Any, m: Any) -> Any:
-    """The same in Carlson's form, by the R_F and R_J of FLINT, scipy or mpmath."""
+    """The same integral in Carlson's form, by R_F and R_J of FLINT, scipy or mpmath."""
     at = amplitude(m.sin(psi), m.cos(psi), z, a, b, g, m)
     n = b / a
     if m is balls:
@@ -273,14 +273,14 @@ def _kr(p: Numbers, m: Any) -> tuple[Any, Any]:
 
 
 def plane_of(pair: Pair) -> Plane:
-    """The plane that a pair is shown over."""
+    """Return the plane over which a pair is shown."""
     return next(plane for plane in PLANES if plane.name == pair.plane)
 
 
 def digits_lost(pair: Pair, x: fmpq, y: fmpq, digits: int, form: str) -> float:
-    """Digits that ``form`` (printed, stable) loses of float64's (``digits`` 16) or of 50.
+    """Return how many of 16 (float64) or 50 digits ``form``, printed or stable, loses.
 
-    The truth is that of the numbers as rounded: what the rounding of the input costs is not
+    The truth is computed from the rounded arguments, so the effect of rounding the input is not
     counted.
     """
     numbers, truth = _rounded(pair.name, x, y, digits)
@@ -295,7 +295,7 @@ def digits_lost(pair: Pair, x: fmpq, y: fmpq, digits: int, form: str) -> float:
 
 @lru_cache(maxsize=2)
 def _rounded(name: str, x: fmpq, y: fmpq, digits: int) -> tuple[Numbers, arb]:
-    """The numbers of a point, exactly as float64 or 50 digits hold them, and the truth there."""
+    """The arguments at a point, exactly as float64 or 50 digits represent them, and the truth."""
     pair = next(p for p in PAIRS if p.name == name)
     with ball_precision(bits(TRUTH)):
         numbers = plane_of(pair).point(x, y)
@@ -325,7 +325,7 @@ COLUMNS, ROWS = 32, 20
 
 
 def axis(low: float, high: float, count: int) -> list[fmpq]:
-    """``count`` points of equal ratio, each a decimal of four digits, exact."""
+    """Return ``count`` logarithmically spaced points, each an exact decimal of four digits."""
     step = (high - low) / (count - 1)
     return [fmpq(*_fraction(10.0 ** (low + i * step))) for i in range(count)]
 
@@ -338,7 +338,7 @@ def _fraction(x: float) -> tuple[int, int]:
 
 
 def grid(pair: Pair, digits: int, form: str) -> dict[str, Any]:
-    """Digits lost over the plane of a pair: rows from the lowest y, columns from the lowest x."""
+    """Return the digits lost over the plane of a pair: rows by y, columns by x, both increasing."""
     plane = plane_of(pair)
     xs, ys = (
         axis(low, high, count // pair.stride)
@@ -349,7 +349,7 @@ def grid(pair: Pair, digits: int, form: str) -> dict[str, Any]:
 
 
 def grids(_: Any) -> Iterator[tuple[str, dict[str, Any]]]:
-    """The planes, and each pair over its own; nothing is timed."""
+    """Yield the planes, and each pair over its plane; nothing is timed."""
     for plane in PLANES:
         yield "planes", {"plane": plane.name, "x": list(plane.x), "y": list(plane.y)}
     for pair, digits, form in product(PAIRS, (16, 50), ("printed", "stable")):

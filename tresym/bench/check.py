@@ -1,11 +1,10 @@
-"""Benchmark of `check`: antiderivatives, false variants of them, and random identities.
+"""Benchmark of ``tresym check``: antiderivatives, false variants of them, and random identities.
 
-The pairs of antiderivatives.txt are claims ``diff(F, x) == f`` with parameters of which nothing is
-assumed. A mutant is a pair with a change in its integrand that is seen to make it false. SymPy is
-asked what a reader would type: does ``simplify(diff(F, x) - f)`` come to 0, does
-``diff(F, x).equals(f)``? The random identities are those of rewriting.py, decided as a file of
-claims is, each within a limit. The inequalities and orders are lists of true claims and of false
-ones close to them.
+The pairs of antiderivatives.txt are claims ``diff(F, x) == f`` with parameters without assumptions.
+A mutant is a pair whose integrand was changed so that the claim is numerically false. SymPy is
+asked as a user would: whether ``simplify(diff(F, x) - f)`` is 0, and ``diff(F, x).equals(f)``. The
+random identities are those of rewriting.py, decided like a file of claims, each within a time
+limit. The inequalities and orders are lists of true claims and of false ones close to them.
 """
 
 from __future__ import annotations
@@ -42,7 +41,7 @@ from tresym.reals.verdict import Verdict
 OURS = "tresym check"
 PACE = Pace(rounds=3, limit=20.0, patience=0.5)
 EVERY = 16
-"""One pair in so many is put to SymPy."""
+"""SymPy gets every pair whose number is a multiple of this."""
 TRIALS = 10_000
 CHUNK = 500
 CHANGES = 20
@@ -50,7 +49,7 @@ LIMIT = 10.0
 
 
 def contenders(_: Any) -> Iterator[Contender]:
-    """One pair in ``EVERY``: ours as asked in public, the claim as read, and SymPy."""
+    """Yield one pair in ``EVERY``: tresym through its public function and internally, and SymPy."""
     for pair in pairs()[::EVERY]:
         left, right = (sympy.sympify(side, locals=_names(side)) for side in pair)
         works: dict[str, Callable[[], Any]] = {
@@ -65,7 +64,7 @@ def contenders(_: Any) -> Iterator[Contender]:
 
 
 def notes(timings: list[Timing], _: Any) -> dict[str, Any]:
-    """The verdicts on all pairs, their mutants, the lists and the random identities."""
+    """Return the verdicts on all pairs, mutants, lists and random identities."""
     everything = pairs()
     found: dict[str, Any] = {
         "pairs": decided([pair.claim for pair in everything]),
@@ -87,7 +86,7 @@ WORKLOAD = Workload(contenders, PACE, OURS, notes=notes)
 
 
 def decided(claims: list[str]) -> dict[str, Any]:
-    """How often each verdict, and the processor time it took."""
+    """Return how often each verdict occurred, and the processor time."""
     check(claims[0])  # what is done once in a process is not counted
     verdicts: Counter[str] = Counter()
     seconds = []
@@ -106,7 +105,7 @@ def decided(claims: list[str]) -> dict[str, Any]:
 
 
 def mutants(everything: list[Pair]) -> dict[str, Any]:
-    """The verdicts on one mutant of each pair that mpmath sees to be false at some point."""
+    """Return the verdicts on one mutant of each pair that is false at some point, by mpmath."""
     verdicts: Counter[str] = Counter()
     for number, pair in enumerate(everything):
         mutant = _false_mutant(pair, Random(number))
@@ -117,7 +116,7 @@ def mutants(everything: list[Pair]) -> dict[str, Any]:
 
 
 def _false_mutant(pair: Pair, random: Random) -> Expr | None:
-    """The integrand with a change that makes it differ; None where no point was found for it."""
+    """A changed integrand that differs from the original at some point, or None."""
     function, right = parse(pair.antiderivative), parse(pair.integrand)
     left = differentiate(function, "x")
     names = sorted(symbols(function) | symbols(right) | {"x"})
@@ -148,7 +147,7 @@ def _equals(left: Any, right: Any) -> Any:
 
 
 def _names(text: str) -> dict[str, Any]:
-    """The variables as SymPy symbols, also where SymPy has another use for the letter."""
+    """The variables as SymPy symbols, even if SymPy uses the letter otherwise."""
     return {name: sympy.Symbol(name) for name in symbols(parse(text))}
 
 
@@ -161,7 +160,7 @@ def _judge(method: str, answer: Any) -> Judged:
 
 
 def trial(make: Callable[[Random], tuple[Expr, Expr]], count: int) -> dict[str, int]:
-    """The verdicts on ``count`` random identities, the first of the generators 0, 1, 2, …"""
+    """Return the verdicts on ``count`` random identities, from the generators 0, 1, 2, …"""
     verdicts: Counter[str] = Counter()
     for first in range(0, count, CHUNK):
         last = min(first + CHUNK, count)

@@ -43,7 +43,7 @@ if __name__ == "__main__":
 
 @contextmanager
 def own_cluster(workers: int) -> Iterator[str]:
-    """The address of a scheduler with so many worker processes of one thread each."""
+    """Start a scheduler with ``workers`` worker processes of one thread each; yield its address."""
     process = subprocess.Popen(
         [sys.executable, "-c", CLUSTER, str(workers)],
         stdin=subprocess.PIPE,
@@ -65,26 +65,26 @@ def own_cluster(workers: int) -> Iterator[str]:
 
 
 def environment() -> dict[str, str]:
-    """That of processes which import this tresym."""
+    """Return the environment of processes that import this tresym."""
     return {**os.environ, **QUIET, "PYTHONPATH": str(Path(tresym.__file__).parent.parent)}
 
 
 class Landing(Executor):
-    """Knows the answers that a worker would send: what it leaves to do is to land them."""
+    """An executor with precomputed results, to measure only the storing of batches."""
 
     def __init__(self, grid: Grid, digits: int | None) -> None:
         self.grid, self.digits = grid, digits
         self.answers: dict[bytes, bytes] = {}
 
     def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
-        """The rows of the part that is asked for."""
+        """Return the rows of the part."""
         future: Future[Any] = Future()
         future.set_result(self.answers[args[0]])
         return future
 
     @contextmanager
     def opened(self) -> Iterator[Workers]:
-        """The answers are computed when it is opened first, which is not timed."""
+        """Compute the results at the first opening, which is not timed."""
         if not self.answers:
             size = batch_size(self.grid.total, self.digits)
             for _, part in self.grid.parts(size, ()):
@@ -94,10 +94,10 @@ class Landing(Executor):
 
 
 def added_by_dask(sweeps: list[tuple[str, Grid, int | None]], rounds: int) -> list[dict[str, Any]]:
-    """What Dask adds to the processor time of each sweep (a name, a grid, digits).
+    """Measure the processor time that Dask adds to each sweep (a name, a grid, digits).
 
-    Everything is on one core: on two that share a unit each would be counted slower for the other's
-    sake, which is not Dask's.
+    Everything runs on one core: two cores that share a unit would slow each other down, which is
+    not due to Dask.
     """
     with _one_core(), own_cluster(1) as address:
         return [_added(*asked, address, rounds) for asked in sweeps]
@@ -105,7 +105,7 @@ def added_by_dask(sweeps: list[tuple[str, Grid, int | None]], rounds: int) -> li
 
 @contextmanager
 def _one_core() -> Iterator[None]:
-    """Inside the block this process and those it starts have one core, where that can be asked."""
+    """Restrict this process and those it starts to one core, if the system allows it."""
     if not hasattr(os, "sched_setaffinity"):
         yield
         return
@@ -118,10 +118,10 @@ def _one_core() -> Iterator[None]:
 
 
 def _added(name: str, grid: Grid, digits: int | None, address: str, rounds: int) -> dict[str, Any]:
-    """All processor time beyond what the same batches take to compute and to land.
+    """The processor time beyond what the same batches take to be computed and stored.
 
-    The batches are clocked inside the workers: the speed of a machine changes too much from one run
-    to the next for a difference of runs.
+    The batches are timed inside the workers, since the speed of a machine varies too much between
+    two runs for their difference to be meaningful.
     """
     from distributed import Client
 
@@ -162,13 +162,13 @@ def _clocked_cluster(address: str) -> Iterator[Workers]:
 
 
 class _Clocked(Executor):
-    """Another executor whose workers remember the time that calls take."""
+    """A wrapped executor whose workers record the time of the calls."""
 
     def __init__(self, inner: Executor) -> None:
         self.inner = inner
 
     def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
-        """Call ``fn`` under the worker's clock."""
+        """Call ``fn`` and record its time in the worker."""
         return self.inner.submit(_clocked, fn, *args, **kwargs)
 
 
@@ -176,12 +176,12 @@ _inside = 0.0
 
 
 def batches_took() -> float:
-    """Processor seconds that this process has spent in batches."""
+    """Return the processor seconds that this process has spent in batches."""
     return _inside
 
 
 def _clocked(fn: Callable[..., Any], *args: Any) -> Any:
-    """In a worker: call ``fn``, and remember the time it took."""
+    """Call ``fn`` in a worker and record its time."""
     global _inside
     start = time.process_time()
     try:

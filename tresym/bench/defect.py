@@ -1,7 +1,7 @@
 """Benchmark of ε(γ) to 50 digits: certified balls against ``findroot`` on the paper's integral.
 
-The peers start from the paper's formulas. Where the trajectory has turned F(ε, γ) = π has no root,
-and they say so in their ways.
+The other methods start from the paper's formulas. If the trajectory has passed a turning point,
+F(ε, γ) = π has no root, and they fail.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ OURS = "tresym, certified"
 
 
 def contenders(_: Any) -> Iterator[Contender]:
-    """Ours as solved and as asked for in public, and mpmath's."""
+    """Yield the internal and the public function of tresym, and the methods by mpmath."""
     for text in SCENES:
         gamma = parse_number(text)
         truth = defect.solve(*SHAPE, gamma, 2 * DIGITS).defect

@@ -1,7 +1,7 @@
 """Benchmark of the flip map in float64: many starts at once against ODE solvers.
 
-Every answer is counted against a ball, at the worst of a sample of starts. Two bodies: the standard
-racket, and one with √(ab) = 3, near whose unstable points errors grow by e^{6π}.
+Digits are counted against a ball, at the worst of a sample of starts. There are two bodies: the
+standard racket, and one with √(ab) = 3, near whose unstable points errors grow by e^{6π}.
 """
 
 from __future__ import annotations
@@ -29,10 +29,10 @@ from tresym.racket.motion.trajectory import Start, travel
 BODIES = {"standard racket": named_body("str").shape, "√(ab) = 3": Shape(fmpq(18), fmpq(1, 2))}
 STARTS = 400_000
 LOOP = 20
-"""Starts that are solved one by one."""
+"""The number of starts that are solved one by one."""
 SAMPLE = 20
 WANTED = 11
-"""Digits after the point that an answer must have at the worst."""
+"""Digits after the point that every result must have."""
 
 OURS = "tresym.flip_map, numpy"
 Floats = flipmap.Floats
@@ -45,7 +45,7 @@ def _all_starts() -> tuple[Floats, Floats]:
 
 
 def starts(count: int) -> tuple[Floats, Floats]:
-    """The first ``count`` starts (ψ₀, dψ/dφ)."""
+    """Return the first ``count`` starts (ψ₀, dψ/dφ)."""
     psi, rate = _all_starts()
     return psi[:count], rate[:count]
 
@@ -54,7 +54,7 @@ Method = Callable[[float, float, Floats, Floats], Any]
 
 
 def contenders(_: Any) -> Iterator[Contender]:
-    """Seconds for one start; digits after the point, at the worst."""
+    """Yield the methods: seconds per start, and digits after the point at the worst start."""
     for name, shape in BODIES.items():
         a, b, _ = peers.floats(shape, fmpq(0))
         truths = [ball_flip(a, b, *start) for start in zip(*starts(SAMPLE), strict=True)]
@@ -90,12 +90,12 @@ def _on_the_wall(work: Callable[[], Any], pieces: int) -> float:
 
 
 def optional() -> dict[str, tuple[Method, int]]:
-    """The same map as it runs from ``LARGE`` starts on where numba is installed."""
+    """Return the map as it runs for ``LARGE`` starts and more if numba is installed."""
     return {"tresym.flip_map, numba": (flipmap.flip_map, STARTS)} if find_spec("numba") else {}
 
 
 def judged(truths: list[arb], values: Any) -> Judged:
-    """Digits after the point at the worst start of the sample."""
+    """Assess the digits after the point at the worst start of the sample."""
     errors = [
         abs(float((truth - (as_ball(float(v)) or 0)).mid()))
         for truth, v in zip(truths, values, strict=False)
@@ -108,13 +108,13 @@ def judged(truths: list[arb], values: Any) -> Judged:
 
 
 def ball_flip(a: float, b: float, psi: float, rate: float) -> arb:
-    """Δψ of a start over one turn of the handle, certified."""
+    """Return the certified Δψ of a start over one turn of the handle."""
     p, q, x, v, turns = (fmpq(*float(y).as_integer_ratio()) for y in (a, b, psi, rate, math.tau))
     return travel(Shape(p, q), Start(Angle(fmpq(0), x), v), Angle(fmpq(0), turns), 20).turn
 
 
 def certified(a: float, b: float, psi: Floats, rate: Floats) -> list[float]:
-    """``tresym.flip_angle``, start by start."""
+    """Return Δψ by ``tresym.flip_angle``, start by start."""
     p, q = (fmpq(*x.as_integer_ratio()) for x in (a, b))
     pairs = zip(psi.tolist(), rate.tolist(), strict=True)
     exact = ((fmpq(*x.as_integer_ratio()), fmpq(*v.as_integer_ratio())) for x, v in pairs)
@@ -122,28 +122,28 @@ def certified(a: float, b: float, psi: Floats, rate: Floats) -> list[float]:
 
 
 def handle(a: float, b: float, psi: Any, rate: Any) -> Any:
-    """cos θ of a start."""
+    """Return cos θ of a start."""
     square = np.sin(psi) ** 2
     return rate * (1 - b * square) / (a + b * square)
 
 
 def one_by_one(path: peers.Path, a: float, b: float, psi: Floats, rate: Floats) -> list[float]:
-    """A solver of the planar system, start by start."""
+    """Return Δψ by a solver of the planar system, start by start."""
     pairs = zip(psi.tolist(), handle(a, b, psi, rate).tolist(), strict=True)
     return [path(a, b, [x, z], math.tau) - x for x, z in pairs]
 
 
 def by_scipy(method: str, tolerance: float) -> Method:
-    """scipy's ``solve_ivp``."""
+    """Return a method by scipy's ``solve_ivp``."""
     return partial(one_by_one, partial(peers.scipy_path, method, (tolerance, tolerance / 100)))
 
 
 by_heyoka: Method = partial(one_by_one, partial(peers.heyoka_path, 16))
-"""heyoka's Taylor integrator at its finest tolerance."""
+"""heyoka's Taylor integrator at its smallest tolerance."""
 
 
 def by_heyoka_batch(a: float, b: float, psi: Floats, rate: Floats) -> Floats:
-    """heyoka's batch integrator: as many starts at a time as the processor's vectors hold."""
+    """Return Δψ by heyoka's batch integrator, which uses the processor's vector instructions."""
     size, solver = _batch()
     tilt, found = handle(a, b, psi, rate), np.empty_like(psi)
     solver.pars[0, :], solver.pars[1, :] = a, b

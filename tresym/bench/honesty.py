@@ -1,8 +1,8 @@
 """Benchmark of error estimates: the error that a method claims against its true error.
 
-Claimed are: ``quad``'s estimate; for root finders and ODE solvers the tolerance they were asked
-for, as they return without complaint only when they think to have met it; for our balls the
-radius; for our float64 map the error that it says to expect.
+The claimed error is the estimate of ``quad``; the tolerance given to root finders and ODE solvers,
+which return without a warning only if they consider it met; the radius of a ball; and the estimate
+of our float64 map.
 """
 
 from __future__ import annotations
@@ -40,13 +40,13 @@ STR = named_body("str").shape
 GAMMAS = ("1e-2", "1e-4", "1e-6", "1e-8", "1e-10", "1e-12", "1e-14", "1e-20", "1e-30", "0")
 LIMIT = 3.0
 MOST = 60.0
-"""Digits beyond which nothing is told apart."""
+"""Larger numbers of digits are not distinguished."""
 
 MeasuredPoint = dict[str, Any]
 
 
 def points(_: Any) -> Iterator[tuple[str, MeasuredPoint]]:
-    """The dots of the chart; nothing is timed."""
+    """Yield the points of the chart; nothing is timed."""
     for group in (_balls, _quadratures, _roots, _solvers, _float_map):
         yield from (("points", found) for found in group())
 
@@ -55,20 +55,20 @@ WORKLOAD = Workload(tables=points)
 
 
 def point(method: str, where: str, claims: float, digits: float) -> MeasuredPoint:
-    """One dot of the chart."""
+    """Return one point of the chart."""
     claimed, true = (round(max(0.0, min(MOST, x)), 2) for x in (claims, digits))
     return {"method": method, "where": where, "claims": claimed, "digits": true}
 
 
 def _asked(work: Callable[[], Any]) -> Any:
-    """The answer of a method; None where it says itself that it failed, or took too long."""
+    """The result of a method, or None if it reports failure or takes too long."""
     with suppress(Exception, TimeUp), time_limit(LIMIT):
         return work()
     return None
 
 
 def _balls() -> Iterator[MeasuredPoint]:
-    """Our balls: the radius against the distance of the midpoint."""
+    """Balls of tresym: the radius against the distance of the midpoint from the truth."""
     cases = [*product(SHAPES, ["0"]), *product((STR, named_body("book").shape), GAMMAS)]
     for (shape, text), digits in product(cases, (10, 40)):
         gamma = parse_number(text)
@@ -79,14 +79,14 @@ def _balls() -> Iterator[MeasuredPoint]:
 
 
 def defect_truth(shape: Shape, gamma: fmpq) -> arb:
-    """ε(γ) to 80 digits."""
+    """Return ε(γ) to 80 digits."""
     if gamma == 0:
         return separatrix.solve(*shape, 80).defect
     return defect.solve(*shape, gamma, 80).defect
 
 
 def _quadratures() -> Iterator[MeasuredPoint]:
-    """``quad`` of the paper's integrand from ε = 1/10, and from the turning point for γ < 0."""
+    """``quad`` of the paper's integrand from ε = 1/10, and from the turning point if γ < 0."""
     for text in (*GAMMAS, "-1/1000", "-1/100"):
         gamma = parse_number(text)
         truth = flint_turn(gamma, 80)
@@ -115,7 +115,7 @@ def _scipy_quad(gamma: fmpq) -> tuple[float, float]:
 
 
 def _roots() -> Iterator[MeasuredPoint]:
-    """``findroot`` and ``brentq``: digits asked for, where they return without complaint."""
+    """``findroot`` and ``brentq``: the digits asked for, if they return without a warning."""
     printed = "printed equation"
     finest = -math.log10(peers.FINEST["rtol"])
     asked: list[tuple[str, peers.Method, Shape, str, int, float]] = [
@@ -156,7 +156,7 @@ def _solvers() -> Iterator[MeasuredPoint]:
 
 
 def _float_map() -> Iterator[MeasuredPoint]:
-    """Our float64 map: the error it says to expect."""
+    """The float64 map of tresym: its own error estimate."""
     for shape in starts.BODIES.values():
         a, b, _ = peers.floats(shape, fmpq(0))
         psi, rate = starts.starts(40)

@@ -1,10 +1,10 @@
 """Benchmark of identities: steps of the ledger's proofs and false variants, against SymPy.
 
-An identity is two consecutive expressions of a chain with all definitions put in. The peers are
-what a reader would type: does ``simplify(x - y)`` come to 0, is ``x.equals(y)``, does
-``trigsimp(x - y)``? Symbols that the conditions make positive are declared so to SymPy, without
-which it does worse. A false variant is one that balls show violated; of ``simplify`` and
-``trigsimp`` no more is asked there than not to come to 0.
+An identity consists of two consecutive expressions of a proof with all definitions substituted.
+SymPy is asked as a user would: whether ``simplify(x - y)`` or ``trigsimp(x - y)`` is 0, and whether
+``x.equals(y)``. Symbols that are positive by the conditions are declared so to SymPy, which helps
+it. A false variant is one that balls prove false; there ``simplify`` and ``trigsimp`` count as
+right if the result is not 0.
 """
 
 from __future__ import annotations
@@ -33,9 +33,9 @@ OURS = "tresym, exact normal form"
 PUBLIC = "tresym check, from text"
 OPEN = (sympy.Integral, sympy.Derivative, sympy.Subs, sympy.MatrixBase)
 EVERY = 2
-"""SymPy is asked one identity in so many, as it takes its time."""
+"""SymPy, which is slow, gets every identity whose number is a multiple of this."""
 VARIANTS = 12
-"""Changes that are tried on an identity until one is shown false."""
+"""Changes that are tried on an identity until one is proved false."""
 
 
 class Identity(NamedTuple):
@@ -52,14 +52,14 @@ PACE = Pace(rounds=3, limit=1.0, patience=0.05)
 
 
 def contenders(_: Any) -> Iterator[Contender]:
-    """All of them by ours, one in ``EVERY`` by SymPy as well."""
+    """Yield all identities for tresym, and one in ``EVERY`` for SymPy."""
     for n, pair in enumerate(pairs()):
         for identity in pair:
             yield from islice(_contenders(identity), None if n % EVERY == 0 else 2)
 
 
 def notes(timings: list[Timing], _: Any) -> dict[str, Any]:
-    """Outcomes and ratios by method, for true identities and false ones."""
+    """Return outcomes and ratios by method, for true and for false identities."""
 
     def named(who: Contender) -> str:
         return f"{who.method}, {'false' if who.scene.endswith('made false') else 'true'} ones"
@@ -71,7 +71,7 @@ WORKLOAD = Workload(contenders, PACE, OURS, notes=notes)
 
 
 def pairs() -> Iterator[list[Identity]]:
-    """Each identity of the ledger with a false variant of it, where one is found."""
+    """Yield each identity of the ledger with a false variant of it, if one is found."""
     seen = set()
     for claim in all_claims():
         steps = [pair for proof in _chains(claim) for pair in pairwise(_expressions(*proof))]
@@ -86,7 +86,7 @@ def pairs() -> Iterator[list[Identity]]:
 
 
 def _chains(claim: Claim) -> Iterator[tuple[Any, Chain]]:
-    """The chains of a claim between numbers, with what each shows."""
+    """The chains of a claim between numbers, each with its statement."""
     proof: Any = claim.proof
     pairs: Any = chains_of(claim.says, proof) if isinstance(proof, tuple | Together) else None
     for says, chain in pairs or ():
@@ -95,7 +95,7 @@ def _chains(claim: Claim) -> Iterator[tuple[Any, Chain]]:
 
 
 def _expressions(says: Any, chain: Chain) -> list[Any]:
-    """The expressions of a chain, with the definitions that it uses put in."""
+    """The expressions of a chain, with the definitions that it uses substituted."""
     used = [claim for link in chain for reason in link.reasons for claim in reason.claims]
     rules = rules_of(used)
     links = [says.rhs if link.expression is None else link.expression for link in chain]
@@ -103,7 +103,7 @@ def _expressions(says: Any, chain: Chain) -> list[Any]:
 
 
 def _variant(name: str, left: Any, right: Any, given: Any) -> Iterator[Identity]:
-    """The first change of the right side that balls show to be false."""
+    """The first change of the right side that balls prove false."""
     for changed in islice(mutations(right, paper.alike()), VARIANTS):
         if not changed.has(*OPEN) and _verdict(left, changed, given) is Verdict.REFUTED:
             yield Identity(f"{name}, made false", left, changed, given, False)
@@ -135,7 +135,7 @@ def _contenders(identity: Identity) -> Iterator[Contender]:
 
 
 def _declared(identity: Identity) -> tuple[Any, Any]:
-    """Both sides with the symbols declared positive that the conditions make so."""
+    """Both sides, with the symbols declared positive that are so by the conditions."""
     symbols = identity.left.free_symbols | identity.right.free_symbols
     positive = {
         s: sympy.Symbol(s.name, positive=True)

@@ -1,7 +1,7 @@
 """Benchmark of ε₀ for a million shapes in float64: arrays against vectorised root finders.
 
-Shapes are log-uniform, 0.05 ≤ a ≤ 50 and 0.005 ≤ b ≤ 1. A scipy route is right when it has 12
-digits on each of a sample of shapes; the paper's equation loses them where ab is large.
+Shapes are log-uniform, 0.05 ≤ a ≤ 50 and 0.005 ≤ b ≤ 1. A method is right if it has 12 digits on
+each of a sample of shapes; the paper's equation loses them where ab is large.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from tresym.racket.formulas import printed, stable
 
 SHAPES = 1_000_000
 LOOP = 2_000
-"""Shapes of a loop in Python, which costs the same each time."""
+"""The number of shapes in a Python loop, whose time per shape is constant."""
 SAMPLE = 200
 WANTED = 12
 
@@ -32,7 +32,7 @@ OURS = "tresym, numpy arrays"
 
 
 def shapes(count: int) -> tuple[Floats, Floats]:
-    """The first ``count`` shapes."""
+    """Return the first ``count`` shapes."""
     rng = np.random.default_rng(1)
     a = 0.05 * 1000.0 ** rng.random(SHAPES)
     b = 0.005 * 200.0 ** rng.random(SHAPES)
@@ -40,7 +40,7 @@ def shapes(count: int) -> tuple[Floats, Floats]:
 
 
 def find_root(residual: Callable[..., Any], a: Floats, b: Floats) -> Floats:
-    """scipy's ``elementwise.find_root`` (Chandrupatla's method)."""
+    """Return ε₀ by scipy's ``elementwise.find_root`` (Chandrupatla's method)."""
     from scipy.optimize import elementwise
 
     ends = np.full_like(a, 1e-18), np.full_like(a, np.pi / 2)
@@ -48,12 +48,12 @@ def find_root(residual: Callable[..., Any], a: Floats, b: Floats) -> Floats:
 
 
 def fixed_point(defect: Floats, a: Floats, b: Floats) -> Any:
-    """tan ε₀ = √(a/(a+b))/sinh T as a residual, from which nothing cancels."""
+    """Return the residual of tan ε₀ = √(a/(a+b))/sinh T, which does not cancel."""
     return np.log(defect / stable.separatrix_map(defect, a, b, np))
 
 
 def newton_printed(a: Floats, b: Floats) -> Floats:
-    """scipy's ``newton`` (secant) over arrays on the printed equation, from the paper's formula."""
+    """Return ε₀ by scipy's ``newton`` (secant) on the printed equation, from the asymptotic one."""
     from scipy.optimize import newton
 
     start = printed.asymptotic_defect(a, b, np)
@@ -63,7 +63,7 @@ def newton_printed(a: Floats, b: Floats) -> Floats:
 
 
 def newton_phase(a: Floats, b: Floats) -> Floats:
-    """scipy's ``newton`` with the derivative over arrays on our phase equation."""
+    """Return ε₀ by scipy's ``newton`` with the derivative on the phase equation."""
     from scipy.optimize import newton
 
     k, r = np.sqrt(a * b), np.sqrt(b / a)
@@ -77,18 +77,18 @@ def newton_phase(a: Floats, b: Floats) -> Floats:
 
 
 def exact(a: Floats, b: Floats) -> list[Shape]:
-    """The shapes as fractions."""
+    """Return the shapes as fractions."""
     pairs = zip(a.tolist(), b.tolist(), strict=True)
     return [Shape(*(fmpq(*x.as_integer_ratio()) for x in pair)) for pair in pairs]
 
 
 def in_balls(a: Floats, b: Floats) -> Floats:
-    """``tresym.flip_defects``, 15 digits certified."""
+    """Return ε₀ by ``tresym.flip_defects``, 15 digits certified."""
     return np.array([float(flip.defect) for flip in flip_defects(exact(a, b), digits=15)])
 
 
 def brentq_loop(a: Floats, b: Floats) -> Floats:
-    """scipy's ``brentq`` on the printed equation, shape by shape."""
+    """Return ε₀ by scipy's ``brentq`` on the printed equation, shape by shape."""
     return np.array([peers.brentq_printed(shape, fmpq(0), 15) for shape in exact(a, b)])
 
 
@@ -107,7 +107,7 @@ METHODS: dict[str, tuple[Callable[[Floats, Floats], Floats], int]] = {
 
 
 def contenders(_: Any) -> Iterator[Contender]:
-    """Seconds for one shape; digits at the worst of the sample."""
+    """Yield the methods: seconds per shape, and digits at the worst of the sample."""
     for name, (method, count) in METHODS.items():
         work = {name: partial(_run, method, count)}
         yield from row("ε₀ of a shape", work, compare, asked=WANTED, pieces=count)
@@ -122,7 +122,7 @@ def _run(method: Callable[[Floats, Floats], Floats], count: int) -> Floats:
 
 
 def compare(found: Floats) -> Judged:
-    """The worst and the typical digits on the sample."""
+    """Assess the worst and the typical digits on the sample."""
     pairs = zip(found.tolist(), exact(*shapes(SAMPLE)), strict=False)
     digits = [true_digits(v, separatrix.solve(*s, 25).defect) for v, s in pairs]
     bad = sum(d < WANTED for d in digits)

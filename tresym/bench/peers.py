@@ -1,7 +1,7 @@
-"""Competing methods for ε(γ): what a reader would use today, from the paper's own formulas.
+"""Competing methods for ε(γ): what a reader of the paper would use today.
 
-A method takes a shape, an exact γ and what it is asked for (decimal digits, or −log₁₀ of a solver's
-tolerance), and returns a number of its own arithmetic. mpmath starts where the paper's formulas do.
+A method takes a shape, an exact γ and the accuracy (decimal digits, or −log₁₀ of a solver's
+tolerance), and returns a number of its own arithmetic. mpmath starts from the paper's formulas.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from tresym.reals.numbers.arithmetic import mp_precision, to_mp
 from tresym.reals.numbers.exact import fraction_text
 
 FINEST = {"xtol": 1e-300, "rtol": 8.9e-16}
-"""The least tolerances that brentq takes."""
+"""The smallest tolerances that brentq accepts."""
 
 Method = Callable[[Shape, fmpq, int], Any]
 Path = Callable[[float, float, list[float], float], float]
@@ -29,7 +29,7 @@ Path = Callable[[float, float, list[float], float], float]
 
 
 def from_text(body: str, gamma: str, digits: int) -> arb:
-    """ε(γ) as a user asks for it: a and b are read from text, and a value comes back."""
+    """Return ε(γ) as a user asks for it: a and b are parsed from text."""
     a, b = _texts(body)
     return flip_defect(a, b, gamma, digits).defect
 
@@ -40,7 +40,7 @@ def _texts(body: str) -> list[str]:
 
 
 def start(a: Any, b: Any, gamma: Any, m: Any) -> Any:
-    """The paper's two asymptotic formulas; where they leave (ψ_min, π/2), a point inside."""
+    """Return the paper's asymptotic value of ε(γ), or a point of (ψ_min, π/2) if it is outside."""
     near = printed.linear_defect(printed.asymptotic_defect(a, b, m), b, gamma)
     least = m.asin(m.sqrt(-gamma / b)) if gamma < 0 else 0
     if least < near < m.pi / 2:
@@ -59,7 +59,7 @@ def _findroot(residual: Callable[..., Any], says: str) -> Method:
 
 
 def findroot_phase(shape: Shape, _: fmpq, digits: int) -> Any:
-    """Newton's method in mpmath on our phase equation (γ = 0), from its float64 root."""
+    """Return ε₀ by Newton's method in mpmath on the phase equation, from its float64 root."""
     from tresym.racket.flip.separatrix import float_phase
 
     with mp_precision(digits + 5) as mp:
@@ -74,7 +74,7 @@ def findroot_phase(shape: Shape, _: fmpq, digits: int) -> Any:
 
 
 def carlson_turn(e: Any, a: Any, b: Any, gamma: Any, m: Any, rf: Any, rj: Any) -> Any:
-    """F(ε, γ) through R_F and R_J of a library, γ + b sin²ε formed by addition."""
+    """Return F(ε, γ) by R_F and R_J of a library, with γ + b sin²ε computed by addition."""
     sine2, cosine = m.sin(e) ** 2, m.cos(e)
     x, y, w = sine2, (a + b * sine2) / (a + b), (gamma + b * sine2) / (gamma + b)
     both = (1 - b) * rf(x, y, w) + b / 3 * cosine**2 * rj(x, y, w, 1)
@@ -96,7 +96,7 @@ findroot_carlson = _findroot(
 
 
 def odefun(shape: Shape, gamma: fmpq, digits: int) -> Any:
-    """mpmath's Taylor solver ``odefun`` on the planar system, from ψ = π/2 over half a turn."""
+    """Return ε(γ) by mpmath's Taylor solver ``odefun``, from ψ = π/2 over half a turn."""
     with mp_precision(digits) as mp:
         a, b, g = (to_mp(x, mp) for x in (*shape, gamma))
 
@@ -108,14 +108,14 @@ def odefun(shape: Shape, gamma: fmpq, digits: int) -> Any:
 
 
 def slopes(y: Any, a: Any, b: Any, m: Any) -> list[Any]:
-    """dψ/dφ and d(cos θ)/dφ of the planar system."""
+    """Return dψ/dφ and d(cos θ)/dφ of the planar system."""
     sine, cosine = m.sin(y[0]), m.cos(y[0])
     clock = 1 - b * sine * sine
     return [(a + b * sine * sine) * y[1] / clock, b * (1 - y[1] * y[1]) * sine * cosine / clock]
 
 
 def floats(shape: Shape, gamma: fmpq) -> tuple[float, float, float]:
-    """a, b and γ rounded to float64."""
+    """Return a, b and γ rounded to float64."""
     a, b, g = (int(x.p) / int(x.q) for x in (*shape, gamma))
     return a, b, g
 
@@ -159,7 +159,7 @@ brentq_carlson = _brentq(_carlson_residual, "scipy's ``brentq`` over its R_F and
 def scipy_path(
     method: str, tolerances: tuple[float, float], a: float, b: float, begin: list[float], end: float
 ) -> float:
-    """ψ at the angle ``end`` of the handle, by scipy's ``solve_ivp`` with rtol and atol."""
+    """Return ψ at the angle ``end`` of the handle, by scipy's ``solve_ivp`` with rtol and atol."""
     from scipy.integrate import solve_ivp
 
     rtol, atol = tolerances
@@ -169,13 +169,13 @@ def scipy_path(
 
 
 def _half_turn(path: Path, *at: Any) -> float:
-    """ε(γ) from the path that begins flat over half a turn of the handle."""
+    """ε(γ) from the path that begins at ψ = π/2, over half a turn of the handle."""
     a, b, g = floats(*at)
     return math.pi - path(a, b, [math.pi / 2, math.sqrt((g + b) / (a + b))], math.pi)
 
 
 def scipy_ode(method: str) -> Method:
-    """scipy's ``solve_ivp`` on the planar system with rtol = 10^−asked."""
+    """Return a method by scipy's ``solve_ivp`` on the planar system with rtol = 10^−asked."""
 
     def run(shape: Shape, gamma: fmpq, asked: int) -> float:
         fine = 10.0**-asked, 10.0**-asked / 10
@@ -185,7 +185,7 @@ def scipy_ode(method: str) -> Method:
 
 
 def heyoka_path(asked: int, a: float, b: float, begin: list[float], end: float) -> float:
-    """The same by heyoka's Taylor integrator, compiled before, with the tolerance 10^−asked."""
+    """Return ψ by heyoka's Taylor integrator, compiled before, with the tolerance 10^−asked."""
     solver = heyoka_solver(asked)
     solver.time, solver.pars[:], solver.state[:] = 0.0, [a, b], begin
     solver.propagate_until(end)
@@ -193,12 +193,12 @@ def heyoka_path(asked: int, a: float, b: float, begin: list[float], end: float) 
 
 
 def heyoka_ode(shape: Shape, gamma: fmpq, asked: int) -> float:
-    """heyoka's Taylor integrator on the planar system."""
+    """Return ε(γ) by heyoka's Taylor integrator on the planar system."""
     return _half_turn(partial(heyoka_path, asked), shape, gamma)
 
 
 def heyoka_system() -> list[Any]:
-    """The planar system in heyoka's expressions, a and b as parameters."""
+    """Return the planar system in heyoka's expressions, with a and b as parameters."""
     import heyoka
 
     psi, handle = heyoka.make_vars("psi", "handle")
@@ -209,7 +209,7 @@ def heyoka_system() -> list[Any]:
 
 @lru_cache(maxsize=8)
 def heyoka_solver(asked: int) -> Any:
-    """A compiled integrator of the planar system."""
+    """Return a compiled integrator of the planar system."""
     import heyoka
 
     return heyoka.taylor_adaptive(heyoka_system(), [1.0, 0.0], pars=[1.0, 0.1], tol=10.0**-asked)

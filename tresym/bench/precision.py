@@ -1,8 +1,8 @@
 """Work-precision benchmark: correct digits of ε(γ) against time, in six scenes.
 
-The truth is a ball of a thousand digits and more. Our rungs are asked one by one, each as it would
-answer alone; which of them the ladder takes is noted beside (``notes.picks``), and what the
-choosing itself costs is the method `tresym`.
+The truth is a ball with more than a thousand digits. Each model of tresym is called by itself; the
+model that would be selected is recorded in ``notes.picks``, and the time including the selection is
+that of the method `tresym`.
 """
 
 from __future__ import annotations
@@ -27,14 +27,14 @@ from tresym.reals.numbers.exact import InputError, fraction_text, parse_number
 
 DIGITS = (3, 10, 16, 30, 50, 100, 200, 500, 1000)
 FLOATS = 15
-"""Digits that a float64 method is asked for."""
+"""The digits asked for in float64."""
 
 MANY = 4096
-"""Answers at once in the float64 arrays."""
+"""The number of results per call in float64 arrays."""
 
 
 class Scene(NamedTuple):
-    """A body and a γ, with the words a reader knows it by."""
+    """A body and a γ, with a name for readers."""
 
     name: str
     shape: Shape
@@ -86,7 +86,7 @@ def warm_up() -> None:
 
 
 def picks(*_: Any) -> dict[str, dict[str, dict[str, str]]]:
-    """The rung that the ladder takes, by scene and digits."""
+    """Return the model that is selected, by scene and digits."""
     found = {
         scene.name: {str(d): climb(scene.shape, scene.gamma, d).rung for d in DIGITS}
         for scene in SCENES
@@ -95,14 +95,14 @@ def picks(*_: Any) -> dict[str, dict[str, dict[str, str]]]:
 
 
 def truth_of(scene: Scene) -> arb:
-    """ε(γ) of a scene, more digits than anybody is asked for."""
+    """Return ε(γ) of a scene, with more digits than any method is asked for."""
     if scene.gamma == 0:
         return separatrix.solve(*scene.shape, 1100).defect
     return defect.inverted(*scene.shape, scene.gamma, 1100).defect
 
 
 def contenders(_: Any) -> Iterator[Contender]:
-    """Every method in every scene, each at rising digits."""
+    """Yield every method in every scene, each for increasing digits."""
     warm_up()
     for scene in SCENES:
         name, shape, gamma = scene
@@ -155,7 +155,7 @@ def _on_rung(scene: Scene, rung: str | None, digits: int) -> arb:
 
 
 def _arrays(scene: Scene) -> Callable[[], Any]:
-    """Float64 over arrays: the time of one answer among thousands."""
+    """Float64 arrays: the time of one result among thousands."""
     a, b, gamma = peers.floats(scene.shape, scene.gamma)
     if scene.gamma == 0:
         return partial(defects, np.full(MANY, a), np.full(MANY, b))

@@ -1,8 +1,9 @@
-"""Run contenders in interleaved rounds, and report medians, ratios and spread.
+"""Measure methods in interleaved rounds, and report medians, ratios and spread.
 
-The rounds are interleaved so that what the machine does meanwhile falls on all contenders alike.
-Only ratios within one run are worth quoting; they are taken round by round, against one method of
-the same scene. A contender that is wrong, fails or takes too long stays in the data, and why.
+In each round every method is sampled once, so that other load on the machine affects all of them
+equally. Only ratios within one run are worth quoting; they are formed round by round, relative to
+one method of the same scene. A method that is wrong, fails or takes too long stays in the data,
+with the reason.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ from typing import Any, NamedTuple, Protocol
 from tresym.reals.resource_limits import TimeUp, time_limit
 
 SAMPLE_SECONDS = 0.004
-"""A sample of quick work is as many calls as take this long."""
+"""The duration of a sample in seconds; fast work is repeated until it takes this long."""
 
 PACKAGES = ("python-flint", "mpmath", "gmpy2", "numpy", "scipy", "numba", "heyoka", "sympy")
 
@@ -31,18 +32,18 @@ RIGHT, WRONG, TIMED_OUT, FAILED = OUTCOMES = ("right", "wrong", "timed out", "fa
 
 
 class TooSlowError(Exception):
-    """Raised by work that is not tried, as less of the same kind was too slow already."""
+    """Raised for work that is skipped because a smaller amount of it was too slow."""
 
 
 class Rising:
-    """One method at rising sizes: after one at which it was too slow the next are not tried."""
+    """A method at increasing sizes; once it is too slow, larger sizes are skipped."""
 
     def __init__(self) -> None:
-        """Nothing was too slow yet."""
+        """Start with no size that was too slow."""
         self.slow: float | None = None
 
     def work(self, run: Callable[[Any], Any], size: Any) -> Callable[[], Any]:
-        """``run(size)`` as the work of a contender."""
+        """Return ``run(size)`` as the work of a contender."""
 
         def once() -> Any:
             if self.slow is not None and size > self.slow:
@@ -57,9 +58,9 @@ class Rising:
 
 
 class Judged(NamedTuple):
-    """What an answer is worth: its true digits, those it claims itself, the outcome and why.
+    """The assessment of a result: its correct digits, the digits it claims, the outcome and why.
 
-    ``digits`` and ``claimed`` are None where no number was asked for.
+    ``digits`` and ``claimed`` are None if no number was asked for.
     """
 
     digits: float | None = None
@@ -73,12 +74,12 @@ Judge = Callable[[Any], Judged]
 
 @dataclass(frozen=True)
 class Contender:
-    """One way of doing the work of a scene.
+    """One method for the work of a scene.
 
-    ``work`` does it once and its value is put to ``judge``; ``sample`` returns seconds for one
-    piece, by default the processor time of ``work``; where it is ``work`` itself, the first run is
-    a sample too. ``pieces`` is how many answers one call gives, ``pace`` its own where the
-    workload's does not suit it.
+    ``work`` does it once, and ``judge`` assesses its value. ``sample`` returns the seconds for one
+    piece, by default the processor time of ``work``; if it is ``work`` itself, the first run counts
+    as a sample too. ``pieces`` is the number of results of one call. ``pace`` replaces the pace of
+    the workload.
     """
 
     scene: str
@@ -98,14 +99,14 @@ def row(
     judge: Judge = lambda _: Judged(),
     **more: Any,
 ) -> Iterator[Contender]:
-    """The contenders of a scene by their names, of which ours begin with tresym or our."""
+    """Yield the contenders of a scene by name; names of our methods begin with tresym or our."""
     for name, work in works.items():
         yield Contender(scene, name, work, judge, name.startswith(("tresym", "our")), **more)
 
 
 @dataclass
 class Timing:
-    """What one contender took: seconds a piece, one entry a round it took part in."""
+    """The times of one contender: seconds per piece, one entry for each round it took part in."""
 
     contender: Contender
     judged: Judged
@@ -113,19 +114,19 @@ class Timing:
 
     @property
     def quartiles(self) -> tuple[float, float, float]:
-        """Lower quartile, median, upper quartile in seconds."""
+        """Return the lower quartile, the median and the upper quartile in seconds."""
         if len(self.seconds) == 1:
             return (self.seconds[0],) * 3
         low, median, high = statistics.quantiles(self.seconds, n=4, method="inclusive")
         return low, median, high
 
     def ratio(self, reference: Timing) -> float | None:
-        """The median over the rounds of this contender's time by the reference's in that round."""
+        """Return the median over the rounds of this time divided by that of the reference."""
         pairs = list(zip(self.seconds, reference.seconds, strict=False))
         return statistics.median(mine / other for mine, other in pairs) if pairs else None
 
     def as_json(self, reference: Timing | None) -> dict[str, Any]:
-        """One row of the saved data; ``seconds`` is None where nothing was timed."""
+        """Return one row of the saved data; ``seconds`` is None if nothing was timed."""
         who, judged = self.contender, self.judged
         timed: dict[str, Any] = {"seconds": None, "quartiles": None, "samples": 0, "ratio": None}
         if self.seconds:
@@ -151,15 +152,15 @@ class Timing:
 
 
 Tables = dict[str, Any]
-"""What a workload found that is no timing, by name: lists of rows, or a dictionary."""
+"""Results of a workload other than times, by name: lists of rows, or a dictionary."""
 
 
 @dataclass
 class Measurement:
-    """A workload's timings; in each scene ratios are by the method ``reference`` starts with.
+    """The timings of a workload; ratios in a scene are relative to the method ``reference``.
 
-    ``notes`` is what a workload found beside times, such as counts, and ``tables`` lists of rows by
-    name; ``complete`` is False when it was interrupted.
+    ``notes`` are results other than times, such as counts, and ``tables`` lists of rows by name;
+    ``complete`` is False if the run was interrupted.
     """
 
     workload: str
@@ -172,7 +173,7 @@ class Measurement:
     complete: bool = True
 
     def base(self, scene: str) -> Timing | None:
-        """The timing that the ratios of a scene are by."""
+        """Return the timing relative to which the ratios of a scene are formed."""
         for timing in self.timings:
             who = timing.contender
             if who.scene == scene and who.method == self.reference and timing.seconds:
@@ -180,7 +181,7 @@ class Measurement:
         return None
 
     def as_json(self) -> dict[str, Any]:
-        """All of it, with the machine and the versions it was measured with."""
+        """Return the measurement as JSON data, with the machine and the versions."""
         return {
             "workload": self.workload,
             "says": self.says,
@@ -196,10 +197,10 @@ class Measurement:
 
 
 class Pace(NamedTuple):
-    """How long to measure: rounds, and processor seconds a contender may use for them.
+    """How long to measure: the number of rounds, and processor seconds for each contender.
 
     A first run that takes ``limit`` seconds is timed out; one that takes more than ``patience`` is
-    its own only sample.
+    the only sample.
     """
 
     rounds: int = 7
@@ -211,23 +212,22 @@ PACE = Pace()
 
 
 class Keep(Protocol):
-    """Called after each sample with all that has been measured so far, timings or tables."""
+    """Called after each sample with everything measured so far, timings or tables."""
 
     def __call__(self, timings: list[Timing], tables: Tables | None = None) -> None:
-        """Keep it."""
+        """Save the measurement so far."""
 
 
 def forget(timings: list[Timing], tables: Tables | None = None) -> None:
-    """Keep nothing."""
+    """Save nothing."""
 
 
 @dataclass(frozen=True)
 class Workload:
-    """A row of contenders; what they have opened stays open until all are timed.
+    """Contenders to be measured; resources that they have opened stay open until all are timed.
 
-    ``tables`` are rows of what is found beside times once all are timed, each after the name of its
-    table, and ``notes`` what follows from both. ``reference`` and ``clock`` are as in
-    :class:`Measurement`.
+    ``tables`` yields rows other than times after the timing, each with the name of its table, and
+    ``notes`` is computed from both. ``reference`` and ``clock`` are as in :class:`Measurement`.
     """
 
     contenders: Callable[[ExitStack], Iterable[Contender]] = lambda _: ()
@@ -240,7 +240,7 @@ class Workload:
     def measure(
         self, name: str, says: str, keep: Keep = forget, pace: Pace | None = None
     ) -> Measurement:
-        """Run it, at its own pace unless another is given."""
+        """Run the workload, at its own pace unless another one is given."""
         tables: Tables = {}
         notes: dict[str, Any] = {}
         with ExitStack() as opened:
@@ -258,10 +258,10 @@ class Workload:
 def interleave(
     contenders: Iterable[Contender], pace: Pace = PACE, keep: Keep = forget
 ) -> tuple[list[Timing], bool]:
-    """Judge every contender once, then sample each once a round, starting one further each round.
+    """Run and judge every contender once, then sample each once per round, in rotating order.
 
     Returns:
-        The timings, and whether the run came to its end: an interrupt ends it with what there is.
+        The timings, and whether the run was completed; an interrupt ends it with the data so far.
     """
     timings: list[Timing] = []
     waiting: list[tuple[Timing, int]] = []
@@ -283,7 +283,7 @@ def interleave(
 
 
 def _first(contender: Contender, pace: Pace) -> tuple[Timing, int]:
-    """The judged first run, and how many rounds its contender is to be sampled."""
+    """The first run with its assessment, and how many rounds the contender is sampled."""
     start, used = time.perf_counter(), time.process_time()
     try:
         with time_limit(pace.limit):
@@ -313,10 +313,14 @@ def tally(
     counted: str,
     named: Callable[[Contender], str] = lambda who: who.method,
 ) -> dict[str, dict[str, Any]]:
-    """By name: how many were ``counted``, the outcomes, and the geometric mean of the ratios.
+    """Count outcomes by name, with the geometric mean of the ratios.
 
-    The ratios are by the method ``reference`` of the same scene. One that timed out counts with the
-    limit, so that the mean is then too small.
+    Args:
+        timings: the timings.
+        reference: the method relative to which ratios are formed, in the same scene.
+        limit: the seconds that count for a method that timed out; its mean is then a lower bound.
+        counted: the key of the number of timings in the result.
+        named: returns the name under which a contender is counted.
     """
     by = {t.contender.scene: t for t in timings if t.contender.method == reference}
     found: dict[str, dict[str, Any]] = {}
@@ -335,14 +339,14 @@ def tally(
 
 
 def reason(error: Exception) -> str:
-    """An exception in one line of at most 160 characters."""
+    """Return an exception as one line of at most 160 characters."""
     text = " ".join(str(error).split())
     line = f"{type(error).__name__}: {text}" if text else type(error).__name__
     return line if len(line) <= 160 else line[:157] + "..."
 
 
 def _add_sample(timing: Timing) -> None:
-    """One sample more; a contender that fails now is out, with its reason."""
+    """Take one more sample; a contender that fails now is removed, with the reason."""
     who = timing.contender
     try:
         seconds = who.sample() if who.sample else time_once(who.work) / who.pieces
@@ -353,9 +357,9 @@ def _add_sample(timing: Timing) -> None:
 
 
 def time_once(work: Callable[[], Any], seconds: float = SAMPLE_SECONDS) -> float:
-    """Processor seconds one call takes, over as many calls as fill ``seconds``.
+    """Return the processor seconds of one call, averaged over calls that fill ``seconds``.
 
-    Processor time, so that what else the machine does is not counted.
+    Processor time is used, since other programs do not affect it.
     """
     calls = 1
     while True:
@@ -369,7 +373,7 @@ def time_once(work: Callable[[], Any], seconds: float = SAMPLE_SECONDS) -> float
 
 
 def versions() -> dict[str, str]:
-    """Python and the libraries that the timings depend on."""
+    """Return the versions of Python and of the libraries that affect the timings."""
     found = {"python": platform.python_version()}
     for name in PACKAGES:
         try:
@@ -380,7 +384,7 @@ def versions() -> dict[str, str]:
 
 
 def machine() -> dict[str, Any]:
-    """The processor as it calls itself, and how many this process may use."""
+    """Return the name of the processor, and the number of cores that this process may use."""
     return {
         "processor": _processor(),
         "cores": len(os.sched_getaffinity(0))

@@ -25,7 +25,7 @@ STR = named_body("str").shape
 DIGITS = (50, 100, 200, 500, 1000, 2000, 5000, 10_000)
 STARTS = tuple(10**n for n in range(8))
 PIECE = 100_000
-"""Starts handed over at a time; what is kept of each piece is one number."""
+"""Starts per call; only one number is kept of each."""
 CLAIMS = (1, 3, 10, 30, 100, 300)
 
 BY_DIGITS = "time against digits"
@@ -36,7 +36,7 @@ LONG = Pace(rounds=3, limit=120.0, patience=0.5)
 
 
 def contenders(_: Any) -> Iterator[Contender]:
-    """By digits, ε(γ) of the racket; by starts; by the first claims of the proofs, and all."""
+    """Yield ε(γ) by digits, the flip map by starts, and the ledger by claims."""
     methods: dict[str, tuple[peers.Method, str]] = {
         "tresym, γ = 0": (_public, "0"),
         "tresym, γ = 1e-8": (_public, "1e-8"),
@@ -59,13 +59,13 @@ def contenders(_: Any) -> Iterator[Contender]:
 
 
 def memory(_: Any) -> Iterator[tuple[str, dict[str, Any]]]:
-    """The most memory against starts."""
+    """Yield the largest amount of memory against the number of starts."""
     for count in STARTS:
         yield "memory", {"starts": count, "megabytes": round(peak(count) / 1e6, 2)}
 
 
 def sizes(*_: Any) -> dict[str, Any]:
-    """How many starts are handed over and worked on at a time, and are compiled."""
+    """Return how many starts are passed at a time, computed at a time, and compiled."""
     compiled = LARGE if find_spec("numba") else None
     return {"chunk": CHUNK, "piece": PIECE, "compiled from": compiled}
 
@@ -78,22 +78,21 @@ def _public(shape: Any, gamma: fmpq, digits: int) -> Any:
 
 
 def flips(count: int) -> float:
-    """The largest |Δψ| of ``count`` starts of the racket, a piece at a time."""
+    """Return the largest |Δψ| of ``count`` starts of the racket, computed piece by piece."""
     a, b, _ = peers.floats(STR, fmpq(0))
     psi, rate = starts.starts(min(count, PIECE))
     largest = 0.0
     for begin in range(0, count, PIECE):
         size = min(PIECE, count - begin)
-        # No name for the piece: it is let go before the next is made.
+        # The piece is not bound to a name, so that it is freed before the next one is made.
         largest = max(largest, float(np.abs(flip_map(a, b, psi[:size], rate[:size])).max()))
     return largest
 
 
 def peak(count: int) -> float:
-    """The most memory in bytes that Python and numpy held at once for ``flips(count)``.
+    """Return the most memory in bytes that Python and numpy use at once for ``flips(count)``.
 
-    As every piece is the same work, more than ten pieces are not repeated under the tracer, which
-    slows them down.
+    Since all pieces are the same work, at most ten are run under the tracer, which slows them down.
     """
     starts.starts(1)  # made before, as they are no part of the map
     tracemalloc.start()

@@ -1,9 +1,9 @@
 """Benchmark of ε₀ to 50 digits: mpmath on the paper's equations against the phase equation.
 
-The peers do what a reader of the paper would do: ``findroot`` on the exact equation as printed, or
-over ``quad`` of the paper's integral, from the paper's asymptotic formula. Two processes serve the
-contenders, one with mpmath on gmpy2 and one with mpmath in pure Python; each hands back the seconds
-and the digits its answer has in common with the ball. A sample is ``BLOCK`` calls.
+The other methods are what a reader of the paper would use: ``findroot`` on the exact equation as
+printed, or over ``quad`` of the paper's integral, from the paper's asymptotic formula. Two
+processes run the methods, one with mpmath on gmpy2 and one with mpmath in pure Python; each returns
+the seconds and the number of digits that agree with the ball. A sample is ``BLOCK`` calls.
 """
 
 from __future__ import annotations
@@ -35,12 +35,12 @@ BATCH = "tresym.flip_defects, 20 shapes"
 
 
 def certified(shape: Shape, _: fmpq, digits: int) -> arb:
-    """What ``tresym flip`` computes: the ball, its digits proved."""
+    """Return the ball that ``tresym flip`` computes, with its digits proved."""
     return separatrix.solve(*shape, digits).defect
 
 
 def batch(shape: Shape, _: fmpq, digits: int) -> list[arb]:
-    """A block of shapes in one call, all alike; the first is judged."""
+    """Return a block of equal shapes computed in one call; the first is judged."""
     return [flip.defect for flip in flip_defects([shape] * BLOCK, digits=digits)]
 
 
@@ -55,7 +55,7 @@ WORK: dict[str, peers.Method] = {
 
 
 def digits_at(method: peers.Method, shape: Shape) -> float:
-    """True digits, at most ``DIGITS``, of a method at a shape; 0 where it fails."""
+    """Return the correct digits of a method at a shape, at most ``DIGITS``; 0 if it fails."""
     truth = separatrix.solve(*shape, 2 * DIGITS).defect
     try:
         return true_digits(method(shape, fmpq(0), DIGITS), truth, most=DIGITS)
@@ -64,7 +64,7 @@ def digits_at(method: peers.Method, shape: Shape) -> float:
 
 
 def timed(name: str) -> tuple[float, float]:
-    """The seconds that a method takes in this process, over a block, and its true digits before."""
+    """Return the seconds of a method in this process, over a block, and its correct digits."""
     shape, method = named_body(BODY).shape, WORK[name]
     digits = digits_at(method, shape)
     calls = 1 if name == BATCH or "quad" in name else BLOCK
@@ -76,7 +76,7 @@ def timed(name: str) -> tuple[float, float]:
 
 
 def contenders(opened: ExitStack) -> Iterator[Contender]:
-    """Both mpmath backends and the certified ball, interleaved."""
+    """Yield both mpmath backends and the certified ball, interleaved."""
     asks = {}
     for backend in ("gmpy2", "python") if find_spec("gmpy2") else ("python",):
         process = opened.enter_context(Processes(1))

@@ -20,7 +20,7 @@ from tresym.sweep.workers import Workers
 
 
 class Scene(NamedTuple):
-    """A kind of sweep: its digits, the grid that is timed again and again, and one long run."""
+    """A kind of sweep: its digits, the grid that is timed repeatedly, and one long run."""
 
     title: str
     digits: int | None
@@ -37,11 +37,11 @@ SCENES = (
 SERIAL, ONE_WORKER, LANDING = "this process", "Dask, 1 worker", "landing alone"
 
 PLANNED = 10**9
-"""Rows of the sweep that is planned."""
+"""The number of rows for which time and memory are extrapolated."""
 
 
 def contenders(opened: ExitStack) -> Iterator[Contender]:
-    """The processes and clusters are up before anything is timed."""
+    """Yield the sweeps; processes and clusters are started before anything is timed."""
     ways: dict[str, Opened] = {SERIAL: partial(processes, 1)}
     for n in sorted({1, os.cpu_count() or 1}):
         if n > 1:
@@ -63,12 +63,12 @@ class _Run(NamedTuple):
     opened: Opened
 
     def whole(self) -> Summary:
-        """The sweep."""
+        """Run the sweep."""
         with tempfile.TemporaryDirectory() as folder:
             return sweep(self.grid, f"{folder}/table", self.digits, self.opened)
 
     def seconds(self) -> float:
-        """Its seconds a row."""
+        """Return its seconds per row."""
         return self.whole().seconds / self.grid.total
 
 
@@ -79,19 +79,19 @@ def _judge(found: Summary) -> Judged:
 
 
 def _again(workers: Workers) -> AbstractContextManager[Workers]:
-    """What is open already, and stays so."""
+    """The workers that are open already, kept open."""
     return nullcontext(workers)
 
 
 def runs(_: Any) -> Iterator[tuple[str, dict[str, Any]]]:
-    """What Dask adds, and one long run of each kind."""
+    """Yield what Dask adds, and one long run of each kind."""
     asked = [(scene.title, Grid.read(*scene.grid), scene.digits) for scene in SCENES]
     yield from (("added", found) for found in added_by_dask(asked, PACE.rounds))
     yield from (("runs", _long_run(scene)) for scene in SCENES)
 
 
 def _long_run(scene: Scene) -> dict[str, Any]:
-    """A whole process on every core: rows a second, the largest process, bytes a row."""
+    """A complete process on every core: rows per second, largest process, bytes per row."""
     how = ["--float64"] if scene.digits is None else ["--digits", str(scene.digits)]
     with tempfile.TemporaryDirectory() as folder:
         path = f"{folder}/table"
@@ -120,7 +120,7 @@ def _long_run(scene: Scene) -> dict[str, Any]:
 
 
 def numbers(timings: list[Timing], tables: Tables) -> dict[str, dict[str, str]]:
-    """What the page on sweeps quotes, by name: as measured, and for ``PLANNED`` rows."""
+    """Return the numbers quoted on the page about sweeps, measured and for ``PLANNED`` rows."""
     found: dict[str, str] = {}
     at = {(t.contender.scene, t.contender.method): t for t in timings}
     for run, more in zip(tables["runs"], tables["added"], strict=True):
@@ -152,7 +152,7 @@ WORKLOAD = Workload(contenders, PACE, SERIAL, "wall clock", runs, numbers)
 
 
 def _plain(x: float) -> str:
-    """Two digits, or three where the first is 1, and no exponent."""
+    """Two digits, or three if the first is 1, without an exponent."""
     rounded = float(f"{x:.3g}" if f"{abs(x):e}".startswith("1") else f"{x:.2g}")
     return f"{rounded:.10g}"
 

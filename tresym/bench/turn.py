@@ -1,6 +1,7 @@
 """Benchmark of F(ε, γ) to 50 digits: balls in Carlson's form against mpmath.
 
-Digits are counted against a wider ball. mpmath runs in this process, on the backend it found.
+Digits are counted against a more precise ball. mpmath runs in this process, with the backend that
+it finds.
 """
 
 from __future__ import annotations
@@ -30,7 +31,7 @@ OURS = "tresym, Gauss transformation"
 
 
 def contenders(_: Any = None) -> Iterator[Contender]:
-    """F(ε, γ) of the racket; the public call finds ε(γ), for which it needs F once or twice."""
+    """Yield F(ε, γ) of the racket; the public function computes ε(γ), with one or two F."""
     for text in SCENES:
         gamma = parse_number(text)
         truth = flint_turn(gamma, 2 * DIGITS)
@@ -53,7 +54,7 @@ WORKLOAD = Workload(contenders, Pace(rounds=7, limit=5.0, patience=0.6), OURS)
 
 
 def _place(gamma: fmpq, m: Any, number: Callable[[fmpq], Any]) -> Amplitude:
-    """The amplitude of a scene in balls or mpmath: z = 0 exactly at the turning point."""
+    """The amplitude of a scene in balls or mpmath; z = 0 exactly at the turning point."""
     a, b, g = (number(x) for x in (*SHAPE, gamma))
     if gamma < 0:
         return amplitude(m.sqrt(-g / b), m.sqrt(1 + g / b), 0 * g, a, b, g, m)
@@ -74,7 +75,7 @@ def _gauss_turn(gamma: fmpq) -> arb:
 
 
 def flint_turn(gamma: fmpq, digits: int) -> arb:
-    """F of a scene in balls, through FLINT's R_F and R_J."""
+    """Return F of a scene in balls, by FLINT's R_F and R_J."""
     with ball_precision(bits(digits)):
         a, b, g = arb(SHAPE.a), arb(SHAPE.b), arb(gamma)
         return turn(by_flint(_place(gamma, balls, arb), b / a), a, b, g, balls)
@@ -88,14 +89,14 @@ def _mp_carlson(gamma: fmpq) -> Any:
 
 
 def by_library(at: Amplitude, n: Any, m: Any) -> Integrals:
-    """The two integrals by the R_F and R_J of scipy.special or mpmath."""
+    """Return the two integrals by R_F and R_J of scipy.special or mpmath."""
     x, y = at.cn**2, at.dn**2
     third = at.sn**3 * m.elliprj(x, y, 1, 1 + n * at.sn**2) / 3
     return Integrals(at.sn * m.elliprf(x, y, 1), third)
 
 
 def mp_quad(gamma: fmpq, method: str, digits: int) -> tuple[Any, Any]:
-    """F of a scene by mpmath's ``quad``, and the error that it claims."""
+    """Return F of a scene by mpmath's ``quad``, and the error that it claims."""
     with mp_precision(digits) as mp:
         a, b, g = (to_mp(x, mp) for x in (*SHAPE, gamma))
         start = mp.asin(mp.sqrt(-g / b)) if gamma < 0 else mp.mpf(1) / 10

@@ -1,7 +1,7 @@
 """The ``tresym`` command line: each command has a module with its parser, action and output.
 
-Exit status: 0 as expected; 1 a verdict unexpected or undecided; 2 bad input, with one line on
-standard error; 130 interrupted; 141 the reader of a pipe left before the answer was known.
+Exit status: 0 if all is as expected; 1 if a verdict is not as expected; 2 for bad input, with one
+line on standard error; 130 if interrupted; 141 if the reader of a pipe left before the answer.
 """
 
 from __future__ import annotations
@@ -37,33 +37,33 @@ COMMANDS = (
     "chart",
     "completion",
 )
-"""In the order of the help; only the file of the one that is asked for is loaded."""
+"""The commands in the order of the help; only the module of the requested one is loaded."""
 
 BEGIN = """\
-tresym: the tennis racket effect, verified. To begin with:
+tresym: the tennis racket effect, verified. Examples:
 
-  tresym flip --body str                  how perfect the flip of a racket is
-  tresym flip --inertia 1210 16380 17480  the same of a body of yours
-  tresym verify eq_gamma                  a statement, and all that it rests on
+  tresym flip --body str                  how complete the flip of a racket is
+  tresym flip --inertia 1210 16380 17480  the same for your own body
+  tresym verify eq_gamma                  a statement, and what it depends on
   tresym check 'exp(x) >= 1 + x'          a claim of your own
-  tresym paper MANUSCRIPT.tex             the displays of a manuscript of yours
+  tresym paper MANUSCRIPT.tex             the formulas of your manuscript
   tresym verify                           every statement (half a minute)
 
-tresym --help lists the commands, tresym COMMAND --help the arguments of one.
+tresym --help lists the commands; tresym COMMAND --help explains one of them.
 """
-"""What `tresym` alone says."""
+"""The output of `tresym` without arguments."""
 
 INPUTS = ("file", "source", "papers", "notes", "baseline", "csv")
 OUTPUTS = ("path", "coq", "export", "marks")
-"""Arguments, of any command, that name a file to read, and one to write."""
+"""Arguments of any command that name a file to write; INPUTS name a file to read."""
 REPLACING = ("path", "coq", "marks")
-"""Of these, those whose files are checked here; a sweep checks its table itself."""
+"""Outputs that are checked here; a sweep checks its table itself."""
 
 _OPTION = re.compile(r"-[hof]|--")
 
 
 def build_parser(chosen: str | None = None) -> Parser:
-    """The parser of the whole command line, or of the command ``chosen`` alone."""
+    """Return the parser of the whole command line, or only of the command ``chosen``."""
     parser = Parser(
         prog="tresym",
         description="The tennis racket effect, verified: proofs, certified numbers, figures.",
@@ -94,10 +94,10 @@ def _keep_negative_values(words: list[str]) -> list[str]:
 
 
 def _keep_inputs(args: argparse.Namespace) -> None:
-    """See, before any work, that no output would replace an input or a file of the user's.
+    """Check before any work that no output would replace an input or a file of the user's.
 
     Raises:
-        InputError: one would.
+        InputError: an output would.
     """
     given = vars(args)
     for goal in filter(None, map(given.get, OUTPUTS)):
@@ -105,13 +105,20 @@ def _keep_inputs(args: argparse.Namespace) -> None:
         sources = (one for name in named for one in (name if isinstance(name, list) else [name]))
         for source in sources:
             if os.path.isfile(goal) and os.path.realpath(goal) == os.path.realpath(source):
-                raise InputError(f"{goal}: is read here, and is not replaced; name another file")
+                raise InputError(
+                    f"{goal}: this is an input file, so it is not replaced; name "
+                    "another output file"
+                )
     if "csv" not in given:
         check_replaceable(filter(None, map(given.get, REPLACING)), given.get("force", False))
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Run one command line; returns the exit status."""
+    """Run one command line and return the exit status.
+
+    Args:
+        arguments: the words after ``tresym``; None for those of this process.
+    """
     words = sys.argv[1:] if arguments is None else arguments
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):
@@ -126,7 +133,7 @@ def main(arguments: list[str] | None = None) -> int:
         try:
             if sys.stdout is not None:
                 sys.stdout.flush()
-        except BrokenPipeError:  # the answer is known, whether or not anybody reads it
+        except BrokenPipeError:  # the answer is known even if nobody reads it
             _forget_output()
         return status
     except InputError as error:
@@ -136,7 +143,7 @@ def main(arguments: list[str] | None = None) -> int:
         print("tresym: interrupted", file=sys.stderr)
         return INTERRUPTED
     except BrokenPipeError:
-        # The reader left before the answer was known; say nothing, not even while Python exits.
+        # The reader left before the answer was known: print nothing, not even while Python exits.
         _forget_output()
         return CLOSED_PIPE
     except OSError as error:
@@ -148,6 +155,6 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 def _forget_output() -> None:
-    """Send what is left in the buffer nowhere: Python would complain of it at its end."""
+    """Discard buffered output, about which Python would otherwise complain at exit."""
     if sys.stdout is not None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

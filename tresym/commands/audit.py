@@ -25,10 +25,10 @@ def add(commands: Commands) -> None:
     parser = commands.add_parser(
         "audit",
         help="compare the paper's LaTeX with the claims",
-        description="Name the claims that answer each display, theorem, table and figure of the "
-        "paper, and each line of its text with a formula or on the motion; compare what they say "
+        description="List the claims that cover each display, theorem, table and figure of the "
+        "paper, and each line of its text with a formula or on the motion; compare them "
         "with its LaTeX.",
-        epilog="Exit status 1 unless all of the paper is covered, unaltered and rightly copied.",
+        epilog="Exit status: 1 unless all of the paper is covered, unaltered and copied correctly.",
         allow_abbrev=False,
     )
     parser.add_argument("paper", metavar="PAPER.tex", help="the LaTeX source of the paper")
@@ -37,7 +37,7 @@ def add(commands: Commands) -> None:
 
 
 def run(args: argparse.Namespace) -> int:
-    """Run it; returns the exit status."""
+    """Run the command and return its exit status."""
     from pathlib import Path
 
     import tresym.proofs as proofs

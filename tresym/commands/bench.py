@@ -30,7 +30,7 @@ def add(commands: Commands) -> None:
     parser = commands.add_parser(
         "bench",
         help="time tresym against other tools",
-        description="Time workloads, every contender in turn; quote only ratios within one run.",
+        description="Time workloads, with each tool in turn; compare times only within one run.",
         epilog="\n".join(
             ["workloads (default: all):"]
             + [f"  {name:<{width}}  {says}" for name, says in WORKLOADS.items()]
@@ -40,18 +40,18 @@ def add(commands: Commands) -> None:
         allow_abbrev=False,
     )
     parser.add_argument("workloads", nargs="*", metavar="WORKLOAD", help="see below")
-    parser.add_argument("--save", action="store_true", help="keep it in docs/measurements")
+    parser.add_argument("--save", action="store_true", help="store the result in docs/measurements")
     add_output(parser)
     parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:
-    """Run it; returns the exit status."""
+    """Run the command and return its exit status."""
     return run_all(args.workloads, args.save, args.json, args.path)
 
 
 def run_all(names: Sequence[str], save: bool, as_json: bool, path: str | None) -> int:
-    """Run the workloads (all, unless named); returns the exit status.
+    """Run the workloads, all unless some are named, and return the exit status.
 
     Raises:
         InputError: an unknown name, or ``save`` without a checkout.
@@ -94,7 +94,7 @@ def _print_all(done: list[Measurement], as_json: bool, path: str | None) -> None
 
 
 def _progress(name: str, kept: Keep | None) -> Keep:
-    """Keeps the samples, and says on a terminal what has been done."""
+    """Return a function that stores the samples, and shows progress on a terminal."""
     began = time.monotonic()
 
     def keep(timings: list[Timing], tables: Tables | None = None) -> None:
@@ -111,6 +111,6 @@ def _progress(name: str, kept: Keep | None) -> Keep:
 
 
 def _status(text: str) -> None:
-    """One line on a terminal, written over the last."""
+    """Show one line on a terminal, in place of the last one."""
     if sys.stderr is not None and sys.stderr.isatty():
         print(f"\r\x1b[K{text[:100]}", end="", file=sys.stderr, flush=True)

@@ -33,13 +33,13 @@ def add(commands: Commands) -> None:
     """Add `tresym check` to the command line."""
     parser = commands.add_parser(
         "check",
-        help="a claim of your own: an identity, a bound, an order, a limit, an integral, a sum",
+        help="check a claim: an identity, a bound, an order, a limit, an integral, a sum",
         description="Decide claims such as 'diff(F, x) == f', 'exp(x) >= 1 + x', "
         "'integral(f, x, 0, oo) == V', 'integral(f, x) == F', 'sum(f, k, 1, n) == S', "
         "'product(f, k, 1, n) == P' or, with a path, 'sin(x) == x + O(x**3)' (O, o, Theta, omega, "
         "~), 'f -> L', 'f > g' (eventually): PROVED, ENCLOSED, REFUTED or UNDECIDED, and why.",
-        epilog="Exit status 0 when it holds, 1 when refuted, 3 when undecided, 2 when not read; "
-        "of many claims the first of 2, 1, 3 that occurs.",
+        epilog="Exit status: 0 if it holds, 1 if refuted, 3 if undecided, 2 if it cannot be read; "
+        "for many claims the first of 2, 1, 3 that occurs.",
         allow_abbrev=False,
     )
     parser.add_argument("claim", nargs="?", metavar="CLAIM", help="text or LaTeX")
@@ -58,7 +58,7 @@ def add(commands: Commands) -> None:
         "--no-suggest",
         dest="suggest",
         action="store_false",
-        help="do not look for what is true instead of a refuted claim",
+        help="do not search for a true statement close to a refuted claim",
     )
     parser.add_argument(
         "--scheduler",
@@ -66,14 +66,14 @@ def add(commands: Commands) -> None:
         help="with -f: the workers of a Dask scheduler, as tcp://HOST:PORT (without it: all cores)",
     )
     parser.add_argument(
-        "--no-cache", action="store_true", help="with -f: decide again what was decided before"
+        "--no-cache", action="store_true", help="with -f: do not use cached answers"
     )
     add_output(parser)
     parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:
-    """Run it; returns the exit status."""
+    """Run the command and return its exit status."""
     if (args.claim is None) == (args.file is None):
         raise InputError("check: give either one claim or -f FILE")
     if args.file is None and args.scheduler is not None:
@@ -93,11 +93,11 @@ def run(args: argparse.Namespace) -> int:
 
 
 LONGEST_LINE = 100_000
-"""Characters of a line at most that are kept: a claim of so many is refused."""
+"""The maximal length of a line in characters; a longer claim is refused."""
 LONGEST_REST = 50_000_000
-"""Characters that are passed over for the end of a line that is too long."""
+"""How many characters are skipped in search of the end of a line that is too long."""
 
-MANUSCRIPT = "the displays of a manuscript are checked by: tresym paper FILE"
+MANUSCRIPT = "to check the formulas of a manuscript, use: tresym paper FILE"
 
 REFUTED, BAD, UNDECIDED = 1, 2, 3
 
@@ -115,7 +115,15 @@ def one(
     coq: str | None = None,
     suggest: bool = True,
 ) -> int:
-    """Decide one claim and show the answer; returns the exit status."""
+    """Decide one claim, show the answer, and return the exit status.
+
+    Args:
+        claim, given, path: the claim, its conditions, and the path of a limit or an order.
+        limit: seconds, as text.
+        target: the file to write the answer to; None for standard output.
+        coq: the file for statement and proof in Coq; None for none.
+        suggest: whether to search for a true statement close to a refuted claim.
+    """
     from tresym.reals.decisions.time_limited import Task, check_within
 
     answer = check_within(Task(claim.strip(), given, path), parse_seconds(limit))
@@ -138,7 +146,7 @@ def one(
 def _in_coq(
     claim: str, given: str, path: str | None, answer: Answer, target: str
 ) -> dict[str, object]:
-    """What came of the claim in Coq; the file is written where there is a proof."""
+    """Export a claim to Coq, and return the outcome; the file is written if there is a proof."""
     from tresym.coq.candidate_search import export
     from tresym.coq.claim_export import theorems
     from tresym.coq.statement import NotExportedError
@@ -146,7 +154,10 @@ def _in_coq(
     from tresym.reals.decisions.claim_parsing import read
 
     if not answer:
-        return {"accepted": None, "says": "only what is PROVED or ENCLOSED is exported to Coq"}
+        return {
+            "accepted": None,
+            "says": ("only claims that are PROVED or ENCLOSED are exported to Coq"),
+        }
     try:
         outcome = export(theorems(read(claim, given, path)))
     except NotExportedError as error:
@@ -167,7 +178,7 @@ def many(
     scheduler: str | None = None,
     suggest: bool = True,
 ) -> int:
-    """Decide every claim of a file, show each answer as it comes; returns the exit status."""
+    """Decide every claim of a file, show each answer as it comes, and return the exit status."""
     tasks = read_tasks(file, given, path)
     seconds = parse_seconds(limit)
     counts = dict.fromkeys([*(verdict.value for verdict in Verdict), "not read"], 0)
@@ -195,7 +206,7 @@ def many(
 
 
 def _answers(tasks: Iterator[Task], limit: float, scheduler: str | None) -> Answers:
-    """Every task with its answer: by the cores of this machine, or by a scheduler's workers."""
+    """Yield every task with its answer, decided on all cores or by a scheduler's workers."""
     from tresym.reals.decisions.time_limited import check_all, check_by
 
     if scheduler is None:
@@ -214,18 +225,19 @@ def _suggested(answers: Answers) -> Answers:
 
 
 def _worse(*statuses: int) -> int:
-    """Of several, the exit status that is heard."""
+    """Return the most important of several exit statuses."""
     return next((status for status in (BAD, REFUTED, UNDECIDED) if status in statuses), 0)
 
 
 def read_tasks(file: str, given: str, path: str | None) -> Iterator[Task]:
-    """The claims of a file, one a line; what follows a ``#`` is a comment.
+    """Yield the claims of a file, one per line; ``#`` begins a comment.
 
     Args:
         file: its path; ``-`` is standard input.
+        given, path: conditions and path of every claim.
 
     Raises:
-        InputError: the file cannot be read, or holds no claim.
+        InputError: the file cannot be read, or contains no claim.
     """
     from tresym.reals.decisions.time_limited import Task
 
@@ -236,12 +248,12 @@ def read_tasks(file: str, given: str, path: str | None) -> Iterator[Task]:
     )
     first = next(tasks, None)
     if first is None:
-        raise InputError(f"{file}: no claim in it; write one a line")
+        raise InputError(f"{file}: it contains no claim; write one per line")
     return chain([first], tasks)
 
 
 def _lines(file: str) -> Iterator[str]:
-    """The lines, one at a time: neither a long file nor a long line is ever held as a whole."""
+    """Yield the lines; neither a long file nor a long line is ever held in memory."""
     if file == "-" and sys.stdin is None:
         raise InputError("there is no standard input to read claims from")
     name: str | int = sys.stdin.fileno() if file == "-" else file
@@ -254,7 +266,7 @@ def _lines(file: str) -> Iterator[str]:
                         break
                     rest = stream.readline(LONGEST_LINE)
                 else:
-                    raise InputError(f"{file}: a line has no end")
+                    raise InputError(f"{file}: a line is too long")
                 yield from line.splitlines() or [""]
     except OSError as error:
         raise InputError(f"{file}: cannot be read ({error.strerror})") from None
@@ -290,7 +302,7 @@ def _show_all(text: str, target: str | None) -> None:
 
 @contextmanager
 def _shown_by(target: str | None) -> Iterator[Callable[[str], object]]:
-    """What shows a text in the block: on standard output, or in a file."""
+    """Yield a function that prints a text, or writes it to the file ``target``."""
     if target is None:
         yield partial(print, end="", flush=True)
         return
@@ -302,6 +314,6 @@ def _shown_by(target: str | None) -> Iterator[Callable[[str], object]]:
 
 
 def _progress(done: int) -> None:
-    """A counter on standard error, where that is a terminal."""
+    """Show a counter on standard error if that is a terminal."""
     if sys.stderr is not None and sys.stderr.isatty() and not os.environ.get("NO_COLOR"):
         print(f"\r{done} claims\r", end="", file=sys.stderr, flush=True)

@@ -42,7 +42,7 @@ def add(commands: Commands) -> None:
 
 
 def run(args: argparse.Namespace) -> int:
-    """Run it; returns the exit status."""
+    """Run the command and return its exit status."""
     from tresym.commands import build_parser
     from tresym.ledger.paper import all_claims
     from tresym.racket.body import NAMED_BODIES

@@ -18,14 +18,14 @@ def add(commands: Commands) -> None:
         description=(
             "Without labels, print the whole article; with labels, each claim with its derivation."
         ),
-        epilog="Exit status: 1, and nothing is printed, if a claim that is asked for is refuted.",
+        epilog="Exit status: 1, without output, if a requested claim is refuted.",
         allow_abbrev=False,
     )
     parser.add_argument("labels", nargs="*", metavar="LABEL", help="claims, such as eq_gamma")
     parser.add_argument(
         "--refuted",
         action="store_true",
-        help="also print refuted claims, marked as such, with what is true instead",
+        help="also print refuted claims, marked as such, with the correct statement",
     )
     parser.add_argument("-o", dest="path", metavar="PATH", help="write to a file instead")
     parser.add_argument(
@@ -37,7 +37,7 @@ def add(commands: Commands) -> None:
 
 
 def run(args: argparse.Namespace) -> int:
-    """Run it; returns the exit status."""
+    """Run the command and return its exit status."""
     if args.figures and (args.labels or args.path is None):
         raise InputError("derive: --figures needs -o PATH and no labels")
     from tresym.ledger.verification import verify
@@ -60,7 +60,7 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _draw(folder: str) -> None:
-    """The figures of the article, into a folder that is made where it is not there."""
+    """Draw the figures of the article into a folder, which is created if needed."""
     from tresym.output import write_bytes
     from tresym.report import figures
     from tresym.report.pages.article import figures_of

@@ -21,7 +21,7 @@ def add(commands: Commands) -> None:
     parser = commands.add_parser(
         "export",
         help="export the ledger to Coq",
-        description="Write each claim as a theorem of Coq with its proof: one file a part of the "
+        description="Write each claim as a theorem of Coq with its proof: one file per part of the "
         "proofs, a Makefile that has Coq check them, and index.json.",
         allow_abbrev=False,
     )
@@ -35,13 +35,13 @@ def add(commands: Commands) -> None:
     parser.add_argument(
         "--check",
         action="store_true",
-        help="compare what the theorems rest on, as make has printed it into said.txt there",
+        help="compare the assumptions of the theorems, which make printed into said.txt there",
     )
     parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:
-    """Run it; returns the exit status."""
+    """Run the command and return its exit status."""
     from tresym.coq.export import stored, write
 
     store = stored()
@@ -61,7 +61,7 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _search(folder: Path, labels: Sequence[str]) -> dict[str, Any]:
-    """Find the proofs that are missing, or those of the labels, and keep each when it is found."""
+    """Search for missing proofs, or those of the labels, and store each one found."""
     from tresym.coq.candidate_search import version
     from tresym.coq.export import open_claims, save, stored
     from tresym.coq.ledger_proofs import Memory, search, witnesses
@@ -86,13 +86,15 @@ def _search(folder: Path, labels: Sequence[str]) -> dict[str, Any]:
 
 
 def _check(folder: Path, store: dict[str, Any]) -> int:
-    """Compare what the theorems rest on with what is stored, or store it where nothing is."""
+    """Compare the assumptions of the theorems with the stored ones, and store them."""
     from tresym.coq.export import assumed, save
     from tresym.coq.ledger_statements import name_of
 
     path = folder / "said.txt"
     if not path.is_file():
-        raise InputError(f"export: {path} is not there; what make prints in {folder} goes into it")
+        raise InputError(
+            f"export: {path} does not exist; redirect the output of make in {folder} to it"
+        )
     found = assumed(folder, path.read_text(encoding="utf-8"))
     beyond = {name: text for name, text in found.items() if "it rests on the classical" not in text}
     changed = 0

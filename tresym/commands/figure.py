@@ -54,7 +54,7 @@ def add(commands: Commands) -> None:
 
 
 def run(args: argparse.Namespace) -> int:
-    """Run it; returns the exit status."""
+    """Run the command and return its exit status."""
     from tresym.report import figures
 
     if args.name is None:
@@ -84,7 +84,7 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _level(shape: Shape, text: str) -> float:
-    """The γ of a level that is neither the separatrix nor at rest."""
+    """Return γ of a level; it must be neither that of the separatrix nor of an equilibrium."""
     from tresym.racket.flip.defect import checked_gamma
     from tresym.reals.numbers.exact import parse_number
 
@@ -101,5 +101,5 @@ def _within(text: str, ends: tuple[int, int], what: str) -> float:
 
     value = parse_number(text, what)
     if not ends[0] <= value <= ends[1]:
-        raise InputError(f"{what}: from {ends[0]} to {ends[1]}")
+        raise InputError(f"{what}: must be from {ends[0]} to {ends[1]}")
     return int(value.p) / int(value.q)

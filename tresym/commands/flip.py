@@ -74,7 +74,7 @@ def add(commands: Commands) -> None:
 
 
 def run(args: argparse.Namespace) -> int:
-    """Run it; returns the exit status."""
+    """Run the command and return its exit status."""
     from tresym.racket.flip.model_selection import parse_digits
 
     digits, colour = parse_digits(args.digits), colour_wanted() and args.path is None
@@ -87,21 +87,21 @@ def run(args: argparse.Namespace) -> int:
         deliver(text, args.path)
     if known == digits:
         return 0
-    what = f"{known} of {digits} digits are known" if known else "nothing is known"
+    what = f"{known} of {digits} digits are known" if known else "no digits are known"
     print(f"tresym: flip: after {seconds:g} s {what}; see --limit", file=sys.stderr)
     return UNEXPECTED
 
 
 SOONER = (5, 50, 500, 5000)
-"""Digits that are asked for first, where time may not be enough for all."""
+"""Numbers of digits to compute first, in case the time is not enough for all."""
 
 PATIENCE = 5.0
-"""Seconds after which somebody who waits is told so."""
+"""Seconds after which a message says that the computation goes on."""
 _LONG = re.compile(r"[eE][+-]?\d{3}|.{40}")
 
 
 def _is_short(args: argparse.Namespace, digits: int) -> bool:
-    """Whether the answer comes at once: no great number of digits, no number of great length."""
+    """Whether the answer comes at once: few digits, and no long numbers."""
     asked = (args.gamma, args.psi0, args.rate, args.theta0, args.precession)
     numbers = (*asked, *(args.inertia or ()), *(args.shape or ()))
     return digits <= 1000 and not any(_LONG.search(text) for text in numbers if text is not None)
@@ -110,9 +110,9 @@ def _is_short(args: argparse.Namespace, digits: int) -> bool:
 def _known_within(
     seconds: float, args: argparse.Namespace, digits: int, colour: bool
 ) -> tuple[int, str]:
-    """How many digits are known after so many seconds, and what is said of them.
+    """Return how many digits are known after so many seconds, and the text of the answer.
 
-    FLINT cannot be interrupted from inside: a process of its own works, and is ended.
+    FLINT cannot be interrupted, so the work is done in a process that can be ended.
     """
     import time
 
@@ -137,7 +137,7 @@ def _known_within(
 
 
 def _awaited(future: Future[str], word: float, end: float) -> str:
-    """What comes before ``end``, by the clock; at ``word``, if that is to come, a word is said."""
+    """Return the result if it comes before ``end``; at ``word`` say that the work goes on."""
     import time
 
     if time.monotonic() < word < end:
@@ -145,12 +145,12 @@ def _awaited(future: Future[str], word: float, end: float) -> str:
             return future.result(word - time.monotonic())
         except TimeoutError:
             more = f"for {end - word:.0f} s more at most"
-            print(f"tresym: flip: still at work, {more}; see --limit", file=sys.stderr)
+            print(f"tresym: flip: still computing, {more}; see --limit", file=sys.stderr)
     return future.result(max(0, end - time.monotonic()))
 
 
 def _told(args: argparse.Namespace, digits: int, colour: bool) -> str:
-    """The answer to so many digits, as it is shown."""
+    """Return the answer to so many digits, as text."""
     shape, title = body_of(args)
     if args.psi0 is None:
         answer = _flip(args, shape, digits)
@@ -162,7 +162,7 @@ def _told(args: argparse.Namespace, digits: int, colour: bool) -> str:
 
 
 def _flip(args: argparse.Namespace, shape: Shape, digits: int) -> Flip:
-    """The symmetric trajectory."""
+    """Compute the flip on the symmetric trajectory."""
     from tresym.racket.flip.model_selection import climb
     from tresym.reals.numbers.exact import parse_number
 
@@ -173,7 +173,7 @@ def _flip(args: argparse.Namespace, shape: Shape, digits: int) -> Flip:
 
 
 def _journey(args: argparse.Namespace, shape: Shape, digits: int) -> Journey:
-    """A start of the user's own."""
+    """Compute the flip for initial conditions of the user."""
     from tresym.racket.flip import flip_angle
 
     return flip_angle(
@@ -190,14 +190,14 @@ def _journey(args: argparse.Namespace, shape: Shape, digits: int) -> Journey:
 LONGEST_FRACTION = 24
 
 LABEL, LINE = 12, 80
-"""Columns of what a line begins with, and of a whole one, which a ball of 50 digits fills.
+"""Width of the label and of a whole line, which a ball of 50 digits fills.
 
-A longer ball is one long line: a number that is broken can no longer be copied.
+A longer ball stays on one line, so that it can be copied.
 """
 
 
 def flip_text(answer: Flip, title: str, colour: bool = False) -> str:
-    """The answer in lines for people; ``title`` says which body it is of."""
+    """Return the answer as text; ``title`` names the body."""
     with ball_precision(bits(answer.digits, 64)):
         rows = [
             *_shape(answer),
@@ -212,7 +212,7 @@ def flip_text(answer: Flip, title: str, colour: bool = False) -> str:
 
 
 def journey_text(answer: Journey, title: str, colour: bool = False) -> str:
-    """Where a start comes to, in lines for people."""
+    """Return the answer for given initial conditions as text."""
     with ball_precision(bits(answer.digits, 64)):
         rows = [
             *_shape(answer),
@@ -227,7 +227,7 @@ def journey_text(answer: Journey, title: str, colour: bool = False) -> str:
 
 
 def _rung(answer: Flip | Journey) -> list[tuple[str, str]]:
-    """Which model gave the answer, and how, in lines of a terminal."""
+    """Return the lines on the model that gave the answer."""
     return _headed("rung", wrap(f"{answer.rung}: {answer.why}", LINE - LABEL - 1))
 
 
@@ -236,7 +236,7 @@ def _headed(label: str, lines: list[str]) -> list[tuple[str, str]]:
 
 
 def _approximations(answer: Flip) -> list[tuple[str, str]]:
-    """The defect and the flip as people say them, and what the paper's own formula would give."""
+    """Return the lines on rounded values, and on the value of the paper's asymptotic formula."""
     if not proves(answer.defect, answer.digits):
         return []
     defect, turn, degree = answer.defect, answer.turn, arb.pi() / 180
@@ -261,7 +261,7 @@ def _short(x: arb) -> str:
 
 
 def _shape(answer: Flip | Journey) -> list[tuple[str, str]]:
-    """The shape and the level, as they were given and about how large, in lines of a terminal."""
+    """Return the lines on shape and level, exact if short and rounded."""
     parts = []
     gamma = answer.gamma
     named = [("a", answer.shape.a), ("b", answer.shape.b), ("γ", gamma)]
@@ -283,7 +283,7 @@ def _shape(answer: Flip | Journey) -> list[tuple[str, str]]:
 
 
 def _exactly(x: fmpq) -> str:
-    """A number as a short decimal where it is one, else as a fraction."""
+    """Return a number as a short decimal if it is one, else as a fraction."""
     with localcontext(Context(prec=12, traps=[Inexact])):
         try:
             text = str(Decimal(int(x.p)) / Decimal(int(x.q)))

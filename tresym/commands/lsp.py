@@ -13,17 +13,19 @@ def add(commands: Commands) -> None:
     parser = commands.add_parser(
         "lsp",
         help="a language server for editors: diagnostics as you type",
-        description="A server of the Language Server Protocol on standard input and output. An "
-        "editor starts it for LaTeX files; it needs the extra tresym[editor].",
+        description="A server of the Language Server Protocol on standard input and output, to "
+        "be started by an editor for LaTeX files; it needs the extra tresym[editor].",
         allow_abbrev=False,
     )
     parser.add_argument("--limit", default="2", metavar="SECONDS", help="for each claim (2)")
-    parser.add_argument("--stdio", action="store_true", help="as editors write it; always so")
+    parser.add_argument(
+        "--stdio", action="store_true", help=("accepted because editors pass it; it is always on")
+    )
     parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:
-    """Serve until the editor leaves; returns the exit status."""
+    """Serve until the editor disconnects, and return the exit status."""
     limit = parse_seconds(args.limit)
     try:
         from tresym.manuscript.language_server import server

@@ -27,57 +27,61 @@ def add(commands: Commands) -> None:
     """Add `tresym paper` to the command line."""
     parser = commands.add_parser(
         "paper",
-        help="the displays of a manuscript of your own",
+        help="check the displayed formulas of a manuscript",
         description="Read every display of a manuscript's LaTeX and give each link of its chains a "
-        "status: PROVED, ENCLOSED, REFUTED, SUSPECT (a misprint, as it seems), UNDECIDED, DEFINED, "
-        "ASSUMED, EQUATION or UNREAD. Comments such as '% tresym: given a > 0' steer it.",
-        epilog="Exit status 1 when something is REFUTED or SUSPECT, with --strict also when "
-        "something is UNDECIDED or UNREAD; 2 when the file cannot be read.",
+        "status: PROVED, ENCLOSED, REFUTED, SUSPECT (a likely misprint), UNDECIDED, DEFINED, "
+        "ASSUMED, EQUATION or UNREAD. Comments such as '% tresym: given a > 0' add information.",
+        epilog="Exit status: 1 if something is REFUTED or SUSPECT, with --strict also if "
+        "something is UNDECIDED or UNREAD; 2 if the file cannot be read.",
         allow_abbrev=False,
     )
     parser.add_argument(
         "papers",
         nargs="*",
         metavar="MANUSCRIPT.tex",
-        help="LaTeX sources (without one: the setting files of tresym.toml)",
+        help="LaTeX sources (default: the files named in tresym.toml)",
     )
-    parser.add_argument("--notes", metavar="FILE", help="notes by display number and hash")
+    parser.add_argument(
+        "--notes", metavar="FILE", help=("a file of directives, by display number and hash")
+    )
     parser.add_argument("--html", metavar="DIR", help="write a page with every display as read")
     parser.add_argument(
         "--marks", metavar="FILE", help="write marks for the margin, and tresym.sty beside them"
     )
     parser.add_argument(
-        "--suspect-ok", action="store_true", help="let what is SUSPECT not count as a failure"
+        "--suspect-ok", action="store_true", help="do not count SUSPECT as a failure"
     )
     parser.add_argument(
         "--no-suggest",
         dest="suggest",
         action="store_false",
-        help="do not look for misprints and for what is true instead",
+        help="do not search for misprints and for true statements close to them",
     )
     parser.add_argument("--root", metavar="DIR", help="the project's top folder, for \\input")
-    parser.add_argument("--strict", action="store_true", help="let nothing be open")
+    parser.add_argument(
+        "--strict", action="store_true", help="count UNDECIDED and UNREAD as failures"
+    )
     parser.add_argument("--limit", metavar="SECONDS", help="for each claim (5)")
     parser.add_argument(
         "--format",
         choices=("text", "json", "github", "sarif", "junit"),
         default="text",
-        help="how to report: for people, for programs, or for CI systems",
+        help="the format of the report",
     )
     parser.add_argument(
-        "--baseline", metavar="FILE", help="known problems: only new ones are reported and fail"
+        "--baseline", metavar="FILE", help="a file of known problems: report new ones only"
     )
     parser.add_argument(
-        "--update-baseline", action="store_true", help="write the problems of today to FILE"
+        "--update-baseline", action="store_true", help="write the current problems to FILE"
     )
-    parser.add_argument("--no-cache", action="store_true", help="decide everything anew")
-    parser.add_argument("--clear-cache", action="store_true", help="forget what was decided before")
+    parser.add_argument("--no-cache", action="store_true", help="do not use cached answers")
+    parser.add_argument("--clear-cache", action="store_true", help="delete the cached answers")
     add_output(parser)
     parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:
-    """Run it; returns the exit status."""
+    """Run the command and return its exit status."""
     from pathlib import Path
 
     from tresym.manuscript.reports import baseline_text, new_since, problems, read_baseline
@@ -95,7 +99,7 @@ def run(args: argparse.Namespace) -> int:
         raise InputError("paper: --update-baseline writes the file that --baseline names")
     known = None if args.update_baseline or not baseline else read_baseline(Path(baseline))
     if args.update_baseline and Path(baseline).exists() and not args.force:
-        read_baseline(Path(baseline))  # refuses to replace what is none
+        read_baseline(Path(baseline))  # refuses to replace another kind of file
     _check_places(args)
     limit = parse_seconds(args.limit or settings.limit)
     found = []
@@ -119,7 +123,7 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _manuscripts(args: argparse.Namespace) -> tuple[list[Path], Settings]:
-    """The manuscripts of the command line, else those of the settings; and the settings."""
+    """Return the manuscripts of the command line, or else of the settings; and the settings."""
     from pathlib import Path
 
     from tresym.manuscript.settings import settings_for
@@ -135,7 +139,7 @@ def _manuscripts(args: argparse.Namespace) -> tuple[list[Path], Settings]:
 
 
 def _rows(args: argparse.Namespace, paper: Path, settings: Settings, limit: float) -> list[Row]:
-    """The rows of one manuscript."""
+    """Return the rows of one manuscript."""
     from pathlib import Path
 
     from tresym.manuscript.deciding import decided
@@ -170,7 +174,7 @@ def _show(
     new: list[Row],
     compared: bool,
 ) -> None:
-    """Deliver the report; compared with a baseline, of the problems only the new ones."""
+    """Write or print the report; with a baseline, only new problems are included."""
     from tresym.manuscript.reports import PROBLEMS, report
 
     fresh = {id(row) for row in new}
@@ -196,7 +200,7 @@ def _show(
 
 
 def _check_places(args: argparse.Namespace) -> None:
-    """See, before any work, that the page and the marks replace no file of the user's."""
+    """Check before any work that the page and the marks replace no file of the user's."""
     from pathlib import Path
 
     from tresym.output import check_replaceable, make_folder
@@ -209,7 +213,7 @@ def _check_places(args: argparse.Namespace) -> None:
 
 
 def _write_pages(args: argparse.Namespace, paper: Path, rows: list[Row]) -> None:
-    """The page and the marks, where they are asked for."""
+    """Write the page and the marks if they are requested."""
     from pathlib import Path
 
     from tresym.manuscript import html
@@ -223,10 +227,11 @@ def _write_pages(args: argparse.Namespace, paper: Path, rows: list[Row]) -> None
 
 
 def as_text(rows: list[Row], colour: bool = False, name: str = "") -> str:
-    """The rows in lines for people: what must be looked at, the rest, and which notes would help.
+    """Return the report as text: problems first, then the rest, then helpful directives.
 
     Args:
-        name: of the file, which those that it inputs are told from.
+        colour: whether to use terminal colours.
+        name: the name of the manuscript.
     """
     from tresym.manuscript.suspects import attention
 
@@ -268,7 +273,7 @@ def _shown(row: Row, colour: bool, name: str) -> Iterator[str]:
 
 
 def _ranges(numbers: list[int]) -> str:
-    """Numbers in order, those that follow one another by the first and the last."""
+    """Return numbers in order, with consecutive ones as a range: ``1, 3-5``."""
     parts: list[list[int]] = []
     for n in sorted(set(numbers)):
         if parts and n == parts[-1][-1] + 1:
@@ -280,7 +285,7 @@ def _ranges(numbers: list[int]) -> str:
 
 
 def summary(rows: list[Row]) -> str:
-    """How many links have which status."""
+    """Return how many links have which status."""
     from tresym.manuscript.deciding import STATUSES
 
     counts = Counter(row.status for row in rows)
@@ -289,18 +294,18 @@ def summary(rows: list[Row]) -> str:
     return f"{displays} displays, {len(rows)} links: {parts}"
 
 
-_ADVICE = {  # of a part of its reason
+_ADVICE = {  # by a part of the reason
     "write % tresym: as": "has no path; write % tresym: as x -> 0 (or another path) before display",
     "write % tresym: claim": "fails somewhere; write % tresym: claim or solve before display",
     "two readings remain": "has two readings; write brackets or % tresym: shorter in display",
     "its condition is not "
     "understood": "has an unread condition; write % tresym: given … before display",
 }
-"""What is said of rows that a note would settle, and the note."""
+"""Advice on directives, by a part of the reason of the rows that they would settle."""
 
 
 def advice(rows: list[Row]) -> list[str]:
-    """The notes that would help most, those for the most links first."""
+    """Return the directives that would settle most links, with their displays."""
     found: dict[str, list[int]] = {}
     for row in rows:
         for said, note in _ADVICE.items():
@@ -315,7 +320,7 @@ def advice(rows: list[Row]) -> list[str]:
 
 
 class _Progress:
-    """A counter on standard error, where that is a terminal, with the time that is left."""
+    """A counter with the remaining time, on standard error if that is a terminal."""
 
     def __init__(self) -> None:
         self.start = time.monotonic()

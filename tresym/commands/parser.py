@@ -23,15 +23,15 @@ PICTURE_PATH = "write to a file instead: .svg, .pdf or .png"
 
 
 class Parser(argparse.ArgumentParser):
-    """argparse, with its complaints as one line."""
+    """An argument parser that raises InputError with a one-line message."""
 
     def error(self, message: str) -> NoReturn:
-        """Raise the complaint as bad input; what it quotes may be long, or not printable."""
+        """Raise the message as InputError; quoted input may be long, or not printable."""
         raise InputError(f"{one_line(message, 200)} (see {self.prog} --help)")
 
 
 def one_line(text: str, longest: int) -> str:
-    """``text`` as it may be shown: what it quotes may be long, or not printable."""
+    """Return ``text`` as printable characters, cut to ``longest``."""
     shown = text if text.isprintable() else ascii(text)[1:-1]
     return shown if len(shown) <= longest else shown[: longest - 3] + "..."
 
@@ -43,7 +43,7 @@ def add_output(parser: argparse.ArgumentParser) -> None:
 
 
 def add_body(parser: argparse.ArgumentParser, *, required: bool) -> None:
-    """Add the three ways of naming a body."""
+    """Add the three options that name a body: --body, --inertia and --shape."""
     body = parser.add_mutually_exclusive_group(required=required)
     body.add_argument("--body", metavar="NAME", help="a body of the paper, such as str or book")
     body.add_argument(
@@ -53,7 +53,7 @@ def add_body(parser: argparse.ArgumentParser, *, required: bool) -> None:
 
 
 def body_of(args: argparse.Namespace) -> tuple[Shape, str]:
-    """The shape asked for, and a title that says where it came from."""
+    """Return the shape that the options name, and a title with its source."""
     from tresym.racket import body
 
     if args.body is not None:
@@ -65,14 +65,14 @@ def body_of(args: argparse.Namespace) -> tuple[Shape, str]:
 
 
 def worker_count(text: str | None) -> int:
-    """The number of processes that ``text`` asks for; one a core if nothing is asked."""
+    """Return the number of processes in ``text``; one per core if it is None."""
     from tresym.reals.processes import cores, parse_workers
 
     return cores() if text is None else parse_workers(text)
 
 
 def deliver(text: str, path: str | None) -> None:
-    """To the file ``path``, or to standard output."""
+    """Write a text to the file ``path``, or print it if that is None."""
     if path is None:
         print(text, end="")
         return
@@ -82,12 +82,12 @@ def deliver(text: str, path: str | None) -> None:
 
 
 def deliver_json(answer: dict[str, Any], path: str | None) -> None:
-    """A value as one line of JSON, delivered."""
+    """Write or print a value as one line of JSON."""
     deliver(json_line(answer), path)
 
 
 def json_line(answer: dict[str, Any]) -> str:
-    """A value as one line of JSON."""
+    """Return a value as one line of JSON."""
     import json
 
     return json.dumps(answer, ensure_ascii=False) + "\n"
@@ -98,7 +98,11 @@ LEAST_SECONDS = 0.001
 
 
 def parse_seconds(text: str) -> float:
-    """The seconds that --limit names; InputError unless they are above 0 and at most a day."""
+    """Return the seconds of --limit.
+
+    Raises:
+        InputError: it is not a number above 0 and at most a day.
+    """
     from tresym.reals.numbers.exact import parse_number
 
     value = parse_number(text, "--limit")
@@ -110,7 +114,13 @@ def parse_seconds(text: str) -> float:
 def deliver_picture(
     draw: Callable[[str], bytes], path: str | None, kind: str | None = None
 ) -> None:
-    """To a file of this kind, or the one its name ends in; to standard output where it has none."""
+    """Draw a picture and write it to a file, or to standard output.
+
+    Args:
+        draw: returns the picture in a format.
+        path: the file; None for standard output.
+        kind: the format; None to take it from the ending of ``path``.
+    """
     from tresym.output import write_bytes
     from tresym.report.figures import kind_of
 

@@ -20,10 +20,10 @@ def add(commands: Commands) -> None:
         "sweep",
         help="compute the flip of many bodies into one table",
         description="Compute the flip defect of every row of a grid or of a CSV file, and the "
-        "errors of the formulas, into an SQLite table. A sweep that was interrupted goes on where "
-        "it stopped when the same command is given again.",
+        "errors of the formulas, into an SQLite table. Run the same command again to continue a "
+        "sweep that was interrupted.",
         epilog="VALUES: 0.1,1/3 or LOW:HIGH:COUNT, with log after it for equal ratios. Exit status "
-        "1 when some rows have a problem; line and reason are in the table.",
+        "1 if some rows have a problem; line and reason are in the table.",
         allow_abbrev=False,
     )
     parser.add_argument("-o", dest="path", metavar="TABLE", required=True, help="the SQLite file")
@@ -49,7 +49,7 @@ def add(commands: Commands) -> None:
 
 
 def run(args: argparse.Namespace) -> int:
-    """Run it; returns the exit status."""
+    """Run the command and return its exit status."""
     from tresym import sweep
     from tresym.racket.flip.model_selection import parse_digits
     from tresym.reals.processes import parse_workers

@@ -32,7 +32,7 @@ def add(commands: Commands) -> None:
     """Add `tresym verify` to the command line."""
     parser = commands.add_parser(
         "verify",
-        help="verify every claim, or some claims and everything they rest on",
+        help="verify every claim, or some claims and everything they depend on",
         description="Give every statement of the paper a verdict: PROVED, ENCLOSED, REFUTED or "
         "UNDECIDED. Definitions are DEFINED, physical assumptions are ASSUMED.",
         epilog="Exit status: 1 if a verdict is not the expected one, or a false variant passes.",
@@ -67,7 +67,7 @@ def add(commands: Commands) -> None:
 
 
 def run(args: argparse.Namespace) -> int:
-    """Run it; returns the exit status."""
+    """Run the command and return its exit status."""
     if args.save_certificates and not args.full:
         raise InputError("--save-certificates stores what --full finds; give both options")
     if not args.full:
@@ -140,7 +140,7 @@ PLACE_WIDTH = 24
 
 
 def show_verification(labels: tuple[str, ...], console: Console, workers: int = 1) -> Report:
-    """Verify, print each row as it is found under a progress bar, then the count by verdict."""
+    """Verify claims, print each row as it is found, then the count by verdict."""
     from tresym.ledger.verification import choose, verify
 
     # An unknown label is refused here, before anything is printed.
@@ -161,7 +161,7 @@ def show_verification(labels: tuple[str, ...], console: Console, workers: int = 
 
 
 def show_mutants(labels: tuple[str, ...], console: Console, workers: int = 1) -> MutantReport:
-    """Judge mutants, print those that hold as they are found, then the score."""
+    """Judge false variants, print those that pass as they are found, then the score."""
     from tresym.ledger.mutants.report import MUTANTS, verify_mutants
     from tresym.ledger.verification import choose
 
@@ -257,7 +257,7 @@ def _row_lines(row: Row, named: bool, width: int) -> list[Text]:
 
 
 def _stated(claim: Claim) -> Iterator[str]:
-    """What the claim says, under which conditions, and which formula is decided."""
+    """Yield the statement of a claim with its conditions, and the formula that is decided."""
     from tresym.report.typesetting.plain_text import plain
     from tresym.report.typesetting.statements import in_plain_text, said
 

@@ -1,15 +1,11 @@
 """Print statements in Coq: the code a referee must read, beside Coq itself.
 
 A claim becomes ``forall symbols, definitions -> given -> defined -> says`` over Coq's real numbers.
-
-- Coq's functions are total (1/0 and sqrt(-1) have values), so the conditions under which all parts
-  are defined are premises.
-- Integrals and derivatives are values that are stated to exist.
-- Inside a function that is differentiated, the arguments of roots and inverse functions must lie in
-  the interior of their domains.
-- A definition that holds only under conditions of its own has these as premises.
-
-Functions that Coq's library lacks are defined in ``Tresym.v``.
+Coq's functions are total (1/0 and sqrt(-1) have values), so the conditions under which all parts
+are defined are premises; integrals and derivatives are values that are stated to exist. Inside a
+function that is differentiated, the arguments of roots and inverse functions must lie in the
+interior of their domains. A definition that holds only under conditions of its own has these as
+premises. Functions that Coq's library lacks are defined in ``Tresym.v``.
 """
 
 from __future__ import annotations
@@ -64,11 +60,7 @@ def variable(name: str) -> str:
 
 
 def term(e: Expr, level: int = SUM) -> str:
-    """Return the expression as a Coq term, in parentheses if ``level`` requires them.
-
-    Args:
-        e: the expression.
-        level: the binding strength of the context: SUM, PRODUCT, POWER or ATOM.
+    """Return the expression as a Coq term, in parentheses if the context ``level`` requires them.
 
     Raises:
         NotExportedError: the expression contains an operation without a translation.
@@ -136,11 +128,7 @@ def condition(e: Expr, relation: str) -> str:
 
 
 def has_value(node: Expr, value: str) -> str:
-    """Return that an integral or derivative exists, or a root is unique, with this value.
-
-    Raises:
-        NotExportedError: the node is of another kind.
-    """
+    """Return that an integral or derivative exists, or a root is unique, with this value."""
     if node.op not in SAID:
         raise NotExportedError(f"{node.op} is not exported to Coq yet")
     return f"{SAID[node.op]} {_function(node)} {value}"
@@ -177,14 +165,7 @@ def formula(f: Formula) -> str:
 class Theorem(Single):
     """``forall variables, premises -> says``, or the existence of a point where all of it holds.
 
-    Attributes:
-        name: the name of the theorem.
-        variables: its variables.
-        definitions: equations for symbols, each with the conditions under which it holds.
-        given: the conditions.
-        defined: what makes all parts defined.
-        says: the conclusion.
-        exists: whether the theorem states the existence of a point instead.
+    ``definitions`` are equations, each with the conditions under which it holds.
     """
 
     name: str

@@ -88,7 +88,7 @@ def ground(
         doubts.append(f"the sentence says '{under.stated}'")
     doubts += [f"the text does not say what the function {name} is" for name in sorted(unknown)]
     doubts += [
-        (f"{x} depends on something that was not read") for x in sorted(names) if base_of(x) != x
+        f"{x} depends on something that was not read" for x in sorted(names) if base_of(x) != x
     ]
     if n == 0 and head is not None and not explicit:
         doubts.append(f"it may define {head.name}")

@@ -30,30 +30,30 @@ from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 
 INDICES = frozenset("ijklmnpqrsIJKLMN")
-"""Letters of integers: in passing, of others it is said of one display."""
+"""Letters that usually denote integers."""
 _OFF = (("\\ne",), ("\\neq",), ("\\notin",))
 Conditions: TypeAlias = tuple[tuple[Compared, ...], tuple[tuple[str, Expr], ...], str]
-"""What conditions state: comparisons, values that are put in, and a path."""
+"""What conditions state: comparisons, values to substitute, and a path."""
 
 
 class ConditionReader:
-    """Reads conditions as an author writes them."""
+    """Parse conditions as authors write them."""
 
     letter_e: bool
     letter_delta: bool
 
     @property
     def author(self) -> Author:
-        """Whose formulas are read, for the reader of LaTeX."""
+        """What the LaTeX parser must know about the author's symbols."""
         raise NotImplementedError
 
     def head(self, tokens: Sequence[str]) -> Head | None:
-        """The symbol, or the function of symbols, or the derivative, that a term consists of."""
+        """Return the symbol, function of symbols, or derivative that a term consists of."""
         author = Author(strict=True, letter_e=self.letter_e, letter_delta=self.letter_delta)
         return head_of(list(tokens), author)
 
     def condition(self, said: Said) -> Conditions | None:
-        """The comparisons, the values put in and the path that a condition states, if it is one."""
+        """Return what a condition states; None if it is not understood as a condition."""
         off = self.off_multiples(said) if said.ops in _OFF else None
         if off is not None:
             return off
@@ -109,7 +109,7 @@ class ConditionReader:
         return _off(x, values)
 
     def off_each(self, x: Expr, term: Sequence[str]) -> Conditions | None:
-        """Off what a term is for every integer that stands in it."""
+        """Exclude the values of a term for every integer in it."""
         value = read_term(term, self.author).tree
         (name, *more) = sorted(symbols(value)) or [""]
         if more or name not in INDICES or value == symbol(name) or symbols(x) & INDICES:
@@ -155,13 +155,13 @@ class ConditionReader:
 
 
 def whole(name: Expr, which: str) -> tuple[Compared, ...]:
-    """That a symbol is an integer, of N one from 1 on, of N0 from 0 on."""
+    """Return the conditions that a symbol is in Z, N (from 1 on) or N0 (from 0 on)."""
     least = {"N": 1, "Z+": 1, "N0": 0}.get(which)
     return (name, "in", INTEGERS), *(() if least is None else [(name, ">=", number(least))])
 
 
 def _off(x: Expr, values: Sequence[Expr]) -> Conditions | None:
-    """That x is no multiple, or no odd multiple of one half, of π or 1, where these are such."""
+    """Exclude all multiples, or odd multiples of one half, of π or 1, if ``values`` begin them."""
     for unit in (PI, ONE):
         for start, wave in ((ZERO, "sin"), (HALF, "cos")):
             row = [(start + k) * unit for k in range(len(values))]

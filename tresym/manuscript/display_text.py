@@ -51,7 +51,7 @@ _WHEN = re.compile(
     r"(?:for|if|iff|when|whenever|where|provided|with|unless|as long as|as soon as|on|in"
     r"|at|assuming|given|except|near|while|until|under|because of|over|outside|inside)\b"
 )
-"""What a condition begins with."""
+"""Words at the beginning of a condition."""
 _TEXT = re.compile(
     r"\\(text|textrm|textnormal|mbox|textit|hbox|intertext|shortintertext|textup|mathrm"
     r"|operatorname\*?)\s*\{((?:[^{}]|\{[^{}]*\})*)\}"
@@ -70,7 +70,11 @@ _WITHOUT = re.compile(
 
 
 def prepared(text: str, words: list[str]) -> str:
-    """With marks for gaps and upright text; what only sets the page is dropped."""
+    """Return the text with marks for gaps and upright text, and without layout commands.
+
+    Args:
+        words: upright text that is not understood is appended to this list.
+    """
     text = _DROPPED.sub(" ", text)
     text = _SET.sub(r" \1 ", text)
     text = _THOUSANDS.sub(lambda m: re.sub(r"\{?,\}?|\\,", "", m[0]), text)
@@ -95,7 +99,7 @@ def prepared(text: str, words: list[str]) -> str:
 
 
 def _repeating(found: re.Match[str]) -> str:
-    """A decimal whose last digits repeat, as a fraction."""
+    """Return a repeating decimal as a fraction."""
     places, period = found[2], found[3]
     nines = 10 ** len(places) * (10 ** len(period) - 1)
     above = int(found[1] + places + period) - int(found[1] + places)
@@ -103,7 +107,7 @@ def _repeating(found: re.Match[str]) -> str:
 
 
 def _relation_under(found: re.Match[str]) -> str:
-    """An equality sign with something over it: a definition, a question, or the sign alone."""
+    """Return the meaning of an equality sign with something over it, such as "def" or "?"."""
     if re.search(r"[?!]", found[1]):
         return r" \questioned "
     return ":=" if re.search("def|triangle|Delta", found[1]) else "="
@@ -114,17 +118,17 @@ _SETS |= {"odd": "O", "even": "E"}
 
 
 def _set(words: str) -> str:
-    """The integers that words such as "odd" and "positive" name."""
+    """Return the set of integers that words such as "odd" and "positive" name."""
     return rf"\mathbb{{{_SETS[words.strip()]}}}"
 
 
 def between(text: str) -> tuple[str, list[str]]:
-    """A display without the prose between its lines, and that prose."""
+    """Split a display into its formulas and the prose between its lines."""
     return _BETWEEN.sub(" ", text), _BETWEEN.findall(text)
 
 
 def _without_braces_under(text: str) -> str:
-    """What stands over or under a brace alone, without what the brace is labelled with."""
+    """Remove braces over or under formulas, with the labels of the braces."""
     while (mark := _BRACE.search(text)) is not None:
         inside, end = group(text, mark.end())
         label = re.compile(r"\s*[_^]").match(text, end)
@@ -134,7 +138,7 @@ def _without_braces_under(text: str) -> str:
 
 
 def _spoken(found: re.Match[str], words: list[str]) -> str:
-    """Upright text as the tokens that it stands for."""
+    """Replace upright text by the tokens that it stands for."""
     command, text = found[1], found[2]
     if command in ("mathrm", "operatorname", "operatorname*") or re.fullmatch(r"\s*\w\s*", text):
         return found[0]

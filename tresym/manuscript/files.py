@@ -177,13 +177,16 @@ class Files:
             names += [name, f"{name}.tex"]
         made = []
         for name in names if depth else ():
-            found = (path.parent / name).resolve()
-            if found.is_relative_to(self.root) and found.is_file():
-                made.append(self._definitions(found, _text_of(found), False, depth - 1))
+            file = (path.parent / name).resolve()
+            if file.is_relative_to(self.root) and file.is_file():
+                made.append(self._definitions(file, _text_of(file), False, depth - 1))
         for command in () if packages else DEFINITIONS.finditer(text):
             with suppress(InputError):
-                _, end = definition(text, command)
-                made.append(" ".join(text[command.start() : end].split()))
+                found, end = definition(text, command)
+                written = " ".join(text[command.start() : end].split())
+                itself = any((macro.body or "").count(name) for name, macro in found.items())
+                if not (itself or "@" in written or command[0] == "\\let"):
+                    made.append(written)  # what TeX does inside is left out, as it may not end
         return " ".join(made)
 
     def _part(self, file: str, text: str, start: int, end: int) -> None:

@@ -147,7 +147,7 @@ SPEAKERS = (
     (re.compile(r"\b(?:differential|derivative|difference) operators?\b", re.IGNORECASE), "D"),
     (re.compile(r"\b(?:difference operator|Laplacian)\b", re.IGNORECASE), "Delta"),
 )
-"""Words, and the letter that is usual for the operator that they name."""
+"""Names of operators, with their usual letters."""
 
 
 _LETTERS = r"[A-Z](?:_\d)?(?:\s*,\s*[A-Z](?:_\d)?)*(?![a-zA-Z^])"
@@ -160,10 +160,10 @@ _INTERVALS_BEFORE = re.compile(
 
 
 class Declared(NamedTuple):
-    """What words say of the symbols of formulas in the line.
+    """The kind that words give to the symbols of inline formulas.
 
     Attributes:
-        kind: what they are.
+        kind: their kind.
         words: the words, with the formulas.
         formulas: the formulas.
         at: where the words begin in the text.
@@ -176,7 +176,7 @@ class Declared(NamedTuple):
 
 
 def declared(text: str) -> Iterator[Declared]:
-    """What the words of a text say its symbols are."""
+    """Yield the kinds that the words of a text give to its symbols."""
     formulas: list[str] = []
     places: list[tuple[int, int]] = []
 
@@ -222,9 +222,9 @@ def intervals_in(text: str) -> set[str]:
 
 
 def of_sentence(sentence: str) -> Iterator[tuple[str, str, bool]]:
-    """The kinds of which a sentence speaks without a name, as in "the matrices satisfy".
+    """Yield kinds that a sentence mentions without naming symbols: "the matrices satisfy".
 
-    Each comes with its word, and with whether there are several of them.
+    Each comes with its word, and with whether that is in the plural.
     """
     words = INLINE.sub(" ", sentence)
     for found in _OF_SENTENCE.finditer(words):

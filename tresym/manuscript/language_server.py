@@ -1,7 +1,7 @@
 """A language server for manuscripts: diagnostics, hover and quick fixes in any editor.
 
-It speaks the Language Server Protocol (version 3.17) through pygls. A change of the text starts a
-look at it in a process of its own (``editor_rows``) after a short pause; a look that is outdated is
+It implements the Language Server Protocol (version 3.17) with pygls. After a change and a short
+pause the text is checked in a separate process (``editor_rows``); a check that is outdated is
 ended.
 """
 
@@ -25,7 +25,7 @@ import tresym
 from tresym.reals.decisions.answer_cache import cache_file
 
 PAUSE = 0.4
-"""Seconds without a change after which the text is looked at."""
+"""Seconds without a change after which the text is checked."""
 _SEVERITY = {
     "REFUTED": types.DiagnosticSeverity.Error,
     "SUSPECT": types.DiagnosticSeverity.Warning,
@@ -38,7 +38,7 @@ _KEPT = re.compile(r"\\label\s*\{[^{}]*\}")
 
 @dataclass
 class _Document:
-    """What is known of an open manuscript."""
+    """An open manuscript with the rows of its last check."""
 
     text: str = ""
     rows: list[dict[str, Any]] = field(default_factory=list)
@@ -53,11 +53,11 @@ class ManuscriptServer(LanguageServer):
         self.limit = limit
         self.documents: dict[str, _Document] = {}
         self.environment = dict(os.environ)
-        if cache_file() is None:  # without one, each look would decide everything again
+        if cache_file() is None:  # without a cache, each check would decide everything again
             self.environment["TRESYM_CACHE"] = tempfile.mkdtemp(prefix="tresym")
 
     def changed(self, uri: str) -> None:
-        """Look at a manuscript again, after a pause without changes."""
+        """Check a manuscript again, after a pause without changes."""
         document = self.documents.setdefault(uri, _Document())
         if document.task is not None:
             document.task.cancel()
@@ -109,7 +109,7 @@ class ManuscriptServer(LanguageServer):
         )
 
     def rows_at(self, uri: str, line: int) -> list[dict[str, Any]]:
-        """The rows of the display at a line, as the text was when it was looked at."""
+        """Return the rows of the display at a line, from 0, in the text that was checked."""
         document = self.documents.get(uri)
         if document is None:
             return []
@@ -124,13 +124,13 @@ class ManuscriptServer(LanguageServer):
 def _at(
     first: int, last: int, message: str, severity: types.DiagnosticSeverity
 ) -> types.Diagnostic:
-    """A diagnostic of whole lines."""
+    """Return a diagnostic for whole lines."""
     span = types.Range(types.Position(first, 0), types.Position(last, 10_000))
     return types.Diagnostic(span, message, severity=severity, source="tresym")
 
 
 def display_lines(row: dict[str, Any], text: str) -> tuple[int, int]:
-    """The first and the last line of a row's display, from 0."""
+    """Return the first and the last line of a row's display, from 0."""
     lines = text.split("\n")
     first = min(max(row["line"] - 1, 0), len(lines) - 1)
     kind = row["kind"]
@@ -146,7 +146,7 @@ def display_lines(row: dict[str, Any], text: str) -> tuple[int, int]:
 
 
 def said_of(row: dict[str, Any]) -> str:
-    """What is said of a row, in a few lines."""
+    """Return the message on a row, in a few lines."""
     parts = [f"{row['read_as'] or row['latex']}: {row['why']}"]
     if row["witness"]:
         values = ", ".join(f"{name} = {value}" for name, value in row["witness"].items())
@@ -156,7 +156,7 @@ def said_of(row: dict[str, Any]) -> str:
 
 
 def hover_text(rows: list[dict[str, Any]]) -> str:
-    """What was read of a display, with the status of each link, in Markdown."""
+    """Return how a display was read, with the status of each link, in Markdown."""
     parts = []
     for row in rows:
         read = row["read_as"] or row["latex"]
@@ -170,7 +170,7 @@ def hover_text(rows: list[dict[str, Any]]) -> str:
 
 
 def quick_fixes(rows: list[dict[str, Any]], uri: str, text: str) -> list[types.CodeAction]:
-    """What may be done about a display that is refuted, suspect or undecided."""
+    """Return the quick fixes for a display that is refuted, suspect or undecided."""
     found: list[types.CodeAction] = []
     for row in rows:
         if row["status"] not in _SEVERITY:

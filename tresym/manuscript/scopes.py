@@ -1,8 +1,8 @@
 """How far what a manuscript says reaches: theorems, proofs, examples, lists, items, cases.
 
-What is defined or assumed in one of these ends with it. Two things reach further: a proof or a
-solution has what the statement before it says, and a symbol of which an item of a list speaks is
-restricted from there on, as lists of assumptions are.
+Definitions and assumptions in one of these end with it, with two exceptions: a proof or a
+solution also has those of the statement before it, and a symbol that occurs in a list item is
+restricted from there on, since the list may state assumptions.
 """
 
 from __future__ import annotations
@@ -21,9 +21,9 @@ class Restriction(NamedTuple):
     """Why a symbol is not free for a counterexample.
 
     Attributes:
-        by: the other symbols that it is tied to, if it is to some.
-        bounds: bounds that may be meant for it; what fails under them fails in any case.
-        within: the only paragraph in which it is tied, 0 for any.
+        by: the other symbols that the restriction involves, if any.
+        bounds: bounds that may be meant for it; a claim that fails under them is false.
+        within: the only paragraph in which the restriction holds, 0 for any.
     """
 
     why: str
@@ -34,13 +34,13 @@ class Restriction(NamedTuple):
 
 @dataclass
 class Reach:
-    """What is said up to a place, as far as it ends with a scope.
+    """The definitions and conditions at a place that end with a scope.
 
     Attributes:
-        functions: what symbols and functions stand for, the latest last.
-        lasting: conditions of the prose, to the end of the section or the scope.
-        earlier: those of sections before, of symbols that are not spoken of anew.
-        recent: what was defined in this section; before it a letter may have been another.
+        functions: the definitions of symbols and functions, the latest last.
+        lasting: conditions of the text, to the end of the section or the scope.
+        earlier: conditions of earlier sections, on symbols that were not introduced anew.
+        recent: symbols defined in this section.
         ambiguous: symbols with two definitions in this scope.
         places: in which paragraph a symbol was defined.
         restricted: symbols that are not free for a counterexample, and why.
@@ -57,11 +57,11 @@ class Reach:
     paragraph: int = 0
 
     def copied(self) -> Reach:
-        """Another with the same in it."""
+        """Return a copy."""
         return Reach(**{name: copy(value) for name, value in vars(self).items()})
 
     def since(self, before: Reach) -> Reach:
-        """What was added to that."""
+        """Return what was added since an earlier copy."""
         functions = before.functions
         return Reach(
             {n: f for n, f in self.functions.items() if functions.get(n) != f},
@@ -74,7 +74,7 @@ class Reach:
         )
 
     def add(self, more: Reach) -> None:
-        """Take in what another scope says."""
+        """Add the definitions and conditions of another scope."""
         for name, function in more.functions.items():
             self.functions.pop(name, None)
             self.functions[name] = function
@@ -85,7 +85,7 @@ class Reach:
         self.restricted |= more.restricted
 
     def names(self) -> set[str]:
-        """The symbols of which it says something."""
+        """Return the symbols that occur in it."""
         spoken = {*self.functions, *self.restricted}
         for left, _, right in self.lasting:
             spoken |= symbols(left) | symbols(right)
@@ -93,10 +93,10 @@ class Reach:
 
 
 class Scopes:
-    """The scopes that are open at a place, each with what was said before it.
+    """The open scopes at a place, each with the definitions and conditions before it.
 
     Attributes:
-        now: what is said up to here.
+        now: the definitions and conditions at this place.
     """
 
     def __init__(self) -> None:
@@ -109,16 +109,16 @@ class Scopes:
 
     @property
     def before(self) -> Reach:
-        """What was said before the innermost scope."""
+        """The definitions and conditions before the innermost scope."""
         return self._open[-1][1] if self._open else Reach()
 
     @property
     def path(self) -> tuple[int, ...]:
-        """The section and the scopes in it that are open, outermost first."""
+        """The numbers of the section and of the open scopes in it, outermost first."""
         return (self._section, *self._entered)
 
     def mark(self, scope: Scope) -> None:
-        """A scope opens or ends."""
+        """Open or close a scope."""
         if scope.name == "heading":
             while self._open and self._open[-1][0].name == "heading":
                 if scope.kind == CASE and self._open[-1][0].kind != CASE:
@@ -137,7 +137,7 @@ class Scopes:
             self._enter(scope)
 
     def section(self, chapter: bool) -> None:
-        """A section begins: every scope has ended, and so have conditions and restrictions."""
+        """Begin a section: all scopes, conditions and restrictions end."""
         self._close_to(0)
         now = self.now
         for name in now.ambiguous:
@@ -152,7 +152,7 @@ class Scopes:
         self._section = self._paragraphs
 
     def paragraph(self) -> None:
-        """A paragraph begins."""
+        """Begin a paragraph."""
         self._paragraphs += 1
         self.now.paragraph = self._paragraphs
 

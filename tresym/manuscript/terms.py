@@ -30,12 +30,12 @@ class Head:
 
     @property
     def base(self) -> str:
-        """Of a derivative what it is one of, else the name itself."""
+        """The differentiated symbol for a derivative, else the name itself."""
         return base_of(self.name) if self.derived else self.name
 
 
 def head_of(tokens: list[str], author: Author) -> Head | None:
-    """The symbol, function of symbols or derivative of one that ``tokens`` are, else nothing."""
+    """Return the symbol, function of symbols, or derivative that ``tokens`` are; else None."""
     try:
         reader = Reader(tokens, author)
         if reader.kind(0) == "letter" and reader.peek() != "\\pi":
@@ -61,7 +61,7 @@ def head_of(tokens: list[str], author: Author) -> Head | None:
 
 
 def base_of(name: str) -> str:
-    """Of a derivative's symbol what it is one of."""
+    """Return the symbol that is differentiated in the name of a derivative, else the name."""
     found = _DERIVED.fullmatch(name.split("_of_")[0])
     return (found[1] or found[2]) if found else name
 
@@ -70,7 +70,7 @@ SIGNS = ("+", "-", "|", "\\left|", "\\right|")
 
 
 def is_plain(term: Sequence[str]) -> bool:
-    """A symbol or a number, perhaps with a sign, or infinity."""
+    """Whether a term is a symbol, a number or infinity, perhaps with a sign."""
     bare = [t for t in term if t not in SIGNS]
     if not bare:
         return False
@@ -80,15 +80,15 @@ def is_plain(term: Sequence[str]) -> bool:
 
 
 def unknown_in(*trees: Expr) -> set[str]:
-    """The names of the functions in the trees that are left unknown."""
+    """Return the names of the arbitrary functions in the expressions."""
     return {str(f.args[0].args[0]) for e in trees for f in functions(e)} - {FACTORIAL}
 
 
 def read_term(tokens: Sequence[str], author: Author) -> Piece:
-    """A term as it is read.
+    """Parse a term.
 
     Raises:
-        InputError: one that is not.
+        InputError: it cannot be read.
     """
     tokens = _digits_joined(list(tokens))
     while tokens and tokens[-1] in (",", ".", ";", ":"):
@@ -104,7 +104,7 @@ def read_term(tokens: Sequence[str], author: Author) -> Piece:
 
 
 def with_primed_variables(tokens: Sequence[str]) -> tuple[str, ...]:
-    """With a variable of integration that has a prime, ``\\int f(t')\\,dt'``, by a name."""
+    """Rename a variable of integration with a prime, as in ``\\int f(t')\\,dt'``."""
     ends = zip(tokens, tokens[1:], tokens[2:], strict=False)
     by = {b for a, b, c in ends if (a, c) == ("d", "'")}
     result: list[str] = []
@@ -161,12 +161,12 @@ def as_derivatives(terms: Sequence[Sequence[str]]) -> tuple[tuple[str, ...], ...
 
 
 def variables_of_integrals(tokens: Sequence[str]) -> set[str]:
-    """The letters behind the d of integrals."""
+    """Return the variables of integration."""
     return {b.removeprefix("\\") for a, b in pairwise(tokens) if a == "d" and "\\int" in tokens}
 
 
 def _digits_joined(tokens: list[str]) -> list[str]:
-    """``2.71828 18284 59045 \\ldots`` as one decimal."""
+    """Join groups of digits, ``2.71828 18284 59045 \\ldots``, to one decimal."""
     result: list[str] = []
     for n, token in enumerate(tokens):
         grouped = result and "." in result[-1] and result[-1][0].isdigit() and token.isdigit()
@@ -181,7 +181,7 @@ def _digits_joined(tokens: list[str]) -> list[str]:
 
 
 def without_units(tokens: Sequence[str]) -> Sequence[str]:
-    """A number without the unit behind it."""
+    """Return a number without the unit behind it."""
     start = next((n for n, token in enumerate(tokens) if token in _UNITS), 0)
     numbers = {"\\times", "\\cdot", "^", "{", "}", "-", "+"}
     if start and all(t in numbers or t[0].isdigit() or t[0] == "." for t in tokens[:start]):
@@ -190,5 +190,5 @@ def without_units(tokens: Sequence[str]) -> Sequence[str]:
 
 
 def plain(why: str) -> str:
-    """What is said of LaTeX, on one line."""
+    """Return an error of the LaTeX parser on one line, without its prefix."""
     return " ".join(why.removeprefix("LaTeX: ").split())

@@ -38,16 +38,16 @@ theta, phi, psi = _real("theta"), _real("phi"), _real("psi")
 dtheta_dt, dphi_dt, dpsi_dt = _real("dtheta_dt"), _real("dphi_dt"), _real("dpsi_dt")
 dM1_dt, dM2_dt, dM3_dt = _real("dM1_dt"), _real("dM2_dt"), _real("dM3_dt")
 dtheta_dphi, dpsi_dphi = _real("dtheta_dphi"), _real("dpsi_dphi")
-"""Rates, as symbols of their own: each is what some claim says it is."""
+"""Derivatives, as independent symbols; claims say what they are equal to."""
 a, b = _real("a"), _real("b")
 """Shape of the body: a = I₂/I₁ − 1, b = 1 − I₂/I₃."""
 theta_min, theta_max = _real("theta_min"), _real("theta_max")
 psi_min, psi_max = _real("psi_min"), _real("psi_max")
 """Bounds of the tilt and of the flip on one trajectory."""
 gamma = _real("gamma")
-"""Distance from the separatrix: γ = 2 I₂ E/M² − 1."""
+"""Level of the motion, 0 on the separatrix: γ = 2 I₂ E/M² − 1."""
 epsilon, epsilon0, epsilon_printed = map(_real, ("epsilon", "epsilon0", "epsilon_printed"))
-"""Flip defect, the flip defect on the separatrix, and what the theorem's formula gives for it."""
+"""Flip defect, the flip defect on the separatrix, and its value by the theorem's formula."""
 depsilon_dgamma, partialepsilon_partialgamma = (
     _real("depsilon_dgamma"),
     _real("partialepsilon_partialgamma"),
@@ -56,7 +56,7 @@ partialepsilon_partialF, partialF_partialgamma = (
     _real("partialepsilon_partialF"),
     _real("partialF_partialgamma"),
 )
-"""Derivatives of the flip defect and of F, as symbols of their own."""
+"""Derivatives of the flip defect and of F, as independent symbols."""
 psi0, psi_f = _real("psi0"), _real("psi_f")
 Delta_psi, Delta_phi = _real("Delta_psi"), _real("Delta_phi")
 """Flip angle at the start and at the end; the changes of the flip and precession angles."""
@@ -105,7 +105,7 @@ LATEX = {
     psi_min: r"\psi_{\min}",
     psi_max: r"\psi_{\max}",
 }
-"""How symbols are written where SymPy's own rule would write them otherwise."""
+"""The LaTeX of symbols that SymPy would write otherwise."""
 
 WORDS = {
     "I1": "principal moment of inertia about the handle",
@@ -119,70 +119,70 @@ WORDS = {
     "Omega2": "angular velocity about the intermediate axis",
     "Omega3": "angular velocity about the normal of the face",
     "E": "energy of the rotation",
-    "R": "rotation from the body to the laboratory, by ψ, θ and φ about z, y and z",
+    "R": "rotation from the body frame to the laboratory frame, by ψ, θ and φ about z, y and z",
     "theta": "Euler angle: tilt of the handle from the angular momentum",
     "phi": "Euler angle: precession of the handle about the angular momentum",
     "psi": "Euler angle: rotation about the handle, which is the flip",
-    "a": "shape of the body: how much larger the second moment is than the first",
-    "b": "shape of the body: how much smaller the second moment is than the third",
+    "a": "shape of the body: relative excess of the second moment over the first",
+    "b": "shape of the body: relative deficit of the second moment from the third",
     "gamma": "level of the motion: 0 on the separatrix, negative where ψ oscillates",
     "S": "sign of cos θ, and of dψ/dφ: 1 or −1",
     "S2": "sign of sin ψ cos ψ: 1 or −1",
     "theta_min": "least tilt of the handle in a motion",
     "theta_max": "largest tilt of the handle in a motion",
-    "psi_min": "where an oscillating motion turns",
-    "psi_max": "where an oscillating motion turns, on the other side",
+    "psi_min": "lower turning point of an oscillating motion",
+    "psi_max": "upper turning point of an oscillating motion",
     "psi0": "flip angle at the start",
     "psi_f": "flip angle at the end",
-    "Delta_psi": "the flip in one turn of the handle",
-    "Delta_phi": "the turn of the handle",
-    "epsilon": "defect of a flip: what the symmetric motion lacks at either end, Δψ = π − 2ε",
-    "epsilon0": "defect on the separatrix",
-    "epsilon_printed": "ε₀ by the formula of the theorem, its remainder left out",
+    "Delta_psi": "change of ψ in one turn of the handle: the flip",
+    "Delta_phi": "change of φ: the turn of the handle",
+    "epsilon": "flip defect: half of what the symmetric motion lacks to a half turn, Δψ = π − 2ε",
+    "epsilon0": "flip defect on the separatrix",
+    "epsilon_printed": "ε₀ by the formula of the theorem without its remainder",
     "x": "√(b/(a + b)) cos ψ, a variable of integration",
-    "x0": "the same at the start",
+    "x0": "the value of x at the start",
     "F": "half a turn of the handle: the integral of dφ/dψ from ε to π/2",
     "lambda": "1/√(ab), small for large ab",
     "mu": "√(b/(a + b)), small with λ",
-    "u": "what the exponent of ε₀ lacks in the appendix",
-    "kappa": "1/√(ab), the coordinate in which bounds for large ab are shown; λ of the appendix",
+    "u": "correction of the exponent of ε₀ in the appendix",
+    "kappa": "1/√(ab), the coordinate in which bounds for large ab are proved; λ of the appendix",
     "epsilon_star": "leading term of ε₀ for large ab",
     "c1": "first coefficient of ε₀ = ε*(1 + c₁ε*² + c₂ε*⁴ + …)",
-    "c2": "second coefficient of the same",
+    "c2": "second coefficient of ε₀ = ε*(1 + c₁ε*² + c₂ε*⁴ + …)",
     "P": "the phase on the separatrix, between π and 3π/2, from which ε₀ follows",
     "Q": "log(ε₀/ε*)",
-    "epsilon_pi": "sweep from π: the defect when π is put once into the equation of the phase",
-    "epsilon_4": "sweep from 4: the same when 4 is put in",
-    "T": "unknown of the stable form, at its root √(ab) P; a variable in the lemmas on it",
-    "k": "a variable of the lemmas, into which √(ab) is put",
-    "r": "a variable of the lemmas, into which √(b/a) is put",
-    "chi": "time before the middle of the flip, of a motion that may turn back",
-    "hot": "higher orders, as the paper writes what it leaves out",
+    "epsilon_pi": "sweep from π: the defect after one step of the fixed-point iteration from π",
+    "epsilon_4": "sweep from 4: the defect after one step of the fixed-point iteration from 4",
+    "T": "unknown of the stable form, equal to √(ab) P at its root; a variable in lemmas about it",
+    "k": "a variable of lemmas that are applied to √(ab)",
+    "r": "a variable of lemmas that are applied to √(b/a)",
+    "chi": "time before the middle of the flip, for a motion that may have turning points",
+    "hot": "higher-order terms that the paper omits",
 }
-"""What each symbol is, in words, in the order of the paper; by its name."""
+"""The meaning of each symbol in words, by name, in the order of the paper."""
 
 WORDS_OF_PROOFS = {
-    "dtheta_dphi": "tilt by precession",
-    "dpsi_dphi": "flip by precession: its value at the start is the second initial condition",
+    "dtheta_dphi": "derivative of θ by φ",
+    "dpsi_dphi": "derivative of ψ by φ; its value at the start is an initial condition",
     "dtheta_dt": "rate of the tilt",
     "dphi_dt": "rate of the precession",
     "dpsi_dt": "rate of the flip angle",
     "dM1_dt": "rate of the angular momentum along the handle",
     "dM2_dt": "rate of the angular momentum along the intermediate axis",
     "dM3_dt": "rate of the angular momentum along the normal of the face",
-    "depsilon_dgamma": "slope of ε by γ",
-    "partialF_partialepsilon": "slope of F by its lower end, where γ > 0",
-    "partialF_partialepsilon0": "slope of F by its lower end, on the separatrix",
-    "partialF_partialgamma": "slope of F by γ, on the separatrix",
-    "partialepsilon_partialF": "slope of ε by F, on the separatrix",
-    "partialepsilon_partialgamma": "slope of ε by γ, on the separatrix",
+    "depsilon_dgamma": "derivative of ε by γ",
+    "partialF_partialepsilon": "derivative of F by its lower limit, for γ > 0",
+    "partialF_partialepsilon0": "derivative of F by its lower limit, on the separatrix",
+    "partialF_partialgamma": "derivative of F by γ, on the separatrix",
+    "partialepsilon_partialF": "derivative of ε by F, on the separatrix",
+    "partialepsilon_partialgamma": "derivative of ε by γ, on the separatrix",
     "P_pi": "phase after a sweep from π and one step of Newton's method",
-    "epsilon_pi2": "defect that belongs to this phase",
+    "epsilon_pi2": "defect for the phase after a sweep from π and one step of Newton's method",
     "P_4": "phase after a sweep from 4 and one step of Newton's method",
-    "epsilon_42": "defect that belongs to this phase",
-    "chiprime": "slope of that time by γ, along a level",
-    "epsilonprime_r": "slope of ε by γ where ψ rotates",
-    "epsilonprime_o": "slope of ε by γ where ψ oscillates and does not turn",
+    "epsilon_42": "defect for the phase after a sweep from 4 and one step of Newton's method",
+    "chiprime": "derivative of the time χ by γ, along a level",
+    "epsilonprime_r": "derivative of ε by γ if ψ rotates",
+    "epsilonprime_o": "derivative of ε by γ if ψ oscillates and has not reached a turning point",
     "B1": "first rotational constant of a molecule, as 1/I₁",
     "B2": "second rotational constant of a molecule, as 1/I₂",
     "B3": "third rotational constant of a molecule, as 1/I₃",
@@ -190,4 +190,4 @@ WORDS_OF_PROOFS = {
     "N2": "angular momentum along the intermediate axis at another time",
     "N3": "angular momentum along the normal of the face at another time",
 }
-"""As `WORDS`, of symbols that single proofs define or speak of."""
+"""The meaning of symbols that occur in single proofs only."""

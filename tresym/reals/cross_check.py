@@ -453,9 +453,11 @@ def _anywhere(x: arb, y: arb) -> arb:
 
 
 def _to_integer(x: arb, y: arb) -> arb:
-    """Return a power whose exponent takes only integer values."""
+    """Return a power whose exponent has only integer variables; n + 1/2 needs x > 0."""
     n = y.unique_fmpz()
-    if n is None or x.contains(0):
+    if n is None:
+        return _general(x, y)
+    if x.contains(0):
         raise _UndefinedError
     if abs(n) <= LONGEST_POWER:
         return x ** int(n)

@@ -212,7 +212,7 @@ class CsvFile:
         """
         self.path = path
         if not Path(path).is_file():
-            raise InputError(f"{path}: there is no such file, or it is not a plain one")
+            raise InputError(f"{path}: there is no such file, or it is not a regular file")
         digest, count, header = hashlib.sha256(), 0, ""
         try:
             for line in _lines(path):
@@ -275,7 +275,7 @@ class CsvPart(NamedTuple):
         except csv.Error as error:
             raise InputError(f"line: {error}") from None
         if len(values) != len(self.columns):
-            raise InputError(f"line: {len(values)} values under {len(self.columns)} columns")
+            raise InputError(f"line: {len(values)} values for {len(self.columns)} columns")
         return {key: value.strip(" \t") for key, value in zip(self.columns, values, strict=True)}
 
 

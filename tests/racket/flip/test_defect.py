@@ -358,7 +358,7 @@ def test_the_chooser_names_the_rung_and_says_when_one_cannot():
     for gamma, rung, says in (
         ("1", "separatrix", "gamma = 0, only"),
         ("1", "asymptotic", "gamma = 0, only"),
-        (STR.a, "carlson", "ends of the range of gamma; try planar"),
+        (STR.a, "carlson", "an end of the range of gamma; try planar"),
         (-STR.b, "carlson", "try planar"),
         ("1", "attitude", "is not known"),
     ):

@@ -237,7 +237,7 @@ def test_shapes_out_of_range_are_refused(a, b):
     for wrong in (math.nan, math.inf, "nan", "1e101", "1e-101", 1e200):
         with pytest.raises(InputError):
             flip_map(wrong, 0.5, 0.1, 0.1)
-    with pytest.raises(InputError, match="flip_angle takes"):
+    with pytest.raises(InputError, match="use flip_angle"):
         flip_map(1.0, "1e-9999", 0.1, 0.1)
 
 

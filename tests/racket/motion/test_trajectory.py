@@ -290,7 +290,7 @@ def test_json_of_a_start(capsys):
         (["--psi0", "1", "--rate", "1", "--theta0", "1"], "not allowed with"),
         (["--psi0", "1", "--rate", "100"], "no body of this shape has it"),
         (["--psi0", "x", "--rate", "1"], "an angle may also be pi/2"),
-        (["--psi0", "1", "--rate", "1", "--rung", "carlson"], "a start needs planar"),
+        (["--psi0", "1", "--rate", "1", "--rung", "carlson"], "for a start use planar"),
         (["--psi0", "1", "--rate", "1", "--precession", "often"], "precession:"),
     ],
 )

@@ -426,7 +426,7 @@ def test_sympy_relations_and_assumptions() -> None:
     assert tresym.check(sympy.Eq(modulus, sympy.sign(x), evaluate=False))
     assert tresym.check(sympy.Eq(sympy.atan2(x, a), sympy.atan(x / a)))
     assert tresym.check(sympy.Max(x, a, 1) >= sympy.Min(x, a))
-    with pytest.raises(InputError, match="all here are real"):
+    with pytest.raises(InputError, match="all values are real"):
         tresym.check(sympy.Eq(sympy.I * x, a))
 
 

@@ -44,7 +44,7 @@ OPEN = [
 def test_what_holds_of_every_function(claim: str) -> None:
     answer = tresym.check(claim)
     assert answer.verdict in (Verdict.PROVED, Verdict.ENCLOSED)
-    assert "every smooth f" in answer.why
+    assert "all smooth f" in answer.why
 
 
 @pytest.mark.parametrize("claim", FAIL)

@@ -39,7 +39,7 @@ def test_values(text: str, value: float) -> None:
     [
         *("sqrt(-x)", "log(-x)", "1/(x - 1)", "asin(x + 1)", "(-x)**(1/3)"),
         *("exp(1000*x) - exp(1000*x)", "integral(exp(t), t, 0, oo)"),
-        *("sum(1/k, k, 1, oo)", "sum(k, k, 1, x/2)"),
+        *("sum(1/k, k, 1, oo)", "sum(k, k, 1, x/2)", "sum(1/k**2, k, -oo, oo)"),
     ],
 )
 def test_no_value_where_there_is_none(text: str) -> None:

@@ -131,8 +131,8 @@ def test_captions_count_from_the_data() -> None:
         {"method": "scipy quad", "where": "", "claims": 10, "digits": 11},
     ]
     said = honesty.caption({"points": points})
-    assert "1 of 2 answers of other methods" in said
-    assert "0 of 1 balls do" in said
+    assert "1 of 2 results of other methods" in said
+    assert "0 of 1 balls claim too much" in said
 
 
 def test_what_fails_is_drawn_with_its_reason() -> None:

@@ -623,8 +623,8 @@ def test_a_picture_has_the_width_that_is_asked_for(tmp_path):
         (["flip-map", "--gamma", "0.01"], "--gamma is an option of flip-curves"),
         (["flip-curves", "--gamma", "0"], "--gamma 0 is the separatrix"),
         (["flip-curves", "--gamma", "99"], "gamma: must be between -b and a"),
-        (["flip-curves", "--width", "1e9"], "--width: from 40 to 600"),
-        (["flip-curves", "--dpi", "1e9"], "--dpi: from 20 to 1200"),
+        (["flip-curves", "--width", "1e9"], "--width: must be from 40 to 600"),
+        (["flip-curves", "--dpi", "1e9"], "--dpi: must be from 20 to 1200"),
         (["racket-flip", "--width", "600", "--dpi", "300", "-o", "x.gif"], "is 100 to 1000 pixels"),
     ],
 )

@@ -1,16 +1,16 @@
-"""How ε bends with γ near the separatrix, in coordinates for every shape with ab ≥ 1/4.
+"""The curvature of ε(γ) near the separatrix, in coordinates for every shape with ab ≥ 1/4.
 
 ε(γ) solves F(ε, γ) = π, and F decreases in ε: where H(v) = √(ab) (F(e(v), bε₀²v) − π) ≤ 0 the curve
-lies below the candidate e(v). For e = ε₀(1 + (pλ − 1/4)v + Cλv²), whose slope is the exact one, and
-λ = √(ab) ε₀², H and H′ vanish at v = 0, so that by Taylor's theorem H has the sign that H″ has on
-an interval about 0.
-To leading order ε + √(ε² + γ/b) = 2ε₀, a line in γ: H″ is of the order λ, and it is divided by λ
-here by algebra. With u = γ/b, s = sin e, z = √(u + s²) and w = s + z,
+lies below the comparison function e(v). For e = ε₀(1 + (pλ − 1/4)v + Cλv²), whose slope is the
+exact one, and λ = √(ab) ε₀², H and H′ vanish at v = 0. So by Taylor's theorem H has the sign that
+H″ has on an interval around 0. To leading order ε + √(ε² + γ/b) = 2ε₀, which is linear in γ: H″ is
+of the order λ, and is divided by λ here algebraically. With u = γ/b, s = sin e, z = √(u + s²) and w
+= s + z,
 
     √(ab) F = ∫ (1 − b sin²ψ)/(√(1 + R sin²ψ) √(u + sin²ψ)) dψ,      R = b/a,
 
-is log((1 + √(1 + u))/w), from cos ψ in place of the numerator's part, plus an integral with
-sin²ψ j(ψ), j bounded. Lengths with a hat below are over ε₀.
+is log((1 + √(1 + u))/w), from cos ψ in place of the bounded factor, plus an integral with
+sin²ψ j(ψ), j bounded. Lengths with a hat below are divided by ε₀.
 """
 
 from __future__ import annotations
@@ -24,11 +24,11 @@ from tresym.reals.numbers.arithmetic import balls
 from tresym.reals.numbers.exact import Interval
 
 PIECES = 4
-"""Pieces of 0 ≤ sin²ψ ≤ 1 over which the rest of j is enclosed."""
+"""The number of subintervals of 0 ≤ sin²ψ ≤ 1 on which the remainder of j is enclosed."""
 
 
 def second_order_rest(b: arb, R: arb) -> arb:
-    """(j(ψ) − j(0) cos ψ)/sin²ψ over 0 ≤ ψ ≤ π/2, in terms of x = sin²ψ, c = cos ψ, ρ = √(1 + Rx).
+    """Enclose (j(ψ) − j(0) cos ψ)/sin²ψ on 0 ≤ ψ ≤ π/2; x = sin²ψ, c = cos ψ, ρ = √(1 + Rx).
 
     j = −b/ρ − R/(ρ(1 + ρ)) + 1/(1 + c), and 1 − ρc = x(1 − R + Rx)/(1 + ρc).
     """
@@ -46,15 +46,19 @@ def second_order_rest(b: arb, R: arb) -> arb:
 
 
 def fourth_moment(kappa: arb, v: arb, e: arb, q: arb, y: arb, w: arb, far: arb, f: arb) -> arb:
-    """κ ∫ sin⁴ψ (u + sin²ψ)^{−5/2} dψ from e to π/2 is between 0 and this.
+    """Bound κ ∫ sin⁴ψ (u + sin²ψ)^{−5/2} dψ from e to π/2, which is non-negative, from above.
 
     For u > 0 the integrand is at most 1/sin ψ. For u ≤ 0 it decreases in σ = sin ψ while dψ/dσ
-    increases, so that the integral is at most that over σ, which is elementary, times
+    increases, so that the integral is at most the elementary one over σ, times
     (π/2 − e)/(1 − sin e): `mean_of_the_product` in the file of proofs on moments.
 
     Args:
-        kappa, v, e: the chart's κ and v, and the candidate.
-        q, y, w: √(1 + u), s/z and ŵ.
+        kappa: κ of the chart.
+        v: v of the chart.
+        e: the comparison function.
+        q: √(1 + u).
+        y: s/z.
+        w: ŵ.
         far: κ log(2/ε₀).
         f: e/ε₀.
     """
@@ -68,7 +72,7 @@ def fourth_moment(kappa: arb, v: arb, e: arb, q: arb, y: arb, w: arb, far: arb, 
 
 
 class Candidate(NamedTuple):
-    """The candidate e = ε₀(1 − v/4 + …): what of it, and of its sine, is over ε₀ or over λ."""
+    """The comparison function e = ε₀(1 − v/4 + …): quantities of it divided by ε₀ or by λ."""
 
     angle: arb
     """e."""
@@ -87,7 +91,7 @@ class Candidate(NamedTuple):
 
 
 def candidate(e0: arb, lam: arb, kappa: arb, v: arb, p: arb, constant: arb, m: Any) -> Candidate:
-    """The candidate ε₀(1 + (pλ − 1/4)v + ``constant`` λv²), with λ divided out of (log w)″.
+    """Return ε₀(1 + (pλ − 1/4)v + ``constant`` λv²), with λ divided out of (log w)″.
 
     (log w)′ = n/(zw) with n = s′w + u′/2; n is a multiple of λ, and it is differentiated once more.
     """
@@ -112,10 +116,14 @@ def candidate(e0: arb, lam: arb, kappa: arb, v: arb, p: arb, constant: arb, m: A
 
 
 def lower_end(c: Candidate, b: arb, R: arb, e0: arb, v: arb, turn: arb, m: Any) -> arb:
-    """What its lower end and j(0) cos ψ make of the integral with sin²ψ j in H″, over ε₀².
+    """Return the contribution of the lower limit and of j(0) cos ψ to H″, divided by ε₀².
 
     Args:
-        c, b, R, e0, v: the candidate, the shape, ε₀ and v.
+        c: the comparison function.
+        b: the shape parameter b.
+        R: b/a.
+        e0: ε₀.
+        v: v of the chart.
         turn: 2 · constant · λ, which is e″/ε₀.
     """
     s, z, y = c.sine, c.root, c.sine / c.root
@@ -131,7 +139,7 @@ def lower_end(c: Candidate, b: arb, R: arb, e0: arb, v: arb, turn: arb, m: Any) 
 
 
 def curvature(b: arb, kappa: arb, v: arb, constant: arb, m: Any) -> arb:
-    """H″(v)/λ for the candidate with this C = ``constant``, in the chart (b, κ, v)."""
+    """Return H″(v)/λ for the comparison function with C = ``constant``, in the chart (b, κ, v)."""
     e0, _, r = charts.root_by_kappa(b, kappa, m)
     R, square = r * r, e0 * e0
     exponent = square * charts.exponent_rate(e0, b, r, m)

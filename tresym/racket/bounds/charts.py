@@ -1,9 +1,10 @@
-"""Functions whose positivity implies the bounds on ε₀, in coordinates without corners.
+"""Functions whose positivity implies the bounds on ε₀, in coordinates without singular corners.
 
-Everything rests on the exact equation log(ε₀/ε*) = Q(ε₀). It makes ε* explicit in ε₀, so that what
-is said of ε₀/ε* becomes a function of ε₀, b and √(b/a), which the charts enclose; and since
-log e − Q(e) increases on (0, π/2), "ε₀ ≤ e" is one sign at an explicit candidate e. No root is
-solved in a box. Two charts cover what is needed:
+All follow from the exact equation log(ε₀/ε*) = Q(ε₀). It expresses ε* explicitly in terms of ε₀, so
+that statements about ε₀/ε* become statements about functions of ε₀, b and √(b/a), which are
+enclosed on boxes. And since log e − Q(e) increases on (0, π/2), "ε₀ ≤ e" is equivalent to one
+inequality at an explicit e, so that no root has to be found on a box. Two coordinate systems
+(charts) are sufficient:
 
 - (b, κ) with κ = 1/√(ab): then r = √(b/a) = bκ, and ε*² is flat at κ = 0;
 - (b, k, …) with k = √(ab): then r tanh kP = bP tanh(kP)/(kP), so that a → 0 and b → 0 are edges.
@@ -48,10 +49,10 @@ arctangent_over = Divided(lambda s: s.atan())
 
 @Part
 def exponent_rate(defect: Any, b: Any, r: Any, m: Any) -> Any:
-    """Q(e)/e², regular at e = 0 where it is c₁; e = ``defect``, r = √(b/a).
+    """Return Q(e)/e², regular at e = 0 with value c₁; e = ``defect``, r = √(b/a).
 
     Q(e) = log(e/sin e) + log((cos e + ρ)/2) + √(ab)(arcsin μ − arcsin(μ cos e)),
-    ρ = √(1 + r² sin²e); the last difference is that of two angles, taken by its sine.
+    ρ = √(1 + r² sin²e). The last difference, of two angles, is computed from its sine.
     """
     sinc, half, cosine = sine_over(defect), sine_over(defect / 2), m.cos(defect)
     square = defect * defect
@@ -68,7 +69,7 @@ def exponent_rate(defect: Any, b: Any, r: Any, m: Any) -> Any:
 
 @Part
 def exponent_bend(defect: Any, b: Any, r: Any, m: Any) -> Any:
-    """(Q(e)/e² − c₁)/e², regular at e = 0: every difference in ``exponent_rate`` over e²."""
+    """Return (Q(e)/e² − c₁)/e², regular at e = 0: every difference in ``exponent_rate`` over e²."""
     R, square = r * r, defect * defect
     sinc, half, cosine = sine_over(defect), sine_over(defect / 2), m.cos(defect)
     short, root = -sine_rest(defect), m.sqrt(1 + R * square * sinc * sinc)
@@ -88,7 +89,7 @@ def exponent_bend(defect: Any, b: Any, r: Any, m: Any) -> Any:
 
 
 def _flat(x: Any, rate: Any) -> Any:
-    """exp(−rate/x) for x ≥ 0, with its value 0 and slope 0 at x = 0; increases with x.
+    """exp(−rate/x) for x ≥ 0, with value 0 and slope 0 at x = 0; it increases with x.
 
     The slope rate/x² · exp(−rate/x) increases up to x = rate/2, where it is 4 e^{−2}/rate
     (`flat_bends`).
@@ -125,20 +126,20 @@ class Shape(NamedTuple):
 
 
 def by_kappa(b: Any, kappa: Any, m: Any) -> Shape:
-    """The chart (b, κ): a = 1/(bκ²)."""
+    """Return the shape in the chart (b, κ): a = 1/(bκ²)."""
     r = b * kappa
     small = flat(kappa, m.pi) * m.exp(-b * arctangent_over(r))
     return Shape(2 / m.sqrt(1 + r * r) * small, b, r)
 
 
 def by_k(k: Any, alpha: Any, m: Any) -> Shape:
-    """The chart (k, α) with α = 1/a: b = αk², so that a → ∞ and ab → 0 are edges."""
+    """Return the shape in the chart (k, α) with α = 1/a: b = αk²; a → ∞ and ab → 0 are edges."""
     r = alpha * k
     return Shape(2 / m.sqrt(1 + r * r) * m.exp(-k * (m.pi + m.atan(r))), alpha * k * k, r)
 
 
 def by_root(b: Any, k: Any, m: Any) -> Shape:
-    """The chart (b, k) away from k = 0: a = k²/b."""
+    """Return the shape in the chart (b, k) away from k = 0: a = k²/b."""
     r = b / k
     return Shape(2 / m.sqrt(1 + r * r) * m.exp(-k * (m.pi + m.atan(r))), b, r)
 
@@ -152,13 +153,13 @@ class Root(NamedTuple):
 
 
 def root_by_kappa(b: Any, kappa: Any, m: Any) -> Root:
-    """ε₀ in the chart (b, κ), a ball: tan ε₀ = cos θ/sinh(P/κ), flat at κ = 0."""
+    """Return ε₀ in the chart (b, κ) as a ball: tan ε₀ = cos θ/sinh(P/κ), flat at κ = 0."""
     return Root(defect_by_kappa(b, kappa, m), b, b * kappa)
 
 
 @Part
 def defect_by_kappa(b: Any, kappa: Any, m: Any) -> Any:
-    """ε₀ in the chart (b, κ)."""
+    """Return ε₀ in the chart (b, κ)."""
     r = b * kappa
     small = flat(kappa, phase_by_kappa(b, kappa))
     tangent = 2 / m.sqrt(1 + r * r) * small / (1 - small * small)
@@ -166,7 +167,7 @@ def defect_by_kappa(b: Any, kappa: Any, m: Any) -> Any:
 
 
 def root_by_k(k: Any, alpha: Any, m: Any) -> Root:
-    """ε₀ in the chart (k, α), α = 1/a, a ball."""
+    """Return ε₀ in the chart (k, α), α = 1/a, as a ball."""
     r = alpha * k
     b = r * k
     return Root(defect_by_k(b, k, m), b, r)
@@ -174,19 +175,19 @@ def root_by_k(k: Any, alpha: Any, m: Any) -> Root:
 
 @Part
 def defect_by_k(b: Any, k: Any, m: Any) -> Any:
-    """ε₀ in the chart (b, k)."""
+    """Return ε₀ in the chart (b, k)."""
     return m.pi / 2 - m.atan(cotangent(b, k, phase_over(b, k), m))
 
 
 def first_excess(root: Root, m: Any) -> Any:
-    """(ε₀/ε* − 1)/ε*², in terms of ε₀ itself: ε₀/ε* = exp Q and ε*² = ε₀² exp(−2Q)."""
+    """Return (ε₀/ε* − 1)/ε*² in terms of ε₀: ε₀/ε* = exp Q and ε*² = ε₀² exp(−2Q)."""
     rate = exponent_rate(root.defect, root.b, root.r, m)
     exponent = root.defect * root.defect * rate
     return m.exp(2 * exponent) * rate * expm1_over(exponent)
 
 
 def second_excess(root: Root, m: Any) -> Any:
-    """(ε₀/ε* − 1 − c₁ε*²)/ε*⁴, with exp Q − 1 − c₁ε₀² exp(−2Q) expanded so that nothing cancels."""
+    """Return (ε₀/ε* − 1 − c₁ε*²)/ε*⁴; exp Q − 1 − c₁ε₀² exp(−2Q) is expanded."""
     first = (6 * root.b + 3 * root.r * root.r - 1) / 12
     square, bend = root.defect * root.defect, exponent_bend(root.defect, root.b, root.r, m)
     rate = first + square * bend
@@ -196,9 +197,9 @@ def second_excess(root: Root, m: Any) -> Any:
 
 
 def gap_over(a: Any, root_b: Any, order: int, m: Any) -> tuple[Any, Any]:
-    """(ε₀ − ε*(1 + …), ε*^{2·order+3}) with ``order`` = 0 or 1 terms, in the chart (a, √b).
+    """Return (ε₀ − ε*(1 + …), ε*^{2·order+3}) with ``order`` = 0 or 1 terms, in the chart (a, √b).
 
-    A difference of two numbers: for a where ε* is not small.
+    It subtracts two numbers and is for a where ε* is not small.
     """
     root_a = m.sqrt(a)
     k, b, r = root_a * root_b, root_b * root_b, root_b / root_a
@@ -210,10 +211,10 @@ def gap_over(a: Any, root_b: Any, order: int, m: Any) -> tuple[Any, Any]:
 
 
 def growth(b: Any, kappa: Any, m: Any) -> tuple[Any, Any]:
-    """τ = ε*² e^{2q}/ρ and e^q in the chart (b, κ), ρ = 1/(1 + 9R/4).
+    """Return τ = ε*² e^{2q}/ρ and e^q in the chart (b, κ), ρ = 1/(1 + 9R/4).
 
-    The terms of the series are bounded by them: |c_n| ε*^{2n} ≤ e^q τⁿ/(2n + 1);
-    see :mod:`tresym.racket.flip.series`.
+    They bound the terms of the series: |c_n| ε*^{2n} ≤ e^q τⁿ/(2n + 1); see
+    :mod:`tresym.racket.flip.series`.
     """
     shape = by_kappa(b, kappa, m)
     R = shape.r * shape.r
@@ -227,9 +228,9 @@ TERMS = 8
 
 
 def _exponent_twist(defect: arb, b: arb, r: arb) -> arb:
-    """As ``exponent_twist``: |q_n| ≤ q/ρⁿ with ``majorant`` q at ρ = 1/(1 + 9R/4), term by term.
+    """``exponent_twist`` term by term: |q_n| ≤ q/ρⁿ with ``majorant`` q at ρ = 1/(1 + 9R/4).
 
-    What is left out after ``TERMS`` is a geometric series.
+    The remainder after ``TERMS`` is bounded by a geometric series.
     """
     R, square = r * r, defect * defect
     rho = 4 / (4 + 9 * R)
@@ -264,7 +265,7 @@ exponent_twist = Named(_exponent_twist, _twist_meant, asks=lambda defect, b, r: 
 
 
 def third_excess(root: Root, m: Any) -> Any:
-    """(ε₀/ε* − 1 − c₁ε*² − c₂ε*⁴)/ε*⁶, expanded as ``second_excess``."""
+    """Return (ε₀/ε* − 1 − c₁ε*² − c₂ε*⁴)/ε*⁶, expanded as in ``second_excess``."""
     R, square = root.r * root.r, root.defect * root.defect
     first, steady = (6 * root.b + 3 * R - 1) / 12, _steady(root.b, R)
     twist = exponent_twist(root.defect, root.b, root.r)
@@ -278,7 +279,7 @@ def third_excess(root: Root, m: Any) -> Any:
 
 
 def _between_ends(x: arb, function: Callable[[arb], arb]) -> arb:
-    """A function monotone on x ≥ 0, extended evenly, over the ball ``x``: the hull of its ends."""
+    """An even function, monotone on x ≥ 0, over the ball ``x``: the hull of its end values."""
     low, high = x.lower(), x.upper()
     if low < 0:
         low, high = arb(0), high.max(-low)
@@ -334,8 +335,9 @@ def _spread(b: Any, k: Any, phase: Any, m: Any) -> Any:
 def _phase_over(b: Any, k: Any) -> Any:
     """A ball (or gradient) that contains the phase of every shape in the chart (b, k).
 
-    Every root of P = π + arctan(bP tanhc kP) lies in [π, 3π/2] and in the image of what contains
-    it, and so in the iterates; the slopes are those of the implicit function.
+    Every root of P = π + arctan(bP tanhc kP) lies in [π, 3π/2], and in the image of every interval
+    that contains it; so it lies in all iterates. The derivatives are those of the implicit
+    function.
     """
     b0 = b.value if isinstance(b, Gradient) else b
     k0 = k.value if isinstance(k, Gradient) else k
@@ -352,7 +354,7 @@ def _phase_over(b: Any, k: Any) -> Any:
 
 
 ENDS = PI, 3 * PI / 2
-"""Between them is the phase of every shape."""
+"""The phase of every shape lies between them."""
 phase_over = Named(
     _phase_over,
     image=lambda phase, b, k: PI + trees.atan(b / k * trees.tanh(k * phase)),
@@ -367,7 +369,7 @@ def _phase_image(b: Any, k: Any, phase: Any, m: Any) -> Any:
 
 
 def _root_above(x: Any) -> Any:
-    """√x of what is not negative, whatever the ball seems to say."""
+    """√x of a number that is known to be non-negative, even if its ball is not."""
     return gradients.sqrt(x) if isinstance(x, Gradient) else x.nonnegative_part().sqrt()
 
 
@@ -376,32 +378,32 @@ root_above = Named(_root_above, trees.sqrt)
 
 @Part
 def cotangent(b: Any, k: Any, phase: Any, m: Any) -> Any:
-    """cot ε₀ = √(1 + r²) sinh kP = √(k² + b²) P sinhc kP in the chart (b, k)."""
+    """Return cot ε₀ = √(1 + r²) sinh kP = √(k² + b²) P sinhc kP in the chart (b, k)."""
     square = k * k + b * b
     return root_above(square) * phase * hyperbolic_sine_over(k * phase)
 
 
 @Part
 def angle_difference(tangent_error: Any, cotangent_: Any, m: Any) -> Any:
-    """ε − ε₀ from tan ε/tan ε₀ − 1 and cot ε₀: the difference of two arctangents is one."""
+    """Return ε − ε₀ from tan ε/tan ε₀ − 1 and cot ε₀, as a single arctangent."""
     w, e = cotangent_, tangent_error
     return m.atan(e * w / (w * w + 1 + e))
 
 
 @Part
 def angle_of(cotangent_: Any, m: Any) -> Any:
-    """The angle between 0 and π/2 that has this cotangent."""
+    """Return the angle between 0 and π/2 with this cotangent."""
     return m.pi / 2 - m.atan(cotangent_)
 
 
 def angle_error(tangent_error: Any, cotangent_: Any, m: Any) -> Any:
-    """ε/ε₀ − 1 from tan ε/tan ε₀ − 1 and cot ε₀."""
+    """Return ε/ε₀ − 1 from tan ε/tan ε₀ − 1 and cot ε₀."""
     return angle_difference(tangent_error, cotangent_, m) / angle_of(cotangent_, m)
 
 
 @Part
 def tangent_error(difference: Any, phase: Any, k: Any, m: Any) -> Any:
-    """sinh kP / sinh kP₁ − 1 from P − P₁ and P, without cancellation."""
+    """Return sinh kP / sinh kP₁ − 1 from P − P₁ and P, without cancellation."""
     other = phase - difference
     ratio = hyperbolic_sine_over(k * difference / 2) / hyperbolic_sine_over(k * other)
     return difference / other * ratio * m.cosh(k * (phase + other) / 2)
@@ -409,7 +411,7 @@ def tangent_error(difference: Any, phase: Any, k: Any, m: Any) -> Any:
 
 @Part
 def sweep_difference(b: Any, k: Any, phase: Any, start: Any, m: Any) -> Any:
-    """P − P₁ for P₁ = π + arctan(r tanh(start·k)): one arctangent with the factor P − start."""
+    """Return P − P₁ for P₁ = π + arctan(r tanh(start·k)), with the factor P − start."""
     gap = phase - start
     x = b * phase * hyperbolic_tangent_over(k * phase)
     y = b * start * hyperbolic_tangent_over(k * start)
@@ -418,21 +420,21 @@ def sweep_difference(b: Any, k: Any, phase: Any, start: Any, m: Any) -> Any:
 
 
 def sweep_error(b: Any, k: Any, start: Any, m: Any) -> Any:
-    """ε/ε₀ − 1 of one sweep from ``start``."""
+    """Return ε/ε₀ − 1 of one sweep from ``start``."""
     phase = phase_over(b, k)
     error = tangent_error(sweep_difference(b, k, phase, start, m), phase, k, m)
     return angle_error(error, cotangent(b, k, phase, m), m)
 
 
 def _phase_bend(b: arb, k: arb, phase: arb, other: arb) -> arb:
-    """By Taylor's theorem half of minus the second derivative, at a place between the two."""
+    """Minus half the second derivative at a point between the two, by Taylor's theorem."""
     at = phase.union(other)
     rise = balls.cosh(k * at) * at * hyperbolic_sine_over(k * at) * (k * k + b * b)
     return b * rise / _spread(b, k, at, balls) ** 2
 
 
 def _bend_meant(share: Expr, rate: Callable[[Expr], Expr], phase: Expr, other: Expr) -> Expr:
-    """What that is about, where A(x) is arctan(``share`` tanh ``rate``(x))."""
+    """The function that ``phase_bend`` encloses, for A(x) = arctan(``share`` tanh ``rate``(x))."""
 
     def turn(x: Expr) -> Expr:
         return trees.atan(share * trees.tanh(rate(x)))
@@ -448,13 +450,13 @@ phase_bend = Named(
     lambda b, k, *ends: _bend_meant(b / k, lambda x: k * x, *ends),
     asks=lambda b, k, *_: (b, k),
 )
-"""How far the tangent at ``other`` to A(P) = arctan(r tanh kP) is above A at ``phase``, over the
+"""The height of the tangent at ``other`` to A(P) = arctan(r tanh kP) above A at ``phase``, over the
 square of their distance, in the chart (b, k)."""
 
 
 @Part
 def newton_excess(b: Any, k: Any, phase: Any, start: Any, m: Any) -> Any:
-    """P₂ − P of one Newton step after one sweep from ``start``, P₁; A′ = b/D."""
+    """Return P₂ − P of one Newton step after one sweep from ``start``, P₁; A′ = b/D."""
     difference = sweep_difference(b, k, phase, start, m)
     swept = m.pi + m.atan(b * start * hyperbolic_tangent_over(k * start))
     bend = phase_bend(b, k, phase, swept)
@@ -462,7 +464,7 @@ def newton_excess(b: Any, k: Any, phase: Any, start: Any, m: Any) -> Any:
 
 
 def newton_error(b: Any, k: Any, start: Any, m: Any) -> Any:
-    """ε/ε₀ − 1 of one Newton step after one sweep from ``start``."""
+    """Return ε/ε₀ − 1 of one Newton step after one sweep from ``start``."""
     phase = phase_over(b, k)
     error = tangent_error(-newton_excess(b, k, phase, start, m), phase, k, m)
     return angle_error(error, cotangent(b, k, phase, m), m)
@@ -470,7 +472,7 @@ def newton_error(b: Any, k: Any, start: Any, m: Any) -> Any:
 
 @Part
 def far_difference(b: Any, kappa: Any, phase: Any, start: Any, m: Any) -> Any:
-    """T − T₁ of one sweep from ``start`` in the chart (b, κ), from f = e^{−2T}, g = e^{−2·start/κ}.
+    """Return T − T₁ of one sweep in the chart (b, κ), from f = e^{−2T}, g = e^{−2·start/κ}.
 
     tanh T − tanh(start/κ) = 2(g − f)/((1 + f)(1 + g)), and r/κ = b.
     """
@@ -482,27 +484,27 @@ def far_difference(b: Any, kappa: Any, phase: Any, start: Any, m: Any) -> Any:
 
 @Part
 def far_error(difference: Any, phase: Any, kappa: Any, m: Any) -> Any:
-    """sinh T/sinh(T − ``difference``) − 1 in the chart (b, κ), which is tan ε/tan ε₀ − 1."""
+    """Return sinh T/sinh(T − ``difference``) − 1 in the chart (b, κ), that is tan ε/tan ε₀ − 1."""
     f, growth = flat(kappa, 2 * phase), m.exp(difference)
     return m.expm1(difference) * (1 + f * growth) / (1 - f * growth * growth)
 
 
 @Part
 def tangent_by_kappa(b: Any, kappa: Any, phase: Any, m: Any) -> Any:
-    """tan ε₀ in the chart (b, κ)."""
+    """Return tan ε₀ in the chart (b, κ)."""
     r, small = b * kappa, flat(kappa, phase)
     return 2 / m.sqrt(1 + r * r) * small / (1 - small * small)
 
 
 @Part
 def far_angle_error(tangent_error_: Any, tangent: Any, m: Any) -> Any:
-    """ε/ε₀ − 1 from tan ε/tan ε₀ − 1 and tan ε₀."""
+    """Return ε/ε₀ − 1 from tan ε/tan ε₀ − 1 and tan ε₀."""
     share = tangent_error_ / (1 + tangent * tangent * (1 + tangent_error_))
     return share * arctangent_over(tangent * share) / arctangent_over(tangent)
 
 
 def far_sweep_error(b: Any, kappa: Any, start: Any, m: Any) -> Any:
-    """ε/ε₀ − 1 of one sweep from ``start`` in the chart (b, κ)."""
+    """Return ε/ε₀ − 1 of one sweep from ``start`` in the chart (b, κ)."""
     phase = phase_by_kappa(b, kappa)
     error = far_error(far_difference(b, kappa, phase, start, m), phase, kappa, m)
     return far_angle_error(error, tangent_by_kappa(b, kappa, phase, m), m)
@@ -524,9 +526,9 @@ far_bend = Named(
 
 @Part
 def far_newton_excess(b: Any, kappa: Any, phase: Any, start: Any, m: Any) -> Any:
-    """T₂ − T of one Newton step after one sweep from ``start`` in the chart (b, κ).
+    """Return T₂ − T of one Newton step after one sweep from ``start`` in the chart (b, κ).
 
-    As ``newton_excess``; D = [(1 + φ)² + r²(1 − φ)²]/(4φ), φ = e^{−2P₁/κ}.
+    As in ``newton_excess``; D = [(1 + φ)² + r²(1 − φ)²]/(4φ), φ = e^{−2P₁/κ}.
     """
     difference = far_difference(b, kappa, phase, start, m)
     swept = phase - kappa * difference
@@ -537,7 +539,7 @@ def far_newton_excess(b: Any, kappa: Any, phase: Any, start: Any, m: Any) -> Any
 
 
 def far_newton_error(b: Any, kappa: Any, start: Any, m: Any) -> Any:
-    """ε/ε₀ − 1 of that step."""
+    """Return ε/ε₀ − 1 of one Newton step after one sweep, in the chart (b, κ)."""
     phase = phase_by_kappa(b, kappa)
     error = far_error(-far_newton_excess(b, kappa, phase, start, m), phase, kappa, m)
     return far_angle_error(error, tangent_by_kappa(b, kappa, phase, m), m)
@@ -548,13 +550,13 @@ arctangent_rest = Divided(lambda s: s.atan(), 3)
 
 
 def printed_excess(r: Any, m: Any) -> Any:
-    """(arctan r/r − 1/√(1 + r²))/r², which is log(printed/ε*)/(b r²); 1/6 at r = 0."""
+    """Return (arctan r/r − 1/√(1 + r²))/r² = log(printed/ε*)/(b r²); it is 1/6 at r = 0."""
     root = m.sqrt(1 + r * r)
     return arctangent_rest(r) + 1 / (root * (root + 1))
 
 
 def _flat_over(x: arb) -> arb:
-    """exp(−2π/x)/x² for 0 ≤ x ≤ 3, where it increases: up to x = π."""
+    """exp(−2π/x)/x² for 0 ≤ x ≤ 3; it increases up to x = π."""
 
     def at(end: arb) -> arb:
         return (-2 * balls.pi / end).exp() / end**2 if end > 0 else arb(0)
@@ -569,13 +571,13 @@ flat_over = Named(
 
 @Part
 def leading_square_over(b: arb, kappa: arb, m: Any) -> arb:
-    """ε*²/κ² in the chart (b, κ), κ ≤ 3: exp(−2π/κ)/κ² increases to κ = π."""
+    """Return ε*²/κ² in the chart (b, κ), κ ≤ 3; exp(−2π/κ)/κ² increases up to κ = π."""
     r = b * kappa
     return 4 / (1 + r * r) * flat_over(kappa) * m.exp(-2 * b * arctangent_over(r))
 
 
 def _phase_by_kappa(b: Any, kappa: Any) -> Any:
-    """The phase P = π + arctan(r tanh P/κ) in the chart (b, κ), a ball: as ``phase_over``."""
+    """The phase P = π + arctan(r tanh P/κ) in the chart (b, κ) as a ball; see ``phase_over``."""
     phase = balls.pi.union(3 * balls.pi / 2)
     while True:
         small = flat(kappa, 2 * phase)
@@ -596,20 +598,20 @@ phase_by_kappa = Named(
 
 
 def defect_over_kappa(b: arb, kappa: arb, m: Any) -> arb:
-    """ε₀/κ = (ε*/κ) exp Q in the chart (b, κ), κ ≤ 3."""
+    """Return ε₀/κ = (ε*/κ) exp Q in the chart (b, κ), κ ≤ 3."""
     e, _, r = root_by_kappa(b, kappa, m)
     growth = m.exp(e * e * exponent_rate(e, b, r, m))
     return growth * root_above(leading_square_over(b, kappa, m))
 
 
 def slope_rest(b: Any, kappa: Any, m: Any) -> Any:
-    """κ(−4bε₀ dε/dγ − 1)/ε₀² at γ = 0 in the chart (b, κ), a ball."""
+    """Return κ(−4bε₀ dε/dγ − 1)/ε₀² at γ = 0 in the chart (b, κ), as a ball."""
     e, _, r = root_by_kappa(b, kappa, m)
     return slope_rest_at(e, b, r, kappa, phase_by_kappa(b, kappa), m)
 
 
 def slope_rest_at(e: Any, b: Any, r: Any, kappa: Any, phase: Any, m: Any) -> Any:
-    """As ``slope_rest``, where ε₀ = ``e`` and the phase are known.
+    """Return ``slope_rest`` from known ε₀ = ``e`` and phase.
 
     −4bε dε/dγ = [(ε/s) c (1 + Rs²) + ε s (1 − R − 2b) T √(1 + Rs²)]/(1 − bs²) with s = sin ε₀,
     c = cos ε₀ and κT the phase.
@@ -624,7 +626,7 @@ def slope_rest_at(e: Any, b: Any, r: Any, kappa: Any, phase: Any, m: Any) -> Any
 
 
 def cubic_gap(b: Any, k: Any, m: Any) -> tuple[Any, Any]:
-    """(ε₀ − ε*, q³) with q = e^{−k(π + arctan r)} in the chart (b, k), away from k = 0."""
+    """Return (ε₀ − ε*, q³) with q = e^{−k(π + arctan r)} in the chart (b, k), away from k = 0."""
     shape = by_root(b, k, m)
     decay = m.exp(-k * (m.pi + m.atan(shape.r)))
     defect = defect_by_k(b, k, m)

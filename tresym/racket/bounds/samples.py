@@ -1,6 +1,6 @@
 """Values of a formula's symbols at sample shapes, with their exact ε₀.
 
-What a margin or an order bounds is compared there with what the formula itself leaves out.
+At these samples, the bounds of margins and orders are compared with the true remainder.
 """
 
 from __future__ import annotations
@@ -28,13 +28,13 @@ SHAPES = tuple(
 )
 """Shapes with ab ≥ 1/4 and b ≤ 4a, strictly inside every box."""
 NEAR = (fmpq(1, 2**40),)
-"""A γ at which the first order is the remainder of a line that is no tangent."""
+"""A γ so small that the first order dominates the remainder of a line that is not a tangent."""
 TURN = Symbol("f", real=True)
-"""−∂F/∂ε at a level, by which F − π is turned into a distance of ε."""
+"""−∂F/∂ε at a level, which converts F − π to a distance in ε."""
 
 
 def at_shape(p: fmpq | arb, q: fmpq | arb) -> Values:
-    """Every symbol of the separatrix, at a shape and its exact ε₀."""
+    """Return every symbol of the separatrix, at a shape and its exact ε₀."""
     point: Values = {a: arb(p), b: arb(q), S: arb(1)}
     point[epsilon0] = defect_over(point[a], point[b])
     point[lam], point[mu] = printed.small_parameters(point[a], point[b], balls)
@@ -46,10 +46,12 @@ def in_chart(
     left: Mapping[Basic, Callable[..., Any]] | None = None,
     shapes: tuple[tuple[fmpq, fmpq], ...] = SHAPES,
 ) -> Samples:
-    """Shapes, in a chart of b, κ = 1/√(ab), R = b/a, a and ε₀.
+    """Return samples of shapes in a chart of b, κ = 1/√(ab), R = b/a, a and ε₀.
 
     Args:
+        names: the coordinates.
         left: values at γ = 0 that the formula names by a symbol, as functions of (ε₀, a, b, S, m).
+        shapes: the shapes.
     """
 
     def samples() -> Iterator[tuple[tuple[arb, ...], Values]]:
@@ -70,12 +72,12 @@ def in_chart(
 
 
 def beside_tangent(levels: tuple[fmpq, ...] = NEAR) -> Samples:
-    """The standard racket at these levels γ."""
+    """Return samples of the standard racket at these levels γ."""
     return lambda: (((arb(level),), _at_level(*RACKET, arb(level))) for level in levels)
 
 
 def in_bent_chart() -> Samples:
-    """Levels γ = bε₀²v, in the chart (b, κ, v)."""
+    """Return samples of levels γ = bε₀²v, in the chart (b, κ, v)."""
 
     def samples() -> Iterator[tuple[tuple[arb, ...], Values]]:
         for p, q in SHAPES[:2]:
@@ -88,14 +90,14 @@ def in_bent_chart() -> Samples:
 
 
 def slope_at_separatrix(known: Values) -> arb:
-    """dε/dγ at γ = 0."""
+    """Return dε/dγ at γ = 0."""
     place = known[epsilon0], known[a], known[b]
     turn = printed.integrand(*place, arb(0), 1, balls)
     return stable.turn_slope(*place, balls) / turn
 
 
 def _at_level(p: fmpq, q: fmpq, level: arb) -> Values:
-    """As `at_shape`, with the ε of a level by one step of Newton's method from the tangent."""
+    """As :func:`at_shape`, with ε of a level by one step of Newton's method from the tangent."""
     known = at_shape(p, q)
     slope = slope_at_separatrix(known)
     start = known[epsilon0] + slope * level

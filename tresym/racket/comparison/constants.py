@@ -17,7 +17,7 @@ from tresym.reals.numbers.arithmetic import ball_precision, balls
 
 
 class Constants(NamedTuple):
-    """K and K₂ for the shapes with a ≥ ``least``, as exact decimals."""
+    """Proved constants K and K₂ for the shapes with a ≥ ``least``, as exact decimals."""
 
     least: str
     first: str
@@ -40,7 +40,7 @@ a = ∞."""
 
 
 def excesses(a: fmpq, b: fmpq, digits: int = 6) -> tuple[arb, arb]:
-    """(ε₀/ε* − 1)/ε*² and (ε₀/ε* − 1 − c₁ε*²)/ε*⁴ at a shape, to ``digits`` certified digits."""
+    """Compute (ε₀/ε* − 1)/ε*² and (ε₀/ε* − 1 − c₁ε*²)/ε*⁴ to ``digits`` certified digits."""
     working = 30
     while True:
         exact = solve(a, b, working).defect

@@ -1,7 +1,7 @@
 """Certified errors of each formula for ε₀, shape by shape.
 
-The relative error of a formula is formula/ε₀ − 1, as a ball that proves the digits asked for; the
-precision is raised until it does.
+The relative error of a formula is formula/ε₀ − 1, computed as a ball at increasing precision until
+it proves the digits asked for.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ WIDTHS = (fmpq(1), fmpq(1, 2), fmpq(1, 10), fmpq(1, 100))
 
 
 def relative_error(formula: Formula, a: fmpq, b: fmpq, digits: int = 4) -> arb:
-    """formula/ε₀ − 1 at a shape, to ``digits`` certified digits.
+    """Compute formula/ε₀ − 1 at a shape, to ``digits`` certified digits.
 
     Raises:
         ArithmeticError: the error is smaller than 10⁻⁶⁰⁰⁰⁰ of ε₀ (it may be zero).
@@ -56,12 +56,12 @@ def relative_error(formula: Formula, a: fmpq, b: fmpq, digits: int = 4) -> arb:
 
 
 def errors_at(a: fmpq, b: fmpq, digits: int = 4) -> dict[str, arb]:
-    """The relative error of every formula at a shape."""
+    """Compute the relative error of every formula at a shape."""
     return {name: relative_error(formula, a, b, digits) for name, formula in FORMULAS.items()}
 
 
 def slope_at(a: fmpq, b: fmpq, digits: int = 20) -> tuple[arb, arb]:
-    """(dε/dγ, −1/(4bε₀)) at γ = 0: the slope in closed form and its leading term."""
+    """Return dε/dγ at γ = 0 in closed form, and its leading term −1/(4bε₀)."""
     exact = solve(a, b, digits + 10).defect
     with ball_precision(4 * digits + 128):
         p, q = arb(a), arb(b)
@@ -71,9 +71,9 @@ def slope_at(a: fmpq, b: fmpq, digits: int = 20) -> tuple[arb, arb]:
 
 
 def slope_with_error(a: fmpq, b: fmpq, digits: int = 4) -> tuple[arb, arb, arb]:
-    """``slope_at`` and the relative error of the leading term, to ``digits`` certified digits.
+    """Return :func:`slope_at` and the relative error of the leading term, to certified digits.
 
-    The error falls like ε₀², so that the precision rises until it is told from 0.
+    The error decreases like ε₀², so the precision is raised until it is distinguished from 0.
     """
     working = 20
     while True:
@@ -86,7 +86,7 @@ def slope_with_error(a: fmpq, b: fmpq, digits: int = 4) -> tuple[arb, arb, arb]:
 
 
 def linear_thresholds(a: fmpq, b: fmpq, digits: int = 20) -> tuple[arb, arb]:
-    """γ at which the printed linear formula gives ε = −π/12 and ε = π/12, from the exact ε₀."""
+    """Return the γ for which the printed linear formula gives ε = ∓π/12, from the exact ε₀."""
     exact = solve(a, b, digits + 10).defect
     with ball_precision(4 * digits + 128):
         edge = balls.pi / 12

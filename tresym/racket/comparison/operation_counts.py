@@ -1,7 +1,7 @@
-"""Count the FLINT or numpy operations of an answer.
+"""Count the FLINT or numpy operations of a computation.
 
-F(ε, γ) runs in any arithmetic, and so in one that counts; the float64 map runs on any array, and so
-on one that counts what is done to it.
+F(ε, γ) is evaluated with balls that count their operations, and the float64 map with arrays that
+do.
 """
 
 from __future__ import annotations
@@ -24,14 +24,14 @@ TAKEN = ("add", "sub", "mul", "truediv", "neg", "abs", "lt", "gt")
 
 
 class Counted:
-    """A ball; ``made`` has one entry for each operation that was done with any of its kin."""
+    """A ball that counts; ``made`` gets one entry for each operation on it and on its results."""
 
     def __init__(self, ball: arb, made: list[str]) -> None:
-        """A ball that tells ``made`` what is done with it."""
+        """Wrap a ball whose operations are recorded in ``made``."""
         self.ball, self.made = ball, made
 
     def done(self, name: str, function: Callable[..., Any], *others: Any) -> Any:
-        """The result of an operation, counted."""
+        """Return the result of an operation, counted."""
         self.made.append(name)
         balls = (x.ball if isinstance(x, Counted) else x for x in (self, *others))
         found = function(*balls)
@@ -59,22 +59,22 @@ class Counting:
 
     @staticmethod
     def sqrt(x: Counted) -> Any:
-        """√x."""
+        """Return √x."""
         return x.done("sqrt", arb.sqrt)
 
     @staticmethod
     def atan(x: Counted) -> Any:
-        """The arctangent."""
+        """Return the arctangent."""
         return x.done("atan", arb.atan)
 
     @staticmethod
     def log(x: Counted) -> Any:
-        """The logarithm."""
+        """Return the logarithm."""
         return x.done("log", arb.log)
 
 
 def turn_calls(gamma: fmpq) -> int:
-    """The calls of FLINT that F(1/10, γ) of the standard racket takes to 50 digits."""
+    """Return the number of FLINT calls in F(1/10, γ) of the standard racket to 50 digits."""
     made: list[str] = []
     with ball_precision(bits(DIGITS, 12)):
         a, b, g = (Counted(arb(x), made) for x in (*named_body("str").shape, gamma))
@@ -86,12 +86,12 @@ def turn_calls(gamma: fmpq) -> int:
 
 
 class Watched(np.ndarray[Any, Any]):
-    """An array that counts the operations on it and on what comes of it."""
+    """An array that counts the operations on it and on their results."""
 
     made = 0
 
     def __array_ufunc__(self, ufunc: Any, method: str, *given: Any, **more: Any) -> Any:
-        """The operation, on plain arrays."""
+        """Count an operation and apply it to plain arrays."""
         Watched.made += 1
         plain = (x.view(np.ndarray) if isinstance(x, Watched) else x for x in given)
         found = getattr(ufunc, method)(*plain, **more)
@@ -99,7 +99,7 @@ class Watched(np.ndarray[Any, Any]):
 
 
 def map_operations() -> int:
-    """The operations on arrays, choices aside, that the float64 map takes for a full turn."""
+    """Return the number of array operations, except selections, in the map for a full turn."""
     a, b = (int(x.p) / int(x.q) for x in named_body("str").shape)
     psi, rate = np.linspace(-3, 3, STARTS), np.linspace(-2, 2, STARTS)
     work = np.empty((5, float_orbit.LEVELS + 1, STARTS))

@@ -1,8 +1,8 @@
 """ε(γ) by six independent methods.
 
-A route may start from a float64 value of another (Newton's method forgets where it began), and each
-says how many digits it is meant to have. The comparison counts how many of these agree with the
-ball of the first.
+A method may start from a float64 value of another one, since the result of Newton's method does not
+depend on the initial value. Each has a number of digits that it is designed to give; the comparison
+counts how many of them agree with the ball of the first.
 """
 
 from __future__ import annotations
@@ -23,14 +23,14 @@ DIGITS = 50
 
 
 def carlson(shape: Shape, gamma: fmpq) -> arb:
-    """The ball: Carlson's integrals, by Gauss's transformation in the first quarter."""
+    """Return the ball by Carlson's integrals, with Gauss's transformation in the first quarter."""
     return defect.solve(shape.a, shape.b, gamma, DIGITS + 4).defect
 
 
 def flint_integration(shape: Shape, gamma: fmpq) -> arb:
-    """Newton's method on FLINT's rigorous integral of f; the last step encloses the root.
+    """Compute ε(γ) by Newton's method on FLINT's rigorous integral of f; the last step encloses it.
 
-    The unknown is ψ on the separatrix and above, χ with cos ψ = cos ψ_min sin χ below.
+    The unknown is ψ on and above the separatrix, and χ with cos ψ = cos ψ_min sin χ below.
     """
     start = _float_defect(shape, gamma)
     with ball_precision(bits(DIGITS, 24)):
@@ -52,7 +52,7 @@ def flint_integration(shape: Shape, gamma: fmpq) -> arb:
 
 
 def mpmath_quadrature(shape: Shape, gamma: fmpq) -> Any:
-    """Newton's method on mpmath's quadrature of the substituted integral."""
+    """Compute ε(γ) by Newton's method on mpmath's quadrature of the substituted integral."""
     start = _float_defect(shape, gamma)
     with mp_precision(DIGITS + 10) as mp:
         a, b, g = (to_mp(x, mp) for x in (*shape, gamma))
@@ -66,7 +66,7 @@ def mpmath_quadrature(shape: Shape, gamma: fmpq) -> Any:
 
 
 def mpmath_taylor(shape: Shape, gamma: fmpq) -> Any:
-    """Taylor integration of the planar system in mpmath, from ψ = π/2 over half a turn.
+    """Compute ε(γ) by Taylor integration in mpmath, from ψ = π/2 over half a turn.
 
     In s = sin ψ, c = cos ψ, z = cos θ and w = 1/(1 − b s²) the system is polynomial:
     ψ′ = (a + b s²) z w, s′ = c ψ′, c′ = −s ψ′, z′ = b (1 − z²) s c w, w′ = 2b w² s s′.
@@ -110,7 +110,7 @@ def _taylor_step(
 
 
 def scipy_solver(shape: Shape, gamma: fmpq) -> float:
-    """scipy's DOP853 on the same system, in float64."""
+    """Compute ε(γ) by scipy's DOP853 on the same system, in float64."""
     import math
 
     from scipy.integrate import solve_ivp
@@ -125,7 +125,7 @@ def scipy_solver(shape: Shape, gamma: fmpq) -> float:
 
 
 def float_map(shape: Shape, gamma: fmpq) -> float:
-    """The vectorised float64 map, started at ψ = π/2."""
+    """Compute ε(γ) by the vectorised float64 map, started at ψ = π/2."""
     return _float_defect(shape, gamma)
 
 
@@ -140,13 +140,13 @@ def _float_defect(shape: Shape, gamma: fmpq) -> float:
 
 
 def _turned(shape: Shape, gamma: fmpq) -> bool:
-    """Whether the trajectory has turned once on its way."""
+    """Whether the trajectory has passed a turning point."""
     level = turning_level(*shape, 20) if gamma < 0 else None
     return level is not None and bool(gamma < level)
 
 
 def _newton(x: arb, excess: Callable[[arb], arb], slope: Callable[[arb], arb]) -> arb:
-    """The root of an increasing function near x, enclosed by an interval Newton step at the end."""
+    """The root of an increasing function near x, enclosed by a final interval Newton step."""
     for _ in range(2):
         x = (x - excess(x) / slope(x)).mid()
     residual = excess(x)
@@ -158,7 +158,7 @@ def _newton(x: arb, excess: Callable[[arb], arb], slope: Callable[[arb], arb]) -
 
 
 def _system(a: Any, b: Any, m: Any) -> Callable[[Any], list[Any]]:
-    """The planar system in (ψ, cos θ), of the paper's angle equations."""
+    """The planar system in (ψ, cos θ), from the paper's equations for the angles."""
 
     def slopes(y: Any) -> list[Any]:
         sine, cosine = m.sin(y[0]), m.cos(y[0])
@@ -172,9 +172,9 @@ def _system(a: Any, b: Any, m: Any) -> Callable[[Any], list[Any]]:
 
 
 class Route(NamedTuple):
-    """One way to ε(γ), and the digits it is meant to have.
+    """A method for ε(γ), and the number of digits that it is designed to give.
 
-    A route in float64 has some more, and how many hangs on the processor.
+    A method in float64 gives a few more; how many depends on the processor.
     """
 
     name: str
@@ -206,7 +206,7 @@ CASES = (
 
 
 class RouteRow(NamedTuple):
-    """One case: the ball, and for each further route the digits it should have and has."""
+    """One case: the ball, and for each other method the digits it is designed to give and gives."""
 
     body: str
     gamma: str
@@ -215,7 +215,7 @@ class RouteRow(NamedTuple):
 
 
 def compare(cases: tuple[tuple[str, str], ...] = CASES) -> list[RouteRow]:
-    """Every route on every case."""
+    """Apply every method to every case."""
     return [_row(body, gamma) for body, gamma in cases]
 
 
@@ -227,7 +227,7 @@ def _row(body: str, gamma: str) -> RouteRow:
 
 
 def agreement(value: Any, truth: arb) -> int:
-    """Decimal digits, at most ``DIGITS``, on which a value of any arithmetic agrees with a ball."""
+    """Return how many decimal digits of a value, at most ``DIGITS``, agree with a ball."""
     with ball_precision(bits(DIGITS, 64)):
         error = abs(_as_ball(value) / truth - 1)
         size = error.upper()

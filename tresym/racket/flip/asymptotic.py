@@ -1,17 +1,17 @@
-"""The flip defect ε₀ by its closed formula, with a proved bound on what the formula leaves out.
+"""The flip defect ε₀ by a closed formula, with a proved bound on its error.
 
 With ε* the leading term, R = b/a and s = sin t, the exact separatrix equation is
 
     log(ε₀/ε*) = ∫₀^ε₀ [1/t − (1 − b s²)/(s √(1 + R s²))] dt,    0 < b ≤ 1,
 
-and 1 − x/2 ≤ (1+x)^(−1/2) ≤ 1 − x/2 + 3x²/8, s ≤ t, 1/s ≥ 1/t + t/6 bound it on both sides by
+and 1 − x/2 ≤ (1+x)^(−1/2) ≤ 1 − x/2 + 3x²/8, s ≤ t, 1/s ≥ 1/t + t/6 give the bounds
 
     c₁ε₀² − C ε₀⁴ ≤ log(ε₀/ε*) ≤ c₁ε₀²,
     C = K + (b + R/2)/24 + (bR/2 + 3R²/8)/4,    K = (log(4/π) − π²/48)/(π/2)⁴.
 
-K comes from ∫₀^e (1/sin t − 1/t) dt = log(tan(e/2)/(e/2)), all of whose Taylor coefficients are
-positive, so that (… − e²/12)/e⁴ increases up to e = π/2. From 0 < ε₀ < π/2 each pass through the
-bounds narrows them.
+K comes from ∫₀^e (1/sin t − 1/t) dt = log(tan(e/2)/(e/2)): all Taylor coefficients are positive, so
+that (… − e²/12)/e⁴ increases up to e = π/2. Starting with 0 < ε₀ < π/2, each application of the
+bounds gives a narrower enclosure.
 """
 
 from __future__ import annotations
@@ -30,13 +30,15 @@ from tresym.reals.numbers.arithmetic import ball_precision, balls, bits
 SWEEPS = 3
 
 LARGEST_K = fmpq(5905, 10**6)
-"""An upper bound of the constant K = 0.0059046…, so that it is not computed anew each time."""
+"""An upper bound of the constant K = 0.0059046…."""
 
 
 def enclose(a: fmpq, b: fmpq, digits: int) -> arb | None:
-    """A ball around ε₀ at a precision that serves ``digits``; as wide as the formula leaves it.
+    """Return a ball around ε₀ at a precision for ``digits``, as narrow as the bounds allow.
 
-    None where ε₀ is too small to be told from 0 (see :mod:`tresym.racket.flip.separatrix`).
+    Returns:
+        None if ε₀ is too small to be distinguished from 0; see
+        :mod:`tresym.racket.flip.separatrix`.
     """
     with ball_precision(bits(digits, 84)):
         p, q = arb(a), arb(b)
@@ -56,9 +58,9 @@ def enclose(a: fmpq, b: fmpq, digits: int) -> arb | None:
 
 
 def reach(a: float, b: float) -> float:
-    """About how many digits :func:`enclose` can have: −log₁₀ of C ε*⁴, in float64.
+    """Estimate how many digits :func:`enclose` can give: −log₁₀ of C ε*⁴, in float64.
 
-    Says where it is worth trying; nothing rests on it.
+    It only decides whether the formula is tried.
     """
     R = b / a
     exponent = math.sqrt(a * b) * (math.pi + math.atan(math.sqrt(R)))
@@ -68,11 +70,11 @@ def reach(a: float, b: float) -> float:
 
 @lru_cache(maxsize=64)
 def least_product(digits: int) -> int:
-    """A value of ab below which :func:`reach` is below ``digits``, as it is < 8.2 √(ab) + 3."""
+    """Return an ab below which :func:`reach` is below ``digits``, as it is < 8.2 √(ab) + 3."""
     return max(digits - 3, 0) ** 2 // 68
 
 
 def _quartic(b: Any, R: Any) -> Any:
-    """C of the lower bound."""
+    """The coefficient C of the lower bound."""
     K = 0.005905 if isinstance(b, float) else LARGEST_K
     return K + (b + R / 2) / 24 + R * (4 * b + 3 * R) / 32

@@ -1,14 +1,14 @@
-"""Fold ε(γ) into the first quarter of its orbit, and locate it in float64.
+"""Reduce ε(γ) to the first quarter of its orbit, and compute it in float64.
 
-Let Q be the phase of a quarter: from ψ = π/2 to ψ = 0 where γ > 0, to the turning point where
-γ < 0. The phase is odd about ψ = π/2 and goes on by reflection at the far end, so that for every
-integer j, and whatever the sign of π − 2jQ,
+Let Q be the phase of a quarter: from ψ = π/2 to ψ = 0 if γ > 0, to the turning point if γ < 0. The
+phase is odd about ψ = π/2 and is continued by reflection at the far end, so that for every integer
+j, whatever the sign of π − 2jQ,
 
-    ψ(π) = ψ(π − 2jQ) − jπ  (γ > 0),   ψ(π − 2jQ), by π − ψ where j is odd  (γ < 0),
+    ψ(π) = ψ(π − 2jQ) − jπ  (γ > 0),   ψ(π − 2jQ), by π − ψ if j is odd  (γ < 0),
 
-and ψ(−φ) = π − ψ(φ). With j nearest to π/(2Q) the angle e with F(e, γ) = |π − 2jQ| is in the
-quarter. Newton's method looks for it in a variable T, 0 at ψ = π/2 and ∞ at the far end, in which F
-is nearly linear next to the separatrix, and dF/dT < 1/ω:
+and ψ(−φ) = π − ψ(φ). For the j nearest to π/(2Q), the angle e with F(e, γ) = |π − 2jQ| is in the
+first quarter. Newton's method finds it in a variable T, which is 0 at ψ = π/2 and ∞ at the far end.
+F is nearly linear in T near the separatrix, and dF/dT < 1/ω:
 
     tan e = √(a/(a+b))/sinh T,  ω² = a(γ+b)  (γ ≥ 0);   (γ + b sin²e)/cos²e = b/sinh²T,  ω² = ab.
 """
@@ -25,24 +25,29 @@ from tresym.racket.flip.separatrix import float_phase
 from tresym.racket.motion.gauss import FLOAT_ENDING, turn_by_gauss
 
 ROUNDS = 16
-"""Rounds of Newton's method at most; one to five do but for b near 1."""
+"""Most steps of Newton's method; five are enough unless b is near 1."""
 
 
 class Fold(NamedTuple):
-    """How ψ(π) is folded: by ``halves`` = j half periods, and ``back`` where π < 2jQ is taken."""
+    """How ψ(π) is reduced: by ``halves`` = j half periods; ``back`` is True if π < 2jQ."""
 
     rotating: bool
     halves: int
     back: bool
 
     def phase(self, half_turn: arb, quarter: Callable[[], arb]) -> arb:
-        """The phase of the folded angle: F, or 2Q − F on the way back; ``quarter`` gives Q."""
+        """Return the phase of the reduced angle: F, or 2Q − F on the way back.
+
+        Args:
+            half_turn: π.
+            quarter: returns Q; called only if it is needed.
+        """
         before = self.halves - self.back
         return half_turn - 2 * before * quarter() if before else half_turn
 
     @property
     def unfolding(self) -> tuple[int, int]:
-        """s and n with ε = s e + nπ."""
+        """The numbers s and n with ε = s e + nπ."""
         if self.rotating:
             return (-1, 1 - self.halves) if self.back else (1, -self.halves)
         return (-1, 1) if (self.halves % 2 == 1) != self.back else (1, 0)
@@ -56,7 +61,7 @@ class Quarter(NamedTuple):
     gamma: float
 
     def at(self, time: float) -> tuple[float, float, float]:
-        """tan e, (γ + b sin²e)/cos²e and dF/dT at T = ``time``."""
+        """Return tan e, (γ + b sin²e)/cos²e and dF/dT at T = ``time``."""
         a, b, gamma = self
         slant, cosh = math.sinh(time), math.cosh(time)
         above = gamma + b
@@ -72,7 +77,7 @@ class Quarter(NamedTuple):
         return tangent, rest, (1 - part) * root * cosh / speed
 
     def time(self, angle: float) -> float:
-        """T of an angle in the quarter."""
+        """Return T of an angle in the quarter."""
         tangent = math.tan(angle)
         if self.gamma < 0:
             rest = self.gamma + (self.gamma + self.b) * tangent * tangent
@@ -80,17 +85,17 @@ class Quarter(NamedTuple):
         return math.asinh(math.sqrt(self.a / (self.a + self.b)) / tangent)
 
     def turn(self, tangent: float, rest: float) -> float:
-        """F from tan e and (γ + b sin²e)/cos²e."""
+        """Return F from tan e and (γ + b sin²e)/cos²e."""
         return float(turn_by_gauss(tangent, rest, *self, math, FLOAT_ENDING))
 
     def whole(self) -> float:
-        """Q."""
+        """Return Q."""
         if self.gamma < 0:
             return self.turn(math.sqrt(-self.gamma / (self.gamma + self.b)), 0.0)
         return self.turn(0.0, self.gamma)
 
     def angle(self, time: float, phase: float) -> float | None:
-        """The angle e with F(e) = ``phase``, by Newton's method in a bracket; None if it fails."""
+        """Return the angle e with F(e) = ``phase`` by Newton's method, or None if it fails."""
         low = 0.99 * math.sqrt(self.a * (self.b + max(self.gamma, 0.0))) * phase
         time, high = max(time, low), math.inf
         for _ in range(ROUNDS):
@@ -109,7 +114,7 @@ class Quarter(NamedTuple):
 
 
 def float_defect(a: float, b: float, gamma: float) -> float | None:
-    """ε(γ) in float64 where 0 < ε and the trajectory has not turned; else None."""
+    """Return ε(γ) in float64 if ε > 0 and there is no turning point before it, else None."""
     quarter = Quarter(a, b, gamma)
     try:
         k = math.sqrt(a * b)
@@ -121,7 +126,7 @@ def float_defect(a: float, b: float, gamma: float) -> float | None:
 
 
 def folded(a: float, b: float, gamma: float) -> tuple[Fold, float] | None:
-    """How ε(γ) is folded, and the folded angle in float64; None where it is not found."""
+    """Return how ε(γ) is reduced, and the reduced angle in float64; None if it is not found."""
     unfolded = float_defect(a, b, gamma)
     if unfolded is not None:
         return Fold(gamma >= 0, 0, False), unfolded

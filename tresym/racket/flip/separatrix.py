@@ -33,18 +33,18 @@ from tresym.racket.result import GUARD_BITS
 from tresym.reals.numbers.arithmetic import Balls, ball_precision, balls, bits
 
 LARGEST_ARGUMENT = 10**17
-"""Beyond T = √(ab) P of this size ε₀ < 10^(−4·10^16) is not told from 0."""
+"""For larger T = √(ab) P, where ε₀ < 10^(−4·10^16), ε₀ is not distinguished from 0."""
 
 FLOAT_BITS = 48
-"""Bits of the float64 start that are taken to be right; nothing rests on it but speed."""
+"""Bits of the float64 approximation that are expected to be correct; this only affects speed."""
 
 LARGEST_RESIDUAL = fmpq(1, 34)
 LARGE = 16
-"""√(ab) from which sech² √(ab) P is not formed as a difference."""
+"""For larger √(ab), sech² √(ab) P is not computed as 1 − tanh², which would cancel."""
 
 
 class Separatrix(NamedTuple):
-    """Balls around the phase P, the defect ε₀ and the flip Δψ = π − 2ε₀ (radians)."""
+    """Balls around the phase P, the defect ε₀ and the flip Δψ = π − 2ε₀, in radians."""
 
     phase: arb
     defect: arb
@@ -52,9 +52,13 @@ class Separatrix(NamedTuple):
 
 
 def float_phase(k: float, b: float) -> tuple[float, float]:
-    """The phase P and the slope g′(P) in float64, from ``k`` = √(ab) (0 and ∞ allowed) and ``b``.
+    """Compute the phase P and the slope g′(P) in float64.
 
-    Newton's method from P = π: g is convex, so the steps are monotone after the first.
+    Newton's method from P = π is used: g is convex, so the steps are monotone after the first.
+
+    Args:
+        k: √(ab); 0 and ∞ are allowed.
+        b: the shape parameter b.
     """
     phase = math.pi
     for _ in range(8):
@@ -70,9 +74,10 @@ def float_phase(k: float, b: float) -> tuple[float, float]:
 
 
 def enclose_phase(k: arb, r: arb, precision: int) -> arb:
-    """The phase as a ball some 2^−``precision`` wide, at that working precision.
+    """Return the phase as a ball of radius about 2^−``precision``, at that working precision.
 
-    A round quadruples the correct bits of the float64 start; all but the last are at less bits.
+    Each round quadruples the number of correct bits of the float64 approximation; only the last
+    round needs the full precision.
     """
     near = arb(float_phase(float(k), float(k * r))[0])
     for rising in _roundings(precision):
@@ -82,7 +87,7 @@ def enclose_phase(k: arb, r: arb, precision: int) -> arb:
 
 
 def _roundings(precision: int) -> list[int]:
-    """Correct bits after each round that leads from the float64 start to ``precision``/4."""
+    """The correct bits after each round, from the float64 approximation to ``precision``/4."""
     steps = []
     while (precision := precision // 4 + 2) > FLOAT_BITS:
         steps.append(precision)
@@ -90,7 +95,7 @@ def _roundings(precision: int) -> list[int]:
 
 
 def root_from(x: arb, k: arb, r: arb) -> arb:
-    """A ball that contains the one root, from a near exact point ``x`` ≥ 3.
+    """Return a ball that contains the unique root, from an exact point ``x`` ≥ 3 near it.
 
     With v = u′ and w = −v′/2v, the terms of the inverse in h = y/(1 − v) and c = vw/(1 − v) are
     h (1 + hc + h² (2cw + 6c² − vw′/(1 − v))/3).
@@ -108,7 +113,7 @@ def root_from(x: arb, k: arb, r: arb) -> arb:
     scale = k / (1 + square)
     if k < LARGE:
         short = scale * (1 - tangent * tangent)
-    else:  # the difference leaves nothing of sech², and powers of k come to it
+    else:  # 1 − tanh² would cancel completely, and the result is multiplied by powers of k
         sech = argument.sech()
         short = scale * sech * sech
     v, grown = r * short, scale * (1 + r * r)
@@ -121,9 +126,10 @@ def root_from(x: arb, k: arb, r: arb) -> arb:
 
 
 def defect_over(a: arb, b: arb, m: Balls = balls) -> arb:
-    """A ball that contains ε₀ for every shape in the balls ``a`` and ``b``.
+    """Return a ball that contains ε₀ of every shape in the balls ``a`` and ``b``.
 
-    Every root lies in [π, 3π/2] and in the image of what contains it, and so in the iterates.
+    Every root lies in [π, 3π/2], and in the image of every interval that contains it; so it lies in
+    all iterates of the phase map.
     """
     k, r = m.sqrt(a * b), m.sqrt(b / a)
     phase = m.pi.union(3 * m.pi / 2)
@@ -135,9 +141,9 @@ def defect_over(a: arb, b: arb, m: Balls = balls) -> arb:
 
 
 def solve(a: fmpq, b: fmpq, digits: int) -> Separatrix:
-    """ε₀ and the flip, each to ``digits`` certified digits; the precision rises until it is so.
+    """Compute ε₀ and the flip, each to ``digits`` certified digits, at increasing precision.
 
-    Where T is beyond ``LARGEST_ARGUMENT`` the defect is only shown to lie below 10^−digits.
+    If T is beyond ``LARGEST_ARGUMENT``, the defect is only proved to lie below 10^−digits.
     """
     precision = bits(digits, 20)
     while True:

@@ -4,21 +4,22 @@ With R = b/a the exact separatrix equation is log(ε₀/ε*) = Q(ε₀²), where
 
     2w Q′(w) = 1 − (1 − b sin²e) (e/sin e) (1 + R sin²e)^(−1/2),      w = e²,   Q(0) = 0,
 
-so ε₀² is the root w of w = y exp 2Q(w), y = ε*², and Lagrange's inversion gives the coefficients
+so ε₀² is the root w of w = y exp 2Q(w), y = ε*². Lagrange inversion gives the coefficients
 c_n = [wⁿ] exp((2n+1) Q(w)) / (2n+1), polynomials of degree n in b and R.
 
-*Truncation.* Every Taylor coefficient of 1 − 2wQ′ is at most, in size, that of
-(1 + bS)(√w/sin √w)(1 − RS)^(−1/2) with S = sinh²√w. Hence those of Q are at most those of a
+*Truncation error.* Every Taylor coefficient of 1 − 2wQ′ is bounded in absolute value by that of
+(1 + bS)(√w/sin √w)(1 − RS)^(−1/2) with S = sinh²√w. Hence those of Q are bounded by those of a
 function M with M(ρ) = q = ½[(1 + bS)(√ρ/sin √ρ)(1 − RS)^(−1/2) − 1] and S = sinh²√ρ, if RS < 1 and
 ρ ≤ 1, and |c_n| ≤ e^q (e^{2q}/ρ)ⁿ / (2n+1). If τ = y e^{2q}/ρ < 1, the iterates of y exp 2M from 0
-stay below ρ, and with them the terms of the series for w, in absolute value and in sum: it may be
-put into that of Q, and its value is real and positive, hence ε₀², the only root in (0, (π/2)²). So
-what is left out after c_N is at most e^q τ^{N+1} / ((2N+3)(1 − τ)), relative to ε*.
+stay below ρ, and so does the sum of the absolute values of the series for w. Hence this series may
+be substituted into that of Q; its value is real and positive, and therefore ε₀², the only root in
+(0, (π/2)²). So the remainder after c_N is at most e^q τ^{N+1} / ((2N+3)(1 − τ)), relative to ε*.
 
-*Radius.* dy/dw = 0 where b sin²e = 1; there |y| = 4a/(a+b) · exp(−2√(ab) arcsin √(b/(a+b))), which
-is ε*² e^{2π√(ab)}. That this is the radius of convergence is observed, not proved: the coefficients
-grow with it, and the terms decay like e^{−2πn√(ab)}, for every shape looked at. Proved is only that
-the radius is at least ρ e^{−2q} for each ρ as above, by the bound of |c_n| (``least_radius``).
+*Radius of convergence.* dy/dw = 0 where b sin²e = 1; there |y| = 4a/(a+b) · exp(−2√(ab) arcsin
+√(b/(a+b))), which is ε*² e^{2π√(ab)}. That this is the radius of convergence is observed for all
+shapes that were tried, not proved: the coefficients grow accordingly, and the terms decay like
+e^{−2πn√(ab)}. It is proved only that the radius is at least ρ e^{−2q} for each ρ as above, by the
+bound on |c_n| (:func:`least_radius`).
 """
 
 from __future__ import annotations
@@ -38,14 +39,14 @@ if TYPE_CHECKING:
 
 @lru_cache(maxsize=8)
 def coefficients(order: int) -> tuple[fmpq_mpoly, ...]:
-    """c₀ = 1, c₁, …, c_order as exact polynomials in b and R = b/a, by python-flint."""
+    """Return c₀ = 1, c₁, …, c_order as exact polynomials in b and R = b/a, by python-flint."""
     ring = fmpq_mpoly_ctx.get(("b", "R"), "deglex")
     b, R = ring.gens()
     return tuple(_lagrange(order, b, R, ring.constant(1), lambda q: q))
 
 
 def coefficients_sympy(order: int) -> tuple[PolyElement, ...]:
-    """The same coefficients in SymPy's ring ℚ[b, R], by its own arithmetic."""
+    """Return the same coefficients in SymPy's ring ℚ[b, R], computed by SymPy."""
     from sympy import QQ
     from sympy.polys.rings import ring
 
@@ -54,7 +55,7 @@ def coefficients_sympy(order: int) -> tuple[PolyElement, ...]:
 
 
 def _lagrange(order: int, b: Any, R: Any, one: Any, number: Callable[[fmpq], Any]) -> list[Any]:
-    """c₀ … c_order over any ring that holds b, R and the rationals ``number`` makes."""
+    """c₀ … c_order over any ring that contains b, R and the rationals ``number`` makes."""
     slopes = _slope_series(order, b, R, one, number)
     found = []
     for n in range(order + 1):
@@ -88,12 +89,12 @@ def _slope_series(order: int, b: Any, R: Any, one: Any, number: Callable[[fmpq],
 
 
 def _product(u: list[fmpq], v: list[fmpq]) -> list[fmpq]:
-    """The product of two power series of one length, to that length."""
+    """The product of two power series of equal length, to that length."""
     return [sum((u[j] * v[n - j] for j in range(n + 1)), start=fmpq(0)) for n in range(len(u))]
 
 
 def _reciprocal(u: list[fmpq]) -> list[fmpq]:
-    """The reciprocal of a power series that begins with 1."""
+    """The reciprocal of a power series with constant term 1."""
     found = [fmpq(1)]
     for n in range(1, len(u)):
         found.append(-sum((u[j] * found[n - j] for j in range(1, n + 1)), start=fmpq(0)))
@@ -113,7 +114,7 @@ def _number(q: fmpq, m: Any) -> Any:
 
 @lru_cache(maxsize=8)
 def exponent_coefficients(order: int) -> tuple[fmpq_mpoly, ...]:
-    """q₀ = 0, q₁ = c₁, …, q_order of Q(w) = Σ q_n wⁿ as exact polynomials in b and R = b/a."""
+    """Return q₀ = 0, q₁ = c₁, …, q_order of Q(w) = Σ q_n wⁿ as exact polynomials in b and R."""
     ring = fmpq_mpoly_ctx.get(("b", "R"), "deglex")
     b, R = ring.gens()
     slopes = _slope_series(order, b, R, ring.constant(1), lambda q: q)
@@ -137,12 +138,12 @@ def _rows(
 
 
 def coefficient_values(order: int, b: Any, R: Any, m: Any) -> list[Any]:
-    """c₀ … c_order at (b, R) in the arithmetic ``m``, by Horner's rule."""
+    """Return c₀ … c_order at (b, R) in the arithmetic ``m``, by Horner's rule."""
     return _values(coefficients, order, b, R, m)
 
 
 def exponent_values(order: int, b: Any, R: Any, m: Any) -> list[Any]:
-    """q₀ … q_order at (b, R) in the arithmetic ``m``."""
+    """Return q₀ … q_order at (b, R) in the arithmetic ``m``."""
     return _values(exponent_coefficients, order, b, R, m)
 
 
@@ -163,23 +164,26 @@ def _horner(terms: list[Any], x: Any) -> Any:
 
 
 def expansion(order: int, a: Any, b: Any, m: Any) -> Any:
-    """ε*(1 + c₁ε*² + … + c_order ε*^{2·order}): ε₀ up to its truncation error, in radians."""
+    """Return ε*(1 + c₁ε*² + … + c_order ε*^{2·order}) in radians."""
     leading = stable.leading_term(m.sqrt(a * b), m.sqrt(b / a), m)
     return leading * _horner(coefficient_values(order, b, b / a, m), leading**2)
 
 
 def majorant(rho: Any, b: Any, R: Any, m: Any) -> Any:
-    """q, a bound of |Q(w)| on |w| = ρ; not a number unless R sinh²√ρ < 1 (use ρ ≤ 1)."""
+    """Return q, a bound of |Q(w)| on |w| = ρ ≤ 1; not a number unless R sinh²√ρ < 1."""
     root = m.sqrt(rho)
     square = m.sinh(root) ** 2
     return ((1 + b * square) * (root / m.sin(root)) / m.sqrt(1 - R * square) - 1) / 2
 
 
 def tail(order: int, y: Any, b: Any, R: Any, rho: Any, m: Any, divided: int = 0) -> Any:
-    """A bound of |Σ_{n>order} c_n yⁿ| and of |ε₀/ε* − Σ_{n≤order} c_n yⁿ| at y = ε*².
+    """Bound |Σ_{n>order} c_n yⁿ|, which is |ε₀/ε* − Σ_{n≤order} c_n yⁿ| at y = ε*².
 
-    It is divided by y^``divided``, so that bounds relative to a power of y hold at y = 0 too. Not a
-    number where the bound does not apply, that is unless R sinh²√ρ < 1 and τ < 1.
+    The bound is divided by y^``divided``, so that bounds relative to a power of y hold at y = 0
+    too.
+
+    Returns:
+        Not a number unless R sinh²√ρ < 1 and τ < 1, the conditions of the bound.
     """
     q = majorant(rho, b, R, m)
     growth = m.exp(2 * q) / rho
@@ -188,9 +192,9 @@ def tail(order: int, y: Any, b: Any, R: Any, rho: Any, m: Any, divided: int = 0)
 
 
 def truncation_bound(order: int, a: fmpq, b: fmpq) -> arb | None:
-    """An upper bound of |ε₀/ε* − Σ_{n≤order} c_n ε*^{2n}| at a shape; None where none is known.
+    """Return an upper bound of |ε₀/ε* − Σ_{n≤order} c_n ε*^{2n}|, or None if none is known.
 
-    The best of sixteen radii ρ; on {ab ≥ 1/4, 0 < b ≤ 1} one always applies.
+    It is the best for sixteen radii ρ; on {ab ≥ 1/4, 0 < b ≤ 1} one always applies.
     """
     p, q = arb(a), arb(b)
     R = q / p
@@ -201,27 +205,27 @@ def truncation_bound(order: int, a: fmpq, b: fmpq) -> arb | None:
 
 
 def _radii(R: arb) -> list[arb]:
-    """Sixteen ρ at which the bound applies: R sinh²√ρ < 1 and ρ < 1."""
+    """Sixteen ρ for which the bound applies: R sinh²√ρ < 1 and ρ < 1."""
     largest = (1 / R.sqrt()).asinh() ** 2
     largest = arb(1) if largest > 1 else largest.lower()
     return [largest * fmpq(j, 17) for j in range(1, 17)]
 
 
 def least_radius(a: fmpq, b: fmpq) -> arb:
-    """A certified lower bound of the radius of convergence in y = ε*²: the best ρ e^{−2q}."""
+    """Return a certified lower bound of the radius of convergence in y: the best ρ e^{−2q}."""
     q, R = arb(b), arb(b / a)
     bounds = [rho * (-2 * majorant(rho, q, R, balls)).exp() for rho in _radii(R)]
     return max((bound.lower() for bound in bounds if bound.is_finite()), key=float)
 
 
 def convergence_radius(a: Any, b: Any, m: Any) -> Any:
-    """|y| where dy/dw = 0: ε*² exp(2π√(ab)), which is the observed radius in y = ε*²."""
+    """Return |y| where dy/dw = 0: ε*² exp(2π√(ab)), the observed radius in y = ε*²."""
     k, r = m.sqrt(a * b), m.sqrt(b / a)
     return 4 / (1 + r**2) * m.exp(-2 * k * m.atan(r))
 
 
 def observed_radius(order: int, a: fmpq, b: fmpq) -> float:
-    """The radius that c_n n^{3/2} shows for order/2 < n ≤ order (a square-root singularity)."""
+    """Estimate the radius from c_n n^{3/2}, order/2 < n ≤ order (a square-root singularity)."""
     values = coefficient_values(order, arb(b), arb(b / a), balls)
     half = range(order // 2 + 1, order + 1)
     return float(min((1 / abs(values[n]) / arb(n) ** arb(1.5)) ** (arb(1) / n) for n in half))

@@ -1,17 +1,18 @@
 """dε/dγ and d²ε/dγ² in closed form, for every γ in (−b, a).
 
-With the phase Φ(ψ, γ) from ψ = π/2, ε(γ) keeps Φ = π, so dε/dγ = Φ_γ/f. In the time τ the
-integrand's derivative is −(1 − b sin²ψ)/(2z), and 1/z = (1/m₁² − 1)/(a − γ) with m₁ = cos θ, so
+With the phase Φ(ψ, γ) from ψ = π/2, ε(γ) is defined by Φ = π, so dε/dγ = Φ_γ/f. In the time τ the
+derivative of the integrand is −(1 − b sin²ψ)/(2z), and 1/z = (1/m₁² − 1)/(a − γ) with m₁ = cos θ,
+so
 
     Φ_γ = −[(1+γ) I₁ − (1+a) τ]/(2(a−γ)),   I₁ = ∫ dτ/m₁²,   I₁₁ = ∫ dτ/m₁⁴.
 
-The third kind has gone: I₁ needs only D = ∫ sn²/dn² du = (sn³/3) R_D(cn², 1, dn²), and I₁₁ follows
-from I₁ by differentiating m₂m₃/m₁³ along the flow:
+The integral of the third kind cancels: I₁ needs only D = ∫ sn²/dn² du = (sn³/3) R_D(cn², 1, dn²),
+and I₁₁ follows from I₁ by differentiating m₂m₃/m₁³ along the flow:
 
     3γ(γ+b) I₁₁ = −a(a+b) τ + 2[γ(a+b) + a(γ+b)] I₁ − b m₂m₃/m₁³.
 
-On an oscillating orbit I₁ itself diverges at every turning point, m₁ I₁ does not; so m₁Φ_γ is
-formed, from (γ+b) I₁ = m₂/(m₁m₃) + (a+b) τ − (a−γ) ∫ dτ/m₃², and dε/dγ is finite at γ* too.
+On an oscillating orbit I₁ diverges at every turning point, but m₁ I₁ does not. Therefore m₁Φ_γ is
+computed, from (γ+b) I₁ = m₂/(m₁m₃) + (a+b) τ − (a−γ) ∫ dτ/m₃², so that dε/dγ is finite at γ* too.
 """
 
 from __future__ import annotations
@@ -38,7 +39,7 @@ from tresym.reals.numbers.exact import InputError
 
 
 class Slopes(NamedTuple):
-    """Balls around ε and its first two derivatives by γ."""
+    """Balls around ε and its first two derivatives with respect to γ."""
 
     defect: arb
     first: arb
@@ -46,7 +47,7 @@ class Slopes(NamedTuple):
 
 
 def slopes(a: fmpq, b: fmpq, gamma: fmpq, digits: int) -> Slopes:
-    """ε(γ), dε/dγ and d²ε/dγ², each to ``digits`` certified digits (or shown to be near 0).
+    """Compute ε(γ), dε/dγ and d²ε/dγ², each to ``digits`` certified digits (or proved near 0).
 
     Raises:
         InputError: unless −b < γ < a.
@@ -65,7 +66,7 @@ def slopes(a: fmpq, b: fmpq, gamma: fmpq, digits: int) -> Slopes:
 
 
 def _on(on: Orbit) -> Slopes:
-    """The slopes on an orbit, at the working precision."""
+    """The derivatives on an orbit, at the working precision."""
     a, b = on.a, on.b
     gamma, below = on.level.gamma, on.level.below
     place = time_of(on, arb.pi())
@@ -82,7 +83,7 @@ def _on(on: Orbit) -> Slopes:
     first_slope = -3 * (doubled - first_kind) / (2 * below)
     bent = first_kind + (1 + gamma) * first_slope - (1 + a) * tau_slope
     second_by_gamma = -(shifted / below + bent) / (2 * below)
-    # F(ε(γ), γ) = π twice differentiated; f, f_γ, f_ψ at ε.
+    # Differentiate F(ε(γ), γ) = π twice; f, f_γ, f_ψ are taken at ε.
     z = m1 * m1 * scale
     f = clock / (m1 * scale)
     by_gamma = -f / (2 * z)
@@ -92,7 +93,7 @@ def _on(on: Orbit) -> Slopes:
 
 
 def _derivatives(on: Orbit, place: Place, m1: arb) -> tuple[arb, arb, arb]:
-    """τ, m₁Φ_γ and I₁ at a place of the orbit."""
+    """τ, m₁Φ_γ and I₁ at a point of the orbit."""
     a, b = on.a, on.b
     gamma, below, above, regime = on.level
     at = functions(on.elliptic, place.time)
@@ -121,7 +122,7 @@ def _second_kind(at: Amplitude) -> arb:
 
 
 def _fourth_power(on: Orbit, place: Place, tau: arb, first_kind: arb, product: arb, m1: arb) -> arb:
-    """I₁₁ at a place with m₂m₃ = ``product``; elementary on the separatrix, where m₁ ∝ 1/cosh u."""
+    """I₁₁ at a point with m₂m₃ = ``product``; elementary on the separatrix, where m₁ ∝ 1/cosh u."""
     a, b = on.a, on.b
     gamma, _, above, regime = on.level
     if regime == 0:

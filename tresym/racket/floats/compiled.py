@@ -1,7 +1,7 @@
 """The float64 flip map compiled by numba, one start at a time.
 
-The extra ``tresym[fast]`` brings numba. What it compiles is kept in numba's cache, so the price is
-paid once. The compiled function lets other threads run.
+numba is installed by the extra ``tresym[fast]``. Compiled functions are stored in numba's cache, so
+that they are compiled only once. They release Python's global lock.
 """
 
 from __future__ import annotations

@@ -1,13 +1,13 @@
 """The flip of many starts at once, in float64.
 
-The closed form of :mod:`tresym.racket.floats.float_orbit`, start by start. There are no special
-cases: every start is on a rotating or an oscillating orbit, and the separatrix is taken as an orbit
-so near to it that float64 cannot tell. Starts near the unstable points have a Δψ accurate relative
-to itself. NaN is said only where no such start exists.
+Each start is computed by the closed form of :mod:`tresym.racket.floats.float_orbit`. There are no
+special cases: every start is on a rotating or an oscillating orbit, and the separatrix is replaced
+by an orbit so near to it that float64 cannot distinguish the two. For starts near the unstable
+points Δψ has a small relative error. The result is NaN only for starts that do not exist.
 
-With the extra ``tresym[fast]`` large maps run compiled, on all cores; the answers are the same up
-to the last digits. Near the unstable points errors grow by e^(√(ab) Δφ) whatever the method;
-how far a float64 start determines its answer is what :func:`flip_uncertainty` says.
+With the extra ``tresym[fast]`` large maps are compiled and use all cores; the results agree up to
+the last digits. Near the unstable points errors grow by e^(√(ab) Δφ) with any method; see
+:func:`flip_uncertainty` for how accurately a float64 start determines its result.
 """
 
 from __future__ import annotations
@@ -30,17 +30,17 @@ from tresym.reals.numbers.exact import InputError
 Floats = NDArray[np.float64]
 
 CHUNK = 8192
-"""Starts per pass: what is needed of one pass stays in the cache."""
+"""Starts per pass, few enough that the arrays of one pass stay in the cache."""
 
 WIDEST = 10**100
-"""Shapes between this and its inverse: squares of what the map works with are floats still."""
+"""a and b must lie between this and its inverse, so that squares do not overflow."""
 
 LARGE = 50_000
-"""Starts from which a map is worth the second it takes to load numba."""
+"""The number of starts above which loading numba, which takes a second, saves time."""
 
 
 class Arrivals(NamedTuple):
-    """Arrays of ends: Δψ in radians, cos θ and sin θ, and the time passed in units of I₂/M."""
+    """Arrays of results: Δψ in radians, cos θ and sin θ, and the time passed in units of I₂/M."""
 
     turn: Floats
     handle: Floats
@@ -55,21 +55,21 @@ def flip_map(
     rate: ArrayLike,
     precession: ArrayLike = 2 * math.pi,
 ) -> Floats:
-    """Δψ (radians) of each start (ψ₀, dψ/dφ) after ``precession`` radians of φ.
+    """Compute Δψ of each start (ψ₀, dψ/dφ) while φ increases by ``precession``.
 
     Args:
         a: I₂/I₁ − 1 > 0.
         b: 1 − I₂/I₃, in (0, 1].
         psi0: angles in radians; broadcast against ``rate`` and ``precession``.
         rate: dψ/dφ at the start.
-        precession: Δφ, of either sign.
+        precession: Δφ in radians, of either sign; by default one full turn.
 
     Returns:
-        Float64 of the broadcast shape; NaN where no body of this shape has such a start, and where
-        an array is masked.
+        Δψ in radians, float64 of the broadcast shape; NaN where no body of this shape has such a
+        start, and where an array is masked.
 
     Raises:
-        InputError: a or b out of range, or beyond 1e±100; starts that are no numbers.
+        InputError: a or b out of range, or beyond 1e±100; starts that are not numbers.
 
     Example:
         >>> import tresym
@@ -91,7 +91,7 @@ def flip_map(
 def arrivals(
     a: Exact | float, b: Exact | float, psi0: ArrayLike, rate: ArrayLike, precession: ArrayLike
 ) -> Arrivals:
-    """Where each start comes to; arguments as for :func:`flip_map`."""
+    """Compute the end of the motion from each start; the arguments are as for :func:`flip_map`."""
     return Arrivals(*_arrive(*_floats(a, b), psi0, rate, precession)[:4])
 
 
@@ -102,12 +102,15 @@ def flip_uncertainty(
     rate: ArrayLike,
     precession: ArrayLike = 2 * math.pi,
 ) -> Floats:
-    """The error of :func:`flip_map` at each start, in radians: an estimate that errs upwards.
+    """Estimate the error of :func:`flip_map` at each start, in radians, from above.
 
-    64 roundings of each of a, b, ψ₀ and the rate, carried to the result by the map's own
-    derivatives, as differences; and 64 of what is added up to Δψ. The counts are from comparisons
-    with balls. Infinite above 0.01: the orbit passes so close to an unstable point, or turns so
-    often, that float64 starts do not determine the answer.
+    The estimate assumes 64 roundings of each of a, b, ψ₀ and the rate, propagated by difference
+    quotients of the map, and 64 roundings of the terms whose sum is Δψ. These numbers come from
+    comparisons with balls.
+
+    Returns:
+        Infinity where the estimate exceeds 0.01: the orbit passes so close to an unstable point, or
+        turns so often, that float64 starts do not determine the result.
     """
     p, q = _floats(a, b)
     psi, speed = _unmasked(psi0), _unmasked(rate)
@@ -117,11 +120,11 @@ def flip_uncertainty(
     for change in np.eye(4):
         there = _changed(p, q, psi, speed, precession, 1 - step * change)
         if np.isnan(there).any():
-            # Next to the largest rate the start may exist on one side only.
+            # Near the largest rate, the start may exist on one side only.
             other = _changed(p, q, psi, speed, precession, 1 + step * change)
             there = np.where(np.isnan(there), other, there)
         total = total + np.abs(there - here) / step
-    # On an oscillating orbit no answer is off by more than the range of ψ.
+    # On an oscillating orbit the error is at most the range of ψ.
     error = np.minimum(64 * np.finfo(float).eps * total, 2 * reach)
     error = np.where(np.isnan(error) | (error > 0.01), np.inf, error)
     return np.where(np.isnan(here), np.nan, error)
@@ -135,7 +138,7 @@ def _changed(
 
 
 def _floats(a: Exact | float, b: Exact | float) -> tuple[float, float]:
-    """The shape in float64; what is given exactly is checked exactly."""
+    """The shape in float64; exact input is checked before it is rounded."""
     from fractions import Fraction
 
     a, b = (float(x) if isinstance(x, np.floating) else x for x in (a, b))
@@ -143,14 +146,14 @@ def _floats(a: Exact | float, b: Exact | float) -> tuple[float, float]:
         raise InputError("flip map: a and b must be finite")
     shape = exact_shape(*(Fraction(x) if isinstance(x, float) else x for x in (a, b)))
     if not (shape.a < WIDEST and shape.a * WIDEST > 1 and shape.b * WIDEST > 1):
-        raise InputError("flip map: beyond 1e±100 float64 fails; flip_angle takes such a shape")
+        raise InputError("flip map: a or b is beyond 1e±100; use flip_angle for such a shape")
     return int(shape.a.p) / int(shape.a.q), int(shape.b.p) / int(shape.b.q)
 
 
 def _arrive(
     a: float, b: float, psi: ArrayLike, rate: ArrayLike, precession: ArrayLike
 ) -> tuple[Floats, ...]:
-    """All six numbers of :func:`tresym.racket.floats.float_orbit.arrive`, for broadcast starts."""
+    """All six results of :func:`tresym.racket.floats.float_orbit.arrive`, for broadcast starts."""
     starts, shape = _broadcast(psi, rate, precession)
     found = np.empty((6, starts[0].size))
     for part, values in _in_chunks(float_orbit.arrive, a, b, starts):
@@ -159,7 +162,7 @@ def _arrive(
 
 
 def _broadcast(*given: ArrayLike) -> tuple[list[Floats], tuple[int, ...]]:
-    """Flat arrays of one size, and the shape they had."""
+    """Flat arrays of equal length, and their broadcast shape."""
     arrays = [_unmasked(x) for x in given]
     try:
         same = np.broadcast_arrays(*arrays)
@@ -169,10 +172,10 @@ def _broadcast(*given: ArrayLike) -> tuple[list[Floats], tuple[int, ...]]:
 
 
 def _unmasked(x: ArrayLike) -> Floats:
-    """As floats, NaN where the array is masked.
+    """An array of floats, NaN where it is masked.
 
     Raises:
-        InputError: what is no array of real numbers.
+        InputError: it is not an array of real numbers.
     """
     try:
         if x is None or np.iscomplexobj(x):  # None would be NaN
@@ -185,7 +188,7 @@ def _unmasked(x: ArrayLike) -> Floats:
 
 
 def _compiled() -> Callable[..., None] | None:
-    """The compiled map, or None without numba."""
+    """The compiled map, or None if numba is not installed."""
     try:
         from tresym.racket.floats.compiled import turn_each
     except ImportError:
@@ -196,7 +199,7 @@ def _compiled() -> Callable[..., None] | None:
 def _in_chunks(
     work: Callable[..., Any], a: float, b: float, starts: list[Floats]
 ) -> Iterator[tuple[slice, Any]]:
-    """Each part of the starts, with what ``work`` makes of it."""
+    """Each part of the starts, with the result of ``work`` for it."""
     room = np.empty((5, LEVELS + 1, min(CHUNK, starts[0].size)))
     for part in _parts(starts[0].size, CHUNK):
         with np.errstate(all="ignore"):

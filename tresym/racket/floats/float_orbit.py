@@ -1,18 +1,18 @@
 """The orbit of a start in float64, for numpy arrays or compiled for numbers.
 
-The time τ (dφ/dτ = 1 − b sin²ψ, from ψ = π/2) and the phase φ follow from an angle by the steps of
-:mod:`tresym.racket.motion.gauss`, in which every orbit, oscillating or rotating, has the same form:
-with t = |tan ψ|, p = A t and r ∝ cos θ take the places of x and y, and r² − p² = γ(a+b) may have
-either sign. An angle follows from a time by the steps backwards, from x = y = L/sinh Lτ:
+The time τ (dφ/dτ = 1 − b sin²ψ, from ψ = π/2) and the phase φ are computed from an angle by the
+steps of :mod:`tresym.racket.motion.gauss`. In these variables oscillating and rotating orbits have
+the same form: with t = |tan ψ|, p = A t and r ∝ cos θ replace x and y, and r² − p² = γ(a+b) may
+have either sign. An angle is computed from a time by the inverse steps, from x = y = L/sinh Lτ:
 
     z = y′z′/x′,   x, y = x′ ∓ (G² − H²)/(4x′),
 
-without a square root; p and r go through 0 at ψ = π and at turning points by themselves. The angles
-arctan(C_n/z_n) with their weights 2ⁿ are one argument of a product of complex numbers; its branch
-is known, as φ = τ − ∫ b sin²ψ dτ and that integral lies in [0, π/2] over a quarter of an orbit.
+without a square root; p and r change sign at ψ = π and at turning points as they should. The angles
+arctan(C_n/z_n) with weights 2ⁿ are the argument of a product of complex numbers. Its branch is
+known, since φ = τ − ∫ b sin²ψ dτ and this integral lies in [0, π/2] over a quarter of an orbit.
 
-Only :func:`choose`, :func:`largest` and :func:`least` tell arrays from numbers;
-:mod:`tresym.racket.floats.compiled` gives them their meaning for numbers.
+Only :func:`choose`, :func:`largest` and :func:`least` distinguish arrays from numbers;
+:mod:`tresym.racket.floats.compiled` replaces them for numbers.
 """
 
 from __future__ import annotations
@@ -23,31 +23,31 @@ from typing import Any, NamedTuple
 import numpy as np
 
 LEVELS = 12
-"""Gauss steps at most; fewer than 6 but for γ within 1e-6 of the ends of its range."""
+"""Most Gauss steps; 6 are enough unless γ is within 1e-6 of an end of its range."""
 
 ROUNDS = 40
-"""Rounds of Halley's method at most; two or three do, as the phase is nearly linear."""
+"""Most steps of Halley's method; two or three are enough, as the phase is nearly linear."""
 
 TINY = 1e-290
-"""The least √|γ(a+b)|: the separatrix is taken as an orbit so near to it."""
+"""The least √|γ(a+b)|; the separatrix is replaced by an orbit at this distance."""
 
 LINEAR = 1e-9
 """Angles below which the motion about an unstable point is linear to float64 accuracy."""
 
 SQUARES, GAINS, APARTS, TANGENTS, FAR = range(5)
-"""What the rows of :attr:`Orbit.work` hold."""
+"""The rows of :attr:`FloatOrbit.work`."""
 
 MIDPOINTS = tuple(math.sin((2 * k + 1) * math.pi / 24) ** 2 for k in range(6))
 """sin² of the points of the midpoint rule on a quarter turn."""
 
 
 class FloatOrbit(NamedTuple):
-    """The constants of an orbit. ``steps`` is the number of Gauss steps.
+    """The constants of an orbit.
 
-    ``root`` = √|γ(a+b)|, ``split`` is a quarter of it with the sign of γ, ``reach`` = A, ``first``
-    and ``third`` are C before and after the steps, ``unit`` is L and ``drift`` the factor of τ in
-    ∫ b sin²ψ dτ. ``work`` has what belongs to each step: G², C′/C − 1 and G² − H², and tangents at
-    the place and at the far end.
+    ``steps`` is the number of Gauss steps; ``root`` = √|γ(a+b)|; ``split`` is a quarter of it with
+    the sign of γ; ``reach`` = A; ``first`` and ``third`` are C before and after the steps; ``unit``
+    is L; and ``drift`` is the factor of τ in ∫ b sin²ψ dτ. ``work`` holds for each step G², C′/C −
+    1, G² − H², and tangents at the current point and at the far end.
     """
 
     a: float
@@ -65,30 +65,30 @@ class FloatOrbit(NamedTuple):
 
 
 def largest(x: Any) -> Any:
-    """The largest of an array, NaN left aside."""
+    """Return the largest element of an array, ignoring NaN."""
     return np.fmax.reduce(x, initial=-np.inf)
 
 
 def least(x: Any) -> Any:
-    """The least of an array, NaN left aside."""
+    """Return the least element of an array, ignoring NaN."""
     return np.fmin.reduce(x, initial=np.inf)
 
 
 def choose(condition: Any, x: Any, y: Any) -> Any:
-    """x where the condition holds, else y."""
+    """Return x where the condition holds, else y."""
     return np.where(condition, x, y)
 
 
 def orbit(
     a: float, b: float, rotating: Any, root: Any, below: Any, above: Any, work: Any
 ) -> FloatOrbit:
-    """The orbit with γ of a given sign, √|γ(a+b)|, a − γ and γ + b."""
+    """Return the orbit for the sign of γ, √|γ(a+b)|, a − γ and γ + b."""
     total = a + b
     high, low = np.sqrt(a * above), np.sqrt(b * below)
     third, far, other = np.sqrt(b * above), np.sqrt(total * above), np.sqrt(b * total)
     first, reach, drift, weight, steps = third, far, third - b, 1.0, 0
     work[SQUARES, 0] = high * high
-    # (G − H)/2 from G² − H², which is not found by subtraction.
+    # (G − H)/2 is computed from G² − H², without subtraction.
     apart = root * (root / (high + low)) / 2
     while True:
         product, inner = far * other, high * low
@@ -124,9 +124,10 @@ def orbit(
 
 
 def entries(on: FloatOrbit, x: Any, y: Any, z: Any, scale: Any) -> tuple[Any, Any, Any, Any]:
-    """τ and φ at a start, from ``scale`` times its p, r ≥ 0 and z; and at the far end.
+    """Return τ and φ at a start and at the far end.
 
-    Both in one loop, as a step of one need not wait for the other's.
+    The start is given by ``scale`` times its p, r ≥ 0 and z. Both are computed in one loop, since
+    their steps do not depend on each other.
     """
     u = choose(on.rotating, 0.0, on.root)
     v = on.root - u
@@ -154,7 +155,7 @@ def entries(on: FloatOrbit, x: Any, y: Any, z: Any, scale: Any) -> tuple[Any, An
 
 
 def place(on: FloatOrbit, time: Any) -> tuple[Any, Any, Any]:
-    """p, r and z at 0 ≤ τ ≤ τ of the far end, where p or r is 0; and the tangents for the phase."""
+    """Return p, r and z at a time up to the far end, where p or r is 0, and the tangents."""
     grown = np.expm1(np.maximum(on.unit * time, 1e-100))
     x = on.unit / ((grown + grown / (1 + grown)) / 2)
     z = x + x * (grown * (grown / (1 + grown)) / 2)
@@ -174,7 +175,7 @@ def place(on: FloatOrbit, time: Any) -> tuple[Any, Any, Any]:
 
 
 def spent(on: FloatOrbit, time: Any, row: int) -> Any:
-    """∫ b sin²ψ dτ up to τ, in [0, π/2], from the tangents of the angles that add up to it."""
+    """Return ∫ b sin²ψ dτ up to τ, in [0, π/2], from the tangents of the angles whose sum it is."""
     real, imaginary = 1.0 + 0.0 * time, on.work[row, on.steps]
     for n in range(on.steps - 1, -1, -1):
         tangent = on.work[row, n]
@@ -186,10 +187,10 @@ def spent(on: FloatOrbit, time: Any, row: int) -> Any:
 
 
 def of_fast_rotation(on: FloatOrbit, far_time: Any, far_phase: Any) -> tuple[Any, Any]:
-    """τ and φ of the far end, on orbits so fast that they count many times: to a few roundings.
+    """Return τ and φ of the far end for fast rotation, to a few roundings.
 
-    For γ > 8b the integrands over ψ are so smooth that six points of the midpoint rule, of period
-    π, leave e^(−24 arsinh √8) < 1e-18 of them.
+    They are counted many times there. For γ > 8b the integrands over ψ are so smooth that six
+    points of the midpoint rule have a relative error below e^(−24 arsinh √8) < 1e-18.
     """
     a, b = on.a, on.b
     gamma = on.root * (on.root / (a + b))
@@ -207,10 +208,10 @@ def of_fast_rotation(on: FloatOrbit, far_time: Any, far_phase: Any) -> tuple[Any
 
 
 def arrival(on: FloatOrbit, phase: Any, far_time: Any, far_phase: Any) -> tuple[Any, Any, Any]:
-    """τ, p and r where φ = ``phase`` in [0, φ of the far end], by Halley's method in a bracket.
+    """Return τ, p and r where φ = ``phase``, by Halley's method in a bracket.
 
-    φ is convex, below its chord and between τ − π/2 and τ. The last step is made in p and r, by
-    p′ = −rz, r′ = −pz, z′ = −pr.
+    ``phase`` is in [0, φ of the far end]. φ is convex, below its chord and between τ − π/2 and τ.
+    The last step is applied to p and r, by p′ = −rz, r′ = −pz, z′ = −pr.
     """
     a, b = on.a, on.b
     high = np.maximum(phase, np.minimum(far_time, phase + math.pi / 2))
@@ -240,9 +241,9 @@ def arrival(on: FloatOrbit, phase: Any, far_time: Any, far_phase: Any) -> tuple[
 class FloatStart(NamedTuple):
     """A start on its orbit, by symmetry with ψ increasing (rotating) and 0 ≤ ψ ≤ π.
 
-    ``mirror`` is −1 where ψ was turned round, ``before`` is ½ where the start lies below π/2, else
-    −½, and ``offset`` is the angle from the nearer of the unstable points 0 and π. ``time`` and
-    ``phase`` belong to it, ``far_time`` and ``far_phase`` to the far end of a quarter.
+    ``mirror`` is −1 if ψ was reflected; ``before`` is ½ if the start lies below π/2, else −½; and
+    ``offset`` is the angle from the nearer of the unstable points 0 and π. ``time`` and ``phase``
+    are τ and φ of the start, ``far_time`` and ``far_phase`` those of the far end of a quarter.
     """
 
     sine: Any
@@ -260,7 +261,7 @@ class FloatStart(NamedTuple):
 
 
 def depart(a: float, b: float, psi: Any, rate: Any, work: Any) -> tuple[FloatOrbit, FloatStart]:
-    """The orbit of a start (ψ, dψ/dφ), and where on it the start lies."""
+    """Return the orbit of a start (ψ, dψ/dφ), and the position of the start on it."""
     sine, cosine = np.sin(psi), np.cos(psi)
     up, long = np.abs(sine), np.abs(cosine)
     scale, clock = a + b * sine * sine, (1 - b) + b * cosine * cosine
@@ -276,7 +277,7 @@ def depart(a: float, b: float, psi: Any, rate: Any, work: Any) -> tuple[FloatOrb
     x, y = np.maximum(on.reach * up, TINY), math.sqrt(a + b) * rise
     time, phase, far_time, far_phase = entries(on, x, y, np.sqrt(above * scale), long)
     far_time, far_phase = of_fast_rotation(on, far_time, far_phase)
-    # What is not above its rounding: b = 1 and ψ = π/2, where the precession stands still.
+    # Below its rounding error: b = 1 and ψ = π/2, where the precession stands still.
     far_phase = np.maximum(far_phase, 1e-16 * far_time)
     mirror = choose(rotating & (handle < 0), -1.0, 1.0)
     before = choose(mirror * sine * cosine >= 0, 0.5, -0.5)
@@ -301,9 +302,9 @@ def depart(a: float, b: float, psi: Any, rate: Any, work: Any) -> tuple[FloatOrb
 
 
 class End(NamedTuple):
-    """Where a start comes to: Δψ, p, the signed r, τ from ψ = π/2 and the half periods on top.
+    """The end of a motion: Δψ, p, r with its sign, τ from ψ = π/2, and the number of half periods.
 
-    ``sum_`` and ``phase`` are the sizes of what was added up to Δψ and to φ.
+    ``sum_`` and ``phase`` are the sizes of the terms whose sums are Δψ and φ.
     """
 
     turn: Any
@@ -316,7 +317,7 @@ class End(NamedTuple):
 
 
 def travel(on: FloatOrbit, start: FloatStart, precession: Any) -> End:
-    """The end after ``precession`` radians of φ."""
+    """Return the end after φ has increased by ``precession`` radians."""
     end = start.phase + precession
     halves = np.rint(end / (2 * start.far_phase))
     phase = end - 2 * halves * start.far_phase
@@ -339,9 +340,18 @@ def travel(on: FloatOrbit, start: FloatStart, precession: Any) -> End:
 
 
 def turn(a: float, b: float, psi: Any, rate: Any, precession: Any, work: Any) -> Any:
-    """Δψ for each start (ψ, dψ/dφ) after ``precession`` radians of φ; NaN where none exists.
+    """Return Δψ for each start (ψ, dψ/dφ) while φ increases by ``precession`` radians.
 
-    ``work`` is room for 5 (LEVELS + 1) numbers a start.
+    Args:
+        a: the shape, in float64, like ``b``.
+        b: see ``a``.
+        psi: ψ of the starts in radians.
+        rate: dψ/dφ of the starts.
+        precession: Δφ in radians.
+        work: memory for 5 (LEVELS + 1) numbers for each start.
+
+    Returns:
+        NaN where no such start exists.
     """
     on, start = depart(a, b, psi, rate, work)
     found = linear(on, start, rate, precession, travel(on, start, precession).turn)
@@ -351,10 +361,10 @@ def turn(a: float, b: float, psi: Any, rate: Any, precession: Any, work: Any) ->
 def arrive(
     a: float, b: float, psi: Any, rate: Any, precession: Any, work: Any
 ) -> tuple[Any, Any, Any, Any, Any, Any]:
-    """Δψ, cos θ, sin θ and the time of each start; arguments as for :func:`turn`.
+    """Return Δψ, cos θ, sin θ and the time of each start; the arguments are those of :func:`turn`.
 
-    Then the size of what is added up to Δψ, of which roundings make their part, and the range of
-    ψ on the orbit.
+    Two more results are the size of the terms whose sum is Δψ, which determines the rounding error,
+    and the range of ψ on the orbit.
     """
     on, start = depart(a, b, psi, rate, work)
     end = travel(on, start, precession)
@@ -364,7 +374,7 @@ def arrive(
     around = start.far_time * (1 + 2 * np.abs(end.halves))
     phases = (1 + np.abs(on.drift)) * around + end.phase
     size = end.sum_ + np.abs(handle) * scale / clock * phases
-    # At a turning point the speed vanishes and the phase acts by its square.
+    # At a turning point the speed vanishes, and the phase enters by its square.
     reach = choose(on.rotating, math.pi, 2 * np.arctan2(on.reach, on.root))
     size = size + reach * (phases / start.far_phase) * (phases / start.far_phase) * 6e-14
     exists = start.exists
@@ -379,7 +389,7 @@ def arrive(
 
 
 def linear(on: FloatOrbit, start: FloatStart, rate: Any, precession: Any, turned: Any) -> Any:
-    """``turned``, or the linear motion about an unstable point for starts that stay close to it."""
+    """Replace ``turned`` by the linear motion for starts that stay close to an unstable point."""
     growth = math.sqrt(on.a * on.b)
     sine, cosine = start.sine, start.cosine
     reach = np.abs(sine) + np.abs(rate) * (1 / on.a + np.abs(precession))
@@ -396,6 +406,6 @@ def linear(on: FloatOrbit, start: FloatStart, rate: Any, precession: Any, turned
 def turn_each(
     a: float, b: float, psi: Any, rate: Any, precession: Any, work: Any, found: Any
 ) -> None:
-    """:func:`turn` start by start, into ``found``; for compilation."""
+    """Compute :func:`turn` start by start, into ``found``; for compilation."""
     for i in range(psi.size):
         found[i] = turn(a, b, psi[i], rate[i], precession[i], work)

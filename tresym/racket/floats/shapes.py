@@ -1,8 +1,8 @@
 """ε₀ of arrays of shapes, in float64.
 
-The phase P = π + arctan(r tanh kP), k = √(ab), r = √(b/a), from a rational guess by two of Halley's
-steps, the first with a rough arctangent. The last step is carried into sinh kP by the addition
-theorem, so that nothing is evaluated twice.
+The phase P = π + arctan(r tanh kP), k = √(ab), r = √(b/a), is computed by two steps of Halley's
+method from a rational initial value, the first with a rough arctangent. The last step is applied to
+sinh kP by the addition theorem, so that no function is evaluated twice.
 """
 
 from __future__ import annotations
@@ -16,13 +16,14 @@ from numpy.typing import ArrayLike, NDArray
 Floats = NDArray[np.float64]
 
 CHUNK = 8192
-"""Shapes per pass: what is needed of one pass stays in the cache."""
+"""Shapes per pass, few enough that the arrays of one pass stay in the cache."""
 
 
 def defects(a: ArrayLike, b: ArrayLike) -> Floats:
-    """ε₀ (radians) of each shape a > 0, 0 < b ≤ 1, to some 2e-15 · (1 + π√(ab)) of itself.
+    """Return ε₀ (radians) of each shape, with a relative error of about 2e-15 · (1 + π√(ab)).
 
-    Below 1e-300 it may underflow to 0; outside the range of a and b the answer is NaN.
+    Returns:
+        NaN unless a > 0 and 0 < b ≤ 1. Values below 1e-300 may underflow to 0.
     """
     with np.errstate(all="ignore"):
         p, q = np.broadcast_arrays(np.asarray(a, np.float64), np.asarray(b, np.float64))
@@ -50,7 +51,7 @@ def _chunk(a: Floats, b: Floats) -> Floats:
 
 
 def _guess(k: Floats, r: Floats) -> Floats:
-    """P to a few parts in a thousand without a transcendental function."""
+    """P to a few parts in a thousand, without a transcendental function."""
     x = 3.3 * k
     square = x * x
     ratio = r * np.minimum(x * (27 + square) / (27 + 9 * square), 1.0)
@@ -59,7 +60,7 @@ def _guess(k: Floats, r: Floats) -> Floats:
 
 
 def _rough_arctan(x: Floats) -> Floats:
-    """arctan x, x ≥ 0, to 1e-5 (Abramowitz and Stegun 4.4.49)."""
+    """arctan x for x ≥ 0, to 1e-5 (Abramowitz and Stegun 4.4.49)."""
     turned = x > 1
     y = np.where(turned, 1 / x, x)
     s = y * y

@@ -1,9 +1,9 @@
 """The body's attitude in space over time, in float64, for pictures only.
 
 φ, θ, ψ are the paper's z-y-z Euler angles: R = R_z(φ) R_y(θ) R_z(ψ) takes the body axes (e₂, e₃,
-e₁) to the space axes (X, Y, Z), with Z along the angular momentum. ψ and θ come from the closed
-form of :mod:`tresym.racket.floats.flipmap`, so the momentum stays where it is to rounding, however
-long the motion. Time is measured in units of I₂/M.
+e₁) to the space axes (X, Y, Z), with Z along the angular momentum. ψ and θ are computed by the
+closed form of :mod:`tresym.racket.floats.flipmap`, so that the momentum is conserved to rounding
+errors, however long the motion. Time is measured in units of I₂/M.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from tresym.racket.floats.flipmap import Floats, arrivals
 
 
 class Attitude(NamedTuple):
-    """Euler angles (radians) and time (units of I₂/M) along a motion; arrays of one length."""
+    """Euler angles (radians) and time (units of I₂/M) along a motion; arrays of equal length."""
 
     time: Floats
     phi: Floats
@@ -26,18 +26,18 @@ class Attitude(NamedTuple):
     psi: Floats
 
     def rotations(self) -> Floats:
-        """Rotation matrices, shape (n, 3, 3); columns are the body axes e₂, e₃, e₁ in space."""
+        """Return rotation matrices, shape (n, 3, 3); their columns are e₂, e₃, e₁ in space."""
         return _about_z(self.phi) @ _about_y(self.theta) @ _about_z(self.psi)
 
     def handle(self) -> Floats:
-        """The curve of the handle e₁ on the unit sphere in space, shape (n, 3)."""
+        """Return the curve of the handle e₁ on the unit sphere in space, shape (n, 3)."""
         sine = np.sin(self.theta)
         return np.stack(
             [sine * np.cos(self.phi), sine * np.sin(self.phi), np.cos(self.theta)], axis=-1
         )
 
     def momentum(self) -> Floats:
-        """The unit angular momentum in body axes (M₁, M₂, M₃)/M, shape (n, 3)."""
+        """Return the unit angular momentum in body axes (M₁, M₂, M₃)/M, shape (n, 3)."""
         sine = np.sin(self.theta)
         return np.stack(
             [np.cos(self.theta), -sine * np.cos(self.psi), sine * np.sin(self.psi)], axis=-1
@@ -52,9 +52,18 @@ def attitude(
     precession: float = 2 * math.pi,
     points: int = 257,
 ) -> Attitude:
-    """The attitude from the start (ψ₀, dψ/dφ), φ = 0, at ``points`` equal steps of φ.
+    """Compute the attitude from the start (ψ₀, dψ/dφ) with φ = 0.
 
-    NaN where no body of this shape has such a start.
+    Args:
+        a: I₂/I₁ − 1 > 0.
+        b: 1 − I₂/I₃, in (0, 1].
+        psi0: ψ at the start in radians.
+        rate: dψ/dφ at the start.
+        precession: Δφ in radians.
+        points: the number of equally spaced values of φ.
+
+    Returns:
+        NaN if no body of this shape has such a start.
 
     Raises:
         InputError: a or b out of range.

@@ -1,15 +1,15 @@
 """F(ε, γ) = ∫_ε^{π/2} f dψ in Carlson's symmetric form.
 
 With sn² = a cos²ε/(a + b sin²ε), cn² = 1 − sn², dn² = (a+b) z/((γ+b)(a + b sin²ε)), n = b/a and
-**z = γ + b sin²ε passed as it is** (forming it by subtraction is what loses the digits near the
-turning point), the paper's integral is
+z = γ + b sin²ε, the paper's integral is
 
     F = [(1−b) u + (a+b) n J]/ω,  ω = √(a(γ+b)),
     u = sn R_F(cn², dn², 1),      J = ∫ sn²/(1 + n sn²) du = (sn³/3) R_J(cn², dn², 1, 1 + n sn²).
 
-Every term is positive, for every γ ≥ −b sin²ε. The same u and J serve any orbit
-(:mod:`tresym.racket.motion.orbit`), with other n and ω below the separatrix. The fast route to F is
-:mod:`tresym.racket.motion.gauss`.
+z is an argument of its own: near the turning point its computation by subtraction loses digits. All
+terms are positive for every γ ≥ −b sin²ε. The same u and J describe any orbit
+(:mod:`tresym.racket.motion.orbit`), with other n and ω below the separatrix. A faster method for F
+is :mod:`tresym.racket.motion.gauss`.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from flint import acb, arb
 
 
 class Amplitude(NamedTuple):
-    """Where an orbit stands: Jacobi's sn, cn ≥ 0, dn ≥ 0 and the parameter k², any arithmetic."""
+    """A point of an orbit: Jacobi's sn, cn ≥ 0, dn ≥ 0 and the parameter k², in any arithmetic."""
 
     sn: Any
     cn: Any
@@ -36,7 +36,7 @@ class Integrals(NamedTuple):
 
 
 def amplitude(sine: Any, cosine: Any, z: Any, a: Any, b: Any, gamma: Any, m: Any) -> Amplitude:
-    """The amplitude at an angle ψ in [0, π/2], from its sine and cosine and z = γ + b sin²ψ."""
+    """Return the amplitude at an angle ψ in [0, π/2], from sin ψ, cos ψ and z = γ + b sin²ψ."""
     square = a + b * sine * sine
     root = m.sqrt(square)
     return Amplitude(
@@ -48,12 +48,12 @@ def amplitude(sine: Any, cosine: Any, z: Any, a: Any, b: Any, gamma: Any, m: Any
 
 
 def turn(integrals: Integrals, a: Any, b: Any, gamma: Any, m: Any) -> Any:
-    """F(ε, γ) from the integrals at the amplitude of ε."""
+    """Return F(ε, γ) from the integrals at the amplitude of ε."""
     return ((1 - b) * integrals.time + (a + b) * b / a * integrals.third) / m.sqrt(a * (gamma + b))
 
 
 def by_flint(at: Amplitude, n: arb) -> Integrals:
-    """u and J in balls by FLINT's certified R_F and R_J; any amplitude, sn < 0 too."""
+    """Return u and J in balls by FLINT's certified R_F and R_J, for any amplitude, also sn < 0."""
     x, y = acb(_square(at.cn)), acb(_square(at.dn))
     square = at.sn * at.sn
     time = at.sn * acb.elliptic_rf(x, y, 1).real
@@ -61,6 +61,6 @@ def by_flint(at: Amplitude, n: arb) -> Integrals:
 
 
 def _square(x: arb) -> arb:
-    """x² as a ball that holds no negative number."""
+    """x² as a ball without negative numbers."""
     square = x * x
     return square if square > 0 else square.nonnegative_part()

@@ -45,13 +45,13 @@ from typing import Any, NamedTuple
 from flint import arb, ctx
 
 GAUSS_LIMIT = 24
-"""Steps after which the transformation gives up (γ extremely near a)."""
+"""Most steps of the transformation; more are needed only for γ extremely near a."""
 
 
 class Ending(NamedTuple):
-    """When to end: where 2κ is below ``small`` of x² and A², and with j = 0 alone below ``tiny``.
+    """When to stop: 2κ is less than ``small`` times x² and A²; the term j = 0 alone below ``tiny``.
 
-    ``left_out`` is anything that is left out of u and Π/C then, by u.
+    ``left_out`` bounds the relative error of u and Π/C that remains.
     """
 
     small: Any
@@ -62,20 +62,20 @@ class Ending(NamedTuple):
 def turn_by_gauss(
     tangent: Any, rest: Any, a: Any, b: Any, gamma: Any, m: Any, ending: Ending, back: bool = False
 ) -> Any:
-    """F(ε, γ), 0 ≤ ε < π/2, from ``tangent`` = tan ε and ``rest`` = (γ + b sin²ε)/cos²ε.
+    """Compute F(ε, γ) for 0 ≤ ε < π/2 by Gauss's transformation.
 
     Args:
-        tangent: tan ε; best below 10 or so, as digits are lost beyond.
-        rest: (γ + b sin²ε)/cos²ε = γ + (γ+b) tan²ε, as accurate as the answer shall be.
+        tangent: tan ε; digits are lost if it is much larger than 10.
+        rest: (γ + b sin²ε)/cos²ε = γ + (γ+b) tan²ε, as accurate as the result should be.
         a: the shape, like ``b``; all numbers of one arithmetic.
         b: see ``a``.
         gamma: −b < γ < a.
         m: the arithmetic.
         ending: :func:`ball_ending` or :data:`FLOAT_ENDING`.
-        back: whether the phase of −ε is meant (γ > 0), or that of ε on the way back (γ < 0).
+        back: whether to return the phase of −ε (γ > 0), or that of ε on the way back (γ < 0).
 
     Raises:
-        ArithmeticError: no end after ``GAUSS_LIMIT`` steps.
+        ArithmeticError: no convergence after ``GAUSS_LIMIT`` steps.
     """
     total, above = a + b, gamma + b
     far, g, split = total * above, a * above, gamma * total
@@ -109,7 +109,7 @@ def turn_by_gauss(
 def _end(
     square: Any, g: Any, far: Any, split: Any, C: Any, z: Any, factor: Any, m: Any, ending: Ending
 ) -> Any:
-    """``factor`` u + Π from x², G², A², 2κ, C and z, where 2κ is small."""
+    """``factor`` u + Π from x², G², A², 2κ, C and z, for small 2κ."""
     kappa, size, tiny = split / 2, abs(split), ending.tiny
     mean, d = square + kappa, g - kappa
     long = m.sqrt(d)
@@ -126,7 +126,7 @@ def _end(
 
 
 def ending(small: Any, left_out: Any) -> Ending:
-    """The ending with a given ``small`` ≤ 0.4; ``left_out`` is anything of size at most small⁴/4.
+    """Return the ending for a given ``small`` ≤ 0.4; ``left_out`` must be at most small⁴/4.
 
     |κ|/μ is at most small/(2 − small) ≤ small/1.6 and σ⁴ < small⁴/6; with ``tiny`` σ² < small⁴/14.
     """
@@ -134,11 +134,11 @@ def ending(small: Any, left_out: Any) -> Ending:
 
 
 FLOAT_ENDING = ending(1e-4, 0.0)
-"""For float64: what is left out is below 1e-16."""
+"""The ending for float64, with a relative error below 1e-16."""
 
 
 def ball_ending() -> Ending:
-    """For balls at the working precision: what is left out is in the ball, near its last bits."""
+    """Return the ending for balls at the working precision; the error is included in the ball."""
     return _ball_ending(ctx.prec)
 
 

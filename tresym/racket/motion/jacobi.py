@@ -1,8 +1,9 @@
 """Jacobi's sn, cn, dn of a real argument in balls, for a parameter given with its complement.
 
-Theta series (DLMF 20.2, 22.2) in the nome of the smaller of k² and 1 − k², so they converge at
-least as fast as e^(−πn²); above k² = ½ through Jacobi's imaginary transformation (DLMF 22.6.iv),
-where the sines become hyperbolic. Nothing is lost as k → 1, since k² and 1 − k² come separately.
+Theta series (DLMF 20.2, 22.2) in the nome of the smaller of k² and 1 − k² are used, which converge
+at least as fast as e^(−πn²). For k² > ½ they are combined with Jacobi's imaginary transformation
+(DLMF 22.6.iv), where the sines become hyperbolic. No digits are lost as k → 1, since k² and 1 − k²
+are given separately.
 """
 
 from __future__ import annotations
@@ -15,10 +16,10 @@ from tresym.racket.motion.carlson import Amplitude
 
 
 class Jacobi(NamedTuple):
-    """What the functions of one parameter share, at the precision it was made with.
+    """The quantities that the functions of one parameter share, at the precision of their creation.
 
     ``nome`` is None for the elementary cases k = 0 and k = 1. ``scales`` are the factors of the
-    three quotients of theta functions; ``unit`` turns u into their argument.
+    three quotients of theta functions; ``unit`` converts u to their argument.
     """
 
     modulus: arb
@@ -30,7 +31,7 @@ class Jacobi(NamedTuple):
 
 
 def parameter(modulus: arb, complement: arb) -> Jacobi:
-    """The functions with k² = ``modulus`` and 1 − k² = ``complement``, at the working precision."""
+    """Return the data for k² = ``modulus``, 1 − k² = ``complement``, at the working precision."""
     one = arb(1)
     hyperbolic = not bool(modulus < complement)
     if modulus.is_zero() or complement.is_zero():
@@ -50,7 +51,7 @@ def parameter(modulus: arb, complement: arb) -> Jacobi:
 
 
 def functions(of: Jacobi, time: arb) -> Amplitude:
-    """sn, cn, dn at u = ``time``, meant for |u| ≤ K (reduce by periods first)."""
+    """Return sn, cn, dn at u = ``time`` for |u| ≤ K (reduce by periods first)."""
     if of.nome is None:
         if of.hyperbolic:
             return Amplitude(time.tanh(), time.sech(), time.sech(), of.modulus)
@@ -65,27 +66,28 @@ def functions(of: Jacobi, time: arb) -> Amplitude:
 
 
 def thetas(q: arb, sin: arb, cos: arb, hyperbolic: bool) -> tuple[arb, arb, arb, arb]:
-    """θ₁/q^(1/4), θ₂/q^(1/4), θ₃, θ₄ from the sine and cosine of the argument (θ₁/i if hyperbolic).
+    """Return θ₁/q^(1/4), θ₂/q^(1/4), θ₃, θ₄ from sine and cosine of the argument.
 
-    Term n of all four is at most 2 q^(n²) c_n, with c_n = cosh((2n+1)y), or 1 for circular
-    functions; c_(n+1) ≤ 2 cosh(2y) c_n. So once q^(2n+1) 2 cosh(2y) ≤ ρ < ¼ the rest after term n
-    is below 2 q^(n²) c_n ρ/(1 − ρ) < 3 q^(n²) c_n ρ.
+    If ``hyperbolic``, θ₁/i is returned in place of θ₁. Term n of all four is at most 2 q^(n²) c_n,
+    with c_n = cosh((2n+1)y), or 1 for circular functions; c_(n+1) ≤ 2 cosh(2y) c_n. So once
+    q^(2n+1) 2 cosh(2y) ≤ ρ < ¼ the remainder after term n is below 2 q^(n²) c_n ρ/(1 − ρ) < 3
+    q^(n²) c_n ρ.
 
     Raises:
         ArithmeticError: the balls are too wide to show q < ½ or, if hyperbolic, cosh > ½.
     """
-    # cosh y ≥ 1: where the ball does not show half of that, or q < ½, it holds nothing worth adding
-    # up, and no term need ever come to lie below a part of it.
+    # cosh y ≥ 1. If the ball does not even show cosh y > ½ and q < ½, it is too wide to be useful,
+    # and the loop below might not end.
     if not q < 0.5 or (hyperbolic and not (cos > 0.5 and cos.is_finite())):
         raise ArithmeticError("the argument of the theta functions is too wide")
     sign = -1 if hyperbolic else 1
-    # Multiples of the argument by rotations through twice the argument.
+    # Sine and cosine of multiples of the argument, by the addition theorem.
     turn_sin, turn_cos = 2 * sin * cos, 1 - 2 * sign * sin * sin
     odd_sin, odd_cos, even_sin, even_cos = sin, cos, turn_sin, turn_cos
     growth = 2 * turn_cos if hyperbolic else arb(1)
     one, two, three, four = sin, cos, arb(1) / 2, arb(1) / 2
     power, qn, sigma = q, q, -1
-    # A number, not a ball: that of a wide cosh might hold 0, and no term ever come to lie below.
+    # A number, not a ball: a wide ball might contain 0, and no term would ever be smaller.
     small = arb((1, -ctx.prec - 4)) * (cos.abs_lower() if hyperbolic else 1)
     while True:
         odd_sin, odd_cos = (

@@ -42,17 +42,16 @@ class Level(NamedTuple):
 
 
 def exact_level(a: fmpq, b: fmpq, gamma: fmpq) -> Level:
-    """The level of an exact γ in [−b, a], at the working precision."""
+    """Return the level of an exact γ in [−b, a], at the working precision."""
     regime = int(gamma > 0) - int(gamma < 0)
     return Level(arb(gamma), arb(a - gamma), arb(gamma + b), regime)
 
 
 class Orbit(NamedTuple):
-    """An orbit at the precision it was made with; see the module for the names of its constants.
+    """An orbit at the precision of its creation; the module docstring defines its constants.
 
     ``quarter_time`` and ``quarter_phase`` are u and φ from ψ = π/2 to the far end: ψ = π for a
-    rotating orbit, the turning point for an oscillating one. The separatrix takes for ever to
-    arrive there, and both are infinite.
+    rotating orbit, the turning point for an oscillating one. On the separatrix both are infinite.
     """
 
     a: arb
@@ -66,7 +65,7 @@ class Orbit(NamedTuple):
 
 
 def orbit(a: fmpq, b: fmpq, level: Level) -> Orbit:
-    """The orbit of the shape (a, b) on a level −b < γ ≤ a, at the working precision."""
+    """Return the orbit of the shape (a, b) on a level −b < γ ≤ a, at the working precision."""
     p, q, total = arb(a), arb(b), arb(a + b)
     gamma, below, above, regime = level
     if regime >= 0:
@@ -85,20 +84,20 @@ def orbit(a: fmpq, b: fmpq, level: Level) -> Orbit:
 
 
 def phase(on: Orbit, at: Integrals) -> arb:
-    """φ from ψ = π/2, given u and J."""
+    """Return φ from ψ = π/2, given u and J."""
     weight = (on.a + on.b) * on.characteristic
     return ((1 - on.b) * at.time + weight * at.third) / on.speed
 
 
 def phase_at(on: Orbit, time: arb) -> arb:
-    """φ(u), |u| ≤ 3K/2: by R_J up to the far end of a quarter, by reflection beyond it."""
+    """Return φ(u) for |u| ≤ 3K/2: by R_J within a quarter of the orbit, by reflection beyond it."""
     far = on.quarter_time
     if abs(time) <= far:
         return _phase_in_quarter(on, time)
     turn = 2 * far if time > 0 else -2 * far
     if abs(time) > far:
         return (2 if time > 0 else -2) * on.quarter_phase - _phase_in_quarter(on, turn - time)
-    # Within the ball of the far end itself, where 0 ≤ dφ/du ≤ 1/ω.
+    # u is within the ball of the far end itself, where 0 ≤ dφ/du ≤ 1/ω.
     rest = arb(0, ((abs(time) - far) / on.speed).abs_upper())
     return (1 if time > 0 else -1) * (on.quarter_phase + rest)
 
@@ -112,23 +111,23 @@ def _phase_in_quarter(on: Orbit, time: arb) -> arb:
 
 
 def slope(on: Orbit, at: Amplitude) -> arb:
-    """dφ/du = (1 − b sin²ψ)/ω, a sum of positive terms."""
+    """Return dφ/du = (1 − b sin²ψ)/ω, computed as a sum of positive terms."""
     part = on.characteristic * at.sn * at.sn
     return (1 - on.b + (on.a + on.b) * part / (1 + part)) / on.speed
 
 
 class Place(NamedTuple):
-    """A point of an orbit: u reduced to |u| ≤ K, and how many half periods 2K come on top."""
+    """A point of an orbit: u reduced to |u| ≤ K, and the number of half periods 2K to add."""
 
     time: arb
     halves: int
 
 
 def time_of(on: Orbit, phi: arb) -> Place:
-    """The time at which the phase is ``phi``, enclosed by a change of sign of φ(u) − ``phi``.
+    """Return the point at which the phase is ``phi``, enclosed by a change of sign.
 
     Raises:
-        ArithmeticError: the working precision does not suffice.
+        ArithmeticError: the working precision is not sufficient.
     """
     halves = 0
     if on.level.regime != 0:
@@ -138,14 +137,14 @@ def time_of(on: Orbit, phi: arb) -> Place:
 
 
 def _nearest(x: arb) -> int:
-    """An integer nearest to the midpoint of ``x`` (either of two that are as near)."""
+    """An integer nearest to the midpoint of ``x``."""
     if not x.is_finite() or x.rad() > 0.25:
         raise ArithmeticError("the number of half periods is not known at this precision")
     return int((x.mid() + arb(0.5)).mid().floor().unique_fmpz())
 
 
 def _invert(on: Orbit, phi: arb) -> arb:
-    """u with φ(u) = ``phi``: Newton's method at rising precision, then two signs."""
+    """u with φ(u) = ``phi``: Newton's method at increasing precision, then a proof by two signs."""
     target = ctx.prec
     guess = _approximate(on, phi.mid())
     correct = 40
@@ -165,7 +164,7 @@ def _invert(on: Orbit, phi: arb) -> arb:
 
 
 def _newton(on: Orbit, phi: arb, guess: arb) -> arb:
-    """One Newton step at the working precision; no guarantee."""
+    """One Newton step at the working precision, without an error bound."""
     step = (phase_at(on, guess) - phi) / slope(on, functions(on.elliptic, guess))
     return (guess - step).mid() if step.is_finite() else guess
 
@@ -192,15 +191,15 @@ def _approximate(on: Orbit, phi: arb) -> arb:
 
 
 def _bracket(on: Orbit, phi: arb) -> tuple[arb, arb]:
-    """Two times with the wanted one between them: (1−b)/ω ≤ dφ/du ≤ 1/ω, and |u| ≤ K.
+    """Two times that enclose the one wanted: (1−b)/ω ≤ dφ/du ≤ 1/ω, and |u| ≤ K.
 
     On the separatrix K is infinite, but sin²ψ ≤ sech² u there, so that |u| ≤ |φ|ω + b.
 
     Raises:
-        ArithmeticError: the phase is no number.
+        ArithmeticError: the phase is not a finite number.
     """
     if not (phi.is_finite() and on.speed.is_finite()):
-        raise ArithmeticError("the phase to be reached is no number")
+        raise ArithmeticError("the phase to be reached is not a finite number")
     sign = -1 if phi < 0 else 1
     near = (abs(phi) * on.speed).mid()
     far = on.quarter_time.mid()
@@ -212,7 +211,7 @@ def _bracket(on: Orbit, phi: arb) -> tuple[arb, arb]:
 
 
 def angle_at(on: Orbit, place: Place) -> arb:
-    """ψ − π/2 in radians, unwrapped."""
+    """Return ψ − π/2 in radians, continuous along the orbit."""
     at = functions(on.elliptic, place.time)
     if on.level.regime >= 0:
         offset = arb.atan2((on.a + on.b).sqrt() * at.sn, on.a.sqrt() * at.cn)
@@ -223,7 +222,7 @@ def angle_at(on: Orbit, place: Place) -> arb:
 
 
 def handle_at(on: Orbit, place: Place) -> arb:
-    """cos θ."""
+    """Return cos θ."""
     at = functions(on.elliptic, place.time)
     largest = (on.level.above / (on.a + on.b)).sqrt()
     if on.level.regime >= 0:

@@ -1,13 +1,13 @@
-"""F(ε, γ) by integrating the paper's f: independent methods for checks and charts.
+"""F(ε, γ) by numerical integration of the paper's f: independent methods for checks and charts.
 
-As printed, ∫_ε^{π/2} f dψ has an integrand that all but diverges where γ + b sin²ψ nearly vanishes.
-The substitution tan ψ = κ sinh t (γ > 0), eᵗ (γ = 0) or κ cosh t (γ < 0), κ = √(|γ|/(γ+b)), takes
-that factor away,
+The integrand of ∫_ε^{π/2} f dψ as printed is nearly singular where γ + b sin²ψ nearly vanishes. The
+substitution tan ψ = κ sinh t (γ > 0), eᵗ (γ = 0) or κ cosh t (γ < 0), κ = √(|γ|/(γ+b)), removes
+that factor,
 
     f dψ = (1 − b sin²ψ) cos ψ / (√(γ+b) √(a + b sin²ψ)) dt,
 
-for every γ, and goes through a turning point at t = 0: t < 0 is the way back. Nothing here knows of
-elliptic functions.
+for every γ, and passes through a turning point at t = 0: t < 0 is the way back. No elliptic
+functions are used.
 """
 
 from __future__ import annotations
@@ -18,16 +18,16 @@ from flint import acb, arb
 
 
 def integrand(psi: Any, a: Any, b: Any, gamma: Any, m: Any) -> Any:
-    """f of the paper with S = +1."""
+    """Return f of the paper with S = +1."""
     square = m.sin(psi) ** 2
     return (1 - b * square) / (m.sqrt(a + b * square) * m.sqrt(gamma + b * square))
 
 
 def printed(defect: Any, a: Any, b: Any, gamma: Any, mp: Any, method: str = "tanh-sinh") -> Any:
-    """F(ε, γ) by mpmath's ``quad`` on the integrand as printed, with the error it claims.
+    """Compute F(ε, γ) by mpmath's ``quad`` on the integrand as printed.
 
     Returns:
-        The value and mpmath's estimate of its error, which is no bound.
+        The value and mpmath's estimate of its error, which is not a bound.
     """
     return mp.quad(
         lambda psi: integrand(psi, a, b, gamma, mp), [defect, mp.pi / 2], method=method, error=True
@@ -35,7 +35,7 @@ def printed(defect: Any, a: Any, b: Any, gamma: Any, mp: Any, method: str = "tan
 
 
 def parameter(psi: Any, b: Any, gamma: Any, m: Any) -> Any:
-    """t ≥ 0 of an angle ψ < π/2 that has not turned (of either sign for γ > 0)."""
+    """Return t ≥ 0 for an angle ψ < π/2 before the turning point (t of either sign for γ > 0)."""
     tangent = m.tan(psi)
     if gamma == 0:
         return m.log(tangent)
@@ -44,7 +44,7 @@ def parameter(psi: Any, b: Any, gamma: Any, m: Any) -> Any:
 
 
 def tangent(t: Any, b: Any, gamma: Any, m: Any) -> Any:
-    """tan ψ at the parameter t."""
+    """Return tan ψ at the parameter t."""
     if gamma == 0:
         return m.exp(t)
     ratio = m.sqrt(abs(gamma) / (gamma + b))
@@ -52,7 +52,7 @@ def tangent(t: Any, b: Any, gamma: Any, m: Any) -> Any:
 
 
 def rate(t: Any, a: Any, b: Any, gamma: Any, m: Any) -> Any:
-    """f dψ/dt, smooth at every t."""
+    """Return f dψ/dt, smooth at every t."""
     square = tangent(t, b, gamma, m) ** 2
     sec2 = 1 + square
     sin2 = square / sec2
@@ -60,9 +60,9 @@ def rate(t: Any, a: Any, b: Any, gamma: Any, m: Any) -> Any:
 
 
 def substituted(t: Any, a: Any, b: Any, gamma: Any, mp: Any) -> Any:
-    """The phase from the parameter t to ψ = π/2 (t = ∞), by mpmath's ``quad``.
+    """Compute the phase from the parameter t to ψ = π/2 (t = ∞) by mpmath's ``quad``.
 
-    Below the separatrix ``t`` < 0 counts the way through the turning point.
+    Below the separatrix ``t`` < 0 means the way through the turning point.
     """
     middle = -mp.log(abs(gamma) / (gamma + b)) / 2 if gamma else mp.mpf(0)
     ends = [t, *(x for x in (middle, middle + 4) if x > t), mp.inf]
@@ -70,9 +70,10 @@ def substituted(t: Any, a: Any, b: Any, gamma: Any, mp: Any) -> Any:
 
 
 def rigorous(defect: arb, a: arb, b: arb, gamma: arb) -> arb:
-    """F(ε, γ) by FLINT's rigorous integration of f as printed, at the working precision.
+    """Compute F(ε, γ) by FLINT's rigorous integration of f as printed, at the working precision.
 
-    Needs γ + b sin²ψ > 0 on the whole way; at a turning point use :func:`rigorous_turned`.
+    It requires γ + b sin²ψ > 0 on the whole interval; at a turning point use
+    :func:`rigorous_turned`.
     """
 
     def f(psi: acb, analytic: bool) -> acb:
@@ -84,10 +85,10 @@ def rigorous(defect: arb, a: arb, b: arb, gamma: arb) -> arb:
 
 
 def rigorous_turned(chi: arb, a: arb, b: arb, gamma: arb) -> arb:
-    """The phase from ψ = π/2 to cos ψ = cos ψ_min sin χ (γ < 0), by rigorous integration.
+    """Compute the phase from ψ = π/2 to cos ψ = cos ψ_min sin χ (γ < 0), by rigorous integration.
 
-    √(γ + b sin²ψ) = √(γ+b) cos χ leaves f dψ = (1 − b sin²ψ)/(√b sin ψ √(a + b sin²ψ)) dχ, which
-    goes on through the turning point χ = π/2.
+    √(γ + b sin²ψ) = √(γ+b) cos χ gives f dψ = (1 − b sin²ψ)/(√b sin ψ √(a + b sin²ψ)) dχ, which is
+    regular at the turning point χ = π/2.
     """
     largest = 1 + gamma / b
 
@@ -100,6 +101,6 @@ def rigorous_turned(chi: arb, a: arb, b: arb, gamma: arb) -> arb:
 
 
 def rate_turned(chi: arb, a: arb, b: arb, gamma: arb) -> arb:
-    """The integrand of :func:`rigorous_turned`."""
+    """Return the integrand of :func:`rigorous_turned`."""
     square = 1 - (1 + gamma / b) * chi.sin() ** 2
     return (1 - b * square) / (b * square * (a + b * square)).sqrt()

@@ -1,9 +1,10 @@
 """ψ and θ after any precession Δφ, from any start, certified.
 
-A start is (ψ₀, dψ/dφ) or (ψ₀, θ₀), exact. Which regime it belongs to is decided exactly: γ is an
-exact rational where sin²ψ₀ and the rest are rational, and otherwise a ball that is narrowed until
-its sign shows. (With ψ₀ or θ₀ a non-zero rational number of radians γ is never 0, by
-Lindemann–Weierstrass; with a rational rate and sin²ψ₀ irrational algebraic it is not either.)
+A start is (ψ₀, dψ/dφ) or (ψ₀, θ₀), exact. Whether its orbit rotates, oscillates or is the
+separatrix is decided exactly: γ is an exact rational if sin²ψ₀ and the other data are rational, and
+otherwise a ball that is narrowed until its sign is known. (If ψ₀ or θ₀ is a non-zero rational
+number of radians, γ is not 0, by the theorem of Lindemann and Weierstrass; the same holds for a
+rational rate and an irrational algebraic sin²ψ₀.)
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ from tresym.reals.numbers.arithmetic import ball_precision, bits
 from tresym.reals.numbers.exact import InputError
 
 MAX_EXTRA_BITS = 150_000
-"""How far the precision may rise beyond the digits asked for before a start is refused."""
+"""Bits of precision beyond those that the digits need, at which a start is refused."""
 
 
 class Start(NamedTuple):
@@ -34,10 +35,10 @@ class Start(NamedTuple):
 
 
 class State(NamedTuple):
-    """A start in numbers: exact rationals where they are rational, else balls.
+    """A start in numbers: exact rationals if they are rational, else balls.
 
-    ``sin2``, ``cos2`` belong to ψ₀; ``handle`` is cos θ₀ (a ball), ``handle2`` and ``sine2`` its
-    square and 1 minus it.
+    ``sin2`` and ``cos2`` are sin²ψ₀ and cos²ψ₀; ``handle`` is cos θ₀ (a ball), ``handle2`` and
+    ``sine2`` are cos²θ₀ and sin²θ₀.
     """
 
     sin2: fmpq | arb
@@ -48,7 +49,7 @@ class State(NamedTuple):
 
 
 class Arrival(NamedTuple):
-    """Where a start comes to: γ of its orbit, the change Δψ, and ψ, θ at the end (radians)."""
+    """The end of a motion: γ of its orbit, the change Δψ, and ψ, θ at the end (radians)."""
 
     gamma: fmpq | arb
     turn: arb
@@ -57,15 +58,16 @@ class Arrival(NamedTuple):
 
 
 class UndecidedError(ArithmeticError):
-    """The working precision does not suffice; a higher one may."""
+    """The working precision is not sufficient; a higher one may be."""
 
 
 def state(shape: Shape, start: Start) -> State:
-    """The start in numbers at the working precision.
+    """Return the start in numbers at the working precision.
 
     Raises:
-        InputError: a rate no body of that shape can have, or none at all (b = 1, ψ₀ = ±π/2).
-        UndecidedError: the precision does not show whether the rate can be had.
+        InputError: no body of that shape has this rate, or no finite rate exists (b = 1, ψ₀ =
+            ±π/2).
+        UndecidedError: the precision does not show whether the rate is possible.
     """
     square = start.psi.rational_square()
     sin, cos = start.psi.sin_cos()
@@ -89,17 +91,17 @@ def _from_rate(shape: Shape, rate: fmpq, sin2: fmpq | arb, cos2: fmpq | arb) -> 
     numerator, denominator = rate * (1 - b + b * cos2), a + b * sin2
     if isinstance(numerator, fmpq) and numerator == 0 and rate != 0:
         raise InputError(
-            "rate: at b = 1 and psi0 = pi/2 the precession stands still and no finite rate "
-            "belongs to it; give theta0"
+            "rate: at b = 1 and psi0 = pi/2 the precession stands still, so that dpsi/dphi is "
+            "not finite; give theta0 instead"
         )
     slack = (denominator - numerator) * (denominator + numerator)
     if slack < 0:
         raise InputError(
-            "rate: no body of this shape has it here; at most (a + b sin^2 psi0)/"
-            "(1 - b sin^2 psi0) in size"
+            "rate: no body of this shape has it here; its absolute value must be at most "
+            "(a + b sin^2 psi0)/(1 - b sin^2 psi0)"
         )
     if not slack >= 0:
-        raise UndecidedError("whether this rate can be had is not shown at this precision")
+        raise UndecidedError("whether this rate is possible is not decided at this precision")
     square = denominator * denominator
     return State(
         sin2,
@@ -111,26 +113,27 @@ def _from_rate(shape: Shape, rate: fmpq, sin2: fmpq | arb, cos2: fmpq | arb) -> 
 
 
 def level(shape: Shape, at: State) -> tuple[fmpq | arb, Level]:
-    """γ of a state, exact where it is rational, and its level with the regime decided.
+    """Return γ of a state, exact if it is rational, and its level with the sign of γ decided.
 
     Raises:
-        UndecidedError: the sign of γ does not show at this precision.
+        UndecidedError: the sign of γ is not decided at this precision.
     """
     a, b = shape
     scale = a + b * at.sin2
     gamma = at.handle2 * scale - b * at.sin2
     below, above = at.sine2 * scale, at.handle2 * scale + b * at.cos2
     if not (gamma > 0 or gamma < 0 or gamma == 0):
-        raise UndecidedError("the sign of gamma does not show at this precision")
+        raise UndecidedError("the sign of gamma is not decided at this precision")
     regime = 1 if gamma > 0 else -1 if gamma < 0 else 0
     return gamma, Level(arb(gamma), arb(below), arb(above), regime)
 
 
 def travel(shape: Shape, start: Start, precession: Angle, digits: int) -> Arrival:
-    """ψ and θ after ``precession`` radians of φ, Δψ with ``digits`` certified digits.
+    """Compute ψ and θ after ``precession`` radians of φ, Δψ with ``digits`` certified digits.
 
-    Δψ is accurate relative to its own size, however small, unless it cannot be told from 0 within
-    ``MAX_EXTRA_BITS`` of the precision (then its radius says so); where it is exactly 0 it is.
+    The digits of Δψ are relative to its size, however small. If Δψ cannot be distinguished from 0
+    within ``MAX_EXTRA_BITS`` of the precision, its radius says so; a Δψ that is exactly 0 is
+    returned as 0.
 
     Raises:
         InputError: a start that does not exist, or one too near the separatrix to be decided.
@@ -148,7 +151,7 @@ def travel(shape: Shape, start: Start, precession: Angle, digits: int) -> Arriva
                 return best
         precision = precision * 3 // 2 + 64
     if best is None:
-        raise InputError("start: too near the separatrix to be told from it")
+        raise InputError("start: too near the separatrix to be distinguished from it")
     return best
 
 
@@ -162,7 +165,7 @@ def _narrow(arrival: Arrival, digits: int) -> bool:
 
 
 def _arrive(shape: Shape, start: Start, precession: Angle) -> Arrival:
-    """The arrival at the working precision."""
+    """The end of the motion at the working precision."""
     at = state(shape, start)
     gamma, on_level = level(shape, at)
     psi0 = start.psi.ball()
@@ -193,7 +196,7 @@ def _at_rest(at: State) -> bool:
 
 
 def _enter(on: Orbit, psi: Angle, at: State) -> tuple[arb, arb]:
-    """ψ − π/2 less a multiple of π, in [−π/2, π/2], and the phase there."""
+    """ψ − π/2 reduced by a multiple of π to [−π/2, π/2], and the phase there."""
     halves = _floor(psi)
     sin, cos = psi.sin_cos()
     if halves % 2:
@@ -213,7 +216,7 @@ def _enter(on: Orbit, psi: Angle, at: State) -> tuple[arb, arb]:
     if cn < 0:
         begin = 2 * on.quarter_phase - begin
     elif not cn >= 0:
-        raise UndecidedError("the direction of the start does not show at this precision")
+        raise UndecidedError("the direction of the start is not decided at this precision")
     return offset, begin
 
 
@@ -224,5 +227,5 @@ def _floor(psi: Angle) -> int:
     with ball_precision(ctx.prec + 64):
         found = (arb(psi.radians) / arb.pi()).floor().unique_fmpz()
     if found is None:
-        raise UndecidedError("the half turn of psi0 does not show at this precision")
+        raise UndecidedError("the half turn of psi0 is not decided at this precision")
     return int(found)

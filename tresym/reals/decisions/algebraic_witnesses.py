@@ -1,11 +1,11 @@
 """Counterexamples at algebraic points, where both sides of a strict inequality are equal.
 
-- A zero of a polynomial in one variable: an irreducible factor of the difference changes its sign
-  between two rational numbers, and divides it.
-- A zero of a polynomial in several variables where its gradient vanishes: at polynomials h(t) in a
-  root t of m, which divides the polynomial with the h put in.
-- A quarter turn of every angle, with 0 and ±1 for the other variables.
-- A point of simple constants, such as multiples of π, next to the lowest point found.
+- A zero of a polynomial in one variable: an irreducible factor of the difference that changes sign
+  between two rational numbers.
+- A critical zero of a polynomial in several variables: its coordinates are polynomials in a root t
+  of a polynomial m, and m divides the difference after substituting them.
+- Multiples of π/2 for every angle, with 0 and ±1 for the other variables.
+- Simple constants, such as multiples of π, close to the lowest point found.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ MAX_EACH = 3
 
 
 def equal_at_algebraic(left: Expr, right: Expr, given: Given) -> Answer | None:
-    """A refutation of a strict inequality, or of ``!=``, between polynomials in one variable."""
+    """Refute a strict inequality or ``!=`` of polynomials in one variable, or return None."""
     names = symbols(left) | symbols(right)
     if len(names) != 1 or given.names - names:
         return None
@@ -82,7 +82,7 @@ def equal_at_algebraic(left: Expr, right: Expr, given: Given) -> Answer | None:
 
 
 def _factors(difference: Expr) -> Iterator[fmpz_poly]:
-    """Irreducible factors of the difference, where its normal form is a fraction of polynomials."""
+    """Return the irreducible factors of a rational difference."""
     try:
         field = Field(Given())
         (value,) = field.normal(difference)
@@ -124,7 +124,7 @@ def _text(p: fmpz_poly | fmpq_poly, name: str) -> str:
 def equal_at_lowest(
     left: Expr, right: Expr, given: Given, near: Mapping[str, fmpq]
 ) -> Answer | None:
-    """A refutation of a strict inequality of polynomials at algebraic numbers ``near`` a point."""
+    """Refute a strict inequality of polynomials at algebraic numbers ``near`` a point, or None."""
     names = sorted(near)
     terms = polynomial(left - right)
     if terms is None or given.names - {*names} or len(names) < 2:
@@ -147,7 +147,7 @@ def equal_at_lowest(
 
 
 def _stationary(difference: Expr, names: list[str], near: Mapping[str, fmpq]) -> list[arb] | None:
-    """Where the gradient vanishes, by Newton's steps; None where they do not get there."""
+    """Find a zero of the gradient by Newton's method; None if it does not converge."""
     slopes = [differentiate(difference, name) for name in names]
     bends = [[differentiate(slope, name) for name in names] for slope in slopes]
     point = [arb(near[name]) for name in names]
@@ -223,7 +223,7 @@ def _shown_zero(
     m: fmpz_poly,
     root: arb,
 ) -> Answer | None:
-    """The refutation, where the root of m is real and the point satisfies the conditions."""
+    """Return the refutation if the root of m is real and the point satisfies the conditions."""
     for low, high in _brackets(m):
         if not (arb(low) <= root <= arb(high)):
             continue
@@ -256,7 +256,7 @@ def _interval(x: arb) -> str:
 def equal_at_simple(
     left: Expr, right: Expr, given: Given, near: Mapping[str, fmpq]
 ) -> Answer | None:
-    """A refutation of a strict inequality at simple constants ``near`` a lowest point."""
+    """Refute a strict inequality at simple constants ``near`` a lowest point, or return None."""
     difference = left - right
     with ball_precision():
         if not abs(evaluate(difference, near)) < SMALL:
@@ -269,7 +269,7 @@ def equal_at_simple(
 
 
 def equal_at_turns(left: Expr, right: Expr, given: Given) -> Answer | None:
-    """A refutation of a strict inequality at quarter turns of what is in a sine or cosine."""
+    """Refute a strict inequality where all angles are multiples of π/2, or return None."""
     difference = left - right
     names = sorted(symbols(difference))
     angles = frozenset().union(*map(symbols, _angles(difference)))
@@ -281,7 +281,7 @@ def equal_at_turns(left: Expr, right: Expr, given: Given) -> Answer | None:
 
 
 def _angles(e: Expr) -> Iterator[Expr]:
-    """What sines and cosines are of."""
+    """Return the arguments of sines and cosines."""
     for arg in () if e.op in LEAVES else e.args:
         yield from (arg,) if e.op in ("sin", "cos") else _angles(arg)
 
@@ -289,7 +289,7 @@ def _angles(e: Expr) -> Iterator[Expr]:
 def _equal_at_one(
     left: Expr, right: Expr, given: Given, points: Iterable[dict[str, Expr]]
 ) -> Answer | None:
-    """A refutation at the first of the points at which both sides are equal."""
+    """Return a refutation at the first point at which both sides are equal, or None."""
     for point in points:
         with ball_precision(2 * WORKING):
             at = {name: evaluate(value, {}) for name, value in point.items()}

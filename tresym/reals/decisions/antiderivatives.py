@@ -1,6 +1,6 @@
 """Antiderivatives and closed forms of sums suggested by SymPy; the caller checks them.
 
-SymPy is loaded when the first is asked for.
+SymPy is imported at the first call.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ MOST = 8
 
 
 def suggested(f: Expr, name: str, positive: frozenset[str]) -> list[Expr]:
-    """Candidates for antiderivatives of ``f`` by the variable ``name``.
+    """Yield candidates for antiderivatives of ``f`` in the variable ``name``.
 
     Args:
         positive: what is known to be positive.
@@ -60,7 +60,7 @@ def suggested(f: Expr, name: str, positive: frozenset[str]) -> list[Expr]:
 
 
 def summed(kind: str, f: Expr, name: str, low: Expr, high: Expr) -> list[Expr]:
-    """Candidates for closed forms of the ``"sum"`` or ``"product"`` of ``f``."""
+    """Yield candidates for closed forms of the ``"sum"`` or ``"product"`` of ``f``."""
     import sympy
 
     k = sympy.Symbol(name, integer=True)

@@ -1,9 +1,8 @@
 """Check that what passes speaks of something: both sides are defined, terms of sums included.
 
-A claim is about the points at which both sides are defined. What passes must have such a point: one
-at which all conditions hold, sums have terms, and each part is shown to be defined by evaluation.
-What the terms of a sum or product ask of their index alone must hold at every index, for else the
-sum ends where nobody said that it does.
+A claim is about the points at which both sides are defined. A proof is accepted only if there is
+such a point: all conditions hold, sums are not empty, and evaluation shows that every part is
+defined. Requirements of the terms of a sum or product on the index alone must hold at every index.
 """
 
 from __future__ import annotations
@@ -45,7 +44,7 @@ NODES = frozenset(("sum", "product", "unknown", "integral", "nth"))
 
 
 def unspoken(claim: Comparison, statement: Statement) -> str | None:
-    """Why a claim that passes may speak of nothing, in words; None where it is shown not to."""
+    """Return why a proved claim may be vacuous, in words; None if a point shows it is not."""
     sides: tuple[Expr, ...] = (claim.left, claim.right)
     nodes = [node for node in outermost(*sides) if node.op in NODES]
     if not nodes or statement.path is not None or any(DOTS.args[0] in symbols(e) for e in sides):
@@ -101,7 +100,7 @@ def _sums(e: Expr) -> Iterator[Expr]:
 
 
 def _undefined_at_an_index(node: Expr) -> Expr | None:
-    """What a term needs of its index and is not shown to have at each, or None."""
+    """Return a part of the terms that may be undefined at some index, or None."""
     (name,), body = opened(node)
     low, high = integer(node.args[1]), integer(node.args[2])
     if low is None:
@@ -122,7 +121,7 @@ def _undefined_at_an_index(node: Expr) -> Expr | None:
 
 
 def _holds_from(part: Expr, relation: str, name: str, low: int) -> bool:
-    """Whether the part stands so to zero at each integer from ``low`` on."""
+    """Return whether the relation to zero holds at each integer from ``low`` on."""
     marks = {node: symbol(f"[{i}]") for i, node in enumerate(dict.fromkeys(functions(part)))}
     if any(node.args[0].args != (FACTORIAL, (0,)) for node in marks):
         return False

@@ -17,11 +17,11 @@ from tresym.reals.signs.sign import sign
 def where_real(
     given: Given, functions: Iterable[Expr], by: Iterable[str] = ()
 ) -> tuple[Given, Given]:
-    """``given`` and that the functions are real, to refute at a point and to prove everywhere.
+    """Return the conditions for refuting and for proving a claim with derivatives.
 
-    A claim that holds derivatives speaks of the points beside which, in the variables ``by``, what
-    is differentiated is real. ``x**(3/2)`` is real at 0 and not beside it: a proof counts such a
-    point in, and a refutation leaves it out.
+    A derivative exists only at points with a neighbourhood, in the variables ``by``, on which the
+    function is real. ``x**(3/2)`` is real at 0 but not on a neighbourhood: a proof includes such a
+    point, and a refutation excludes it.
     """
     parts = [part for part in needs(functions) if not _holds_everywhere(*part)]
     whole = tuple(bound(*part) for part in parts)

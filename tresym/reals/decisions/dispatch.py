@@ -166,9 +166,9 @@ def _decide(comparison: Comparison, statement: Statement) -> Answer:
         return decide_by_leibniz(comparison, statement, _bounded)
     if hiding:
         return Answer(Verdict.UNDECIDED, "derivatives of sums and limits are not supported")
-    door = _door(comparison, statement)
-    if door is not None:
-        return door(comparison, statement, _bounded)
+    procedure = _procedure_for(comparison, statement)
+    if procedure is not None:
+        return procedure(comparison, statement, _bounded)
     real = comparison.differentiated, comparison.by
     if left.op == "abs" and relation in ("<", "<=") and not symbols(right):
         halves = (replace(comparison, left=side * left.args[0]) for side in (1, -1))
@@ -181,11 +181,11 @@ def _decide(comparison: Comparison, statement: Statement) -> Answer:
     return _decide_inequality(left, relation, right, statement.given, *real)
 
 
-Door = Callable[[Comparison, Statement, Decide], Answer]
+Procedure = Callable[[Comparison, Statement, Decide], Answer]
 """Decides a claim by simpler ones, which it hands to its last argument."""
 
 
-def _door(comparison: Comparison, statement: Statement) -> Door | None:
+def _procedure_for(comparison: Comparison, statement: Statement) -> Procedure | None:
     """Return the procedure for claims with sums, integrals, paths and the like, or None."""
     sides = comparison.left, comparison.right
     nodes = {node.op for node in outermost(*sides)}

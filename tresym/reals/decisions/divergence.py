@@ -1,7 +1,8 @@
 """Whether a function has no limit at infinity, because it oscillates.
 
-Where all waves of the function have a common period P, its values at a + kP, for integers k, hold
-none. If they tend to different limits for two a, the function has no limit.
+If all sines and cosines of the function have a common period P, its values at a + kP, for integers
+k, do not oscillate. If they tend to different limits for two values of a, the function has no
+limit.
 """
 
 from __future__ import annotations
@@ -36,7 +37,7 @@ EIGHTHS = (0, 1, 2, 3, 5)
 
 
 def has_no_limit(e: Expr, name: str, side: int, given: Given) -> bool:
-    """Whether ``e`` is shown to have no limit, finite or not, as the variable goes to side · ∞."""
+    """Return whether ``e`` provably has no limit, finite or infinite, at side · ∞."""
     period = _period(e, name)
     if period is None:
         return False
@@ -52,7 +53,7 @@ def has_no_limit(e: Expr, name: str, side: int, given: Given) -> bool:
 
 
 def _differ(x: Expr, y: Expr, given: Given) -> bool:
-    """Whether two limits are different for all parameters."""
+    """Return whether two limits differ for all values of the parameters."""
     if x in (INFINITY, -INFINITY) or y in (INFINITY, -INFINITY):
         return x != y
     apart = decide(x, y, given).verdict is Verdict.REFUTED

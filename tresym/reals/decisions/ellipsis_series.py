@@ -1,11 +1,11 @@
 """Power series written with an ellipsis: ``f == t0 + t1 + t2 + ...``.
 
-It is read so: the expansion of f in powers of what the terms are powers of begins with these terms,
-none left out, and it converges to f under the conditions. The coefficients are compared exactly.
-Where more of them have ratios that are one rational function, the series is one of
-:mod:`tresym.reals.decisions.power_series`, and decided with its range. Else f is put together of
-functions whose complex singularities are known, and its series converges to it inside the smallest
-circle that meets one.
+Such a claim means: the expansion of f in powers of u, the expression whose powers the terms are,
+begins with exactly these terms, and it converges to f under the conditions. The coefficients are
+compared exactly. Convergence is proved in one of two ways. If the ratios of further coefficients
+are a rational function of the index, the series is one of
+:mod:`tresym.reals.decisions.power_series`. Otherwise f must be composed of functions with known
+complex singularities; its series converges inside the circle through the nearest one.
 """
 
 from __future__ import annotations
@@ -70,7 +70,7 @@ def decide_dotted(claim: Comparison, statement: Statement, decided: Decide) -> A
     """Decide an equation with dots in a sum, such as ``1 + x + x**2 + ... == 1/(1 - x)``.
 
     Args:
-        decided: not asked; every such claim is decided here.
+        decided: unused; it is here so that all procedures have one signature.
     """
     node = next(filter(None, map(_sum_with_dots, (claim.left, claim.right))), None)
     if claim.relation != "==" or node is None or claim.derivatives or statement.equations:
@@ -110,7 +110,7 @@ def decide_dotted(claim: Comparison, statement: Statement, decided: Decide) -> A
 
 
 def _first_of(series: Expr, terms: Expr, given: Given) -> Answer:
-    """Whether the terms before the dots are the first ones of the series on the other side."""
+    """Decide whether the terms before the dots are the first terms of ``series``."""
     (k,), body = opened(series, given.names)
     low, first = series.args[1], ZERO
     if series.op == "sum" and low.op == "number":
@@ -139,7 +139,7 @@ def _sum_with_dots(e: Expr) -> Expr | None:
 
 
 def _raised(terms: list[Expr]) -> Iterator[Expr]:
-    """What the terms may be powers of."""
+    """Yield the expressions that the terms may be powers of."""
     names = frozenset().union(*map(symbols, terms))
     spoken = {name: sum(name in symbols(t) for t in terms) for name in sorted(names)}
     common = [name for name, times in spoken.items() if times > len(terms) - 2]
@@ -166,7 +166,7 @@ def _factors(e: Expr, times: int) -> Iterator[tuple[Expr, int]]:
 
 
 def _powers(terms: list[Expr], u: Expr) -> dict[int, Expr] | None:
-    """The coefficients of the terms as powers of ``u``, which rise; a number may stand anywhere."""
+    """Return the coefficients of the terms by their power of ``u``; None if not increasing."""
     found: dict[int, Expr] = {}
     rising: list[int] = []
     if u.op == "+":  # x - 1 is a power of it, as a sum
@@ -186,7 +186,7 @@ def _powers(terms: list[Expr], u: Expr) -> dict[int, Expr] | None:
 
 
 def _power(term: Expr, u: Expr) -> tuple[int, Expr] | None:
-    """m and c where the term is c u^m."""
+    """Return m and c if the term is c u^m, else None."""
     for m in range(LEAST, MOST):
         c = in_lowest_terms(term * u ** number(-m))
         if symbols(c).isdisjoint(symbols(u)):
@@ -197,7 +197,7 @@ def _power(term: Expr, u: Expr) -> tuple[int, Expr] | None:
 def _decided(
     f: Expr, y: str, u: Expr, powers: dict[int, Expr], given: Given, fixed: Given
 ) -> Answer:
-    """Of the function f of y = u."""
+    """Decide the claim for the function f of y = u."""
     last = max(powers)
     try:
         germ = germ_of(f, y)
@@ -235,7 +235,7 @@ def _decided(
 
 
 def _is_near(u: Expr, given: Given) -> bool:
-    """Whether the conditions allow that u is small."""
+    """Return whether the conditions allow arbitrarily small u."""
     small = given & Given(((apply("abs", u), "<", number(fmpq(1, 1000))),))
     return next(small.points(symbols(u), 1), None) is not None
 
@@ -249,7 +249,7 @@ def _by_derivatives(f: Expr, y: str, last: int) -> dict[int, Expr]:
 
 
 def _fitted(germ: Germ, u: Expr) -> Series | None:
-    """The series whose coefficients begin so, if their ratios are one rational function of k."""
+    """Return the hypergeometric series that fits the first coefficients, or None."""
     places = [m for m in range(germ.order, germ.order + len(germ.series)) if germ[m]]
     if len(places) < 2:
         return None
@@ -321,7 +321,7 @@ _BRANCHED = frozenset(("asin", "acos", "atan", "asinh", "atanh"))
 
 
 def _singular(e: Expr, y: str, given: Given) -> Iterator[Expr]:
-    """How far from 0 the singularities of ``e``, but for those at 0, may lie.
+    """Yield the possible distances from 0 of the nonzero singularities of ``e``.
 
     Raises:
         OpenError: that is not known.
@@ -364,7 +364,7 @@ def _scaled(distance: Expr, inner: Expr, y: str) -> Expr:
 
 
 def _zeros(e: Expr, y: str) -> Iterator[Expr]:
-    """How far from 0 the zeros of ``e``, but for one at 0, may lie."""
+    """Yield the possible distances from 0 of the nonzero zeros of ``e``."""
     if y not in symbols(e) or e.op in ("exp", "symbol", *_BRANCHED) or e.op in ("sec", "csc"):
         return
     if e.op == "*":

@@ -1,7 +1,7 @@
 """All solutions of an equation for one variable, as cases.
 
-It is solved where it is linear or quadratic in the variable, or where the variable stands in it
-once, under functions that can be undone; a sine has its values at an angle and its whole turns.
+An equation is solved if it is linear or quadratic in the variable, or if the variable occurs once,
+inside invertible functions. For periodic functions the solutions contain a new integer variable.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ _PERIODIC: dict[str, Any] = {
 
 
 class Case(NamedTuple):
-    """A value of the variable, and the conditions and equations under which it is one.
+    """A solution for the variable, and the conditions and equations under which it is one.
 
     It holds for each value of the ``integers``, which are new.
     """
@@ -71,7 +71,7 @@ class Case(NamedTuple):
 
 
 def solved(e: Expr, name: str, statement: Statement) -> list[Case] | None:
-    """All solutions of ``e = 0`` for the variable under the conditions; None if not found."""
+    """Return all solutions of ``e = 0`` for the variable; None if it cannot be solved."""
     at, given = {name: ZERO}, statement.given
     slope = differentiate(e, name)
     if _is_free(slope, name):

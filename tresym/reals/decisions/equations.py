@@ -1,15 +1,14 @@
 """Equations as conditions: their consequences, and elimination of a variable case by case.
 
-1. An equation that is claimed, or denied, may be a consequence of the equations: see ideals.py.
-2. Of an inequality between polynomials, an equation between a form and a number makes a
-   homogeneous one: under x² + y² + z² = 1, xy + yz + zx ≤ 1 says that it is at most x² + y² + z².
-3. An equation is split at the factors of its numerator, and solved for a variable that it
-   determines: one that it is linear or quadratic in, or that stands in it once, under functions
-   that can be undone; a sine has its values at an angle and its whole turns. Each case has its
-   value of the variable and the conditions under which it is one, and together they are all points
-   of the equation. The claim, the other conditions and the other equations are decided in every
-   case with the value put in; cases that are shown to have no point are left out, and where all
-   are, nothing is decided.
+1. *Consequences.* A claimed equation, or its negation, may follow from the equations algebraically
+   (ideals.py).
+2. *Homogenisation.* An equation between a form and a number makes a polynomial inequality
+   homogeneous: under x² + y² + z² = 1, xy + yz + zx ≤ 1 becomes xy + yz + zx ≤ x² + y² + z².
+3. *Elimination.* An equation is split at the factors of its numerator and solved for a variable
+   (equation_solutions.py). Each case consists of a value of the variable and the conditions under
+   which it is a solution; together the cases cover all points of the equation. The claim is decided
+   in every case after substitution. Cases that are proved to be empty are left out. If all are
+   empty, there is nothing to prove and the answer is UNDECIDED.
 """
 
 from __future__ import annotations
@@ -210,7 +209,7 @@ def _by_elimination(claim: Comparison, statement: Statement, decided: Decide) ->
     return Answer(
         Verdict.UNDECIDED,
         f"the condition {left} == {right} could not be solved for a "
-        "variable: write it solved for one",
+        "variable: give it in the form x == …",
     )
 
 

@@ -1,9 +1,9 @@
 """Factorials: cancel those whose arguments differ by an integer.
 
-n! is spoken of where n is an integer from 0 on, and nowhere else. Of the factorials in a claim
-whose arguments differ by integers the least is any number F from 1 on, and (n + 2)! is
-F (n + 1)(n + 2): what holds for all F ≥ 1 holds. What is false is refuted at small integers, where
-the factorials are numbers.
+n! is defined for integers n ≥ 0 only. Among factorials whose arguments differ by integers, the
+smallest is replaced by an arbitrary number F ≥ 1, and (n + 2)! becomes F (n + 1)(n + 2). A claim
+that holds for all F ≥ 1 is proved; the converse fails, so such a failure is UNDECIDED. False claims
+are refuted at small integers.
 """
 
 from __future__ import annotations
@@ -71,13 +71,11 @@ def decide_factorials(claim: Comparison, statement: Statement, decided: Decide) 
     given = statement.given & Given(tuple(positive))
     found = decided(Comparison(left, claim.relation, right), replace(statement, given=given))
     if found.verdict is Verdict.REFUTED:
+        meant = ", ".join(f"{node} = {value}" for node, value in known.items())
         return Answer(
             Verdict.UNDECIDED,
-            (
-                "no counterexample was found at small integers, "
-                "but the claim fails when "
-                f"factorials are replaced by arbitrary numbers >= 1 ({found.why})"
-            ),
+            "no counterexample was found at small integers, but the claim fails when factorials "
+            f"are replaced by arbitrary numbers >= 1 (with {meant}: {found.why})",
         )
     return found
 
@@ -121,7 +119,7 @@ def _small(names: list[str]) -> Iterator[dict[str, Expr]]:
 
 
 def _value(e: Expr) -> Expr | None:
-    """The factorial of a number, None where it has none."""
+    """Return the factorial of an integer ≥ 0 as an expression, else None."""
     n = integer(e)
     return None if n is None or n < 0 else number(factorial(n))
 
@@ -129,7 +127,7 @@ def _value(e: Expr) -> Expr | None:
 def _by_least(
     nodes: Iterable[Expr], given: Given
 ) -> tuple[dict[Expr, Expr], list[tuple[Expr, str, Expr]]]:
-    """Each factorial by the least of those that differ from it by integers, and what these are."""
+    """Express each factorial by the smallest one whose argument differs by an integer."""
     classes: list[dict[Expr, int]] = []
     for node in nodes:
         for others in classes:
@@ -158,7 +156,7 @@ def _by_least(
 
 
 def _apart(one: Expr, other: Expr) -> int | None:
-    """The integer that is the difference of two arguments, if it is one."""
+    """Return the difference of two arguments if it is an integer, else None."""
     gap = one - other
     apart = integer(substitute(gap, dict.fromkeys(symbols(gap), ZERO)))
     if apart is None or abs(apart) > FAR:

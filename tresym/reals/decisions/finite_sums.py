@@ -351,7 +351,8 @@ def _induction(
         under = replace(under, equations=(*statement.equations, (left, right)))
     step = worst(smaller) if smaller and all(smaller) else decided(after, under)
     if not step:
-        why = f"the induction step from {n} to {n} + 1 could not be proved: {step.why}"
+        meant = ", ".join(f"{mark} = {node}" for node, mark in now.items())
+        why = f"the induction step could not be proved (with {meant}: {step.why})"
         return Answer(Verdict.UNDECIDED, why)
     weaker = base if base.verdict is Verdict.ENCLOSED else step
     begin = f"{n} = {least}"

@@ -1,8 +1,8 @@
 """Hypergeometric series: infinite sums whose successive terms have a rational ratio.
 
-A term is a product of rational functions of n, of factorials of what is linear in n, and of powers
-with n in the exponent. Where a series converges is told by the ratio of its terms: inside a radius,
-and at the ends of it by Gauss's test. Source: K. Knopp, *Theory and Application of Infinite
+A term is a product of rational functions of n, factorials of linear functions of n, and powers with
+n in the exponent. The ratio of consecutive terms gives the radius of convergence; Gauss's test
+decides convergence at its ends. Source: K. Knopp, *Theory and Application of Infinite
 Series*, §§ 20 and 36.
 """
 
@@ -46,7 +46,7 @@ K = fmpq_poly([0, 1])
 
 
 class OpenError(Exception):
-    """It is no series of this kind, or nothing is shown of it; the text says why."""
+    """A series is not of this kind, or a proof failed; the text is the reason."""
 
 
 @dataclass(frozen=True)
@@ -92,7 +92,7 @@ def _lead(p: fmpq_poly) -> fmpq:
 
 
 def series_of(node: Expr, avoid: frozenset[str] = frozenset()) -> Series | None:
-    """The series that a sum to oo is, None where it is none of this kind."""
+    """Return the hypergeometric series of an infinite sum, or None if it is not one."""
     low = integer(node.args[1])
     if node.op != "sum" or node.args[2] != INFINITY or low is None:
         return None
@@ -252,7 +252,7 @@ def whole_roots(p: fmpq_poly) -> list[int]:
 
 
 def radius_of(s: Series) -> Expr | None:
-    """The largest |u| up to which it converges; None for any."""
+    """Return the radius of convergence in |u|; None if it is infinite."""
     rate = s.rate
     if rate is None:
         return ZERO
@@ -260,14 +260,14 @@ def radius_of(s: Series) -> Expr | None:
 
 
 def root(value: fmpq, n: int) -> Expr:
-    """The n-th root of a positive number, a number itself where it is rational."""
+    """Return the n-th root of a positive number, as a rational number if it is one."""
     p, q = (fmpz(k).root(n) for k in (value.p, value.q))
     exact = p**n == value.p and q**n == value.q
     return number(fmpq(p, q)) if exact else number(value) ** number(fmpq(1, n))
 
 
 def out_of_range(s: Series, given: Given) -> str:
-    """What is not shown of the convergence everywhere under the conditions; empty if all is."""
+    """Return why convergence under the conditions is unproved; empty if it is proved."""
     radius = radius_of(s)
     if radius == ZERO:
         return "the series diverges"
@@ -289,12 +289,12 @@ def out_of_range(s: Series, given: Given) -> str:
 
 
 def diverges(s: Series) -> bool:
-    """Whether a series of numbers is shown to have no sum, unless all of its terms are 0."""
+    """Return whether a series of numbers is proved to diverge, unless all terms are 0."""
     return not symbols(s.u) | symbols(s.head) and out_of_range(s, Given()) == "the series diverges"
 
 
 def has_terms(s: Series, at: dict[str, fmpq]) -> bool:
-    """Whether what stands before all of its terms is shown not to be 0."""
+    """Return whether the common factor of the terms is proved to be nonzero."""
     with ball_precision():
         head = evaluate(s.head, at)
     return bool(head > 0 or head < 0)
@@ -318,7 +318,7 @@ def _sign(e: Expr, given: Given) -> str | None:
 
 
 def summed(s: Series, at: dict[str, fmpq]) -> arb | None:
-    """A ball around the sum, where it converges well."""
+    """Return a ball around the sum, or None if it converges too slowly."""
     u = evaluate(s.u, at) ** s.step
     term = evaluate(s.first, at)
     rate = s.rate

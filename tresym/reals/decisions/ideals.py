@@ -1,12 +1,12 @@
 """Consequences of polynomial equations, by membership in an ideal.
 
-Expressions become quotients of polynomials in their symbols and in the functions that stand in
-them. A function stands for itself, under equations that it satisfies wherever it is defined:
-sin²u + cos²u = 1, r^q = u of a root, |u|² = u²; sums and multiples of angles and of exponents are
+Expressions become quotients of polynomials in their variables and in the functions that occur in
+them. Each function is a new variable with the equations that it satisfies wherever it is defined:
+sin²u + cos²u = 1, r^q = u for a root, |u|² = u²; sums and multiples of angles and exponents are
 expanded. Where the equations hold and no denominator vanishes, an expression vanishes if its
-numerator N is in the radical of the ideal I of the equations, saturated by the denominators D:
-that is if 1 is in the ideal of I and 1 − z D N (Rabinowitsch). Gröbner bases are FLINT's, in the
-graded reverse lexicographic order, within bounds.
+numerator N is in the radical of the ideal I of the equations, saturated by the denominators D. This
+is so if I and 1 − z D N generate 1 (Rabinowitsch's trick). Gröbner bases are computed by FLINT in
+the graded reverse lexicographic order, within size limits.
 
 Source: D. Cox, J. Little, D. O'Shea, *Ideals, Varieties, and Algorithms*, 4.2 and 4.4.
 """
@@ -51,7 +51,7 @@ class Quotient(NamedTuple):
 
 
 class TooManyError(Exception):
-    """A polynomial, or their number, is beyond the bounds."""
+    """A polynomial, or the number of polynomials, exceeds the size limit."""
 
 
 class System:
@@ -261,12 +261,12 @@ def numerator_factors(e: Expr) -> list[Expr] | None:
 
 
 def follows(e: Expr, equations: Sequence[Expr], nonzero: Sequence[Expr], *, vanishes: bool) -> bool:
-    """Whether ``e`` is 0, or is not, at all points at which the equations hold.
+    """Return whether ``e`` is 0 (or nonzero) at all points at which the equations hold.
 
     Args:
-        equations: what is 0 there.
-        nonzero: what is not.
-        vanishes: whether ``e`` shall be 0; else that it is nowhere.
+        equations: expressions that are 0.
+        nonzero: expressions that are not 0.
+        vanishes: whether to prove that ``e`` is 0; otherwise that it is nowhere 0.
     """
     everything = (e, *equations, *nonzero)
     if any(part.loose or part.hidden for part in everything):

@@ -1,10 +1,10 @@
 """Identities of integrals that hold whatever their values are: linearity, and intervals joined.
 
-An integrand is a sum of terms c g, where c does not know the variable of integration. Where each g
-is smooth from one end to the other, which is shown, ∫ c g from a to b is c (G(b) − G(a)) for an
-antiderivative G of g: a variable stands for each value of each G. What holds for all values of the
-variables holds for those of the integrals. The antiderivative of f′ is f; that of f, a function
-left unknown, is another one. What fails for some values of them is not refuted.
+An integrand is a sum of terms c g, with c independent of the variable of integration. If each g is
+proved to be smooth on the interval, ∫ c g from a to b is c (G(b) − G(a)) for an antiderivative G of
+g, and a new variable replaces each value of each G. A claim that holds for all values of these
+variables is proved. The antiderivative of f′ is f, that of an arbitrary function f is another
+arbitrary function. A claim that fails for some values of the variables is not thereby refuted.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
 """Inverse functions on their branches: asin a = b if sin b = a and b is in [−π/2, π/2].
 
-The normal form writes asin and acos by arc tangents and roots, and loses the branch where the sign
-of a root is not known on all of a region, or where a is no rational function. Here the inverse
-function is taken away: what is left is an identity between a and the sine, cosine or tangent of b,
-and a range, which is shown by signs. A logarithm, and asinh, have every number for a value.
+The normal form writes asin and acos by arc tangents and roots. It loses the branch if the sign of a
+root is not constant on the region, or if a is not a rational function. Here the inverse function is
+eliminated: the claim becomes an identity between a and the sine, cosine or tangent of b, and a
+condition that b lies in the range, which is proved by signs. log and asinh have no range condition.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ _RANGES = {
 def without_inverse(
     left: Expr, right: Expr, given: Given, theories: frozenset[str]
 ) -> Iterator[tuple[Expr, Expr]]:
-    """Pairs of expressions, each equal under ``given`` only where the two sides are equal too."""
+    """Yield equivalent equations, as pairs of sides, without the inverse function."""
     difference = collected(left - right)
     terms = difference.args if difference.op == "+" else (difference,)
     for term in terms:

@@ -1,9 +1,9 @@
 """Definite integrals whose values are quoted theorems, with sources.
 
-An integrand is brought to the form of a theorem by one exact identity, its parameters are looked
-for among its own coefficients, and the conditions of the theorem are proved of them. Numbers are
-those of I. S. Gradshteyn and I. M. Ryzhik, *Table of Integrals, Series, and Products*, 7th edition;
-the tests compare each with quadrature.
+An integrand matches an entry if one exact identity proves it and the conditions of the entry are
+proved for its parameters, whose candidates are the coefficients of the integrand. Numbers refer to
+I. S. Gradshteyn and I. M. Ryzhik, *Table of Integrals, Series, and Products*, 7th edition; the
+tests compare each with quadrature.
 """
 
 from __future__ import annotations
@@ -135,17 +135,17 @@ T, CANDIDATES = "t", 10
 
 
 class Known(NamedTuple):
-    """The value of an integral, and the theorem that says so."""
+    """The value of an integral, and the theorem that states it."""
 
     value: Expr
     source: str
 
 
 def standard(f: Expr, name: str, low: Expr, high: Expr, given: Given) -> Known | None:
-    """The value of an integral, None where no theorem of these gives it.
+    """Return the value of an integral, or None if it is not in the table.
 
     Args:
-        given: the conditions on what else is in it.
+        given: the conditions on the parameters.
     """
     if not elementary(f):
         return None

@@ -1,10 +1,10 @@
 """Infinite sums and products whose values are quoted theorems, with sources.
 
-Known are the power series of elementary functions at any place where they converge, the partial
-fractions of the trigonometric and hyperbolic functions, their infinite products, and the values of
-the zeta function at even integers. A term is brought to the form of a theorem by one exact
-identity; its parameter is looked for among the arguments of the functions in the claim. The numbers
-are those of the *NIST Digital Library of Mathematical Functions* (DLMF).
+The table holds the power series of elementary functions, the partial fractions and infinite
+products of the trigonometric and hyperbolic functions, and the zeta function at even integers. A
+term matches an entry if one exact identity proves it; candidates for the parameter are the
+arguments of the functions in the claim. Equation numbers refer to the *NIST Digital Library of
+Mathematical Functions* (DLMF).
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ from tresym.reals.verdict import Verdict
 
 
 class Quoted(NamedTuple):
-    """A value, and the theorem by which it is one."""
+    """The value of a sum or product, and the theorem that states it."""
 
     value: Expr
     source: str
@@ -124,10 +124,10 @@ TEMPLATES = (
 
 
 def quoted_total(node: Expr, others: Iterable[Expr], given: Given) -> Quoted | None:
-    """The value of a sum or a product to oo, None where no theorem of this table gives it.
+    """Return the value of an infinite sum or product, or None if it is not in the table.
 
     Args:
-        others: where the parameters of theorems are looked for.
+        others: expressions in which candidates for the parameters are sought.
     """
     (n,), body = opened(node, given.names)
     low, high = node.args[1:]
@@ -147,7 +147,7 @@ def quoted_total(node: Expr, others: Iterable[Expr], given: Given) -> Quoted | N
 
 
 def quoted_product(node: Expr, given: Given) -> Quoted | None:
-    """The value of a finite product whose factors know how many they are, if a theorem has it."""
+    """Return the value of a finite product whose factors depend on n, or None."""
     (k,), body = opened(node, given.names)
     low, count = node.args[1], node.args[2] + 1
     if node.op != "product" or body.op != "sin" or count.op != "symbol":

@@ -1,17 +1,17 @@
 """Check every refutation at a point against the complete statement.
 
-A refutation leaves the deciders only if its point satisfies all that was said (inequalities,
-equations, integrality, also of what stands as an end of a sum or in a factorial), both sides are
-defined there, and the relation fails. That is shown by evaluation in balls, and exactly where two
-sides must be equal. The values of unknown functions belong to the point: there must be functions
-that have them. There are three more kinds of evidence:
+A refutation is accepted only if its point satisfies all conditions (inequalities, equations, and
+integrality, also of ends of sums and arguments of factorials), both sides are defined there, and
+the relation fails. This is shown by evaluation in balls, and exactly where two sides must be equal.
+The point includes the values of arbitrary functions, and there must be functions with these values.
+Three more kinds of evidence are accepted:
 
-- a box in which the difference is continuous and changes its sign, so that it vanishes there;
-- a root of a polynomial, of which the coordinates are polynomials: all is computed modulo it;
-- an integral with a singular or infinite end, or a series: it is computed nearer and nearer to that
-  end, and the relation must fail on the way more and more clearly.
+- a box in which the difference is continuous and changes sign, so that it vanishes there;
+- a root of a polynomial, with coordinates that are polynomials in it; computation is modulo it;
+- an integral with a singular or infinite end, or a series: it is evaluated ever closer to that
+  end, and the failure of the relation must become more and more pronounced.
 
-Refutations along a path have a check of their own (asymptotics/refutation_check.py).
+Refutations along a path are checked in asymptotics/refutation_check.py.
 """
 
 from __future__ import annotations
@@ -61,11 +61,11 @@ Values = list[tuple[Expr, tuple[Expr, ...], Expr]]
 
 
 class _UnsupportedError(Exception):
-    """What is not shown, in words."""
+    """A counterexample could not be confirmed; the text is the reason."""
 
 
 def confirmed(answer: Answer, claim: Comparison, statement: Statement) -> Answer:
-    """The refutation of a claim at a point, UNDECIDED where it is not supported."""
+    """Return the refutation of a claim at a point, or UNDECIDED if it is not confirmed."""
     sides = claim.left, claim.right
     if any(DOTS.args[0] in symbols(side) for side in sides):
         return answer  # by a coefficient, which is no point
@@ -128,7 +128,7 @@ def _at_point(answer: Answer, claim: Comparison, statement: Statement) -> None:
 
 
 def _is_shown_in_balls(taken: Mapping[str, Expr], claim: Comparison, statement: Statement) -> bool:
-    """Whether balls alone show that all conditions hold strictly and the relation fails."""
+    """Return whether balls show that all conditions hold strictly and the relation fails."""
     trees = [claim.left, claim.right, *claim.differentiated]
     said = statement.said
     if statement.equations or not elementary(*trees, *said):
@@ -149,7 +149,7 @@ def _is_shown_in_balls(taken: Mapping[str, Expr], claim: Comparison, statement: 
 
 
 def _others(taken: Mapping[str, Expr], claim: Comparison, statement: Statement) -> dict[str, Expr]:
-    """Values of the variables that the point leaves out, under the conditions on them."""
+    """Return values, allowed by the conditions, of variables that the point leaves out."""
     trees = (claim.left, claim.right, *claim.differentiated, *statement.said)
     names = sorted(frozenset().union(*map(symbols, trees)) - taken.keys() - {str(INFINITY)})
     if not names:
@@ -167,7 +167,7 @@ def _others(taken: Mapping[str, Expr], claim: Comparison, statement: Statement) 
 
 
 def _known(e: Expr, values: Values) -> Expr:
-    """``e`` with the values of unknown functions put in; those not given are 1.
+    """Return ``e`` with the values of arbitrary functions substituted; unspecified ones are 1.
 
     Raises:
         _UnsupportedError: it is not known whether an argument is one that has a value already.
@@ -221,7 +221,7 @@ def _is_same(head: Expr, args: Iterable[Expr], node: Expr) -> bool:
 
 
 def _fails(left: Expr, relation: str, right: Expr, real: list[Expr]) -> bool | None:
-    """Whether the relation of two constants fails, all being defined; None if not shown."""
+    """Return whether the relation of two constants fails; None if balls cannot tell."""
     trees = [left, right, *real]
     if any(symbols(e) - {str(INFINITY)} for e in trees):
         return False
@@ -243,7 +243,7 @@ def _fails(left: Expr, relation: str, right: Expr, real: list[Expr]) -> bool | N
 
 
 def _fails_on_the_way(left: Expr, relation: str, right: Expr) -> bool | None:
-    """Whether it fails more and more clearly as integrals and series are computed further.
+    """Return whether the failure becomes clearer as integrals and series are computed further.
 
     An integral that has no value may look as if it had one: so both ends are gone to at one pace,
     and then at two.
@@ -253,7 +253,7 @@ def _fails_on_the_way(left: Expr, relation: str, right: Expr) -> bool | None:
 
 
 def _vanishes(left: Expr, right: Expr, pace: int) -> bool:
-    """Whether the difference gets smaller and smaller on the way."""
+    """Return whether the difference tends to 0 as integrals and series are computed further."""
     nodes = [n for n in outermost(left, right) if n.op in TRUSTED]
     gaps = []
     for near, terms in STEPS:
@@ -286,7 +286,7 @@ def _cut(node: Expr, near: int, terms: int, pace: int = 1) -> Expr:
 
 
 def _in_box(witness: Mapping[str, str], claim: Comparison, statement: Statement) -> None:
-    """That the sides are equal in the box, where a strict inequality is claimed."""
+    """Confirm that the sides of a strict inequality are equal somewhere in the box."""
     box: dict[str, tuple[fmpq, fmpq]] = {}
     for name, text in witness.items():
         ends = [parse(part) for part in text.strip("[]").split(",")]
@@ -368,7 +368,7 @@ def _quotient(e: Expr, at: Mapping[str, fmpq_poly]) -> tuple[fmpq_poly, fmpq_pol
 
 
 def _at_root(root: Root, claim: Comparison, statement: Statement) -> None:
-    """That both sides of a strict inequality are equal at polynomials in a root."""
+    """Confirm that the sides of a strict inequality are equal at algebraic numbers."""
     t = fmpq_poly([0, 1])
     found = _quotient(parse(root.polynomial), {"t": t})
     low, high = (parse(end).args[0] for end in (root.low, root.high))

@@ -1,18 +1,18 @@
 """Power series with hypergeometric terms, by their differential equations.
 
 The terms f(k) y^(p k + q) with f(k + 1)/f(k) = P(k)/Q(k), P and Q polynomials, have a sum S(y) with
-Q(δ − 1) S − y^p P(δ) S = Q(−1) f(0) y^q, where δ = (θ − q)/p and θ = y d/dy. What is claimed to be
-S is G, analytic on an interval around 0 on which it satisfies the same equation, by the normal form
-of both sides. The difference D of the two has coefficients with
-Q((m − q)/p − 1) d(m) = P((m − q)/p − 1) d(m − p): it is 0 where d(m) is 0 at each natural number m
-at which the first factor is, of which there are few, and at these derivatives of G are compared. So
-S is G inside the radius of convergence; at an end of it by Abel's theorem, where the series
-converges, which Gauss's test decides.
+Q(δ − 1) S − y^p P(δ) S = Q(−1) f(0) y^q, where δ = (θ − q)/p and θ = y d/dy. Let G be the function
+that S is claimed to equal. It must be analytic on an interval around 0 and satisfy the same
+equation there, which the normal form proves. The coefficients d(m) of S − G satisfy Q((m − q)/p −
+1) d(m) = P((m − q)/p − 1) d(m − p), so S = G if d(m) = 0 for the finitely many natural numbers m at
+which the first factor vanishes; at these the derivatives of G are compared. Then S = G inside the
+radius of convergence. At its ends Abel's theorem applies if the series converges there, which
+Gauss's test decides.
 
-The variable y may be an expression: x is put in by its inverse. A claim is refuted by partial sums
-with a bound of the rest, or where it is made of a point at which the series diverges. The method
-is that of D. Zeilberger, *A holonomic systems approach to special functions identities*,
-J. Comput. Appl. Math. 32 (1990) 321.
+The variable y may be an expression in x, which is then solved for x. A claim is refuted by partial
+sums with a bound on the remainder, or at a point where the series diverges. The method is that of
+D. Zeilberger, *A holonomic systems approach to special functions identities*, J. Comput. Appl.
+Math. 32 (1990) 321.
 """
 
 from __future__ import annotations
@@ -132,10 +132,10 @@ def _shown(side: Expr, s: Series, given: Given) -> str:
 
 
 def need_range(side: Expr, s: Series, given: Given) -> None:
-    """That the series converges wherever the conditions hold, and to limits of ``side``.
+    """Check that the series converges wherever the conditions hold and ``side`` is continuous.
 
     Raises:
-        OpenError: it is not shown to.
+        OpenError: this could not be proved.
     """
     problem = "the other side may be discontinuous" if jumps(side) else out_of_range(s, given)
     if problem:
@@ -143,12 +143,12 @@ def need_range(side: Expr, s: Series, given: Given) -> None:
 
 
 def without(x: str, given: Given) -> Given:
-    """The conditions that do not speak of x."""
+    """Return the conditions that do not contain x."""
     return Given(tuple(c for c in given.comparisons if x not in symbols(c[0]) | symbols(c[2])))
 
 
 def _power_of(head: Expr, u: Expr, x: str, given: Given) -> tuple[Expr, int] | None:
-    """c and n where ``head`` is c u^n, and c is free of x."""
+    """Return c and n with ``head`` = c u^n and c free of x, or None."""
     for n in (0, *(m for k in range(1, HIGHEST) for m in (k, -k))):
         for scale in (in_lowest_terms(head * u ** number(-n)), substitute(head, {x: ONE})):
             if x in symbols(scale):
@@ -161,7 +161,7 @@ def _power_of(head: Expr, u: Expr, x: str, given: Given) -> tuple[Expr, int] | N
 
 
 def functions_of(e: Expr, u: Expr, x: str, y: str, given: Given) -> Iterator[Expr]:
-    """What ``e`` is as a function of y = u, free of x, in several forms."""
+    """Yield forms of ``e`` as a function of y = u, free of x."""
     if u == symbol(x):
         yield substitute(e, {x: symbol(y)})
         return
@@ -204,7 +204,7 @@ def _moebius(u: Expr, x: str, y: str) -> Iterator[Expr]:
 
 
 def by_equation(side: Expr, power: tuple[Expr, int], s: Series, y: str, given: Given) -> str:
-    """That ``side`` is ``c y^n Σ f(k) y^(p k + q)`` inside the radius of convergence, in words.
+    """Prove ``side = c y^n Σ f(k) y^(p k + q)`` inside the radius of convergence.
 
     Args:
         side: a function of y.
@@ -263,7 +263,7 @@ def _applied(p: fmpq_poly, g: Expr, y: str) -> Expr:
 
 
 def _coefficient_is(g: Expr, y: str, m: int, s: Series, q: int, scale: Expr, given: Given) -> bool:
-    """Whether the coefficient of y^m in g is that of the series."""
+    """Return whether the coefficient of y^m in g equals that of the series."""
     for _ in range(m):
         g = differentiate(g, y)
     k, rest = divmod(m - q, s.step)

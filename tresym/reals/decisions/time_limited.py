@@ -37,7 +37,7 @@ def check_within(task: Task, limit: float = DEFAULT_LIMIT) -> Answer:
     """Decide one claim in at most ``limit`` seconds.
 
     Raises:
-        InputError: the claim is not read.
+        InputError: the claim cannot be read.
     """
     for _, found in check_all([task], limit, 1):
         if isinstance(found, InputError):
@@ -53,13 +53,13 @@ def check_all(
     *,
     forked: bool = True,
 ) -> Iterator[tuple[Task, Answer | InputError]]:
-    """Every task with its answer, or with what is wrong with it, in the order of the tasks.
+    """Yield every task with its answer or its error, in the order of the tasks.
 
     Args:
-        tasks: read a few ahead.
-        limit: seconds for each.
-        processes: how many at once; all cores unless given.
-        forked: whether they are copies of this process, which must have no other threads then.
+        tasks: the claims; a few are read ahead.
+        limit: seconds for each claim.
+        processes: the number of processes; all cores unless given.
+        forked: whether the processes are forks of this one, which then must have a single thread.
     """
     cache = current()
     under_way: deque[tuple[Task, Answer | Future[Any]]] = deque()
@@ -129,7 +129,7 @@ def _batches(tasks: Iterable[Task]) -> Iterator[tuple[Task, ...]]:
 
 
 def _found(task: Task, future: Future[Any], limit: float) -> Answer | InputError:
-    """The answer; UNDECIDED when time was over or the process died."""
+    """Return the answer; UNDECIDED after a timeout or if the process died."""
     try:
         found: Answer | InputError = future.result()
     except TimeoutError as error:
@@ -153,7 +153,7 @@ def _given_up(task: Task, reason: str, limit: float) -> Answer:
 
 
 def _judged(claim: Any, given: Any, path: str | None) -> Answer | InputError:
-    """The answer, or what is wrong with the claim."""
+    """Return the answer, or the error if the claim cannot be read."""
     try:
         return decide_claim(claim, given, path)
     except InputError as error:

@@ -1,10 +1,10 @@
 """Powers with variable exponents at nonpositive bases.
 
-``x**a`` is ``exp(a log(x))``, and so a claim with it is decided where ``x`` is positive. But for a
-number ``a`` the power may have a value elsewhere, as at ``a = 1``, and a claim that fails there
-is false: ``x**a >= 0``, ``(x**2)**a == x**(2*a)``. A negative base asks for an integer as exponent,
-and so what remains is a claim about integers, which is decided as such. Points that are tried first
-can only refute.
+``x**a`` means ``exp(a log(x))``, so a claim with it is first decided for positive ``x``. For some
+numbers ``a``, such as ``a = 1``, the power has a value elsewhere too, and a claim that fails there
+is false: ``x**a >= 0``, ``(x**2)**a == x**(2*a)``. A negative base requires an integer exponent, so
+the remaining claim is one about integers and is decided as such. Sample points are tried first;
+they can only refute.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from math import prod
 
 from flint import arb, fmpq
 
-from tresym.reals.decisions.answer import Answer, Decide, refuted
+from tresym.reals.decisions.answer import Answer, Decide, exactly, refuted
 from tresym.reals.decisions.claim_parsing import Comparison, Statement
 from tresym.reals.decisions.equations import is_empty
 from tresym.reals.domain.binder_values import jumps
@@ -60,14 +60,20 @@ OPEN = (
 def beyond_positive_bases(
     answer: Answer, claim: Comparison, statement: Statement, decided: Decide
 ) -> Answer:
-    """An answer that passes, if it does so at bases that are not positive as well.
+    """Extend a proof for positive bases to bases that are not positive.
 
     Where a base is negative its exponents are integers, and so the claim is decided for integers;
     where it is 0 they are not negative. Exponents that are integers by a condition have deciders of
     their own.
 
     Args:
-        decided: decides the claim under more conditions.
+        answer: the proof for positive bases.
+        claim: the comparison to decide.
+        statement: its conditions.
+        decided: the procedure for the claim under more conditions.
+
+    Returns:
+        The answer, a refutation, or UNDECIDED with the bases in question.
     """
     trees = (claim.left, claim.right, *statement.said)
     if statement.path is not None:
@@ -230,7 +236,8 @@ def _against(
         if failing is None:
             x, y = at(claim.left)(near), at(claim.right)(near)
             if stands(x - y, NEGATED[claim.relation]):
-                yield refuted("the powers are defined there, and the claim fails", point, x, y)
+                why = exactly("it fails", point) + ", where the base of a power is not positive"
+                yield refuted(why, point, x, y)
         else:
             links.sort(key=lambda link: link is not failing)  # it may fail at the next point, too
 

@@ -1,15 +1,16 @@
 """Reduce inequalities in several variables to one variable.
 
-- d(ty, y) = yᵏ d(t, 1) for y > 0: the claim at (x, y) is that at (x/y, 1), where conditions and
-  domain are so, too.
-- g(x) ≥ g(y) for x < y: g falls, where its derivative is nowhere positive on an interval of both.
-- d(x, y) = f(u) for u = x + y, x − y or x y: f on all values that u takes in the bounds of x and y.
-- Σ gᵢ(xᵢ) ≥ 0: gᵢ ≥ gᵢ(pᵢ) at points with Σ gᵢ(pᵢ) ≥ 0.
-- Π gᵢ(xᵢ) ≥ 1: gᵢ ≥ cᵢ for numbers with Π cᵢ ≥ 1, where each gᵢ is a product of positive parts; or
-  g(x)/g(y) ≥ 1, which is g(x) ≥ g(y).
-- Π gᵢ(xᵢ) ≥ Π hᵢ(xᵢ), where the left side is not negative: gᵢ² ≥ hᵢ².
+- *Homogeneity.* If d(ty, y) = yᵏ d(t, 1) for y > 0, and the conditions and the domain are
+  homogeneous as well, the claim at (x, y) is the claim at (x/y, 1).
+- *Monotonicity.* g(x) ≥ g(y) for x < y holds if g′ ≤ 0 on an interval that contains both.
+- *Dependence on one combination.* If d(x, y) = f(u) for u = x + y, x − y or x y, the claim is one
+  about f on all values that u takes.
+- *Sums.* Σ gᵢ(xᵢ) ≥ 0 holds if gᵢ ≥ gᵢ(pᵢ) at points with Σ gᵢ(pᵢ) ≥ 0.
+- *Products.* Π gᵢ(xᵢ) ≥ 1 holds if gᵢ ≥ cᵢ for numbers with Π cᵢ ≥ 1 and all factors are positive;
+  g(x)/g(y) ≥ 1 is g(x) ≥ g(y).
+- *Absolute values.* Π gᵢ(xᵢ) ≥ Π hᵢ(xᵢ) with left side ≥ 0 holds if gᵢ² ≥ hᵢ² for all i.
 
-What is left is asked of the procedure for one variable, whose answer this is.
+The remaining claims in one variable go to the procedure for one variable.
 """
 
 from __future__ import annotations
@@ -59,10 +60,9 @@ STARTS = 8
 def by_one_variable(
     left: Expr, relation: str, right: Expr, given: Given, decide: Decide
 ) -> Answer | None:
-    """An answer by claims of one variable, for ``>=`` and ``>``; None where none is found.
+    """Decide ``>=`` or ``>`` by claims in one variable; None if no reduction applies.
 
-    Of what jumps nothing is said: between two places, and where it scales, the normal form leaves
-    the jumps out.
+    Expressions with jumps (sign, atan2) are not reduced, since the normal form ignores jumps.
     """
     if _jumps((left, right, *(c.expression for c in given.conditions))):
         return None
@@ -158,7 +158,7 @@ def _of_one_part(
 
 
 def _differ(e: Expr, other: Expr, given: Given) -> bool:
-    """Whether they are seen to differ at one of a few points."""
+    """Return whether two expressions differ at one of a few sample points."""
     with ball_precision():
         for point in given.points(sorted(symbols(e)), STARTS):
             at = {name: arb(value) for name, value in point.items()}
@@ -271,7 +271,7 @@ def _separated(left: Expr, relation: str, right: Expr, given: Given, ask: Decide
 
 
 def _weakest(answers: list[Answer], what: str) -> Answer:
-    """The one answer that several which hold come to."""
+    """Combine several answers that hold into one."""
     weakest = next((a for a in answers if a.verdict is Verdict.ENCLOSED), answers[0])
     return replace(weakest, why=f"{what}: {weakest.why}", region=None)
 

@@ -202,7 +202,7 @@ _SUBSTITUTIONS = {
 
 
 def _sum(body: Expr, name: str, low: float, high: float, here: Mapping[str, float]) -> float:
-    if high == math.inf and low == round(low):
+    if high == math.inf and math.isfinite(low) and low == round(low):
         places = [low + k for k in range(LEVIN_TERMS)]
         return _levin(_along(body, name, places, here))
     terms = _terms(body, name, low, high, here)

@@ -26,8 +26,10 @@ class Chart(NamedTuple):
 
 
 CHARTS = {
-    "work-precision": Chart("True digits against time, six scenes", "precision", "work_precision"),
-    "honesty": Chart("Digits claimed and digits had", "honesty", "honesty"),
+    "work-precision": Chart(
+        "Correct digits against time, six scenes", "precision", "work_precision"
+    ),
+    "honesty": Chart("Digits claimed and correct digits", "honesty", "honesty"),
     "atlas-separatrix": Chart(
         "Digits lost over the shapes, on the separatrix", "atlas", "atlas", "separatrix"
     ),

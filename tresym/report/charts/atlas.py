@@ -32,14 +32,14 @@ def caption(data: dict[str, Any], part: str) -> str:
         "rotation γ = a",
     }[part]
     more = {
-        "separatrix": " Where ab is large no precision fixed in advance saves the printed one.",
-        "levels": " At the lower right γ is a small difference of the numbers given themselves.",
+        "separatrix": " For large ab the printed form fails at any fixed precision.",
+        "levels": " At the lower right γ is a small difference of the given numbers themselves.",
         "turning": "",
     }[part]
     return (
         f"Decimal digits lost {where}: white none, black 16 or more; the lines are at 2 (thin) and "
-        "8 (thick) digits. The truth is a ball formed from the same rounded numbers, so what is "
-        f"lost is lost by the formula.{more}"
+        "8 (thick) digits. The true value is computed as a ball from the same rounded numbers, so "
+        f"that only the loss in the formula is shown.{more}"
     )
 
 

@@ -43,14 +43,14 @@ def caption(data: dict[str, Any]) -> str:
     over = sum(p["claims"] > p["digits"] + 1 for p in others)
     most = max(others, key=lambda p: p["claims"] - p["digits"])
     return (
-        "Digits that a method claims for its answer against the digits that the answer has, by a "
-        "ball (60 and more at 60). On the line a claim is exact; in the hatched half more is "
-        "claimed than there is. "
-        "Claimed are: the radius of a ball, the error the float64 map says to expect, quad's "
-        "estimate, the tolerance of a root finder or ODE solver that returned without complaint. "
-        f"{over} of {len(others)} answers of other methods claim more than a digit too much (the "
-        f"most: {most['method']}, {most['claims']:g} claimed, {most['digits']:g} had); "
-        f"{sum(p['claims'] > p['digits'] for p in ours)} of {len(ours)} balls do."
+        "Digits that a method claims for its result against the correct digits of the result, "
+        "counted with a ball (more than 60 are shown as 60). On the line the claim is exact; in "
+        "the hatched half the method claims too much. The claim is the radius of a ball, the error "
+        "estimate of the float64 map or of quad, or the tolerance of a root finder or ODE solver "
+        f"that returned without a warning. {over} of {len(others)} results of other methods claim "
+        f"over a digit too much (the worst: {most['method']}, {most['claims']:g} claimed, "
+        f"{most['digits']:g} correct). "
+        f"{sum(p['claims'] > p['digits'] for p in ours)} of {len(ours)} balls claim too much."
     )
 
 

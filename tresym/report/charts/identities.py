@@ -31,8 +31,8 @@ def caption(data: dict[str, Any]) -> str:
     right, wrong = (sum(n.get(word, 0) for n in ours) for word in ("right", "wrong"))
     return (
         "Each mark is one identity of the ledger or a false variant of it: time of a SymPy method "
-        f"against the time of tresym, which decides {right} of {total}, {wrong} wrongly (SymPy is "
-        "asked one in two). Open: decided; a cross: not decided, wrong, or stopped at the limit. "
+        f"against the time of tresym, which decides {right} of {total}, {wrong} wrongly (SymPy "
+        "gets every second one). Open: decided; cross: undecided, wrong, or stopped at the limit. "
         f"Lines: 1, 100 and 10 000 times slower. {'; '.join(words)}."
     )
 

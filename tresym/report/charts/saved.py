@@ -42,5 +42,5 @@ def load(workload: str, source: str | None = None) -> dict[str, Any]:
     except ValueError:
         raise InputError(f"{path.name}: is not JSON") from None
     if not isinstance(data, dict) or data.get("workload") != workload:
-        raise InputError(f"{path.name}: is no measurement of {workload}")
+        raise InputError(f"{path.name}: is not a measurement of the workload {workload}")
     return data

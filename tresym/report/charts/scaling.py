@@ -34,17 +34,17 @@ def caption(data: dict[str, Any]) -> str:
     memory = data["memory"]
     starts = [r for r in data["rows"] if r["scene"] == "time against starts" and r["seconds"]]
     large = data["notes"]["compiled from"]
-    compiled = f" (compiled by numba from {large:,} starts on)" if large else ""
+    compiled = f" (compiled by numba for {large:,} starts and more)" if large else ""
     per = starts[-1]["seconds"]
     return (
-        "Left: processor time of ε(γ) of the standard racket, one answer, 50 to 10 000 digits; a "
-        "method that needs more than 2.5 s is not tried further. Middle: the flip of 1 to 10⁷ "
-        f"starts in float64 ({per * 1e6:.2g} µs a start for many) with the most memory held at "
-        f"once: at most {max(m['megabytes'] for m in memory):.3g} MB, as starts are handed over "
-        f"{data['notes']['piece']:,} at a time and worked on {data['notes']['chunk']:,} at a time"
+        "Left: processor time of one ε(γ) of the standard racket with 50 to 10 000 digits; a "
+        "method that needs more than 2.5 s is not tried with more digits. Middle: the flip of 1 to "
+        f"10⁷ starts in float64 ({per * 1e6:.2g} µs per start for many) and the largest amount of "
+        f"memory in use, {max(m['megabytes'] for m in memory):.3g} MB, as starts are passed "
+        f"{data['notes']['piece']:,} at a time and computed {data['notes']['chunk']:,} at a time"
         f"{compiled}. "
-        "Right: judging the first claims of the proofs, with all that they rest on, in a warm "
-        "process. Thin lines: proportional growth."
+        "Right: deciding the first claims of the proofs, with all that they depend on, in a "
+        "running process. Thin lines: proportional growth."
     )
 
 

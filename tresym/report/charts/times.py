@@ -13,10 +13,10 @@ def caption(data: dict[str, Any]) -> str:
     says = data["says"]
     title = says[0].upper() + says[1:] if says[0].isascii() else says
     return (
-        f"{title}: {data['clock']} of one answer, logarithmic, "
-        f"with the quartiles, and the ratio to “{data['reference']}”, taken round by round in one "
-        "interleaved run. Filled: tresym; open: other methods, all digits there; a cross: fewer "
-        "digits than asked for, or no answer, with the reason."
+        f"{title}: {data['clock']} of one result, logarithmic, "
+        f"with the quartiles, and the ratio to “{data['reference']}”, formed round by round in one "
+        "interleaved run. Filled: tresym; open: other methods with all digits correct; cross: "
+        "fewer digits than asked for, or no result, with the reason."
     )
 
 

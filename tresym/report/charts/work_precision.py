@@ -48,12 +48,12 @@ LOW, HIGH = 0.6, 1700.0
 def caption(data: dict[str, Any]) -> str:
     """Describe what the chart shows."""
     return (
-        "True digits of ε(γ), counted against a ball of 1100 digits (no more than were asked for), "
-        "against processor time for one answer, both logarithmic; up and to the left is better. "
-        "Filled and solid: the rungs of tresym; open and broken: other libraries. A cross is an "
-        "answer with fewer digits than were asked for, below 1 digit at the lower edge. The grey "
-        "line is the Pareto front of all right answers; rings mark the rung that the ladder takes "
-        "for 3 to 1000 digits. Float64 arrays: time per answer among 4096."
+        "Correct digits of ε(γ), counted against a ball of 1100 digits (at most those asked for), "
+        "against processor time for one result, both logarithmic; up and to the left is better. "
+        "Filled and solid: the models of tresym; open and dashed: other libraries. A cross is a "
+        "result with fewer digits than were asked for, below 1 digit at the lower edge. The grey "
+        "line is the Pareto front of all right results; rings mark the model that tresym selects "
+        "for 3 to 1000 digits. Float64 arrays: time per result among 4096."
     )
 
 

@@ -112,8 +112,8 @@ def _surfaces(sheet: Any, radii: Floats, meeting: tuple[DrawnOrbit, DrawnOrbit])
     from matplotlib.patches import Polygon
 
     sphere, ellipsoid = (np.ones(3), 0.95), (radii**-2, 0.55)
-    # Two caps of the one stand out of the other: of the ellipsoid about its longest axis, or of
-    # the sphere about the shortest. The other hides all of it but the near cap, set once more.
+    # Two caps of one surface are outside the other: of the ellipsoid about its longest axis, or of
+    # the sphere about the shortest. The other surface is drawn over it, then the near cap again.
     capped, belt = (sphere, ellipsoid) if meeting[0].gamma > 0 else (ellipsoid, sphere)
     cap = Polygon(in_front(capped[0], meeting, EYE), transform=sheet.transData)
     for (inverse, tone), within in ((capped, None), (belt, None), (capped, cap)):
@@ -123,7 +123,7 @@ def _surfaces(sheet: Any, radii: Floats, meeting: tuple[DrawnOrbit, DrawnOrbit])
             sheet.add_patch(part)
             part.set_clip_path(within)
     for on in meeting:
-        # In sight where neither surface is in front: the outward normals point to the viewer.
+        # Visible where neither surface is in front: the outward normals point to the viewer.
         seen = (EYE.depth(on.momentum) >= 0) & (EYE.depth(on.momentum / radii**2) >= 0)
         look = {**style.kind(on.gamma), "linewidth": 2.0, "linestyle": "-"}
         curve(sheet, EYE, on.momentum, seen, **look)

@@ -51,7 +51,7 @@ def curve(axes: Any, eye: View, points: Floats, seen: Any = None, **line: Any) -
     """
     front = eye.depth(points) >= 0 if seen is None else np.asarray(seen)
     flat = eye.flat(points)
-    # A point next to a part belongs to it too, so that no gap opens between the parts.
+    # A neighbouring point is added to each part, so that there is no gap between the parts.
     for part, look in ((~front, {**line, "alpha": 0.3, "linewidth": 0.6}), (front, line)):
         near = part.copy()
         near[1:] |= part[:-1]

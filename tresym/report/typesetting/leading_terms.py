@@ -28,7 +28,7 @@ _SIGNS: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
 def size(text: str) -> str:
     """Return the leading term as readable text, or unchanged if it cannot be parsed."""
     try:
-        # Python has a meaning of its own for the name.
+        # lambda is a keyword of Python.
         tree = ast.parse(text.strip().replace("lambda", "lambda_"), mode="eval")
         return _written(_expression(tree.body)).replace("lambda_", "lambda")
     except (SyntaxError, ValueError):
@@ -42,7 +42,7 @@ def _expression(node: ast.expr) -> Expr:
         case ast.Name(id="pi"):
             return sympy.pi
         case ast.Name(id=name):
-            # The parameter of a path is positive; of others nothing is taken for granted.
+            # The parameter t of a path is positive; nothing is assumed about other symbols.
             return sympy.Symbol(name, **({"positive": True} if name == "t" else {"real": True}))
         case ast.UnaryOp(op=ast.USub(), operand=of):
             return -_expression(of)

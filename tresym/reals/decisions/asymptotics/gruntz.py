@@ -1,8 +1,8 @@
 """Gruntz's algorithm: rewrite a function in its most rapidly varying subexpressions.
 
-Where u → ±∞, exp u becomes a product of powers of elements times exp of what is bounded, a new
-element where none has its order of growth; log u takes the elements out of u; sin u and cos u are
-waves of a phase of which nothing is known.
+For u → ±∞, exp u becomes a product of powers of scale elements times the exponential of a bounded
+function; a new element is added if none has this order of growth. log u is expanded in the elements
+of u. sin u and cos u become functions of a phase about which nothing is assumed.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ HALF = fmpq(1, 2)
 
 
 def is_irrational(c: Expr) -> bool:
-    """Whether a constant is a rational multiple of π, or of a root of a rational number."""
+    """Return whether a constant is a rational multiple of π or of an irrational square root."""
     for e in (c / PI, c * PI):
         if normal_form(e, Given()).op == "number":
             return bool(normal_form(e, Given()) != ZERO)

@@ -1,9 +1,8 @@
 """Limits and orders of what holds definite integrals, from each side of the path by itself.
 
-The values of the integrals are put in where antiderivatives are found for the values of the
-variable near its end. Otherwise an integral whose two ends come together is compared by the rule
-of Bernoulli and l'Hôpital: if F and G tend to 0, G′ does not vanish beside the end and F′/G′ has a
-limit, finite or not, then F/G has the same.
+The integrals are evaluated if antiderivatives are found near the end of the path. Otherwise an
+integral whose two limits approach each other is treated by l'Hôpital's rule: if F and G tend to 0,
+G′ does not vanish near the end and F′/G′ has a limit, finite or infinite, then F/G has the same.
 """
 
 from __future__ import annotations
@@ -42,10 +41,10 @@ _OPEN = "no antiderivative could be found and verified near the end of the path"
 
 
 def decide_integral_limits(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
-    """The answer for a claim with integrals along a path.
+    """Decide a claim with integrals along a path.
 
     Args:
-        decided: decides what holds no integral.
+        decided: the procedure for claims without integrals.
     """
     path = statement.path
     if path is None:
@@ -82,7 +81,7 @@ def _one_side(claim: Comparison, statement: Statement, decided: Decide) -> Answe
 
 
 def _differs(value: Expr, end: Expr) -> bool:
-    """Whether two constants, which may be infinite, are shown to be different."""
+    """Return whether two constants, which may be infinite, are proved to differ."""
     infinite = (INFINITY, -INFINITY)
     if value in infinite or end in infinite:
         return value != end
@@ -93,7 +92,7 @@ def _differs(value: Expr, end: Expr) -> bool:
 
 
 def _beside(path: Path) -> Given:
-    """Values of the variable near the end, on the one side of the path."""
+    """Return the conditions for values of the variable near the end of a one-sided path."""
     x, (side,) = symbol(path.name), path.sides
     if path.point is None:
         return Given(((x, ">", FAR),) if side > 0 else ((x, "<", -FAR),))
@@ -103,7 +102,7 @@ def _beside(path: Path) -> Given:
 
 
 def _by_derivatives(claim: Comparison, path: Path, given: Given) -> Expr | None:
-    """The limit of an integral whose ends come together, times what tends to ±∞."""
+    """Return the limit by l'Hôpital's rule of an integral with merging ends, or None."""
     compared = compared_of(claim)[0]
     parts = compared.args if compared.op == "*" else (compared,)
     nodes = [part for part in parts if part.op == "integral"]

@@ -1,10 +1,10 @@
 """Decide order claims, and signs near a point, by leading terms.
 
-All of it speaks of t → 0+. f = O(g), f = o(g) and f ~ g are read off the leading terms of f and g;
-the range, and the constant of O, come from the same expansions with bounds: near the end, for the
-constant, and beyond it from balls over short intervals. Where waves stand in a
-leading coefficient, f and g are those of a sequence t → 0 on which a phase is 0, π/2, π, −π/2 or 1
-modulo 2π, which a phase u → ±∞ is again and again: what fails there fails.
+All statements are for t → 0+. f = O(g), f = o(g) and f ~ g follow from the leading terms of f and
+g. The range, and the constant of O, come from the same expansions with error bounds near the end
+and from balls over short intervals elsewhere. If a leading coefficient oscillates, the claim is
+tested on sequences t → 0 on which a phase is 0, π/2, π, −π/2 or 1 modulo 2π; a phase u → ±∞ takes
+these values infinitely often, so a claim that fails there is false.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ _FAILS = (UnresolvedError, InputError, ZeroDivisionError, OverflowError)
 
 
 class Judgement(NamedTuple):
-    """What an order statement about f and g came to.
+    """The result for an order statement about f and g.
 
     Attributes:
         verdict: ENCLOSED, REFUTED or UNDECIDED.
@@ -88,10 +88,10 @@ def judge_order(
     upto: fmpq = fmpq(1),  # noqa: B008
     shown: tuple[Expr, Expr] = (symbol(T), 1 / symbol(T)),
 ) -> Judgement:
-    """The order statement for t → 0+ (the variable ``T``), on a range of at most ``upto``.
+    """Decide an order statement for t → 0+ (the variable ``T``) on a range of at most ``upto``.
 
     Args:
-        shown: what t and 1/t are in the leading terms.
+        shown: the expressions for t and 1/t with which leading terms are written.
     """
     found = Rewritten(T)
     try:
@@ -129,7 +129,7 @@ def _leading_terms(
 
 
 def sign_towards(e: Expr, name: str, point: Expr | None, side: int) -> tuple[int, fmpq] | None:
-    """The sign of ``e`` on a whole one-sided neighbourhood.
+    """Return the sign of ``e`` on a one-sided neighbourhood of a point.
 
     Args:
         point: where; None for infinity.
@@ -144,7 +144,7 @@ def sign_towards(e: Expr, name: str, point: Expr | None, side: int) -> tuple[int
 
 
 def leading_sign(e: Expr, name: str, point: Expr | None, side: int, given: Given) -> int | None:
-    """The sign of ``e`` beside the end of a path, for each value of the parameters by itself."""
+    """Return the sign of ``e`` near the end of a path for fixed parameters, or None."""
     t = symbol(T)
     along = substitute(e, {name: side / t if point is None else point + side * t})
     found = Rewritten(T, given)

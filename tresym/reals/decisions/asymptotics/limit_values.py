@@ -1,8 +1,8 @@
 """Compute the exact limit of an expression with parameters.
 
-A parameter is a constant: its sign, where that matters, is one that
-:func:`tresym.reals.signs.sign.sign` proves under the conditions, and what is free of the variable
-is shown to be defined there. What is not shown so has no limit here: the answer is None.
+Parameters are constants. Where the sign of a parameter matters, it is proved under the conditions
+by :func:`tresym.reals.signs.sign.sign`; expressions free of the variable are proved to be defined.
+If a proof fails, no limit is returned.
 """
 
 from __future__ import annotations
@@ -30,11 +30,11 @@ MINUS_INFINITY = -INFINITY
 
 
 def limit_of(e: Expr, name: str, point: Expr | None, side: int, given: Given) -> Expr | None:
-    """The limit of ``e`` on a path, ``oo`` and ``-oo`` among the values; None where none is shown.
+    """Return the limit of ``e`` on a path, possibly ``oo`` or ``-oo``; None if it is not proved.
 
     Args:
         name: the variable.
-        point: where it goes, which may hold parameters; None for infinity.
+        point: where the variable tends, possibly with parameters; None for infinity.
         side: +1 from above or to +∞, −1 from below or to −∞.
         given: conditions on the parameters, which are fixed.
     """

@@ -6,8 +6,8 @@ bounded from below at a few distances from the end, each far nearer than the las
 cosines oscillate, points are spread over the periods of every one of them, and the largest value
 found is improved by smaller and smaller steps, so that a pole at one phase is met.
 
-Nothing here is a proof. Numbers that contradict a verdict, or do not support a refutation, stop it.
-The meaning of operations is that of the independent check alone.
+None of this is a proof. Numbers that contradict a proof, or do not confirm a refutation, turn the
+answer into UNDECIDED. Operations are evaluated by the independent check only.
 """
 
 from __future__ import annotations
@@ -78,7 +78,7 @@ class Ray:
 
 
 def fails(ray: Ray) -> bool | None:
-    """Whether the numbers show the claim to fail, or to hold; None if they show neither."""
+    """Return True if numbers show that the claim fails, False if it holds, None otherwise."""
     if not all(map(has_meaning, _sides(ray.claim))):
         return None
     waves = oscillating(ray)

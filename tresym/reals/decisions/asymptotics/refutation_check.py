@@ -1,11 +1,11 @@
 """Check every refutation of an asymptotic claim against the complete statement.
 
-A refutation leaves the deciders only if its values of the parameters satisfy everything that was
-said of them (inequalities, equations, integrality), and if the numbers of
-:mod:`tresym.reals.decisions.asymptotics.numerical_evidence` show the claim to fail on a side of its
-path. Where nothing oscillates the refutation is by leading terms, and it is enough that the numbers
-do not speak against it: a limit that is wrong by 1e-30 is wrong beyond what they show. Otherwise
-the answer is UNDECIDED.
+A refutation is accepted only if its values of the parameters satisfy all conditions (inequalities,
+equations, integrality), and if the numerical evidence of
+:mod:`tresym.reals.decisions.asymptotics.numerical_evidence` shows that the claim fails on a side of
+its path. Without oscillation the refutation comes from exact leading terms, and it is enough that
+the numbers do not contradict it: they cannot resolve an error of 1e-30. Otherwise the answer is
+UNDECIDED.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ SEVERAL = 20
 
 
 def checked(answer: Answer, claim: Comparison, statement: Statement) -> Answer:
-    """The refutation of a claim along a path, UNDECIDED where it is not supported."""
+    """Return the refutation of a claim along a path, or UNDECIDED if it is not confirmed."""
     path = statement.path
     if path is None:
         raise TypeError("a claim along a path needs its path")
@@ -56,7 +56,7 @@ def checked(answer: Answer, claim: Comparison, statement: Statement) -> Answer:
 
 
 def parameters(claim: Comparison, statement: Statement) -> list[str]:
-    """The variables of a statement other than that of its path."""
+    """Return the variables of a statement other than that of its path."""
     path = statement.path
     trees = [claim.left, claim.right, *claim.differentiated, *statement.said]
     trees += [path.point] if path is not None and path.point is not None else []

@@ -1,11 +1,11 @@
 """An asymptotic scale: functions of t → 0+, each smaller than every power of the next.
 
-In it are t, 1/log(1/t), 1/log log(1/t), …, and what is met of exp(−h), h → ∞; log(1/w) is the
-height h of an element w. A product of powers of elements tends to 0, to ∞, or is 1, and the
-exponent of the fastest element decides (G. H. Hardy, *Orders of Infinity*, 1910). Bounded waves,
-sin u and cos u with u → ±∞, are functions of a phase of which nothing is known.
+Its elements are t, 1/log(1/t), 1/log log(1/t), …, and exponentials exp(−h), h → ∞, as they occur;
+log(1/w) is called the height h of an element w. A product of powers of elements tends to 0, to ∞,
+or equals 1; the exponent of the fastest element decides (G. H. Hardy, *Orders of Infinity*, 1910).
+sin u and cos u with u → ±∞ are functions of a phase about which nothing is assumed.
 
-An exponent is a constant, its sign shown by balls, and that it is 0 by the normal form.
+Exponents are constants. Their signs are proved by balls, their vanishing by the normal form.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ SOMEWHERE = arb("0.0123"), arb("0.37")
 
 
 class UnresolvedError(ArithmeticError):
-    """A sign or a zero is not shown, or the range is too long."""
+    """A sign or a zero could not be determined, or the range is too long."""
 
 
 class Leading(NamedTuple):
