@@ -53,6 +53,8 @@ SAID_AROUND = (
     f"A student may write {SQUARE}",
     f"It is not true that {SQUARE}",
     f"One finds {SQUARE} This is wrong.",
+    f"The curves meet where {SQUARE}",
+    f"Their intersection has {SQUARE}",
 )
 
 

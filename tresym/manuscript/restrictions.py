@@ -62,7 +62,7 @@ _LOOSE = re.compile(
     r"|\berrors?\b|mistakes?|\bwrong\w*|incorrect\w*|\bfalse\w*|fallac\w+|nonsense|naive\w*"
     r"|\b(?:may|might|could) (?:write|think|guess|try|say|be)|tempt\w*|pretend\w*|heuristic\w*"
     r"|vanish\w*|by symmetry|orthogonal\w*|\bnot true\b|\bbogus\b|students?\b|\bcases?\b"
-    r"|\binstead of\b|\bcompare\w*",
+    r"|\binstead of\b|\bcompare\w*|\bintersect\w*|\bmeets?\b",
     re.IGNORECASE,
 )
 """Words that mark a display as approximate, wrong, or true in a special case only."""
