@@ -181,3 +181,12 @@ SOURCES = [p for p in FILES if name_of(p)[:1] in (("reals",), ("racket",), ("led
 def test_a_file_of_the_core_has_its_tests(path: Path) -> None:
     inner = path.relative_to(ROOT / "tresym")
     assert (ROOT / "tests" / inner.parent / f"test_{inner.name}").is_file()
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda p: str(p.relative_to(ROOT)))
+def test_no_generator_waits_while_it_holds_the_precision(path: Path) -> None:
+    """What its caller does meanwhile would run at that precision, and other threads would wait."""
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.With) and any("_precision(" in ast.unparse(i) for i in node.items):
+            inner = [n for n in ast.walk(node) if isinstance(n, ast.Yield | ast.YieldFrom)]
+            assert not inner or path.name == "arithmetic.py", node.lineno

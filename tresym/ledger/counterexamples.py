@@ -506,6 +506,7 @@ def _on_equation(
     (difference,) = world.implicit
     plain = (c for c in world.conditions if not c.has(Integral, Derivative, Subs))
     box = Given.from_sympy(*plain).box
+    found: dict[Symbol, Interval] | None = None
     with ball_precision(ROUGH):
         fixed = {s: i.ball() for s, i in exact.items()}
         rules, moving = dict(world.rules), world.names(difference)
@@ -523,8 +524,10 @@ def _on_equation(
                 continue
             here = there(segment.ball())
             if all(_holds(c, here) for c in (*world.conditions, *world.large)):
-                yield {**exact, symbol: segment}
-                return
+                found = {**exact, symbol: segment}
+                break
+    if found is not None:
+        yield found
 
 
 def _reach(where: Range) -> tuple[fmpq, fmpq]:

@@ -35,9 +35,10 @@ def candidates(worst: Interval, known: Sequence[Expr] = ()) -> Iterator[Expr]:
     seen: set[Expr] = set()
     for point in known:
         with ball_precision():
-            if evaluate(point, {}).overlaps(worst.ball()):
-                seen.add(point)
-                yield point
+            is_near = evaluate(point, {}).overlaps(worst.ball())
+        if is_near:
+            seen.add(point)
+            yield point
     for wider in (1, 2**12, 2**24):
         gap = wider * (worst.width or fmpq(1, 2**40))
         about = Interval(worst.low - gap, worst.high + gap)

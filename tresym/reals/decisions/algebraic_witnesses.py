@@ -108,13 +108,13 @@ def _brackets(p: fmpz_poly) -> Iterator[tuple[fmpq, fmpq]]:
         yield zero, zero
         return
     with ball_precision(WORKING):
-        for root, _ in p.complex_roots():
-            place = rational_ends(root.real).low if root.imag == 0 else None
-            if place is not None:
-                below = (place / WIDTH).floor()
-                low, high = (fmpq(below + step) * WIDTH for step in (0, 1))
-                if p(low) * p(high) < 0:
-                    yield low, high
+        places = [rational_ends(root.real).low for root, _ in p.complex_roots() if root.imag == 0]
+    for place in places:
+        if place is not None:
+            below = (place / WIDTH).floor()
+            low, high = (fmpq(below + step) * WIDTH for step in (0, 1))
+            if p(low) * p(high) < 0:
+                yield low, high
 
 
 def _text(p: fmpz_poly | fmpq_poly, name: str) -> str:

@@ -136,6 +136,7 @@ def _assignments(claim: Comparison, statement: Statement) -> Iterator[dict[str, 
     if solved is None:
         return  # the cases of its equations were attacked themselves
     free = [name for name in names if name not in solved]
+    found_at: list[dict[str, arb]] = []
     with ball_precision(NEAR_BITS):
         links = statement.given.comparisons
         holds = conditions(names, links, statement.integers)
@@ -154,7 +155,10 @@ def _assignments(claim: Comparison, statement: Statement) -> Iterator[dict[str, 
             at = chosen | dict(zip(solved, found, strict=True))
             whole = all(at[n].unique_fmpz() is not None for n in statement.integers if n in at)
             if whole and holds([at[name] for name in names]):
-                yield {name: at[name] for name in names}
+                found_at.append({name: at[name] for name in names})
+            if len(found_at) == ASSIGNMENTS:
+                break
+    yield from found_at
 
 
 def _solved(statement: Statement) -> dict[str, Expr] | None:

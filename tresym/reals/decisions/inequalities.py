@@ -257,12 +257,13 @@ def _on_grid(
     """Yield values on a regular grid, which finds zeros between neighbouring poles."""
     for k in GRID if len(names) == 1 else ():
         point = {names[0]: fmpq(k, GRID_STEPS)}
+        sides = None
         with ball_precision():
             at = {name: arb(value) for name, value in point.items()}
             if all(condition.holds_exactly(at) for condition in given.conditions):
-                x, y = evaluate(left, at), evaluate(right, at)
-                if x.is_finite() and y.is_finite():
-                    yield point, (x, y)
+                sides = evaluate(left, at), evaluate(right, at)
+        if sides is not None and all(side.is_finite() for side in sides):
+            yield point, sides
 
 
 def _neighbours(

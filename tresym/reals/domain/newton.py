@@ -39,15 +39,16 @@ def points_on(
     inside = sorted(frozenset().union(*map(symbols, equations)))
     ranges = [given.box.get(name, Interval()) for name in known]
     choices = list(islice(combinations(inside, len(equations)), MOST_CHOICES))
-    with ball_precision(BITS):
-        for k in range(STARTS if choices else 0):
+    for k in range(STARTS if choices else 0):
+        with ball_precision(BITS):  # not around the yield: the caller would run inside it
             start = {
                 name: arb(_sample(where, k, j))
                 for j, (name, where) in enumerate(zip(known, ranges, strict=True))
             }
             point = _solution(equations, slopes, start, choices[k % len(choices)])
-            if point is not None and all(c.holds(point) for c in given.conditions):
-                yield point
+            holds = point is not None and all(c.holds(point) for c in given.conditions)
+        if point is not None and holds:
+            yield point
 
 
 def _solution(
