@@ -31,8 +31,9 @@ myst_enable_extensions = [
     "substitution",
 ]
 myst_substitutions = json.loads((_generated / "numbers.json").read_text(encoding="utf-8"))
-_sweep = Path(__file__).parent / "measurements" / "sweep.json"
-myst_substitutions |= json.loads(_sweep.read_text(encoding="utf-8"))["notes"]["numbers"]
+for _name in ("sweep", "errors_found"):
+    _saved = Path(__file__).parent / "measurements" / f"{_name}.json"
+    myst_substitutions |= json.loads(_saved.read_text(encoding="utf-8"))["notes"]["numbers"]
 myst_heading_anchors = 3
 
 autodoc_member_order = "bysource"
