@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import TypeAlias
@@ -36,16 +37,16 @@ Conditions: TypeAlias = tuple[tuple[Compared, ...], tuple[tuple[str, Expr], ...]
 """What conditions state: comparisons, values to substitute, and a path."""
 
 
-class ConditionReader:
+class ConditionReader(ABC):
     """Parse conditions as authors write them."""
 
     letter_e: bool
     letter_delta: bool
 
     @property
+    @abstractmethod
     def author(self) -> Author:
         """What the LaTeX parser must know about the author's symbols."""
-        raise NotImplementedError
 
     def head(self, tokens: Sequence[str]) -> Head | None:
         """Return the symbol, function of symbols, or derivative that a term consists of."""

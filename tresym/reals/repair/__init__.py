@@ -119,7 +119,7 @@ def suggested(answers: Iterable[tuple[Any, Any]]) -> Iterator[tuple[Any, Any]]:
                 seconds = min(left, SECONDS)
                 try:
                     found = pool.submit(alternatives, answer.read_as, seconds).result()
-                except Exception:
+                except Exception:  # the refutation stands without a suggestion
                     found = ()
                 answer = replace(answer, instead=found)
                 spent += time.perf_counter() - now

@@ -31,7 +31,6 @@ def readable(text: str) -> str:
         >>> readable("violated at psi1 = -1/2")
         'violated at ψ₁ = −1/2'
     """
-    text = re.sub(r"^closed in (\d+ box(?:es)?\b)", r"proved on \1", text)
     text = re.sub(r"\[([^\s\[]+) \+/- ([^\s\]]+)\]", r"\1 ± \2", text)
     text = re.sub(r"\bEq\((\w+), ([^()]+)\)", r"\1 = \2", text)
     text = _SIZE.sub(lambda m: size(m[0]), text)
