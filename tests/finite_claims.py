@@ -10,19 +10,13 @@ from __future__ import annotations
 
 import random
 import sys
-import time
-from collections import Counter
 from collections.abc import Callable
+from functools import wraps
 
-import chunks
-
-from tresym.reals.decisions.time_limited import Task, check_all
-from tresym.reals.numbers.exact import InputError
-from tresym.reals.verdict import Verdict
+import hunt
 
 Claim = tuple[str, str, bool | None]
 """A claim, its conditions, and whether it is true; None where it may not be proved."""
-LIMIT = 6.0
 TEST = "tests/finite_claims.py::finite"
 NONZERO = ("1", "-1", "1/7", "-1/1000", "(a**2 + 1)", "exp(b)", "1/10**9", "(2 + sin(a))", "pi")
 """What is added to make a claim false everywhere."""
@@ -385,58 +379,22 @@ def series(r: random.Random) -> Claim:
     return claim, ", ".join(c for c in (given, extra) if c), true
 
 
-KINDS: tuple[Callable[[random.Random], Claim], ...] = (
-    *(sums, products, undefined_terms, integrals, infinite_integrals, integers, powers),
-    *(integer_inequalities, unknowns, nowhere, equations, repeated, series),
+def as_text(kind: Callable[[random.Random], Claim]) -> Callable[[random.Random], hunt.Claim]:
+    """The same claims with their conditions in one text."""
+
+    @wraps(kind)
+    def one(r: random.Random) -> hunt.Claim:
+        claim, given, truth = kind(r)
+        return f"{claim} given {given}" if given else claim, truth
+
+    return one
+
+
+KINDS: hunt.Kinds = (
+    *map(as_text, (sums, products, undefined_terms, integrals, infinite_integrals, integers)),
+    *map(as_text, (powers, integer_inequalities, unknowns, nowhere, equations, repeated, series)),
 )
 
 
-def built(count: int, seed: int) -> list[tuple[str, str, bool | None]]:
-    """The kind, the text and the truth of random claims."""
-    r = random.Random(seed)
-    found = []
-    for n in range(count):
-        kind = KINDS[n % len(KINDS)]
-        claim, given, truth = kind(r)
-        found.append((kind.__name__, f"{claim} given {given}" if given else claim, truth))
-    return found
-
-
-def is_wrong(truth: bool | None, verdict: str) -> bool:
-    """Whether a verdict contradicts the truth."""
-    holds = verdict in (Verdict.PROVED.value, Verdict.ENCLOSED.value)
-    return (holds and truth is not True) or (verdict == Verdict.REFUTED.value and truth is True)
-
-
-def main(count: int = 300, seed: int = 1) -> int:
-    """Decide random claims and print what is wrong; returns how many verdicts are."""
-    asked, failed = built(count, seed), 0
-    counts: Counter[tuple[str, bool | None, str]] = Counter()
-    answers = check_all((Task(text) for _, text, _ in asked), LIMIT)
-    for (kind, text, truth), (_, found) in zip(asked, answers, strict=True):
-        said = "not read" if isinstance(found, InputError) else found.verdict.value
-        counts[kind, truth, said] += 1
-        if said == "not read":
-            print("NOT READ", text, found)
-        elif is_wrong(truth, said):
-            failed += 1
-            print("WRONG", kind, truth, said, text, "|", found.why[:300], flush=True)
-        elif "please report" in found.why or "was taken to be" in found.why:
-            print("AT FAULT", truth, text, "|", found.why[:400], flush=True)
-        elif "internal error" in found.why:
-            print("CRASH", text, "|", found.why[:300], flush=True)
-    for (kind, truth, said), number in sorted(counts.items(), key=str):
-        print(f"{kind:22}{truth!s:7}{said:12}{number:6}")
-    chunks.EXAMPLES["finite"] = counts.total()
-    chunks.DECIDED["finite"] = sum(n for (_, _, said), n in counts.items() if said != "UNDECIDED")
-    return failed
-
-
 if __name__ == "__main__":
-    if TEST in chunks.done():
-        sys.exit(0)
-    began = time.perf_counter()
-    words = sys.argv[1:3] or ((300, 1 + chunks.CHUNK) if chunks.IN_CHUNKS else ())
-    failures = main(*map(int, words))
-    chunks.record(TEST, "failed" if failures else "passed", time.perf_counter() - began)
-    sys.exit(min(failures, 1))
+    sys.exit(hunt.run(KINDS, TEST, alone=300, each=300, limit=6.0))

@@ -291,44 +291,63 @@ TEST = "tests/hunt.py::claims"
 Kinds = tuple[Callable[[random.Random], Claim], ...]
 
 
-def main(count: int = 3000, seed: int = 1, kinds: Kinds = KINDS, name: str = "claims") -> int:
-    """Decide random claims and print what is wrong; returns how many verdicts are."""
-    r, wrong = random.Random(seed), 0
-    asked: list[tuple[str, Claim]] = []
+def built(count: int, seed: int, kinds: Kinds) -> list[tuple[str, str, bool | None]]:
+    """The kind, the text and the truth of random claims."""
+    r = random.Random(seed)
+    found = []
     for n in range(count):
         kind = kinds[n % len(kinds)]
         try:
-            asked.append((kind.__name__, kind(r)))
+            found.append((kind.__name__, *kind(r)))
         except InputError as error:
             print("not built:", kind.__name__, error)
+    return found
+
+
+def is_wrong(truth: bool | None, verdict: str) -> bool:
+    """Whether a verdict contradicts the truth."""
+    holds = verdict in (Verdict.PROVED.value, Verdict.ENCLOSED.value)
+    return (holds and truth is not True) or (verdict == Verdict.REFUTED.value and truth is True)
+
+
+def main(count: int, seed: int, kinds: Kinds, name: str, limit: float = LIMIT) -> int:
+    """Decide random claims and print what is wrong; returns how many verdicts are."""
+    asked, wrong = built(count, seed, kinds), 0
     counts: Counter[tuple[str, bool | None, str]] = Counter()
-    tasks = (Task(text) for _, (text, _) in asked)
-    for (kind, (text, truth)), (_, found) in zip(asked, check_all(tasks, LIMIT), strict=True):
+    answers = check_all((Task(text) for _, text, _ in asked), limit)
+    for (kind, text, truth), (_, found) in zip(asked, answers, strict=True):
         said = "not read" if isinstance(found, InputError) else found.verdict.value
         counts[kind, truth, said] += 1
-        holds = said in (Verdict.PROVED.value, Verdict.ENCLOSED.value)
         if said == "not read":
             print("NOT READ", text, found)
-        elif (holds and truth is not True) or (said == Verdict.REFUTED.value and truth is True):
+        elif is_wrong(truth, said):
             wrong += 1
-            print("WRONG", kind, truth, said, text, "|", found.why[:200], flush=True)
-        elif "please report" in found.why:
-            print("AT FAULT", text, "|", found.why[:300], flush=True)
+            print("WRONG", kind, truth, said, text, "|", found.why[:300], flush=True)
+        elif "please report" in found.why or "was taken to be" in found.why:
+            print("AT FAULT", truth, text, "|", found.why[:400], flush=True)
     for (kind, truth, said), number in sorted(counts.items(), key=str):
-        print(f"{kind:18}{truth!s:7}{said:12}{number:6}")
+        print(f"{kind:22}{truth!s:7}{said:12}{number:6}")
     chunks.EXAMPLES[name] = counts.total()
+    chunks.DECIDED[name] = sum(n for (_, _, said), n in counts.items() if said != "UNDECIDED")
     return wrong
 
 
-def run(kinds: Kinds, test: str) -> int:
-    """What a script of such claims does: its exit status, 1 where a verdict is wrong."""
+def run(kinds: Kinds, test: str, alone: int = 3000, each: int = 500, limit: float = LIMIT) -> int:
+    """What a script of such claims does: its exit status, 1 where a verdict is wrong.
+
+    Args:
+        kinds: what builds the claims.
+        test: the name under which a chunk is recorded.
+        alone: how many claims, where the command line does not say it.
+        each: how many in a chunk.
+        limit: seconds for each.
+    """
     if test in chunks.done():
         return 0
     began = time.perf_counter()
-    count, seed = map(
-        int, sys.argv[1:3] or ((500, 1 + chunks.CHUNK) if chunks.IN_CHUNKS else (3000, 1))
-    )
-    failed = main(count, seed, kinds, test.rpartition("::")[2])
+    given = sys.argv[1:3] or ((each, 1 + chunks.CHUNK) if chunks.IN_CHUNKS else (alone, 1))
+    count, seed = map(int, (*given, 1)[:2])
+    failed = main(count, seed, kinds, test.rpartition("::")[2], limit)
     chunks.record(test, "failed" if failed else "passed", time.perf_counter() - began)
     return min(failed, 1)
 

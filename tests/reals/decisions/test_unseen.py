@@ -1,7 +1,8 @@
 """A fixed part of the lists of tests/unseen.py: no verdict is wrong, and all are given."""
 
 import pytest
-from finite_claims import KINDS, built, is_wrong
+from finite_claims import KINDS
+from hunt import built, is_wrong
 from unseen import LISTS, claims, is_right
 
 import tresym
@@ -24,5 +25,5 @@ def test_a_part_of_each_list(truth: bool, claim: str) -> None:
 
 @pytest.mark.parametrize("n", range(3 * len(KINDS)))
 def test_random_claims_of_finite_objects(n: int) -> None:
-    _, claim, truth = built(3 * len(KINDS), 1)[n]
+    _, claim, truth = built(3 * len(KINDS), 1, KINDS)[n]
     assert not is_wrong(truth, tresym.check(claim).verdict.value), claim
