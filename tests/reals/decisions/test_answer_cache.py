@@ -18,7 +18,10 @@ from tresym.reals.decisions.answer_cache import AnswerCache, cached_answers, cle
 from tresym.reals.decisions.time_limited import Task, check_all
 from tresym.reals.verdict import Verdict
 
-CLAIMS = ["x + x == 2*x", "x**2 == 9", "exp(x) >= 1 + x", "sin(x) == x + O(x**3) as x -> 0"]
+CLAIMS = [
+    *("x + x == 2*x", "x**2 == 9", "exp(x) >= 1 + x", "sin(x) == x + O(x**3) as x -> 0"),
+    "(x**5 - x - 1)**2 + (x*y - 1)**2 > 0",  # refuted at the root of a polynomial
+]
 
 
 @pytest.fixture(autouse=True)
