@@ -22,6 +22,7 @@ from pathlib import Path
 from typing import Any
 
 from tresym.reals.decisions.answer import Alternative, Answer, Root
+from tresym.reals.decisions.time_limited import CACHES
 from tresym.reals.numbers.exact import Decimal, InputError
 from tresym.reals.verdict import Verdict
 
@@ -180,14 +181,6 @@ def _answer(key: bytes, value: Any, checksum: Any) -> Answer | None:
         return None
 
 
-_current: list[AnswerCache] = []
-
-
-def current() -> AnswerCache | None:
-    """The cache that is in use, if any."""
-    return _current[-1] if _current else None
-
-
 @contextmanager
 def cached_answers(wanted: bool = True) -> Iterator[AnswerCache | None]:
     """Inside, answers are looked up in the user's cache and kept there."""
@@ -196,11 +189,11 @@ def cached_answers(wanted: bool = True) -> Iterator[AnswerCache | None]:
         yield None
         return
     opened = AnswerCache(path)
-    _current.append(opened)
+    CACHES.append(opened)
     try:
         yield opened
     finally:
-        _current.remove(opened)
+        CACHES.remove(opened)
         opened.close()
 
 

@@ -9,17 +9,21 @@ from concurrent.futures import BrokenExecutor, Future
 from contextlib import ExitStack
 from dataclasses import replace
 from itertools import islice
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tresym.reals.decisions.answer import Answer
-from tresym.reals.decisions.answer_cache import current
 from tresym.reals.decisions.claim_parsing import Statement, read_as
 from tresym.reals.decisions.dispatch import decide_claim
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.processes import AHEAD, Processes, cores
 from tresym.reals.verdict import Verdict
 
+if TYPE_CHECKING:
+    from tresym.reals.decisions.answer_cache import AnswerCache
+
 DEFAULT_LIMIT = 5.0
+CACHES: list[AnswerCache] = []
+"""The caches of answers in use, innermost last: here, so that one claim loads no database."""
 _DIED = "the process ended unexpectedly, perhaps because it ran out of memory"
 """Such an answer is not kept: it says nothing of the claim."""
 
@@ -31,6 +35,11 @@ class Task(NamedTuple):
     given: Any = ""
     path: str | None = None
     line: int | None = None
+
+
+def current_cache() -> AnswerCache | None:
+    """Return the cache of answers that is in use, if any."""
+    return CACHES[-1] if CACHES else None
 
 
 def check_within(task: Task, limit: float = DEFAULT_LIMIT) -> Answer:
@@ -61,7 +70,7 @@ def check_all(
         processes: the number of processes; all cores unless given.
         forked: whether the processes are forks of this one, which then must have a single thread.
     """
-    cache = current()
+    cache = current_cache()
     under_way: deque[tuple[Task, Answer | Future[Any]]] = deque()
     with ExitStack() as stack:
         pool: Processes | None = None
@@ -87,7 +96,7 @@ def _told(
     """A task with its answer, which is kept in the cache unless it comes from there."""
     if isinstance(asked, Answer):
         return task, replace(asked, line=task.line)
-    found, cache = _found(task, asked, limit), current()
+    found, cache = _found(task, asked, limit), current_cache()
     if cache is not None and isinstance(found, Answer) and _DIED not in found.why:
         cache.put(*task[:3], limit, found)
     return task, found

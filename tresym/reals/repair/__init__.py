@@ -15,7 +15,7 @@ from typing import Any
 
 from tresym.reals.decisions import check as decided
 from tresym.reals.decisions.answer import Alternative, Answer
-from tresym.reals.decisions.answer_cache import current
+from tresym.reals.decisions.time_limited import current_cache
 from tresym.reals.processes import Processes, cores
 from tresym.reals.repair.search import MOST, SECONDS, Definitions, alternatives
 from tresym.reals.verdict import Verdict
@@ -86,7 +86,7 @@ def suggestions(
         seconds: the processor time for each claim.
     """
     asked = [(claim, seconds, MOST, *rest) for claim, *rest in claims]
-    cache = current()
+    cache = current_cache()
     texts = [f"instead of {question[0]} {question[2:]}" for question in asked]
     known = [cache.get(text, "", None, seconds) if cache else None for text in texts]
     new = [question for question, found in zip(asked, known, strict=True) if found is None]
