@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection, Iterator, Sequence
 from decimal import Context
 
 from tresym.ledger.axioms import Axiom
@@ -242,6 +242,43 @@ def in_one(claim: Claim) -> str | None:
     if claim.knowing or not shown or any(len(d) > 1 or not d[0].reasons for d in shown):
         return None
     return _aligned(tuple(line for display in shown for line in display), 1)
+
+
+def chosen_lines(claim: Claim, items: Sequence[tuple[int, str]], share: float = 0.9) -> str:
+    """Return some lines of a derivation, aligned, with reasons in words that the caller gives.
+
+    Args:
+        claim: a claim whose proof is a chain.
+        items: the number of each line, counted from 1, and its reason in LaTeX or an empty text.
+        share: the width available, relative to a line of our article.
+    """
+    lines = [(n, line) for n, d in enumerate(displays(claim)) for line in d if d]
+    lines = lines[len(claim.knowing) :]
+    starts = {n: line.left for n, line in reversed(lines)}
+    rows: list[str] = []
+    shown = set()
+    for number, why in items:
+        of, line = lines[number - 1]
+        left = line.left if line.left == EQUIVALENT or of in shown else starts[of]
+        shown.add(of)
+        rows += _worded(left, line.right, why, share * LINE)
+    return _rows(rows)
+
+
+def _worded(left: str, right: str, why: str, limit: float) -> Iterator[str]:
+    """A line of a derivation; what is too wide for one line continues on the next."""
+    reason = rf"\text{{\small {why}}}" if why else ""
+    if width(left) + width(right) > limit and left != EQUIVALENT:
+        first, *rest = broken(left, limit)
+        yield from (f"&{first}", *map(_continued, rest))
+        left = ""
+    first, *rest = broken(right, limit)
+    *lines, last = (f"{left or ' '}&{first}", *map(_continued, rest))
+    yield from lines
+    used = (width(left) + width(first) if not rest else width(rest[-1])) + 0.5 * len(why)
+    yield last + (rf"\qquad {reason}" if why and used <= limit else "")
+    if why and used > limit:
+        yield rf"&\qquad\qquad {reason}"
 
 
 def alone(formula: str, share: float = 1) -> str:
