@@ -25,7 +25,7 @@ from tresym.report.typesetting.formula_width import width
 from tresym.report.typesetting.paper_location import place_text
 from tresym.report.typesetting.statements import said
 
-SHORT = 40
+SHORT = 26
 """Width of a formula that fits a line of text, in letters."""
 MOST = 2
 """Most true statements that are quoted beside a correction."""
@@ -98,7 +98,7 @@ def _corrected(rows: dict[str, Row]) -> Iterator[str]:
     """The corrections by weight, each once, with what is true instead."""
     for number, (fault, heading, meaning) in enumerate(FAULTS):
         yield rf"\subsection*{{{prose(heading)}}} {prose(meaning)}"
-        yield rf"\begin{{enumerate}}[{'resume,' if number else ''}leftmargin=*,itemsep=2pt]"
+        yield rf"\begin{{enumerate}}[{'resume,' if number else ''}leftmargin=*,itemsep=2pt]\sloppy"
         for correction in corrections():
             if rows[correction.labels[0]].claim.fault is fault:
                 yield " ".join(_correction(correction, rows))
