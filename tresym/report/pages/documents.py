@@ -26,6 +26,7 @@ from tresym.report.pages.article import article
 from tresym.report.pages.call_paths import call_paths
 from tresym.report.pages.check_tables import by_kind, by_source, measured
 from tresym.report.pages.corrections import corrections
+from tresym.report.pages.ledger_document import ledger_document
 from tresym.report.pages.messages import messages
 from tresym.report.pages.methods import methods
 from tresym.report.pages.numbers import numbers
@@ -41,6 +42,7 @@ def documents() -> Iterator[tuple[str, str]]:
     """Yield every generated document as its path below docs/generated and its text."""
     report = verify(workers=cores())
     yield "derivation.tex", article(report)
+    yield "derivation-ledger.tex", ledger_document(report)
     yield "ledger.md", ledger(report)
     yield "ledger.json", _json(record(report))
     yield "numbers.json", _json(numbers(report))
