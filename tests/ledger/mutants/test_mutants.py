@@ -54,9 +54,11 @@ def test_no_mutant_of_a_few_claims_holds() -> None:
     check(score)
 
 
-@pytest.mark.slow
+PARTS = [0, *(pytest.param(part, marks=pytest.mark.night) for part in (1, 2, 3))]
+
+
 @pytest.mark.filterwarnings("default::pytest.PytestUnraisableExceptionWarning")  # see time_limit
-@pytest.mark.parametrize("part", range(4))
+@pytest.mark.parametrize("part", PARTS)
 def test_no_mutant_holds(part: int) -> None:
     """Every sixth claim, in four parts; `tresym verify --mutants` takes them all.
 
