@@ -1,9 +1,10 @@
 """Account for the methods: switch each off in turn, and count the claims that lose their verdict.
 
-``python -m tresym.dev.account [--save] [METHOD ...]`` decides every claim of the collections once,
-noting which methods return something for it. Then each method is switched off in processes of its
-own, and those claims are decided again. A claim is lost if it had a verdict and has none now. The
-lines of a method are those that no other code of the verdicts reaches.
+``python -m tresym.dev.account [--save] [--every N] [METHOD ...]`` decides every claim of the
+collections once, or each N-th, noting which methods return something for it. Then each method is
+switched off in processes of its own, and those claims are decided again. A claim is lost if it had
+a verdict and has none now. The lines of a method are those that no other code of the verdicts
+reaches.
 
 The collections are the lists of :mod:`tresym.reals.corpus`, random identities, the lists in
 ``tests/data``, the claims read in the manuscripts of ``tests/data`` and ``docs/examples``, and the
@@ -12,7 +13,7 @@ ledger. A claim of the ledger is judged with the findings of all others as they 
 
 from __future__ import annotations
 
-import json
+import argparse
 import signal
 import sys
 from collections.abc import Callable, Iterable, Iterator
@@ -24,6 +25,7 @@ from random import Random
 from typing import Any, NamedTuple
 
 import tresym
+from tresym.bench.workloads import json_text
 from tresym.dev.methods import METHODS, REASONS
 from tresym.ledger import paper
 from tresym.ledger.finding import Finding
@@ -228,8 +230,8 @@ def _quiet() -> None:
 # The account
 
 
-def account(names: tuple[str, ...] = METHODS) -> dict[str, Any]:
-    """Return the account of the methods named.
+def account(names: tuple[str, ...] = METHODS, every: int = 1) -> dict[str, Any]:
+    """Return the account of the methods named, on each ``every``-th claim.
 
     Returns:
         The number of claims by collection and verdict, and for each method its lines, how many
@@ -237,7 +239,7 @@ def account(names: tuple[str, ...] = METHODS) -> dict[str, Any]:
     """
     report = verify(workers=cores())
     _findings.update({row.claim.label: row.finding for row in report.rows})
-    _asked[:] = collections()
+    _asked[:] = [*collections()][::every]
     before = {found.number: found for found in _in_processes(_watched, [*range(len(_asked))])}
     work = []
     for name in names:
@@ -254,7 +256,7 @@ def account(names: tuple[str, ...] = METHODS) -> dict[str, Any]:
     for name in names:
         used = sum(name in found.used for found in before.values())
         rows.append(_row(name, used, sorted(lost[name])))
-    return {"workload": "account", "collections": counts, "rows": rows}
+    return {"workload": "account", "every": every, "collections": counts, "rows": rows}
 
 
 def _is_lost(before: str, now: str) -> bool:
@@ -303,13 +305,15 @@ def text_of(found: dict[str, Any]) -> str:
 
 def main() -> None:
     """Print the account, and store it with ``--save``."""
-    names = tuple(word for word in sys.argv[1:] if word != "--save")
-    found = account(names or METHODS)
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--save", action="store_true", help=f"store it in {SAVED.name}")
+    parser.add_argument("--every", type=int, default=1, metavar="N", help="of N claims take one")
+    parser.add_argument("methods", nargs="*", metavar="METHOD", help="default: all")
+    asked = parser.parse_args()
+    found = account(tuple(asked.methods) or METHODS, asked.every)
     print(text_of(found))
-    if "--save" in sys.argv:
-        rows = ",\n".join(f"  {json.dumps(row, ensure_ascii=False)}" for row in found["rows"])
-        head = json.dumps({"workload": "account", "collections": found["collections"]}, indent=1)
-        write_text(str(SAVED), f'{head[:-2]},\n "rows": [\n{rows}\n ]\n}}\n')
+    if asked.save:
+        write_text(str(SAVED), json_text(found))
 
 
 if __name__ == "__main__":

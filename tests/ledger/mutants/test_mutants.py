@@ -122,7 +122,12 @@ def test_a_definition_is_changed_where_others_prove_something_by_it() -> None:
         assert judge(mutant.claim, changed).verdict is Verdict.REFUTED
 
 
-@pytest.mark.parametrize("label", ["rotating_turn", "unturned_turn", "half_a_turn_before"])
+ALIKE = [
+    pytest.param(label, marks=pytest.mark.night) for label in ("unturned_turn", "rotating_turn")
+]
+
+
+@pytest.mark.parametrize("label", ["half_a_turn_before", *ALIKE])
 def test_an_equation_is_changed_where_it_defines_a_function_with_a_slope(label: str) -> None:
     """What `decrease_of_bodies` rests on: with another equation the slope is another."""
     score = verify_mutants([label], 5)
