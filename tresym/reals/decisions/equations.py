@@ -218,11 +218,12 @@ def _split(claim: Comparison, statement: Statement, decided: Decide) -> Answer |
     for pair in statement.equations:
         left, right = pair
         factors = numerator_factors(left - right)
-        if factors is None or (len(factors) == 1 and not needs((left - right,))):
-            continue
+        links = tuple(bound(*part) for part in needs((left, right)))
+        new = not {*links} <= {*statement.given.comparisons}
+        if factors is None or (len(factors) == 1 and not new):
+            continue  # the only case is the equation itself, under the same conditions
         zero = (f for f in factors if sign(f, statement.given, "!=") not in PROVING["!="])
         cases = [Case(None, (), ((factor, ZERO),)) for factor in zero]
-        links = tuple(bound(*part) for part in needs((left, right)))
         rest = _without(statement, pair)
         return _by_cases(claim, replace(rest, given=rest.given & Given(links)), "", cases, decided)
     return None
