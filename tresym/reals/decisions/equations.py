@@ -219,9 +219,12 @@ def _split(claim: Comparison, statement: Statement, decided: Decide) -> Answer |
         left, right = pair
         factors = numerator_factors(left - right)
         links = tuple(bound(*part) for part in needs((left, right)))
-        new = not {*links} <= {*statement.given.comparisons}
-        if factors is None or (len(factors) == 1 and not new):
-            continue  # the only case is the equation itself, under the same conditions
+        if factors is None or (len(factors) == 1 and not links):
+            continue
+        if factors in ([left - right], [right - left]) and {*links} <= {
+            *statement.given.comparisons
+        }:
+            continue  # the only case is this equation, under the same conditions
         zero = (f for f in factors if sign(f, statement.given, "!=") not in PROVING["!="])
         cases = [Case(None, (), ((factor, ZERO),)) for factor in zero]
         rest = _without(statement, pair)
