@@ -10,15 +10,10 @@ from typing import Any, NamedTuple
 from tresym.reals.cross_check import STOPPED
 from tresym.reals.decisions.answer import Answer, Decide, exact_text, refuted, worst
 from tresym.reals.decisions.claim_cross_check import attack
-from tresym.reals.decisions.claim_parsing import (
-    Comparison,
-    Statement,
-    functions,
-    implied_integers,
-    read,
-)
+from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.decisions.equalities import decide_equality
 from tresym.reals.decisions.identity import JUMP
+from tresym.reals.decisions.statement import Comparison, Statement, functions, implied_integers
 from tresym.reals.decisions.variable_exponents import beyond_positive_bases, holds_powers
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate

@@ -20,10 +20,10 @@ from itertools import islice
 from typing import Any
 
 from tresym.reals.decisions.answer import Answer, Decide, exact_text, worst
-from tresym.reals.decisions.claim_parsing import Comparison, Statement
 from tresym.reals.decisions.equation_solutions import Case, solved
 from tresym.reals.decisions.ideals import follows, numerator_factors
 from tresym.reals.decisions.readable_witnesses import constants_hold, exact_witness
+from tresym.reals.decisions.statement import Comparison, Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate, stands
 from tresym.reals.domain.newton import points_on
