@@ -764,6 +764,55 @@ Ltac all_below m := lazymatch goal with |- up_all ?r (?e ^ 2) * _ <= _ =>
   unfold up_all, up_exp, up_turn, low_sum, up_root, up_sine, up_time;
   interval with (i_bisect u, i_bisect r, i_depth 30) end.
 
+(* Bounds on boxes. *)
+Lemma sinh_above x : 0 <= x -> x <= sinh x.
+Proof.
+  intros X; enough (0 <= sinh x - x) by lra; apply (from_left_ge (fun t => sinh t - t) (fun t => cosh t - 1) 0 x).
+  - exact X.
+  - intros t _; eapply d_eq; [exact (d_minus sinh (fun u => u) t _ _ (d_sinh (fun u => u) t 1 (d_id t)) (d_id t)) |]; cbv beta; over_reals; ring.
+  - intros t _; pose proof (cosh_above t); lra.
+  - rewrite sinh_0; lra.
+Qed.
+Lemma tanh_share x y : 0 <= x -> x <= y -> 0 < y -> x * tanh y <= y * tanh x.
+Proof.
+  intros X L Y; enough (0 <= y * tanh x - x * tanh y) by lra.
+  apply (concave (fun t => y * tanh t - t * tanh y) (fun t => y * / (cosh t * cosh t) - tanh y)
+    (fun t => y * (- 2 * sinh t * / (cosh t * cosh t * cosh t))) 0 y x).
+  - lra.
+  - intros t _; pose proof (cosh_pos t); eapply d_eq; [exact (d_minus (fun u => y * tanh u) (fun u => u * tanh y) t _ _ (d_mult (fun _ => y) tanh t _ _ (d_const y t) (d_tanh (fun u => u) t 1 (d_id t))) (d_mult (fun u => u) (fun _ => tanh y) t _ _ (d_id t) (d_const _ t))) |]; cbv beta; over_reals; field; lra.
+  - intros t _; pose proof (cosh_pos t); assert (0 < cosh t * cosh t) by nra; pose proof (d_cosh (fun u => u) t 1 (d_id t)) as DC; eapply d_eq; [exact (d_minus (fun u => y * / (cosh u * cosh u)) (fun _ => tanh y) t _ _ (d_mult (fun _ => y) (fun u => / (cosh u * cosh u)) t _ _ (d_const y t) (d_inv (fun u => cosh u * cosh u) t _ (d_mult cosh cosh t _ _ DC DC) ltac:(lra))) (d_const _ t)) |]; cbv beta; over_reals; field; lra.
+  - intros t T; pose proof (cosh_pos t); assert (0 <= sinh t) by (pose proof (sinh_above t (proj1 T)); lra).
+    assert (0 < / (cosh t * cosh t * cosh t)) by positive; set (j := / (cosh t * cosh t * cosh t)) in *.
+    assert (0 <= sinh t * j) by (apply Rmult_le_pos; lra); nra.
+  - rewrite tanh_0; lra.
+  - lra.
+Qed.
+Lemma atan_share c z : 0 <= c <= 1 -> 0 <= z -> c * atan z <= atan (c * z).
+Proof.
+  intros C Z; enough (0 <= atan (c * z) - c * atan z) by lra.
+  apply (concave (fun s : R => atan (s * z) - s * atan z) (fun s => z * / (1 + (s * z) ^ 2) - atan z)
+    (fun s => - 2 * s * z ^ 3 * / (1 + (s * z) ^ 2) ^ 2) 0 1 c).
+  - exact C.
+  - intros t _; auto_derive; [exact I | field; nra].
+  - intros t _; auto_derive; [nra | field; nra].
+  - intros t T; assert (0 < / (1 + (t * z) ^ 2) ^ 2) by (apply Rinv_0_lt_compat; nra).
+    set (j := / _) in *; assert (0 <= z ^ 3) by (apply pow_le; lra).
+    assert (0 <= t * z ^ 3) by (apply Rmult_le_pos; lra); assert (0 <= t * z ^ 3 * j) by (apply Rmult_le_pos; lra); lra.
+  - rewrite Rmult_0_l, atan_0; lra.
+  - rewrite Rmult_1_l; lra.
+Qed.
+Lemma atan_difference x y z : 0 < x -> 0 < y -> z = / (1 + x * y) * (x - y) -> atan z = (-1) * atan y + atan x.
+Proof.
+  intros X Y E; pose proof (atan_bound x); pose proof (atan_bound y).
+  pose proof (atan_above x X); pose proof (atan_above y Y); apply atan_unique; [lra |].
+  replace ((-1) * atan y + atan x) with (atan x - atan y) by ring.
+  rewrite sin_minus, cos_minus, E; assert (P : 0 < 1 + x * y) by nra.
+  assert (CX : 0 < cos (atan x)) by (apply cos_gt_0; lra); assert (CY : 0 < cos (atan y)) by (apply cos_gt_0; lra).
+  assert (SX : sin (atan x) = x * cos (atan x)) by (rewrite <- (sin_over_cos x) at 2; field; lra).
+  assert (SY : sin (atan y) = y * cos (atan y)) by (rewrite <- (sin_over_cos y) at 2; field; lra).
+  rewrite SX, SY; field; lra.
+Qed.
+
 (* A motion that turns: its precession by the angle of the turning, and the level of a half turn. *)
 Definition turned (a b c x : R) : R :=
   / (sqrt ((-1) * c * (b + a * (sin x) ^ 2) + a * b * (cos x) ^ 2))
