@@ -43,9 +43,9 @@ def run(args: argparse.Namespace) -> int:
     from tresym.ledger.verification import verify
     from tresym.reals.processes import cores
     from tresym.report.pages import derivation
-    from tresym.report.pages.article import article
+    from tresym.report.pages.article import article, labels
 
-    report = verify(args.labels, workers=cores())
+    report = verify(args.labels or labels(), workers=cores())
     asked = [report[label] for label in dict.fromkeys(args.labels)]
     refused = derivation.refused(asked) if args.labels and not args.refuted else ()
     if refused:
