@@ -22,6 +22,7 @@ from tresym.report.pages.derivation import prose
 from tresym.report.pages.numbers import named_numbers
 from tresym.report.pages.tables import table, written
 from tresym.report.typesetting.formula_width import width
+from tresym.report.typesetting.markdown_from_latex import markdown_from_latex
 from tresym.report.typesetting.paper_location import place_text
 from tresym.report.typesetting.statements import said
 
@@ -40,14 +41,31 @@ def article(report: Report) -> str:
     Raises:
         InputError: the text no longer fits the verdicts.
     """
+    body = "\n".join(map(_filled(report).filled, templates.names()))
+    return _frame().replace("{{ body }}", body).replace("{{ version }}", tresym.__version__)
+
+
+def _filled(report: Report) -> templates.Templates:
+    """The templates with the verdicts of a report and all other numbers."""
     rows = {row.claim.label: row for row in report.rows}
     pieces: dict[str, Callable[..., str]] = {
         "corrections": lambda: "\n".join(_corrected(rows)),
         "table": lambda name: written(table(name), "latex"),
     }
-    filled = templates.Templates(rows, named_numbers() | _counts(), pieces)
-    body = "\n".join(map(filled.filled, templates.names()))
-    return _frame().replace("{{ body }}", body).replace("{{ version }}", tresym.__version__)
+    return templates.Templates(rows, named_numbers() | _counts(), pieces)
+
+
+def passages(report: Report) -> dict[str, str]:
+    """Return the passages that pages of the site quote, in Markdown, by name."""
+    filled = _filled(report)
+    return {
+        name: markdown_from_latex(filled.fill(text), _link)
+        for name, text in templates.passages().items()
+    }
+
+
+def _link(label: str, letter: str) -> str:
+    return f"[{letter}](/claims/{label}.md){{.mark}}"
 
 
 def labels() -> tuple[str, ...]:
