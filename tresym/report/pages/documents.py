@@ -40,7 +40,12 @@ from tresym.report.typesetting.statements import quoted
 
 def documents() -> Iterator[tuple[str, str]]:
     """Yield every generated document as its path below docs/generated and its text."""
-    report = verify(workers=cores())
+    yield from pages(verify(workers=cores()))
+    yield from drawn()
+
+
+def pages(report: Report) -> Iterator[tuple[str, str]]:
+    """Yield the documents of the ledger and of stored measurements."""
     yield "derivation.tex", article(report)
     for name, text in passages(report).items():
         yield f"passages/{name}.txt", text
@@ -57,7 +62,9 @@ def documents() -> Iterator[tuple[str, str]]:
     measured_tests = [*map(saved.load, ("guards", "hunts", "mutants"))]
     yield "trust.md", trust(report, *measured_tests)
     yield "trust-details.md", trust_details(*measured_tests)
-    yield from drawn()
+    yield "tables/deciding.md", measured(saved.load("check"))
+    yield "tables/kinds.md", by_kind(saved.load("kinds"))
+    yield "tables/papers.md", by_source(saved.load("papers"))
 
 
 def drawn() -> Iterator[tuple[str, str]]:
@@ -70,9 +77,6 @@ def drawn() -> Iterator[tuple[str, str]]:
         found = table(name)
         yield f"tables/{name}.md", written(found, "markdown")
         yield f"tables/{name}.tex", written(found, "latex")
-    yield "tables/deciding.md", measured(saved.load("check"))
-    yield "tables/kinds.md", by_kind(saved.load("kinds"))
-    yield "tables/papers.md", by_source(saved.load("papers"))
 
 
 def ledger(report: Report) -> str:
