@@ -17,6 +17,7 @@ from tresym.manuscript.source import Display
 from tresym.manuscript.terms import Head, base_of, unknown_in, variables_of_integrals
 from tresym.reals.decisions.claim_parsing import chained
 from tresym.reals.language.binders import antiderivative, is_infinite, outermost
+from tresym.reals.language.calls import UNKNOWN
 from tresym.reals.language.expression import (
     DOTS,
     Expr,
@@ -29,7 +30,7 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.language.latex_operands import Piece
-from tresym.reals.language.parsing import UNKNOWN, Compared
+from tresym.reals.language.parsing import Compared
 from tresym.reals.numbers.exact import InputError, parse_number
 
 DEFINED, ASSUMED, EQUATION, UNREAD = "DEFINED", "ASSUMED", "EQUATION", "UNREAD"

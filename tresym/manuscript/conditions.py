@@ -11,6 +11,7 @@ from tresym.manuscript.display import STRANGE, Said
 from tresym.manuscript.terms import Head, head_of, read_term
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.binders import elementary
+from tresym.reals.language.calls import INFINITY, INTEGERS
 from tresym.reals.language.expression import (
     HALF,
     ONE,
@@ -26,7 +27,7 @@ from tresym.reals.language.expression import (
 from tresym.reals.language.formula import NEGATED
 from tresym.reals.language.latex import read_latex
 from tresym.reals.language.latex_cursor import Author
-from tresym.reals.language.parsing import INFINITY, INTEGERS, Compared
+from tresym.reals.language.parsing import Compared
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 

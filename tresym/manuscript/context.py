@@ -15,6 +15,7 @@ from tresym.manuscript.kinds import Uses
 from tresym.manuscript.scopes import Restriction, Scopes
 from tresym.manuscript.terms import Head, base_of, is_plain, read_term, unknown_in
 from tresym.reals.language.binders import elementary
+from tresym.reals.language.calls import INTEGERS
 from tresym.reals.language.expression import (
     BINDERS,
     DOTS,
@@ -30,7 +31,7 @@ from tresym.reals.language.expression import (
 )
 from tresym.reals.language.latex_cursor import Author, Function
 from tresym.reals.language.latex_tokens import tokenize
-from tresym.reals.language.parsing import INTEGERS, Compared
+from tresym.reals.language.parsing import Compared
 from tresym.reals.numbers.exact import InputError
 
 _LETTER_E = re.compile(

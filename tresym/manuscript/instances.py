@@ -13,6 +13,7 @@ import re
 from collections.abc import Iterator, Mapping
 
 from tresym.reals.language.binders import outermost
+from tresym.reals.language.calls import FACTORIAL
 from tresym.reals.language.expression import (
     BINDERS,
     LEAVES,
@@ -26,7 +27,7 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.parsing import FACTORIAL, Compared
+from tresym.reals.language.parsing import Compared
 
 _TERM = re.compile(r"(?:[a-zA-Z]|[a-z]{2,7})_([a-zA-Z]\w*)")
 _FUNCTIONS = re.compile(r"[fghuvwFGHUV][1-9]?")

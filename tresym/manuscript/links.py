@@ -50,11 +50,12 @@ from tresym.manuscript.terms import (
 )
 from tresym.reals.decisions.claim_parsing import chained
 from tresym.reals.language.binders import elementary, outermost
+from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import DOTS, Expr, symbol, symbols
 from tresym.reals.language.formula import NEGATED
 from tresym.reals.language.latex_operands import Piece
 from tresym.reals.language.latex_tokens import RELATIONS
-from tresym.reals.language.parsing import INFINITY, Compared, parse_given
+from tresym.reals.language.parsing import Compared, parse_given
 from tresym.reals.numbers.exact import InputError
 
 Group: TypeAlias = tuple[Said, list[Said]]

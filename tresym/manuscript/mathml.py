@@ -5,9 +5,10 @@ from __future__ import annotations
 import re
 from html import escape, unescape
 
+from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import DOTS, Expr, number, opened
 from tresym.reals.language.latex_tokens import GREEK
-from tresym.reals.language.parsing import INFINITY, Compared
+from tresym.reals.language.parsing import Compared
 from tresym.reals.numbers.exact import fraction_text
 
 _RELATIONS = {"==": "=", "!=": "≠", "<=": "≤", ">=": "≥", "<": "&lt;", ">": "&gt;", "~": "∼"}

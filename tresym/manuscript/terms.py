@@ -8,11 +8,11 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from tresym.reals.decisions.claim_parsing import functions
+from tresym.reals.language.calls import FACTORIAL
 from tresym.reals.language.expression import Expr
 from tresym.reals.language.latex_cursor import Author, is_letter
 from tresym.reals.language.latex_grammar import Reader
 from tresym.reals.language.latex_operands import Piece
-from tresym.reals.language.parsing import FACTORIAL
 from tresym.reals.numbers.exact import InputError
 
 _DERIVED = re.compile(r"(?:d|partial)\d?([A-Za-z]\w*?)_(?:d|partial)[A-Za-z]\w*|(\w+?)_prime\d?")

@@ -13,8 +13,9 @@ from in_sympy import to_sympy
 import tresym
 from tresym.reals.decisions.known_integrals import TABLES, Standard, standard
 from tresym.reals.domain.conditions import Given
+from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import PI, ZERO
-from tresym.reals.language.parsing import INFINITY, parse
+from tresym.reals.language.parsing import parse
 from tresym.reals.verdict import Verdict
 
 ENTRIES = [(end, entry) for end, table in TABLES.items() for entry in table]

@@ -34,19 +34,19 @@ def numerator(text: str, under: str = "x > 0, y > 0") -> tuple[Field, Poly]:
 )
 def test_proposals(text: str, changed: bool) -> None:
     field, p = numerator(text)
-    unit, parts = canonical(field, p)
+    unit, parts = canonical(field, p, field.factor)
     assert (parts != [(p, 1)]) is changed
     assert field._multiplies(p, unit, parts)
 
 
-LIES: dict[str, Callable[[Any, Poly], Any]] = {
-    "another factor": lambda ring, f: (fmpz(1), [(f + 1, 1)]),
-    "another sign": lambda ring, f: (fmpz(-1), [(f, 1)]),
-    "another unit": lambda ring, f: (fmpz(2), [(f, 1)]),
-    "a square": lambda ring, f: (fmpz(1), [(f, 2)]),
-    "an inverse": lambda ring, f: (fmpz(1), [(f, -1)]),
-    "none": lambda ring, f: (fmpz(1), []),
-    "too many": lambda ring, f: (fmpz(1), [(f, 1), (ring.variables[-1], 1)]),
+LIES: dict[str, Callable[[Any, Poly, Any], Any]] = {
+    "another factor": lambda ring, f, _: (fmpz(1), [(f + 1, 1)]),
+    "another sign": lambda ring, f, _: (fmpz(-1), [(f, 1)]),
+    "another unit": lambda ring, f, _: (fmpz(2), [(f, 1)]),
+    "a square": lambda ring, f, _: (fmpz(1), [(f, 2)]),
+    "an inverse": lambda ring, f, _: (fmpz(1), [(f, -1)]),
+    "none": lambda ring, f, _: (fmpz(1), []),
+    "too many": lambda ring, f, _: (fmpz(1), [(f, 1), (ring.variables[-1], 1)]),
 }
 
 

@@ -16,11 +16,12 @@ from tresym.ledger.audit.tree_comparison import of_claim, of_display, same
 from tresym.ledger.claim import AllOf, Claim, Formally
 from tresym.ledger.statements import Rounds
 from tresym.reals.domain.conditions import Given
+from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.language.formula import MIRRORED
 from tresym.reals.language.latex import Relations, read_latex
 from tresym.reals.language.latex_cursor import Author, Function
-from tresym.reals.language.parsing import INFINITY, as_written, parse_claim
+from tresym.reals.language.parsing import as_written, parse_claim
 from tresym.reals.language.sympy import RELATIONS
 from tresym.reals.numbers.exact import InputError, printed
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language import expression
 from tresym.reals.language.binders import elementary, is_infinite, outermost, worked_out
+from tresym.reals.language.calls import FACTORIAL, INFINITY, INTEGERS
 from tresym.reals.language.expression import (
     LEAVES,
     MINUS_ONE,
@@ -30,16 +31,7 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.language.latex_output import typeset
-from tresym.reals.language.parsing import (
-    FACTORIAL,
-    INFINITY,
-    INTEGERS,
-    NO_INFINITY,
-    Compared,
-    parse,
-    parse_claim,
-    parse_given,
-)
+from tresym.reals.language.parsing import NO_INFINITY, Compared, parse, parse_claim, parse_given
 from tresym.reals.language.sentences import spelled, spelled_conditions
 from tresym.reals.language.sympy import RELATIONS, atoms, unworked
 from tresym.reals.language.unicode_input import plain

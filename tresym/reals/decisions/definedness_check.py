@@ -17,6 +17,7 @@ from tresym.reals.decisions.integer_variables import reduced_in
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.operation_domains import needs
 from tresym.reals.language.binders import is_infinite, outermost
+from tresym.reals.language.calls import FACTORIAL, INFINITY
 from tresym.reals.language.expression import (
     DOTS,
     LEAVES,
@@ -31,7 +32,6 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.parsing import FACTORIAL, INFINITY
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.signs.interior import PROVING
 from tresym.reals.signs.sign import sign_by

@@ -24,8 +24,9 @@ from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.operation_domains import bound, needs
 from tresym.reals.language.binders import is_infinite, outermost
+from tresym.reals.language.calls import FACTORIAL
 from tresym.reals.language.expression import DOTS, ZERO, Expr, symbols
-from tresym.reals.language.parsing import FACTORIAL, parse
+from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.resource_limits import collecting_seldom

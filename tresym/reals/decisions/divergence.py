@@ -17,6 +17,7 @@ from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.integer_variables import reduced_in
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.operation_domains import operations
+from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import (
     ONE,
     PI,
@@ -29,7 +30,6 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.language.like_terms import scaled
-from tresym.reals.language.parsing import INFINITY
 from tresym.reals.verdict import Verdict
 
 EIGHTHS = (0, 1, 2, 3, 5)

@@ -19,6 +19,7 @@ from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.readable_witnesses import constants_hold
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import outermost
+from tresym.reals.language.calls import FACTORIAL
 from tresym.reals.language.expression import (
     ONE,
     ZERO,
@@ -32,7 +33,6 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.parsing import FACTORIAL
 from tresym.reals.verdict import Verdict
 
 MOST, FAR, LOOKED_AT = 600, 50, 6

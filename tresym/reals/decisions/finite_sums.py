@@ -27,6 +27,7 @@ from tresym.reals.decisions.readable_witnesses import constants_hold, tidied
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.operation_domains import operations
 from tresym.reals.language.binders import outermost, total
+from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import (
     LEAVES,
     ONE,
@@ -45,7 +46,6 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.parsing import INFINITY
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.signs.definedness import is_lasting
 from tresym.reals.signs.sign import sign

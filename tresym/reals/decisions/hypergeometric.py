@@ -15,6 +15,7 @@ from flint import arb, fmpq, fmpq_poly, fmpz, fmpz_poly
 
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
+from tresym.reals.language.calls import FACTORIAL, INFINITY
 from tresym.reals.language.expression import (
     LEAVES,
     ONE,
@@ -31,7 +32,6 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.parsing import FACTORIAL, INFINITY
 from tresym.reals.normal.at_point import equal_at
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError

@@ -35,6 +35,7 @@ from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate, stands
 from tresym.reals.domain.operation_domains import bound, needs, singularities
 from tresym.reals.language.binders import elementary, outermost
+from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import (
     HALF,
     LEAVES,
@@ -58,7 +59,6 @@ from tresym.reals.language.expression import (
 )
 from tresym.reals.language.formula import NEGATED
 from tresym.reals.language.like_terms import collected
-from tresym.reals.language.parsing import INFINITY
 from tresym.reals.language.solve import solutions
 from tresym.reals.normal.to_expression import normal_form
 from tresym.reals.numbers.arithmetic import ball_precision

@@ -18,6 +18,7 @@ from tresym.reals.decisions.identity import decide
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.binders import elementary
+from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import (
     LEAVES,
     ONE,
@@ -32,7 +33,7 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.parsing import INFINITY, parse, parse_given
+from tresym.reals.language.parsing import parse, parse_given
 from tresym.reals.normal.to_expression import in_lowest_terms
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError

@@ -27,6 +27,7 @@ from tresym.reals.decisions.identity import decide
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.binders import elementary, total
+from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import (
     LEAVES,
     MINUS_ONE,
@@ -44,7 +45,7 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.parsing import INFINITY, parse
+from tresym.reals.language.parsing import parse
 from tresym.reals.language.solve import solutions
 from tresym.reals.normal.to_expression import in_lowest_terms
 from tresym.reals.numbers.arithmetic import ball_precision

@@ -30,6 +30,7 @@ from tresym.reals.decisions.readable_witnesses import constants_hold, simple_poi
 from tresym.reals.domain.binder_values import jumps
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import elementary, outermost, worked_out
+from tresym.reals.language.calls import FACTORIAL, INFINITY
 from tresym.reals.language.expression import (
     DOTS,
     ONE,
@@ -41,7 +42,7 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.language.formula import NEGATED
-from tresym.reals.language.parsing import FACTORIAL, INFINITY, parse, parse_claim
+from tresym.reals.language.parsing import parse, parse_claim
 from tresym.reals.normal.at_point import equal_at
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError

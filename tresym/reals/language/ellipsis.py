@@ -17,6 +17,7 @@ from math import factorial
 from flint import fmpq, fmpz
 
 from tresym.reals.language.binders import total
+from tresym.reals.language.calls import FACTORIAL, INFINITY, call
 from tresym.reals.language.expression import (
     DOTS,
     LEAVES,
@@ -32,7 +33,6 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.parsing import FACTORIAL, INFINITY, call
 from tresym.reals.numbers.exact import InputError
 
 FIRST, SEEN, HIGHEST = 4, 2, 4

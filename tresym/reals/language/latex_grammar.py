@@ -17,6 +17,7 @@ from tresym.reals.language.binders import (
     outermost,
     total,
 )
+from tresym.reals.language.calls import INFINITY, call
 from tresym.reals.language.expression import (
     DOTS,
     MAX_DERIVATIVES,
@@ -79,7 +80,7 @@ from tresym.reals.language.latex_tokens import (
     RELATIONS,
     STOPS,
 )
-from tresym.reals.language.parsing import INFINITY, call, sum_of
+from tresym.reals.language.parsing import sum_of
 from tresym.reals.numbers.exact import InputError
 
 MAX_FACTORIAL = 100

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import (
     HALF,
     ONE,
@@ -16,7 +17,7 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.language.latex_tokens import GREEK
-from tresym.reals.language.parsing import INFINITY, Compared
+from tresym.reals.language.parsing import Compared
 
 RELATIONS = {
     "==": "=",

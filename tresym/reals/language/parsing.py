@@ -31,9 +31,18 @@ from tresym.reals.language.binders import (
     total,
     worked_out,
 )
+from tresym.reals.language.calls import (
+    INFINITE,
+    INFINITY,
+    INTEGERS,
+    KNOWN,
+    UNKNOWN,
+    call,
+    unknown_function_error,
+)
+from tresym.reals.language.ellipsis import meant
 from tresym.reals.language.expression import (
     DOTS,
-    FUNCTIONS,
     MAX_DEPTH,
     MAX_DERIVATIVES,
     ORDERS,
@@ -41,69 +50,25 @@ from tresym.reals.language.expression import (
     E,
     Expr,
     add,
-    angle,
-    apply,
-    extreme,
     multiply,
     number,
     power,
-    sqrt,
     symbol,
     symbols,
     unknown,
 )
-from tresym.reals.language.suggestions import about_function, about_name, hint
+from tresym.reals.language.suggestions import about_name, hint
 from tresym.reals.numbers.exact import InputError, parse_number
 
 MAX_CHARACTERS = 30_000
-
-_ALIASES = {"ln": "log", "Abs": "abs", "sgn": "sign"} | {
-    f"arc{name}": f"a{name}"
-    for name in (
-        *("sin", "cos", "tan", "cot", "sec", "csc"),
-        *("sinh", "cosh", "tanh", "coth", "sech", "csch"),
-    )
-}
 _NOT_REAL = frozenset(("I", "oo", "zoo", "nan", "inf", "infinity", "Infinity"))
-_RECIPROCALS = {
-    "asec": "acos",
-    "acsc": "asin",
-    "acot": "atan",
-    "asech": "acosh",
-    "acsch": "asinh",
-    "acoth": "atanh",
-}
-_GUDERMANNIAN: dict[str, Callable[[Expr], Expr]] = {
-    "gd": lambda x: 2 * apply("atan", apply("tanh", x / 2)),
-    "agd": lambda x: apply("asinh", apply("tan", x)),
-}
-"""Source: DLMF 4.23.39 and 4.23.41."""
 _INTEGER = re.compile(r"\b(\w+)\s+(?:is\s+)?(?:an\s+)?integer\b")
 _EQUALS = re.compile(r"(?<![=<>!~:])=(?![=<>])")
 _LONG_INTEGER = re.compile(r"(?<![\w.])(\d{4000,})(?![\w.])")
 """Python's parser rejects integers with more digits, but accepts them as decimals."""
-_FOLDED = {"max": 1, "min": -1, "Max": 1, "Min": -1}
-KNOWN = FUNCTIONS | _ALIASES.keys() | _RECIPROCALS.keys() | _FOLDED.keys()
 ORDER_NAMES = frozenset("jkmnN")
 """Names allowed as the order of a derivative; with others diff(f, x, y) may be a mixed one."""
-KNOWN |= {"sqrt", "atan2", "diff", "Derivative", *_GUDERMANNIAN}
-"""The names of functions."""
-UNKNOWN = re.compile(r"(?:[fghuvwyzFGHUVW]|phi|psi|theta|Phi|Psi)(?:_?\d)?|fn_\w+|factorial")
-"""The names of arbitrary functions, and ``factorial``.
-
-The reader of manuscripts writes an arbitrary function of another name with the prefix ``fn_``.
-"""
-FACTORIAL = "factorial"
 TOTALS = {"sum": "sum", "product": "product", "prod": "product"}
-INFINITY = symbol("oo")
-"""Infinity is not a number; it is allowed only as the end of a path or interval, or as a limit."""
-INFINITE = {
-    f"{sign}{name}": -INFINITY if sign == "-" else INFINITY
-    for sign in ("", "+", "-")
-    for name in ("oo", "inf", "infinity", "Infinity")
-}
-INTEGERS = symbol("ZZ")
-"""The set of integers, in conditions such as ``n in ZZ``."""
 
 
 def parse(text: str) -> Expr:
@@ -119,13 +84,8 @@ def parse(text: str) -> Expr:
     e = worked_out(as_written(text))
     for node in outermost(e):
         if node.op == "unknown":
-            raise _unknown_function(node.args[0].args[0])
+            raise unknown_function_error(node.args[0].args[0])
     return e
-
-
-def _unknown_function(name: str) -> InputError:
-    """Return the error for an unknown function."""
-    return InputError(f"unknown function {name}: {about_function(name, KNOWN)}")
 
 
 def as_written(text: str) -> Expr:
@@ -355,37 +315,7 @@ def sum_of(*terms: Expr) -> Expr:
     """
     if DOTS not in terms and -DOTS not in terms:
         return add(*terms)
-    from tresym.reals.language.ellipsis import meant
-
     return meant([DOTS if term == -DOTS else term for term in terms])
-
-
-def call(name: str, values: list[Expr]) -> Expr:
-    """Return a function of the grammar, by any of its names, applied to these arguments.
-
-    Raises:
-        InputError: the function is unknown, or the number of arguments is wrong.
-    """
-    name = _ALIASES.get(name, name)
-    if name == "atan2" and len(values) == 2:
-        return angle(*values)
-    if name == "log" and len(values) == 2:
-        return apply("log", values[0]) / apply("log", values[1])
-    if name in _FOLDED and len(values) > 1:
-        return extreme(_FOLDED[name], values)
-    if name in _GUDERMANNIAN and len(values) == 1:
-        return _GUDERMANNIAN[name](values[0])
-    if name == FACTORIAL and len(values) == 1:
-        return unknown(name, tuple(values))
-    if name not in KNOWN:
-        raise _unknown_function(name)
-    if len(values) != 1:
-        raise InputError(f"{name} takes one argument, {len(values)} given")
-    if name == "sqrt":
-        return sqrt(values[0])
-    if name in _RECIPROCALS:
-        return apply(_RECIPROCALS[name], 1 / values[0])
-    return apply(name, values[0])
 
 
 _RELATIONS: dict[type[ast.cmpop], str] = {

@@ -12,8 +12,8 @@ from __future__ import annotations
 import re
 from itertools import pairwise
 
+from tresym.reals.language.calls import KNOWN, UNKNOWN
 from tresym.reals.language.expression import ORDERS
-from tresym.reals.language.parsing import KNOWN, UNKNOWN
 from tresym.reals.language.spelling_operators import (
     BIG,
     CLOSING,

@@ -17,6 +17,7 @@ from tresym.reals.language.binders import (
     root,
     worked_out,
 )
+from tresym.reals.language.calls import KNOWN, call
 from tresym.reals.language.expression import (
     MAX_DERIVATIVES,
     ORDERS,
@@ -31,7 +32,6 @@ from tresym.reals.language.expression import (
     symbol,
 )
 from tresym.reals.language.formula import Conjunction, Equivalence, Formula, Relation
-from tresym.reals.language.parsing import KNOWN, call
 from tresym.reals.numbers.exact import InputError
 
 

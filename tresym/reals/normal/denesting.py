@@ -6,24 +6,25 @@ A nested square root is written with simpler ones where its norm is a square.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable
 
 from flint import fmpq, fmpz
 
 from tresym.reals.normal.ring import Poly, small_factor
-
-if TYPE_CHECKING:
-    from tresym.reals.normal.factors import FactoredRing
+from tresym.reals.normal.sign_equations import SignedRing
+from tresym.reals.numbers.factoring import primes_of
 
 CONJUGATE_TERMS = 10
+Factored = tuple[fmpz, list[tuple[Poly, int]]]
 
 
-def canonical(ring: FactoredRing, f: Poly) -> tuple[fmpz, list[tuple[Poly, int]]]:
+def canonical(ring: SignedRing, f: Poly, factor: Callable[[Poly], Factored]) -> Factored:
     """Write an irreducible ``f`` by its norm and conjugate where a root makes factors ambiguous.
 
     Args:
         ring: the ring of ``f``.
         f: an irreducible polynomial.
+        factor: the canonical factors of a smaller polynomial.
 
     Returns:
         A unit and factors with exponents, which may be negative. They are a proposal to be
@@ -31,7 +32,7 @@ def canonical(ring: FactoredRing, f: Poly) -> tuple[fmpz, list[tuple[Poly, int]]
     """
     if len(f) == 1 or len(f) > CONJUGATE_TERMS or ring.is_inverse(f):
         return fmpz(1), [(f, 1)]
-    denested = _denested(ring, f)
+    denested = _denested(ring, f, factor)
     if denested is not None:
         return denested
     for position, degree, _ in ring.relations:
@@ -46,7 +47,7 @@ def canonical(ring: FactoredRing, f: Poly) -> tuple[fmpz, list[tuple[Poly, int]]
             square = ring.reduce(x * x)
             sign = square // base
             rest = (parts[0] // base) * sign * x + parts[1]
-            unit, inner = ring.factor(rest)
+            unit, inner = factor(rest)
             return unit, [(x, 1), *inner]
         if parts[0].leading_coefficient() * parts[1].leading_coefficient() > 0:
             continue
@@ -54,14 +55,14 @@ def canonical(ring: FactoredRing, f: Poly) -> tuple[fmpz, list[tuple[Poly, int]]
         norm = ring.reduce(f * conjugate)
         if norm.is_zero() or ring.is_mixed(norm) or norm.gcd(conjugate) != ring.one_poly:
             continue
-        unit, inner = ring.factor(norm)
+        unit, inner = factor(norm)
         if conjugate.leading_coefficient() < 0:
             conjugate, unit = -conjugate, -unit
         return unit, [*inner, (conjugate, -1)]
     return fmpz(1), [(f, 1)]
 
 
-def _denested(ring: FactoredRing, f: Poly) -> tuple[fmpz, list[tuple[Poly, int]]] | None:
+def _denested(ring: SignedRing, f: Poly, factor: Callable[[Poly], Factored]) -> Factored | None:
     """Write ``p + q·A`` as ``(p + n + q·A)²/(2(p + n))`` if its norm ``p² − q²A²`` is ``n²``."""
     for position, degree, _ in ring.relations:
         if degree % 2 or ring.at(position).kind != "root" or f.degrees()[position] < degree // 2:
@@ -76,18 +77,18 @@ def _denested(ring: FactoredRing, f: Poly) -> tuple[fmpz, list[tuple[Poly, int]]
         half = min((p + n, p - n), key=lambda s: (s.total_degree(), len(s), str(s)))
         if ring.is_mixed(half):
             continue
-        unit, factors = ring.factor(half + surd)
-        below, others = ring.factor(half)
+        unit, factors = factor(half + surd)
+        below, others = factor(half)
         number = fmpq(unit**2, 2 * abs(below))
-        primes = [(ring.context.constant(prime), k) for prime, k in ring.primes(number.p)]
-        primes += [(ring.context.constant(prime), -k) for prime, k in ring.primes(number.q)]
+        primes = [(ring.context.constant(prime), k) for prime, k in primes_of(number.p)]
+        primes += [(ring.context.constant(prime), -k) for prime, k in primes_of(number.q)]
         squares = [(part, 2 * k) for part, k in factors]
         inverse = [(part, -k) for part, k in others]
         return fmpz(1 if below > 0 else -1), [*primes, *squares, *inverse]
     return None
 
 
-def _square_root(ring: FactoredRing, p: Poly) -> Poly | None:
+def _square_root(ring: SignedRing, p: Poly) -> Poly | None:
     """Return a polynomial whose square is ``p``, or None."""
     if p.is_zero() or len(p) > CONJUGATE_TERMS:
         return None

@@ -17,7 +17,6 @@ from tresym.reals.normal.ring import Fraction, Poly, UndefinedError, small_facto
 from tresym.reals.normal.sign_equations import SignedRing
 from tresym.reals.numbers.factoring import TooLargeError, primes_of
 
-MAX_PRIME_BITS = 160
 MAX_FACTOR_TERMS = 1000
 
 Factors = dict[str, tuple[Poly, fmpq]]
@@ -65,7 +64,7 @@ class FactoredRing(SignedRing):
             if factor.leading_coefficient() < 0:
                 factor = -factor
                 unit = unit if exponent % 2 == 0 else -unit
-            scale, parts = canonical(self, factor)
+            scale, parts = canonical(self, factor, self.factor)
             if not self._multiplies(factor, scale, parts):
                 scale, parts = fmpz(1), [(factor, 1)]
             unit *= scale**exponent
@@ -102,22 +101,13 @@ class FactoredRing(SignedRing):
         for p, side in ((x.num, 1), (x.den, -1)):
             unit, parts = self.factor(p)
             sign = sign if unit > 0 else -sign
-            for prime, k in self.primes(abs(unit)):
+            for prime, k in primes_of(abs(unit)):
                 parts = [*parts, (self.context.constant(prime), k)]
             for part, k in parts:
                 key = str(part)
                 old = result.get(key, (part, fmpq(0)))[1]
                 result[key] = (part, old + side * k)
         return sign, {key: value for key, value in result.items() if value[1] != 0}
-
-    @staticmethod
-    def primes(n: fmpz) -> list[tuple[fmpz, int]]:
-        """Return the prime factors of ``n`` > 0; a number of many digits is returned unfactored."""
-        if n == 1:
-            return []
-        if n.bit_length() > MAX_PRIME_BITS:
-            return [(n, 1)]
-        return primes_of(n)
 
     # Signs
 

@@ -12,6 +12,8 @@ from flint import fmpz, fmpz_mpoly
 MOST_DEGREES = 2000
 """The maximal degree of a sum that is factored: beyond it FLINT may run for hours without
 reacting to an interrupt."""
+MAX_PRIME_BITS = 160
+"""The maximal size of an integer that is factored."""
 
 
 class TooLargeError(Exception):
@@ -41,7 +43,7 @@ def factors_of(p: fmpz_mpoly) -> tuple[fmpz, list[tuple[fmpz_mpoly, int]]]:
 
 
 def primes_of(n: fmpz) -> list[tuple[fmpz, int]]:
-    """Return FLINT's prime factors of ``n`` > 0 with their exponents.
+    """Return FLINT's prime factors of ``n`` > 0 with their exponents; itself if it is too large.
 
     Raises:
         ArithmeticError: the product of the factors is not ``n``.
@@ -50,6 +52,8 @@ def primes_of(n: fmpz) -> list[tuple[fmpz, int]]:
         >>> primes_of(fmpz(12))
         [(2, 2), (3, 1)]
     """
+    if n.bit_length() > MAX_PRIME_BITS:
+        return [(n, 1)]
     found = [(prime, int(k)) for prime, k in n.factor()]
     if prod((prime**k for prime, k in found), start=fmpz(1)) != n:
         raise ArithmeticError("the product of the factors that FLINT returned is not the input")

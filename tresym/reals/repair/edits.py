@@ -14,6 +14,7 @@ from typing import NamedTuple
 from flint import fmpq
 
 from tresym.reals.language.binders import elementary
+from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import (
     BINDERS,
     DOTS,
@@ -36,7 +37,7 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.parsing import INFINITY, Compared
+from tresym.reals.language.parsing import Compared
 from tresym.reals.numbers.exact import InputError
 
 SIGN, NUMBER, FUNCTION, VARIABLE, FACTOR, WRAPPED, OTHER = range(7)

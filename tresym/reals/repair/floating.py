@@ -14,8 +14,8 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from tresym.reals.language.binders import worked_out
+from tresym.reals.language.calls import FACTORIAL, INFINITY
 from tresym.reals.language.expression import Expr, opened, symbols
-from tresym.reals.language.parsing import FACTORIAL, INFINITY
 
 NAN = math.nan
 Row = list[float]

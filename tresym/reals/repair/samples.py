@@ -6,8 +6,9 @@ import math
 from collections.abc import Mapping, Sequence
 
 from tresym.reals.domain.conditions import Given
+from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import Expr, substitute, symbols
-from tresym.reals.language.parsing import INFINITY, Compared
+from tresym.reals.language.parsing import Compared
 from tresym.reals.repair.floating import Points, Row, UnsupportedError
 
 _LINE: tuple[float, ...] = (

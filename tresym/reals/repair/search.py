@@ -18,6 +18,7 @@ from tresym.reals.decisions.answer import Alternative
 from tresym.reals.decisions.claim_parsing import Path, chained, read_path
 from tresym.reals.decisions.dispatch import decide_claim
 from tresym.reals.language.binders import outermost
+from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import (
     Expr,
     differentiate,
@@ -29,7 +30,7 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.parsing import INFINITY, Compared, parse_claim, parse_given
+from tresym.reals.language.parsing import Compared, parse_claim, parse_given
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.repair.edits import (
     FACTOR,

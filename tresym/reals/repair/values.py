@@ -15,6 +15,7 @@ from fractions import Fraction
 from flint import fmpq, fmpq_mat, fmpz_poly
 
 from tresym.reals.language.binders import elementary, is_infinite, outermost
+from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import (
     FUNCTIONS,
     HALF,
@@ -31,7 +32,7 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.parsing import INFINITY, Compared
+from tresym.reals.language.parsing import Compared
 from tresym.reals.repair.floating import Points, UnsupportedError
 
 CLOSE = 3e-10

@@ -16,6 +16,7 @@ from collections.abc import Callable, Sequence
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.operation_domains import analytic_of, bound, needs, needs_of, operations
 from tresym.reals.language.binders import generalised, outermost
+from tresym.reals.language.calls import FACTORIAL
 from tresym.reals.language.expression import (
     LEAVES,
     MINUS_ONE,
@@ -30,7 +31,6 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.parsing import FACTORIAL
 from tresym.reals.signs.interior import PROVING, is_zero, jumps
 from tresym.reals.signs.sign import Prover, sign_by
 

@@ -7,7 +7,8 @@ import pytest
 from tresym.reals.decisions.asymptotics.limit_values import _is_bounded, limit_of
 from tresym.reals.decisions.identity import decide
 from tresym.reals.domain.conditions import Given
-from tresym.reals.language.parsing import INFINITY, parse
+from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.parsing import parse
 from tresym.reals.verdict import Verdict
 
 LIMITS = [

@@ -16,8 +16,9 @@ from tresym.reals.decisions.asymptotics.path_claims import (
 from tresym.reals.decisions.claim_parsing import LIMIT, Comparison, Path, Statement, read
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
+from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import ZERO
-from tresym.reals.language.parsing import INFINITY, parse
+from tresym.reals.language.parsing import parse
 from tresym.reals.verdict import Verdict
 
 HOLD = [

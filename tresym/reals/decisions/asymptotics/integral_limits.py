@@ -19,6 +19,7 @@ from tresym.reals.decisions.integrals import without_integrals
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.binders import elementary, outermost
+from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import (
     ONE,
     ZERO,
@@ -31,7 +32,6 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.parsing import INFINITY
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.signs.definedness import continuous_on
 from tresym.reals.verdict import Verdict

@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from tresym.reals.decisions.asymptotics.gruntz import Rewritten
 from tresym.reals.decisions.asymptotics.scale import T, UnresolvedError
 from tresym.reals.domain.conditions import Given
+from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import (
     LEAVES,
     ZERO,
@@ -21,7 +22,6 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.parsing import INFINITY
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.signs.definedness import undefined

@@ -21,8 +21,8 @@ from flint import arb
 
 from tresym.reals.cross_check import FALSE, Program, has_meaning, program
 from tresym.reals.decisions.claim_parsing import LIMIT, Comparison, Path
+from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import LEAVES, Expr, symbols
-from tresym.reals.language.parsing import INFINITY
 from tresym.reals.numbers.arithmetic import ball_precision
 
 DISTANCES = (10**3000, 10**300, 10**30, 4000, 1000, 250, 120, 60, 14, 5, 3, 2)

@@ -37,6 +37,7 @@ from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate, stands
 from tresym.reals.domain.operation_domains import needs, operations
 from tresym.reals.domain.sample_points import corners
+from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import (
     LEAVES,
     ONE,
@@ -52,7 +53,6 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.language.formula import NEGATED
-from tresym.reals.language.parsing import INFINITY
 from tresym.reals.normal.to_expression import normal_form
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError

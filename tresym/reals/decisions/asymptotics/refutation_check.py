@@ -22,8 +22,9 @@ from tresym.reals.decisions.asymptotics.numerical_evidence import Ray, fails, os
 from tresym.reals.decisions.claim_parsing import Comparison, Statement
 from tresym.reals.decisions.readable_witnesses import MOST_TRIED, SIMPLE, constants_hold
 from tresym.reals.domain.evaluation import evaluate
+from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import Expr, number, substitute, symbols
-from tresym.reals.language.parsing import INFINITY, parse
+from tresym.reals.language.parsing import parse
 from tresym.reals.normal.at_point import equal_at
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
