@@ -49,6 +49,9 @@ def test_a_changed_verdict_and_a_claim_that_is_gone_are_errors(
 def bare_numbers(text: str) -> list[str]:
     """The numbers that a template states itself, but for 0, 1, 2, indices and exponents."""
     text = re.sub(r"^%.*$", "", text, flags=re.MULTILINE)
+    steps = r"\{\{steps [^}]*\}\}.*?\{\{end\}\}"
+    lines = re.compile(r"(?<=[|}])\s*\d+")
+    text = re.sub(steps, lambda m: lines.sub("", m[0]), text, flags=re.DOTALL)
     text = templates.INLINE.sub("", text)
     text = re.sub(r"\\(?:label|ref|cite|url|href|bibitem)\{[^}]*\}", "", text)
     text = re.sub(r"[_^](?:\d|\{[^{}]*\})", "", text)

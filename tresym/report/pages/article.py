@@ -71,7 +71,10 @@ def _counts() -> dict[str, str]:
     """The counts of the whole ledger, by the verdicts that its claims must get."""
     from tresym.ledger.paper import index
 
+    from tresym.report.pages.coq_page import found as in_coq
+
     claims = all_claims()
+    in_coq_by = Counter(entry.status for entry in in_coq().values())
     found = Counter(claim.expect.value.lower() for claim in claims)
     refuted = [claim for claim in claims if claim.expect.value == "REFUTED"]
     kinds = Counter("stricter" if c.paper_says else "paper" if c.where else "own" for c in refuted)
@@ -81,6 +84,8 @@ def _counts() -> dict[str, str]:
         "lemmas": sum(claim.where is None for claim in claims),
         "corrections": len(corrections()),
         "displays": len(index()["displays"]),
+        "coq": in_coq_by["proved"],
+        "coq_partial": in_coq_by["partial"],
         "resting": sum(bool(claim.axioms) for claim in claims),
     }
     return {name: str(count) for name, count in counts.items()}

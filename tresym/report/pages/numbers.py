@@ -18,7 +18,7 @@ def numbers(report: Report) -> dict[str, str]:
 
     Returns:
         Text by name: counts of the ledger; for each named body ``defect_NAME`` (ε₀ in radians),
-        ``degrees_NAME`` (the same in degrees), ``share_NAME`` (x in Δψ = π(1 − x)) and
+        ``degrees_NAME`` (the same in degrees), ``misses_NAME`` (2ε₀ in degrees), ``share_NAME`` (x in Δψ = π(1 − x)) and
         ``paper_error_NAME`` (error of the paper's formula, in per cent); the smallest defect of
         rigid bodies; and how many operations F and the float64 map take.
     """
@@ -53,6 +53,7 @@ def named_numbers() -> dict[str, str]:
         floor = 2 * (-arb.pi()).exp().atan()
         found["floor"] = digits_of(floor, DIGITS)
         found["floor_degrees"] = digits_of(180 * floor / arb.pi(), 3)
+        found["floor_misses"] = digits_of(360 * floor / arb.pi(), 3)
     return found
 
 
@@ -67,6 +68,7 @@ def _of_body(name: str) -> dict[str, str]:
         values = {
             "defect": digits_of(defect, DIGITS),
             "degrees": digits_of(180 * defect / arb.pi(), 3),
+            "misses": digits_of(360 * defect / arb.pi(), 3),
             "share": digits_of(2 * defect / arb.pi(), 3),
             "paper_error": digits_of(100 * (estimate / defect - 1), 2),
         }

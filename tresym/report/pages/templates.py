@@ -25,7 +25,6 @@ from tresym.ledger.paper import file_of
 from tresym.ledger.verification import Row
 from tresym.reals.numbers.exact import InputError, fraction_text
 from tresym.report.pages.derivation import alone, chosen_lines, prose
-from tresym.report.typesetting.formula_width import width
 from tresym.report.typesetting.latex import expression_latex, says_latex
 from tresym.report.typesetting.statements import in_dollars, said
 
@@ -37,6 +36,8 @@ EXPECTS = re.compile(r"^% expects: (.+)$", re.MULTILINE)
 _UNLABELLED = frozenset(["figure", "number", "count", "piece", "end"])
 """The kinds whose first argument is not the label of a claim."""
 _RELATION = re.compile(r" (=|<|>|\\le|\\ge|\\iff) ")
+SHARE = 0.86
+"""The width of a line of the article relative to that of the ledger."""
 HOLDS = frozenset(["PROVED", *(premise.value for premise in Premise)])
 """The verdicts that a template need not declare."""
 
@@ -149,10 +150,8 @@ class Templates:
 
     def display(self, label: str, *parts: str) -> str:
         """Return the formula of a claim as a numbered equation, with its verdict in the margin."""
-        lines = [alone(self._part(label, part)) for part in parts or ("",)]
-        body = lines[0] if len(lines) == 1 else _gathered(lines)
-        if not parts and body.count(r",\quad ") and width(body) > width("m" * 40):
-            body = _gathered(re.split(r",\\quad ", body))
+        lines = [self._part(label, part) for part in parts or ("",)]
+        body = alone(lines[0], SHARE) if len(lines) == 1 else _aligned(lines)
         return self._equation(label, body)
 
     def _equation(self, label: str, body: str) -> str:
@@ -165,7 +164,7 @@ class Templates:
         An item is the number of a line and the reason in words; without words, no reason is set.
         """
         items = [item.strip().partition(" ") for item in inside.split("|")]
-        body = chosen_lines(self._claim(label), [(int(n), why.strip()) for n, _, why in items])
+        body = chosen_lines(self._claim(label), [(int(n), why.strip()) for n, _, why in items], SHARE)
         return self._equation(label, body)
 
     def theorem(self, label: str, kind: str = "theorem", *, inside: str) -> str:
@@ -188,6 +187,10 @@ class Templates:
     def says(self, label: str) -> str:
         """Return the sentence of a claim."""
         return prose(said(self._claim(label)).says or "")
+
+    def note(self, label: str) -> str:
+        """Return the note of a claim."""
+        return prose(self._claim(label).note)
 
     def value(self, label: str, digits: str) -> str:
         """Return the value of a number claim, rounded to so many significant digits."""
@@ -245,9 +248,10 @@ class Templates:
         return self.pieces[name](*args)
 
 
-def _gathered(lines: list[str]) -> str:
-    body = " \\\\\n".join(lines)
-    return f"\\begin{{gathered}}\n{body}\n\\end{{gathered}}"
+def _aligned(formulas: list[str]) -> str:
+    """Formulas below each other, aligned at their relations."""
+    body = ",\\\\\n".join(_RELATION.sub(r" &\1 ", formula, count=1) for formula in formulas)
+    return f"\\begin{{aligned}}\n{body}\n\\end{{aligned}}"
 
 
 def rounded(x: Decimal, digits: int) -> str:
