@@ -7,6 +7,7 @@ text uses, is article.tex beside this file.
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Callable, Iterator
 from functools import cache
@@ -16,7 +17,7 @@ import tresym
 from tresym.ledger.claim import AllOf, Claim
 from tresym.ledger.paper import Correction, all_claims, corrections
 from tresym.ledger.verification import Report, Row
-from tresym.report.pages import templates
+from tresym.report.pages import ledger_document, templates
 from tresym.report.pages.corrections import FAULTS
 from tresym.report.pages.derivation import prose
 from tresym.report.pages.numbers import named_numbers
@@ -32,21 +33,49 @@ MOST = 2
 """Most true statements that are quoted beside a correction."""
 
 
-def article(report: Report) -> str:
+_FILL = re.compile(r"\{\{ (\w+) \}\}")
+LEDGER = {
+    "": "",
+    "document": r"\ledgertrue",
+    "appendix": r"\ledgertrue",
+}
+"""Where the ledger is, with the setting of the frame: not there, beside the article, or in it."""
+_APPENDIX = r"""\clearpage\appendix\newgeometry{margin=25mm}\small
+\setlength{\parindent}{0pt}\setlength{\parskip}{4pt plus 2pt}"""
+_SEE = re.compile(r"Figure~\\ref\{fig:([\w-]+)\}")
+_FIGURE = re.compile(r"\\begin\{figure\}.*?\\end\{figure\}\n?", re.DOTALL)
+
+
+def article(report: Report, ledger: str = "", figures: bool = True) -> str:
     """Write the whole article in LaTeX.
 
     Args:
         report: verdicts on the claims of :func:`labels`, or on the whole ledger.
+        ledger: a key of ``LEDGER``: where the ledger is that verdicts link to.
+        figures: whether to include the figures, which are read from the folder ``NAME-figures``
+            beside an article ``NAME.tex``.
 
     Raises:
         InputError: the text no longer fits the verdicts.
     """
-    body = "\n".join(map(_filled(report).filled, templates.names()))
-    return _frame().replace("{{ body }}", body).replace("{{ version }}", tresym.__version__)
+    text = "\n".join(map(templates_of(report).filled, templates.names()))
+    if not figures:
+        text = without_figures(text)
+    if ledger == "appendix":
+        text += f"\n{_APPENDIX}\n{ledger_document.body(report)}"
+    commands = ledger_document.commands() if ledger == "appendix" else ""
+    parts = {"commands": commands, "ledger": LEDGER[ledger], "body": text}
+    framed = _FILL.sub(lambda found: parts.get(found[1], found[0]), _frame())
+    return framed.replace("{{ version }}", tresym.__version__)
 
 
-def _filled(report: Report) -> templates.Templates:
-    """The templates with the verdicts of a report and all other numbers."""
+def without_figures(text: str) -> str:
+    """Return the text of the article without figures; it names the commands that draw them."""
+    return _SEE.sub(r"\\texttt{tresym figure \1}", _FIGURE.sub("", text))
+
+
+def templates_of(report: Report) -> templates.Templates:
+    """Return the templates with the verdicts of a report and all other numbers."""
     rows = {row.claim.label: row for row in report.rows}
     pieces: dict[str, Callable[..., str]] = {
         "corrections": lambda: "\n".join(_corrected(rows)),
@@ -57,7 +86,7 @@ def _filled(report: Report) -> templates.Templates:
 
 def passages(report: Report) -> dict[str, str]:
     """Return the passages that pages of the site quote, in Markdown, by name."""
-    filled = _filled(report)
+    filled = templates_of(report)
     return {
         name: markdown_from_latex(filled.fill(text), _link)
         for name, text in templates.passages().items()

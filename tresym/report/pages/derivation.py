@@ -147,7 +147,7 @@ def entry(row: Row, known: Collection[str]) -> str:
     place = prose(place_text(claim)) if claim.where else "lemma"
     head = (
         rf"\paragraph{{{prose(title(claim.label))}}}\label{{claim:{claim.label}}}"
-        rf"\texttt{{\small {_lettered(claim.label)}}}\atend{{"
+        rf"\hypertarget{{claim:{claim.label}}}{{}}\texttt{{\small {_lettered(claim.label)}}}\atend{{"
         rf"\verdict{{{verdict.lower()}}}{{{verdict}}}\ \textsf{{\small {place}}}}}"
     )
     lines = [r"\needspace{4\baselineskip}", head]
