@@ -411,16 +411,25 @@ Proof.
 Qed.
 
 (* What the scripts of limits leave. *)
+Lemma asin_half : asin (1 / 2) = PI / 6.
+Proof. rewrite <- sin_PI6; apply asin_sin; pose proof PI_RGT_0; lra. Qed.
 Ltac at_values := repeat match goal with
   | |- context [exp ?u] => worth exp u 0 1 exp_0
   | |- context [ln ?u] => worth ln u 1 0 ln_1
   | |- context [sin ?u] => worth sin u 0 0 sin_0
   | |- context [cos ?u] => worth cos u 0 1 cos_0
+  | |- context [sin ?u] => worth sin u PI 0 sin_PI
+  | |- context [cos ?u] => worth cos u PI (-1) cos_PI
+  | |- context [sin ?u] => worth sin u (PI / 2) 1 sin_PI2
+  | |- context [cos ?u] => worth cos u (PI / 2) 0 cos_PI2
+  | |- context [sin ?u] => worth sin u (2 * PI) 0 sin_2PI
   | |- context [tan ?u] => worth tan u 0 0 tan_0
   | |- context [atan ?u] => worth atan u 0 0 atan_0
+  | |- context [ln ?u] => worth ln u (exp 1) 1 (ln_exp 1)
   | |- context [atan ?u] => worth atan u 1 (PI / 4) atan_1
   | |- context [asin ?u] => worth asin u 0 0 asin_0
   | |- context [asin ?u] => worth asin u 1 (PI / 2) asin_1
+  | |- context [asin ?u] => worth asin u (1 / 2) (PI / 6) asin_half
   | |- context [sinh ?u] => worth sinh u 0 0 sinh_0
   | |- context [cosh ?u] => worth cosh u 0 1 cosh_0
   | |- context [tanh ?u] => worth tanh u 0 0 tanh_0
@@ -456,6 +465,27 @@ Ltac apart_ := cbv beta; pose proof pi_between;
       end
     | beside
     | interval ].
+Lemma Rpower_less x n : 0 < x -> Rpower x (n + (-1)) = Rpower x n * / x.
+Proof.
+  intros X; rewrite Rpower_plus; f_equal.
+  replace (-1) with (- (1)) by ring; now rewrite Rpower_Ropp, Rpower_1.
+Qed.
+Lemma t_point (f : R -> R) (a : R) : filterlim f (at_point a) (locally (f a)).
+Proof. intros P H; exact (locally_singleton _ _ H). Qed.
+(* Equal arguments are made the same, and signs taken out of even and odd functions. *)
+Ltac same_argument f := repeat match goal with
+  | |- context [f ?u] => match goal with |- context [f ?v] =>
+      tryif constr_eq u v then fail else
+        replace (f u) with (f v) by (f_equal; first [ring | field; repeat split; assumption]) end
+  end.
+Ltac merge :=
+  rewrite ?Rplus_0_l;
+  repeat match goal with
+  | |- context [sin ((-1) * ?u)] => replace (sin ((-1) * u)) with (- sin u) by (rewrite <- sin_neg; f_equal; ring)
+  | |- context [cos ((-1) * ?u)] => replace (cos ((-1) * u)) with (cos u) by (rewrite <- cos_neg; f_equal; ring)
+  end;
+  same_argument sin; same_argument cos; same_argument exp; same_argument ln; same_argument sqrt;
+  same_argument atan; same_argument asin.
 Ltac exp_minus := repeat match goal with
   | |- context [exp ((-1) * ?u)] => replace (exp ((-1) * u)) with (/ exp u) by (rewrite <- exp_Ropp; f_equal; ring)
   | |- context [exp ((-1) * ?a * ?u)] =>
@@ -464,9 +494,11 @@ Ltac exp_minus := repeat match goal with
 Ltac exp_apart := repeat match goal with
   | |- context [exp ?u] => lazymatch goal with H : 0 < exp u |- _ => fail | _ => pose proof (exp_pos u) end
   end.
-Ltac equal_near := cbv beta; pose proof pi_between; exp_minus; exp_apart; first
+Ltac equal_near := cbv beta; pose proof pi_between; merge; exp_minus; exp_apart; first
   [ reflexivity | ring | field; repeat split; apart_
   | unfold Rpower, tan, cot, sec, csc; rewrite ?exp_Ropp, ?exp_plus; first [ring | field; repeat split; first [apply Rgt_not_eq, exp_pos | apart_]]
+  | rewrite Rpower_less by apart_; field; repeat split; apart_
+  | unfold tan; match goal with |- context [sin ?u] => field [(sin_square u)]; repeat split; apart_ end
   | f_equal; solve [ring | field; repeat split; apart_] ].
 Ltac slope_near := eapply d_eq; [derive; cbv beta; apart_ | tidy; first [equal_near | slope]].
 Ltac bounded_near := cbv beta; apply Rabs_le; first [apply SIN_bound | apply COS_bound | split; apart_].

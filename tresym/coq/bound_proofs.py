@@ -7,9 +7,9 @@ parts and L'Hôpital's rule. Equations on the way are lemmas for the provers of 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 
 from tresym.coq.bound_statements import (
+    AND,
     MINUS_INFINITY,
     BoundTheorem,
     count_of,
@@ -20,11 +20,11 @@ from tresym.coq.bound_statements import (
 from tresym.coq.equations import exchanged, nodes
 from tresym.coq.claim_export import theorem
 from tresym.coq.limit_proofs import Limits, StuckLimitError
-from tresym.coq.statement import ATOM, Theorem, comparison, term, variable
+from tresym.coq.statement import ATOM, Theorem, term, variable
 from tresym.coq.theorem_trees import inside
 from tresym.reals.decisions.antiderivatives import suggested, summed
-from tresym.reals.decisions.claim_parsing import Comparison, Derivative
-from tresym.reals.domain.operation_domains import needs
+from tresym.reals.decisions.asymptotics.limit_values import limit_of
+from tresym.reals.decisions.claim_parsing import Comparison, Derivative, Path
 from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.expression import (
     ONE,
@@ -172,11 +172,11 @@ def _of_integral(bound: BoundTheorem, node: Expr, value: Expr, prove: Prove) -> 
     opened = ends_of(node)
     for whole in suggested(f, x, positive):
         derived = differentiate(whole, x)
-        slope = Comparison(whole, "==", f)
         named = Comparison(derived, "==", f, (Derivative(whole, x, 1, derived),))
         regions = [given.comparisons]
-        inner = [(symbol(x), ">", low)] if low != MINUS_INFINITY else []
-        inner += [(symbol(x), "<", high)] if high != INFINITY else []
+        weak = ["=" if any(opened) and not is_open else "" for is_open in opened]
+        inner = [(symbol(x), f">{weak[0]}", low)] if low != MINUS_INFINITY else []
+        inner += [(symbol(x), f"<{weak[1]}", high)] if high != INFINITY else []
         regions.append((*given.comparisons, *inner))
         found = None
         for region in regions[::-1] if any(opened) or not symbols(high - low) else regions[:1]:
@@ -187,22 +187,73 @@ def _of_integral(bound: BoundTheorem, node: Expr, value: Expr, prove: Prove) -> 
                 break
         if found is None:
             continue
-        v = variable(x)
-        function = f"(fun {v} : R => {term(f)})"
-        whole_text = f"(fun {v} : R => {term(whole)})"
         head = found
-        if not any(opened):
-            ends = [substitute(whole, {x: end}) for end in (high, low)]
-            equal = theorem(Comparison(ends[0] - ends[1], "==", value), given.comparisons, "value")
-            script = prove(equal)
-            if script is None:
-                continue
-            head += f"assert (value : {equal.body.strip()}).\n{{ {script} }}\n{_intros(bound)}"
-            proof = (
-                f"apply (by_antiderivative {function} {whole_text}).\n"
-                "{ continues_inside. }\n{ continues_inside. }\n"
-                f"{{ intros {v} X; try ends_of X; apply slope; inside_. }}\n"
-                f"{{ transitivity ({term(ends[0] - ends[1])}); "
-                "[cbv beta; equal_numbers | apply value; inside_]. }"
+        texts = [f"(fun {variable(x)} : R => {term(e)})" for e in (f, whole)]
+        if any(opened):
+            yield from _improper(bound, node, whole, texts, head)
+            continue
+        ends = [substitute(whole, {x: end}) for end in (high, low)]
+        equal = theorem(Comparison(ends[0] - ends[1], "==", value), given.comparisons, "value")
+        script = prove(equal)
+        last = "cbv beta; equal_numbers."
+        if script is not None:
+            head += f"assert (value : {equal.body.strip()}).\n{{ {script} }}\n"
+            same = f"transitivity ({term(ends[0] - ends[1])})"
+            last = f"first [{same}; [cbv beta; equal_numbers | apply value; inside_] | {last[:-1]}]."
+        proof = (
+            f"apply (by_antiderivative {texts[0]} {texts[1]}).\n"
+            "{ continues_inside. }\n{ continues_inside. }\n"
+            f"{{ intros {variable(x)} X; try ends_of X; apply slope; inside_. }}\n{{ {last} }}"
+        )
+        yield head + _intros(bound) + _split(bound, "inside.", proof)
+
+
+def _improper(
+    bound: BoundTheorem, node: Expr, whole: Expr, texts: list[str], head: str
+) -> Iterator[str]:
+    """Yield proofs through the limits of the antiderivative at the ends."""
+    (x,), _ = inside(node)
+    low, high = node.args[1:]
+    v = variable(x)
+    opened = ends_of(node)
+    bounds = [] if low == MINUS_INFINITY else [f"{term(low)} {'<' if opened[0] else '<='} {v}"]
+    bounds += [] if high == INFINITY else [f"{v} {'<' if opened[1] else '<='} {term(high)}"]
+    region = f"(fun {v} : R => {AND.join(bounds) or 'True'})"
+    inner, limits, values = [], [], []
+    for end, is_open, side in ((low, opened[0], 1), (high, opened[1], -1)):
+        if not is_open:
+            inner.append("{ hnf; lra. }")
+            values.append(substitute(whole, {x: end}))
+            limits.append(f"{{ apply (t_point {texts[1]}). }}")
+            continue
+        infinite = end in (INFINITY, MINUS_INFINITY)
+        path = Path(x, None if infinite else end, (-side if infinite else side,))
+        search = Limits(bound.statement.given, "(1 / 4)", "5")
+        try:
+            found = limit_of(whole, x, path.point, path.sides[0], bound.statement.given)
+            if found is None or found in (INFINITY, MINUS_INFINITY):
+                return
+            limits.append(f"{{ {search.along(whole, path, found)} }}")
+        except StuckLimitError:
+            return
+        values.append(found)
+        if infinite:
+            other = low if end == INFINITY else high
+            at = "0" if other in (INFINITY, MINUS_INFINITY) else term(other)
+            inner.append(f"{{ exists ({at}); intros; hnf; lra || (split; lra). }}")
+        else:
+            other = high if side > 0 else low
+            size = "1" if other in (INFINITY, MINUS_INFINITY) else term(high - low)
+            inner.append(
+                f"{{ exists (mkposreal ({size}) ltac:(lra)); intros u B U; "
+                f"change (Rabs (u - {term(end, ATOM)}) < {size}) in B; apply Rabs_def2 in B; lra. }}"
             )
-            yield head + _split(bound, "inside.", proof)
+    shown = " ".join(f"({term(e)})" for e in values)
+    proof = (
+        f"apply (improper {texts[0]} {texts[1]} _ _ {shown}).\n"
+        f"{{ apply (Filter_prod _ _ _ {region} {region}).\n" + "\n".join(inner) + "\n"
+        "cbv beta; intros u w U W z Z; simpl in Z; try ends_of Z; "
+        "(split; [apply slope; inside_ | unfold Rpower; continues; inside_]). }\n"
+        + "\n".join(limits) + "\n{ equal_numbers. }"
+    )
+    yield head + _intros(bound) + _split(bound, "inside.", proof)
