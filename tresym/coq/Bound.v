@@ -436,9 +436,25 @@ Ltac at_values := repeat match goal with
   | |- context [sqrt ?u] => worth sqrt u 1 1 sqrt_1
   | |- context [sqrt ?u] => worth sqrt u 0 0 sqrt_0
   end.
+(* Equal arguments are made the same, and signs taken out of even and odd functions. *)
+Ltac same_argument f := repeat match goal with
+  | |- context [f ?u] => match goal with |- context [f ?v] =>
+      tryif constr_eq u v then fail else
+        replace (f u) with (f v) by (f_equal; first [ring | field; repeat split; assumption]) end
+  end.
+Ltac merge :=
+  rewrite ?Rplus_0_l;
+  repeat match goal with
+  | |- context [sin ((-1) * ?u)] => replace (sin ((-1) * u)) with (- sin u) by (rewrite <- sin_neg; f_equal; ring)
+  | |- context [cos ((-1) * ?u)] => replace (cos ((-1) * u)) with (cos u) by (rewrite <- cos_neg; f_equal; ring)
+  end;
+  same_argument sin; same_argument cos; same_argument exp; same_argument ln; same_argument sqrt;
+  same_argument atan; same_argument asin.
 Ltac equal_numbers :=
   cbv beta; first [reflexivity | ring | lra | field; repeat split; side
     | progress at_values; first [reflexivity | ring | lra | field; repeat split; side]
+    | at_values; rewrite ?Rabs_pos_eq by lra; merge;
+      first [reflexivity | ring | lra | field; repeat split; side]
     | rewrite ?exp_ln, ?ln_exp by side; first [ring | field; side]].
 Ltac equal_limits := apply f_equal; equal_numbers.
 Ltac product_value := first
@@ -460,6 +476,8 @@ Ltac apart_ := cbv beta; pose proof pi_between;
       | |- _ /\ _ => split; apart_
       | |- 0 < _ * _ => apply Rmult_lt_0_compat; apart_
       | |- 0 < / _ => apply Rinv_0_lt_compat; apart_
+      | |- 0 < Rabs _ => apply Rabs_pos_lt; apart_
+      | |- _ > 0 => apply Rlt_gt; apart_
       | |- 0 < sqrt _ => apply sqrt_lt_R0; apart_
       | |- 0 < _ ^ _ => apply pow_lt; apart_
       end
@@ -472,20 +490,8 @@ Proof.
 Qed.
 Lemma t_point (f : R -> R) (a : R) : filterlim f (at_point a) (locally (f a)).
 Proof. intros P H; exact (locally_singleton _ _ H). Qed.
-(* Equal arguments are made the same, and signs taken out of even and odd functions. *)
-Ltac same_argument f := repeat match goal with
-  | |- context [f ?u] => match goal with |- context [f ?v] =>
-      tryif constr_eq u v then fail else
-        replace (f u) with (f v) by (f_equal; first [ring | field; repeat split; assumption]) end
-  end.
-Ltac merge :=
-  rewrite ?Rplus_0_l;
-  repeat match goal with
-  | |- context [sin ((-1) * ?u)] => replace (sin ((-1) * u)) with (- sin u) by (rewrite <- sin_neg; f_equal; ring)
-  | |- context [cos ((-1) * ?u)] => replace (cos ((-1) * u)) with (cos u) by (rewrite <- cos_neg; f_equal; ring)
-  end;
-  same_argument sin; same_argument cos; same_argument exp; same_argument ln; same_argument sqrt;
-  same_argument atan; same_argument asin.
+Lemma t_point_value (f : R -> R) (a v : R) : f a = v -> filterlim f (at_point a) (locally v).
+Proof. intros <-; apply t_point. Qed.
 Ltac exp_minus := repeat match goal with
   | |- context [exp ((-1) * ?u)] => replace (exp ((-1) * u)) with (/ exp u) by (rewrite <- exp_Ropp; f_equal; ring)
   | |- context [exp ((-1) * ?a * ?u)] =>
@@ -502,13 +508,15 @@ Ltac equal_near := cbv beta; pose proof pi_between; merge; exp_minus; exp_apart;
   | f_equal; solve [ring | field; repeat split; apart_] ].
 Ltac slope_near := eapply d_eq; [derive; cbv beta; apart_ | tidy; first [equal_near | slope]].
 Ltac bounded_near := cbv beta; apply Rabs_le; first [apply SIN_bound | apply COS_bound | split; apart_].
-Ltac ends_of X := cbv beta in X; unfold Rmin, Rmax in X;
-  repeat match type of X with context [Rle_dec ?a ?b] => destruct (Rle_dec a b) end.
-Ltac inside := let x := fresh "x" in let X := fresh "X" in intros x X; try ends_of X; cbv beta;
+Ltac ends_here := cbv beta in *; unfold Rmin, Rmax in *;
+  repeat match goal with
+  | X : context [Rle_dec ?a ?b] |- _ => destruct (Rle_dec a b)
+  | X : context [exp ?u] |- _ => new_fact (1 + u <= exp u) ltac:(apply exp_ineq1_le)
+  end.
+Ltac inside_ := cbv beta; try lra; ends_here;
   first [lra | side | apart_ | exfalso; first [lra | nra]].
-Ltac continues_inside := let x := fresh "x" in let X := fresh "X" in intros x X; try ends_of X;
-  unfold Rpower; continues; cbv beta; first [lra | side | apart_ | exfalso; first [lra | nra]].
-Ltac inside_ := cbv beta; first [lra | side | apart_ | exfalso; first [lra | nra]].
+Ltac inside := intros; inside_.
+Ltac continues_inside := intros; unfold Rpower; continues; inside_.
 Lemma sum_induction (c : nat) (f : nat -> R) (low : nat) (F : nat -> R) :
   F O = terms f low c -> (forall n, F (S n) = F n + f (low + (c + n))%nat) ->
   forall n, terms f low (c + n) = F n.
@@ -518,3 +526,4 @@ Proof.
 Qed.
 Lemma natural_minus c n : (c <= n)%nat -> exists m, n = (c + m)%nat.
 Proof. intros H; exists (n - c)%nat; lia. Qed.
+Ltac equal_terms := unfold_whole; first [equal_whole | whole_numbers; equal_numbers].

@@ -27,6 +27,7 @@ from tresym.reals.decisions.asymptotics.limit_values import limit_of
 from tresym.reals.decisions.claim_parsing import Comparison, Derivative, Path
 from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.expression import (
+    MINUS_ONE,
     ONE,
     ZERO,
     Expr,
@@ -100,11 +101,11 @@ def _of_sum(bound: BoundTheorem, node: Expr, value: Expr, prove: Prove) -> Itera
     if less:
         return
     text = f"(fun {variable(k)} : nat => {term(shown)}) {low} (fun {variable(n)} : nat => {term(total)})"
-    whole = f"apply (sum_induction {more} {text}); clear {variable(n)}; [unfold_whole; equal_whole | intros {variable(n)}; "
+    whole = f"apply (sum_induction {more} {text}); clear {variable(n)}; [equal_terms | intros {variable(n)}; "
     script = _step(node, value, n, more, low, bound, prove)
     if script is not None:
         yield f"{script[0]}{head}" + _split(bound, defined, f"{start}{whole}{script[1]}].")
-    yield head + _split(bound, defined, f"{start}{whole}unfold_whole; equal_whole].")
+    yield head + _split(bound, defined, f"{start}{whole}equal_terms].")
 
 
 def _step(
@@ -112,7 +113,7 @@ def _step(
 ) -> tuple[str, str] | None:
     """Return the step of the induction as a lemma on real numbers, and how it is applied."""
     (k,), body = inside(node)
-    if symbols(_exponents(body)) & {k} or symbols(_exponents(value)) & {n} or outermost_any(body, value):
+    if not elementary(body, value) or {k, n} & symbols(_exponents(body) + _exponents(value)):
         return None
     at = Expr("+", (symbol(n), number(low + more))) if low + more else symbol(n)
     left = exchanged(value, {symbol(n): Expr("+", (symbol(n), ONE))})
@@ -135,11 +136,6 @@ def _exponents(e: Expr) -> Expr:
     """Return the sum of the exponents in ``e`` that are not numbers."""
     found = [node.args[1] for node in nodes([e]) if node.op == "^" and node.args[1].op != "number"]
     return Expr("+", (ZERO, *found))
-
-
-def outermost_any(*trees: Expr) -> bool:
-    """Return whether the trees contain factorials or other functions without a real counterpart."""
-    return not elementary(*trees)
 
 
 def _of_series(theorem: BoundTheorem, node: Expr, value: Expr) -> Iterator[str]:
@@ -192,18 +188,19 @@ def _of_integral(bound: BoundTheorem, node: Expr, value: Expr, prove: Prove) -> 
         if any(opened):
             yield from _improper(bound, node, whole, texts, head)
             continue
-        ends = [substitute(whole, {x: end}) for end in (high, low)]
-        equal = theorem(Comparison(ends[0] - ends[1], "==", value), given.comparisons, "value")
+        ends = [exchanged(whole, {symbol(x): end}) for end in (high, low)]
+        gap = Expr("+", (ends[0], Expr("*", (MINUS_ONE, ends[1]))))
+        equal = theorem(Comparison(gap, "==", value), given.comparisons, "value")
         script = prove(equal)
         last = "cbv beta; equal_numbers."
         if script is not None:
             head += f"assert (value : {equal.body.strip()}).\n{{ {script} }}\n"
-            same = f"transitivity ({term(ends[0] - ends[1])})"
+            same = f"transitivity ({term(gap)})"
             last = f"first [{same}; [cbv beta; equal_numbers | apply value; inside_] | {last[:-1]}]."
         proof = (
             f"apply (by_antiderivative {texts[0]} {texts[1]}).\n"
             "{ continues_inside. }\n{ continues_inside. }\n"
-            f"{{ intros {variable(x)} X; try ends_of X; apply slope; inside_. }}\n{{ {last} }}"
+            f"{{ intros {variable(x)} X; apply slope; inside_. }}\n{{ {last} }}"
         )
         yield head + _intros(bound) + _split(bound, "inside.", proof)
 
@@ -224,7 +221,7 @@ def _improper(
         if not is_open:
             inner.append("{ hnf; lra. }")
             values.append(substitute(whole, {x: end}))
-            limits.append(f"{{ apply (t_point {texts[1]}). }}")
+            limits.append(f"{{ apply (t_point_value {texts[1]}). equal_numbers. }}")
             continue
         infinite = end in (INFINITY, MINUS_INFINITY)
         path = Path(x, None if infinite else end, (-side if infinite else side,))
@@ -252,7 +249,7 @@ def _improper(
     proof = (
         f"apply (improper {texts[0]} {texts[1]} _ _ {shown}).\n"
         f"{{ apply (Filter_prod _ _ _ {region} {region}).\n" + "\n".join(inner) + "\n"
-        "cbv beta; intros u w U W z Z; simpl in Z; try ends_of Z; "
+        "cbv beta; intros u w U W z Z; simpl in Z; "
         "(split; [apply slope; inside_ | unfold Rpower; continues; inside_]). }\n"
         + "\n".join(limits) + "\n{ equal_numbers. }"
     )

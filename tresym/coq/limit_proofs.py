@@ -106,7 +106,7 @@ class Limits:
             body = self.tends(plain, value)
             fun = f"(fun t : R => {term(plain)})"
             scripts.append(
-                f"{start}apply (t_beside {self.filter} {fun}).\n"
+                f"{start}apply (t_beside {self.filter} {fun} _ {extended(value)}).\n"
                 f"{{ {self.near} equal_near. }}\n{body}"
             )
         if len(scripts) == 1:
@@ -252,7 +252,7 @@ class Limits:
         """Return the proof through another expression that is equal near the end."""
         text = f"(fun t : R => {term(after)})"
         return (
-            f"apply (t_beside {self.filter} {text}).\n{{ {self.near} equal_near. }}\n"
+            f"apply (t_beside {self.filter} {text} _ {extended(value)}).\n{{ {self.near} equal_near. }}\n"
             f"{self.tends(after, value)}"
         )
 
@@ -305,7 +305,7 @@ class Limits:
         radius = self.beyond if self.far else self.radius
         inner = f"(fun t : R => {term(after)})"
         lines = [
-            f"apply (t_beside {self.filter} {whole}).\n{{ {self.near} equal_near. }}",
+            f"apply (t_beside {self.filter} {whole} _ {extended(value)}).\n{{ {self.near} equal_near. }}",
             f"apply ({rule} {texts} {term(value, ATOM)} {radius}).",
             "{ lra. }",
             "{ intros t T; slope_near. }\n{ intros t T; slope_near. }\n{ intros t T; apart_. }",
@@ -325,7 +325,7 @@ class Limits:
         whole = f"(fun t : R => / ({term(inverse)}))"
         side = "above" if value == INFINITY else "below"
         return (
-            f"apply (t_beside {self.filter} {whole}).\n{{ {self.near} equal_near. }}\n"
+            f"apply (t_beside {self.filter} {whole} _ {extended(value)}).\n{{ {self.near} equal_near. }}\n"
             f"apply (t_inv_{side} {self.filter} (fun t : R => {term(inverse)})); [| {self.near[:-1]}; apart_].\n"
             f"{self.tends(inverse, ZERO)}"
         )
