@@ -17,12 +17,12 @@ from tresym.coq.bound_statements import (
     natural_parts,
     naturally,
 )
-from tresym.coq.equations import exchanged, nodes
 from tresym.coq.claim_export import theorem
+from tresym.coq.equations import exchanged, nodes
 from tresym.coq.limit_proofs import Limits, StuckLimitError
 from tresym.coq.statement import ATOM, Theorem, term, variable
 from tresym.coq.theorem_trees import inside
-from tresym.reals.decisions.antiderivatives import suggested, summed
+from tresym.reals.decisions.antiderivatives import suggested
 from tresym.reals.decisions.asymptotics.limit_values import limit_of
 from tresym.reals.decisions.claim_parsing import Comparison, Derivative, Path
 from tresym.reals.language.binders import elementary, outermost
@@ -97,7 +97,11 @@ def _of_sum(bound: BoundTheorem, node: Expr, value: Expr, prove: Prove) -> Itera
     (k,), body = inside(node)
     names = {n, k}
     shown, total = naturally(body, names), naturally(value, names)
-    start = f"destruct (natural_minus {less} {variable(n)} ltac:(assumption)) as [m ->]. " if less else ""
+    start = (
+        f"destruct (natural_minus {less} {variable(n)} ltac:(assumption)) as [m ->]. "
+        if less
+        else ""
+    )
     if less:
         return
     text = f"(fun {variable(k)} : nat => {term(shown)}) {low} (fun {variable(n)} : nat => {term(total)})"
@@ -164,7 +168,9 @@ def _of_integral(bound: BoundTheorem, node: Expr, value: Expr, prove: Prove) -> 
     (x,), f = inside(node)
     low, high = node.args[1:]
     given = bound.statement.given
-    positive = frozenset(str(c[0]) for c in given.comparisons if c[1] == ">" and c[0].op == "symbol")
+    positive = frozenset(
+        str(c[0]) for c in given.comparisons if c[1] == ">" and c[0].op == "symbol"
+    )
     opened = ends_of(node)
     for whole in suggested(f, x, positive):
         derived = differentiate(whole, x)
@@ -196,7 +202,9 @@ def _of_integral(bound: BoundTheorem, node: Expr, value: Expr, prove: Prove) -> 
         if script is not None:
             head += f"assert (value : {equal.body.strip()}).\n{{ {script} }}\n"
             same = f"transitivity ({term(gap)})"
-            last = f"first [{same}; [cbv beta; equal_numbers | apply value; inside_] | {last[:-1]}]."
+            last = (
+                f"first [{same}; [cbv beta; equal_numbers | apply value; inside_] | {last[:-1]}]."
+            )
         proof = (
             f"apply (by_antiderivative {texts[0]} {texts[1]}).\n"
             "{ continues_inside. }\n{ continues_inside. }\n"
@@ -251,6 +259,7 @@ def _improper(
         f"{{ apply (Filter_prod _ _ _ {region} {region}).\n" + "\n".join(inner) + "\n"
         "cbv beta; intros u w U W z Z; simpl in Z; "
         "(split; [apply slope; inside_ | unfold Rpower; continues; inside_]). }\n"
-        + "\n".join(limits) + "\n{ equal_numbers. }"
+        + "\n".join(limits)
+        + "\n{ equal_numbers. }"
     )
     yield head + _intros(bound) + _split(bound, "inside.", proof)
