@@ -24,20 +24,11 @@ from tresym.coq.statement import ATOM, Theorem, term, variable
 from tresym.coq.theorem_trees import inside
 from tresym.reals.decisions.antiderivatives import suggested
 from tresym.reals.decisions.asymptotics.limit_values import limit_of
-from tresym.reals.decisions.claim_parsing import Comparison, Derivative, Path
+from tresym.reals.decisions.statement import Comparison, Derivative, Path
 from tresym.reals.language.binders import elementary, outermost
-from tresym.reals.language.expression import (
-    MINUS_ONE,
-    ONE,
-    ZERO,
-    Expr,
-    differentiate,
-    number,
-    substitute,
-    symbol,
-    symbols,
-)
-from tresym.reals.language.parsing import INFINITY
+from tresym.reals.language.expression import MINUS_ONE, ONE, ZERO, Expr, number, substitute, symbol, symbols
+from tresym.reals.language.derivatives import differentiate
+from tresym.reals.language.calls import INFINITY
 
 Prove = Callable[[Theorem], "str | None"]
 

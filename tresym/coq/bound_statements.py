@@ -13,31 +13,15 @@ from dataclasses import dataclass
 
 from tresym.coq.statement import ATOM, NotExportedError, comparison, condition, term, variable
 from tresym.coq.theorem_trees import inside
-from tresym.reals.decisions.claim_parsing import (
-    LIMIT,
-    Comparison,
-    Path,
-    Statement,
-    implied_integers,
-)
+from tresym.reals.decisions.claim_parsing import LIMIT
+from tresym.reals.decisions.statement import Comparison, Path, Statement, implied_integers
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.operation_domains import needs
 from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.calls import FACTORIAL
-from tresym.reals.language.expression import (
-    LEAVES,
-    ONE,
-    ZERO,
-    Expr,
-    differentiate,
-    fresh,
-    number,
-    replaced,
-    substitute,
-    symbol,
-    symbols,
-)
-from tresym.reals.language.parsing import INFINITY
+from tresym.reals.language.expression import LEAVES, ONE, ZERO, Expr, fresh, number, replaced, substitute, symbol, symbols
+from tresym.reals.language.derivatives import differentiate
+from tresym.reals.language.calls import INFINITY
 
 MINUS_INFINITY = -INFINITY
 AND = " /\\ "
