@@ -103,7 +103,6 @@ def _frame() -> str:
 def _counts() -> dict[str, str]:
     """The counts of the whole ledger, by the verdicts that its claims must get."""
     from tresym.ledger.paper import index
-
     from tresym.report.pages.coq_page import found as in_coq
 
     claims = all_claims()
