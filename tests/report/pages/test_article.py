@@ -2,6 +2,7 @@
 
 import re
 from itertools import chain
+from pathlib import Path
 
 import pytest
 
@@ -9,9 +10,11 @@ from tresym.ledger.verification import Report
 from tresym.reals.numbers.exact import InputError
 from tresym.report import figures
 from tresym.report.pages import templates
-from tresym.report.pages.article import _counts, article, figures_of, labels
+from tresym.report.pages.article import _counts, article, figures_of, labels, passages
+from tresym.report.typesetting.markdown_from_latex import markdown_from_latex
 
 TEMPLATES = templates.names()
+DOCS = Path(__file__).resolve().parents[3] / "docs"
 
 
 @pytest.fixture(scope="module")
@@ -50,7 +53,7 @@ def bare_numbers(text: str) -> list[str]:
     """The numbers that a template states itself, but for 0, 1, 2, indices and exponents."""
     text = re.sub(r"^%.*$", "", text, flags=re.MULTILINE)
     steps = r"\{\{steps [^}]*\}\}.*?\{\{end\}\}"
-    lines = re.compile(r"(?<=[|}])\s*\d+")
+    lines = re.compile(r"(?<=[|}])\s*\d+(?:\+\d+)*")
     text = re.sub(steps, lambda m: lines.sub("", m[0]), text, flags=re.DOTALL)
     text = templates.INLINE.sub("", text)
     text = re.sub(r"\\(?:label|ref|cite|url|href|bibitem)\{[^}]*\}", "", text)
@@ -91,3 +94,24 @@ def test_every_figure_exists_and_is_referred_to() -> None:
     assert set(figures_of()) <= set(figures.FIGURES)
     words = "".join(chain.from_iterable(map(templates.text_of, TEMPLATES)))
     assert all(rf"\ref{{fig:{name}}}" in words for name in figures_of())
+
+
+def test_passages_for_the_site_are_markdown(report: Report) -> None:
+    found = passages(report)
+    pages = "".join(path.read_text(encoding="utf-8") for path in DOCS.rglob("*.md"))
+    used = set(re.findall(r"generated/passages/([\w-]+)\.txt", pages))
+    assert used <= set(found)
+    for name, text in found.items():
+        outside = re.sub(r"\$\$.*?\$\$|\$[^$]*\$", "", text, flags=re.DOTALL)
+        assert "\\" not in outside, name
+        assert "{{" not in text
+    assert "[R](/claims/d24.md){.mark}" in found["asymptotics"]
+
+
+def test_latex_becomes_markdown() -> None:
+    latex = (
+        r"\noindent\emph{One} formula~\cite{dlmf} \begin{equation*}x^2,\end{equation*} to "
+        r"$2\,\%$\raised{d24}{R} (Section~\ref{sec:off}), see \texttt{a\_b}."
+    )
+    marked = markdown_from_latex(latex, lambda label, letter: f"[{letter}:{label}]")
+    assert marked == "*One* formula \n$$\nx^2\n$$\n to $2\\,\\%$[R:d24], see `a_b`.\n"

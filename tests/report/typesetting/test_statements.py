@@ -100,7 +100,7 @@ PLACES: dict[str, tuple[Callable[[Report, str], str], Callable[[Claim], str]]] =
         lambda r, label: statement(_saved(r)["claims"][label]),
         _in_markdown,
     ),
-    "the findings of the start page": (
+    "an entry of a list": (
         lambda r, label: inline(_saved(r)["claims"][label]),
         _in_markdown,
     ),

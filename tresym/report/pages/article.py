@@ -18,15 +18,19 @@ from tresym.ledger.claim import AllOf, Claim
 from tresym.ledger.paper import Correction, all_claims, corrections
 from tresym.ledger.verification import Report, Row
 from tresym.report.pages import ledger_document, templates
+from tresym.report.pages.corrections import FAULTS
 from tresym.report.pages.derivation import prose
 from tresym.report.pages.numbers import named_numbers
 from tresym.report.pages.tables import table, written
 from tresym.report.typesetting.formula_width import width
+from tresym.report.typesetting.markdown_from_latex import markdown_from_latex
 from tresym.report.typesetting.paper_location import place_text
 from tresym.report.typesetting.statements import said
 
-SHORT = 48
+SHORT = 26
 """Width of a formula that fits a line of text, in letters."""
+MOST = 2
+"""Most true statements that are quoted beside a correction."""
 
 
 _FILL = re.compile(r"\{\{ (\w+) \}\}")
@@ -80,13 +84,27 @@ def templates_of(report: Report) -> templates.Templates:
     return templates.Templates(rows, named_numbers() | _counts(), pieces)
 
 
+def passages(report: Report) -> dict[str, str]:
+    """Return the passages that pages of the site quote, in Markdown, by name."""
+    filled = templates_of(report)
+    return {
+        name: markdown_from_latex(filled.fill(text), _link)
+        for name, text in templates.passages().items()
+    }
+
+
+def _link(label: str, letter: str) -> str:
+    return f"[{letter}](/claims/{label}.md){{.mark}}"
+
+
 def labels() -> tuple[str, ...]:
     """Return the labels of the claims that the article names, each once."""
     named = [
         label for name in templates.names() for label in templates.expected(templates.text_of(name))
     ]
-    listed = [label for c in corrections() for label in c.labels]
-    return tuple(dict.fromkeys((*named, *listed)))
+    wrong = {label for c in corrections() for label in c.labels}
+    true = [each.label for c in all_claims(wrong) if c.label in wrong for each in c.amended_by]
+    return tuple(dict.fromkeys((*named, *sorted(wrong), *true)))
 
 
 def figures_of() -> tuple[str, ...]:
@@ -124,33 +142,37 @@ def _counts() -> dict[str, str]:
 
 
 def _corrected(rows: dict[str, Row]) -> Iterator[str]:
-    yield r"\begin{enumerate}\raggedright"
-    for correction in corrections():
-        if correction.labels[0] in rows:
-            yield from _correction(correction, rows)
-    yield r"\end{enumerate}"
+    """The corrections by weight, each once, with what is true instead."""
+    for number, (fault, heading, meaning) in enumerate(FAULTS):
+        yield rf"\subsection*{{{prose(heading)}}} {prose(meaning)}"
+        yield rf"\begin{{enumerate}}[{'resume,' if number else ''}leftmargin=*,itemsep=2pt]\small\raggedright"
+        for correction in corrections():
+            if rows[correction.labels[0]].claim.fault is fault:
+                yield " ".join(_correction(correction, rows))
+        yield r"\end{enumerate}"
 
 
 def _correction(correction: Correction, rows: dict[str, Row]) -> Iterator[str]:
-    refuted = [rows[label].claim for label in correction.labels if label in rows]
+    refuted = [rows[label].claim for label in correction.labels]
     claim = refuted[0]
-    names = ", ".join(rf"\claim{{{each.label}}}" for each in refuted)
-    yield rf"\item \textbf{{{prose(correction.title)}}} ({prose(place_text(claim))}; {names})."
+    marks = "".join(map(_mark, (rows[each.label] for each in refuted)))
+    yield rf"\item \textbf{{{prose(correction.title)}}} ({prose(place_text(claim))}).{marks}"
     yield rf"Printed: “{prose(correction.quote)}”."
-    why = correction.why or claim.note
-    yield prose(why) if why else ""
+    yield prose(correction.why or claim.note)
     own = [each for each in refuted if each is claim or not isinstance(each.proof, AllOf)]
-    true = dict.fromkeys(each for wrong in own for each in wrong.amended_by)
-    if true:
-        listed = "; ".join(map(_instead, true))
-        yield rf"True instead: {listed}"
+    true = [*dict.fromkeys(each for wrong in own for each in wrong.amended_by)]
+    told = [text + _mark(rows[each.label]) for each in true if (text := _in_a_line(each))][:MOST]
+    if told:
+        yield rf"\emph{{True instead:}} {'; '.join(told)}."
 
 
-def _instead(claim: Claim) -> str:
-    """What is true instead, in one line: its sentence, or its formula if that is short."""
+def _mark(row: Row) -> str:
+    return rf"\raised{{{row.claim.label}}}{{{row.finding.verdict.value[0]}}}"
+
+
+def _in_a_line(claim: Claim) -> str:
+    """A statement in one line of text: its sentence, or its formula if that is short."""
     found = said(claim)
-    name = rf"\claim{{{claim.label}}}"
     if found.says:
-        return f"{prose(found.says.rstrip('.'))} ({name})"
-    short = found.formula and width(found.formula) < SHORT
-    return f"${found.formula}$ ({name})" if short else name
+        return prose(found.says.rstrip("."))
+    return f"${found.formula}$" if found.formula and width(found.formula) < SHORT else ""

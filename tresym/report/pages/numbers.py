@@ -18,9 +18,10 @@ def numbers(report: Report) -> dict[str, str]:
 
     Returns:
         Text by name: counts of the ledger; for each named body ``defect_NAME`` (ε₀ in radians),
-        ``degrees_NAME`` (the same in degrees), ``misses_NAME`` (2ε₀ in degrees), ``share_NAME`` (x in Δψ = π(1 − x)) and
-        ``paper_error_NAME`` (error of the paper's formula, in per cent); the smallest defect of
-        rigid bodies; and how many operations F and the float64 map take.
+        ``degrees_NAME`` (the same in degrees), ``misses_NAME`` (2ε₀ in degrees), ``share_NAME``
+        (x in Δψ = π(1 − x)) and ``paper_error_NAME`` (error of the paper's formula, in
+        per cent); the smallest defect of rigid bodies; and how many operations F and the
+        float64 map take.
     """
     found = {name.lower(): str(count) for name, count in report.counts.items()}
     placed = sum(row.claim.where is not None for row in report.rows)

@@ -24,14 +24,25 @@ from tresym.ledger.finding import Premise
 from tresym.ledger.paper import file_of
 from tresym.ledger.verification import Row
 from tresym.reals.numbers.exact import InputError, fraction_text
-from tresym.report.pages.derivation import alone, chosen_lines, prose
+from tresym.report.pages.derivation import (
+    LINE,
+    aligned_rows,
+    alone,
+    chosen_lines,
+    continued,
+    prose,
+)
+from tresym.report.typesetting.formula_width import width
 from tresym.report.typesetting.latex import expression_latex, says_latex
+from tresym.report.typesetting.line_breaking import broken
 from tresym.report.typesetting.statements import in_dollars, said
 
 INLINE = re.compile(r"\{\{(\w+)((?: [^{}]*)?)\}\}")
 """A placeholder: its kind and its arguments."""
-BLOCK = re.compile(r"\{\{(figure|steps|theorem) ([^{}]*)\}\}(.*?)\{\{end\}\}", re.DOTALL)
+BLOCK = re.compile(r"\{\{(figure|steps|theorem|named) ([^{}]*)\}\}(.*?)\{\{end\}\}", re.DOTALL)
 """A placeholder with a text of its own."""
+PASSAGE = re.compile(r"^% passage: ([\w-]+)\n(.*?)^% end$", re.MULTILINE | re.DOTALL)
+"""A passage that other pages quote: its name and its text."""
 EXPECTS = re.compile(r"^% expects: (.+)$", re.MULTILINE)
 _UNLABELLED = frozenset(["figure", "number", "count", "piece", "end"])
 """The kinds whose first argument is not the label of a claim."""
@@ -62,6 +73,11 @@ def labels_in(text: str) -> tuple[str, ...]:
 def figures_in(text: str) -> tuple[str, ...]:
     """Return the names of the figures in a template."""
     return tuple(m[2].strip() for m in BLOCK.finditer(text) if m[1] == "figure")
+
+
+def passages() -> dict[str, str]:
+    """Return the passages of the templates that other pages quote, by name."""
+    return {m[1]: m[2] for name in names() for m in PASSAGE.finditer(text_of(name))}
 
 
 def expected(text: str) -> dict[str, str]:
@@ -108,6 +124,10 @@ class Templates:
         faults = [*changed(text, self.rows)]
         if faults:
             raise InputError(f"article: {name}.tex no longer fits the ledger: {'; '.join(faults)}")
+        return self.fill(text)
+
+    def fill(self, text: str) -> str:
+        """Return a text with every placeholder replaced, without its comments."""
         text = re.sub(r"^%.*\n", "", text, flags=re.MULTILINE)
         return INLINE.sub(self._inline, BLOCK.sub(self._block, text))
 
@@ -162,14 +182,22 @@ class Templates:
         """Return chosen lines of a derivation, one for each item of the text between bars.
 
         An item is the number of a line and the reason in words; without words, no reason is set.
+        Numbers joined by a plus sign are set in one line.
         """
-        items = [item.strip().partition(" ") for item in inside.split("|")]
-        body = chosen_lines(self._claim(label), [(int(n), why.strip()) for n, _, why in items], SHARE)
+        items = (item.strip().partition(" ") for item in inside.split("|"))
+        body = chosen_lines(self._claim(label), ((n, why.strip()) for n, _, why in items), SHARE)
         return self._equation(label, body)
+
+    def named(self, label: str, part: str = "", *, inside: str) -> str:
+        """Return an equation with the right side of a claim; the text is a name for the left."""
+        limit = SHARE * LINE - width(inside)
+        first, *rest = broken(f"= {self.rhs(label, part)}", limit)
+        return self._equation(label, aligned_rows([f"{inside} &{first}", *map(continued, rest)]))
 
     def theorem(self, label: str, kind: str = "theorem", *, inside: str) -> str:
         """Return a theorem whose sentence is the text, with the verdict of the claim."""
-        return rf"\begin{{{kind}}}\label{{thm:{label}}}{self.verdict(label)} {inside}\end{{{kind}}}"
+        sentence = f"{inside}{self.verdict(label)}"
+        return rf"\begin{{{kind}}}\label{{thm:{label}}}{sentence}\end{{{kind}}}"
 
     def figure(self, name: str, *, inside: str) -> str:
         """Return a figure; the text is its caption."""
@@ -213,7 +241,8 @@ class Templates:
     def witness(self, label: str) -> str:
         """Return the point at which a refuted claim fails."""
         point = self.rows[label].finding.witness or {}
-        return ", ".join(f"${n} = {fraction_text(v)}$" for n, v in point.items())
+        named = ((re.sub(r"(?<=[a-z])(\d)$", r"_\1", n), v) for n, v in point.items())
+        return ", ".join(f"${n} = {fraction_text(v)}$" for n, v in named)
 
     def boxes(self, label: str) -> str:
         """Return the number of boxes on which a bound is proved."""
