@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from tresym.coq import ledger_proofs
+from tresym.coq.export import stamped
 from tresym.coq.ledger_proofs import Memory, lemma_proof
 from tresym.coq.statement import Theorem
 from tresym.reals.language.expression import symbol
@@ -19,10 +20,18 @@ LEMMA = Theorem("lemma", ("x",), (), (), (), Relation(X, "==", X))
 
 
 def test_a_stored_proof_of_a_lemma_is_not_asked_again() -> None:
-    row = {"lemmas": f"{LEMMA.text}\nProof.\nreflexivity.\nQed."}
-    memory = Memory(None, {"claims": {"some": row}})
+    row = {"lemmas": f"{LEMMA.text}\nProof.\nreflexivity.\nQed.", "script": "", "uses": []}
+    store = {"claims": {"some": stamped(row, {"claims": {}}, "8.16")}}
+    memory = Memory(None, store)
     assert lemma_proof(LEMMA, memory) == "reflexivity."
     assert memory.coq is None
+
+
+def test_a_stored_proof_of_a_lemma_that_was_replaced_is_not_taken() -> None:
+    row = {"lemmas": f"{LEMMA.text}\nProof.\nreflexivity.\nQed.", "script": "", "uses": []}
+    held = stamped(row, {"claims": {}}, "8.16")
+    replaced = held | {"lemmas": row["lemmas"].replace("reflexivity", "lra")}
+    assert not Memory(None, {"claims": {"some": replaced}}).known
 
 
 def test_what_is_known_of_a_text_is_kept(tmp_path: Path) -> None:

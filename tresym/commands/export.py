@@ -35,7 +35,7 @@ def add(commands: Commands) -> None:
     parser.add_argument(
         "--check",
         action="store_true",
-        help="compare the assumptions of the theorems, which make printed into said.txt there",
+        help="store that Coq has checked the files there, whose make printed into said.txt",
     )
     parser.set_defaults(run=run)
 
@@ -63,31 +63,53 @@ def run(args: argparse.Namespace) -> int:
 def _search(folder: Path, labels: Sequence[str]) -> dict[str, Any]:
     """Search for missing proofs, or those of the labels, and store each one found."""
     from tresym.coq.candidate_search import version
-    from tresym.coq.export import open_claims, save, stored
-    from tresym.coq.ledger_proofs import Memory, search, witnesses
+    from tresym.coq.export import entries, open_claims, save, stamped, stored
+    from tresym.coq.ledger_proofs import (
+        Memory,
+        premised_points,
+        search,
+        strengthened,
+        witnesses,
+    )
+    from tresym.coq.statement import Theorem
     from tresym.ledger.paper import all_claims
 
     def keep(label: str, row: dict[str, Any]) -> None:
         store = stored()
-        store["claims"][label] = row
+        store["claims"][label] = stamped(row, store, version())
         save(store)
+
+    def say(text: str) -> None:
+        print(text, file=sys.stderr, flush=True)
 
     with closing(Memory(folder / "search.json", stored())) as memory:
         wanted = [c for c in open_claims() if not labels or c.label in labels]
-        search(wanted, memory, keep, lambda text: print(text, file=sys.stderr, flush=True))
+        search(wanted, memory, keep, say)
+        for label, entry in entries(stored(), labels or None).items():
+            whole = entry.theorem
+            if not isinstance(whole, Theorem) or not entry.undefined or entry.left is not None:
+                continue
+            if found := strengthened(label, whole, memory):
+                keep(label, stored()["claims"][label] | {"defined": found})
+                say(f"{label}: {len(found['left'])} of {len(whole.defined)} premises stay")
         store = stored()
         if not labels:
             claims = all_claims()
             rows = {c.label: store["claims"].get(c.label) for c in claims}
             store["claims"] = {label: row for label, row in rows.items() if row}
-            store |= {"coq": version(), "possible": witnesses(claims, memory)}
+            known = entries(store).values()
+            wholes = [e.stronger or e.theorem for e in known if e.undefined]
+            points = witnesses(claims, memory)
+            points |= premised_points((t for t in wholes if isinstance(t, Theorem)), memory)
+            store["possible"] = {k: stamped(r, store, version()) for k, r in points.items()}
             save(store)
     return store
 
 
 def _check(folder: Path, store: dict[str, Any]) -> int:
-    """Compare the assumptions of the theorems with the stored ones, and store them."""
-    from tresym.coq.export import assumed, save
+    """Store that Coq has checked the proofs in the folder, and what they depend on."""
+    from tresym.coq.candidate_search import version
+    from tresym.coq.export import assumed, contents, save, stamped
     from tresym.coq.ledger_statements import name_of
 
     path = folder / "said.txt"
@@ -96,9 +118,15 @@ def _check(folder: Path, store: dict[str, Any]) -> int:
             f"export: {path} does not exist; redirect the output of make in {folder} to it"
         )
     found = assumed(folder, path.read_text(encoding="utf-8"))
+    index = json.loads((folder / "index.json").read_text(encoding="utf-8"))
+    for name, text in contents(index, store)[0].items():
+        if name.endswith(".v") and (folder / name).read_text(encoding="utf-8") != text:
+            raise InputError(
+                f"export: {folder / name} is not what would be exported now; export again, and "
+                "run make"
+            )
     beyond = {name: text for name, text in found.items() if "it rests on the classical" not in text}
     changed = 0
-    index = json.loads((folder / "index.json").read_text(encoding="utf-8"))
     for label, row in store["claims"].items():
         if label not in index:
             continue  # it is not in this folder
@@ -106,6 +134,11 @@ def _check(folder: Path, store: dict[str, Any]) -> int:
         text = found.get(name) or found.get(name.replace("claim_", "from_", 1), "")
         changed += (row.get("assumptions") or text) != text
         row["assumptions"] = text
+        if text and name not in beyond:
+            store["claims"][label] = stamped(row, store, version())
+    for key, row in store["possible"].items():
+        store["possible"][key] = stamped(row, store, version())
+    store["coq"] = version()
     save(store)
     for name, text in beyond.items():
         print(f"{name}: {text}")

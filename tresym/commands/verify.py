@@ -228,6 +228,7 @@ def _headings() -> Text:
 
 
 def _row_lines(row: Row, named: bool, width: int) -> list[Text]:
+    from tresym.report.pages import coq_page
     from tresym.report.typesetting.paper_location import place_text
     from tresym.report.typesetting.plain_text import in_lines
     from tresym.report.typesetting.statements import in_letters
@@ -243,6 +244,8 @@ def _row_lines(row: Row, named: bool, width: int) -> list[Text]:
     if row.requested and named:
         for stated in _stated(claim):
             say(stated)
+        if proved := coq_page.sentence(claim):
+            say(proved)
     if not row.as_expected:
         say(f"expected {claim.expect.value}: {finding.why}", "bold red")
     elif finding.verdict is Verdict.REFUTED:

@@ -10,19 +10,28 @@ Open Scope R_scope.
 
 (* Functions of the language that Coq's library does not have. *)
 
+(* The nth root; of a negative number that of its absolute value with its sign. *)
 Definition root (n : nat) (x : R) : R := sign x * Rpower (Rabs x) (/ INR n).
+(* The cotangent. *)
 Definition cot (x : R) : R := cos x / sin x.
+(* The secant. *)
 Definition sec (x : R) : R := / cos x.
+(* The cosecant. *)
 Definition csc (x : R) : R := / sin x.
+(* The hyperbolic cotangent. *)
 Definition coth (x : R) : R := cosh x / sinh x.
+(* The hyperbolic secant. *)
 Definition sech (x : R) : R := / cosh x.
+(* The hyperbolic cosecant. *)
 Definition csch (x : R) : R := / sinh x.
+(* The inverse hyperbolic cosine. *)
 Definition acosh (x : R) : R := ln (x + sqrt (x ^ 2 - 1)).
+(* The inverse hyperbolic tangent. *)
 Definition atanh (x : R) : R := ln ((1 + x) / (1 - x)) / 2.
+(* The angle of the point (x, y), above -PI and at most PI. *)
 Definition atan2 (y x : R) : R :=
   if Req_EM_T y 0 then if Rlt_dec x 0 then PI else 0 else 2 * atan (y / (sqrt (x ^ 2 + y ^ 2) + x)).
-
-(* The one zero of a function between two ends. *)
+(* x is the only zero of f between low and high. *)
 Definition is_root (f : R -> R) (low high x : R) : Prop :=
   (low < x < high /\ f x = 0) /\ forall y, low < y < high -> f y = 0 -> y = x.
 
@@ -1739,6 +1748,112 @@ Proof.
 Qed.
 Lemma arctangent_rises x y : x <= y -> atan x <= atan y.
 Proof. intros [L|L]; [left; now apply atan_increasing | rewrite L; lra]. Qed.
+
+(* That a part is defined: a sign by structure, and bounds of functions at the leaves. *)
+Lemma share_at_most_one a b : 0 < a -> 0 <= b -> b * / (a + b) <= 1.
+Proof.
+  intros A B; apply (Rmult_le_reg_r (a + b)); [lra |].
+  rewrite Rmult_assoc, Rinv_l by lra; lra.
+Qed.
+Lemma share_under_one a b : 0 < a -> 0 <= b -> b * / (a + b) < 1.
+Proof.
+  intros A B; apply (Rmult_lt_reg_r (a + b)); [lra |].
+  rewrite Rmult_assoc, Rinv_l by lra; lra.
+Qed.
+Lemma other_share_at_most_one a b : 0 <= a -> 0 < b -> a * / (a + b) <= 1.
+Proof.
+  intros A B; apply (Rmult_le_reg_r (a + b)); [lra |].
+  rewrite Rmult_assoc, Rinv_l by lra; lra.
+Qed.
+Lemma quotient_at_most_one a b : 0 < b -> a <= b -> a * / b <= 1.
+Proof.
+  intros B H; apply (Rmult_le_reg_r b); [exact B |]; rewrite Rmult_assoc, Rinv_l by lra; lra.
+Qed.
+Lemma inverse_difference a b : 0 < a -> a <= b -> 0 <= / a + (-1) * / b.
+Proof. intros A H; pose proof (Rinv_le_contravar a b A H); lra. Qed.
+Lemma sqrt_at_most_one u : u <= 1 -> sqrt u <= 1.
+Proof. intros H; rewrite <- sqrt_1; now apply sqrt_le_1_alt. Qed.
+Lemma sqrt_under_one u : u < 1 -> sqrt u < 1.
+Proof.
+  intros H; destruct (Rle_or_lt u 0) as [L|L]; [rewrite sqrt_neg_0 by exact L; lra |].
+  rewrite <- sqrt_1; apply sqrt_lt_1_alt; lra.
+Qed.
+Lemma tanh_pos x : 0 < x -> 0 < tanh x.
+Proof. intros H; rewrite <- tanh_0; now apply increasing_tanh. Qed.
+Lemma tanh_between x : -1 < tanh x < 1.
+Proof.
+  rewrite tanh_law; pose proof (exp_pos x) as P; pose proof (exp_sum x) as S.
+  pose proof (Rinv_0_lt_compat _ P) as I.
+  split; apply (Rmult_lt_reg_r (exp x + / exp x)); trivial; rewrite Rmult_assoc, Rinv_l; lra.
+Qed.
+Lemma atan_pos x : 0 < x -> 0 < atan x.
+Proof. intros H; rewrite <- atan_0; now apply atan_increasing. Qed.
+Lemma sine_square_at_most_one x : 0 <= sin x ^ 2 <= 1.
+Proof. pose proof (SIN_bound x); nra. Qed.
+Lemma cosine_square_at_most_one x : 0 <= cos x ^ 2 <= 1.
+Proof. pose proof (COS_bound x); nra. Qed.
+Ltac at_most_one := first
+  [ assumption | lra
+  | apply share_at_most_one; solve [assumption | lra | positive]
+  | apply other_share_at_most_one; solve [assumption | lra | positive]
+  | apply quotient_at_most_one; lra
+  | match goal with |- ?s * ?a * / ?b <= 1 => apply (quotient_at_most_one (s * a) b); lra end
+  | nra ].
+Ltac under_one := first
+  [ assumption | lra | apply share_under_one; solve [assumption | lra | positive] | nra ].
+Ltac bounds := repeat match goal with
+  | |- context [sqrt ?u] => add (sqrt u < 1) ltac:(apply sqrt_under_one; under_one)
+  | |- context [sqrt ?u] => add (sqrt u <= 1) ltac:(apply sqrt_at_most_one; at_most_one)
+  | |- context [asin ?u] => add (- (PI / 2) <= asin u <= PI / 2) ltac:(apply asin_bound)
+  | |- context [tanh ?u] => add (-1 < tanh u < 1) ltac:(apply tanh_between)
+  | |- context [sin ?u ^ 2] => add (0 <= sin u ^ 2 <= 1) ltac:(apply sine_square_at_most_one)
+  | |- context [cos ?u ^ 2] => add (0 <= cos u ^ 2 <= 1) ltac:(apply cosine_square_at_most_one)
+  end.
+Ltac bounded := facts; bounds; first [assumption | lra | nra].
+Ltac structure leaf :=
+  first [ assumption | lra | lazymatch goal with
+  | |- _ > _ => apply Rlt_gt; structure leaf
+  | |- _ >= _ => apply Rle_ge; structure leaf
+  | |- _ * _ <> 0 => apply Rmult_integral_contrapositive_currified; structure leaf
+  | |- _ ^ _ <> 0 => apply pow_nonzero; structure leaf
+  | |- / _ <> 0 => apply Rinv_neq_0_compat; structure leaf
+  | |- Rabs _ <> 0 => apply Rabs_no_R0; structure leaf
+  | |- _ <> 0 => first [apply Rgt_not_eq, Rlt_gt; structure leaf | apply Rlt_not_eq; leaf ()]
+  | |- 0 < _ * _ => first [apply Rmult_lt_0_compat; structure leaf | leaf ()]
+  | |- 0 < / _ => apply Rinv_0_lt_compat; structure leaf
+  | |- 0 < _ ^ _ => first
+      [apply even_above; [reflexivity | structure leaf] | apply pow_lt; structure leaf | leaf ()]
+  | |- 0 < sqrt _ => apply sqrt_lt_R0; structure leaf
+  | |- 0 < root _ _ => apply root_lt; structure leaf
+  | |- 0 < sinh _ => apply sinh_pos; structure leaf
+  | |- 0 < tanh _ => apply tanh_pos; structure leaf
+  | |- 0 < cosh _ => apply cosh_pos
+  | |- 0 < exp _ => apply exp_pos
+  | |- 0 < PI => exact PI_RGT_0
+  | |- 0 < atan _ => first [apply atan_pos; structure leaf | leaf ()]
+  | |- 0 < asin _ => apply asin_positive; structure leaf
+  | |- 0 < sin _ => first [apply sin_gt_0; structure leaf | leaf ()]
+  | |- 0 < cos _ => first [apply cos_gt_0; structure leaf | leaf ()]
+  | |- 0 < _ + _ => first
+      [ leaf () | apply Rplus_lt_0_compat; structure leaf
+      | apply Rplus_lt_le_0_compat; structure leaf | apply Rplus_le_lt_0_compat; structure leaf ]
+  | |- 0 <= _ * _ => first [apply Rmult_le_pos; structure leaf | leaf ()]
+  | |- 0 <= / ?a + (-1) * / ?b => apply (inverse_difference a b); structure leaf
+  | |- 0 <= / _ => apply Rlt_le, Rinv_0_lt_compat; structure leaf
+  | |- 0 <= _ ^ _ => first [apply even_power; reflexivity | apply pow_le; structure leaf]
+  | |- 0 <= sqrt _ => apply sqrt_pos
+  | |- 0 <= Rabs _ => apply Rabs_pos
+  | |- 0 <= _ + _ => first
+      [leaf () | apply Rplus_le_le_0_compat; structure leaf | apply Rlt_le; structure leaf]
+  | |- 0 <= _ => first [leaf () | apply Rlt_le; structure leaf]
+  | |- _ => leaf ()
+  end ].
+Ltac values := repeat match goal with H : ?x = _ |- _ => is_var x; subst x end.
+Ltac collected := match goal with
+  | |- ?u <> 0 => ring_simplify u | |- 0 < ?u => ring_simplify u | |- 0 <= ?u => ring_simplify u
+  end.
+Ltac definedness := saturate; structure ltac:(fun _ => solve [bounded]).
+
 Lemma jordan t : 0 <= t <= PI / 2 -> t <= PI / 2 * sin t.
 Proof.
   intros T; pose proof PI_RGT_0 as P.

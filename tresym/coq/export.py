@@ -1,25 +1,30 @@
 """Write the ledger as Coq files, one for each part of the proofs, with an index.
 
 The proofs that Coq accepted are stored in ``coq.json`` in the package of proofs, each with a hash
-of its statement. If the statement has changed since, the claim is exported without a proof. A proof
-may apply the theorems of other claims; if one of those is not proved, it becomes a premise, and the
-claim counts as partially proved.
+of its statement and a stamp of all that Coq's answer depends on. If the statement has changed
+since, the claim is exported without a proof. If anything else has changed, the proof is exported,
+so that Coq can check it, but the claim does not count as proved until then. A proof may apply the
+theorems of other claims; if one of those is not proved, it becomes a premise, and the claim counts
+as partially proved.
 """
 
 from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
+from datetime import UTC, datetime
 from importlib import import_module
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from tresym.coq import stamps
 from tresym.coq.candidate_search import assumptions
 from tresym.coq.coqtop import HEAD, prelude
 from tresym.coq.ledger_statements import Joint, lemmas, name_of, stamp, stem, theorem_of
 from tresym.coq.numbers import numbers
-from tresym.coq.statement import NotExportedError, Theorem
+from tresym.coq.statement import NotExportedError, Theorem, condition
 from tresym.ledger.claim import AllOf, Claim
 from tresym.ledger.paper import PAPER, all_claims, file_of, sections
 from tresym.output import check_replaceable, make_folder, write_text
@@ -46,6 +51,9 @@ class Entry(NamedTuple):
         script: a script that Coq accepted, or None.
         premises: labels of the claims whose theorems it applies and that are not proved.
         why: what is missing for a complete proof; empty if nothing is.
+        checked: with which version Coq checked exactly this proof, and when; empty if it did not.
+        left: the numbers of the premises of definedness that stay; None if none was proved.
+        without: the script that proves the theorem without the other premises.
     """
 
     theorem: Theorem | Joint | None
@@ -53,6 +61,24 @@ class Entry(NamedTuple):
     script: str | None
     premises: tuple[str, ...]
     why: str
+    checked: str = ""
+    left: tuple[int, ...] | None = None
+    without: str = ""
+
+    @property
+    def stronger(self) -> Theorem | None:
+        """The theorem without the premises of definedness that are proved, if there are any."""
+        if self.left is None or not isinstance(self.theorem, Theorem):
+            return None
+        return replace(self.theorem, defined=tuple(self.theorem.defined[n] for n in self.left))
+
+    @property
+    def undefined(self) -> tuple[str, ...]:
+        """The conditions of definedness that stay premises, as Coq text."""
+        whole = self.stronger or self.theorem
+        if not isinstance(whole, Theorem) or whole.exists or self.script is None:
+            return ()
+        return tuple(condition(*part) for part in whole.defined)
 
     @property
     def status(self) -> str:
@@ -69,12 +95,15 @@ def stored() -> dict[str, Any]:
     return found
 
 
-def entries(store: Mapping[str, Any], wanted: Iterable[str] | None = None) -> dict[str, Entry]:
-    """Return the theorems of claims, with the proofs stored for exactly these statements.
+def entries(
+    store: Mapping[str, Any], wanted: Iterable[str] | None = None, unchecked: bool = False
+) -> dict[str, Entry]:
+    """Return the theorems of claims, with the proofs that Coq checked for these statements.
 
     Args:
         store: the stored proofs.
         wanted: labels of claims; the claims whose theorems they apply are added. None means all.
+        unchecked: whether proofs whose stamp does not hold count too, to be checked.
     """
     found: dict[str, Entry] = {}
     claims = {claim.label: claim for claim in all_claims()}
@@ -103,6 +132,11 @@ def entries(store: Mapping[str, Any], wanted: Iterable[str] | None = None) -> di
             why = "no proof is stored for this statement"
             found[claim.label] = Entry(whole, "", None, (), why)
             continue
+        seen = stamps.checked(proof_row, applied(proof_row, store), library_text())
+        if not seen and not unchecked:
+            why = "Coq has not checked its stored proof since that or a lemma it uses was changed"
+            found[claim.label] = Entry(whole, "", None, (), why)
+            continue
         open_ = tuple(used for used in proof_row["uses"] if found[used].status != "proved")
         if any(found[used].theorem is None for used in open_):
             found[claim.label] = Entry(
@@ -113,8 +147,54 @@ def entries(store: Mapping[str, Any], wanted: Iterable[str] | None = None) -> di
             found[claim.label] = Entry(whole, "", None, (), "none of its parts is proved")
             continue
         why = f"{', '.join(open_)} not proved" if open_ else ""
-        found[claim.label] = Entry(whole, proof_row["lemmas"], proof_row["script"], open_, why)
+        entry = Entry(whole, proof_row["lemmas"], proof_row["script"], open_, why, seen)
+        if total := proof_row.get("defined"):
+            entry = entry._replace(left=tuple(total["left"]), without=total["script"])
+        found[claim.label] = entry
     return found
+
+
+def strengthened(label: str, known: Mapping[str, Entry]) -> bool:
+    """Whether a theorem with fewer premises of definedness is proved for a claim."""
+    entry = known[label]
+    if isinstance(entry.theorem, Joint):
+        parts = [part.label for part in entry.theorem.parts]
+        return entry.status == "proved" and any(strengthened(part, known) for part in parts)
+    return entry.stronger is not None
+
+
+def proposition(label: str, known: Mapping[str, Entry]) -> str:
+    """Return the name of the statement that is proved for a claim."""
+    return f"{'stronger' if strengthened(label, known) else 'says'}_{stem(label)}"
+
+
+def stated(label: str, known: Mapping[str, Entry]) -> str:
+    """Return the statement that is proved for a claim, as Coq text."""
+    entry = known[label]
+    if isinstance(entry.theorem, Joint) and strengthened(label, known):
+        parts = (proposition(part.label, known) for part in entry.theorem.parts)
+        return "  " + " /\\ ".join(parts)
+    whole = entry.stronger or entry.theorem
+    assert whole is not None
+    return whole.body
+
+
+def library_text() -> str:
+    """Return the text of all lemmas, definitions and tactics that proofs may use."""
+    return prelude() + lemmas()
+
+
+def applied(row: Mapping[str, Any], store: Mapping[str, Any]) -> list[str]:
+    """Return the hashes of the statements of the theorems that a stored proof applies."""
+    rows = store["claims"]
+    return [rows[used]["statement"] if used in rows else "" for used in row.get("uses", ())]
+
+
+def stamped(row: dict[str, Any], store: Mapping[str, Any], coq: str) -> dict[str, Any]:
+    """Return a stored proof with the stamp that says that Coq has checked it today."""
+    day = datetime.now(UTC).date().isoformat()
+    found = stamps.stamp(row, applied(row, store), coq, day, library_text())
+    return row | {"checked": {"coq": coq, "day": day, "stamp": found}}
 
 
 def open_claims() -> list[Claim]:
@@ -131,36 +211,35 @@ def open_claims() -> list[Claim]:
 
 
 def save(store: Mapping[str, Any]) -> None:
-    """Write the stored proofs."""
-    write_text(str(file_of(STORE)), json.dumps(store, indent=0, ensure_ascii=False) + "\n")
+    """Write the stored proofs, sorted by label."""
+    text = json.dumps(store, indent=0, ensure_ascii=False, sort_keys=True)
+    write_text(str(file_of(STORE)), text + "\n")
 
 
-def write(
-    folder: Path, labels: Iterable[str], store: Mapping[str, Any], force: bool = False
-) -> dict[str, Any]:
-    """Write the Coq files into a folder and return the index.
+def contents(
+    labels: Iterable[str], store: Mapping[str, Any]
+) -> tuple[dict[str, str], dict[str, Any]]:
+    """Return the texts of the Coq files by name, and the index.
 
     ``Statements.v`` contains the statements of all claims. One file for each part of the proofs
     contains the proofs, each with the theorems that it applies as premises. ``Ledger.v`` combines
     them.
 
     Args:
-        folder: the folder; it is created if it does not exist.
         labels: labels of claims; all if empty.
         store: the stored proofs.
-        force: whether to replace files that tresym did not write.
 
     Returns:
-        One row for each claim, by label, as written to ``index.json``.
+        The texts, and one row for each claim, by label, as written to ``index.json``.
 
     Raises:
-        InputError: a label is unknown, or the folder cannot be written.
+        InputError: a label is unknown.
     """
     wanted = set(labels)
     claims = {claim.label: claim for claim in all_claims()}
     if wanted - claims.keys():
         raise InputError(f"no claim is labelled {', '.join(sorted(wanted - claims.keys()))}")
-    found = entries(store)
+    found = entries(store, unchecked=True)
     wanted = _behind(wanted, found, store) if wanted else set(claims)
     chosen = {label: e for label, e in found.items() if label in wanted}
     files = {
@@ -184,6 +263,24 @@ def write(
     files["Makefile"] = MAKEFILE
     index = {label: _row(label, e, names[label], store) for label, e in chosen.items()}
     files["index.json"] = json.dumps(index, indent=1, ensure_ascii=False) + "\n"
+    return files, index
+
+
+def write(
+    folder: Path, labels: Iterable[str], store: Mapping[str, Any], force: bool = False
+) -> dict[str, Any]:
+    """Write the Coq files of :func:`contents` into a folder and return the index.
+
+    Args:
+        folder: the folder; it is created if it does not exist.
+        labels: labels of claims; all if empty.
+        store: the stored proofs.
+        force: whether to replace files that tresym did not write.
+
+    Raises:
+        InputError: a label is unknown, or the folder cannot be written.
+    """
+    files, index = contents(labels, store)
     make_folder(str(folder))
     check_replaceable((str(folder / name) for name in files), force)
     for name, text in files.items():
@@ -216,6 +313,9 @@ def statements(chosen: Mapping[str, Entry]) -> str:
     for label, entry in chosen.items():
         if entry.theorem is not None:
             lines.append(f"Definition says_{stem(label)} : Prop :=\n{entry.theorem.body}.\n")
+            if strengthened(label, chosen):
+                text = stated(label, chosen)
+                lines.append(f"Definition stronger_{stem(label)} : Prop :=\n{text}.\n")
     return "\n".join(lines)
 
 
@@ -227,9 +327,17 @@ def _text(label: str, entry: Entry, store: Mapping[str, Any]) -> str:
     says = " -> ".join(f"says_{stem(name)}" for name in (*uses, label))
     taken = f"intros {' '.join(map(name_of, uses))}.\n" if uses else ""
     unfold = "" if isinstance(entry.theorem, Joint) else f"unfold says_{stem(label)}.\n"
-    name = f"from_{stem(label)}" if uses else name_of(label)
+    plain = f"premised_{stem(label)}" if entry.without else name_of(label)
+    name = f"from_{stem(label)}" if uses else plain
     before = f"{entry.lemmas}\n" if entry.lemmas else ""
-    return f"{before}Theorem {name} :\n  {says}.\nProof.\n{taken}{unfold}{entry.script}\nQed.\n"
+    text = f"{before}Theorem {name} :\n  {says}.\nProof.\n{taken}{unfold}{entry.script}\nQed.\n"
+    if entry.without:
+        text += (
+            f"Theorem stronger_from_{stem(label)} :\n  says_{stem(label)} -> "
+            f"stronger_{stem(label)}.\nProof.\nintros premised_{stem(label)}.\n"
+            f"unfold stronger_{stem(label)}.\n{entry.without}\nQed.\n"
+        )
+    return text
 
 
 def closed(chosen: Mapping[str, Entry], parts: Iterable[str], store: Mapping[str, Any]) -> str:
@@ -245,12 +353,9 @@ def closed(chosen: Mapping[str, Entry], parts: Iterable[str], store: Mapping[str
         if entry.script is None:
             continue
         uses = store["claims"][label]["uses"]
-        if uses and not entry.premises:
-            whole = " ".join([f"from_{stem(label)}", *map(name_of, uses)])
-            lines.append(
-                f"Theorem {name_of(label)} : says_{stem(label)}.\nProof.\nexact ({whole}).\nQed."
-            )
-        if _MACHINE.search(f"{entry.lemmas} {entry.script}") or machine & {*uses}:
+        if not entry.premises:
+            lines += _closed(label, uses, chosen)
+        if _MACHINE.search(f"{entry.lemmas} {entry.script} {entry.without}") or machine & {*uses}:
             machine.add(label)
         groups["by_machine" if label in machine else "by_reals"].append(_theorem(label, entry))
     for name, theorems in groups.items():
@@ -258,6 +363,28 @@ def closed(chosen: Mapping[str, Entry], parts: Iterable[str], store: Mapping[str
             lines.append(f"Definition {name} :=\n  ({', '.join(theorems)}).")
             lines.append(f"Print Assumptions {name}.")
     return "\n".join(lines) + "\n"
+
+
+def _closed(label: str, uses: Iterable[str], chosen: Mapping[str, Entry]) -> Iterator[str]:
+    """Yield a theorem with all premises proved, and the stronger one where there is one."""
+
+    def premised(name: str) -> str:
+        return f"premised_{stem(name)}" if strengthened(name, chosen) else name_of(name)
+
+    entry, whole = chosen[label], " ".join([f"from_{stem(label)}", *map(premised, uses)])
+    if [*uses]:
+        yield f"Theorem {premised(label)} : says_{stem(label)}.\nProof.\nexact ({whole}).\nQed."
+    if strengthened(label, chosen):
+        proof = f"(stronger_from_{stem(label)} {premised(label)})"
+        if isinstance(entry.theorem, Joint):
+            proof = conjoined([name_of(part.label) for part in entry.theorem.parts])
+        yield (f"Theorem {name_of(label)} : stronger_{stem(label)}.\nProof.\nexact {proof}.\nQed.")
+
+
+def conjoined(names: list[str]) -> str:
+    """Return the proof term of a conjunction from the names of its parts' proofs."""
+    first, *rest = names
+    return f"(conj {first} {conjoined(rest)})" if rest else first
 
 
 def assumed(folder: Path, output: str) -> dict[str, str]:
@@ -300,8 +427,8 @@ def possible(store: Mapping[str, Any]) -> str:
     vacuously.
     """
     lines = [f"(* Points at which the conditions of the claims hold. *)\n\n{HEAD}"]
-    for row in store.get("possible", {}).values():
-        lines.append(f"Theorem {row['name']} :\n{row['body']}.\nProof.\n{row['script']}\nQed.\n")
+    for key, row in store.get("possible", {}).items():
+        lines.append(f"Theorem possible_{key} :\n{row['body']}.\nProof.\n{row['script']}\nQed.\n")
     return "\n".join(lines)
 
 
@@ -314,6 +441,7 @@ def _row(label: str, entry: Entry, file: str, store: Mapping[str, Any]) -> dict[
         "statement": None if theorem is None else stamp(theorem),
         "status": entry.status,
         "premises": list(entry.premises),
+        "undefined": list(entry.undefined),
         "assumptions": store["claims"][label].get("assumptions") if entry.script else None,
         "why": entry.why,
     }

@@ -19,11 +19,14 @@ from pathlib import Path
 from typing import Any
 
 from tresym.coq.candidate_search import by_steps
-from tresym.coq.coqtop import Dialogue, prelude
+from tresym.coq.coqtop import Dialogue
+from tresym.coq.definedness import satisfiable, strengthen, trial
+from tresym.coq.export import applied, library_text
 from tresym.coq.ledger_statements import Joint, conditions_of, lemmas, name_of, stamp, theorem_of
 from tresym.coq.lemma_proofs import Plan, candidates, plans, without_definitions
+from tresym.coq.stamps import checked, digest, library
 from tresym.coq.statement import NotExportedError, Theorem, comparison, term, variable
-from tresym.coq.witness_points import WAYS
+from tresym.coq.witness_points import WAYS, proofs_at
 from tresym.ledger.claim import Claim
 from tresym.ledger.conversion import known
 from tresym.reals.language.expression import number, symbols
@@ -48,8 +51,9 @@ class Memory:
         if path is not None and path.is_file():
             self.known = json.loads(path.read_text(encoding="utf-8"))
         for row in store["claims"].values() if store else ():
-            for body, proof in _LEMMA.findall(row["lemmas"]):
-                self.known["lemma " + _hash(body)] = proof
+            if checked(row, applied(row, store or {}), library_text()):
+                for body, proof in _LEMMA.findall(row["lemmas"]):
+                    self.known |= {_key("lemma", body): proof, _key(_proof(body, proof)): True}
 
     def accepts(self, text: str, patience: int | None = None) -> bool:
         """Return whether Coq accepts the text.
@@ -59,8 +63,8 @@ class Memory:
             patience: CPU seconds per sentence; the whole text may take four times as long. None
                 means the current default.
         """
-        key, patience = _hash(text), patience or self.patience
-        lost = f"{key} {patience} {_hash(prelude() + lemmas())}"
+        patience = patience or self.patience
+        key, lost = _key(text), f"{_hash(text)} {patience} {_hash(library_text())}"
         if key not in self.known and lost not in self.known:
             self.count += 1
             coq = self.dialogue()
@@ -91,6 +95,17 @@ class Memory:
 
 def _hash(text: str) -> str:
     return sha256(text.encode()).hexdigest()[:20]
+
+
+def _key(*texts: str) -> str:
+    """Return a hash of the texts and of all lemmas, definitions and tactics that they name."""
+    pieces = library(library_text())
+    return digest([*texts, pieces.common, pieces.behind("\n".join(texts))])
+
+
+def _proof(body: str, script: str) -> str:
+    """Return a theorem with its proof; ``@`` stands for a number."""
+    return f"Theorem trial_@ :\n{body}.\nProof.\n{script}\nQed."
 
 
 def search(
@@ -162,11 +177,11 @@ def lemma_proof(lemma: Theorem, memory: Memory) -> str | None:
     """Return a proof of a lemma that Coq accepts, or None."""
     try:
         body = lemma.body
-        key = "lemma " + _hash(body)
-        if key in memory.known:
+        key = _key("lemma", body)
+        if key in memory.known and memory.accepts(_proof(body, str(memory.known[key]))):
             return str(memory.known[key])
         for proof in islice(_found_soon(candidates(lemma)), memory.most):
-            if memory.accepts(f"Theorem trial_@ :\n{body}.\nProof.\n{proof}\nQed."):
+            if memory.accepts(_proof(body, proof)):
                 memory.known[key] = proof
                 return proof
         if (found := stepped(lemma, memory)) is not None:
@@ -184,8 +199,15 @@ def stepped(lemma: Theorem, memory: Memory) -> str | None:
     plain, intros = without_definitions(lemma)
     proof = by_steps(plain, memory.dialogue(), time.monotonic() + STEPPED_SECONDS)
     proof = proof and proof.replace("intros", intros, 1)
-    text = f"Theorem trial_@ :\n{lemma.body}.\nProof.\n{proof}\nQed."
-    return proof if proof and memory.accepts(text) else None
+    return proof if proof and memory.accepts(_proof(lemma.body, proof)) else None
+
+
+def strengthened(label: str, whole: Theorem, memory: Memory) -> dict[str, Any] | None:
+    """Return which premises of definedness stay, with a proof of the theorem without the others."""
+    found = strengthen(label, whole, memory.dialogue())
+    if found and memory.accepts(trial(label, whole, found), CLAIM_SECONDS):
+        return found
+    return None
 
 
 def witnesses(claims: Iterable[Claim], memory: Memory) -> dict[str, Any]:
@@ -208,12 +230,27 @@ def witnesses(claims: Iterable[Claim], memory: Memory) -> dict[str, Any]:
         if point is None or not point.keys() >= {*names}:
             continue
         values = ", ".join(f"({term(number(point[name]))})" for name in names)
-        for way in WAYS:
-            script = f"exists {values}. repeat split; {way}numeric."
-            if memory.accepts(f"Theorem trial_@ :\n{body}.\nProof.\n{script}\nQed."):
-                found[key] = {"name": f"possible_{len(found) + 1}", "body": body, "script": script}
-                break
+        scripts = (f"exists {values}. repeat split; {way}numeric." for way in WAYS)
+        found |= _first_accepted(body, scripts, memory)
     return found
+
+
+def premised_points(wholes: Iterable[Theorem], memory: Memory) -> dict[str, Any]:
+    """Find a point where the definitions, conditions and remaining premises of a theorem hold."""
+    found: dict[str, Any] = {}
+    for whole in wholes:
+        there = satisfiable(whole)
+        with suppress(*UNWRITTEN):
+            found |= _first_accepted(there.body, proofs_at({}, there), memory)
+    return found
+
+
+def _first_accepted(body: str, scripts: Iterable[str], memory: Memory) -> dict[str, Any]:
+    """Return the first of the proofs that Coq accepts, by the hash of what it proves."""
+    for script in scripts:
+        if memory.accepts(_proof(body, script)):
+            return {_hash(body): {"body": body, "script": script}}
+    return {}
 
 
 class _LateError(BaseException):

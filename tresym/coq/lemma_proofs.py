@@ -15,6 +15,7 @@ from itertools import islice
 
 from tresym.coq.candidate_search import proofs
 from tresym.coq.equations import exchanged, nodes, quarters
+from tresym.coq.export import conjoined
 from tresym.coq.inequalities import QUICK, by_intervals
 from tresym.coq.ledger_statements import Joint, free, name_of, read, relations, stem, theorem_of
 from tresym.coq.reductions import known
@@ -57,7 +58,7 @@ def plans(claim: Claim, whole: Theorem | Joint) -> Iterator[Plan]:
     """
     if isinstance(whole, Joint):
         labels = tuple(part.label for part in whole.parts)
-        yield Plan((), f"exact {_conjoined([name_of(label) for label in labels])}.", labels)
+        yield Plan((), f"exact {conjoined([name_of(label) for label in labels])}.", labels)
         return
     path = file_of("coq") / f"{claim.label}.v"
     if path.is_file():
@@ -84,12 +85,6 @@ def _pattern(says: Formula, name: str) -> str:
     for n, part in enumerate(rest, 1):
         first += f" {'[' if n < len(rest) else ''}{part}"
     return f"[{first}{']' * len(rest)}"
-
-
-def _conjoined(names: list[str]) -> str:
-    """Return the proof term of a conjunction from the names of its parts' proofs."""
-    first, *rest = names
-    return f"(conj {first} {_conjoined(rest)})" if rest else first
 
 
 class _NoPlanError(Exception):

@@ -344,15 +344,16 @@ def _coq(claim: Record) -> Iterator[str]:
     if coq is None:
         return
     yield "## [Proof in Coq](/pages/coq.md)"
+    what = "the refutation" if claim["verdict"] == "REFUTED" else "this claim"
+    rests = f"; {coq['assumptions']}" if coq["assumptions"] else ""
     if coq["premises"]:
         premises = ", ".join(map(link, coq["premises"]))
-        what = "that it is false" if claim["verdict"] == "REFUTED" else "it"
-        yield f"Coq proves {what}, assuming {premises}, which are not proved in Coq:"
-    else:
-        rests = f"; {coq['assumptions']}" if coq["assumptions"] else ""
-        what = "that it is false" if claim["verdict"] == "REFUTED" else "it as well"
-        yield f"Coq proves {what}{rests}:"
+        rests = f", assuming {premises}, which are not proved in Coq"
+    yield f"Coq has proved {what} ({coq['checked']}){rests}:"
     yield f"```coq\n{coq['text']}\n```"
+    if coq["undefined"]:
+        left = ", ".join(f"`{part}`" for part in coq["undefined"])
+        yield f"It says nothing about points where one of these conditions fails: {left}."
 
 
 def _symbols(claim: Record) -> Iterator[str]:

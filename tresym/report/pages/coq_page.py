@@ -2,12 +2,55 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
+from collections.abc import Iterator, Mapping
 from functools import lru_cache
 from typing import Any
 
+from tresym.coq import export
+from tresym.coq.coqtop import prelude
 from tresym.coq.export import Entry, entries, stored
+from tresym.coq.ledger_statements import name_of
+from tresym.coq.statement import Theorem
+from tresym.ledger.claim import Claim
 from tresym.ledger.paper import sections
+from tresym.reals.verdict import Verdict
+from tresym.report.pages.trusted_code import trusted
+
+STATEMENTS = (
+    "coq.export.statements",
+    "coq.export.possible",
+    "coq.ledger_statements.theorem_of",
+)
+"""The functions that write the statements which Coq proves."""
+_LINES = re.DOTALL | re.MULTILINE
+LIBRARY = {
+    "PI": ("the number π", "Coq's `Reals`"),
+    "sqrt": ("the square root; 0 for negative numbers", "Coq's `Reals`"),
+    "Rabs": ("the absolute value", "Coq's `Reals`"),
+    "exp": ("the exponential function", "Coq's `Reals`"),
+    "ln": ("the natural logarithm; 0 for numbers that are not positive", "Coq's `Reals`"),
+    "Rpower": ("`Rpower x y` is `exp (y * ln x)`", "Coq's `Reals`"),
+    "sin": ("the sine", "Coq's `Reals`"),
+    "cos": ("the cosine", "Coq's `Reals`"),
+    "tan": ("`sin x / cos x`", "Coq's `Reals`"),
+    "asin": ("the inverse sine, from −π/2 to π/2", "Coq's `Reals`"),
+    "acos": ("the inverse cosine, from 0 to π", "Coq's `Reals`"),
+    "atan": ("the inverse tangent, between −π/2 and π/2", "Coq's `Reals`"),
+    "sinh": ("the hyperbolic sine", "Coq's `Reals`"),
+    "cosh": ("the hyperbolic cosine", "Coq's `Reals`"),
+    "tanh": ("`sinh x / cosh x`", "Coq's `Reals`"),
+    "arcsinh": ("the inverse hyperbolic sine", "Coq's `Reals`"),
+    "sign": ("−1, 0 or 1", "Coquelicot"),
+    "is_derive": ("`is_derive f x l`: f has the derivative l at x", "Coquelicot"),
+    "is_RInt": ("`is_RInt f a b l`: f has the Riemann integral l from a to b", "Coquelicot"),
+    "RInt": ("the value of a Riemann integral that exists", "Coquelicot"),
+    "Derive": ("the value of a derivative that exists", "Coquelicot"),
+    "filterlim": ("`filterlim f F G`: f tends to G as its argument tends to F", "Coquelicot"),
+    "is_lim": ("`is_lim f x l`: f(t) tends to l as t tends to x", "Coquelicot"),
+}
+"""Functions and relations of Coq's libraries that statements use: meaning and library."""
 
 
 @lru_cache(maxsize=4)
@@ -29,7 +72,17 @@ def mark(label: str, known: dict[str, Entry]) -> dict[str, Any] | None:
     entry = known.get(label)
     if entry is None or entry.theorem is None or entry.status == "none":
         return None
-    return {"theorem": entry.theorem.name, "status": entry.status}
+    return {"theorem": entry.theorem.name, "status": entry.status, "checked": entry.checked}
+
+
+def sentence(claim: Claim) -> str:
+    """Return what Coq has proved about a claim, in a sentence; empty if nothing."""
+    entry = found((claim.label,))[claim.label]
+    if entry.status == "none":
+        return ""
+    what = "its refutation is proved" if claim.expect is Verdict.REFUTED else "proved"
+    by = f" from {', '.join(entry.premises)}" if entry.premises else ""
+    return f"{what} in Coq{by} ({entry.checked})"
 
 
 def shown(label: str, known: dict[str, Entry]) -> dict[str, Any] | None:
@@ -39,9 +92,11 @@ def shown(label: str, known: dict[str, Entry]) -> dict[str, Any] | None:
         return None
     entry, row = known[label], stored()["claims"][label]
     assert entry.theorem is not None
+    text = f"Theorem {name_of(label)} :\n{export.stated(label, known)}."
     return marked | {
-        "text": entry.theorem.text,
+        "text": text if entry.status == "proved" else entry.theorem.text,
         "premises": list(entry.premises),
+        "undefined": list(entry.undefined),
         "assumptions": row.get("assumptions", ""),
     }
 
@@ -49,31 +104,115 @@ def shown(label: str, known: dict[str, Entry]) -> dict[str, Any] | None:
 def page() -> str:
     """Write the page that lists which claims Coq proves, with the reason where it does not."""
     known, store = found(), stored()
+    return "\n".join(
+        [
+            *_counted(known, store),
+            *_defined(known, store),
+            *_vocabulary(known),
+            *_made_by(),
+            *_reasons(known),
+        ]
+    )
+
+
+def _counted(known: dict[str, Entry], store: Mapping[str, Any]) -> Iterator[str]:
+    """How many claims Coq proves, and what the proofs depend on."""
     counts = Counter(entry.status for entry in known.values())
     kinds = Counter(
         row.get("assumptions", "")
         for label, row in store["claims"].items()
         if label in known and known[label].status == "proved"
     )
-    lines = [
-        f"Coq {store['coq']} proves {counts['proved']} of the {len(known)} claims. It proves "
+    days = sorted({entry.checked for entry in known.values() if entry.checked})
+    yield (
+        f"Coq proves {counts['proved']} of the {len(known)} claims ({'; '.join(days)}). It proves "
         f"{counts['partial']} more (marked *partial*) from premises that are not proved in Coq. "
-        "The tables give the reason wherever a proof is missing or partial.",
-        "",
-        *(f"- {n} theorems: {text}." for text, n in kinds.most_common() if text),
-        f"- For {len(store.get('possible', {}))} sets of conditions Coq proves that some point "
-        "satisfies them, so that no theorem holds only because its conditions contradict each "
-        "other.",
-        "",
-    ]
+        "The tables below give the reason wherever a proof is missing or partial. A claim counts "
+        "only while its statement, its proof, the lemmas it uses and Coq's version are those of "
+        "that check; `tresym verify` compares their hashes."
+    )
+    yield ""
+    yield from (f"- {n} theorems: {text}." for text, n in kinds.most_common() if text)
+    yield (
+        f"- For {len(store['possible'])} sets of conditions Coq proves that some point satisfies "
+        "them, so that no theorem holds only because its conditions contradict each other."
+    )
+    yield ""
+
+
+def _defined(known: dict[str, Entry], store: Mapping[str, Any]) -> Iterator[str]:
+    """How many premises of definedness are proved, and which ones are left."""
+    single = [e for e in known.values() if e.status == "proved" and isinstance(e.theorem, Theorem)]
+    every = [e for e in single if not e.theorem.exists]  # type: ignore[union-attr]
+    total = sum(len(e.theorem.defined) for e in every)  # type: ignore[union-attr]
+    left = {label: e.undefined for label, e in known.items() if e in every and e.undefined}
+    remaining = sum(map(len, left.values()))
+    yield "## Where a part is undefined"
+    yield ""
+    yield (
+        f"The parts of the claims are defined under {total:,} conditions. Coq proves "
+        f"{total - remaining:,} of them from the conditions of their claims. The other "
+        f"{remaining} are premises of the {len(left)} theorems below, which say nothing about "
+        "points where such a premise fails."
+    )
+    yield ""
+    yield "| claim | premises |"
+    yield "|---|---|"
+    for label, parts in left.items():
+        yield f"| `{label}` | {', '.join(f'`{part}`' for part in parts)} |"
+    yield ""
+
+
+def _vocabulary(known: dict[str, Entry]) -> Iterator[str]:
+    """The definitions that statements use, with their meaning."""
+    said = " ".join(e.theorem.body for e in known.values() if isinstance(e.theorem, Theorem))
+    words = set(re.findall(r"[A-Za-z_][\w']*", said))
+    yield "## The language of the statements"
+    yield ""
+    yield "Statements use these functions and relations, and nothing else beside arithmetic:"
+    yield ""
+    yield "| name | meaning | where it is defined |"
+    yield "|---|---|---|"
+    for name, (meaning, place) in LIBRARY.items():
+        if name in words:
+            yield f"| `{name}` | {meaning} | {place} |"
+    yield ""
+    yield "tresym defines those that Coq and Coquelicot lack:"
+    yield ""
+    yield "```coq"
+    for definition in re.findall(r"^\(\* .*? \*\)\nDefinition .*?\.$", prelude(), _LINES):
+        if re.search(r"Definition (\w+)", definition)[1] in words:  # type: ignore[index]
+            yield definition
+    yield "```"
+    yield ""
+
+
+def _made_by() -> Iterator[str]:
+    """How much code makes the statements."""
+    count = trusted(STATEMENTS)[0]
+    yield "## The code that makes the statements"
+    yield ""
+    yield (
+        f"{count.total:,} lines of Python turn a claim into a statement, among them the "
+        "classes of expressions and claims and the conversion from SymPy. None of these modules "
+        "proves or decides anything."
+    )
+    yield ""
+    yield "| module | lines |"
+    yield "|---|--:|"
+    for file, lines in sorted(count.lines.items(), key=lambda row: (-row[1], row[0])):
+        yield f"| `{file}` | {lines} |"
+    yield ""
+
+
+def _reasons(known: dict[str, Entry]) -> Iterator[str]:
     for title, claims in sections():
-        lines += [f"## {title}", "", "| claim | Coq | reason |", "|---|---|---|"]
+        yield from (f"## {title}", "", "| claim | Coq | reason |", "|---|---|---|")
         for claim in claims:
             entry = known[claim.label]
             status = {"none": "not proved"}.get(entry.status, entry.status)
-            lines.append(f"| `{claim.label}` | {status} | {_cell(entry.why)} |")
-        lines.append("")
-    return "\n".join(lines)
+            yield f"| `{claim.label}` | {status} | {_cell(entry.why)} |"
+        yield ""
 
 
 def _cell(text: str) -> str:
