@@ -56,7 +56,7 @@ def bare_numbers(text: str) -> list[str]:
     lines = re.compile(r"(?<=[|}])\s*\d+(?:\+\d+)*")
     text = re.sub(steps, lambda m: lines.sub("", m[0]), text, flags=re.DOTALL)
     text = templates.INLINE.sub("", text)
-    text = re.sub(r"\\(?:label|ref|cite|url|href|bibitem)\{[^}]*\}", "", text)
+    text = re.sub(r"\\(?:label|ref|cite|texttt)\{[^}]*\}", "", text)
     text = re.sub(r"[_^](?:\d|\{[^{}]*\})", "", text)
     return [n for n in re.findall(r"\d+(?:\.\d+)?", text) if n not in ("0", "1", "2")]
 
@@ -82,7 +82,7 @@ def test_the_counts_are_those_of_the_verification(report: Report) -> None:
 
 
 def test_nothing_is_left_to_fill_in(report: Report, text: str) -> None:
-    assert "{{" not in text.replace("{{\\hypersetup", "")
+    assert not re.search(r"\{\{ ?\w", text)
     assert set(labels()) <= {row.claim.label for row in report.rows}
     found = re.findall(r"\\label\{([^}]+)\}", text)
     assert len(found) == len(set(found))
@@ -114,4 +114,4 @@ def test_latex_becomes_markdown() -> None:
         r"$2\,\%$\raised{d24}{R} (Section~\ref{sec:off}), see \texttt{a\_b}."
     )
     marked = markdown_from_latex(latex, lambda label, letter: f"[{letter}:{label}]")
-    assert marked == "*One* formula \n$$\nx^2\n$$\n to $2\\,\\%$[R:d24], see `a_b`.\n"
+    assert marked == "*One* formula\n$$\nx^2\n$$\n to $2\\,\\%$[R:d24], see `a_b`.\n"
