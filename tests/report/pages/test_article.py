@@ -67,11 +67,11 @@ def test_every_number_comes_from_the_ledger(name: str) -> None:
 
 
 def test_a_number_that_is_written_by_hand_is_found() -> None:
-    assert bare_numbers("at most 0.17 and 33 boxes, $2\\pi$, $x^2$, {{value d 3}}") == [
-        "0.17",
-        "33",
-    ]
-    assert bare_numbers(r"$I_3$, $\frac{7}{5}$, a 3rd \cite{a17}") != []
+    allowed = r"$2\pi$, $x^2$, $I_3$, $e^{-1/s}$, {{value d 3}}, \cite{a17}, \label{d3}"
+    steps = "{{steps d}} 3+4 by {{ref e 7}} | 5 {{end}}"
+    assert bare_numbers(allowed + steps) == []
+    assert bare_numbers(r"at most 0.17 on 33 boxes, $\frac{7}{5}$") == ["0.17", "33", "7", "5"]
+    assert bare_numbers("{{steps d}} 3 in 12 steps {{end}}") == ["12"]
 
 
 def test_the_counts_are_those_of_the_verification(report: Report) -> None:
