@@ -456,7 +456,15 @@ Ltac apart_ := cbv beta; pose proof pi_between;
       end
     | beside
     | interval ].
-Ltac equal_near := cbv beta; pose proof pi_between; first
+Ltac exp_minus := repeat match goal with
+  | |- context [exp ((-1) * ?u)] => replace (exp ((-1) * u)) with (/ exp u) by (rewrite <- exp_Ropp; f_equal; ring)
+  | |- context [exp ((-1) * ?a * ?u)] =>
+      replace (exp ((-1) * a * u)) with (/ exp (a * u)) by (rewrite <- exp_Ropp; f_equal; ring)
+  end.
+Ltac exp_apart := repeat match goal with
+  | |- context [exp ?u] => lazymatch goal with H : 0 < exp u |- _ => fail | _ => pose proof (exp_pos u) end
+  end.
+Ltac equal_near := cbv beta; pose proof pi_between; exp_minus; exp_apart; first
   [ reflexivity | ring | field; repeat split; apart_
   | unfold Rpower, tan, cot, sec, csc; rewrite ?exp_Ropp, ?exp_plus; first [ring | field; repeat split; first [apply Rgt_not_eq, exp_pos | apart_]]
   | f_equal; solve [ring | field; repeat split; apart_] ].
@@ -468,3 +476,13 @@ Ltac inside := let x := fresh "x" in let X := fresh "X" in intros x X; try ends_
   first [lra | side | apart_ | exfalso; first [lra | nra]].
 Ltac continues_inside := let x := fresh "x" in let X := fresh "X" in intros x X; try ends_of X;
   unfold Rpower; continues; cbv beta; first [lra | side | apart_ | exfalso; first [lra | nra]].
+Ltac inside_ := cbv beta; first [lra | side | apart_ | exfalso; first [lra | nra]].
+Lemma sum_induction (c : nat) (f : nat -> R) (low : nat) (F : nat -> R) :
+  F O = terms f low c -> (forall n, F (S n) = F n + f (low + (c + n))%nat) ->
+  forall n, terms f low (c + n) = F n.
+Proof.
+  intros Z D n; induction n as [|n IH]; [now rewrite Nat.add_0_r |].
+  rewrite Nat.add_succ_r; cbn [terms]; now rewrite IH, D.
+Qed.
+Lemma natural_minus c n : (c <= n)%nat -> exists m, n = (c + m)%nat.
+Proof. intros H; exists (n - c)%nat; lia. Qed.

@@ -36,7 +36,8 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.parsing import FACTORIAL, INFINITY
+from tresym.reals.language.calls import FACTORIAL
+from tresym.reals.language.parsing import INFINITY
 
 MINUS_INFINITY = -INFINITY
 AND = " /\\ "
@@ -129,7 +130,7 @@ def naturally(e: Expr, whole: Iterable[str]) -> Expr:
     if e.op == "unknown" and e.args[0].args[0] == FACTORIAL:
         return Expr("factorial", (e.args[1],))
     if e.op == "^" and symbols(e.args[1]) and symbols(e.args[1]) <= names:
-        up, down = _parts_of(e.args[1])
+        up, down = natural_parts(e.args[1])
         base = naturally(e.args[0], names)
         powers = [Expr("power", (base, up))] if up != ZERO else []
         powers += [Expr("^", (Expr("power", (base, down)), number(-1)))] if down != ZERO else []
@@ -137,7 +138,7 @@ def naturally(e: Expr, whole: Iterable[str]) -> Expr:
     return Expr(e.op, tuple(naturally(arg, names) for arg in e.args), e.names)
 
 
-def _parts_of(e: Expr) -> tuple[Expr, Expr]:
+def natural_parts(e: Expr) -> tuple[Expr, Expr]:
     """Return natural numbers whose difference is the whole linear expression ``e``."""
     up, down = ZERO, ZERO
     for name in (*sorted(symbols(e)), None):
@@ -160,7 +161,7 @@ def _counted(node: Expr, whole: frozenset[str]) -> list[str]:
     """Return the condition that a sum has no negative number of terms, where that is not plain."""
     if node.args[2] == INFINITY:
         return []
-    up, down = _parts_of(count_of(node))
+    up, down = natural_parts(count_of(node))
     return [f"(({term(Expr('count', (down,)))} <= {term(Expr('count', (up,)))})%nat)"] if down != ZERO else []
 
 
@@ -176,7 +177,7 @@ def _sum(node: Expr, whole: frozenset[str]) -> tuple[str, list[str]]:
     if high == INFINITY:
         count = "n"
     else:
-        up, down = _parts_of(count_of(node))
+        up, down = natural_parts(count_of(node))
         up_text, down_text = (term(Expr("count", (e,)), ATOM) for e in (up, down))
         count = up_text if down == ZERO else f"({up_text} - {down_text})"
     body = naturally(body, names)
