@@ -12,23 +12,19 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from tresym.coq.statement import ATOM, NotExportedError, comparison, condition, term, variable
-from tresym.coq.theorem_trees import Part, inside
-from tresym.reals.decisions.claim_parsing import (
-    LIMIT,
-    Comparison,
-    Path,
-    Statement,
-    implied_integers,
-)
+from tresym.coq.theorem_trees import inside
+from tresym.reals.decisions.claim_parsing import LIMIT
+from tresym.reals.decisions.statement import Comparison, Path, Statement, implied_integers
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.operation_domains import needs
 from tresym.reals.language.binders import elementary, outermost
+from tresym.reals.language.calls import FACTORIAL, INFINITY
+from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     LEAVES,
     ONE,
     ZERO,
     Expr,
-    differentiate,
     fresh,
     number,
     replaced,
@@ -36,8 +32,6 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.calls import FACTORIAL
-from tresym.reals.language.parsing import INFINITY
 
 MINUS_INFINITY = -INFINITY
 AND = " /\\ "
