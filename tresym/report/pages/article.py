@@ -7,6 +7,7 @@ text uses, is article.tex beside this file.
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Callable, Iterator
 from functools import cache
@@ -16,12 +17,13 @@ import tresym
 from tresym.ledger.claim import AllOf, Claim
 from tresym.ledger.paper import Correction, all_claims, corrections
 from tresym.ledger.verification import Report, Row
-from tresym.report.pages import templates
+from tresym.report.pages import ledger_document, templates
 from tresym.report.pages.corrections import FAULTS
 from tresym.report.pages.derivation import prose
 from tresym.report.pages.numbers import named_numbers
 from tresym.report.pages.tables import table, written
 from tresym.report.typesetting.formula_width import width
+from tresym.report.typesetting.markdown_from_latex import markdown_from_latex
 from tresym.report.typesetting.paper_location import place_text
 from tresym.report.typesetting.statements import said
 
@@ -31,23 +33,68 @@ MOST = 2
 """Most true statements that are quoted beside a correction."""
 
 
-def article(report: Report) -> str:
+_FILL = re.compile(r"\{\{ (\w+) \}\}")
+LEDGER = {
+    "": "",
+    "document": r"\ledgertrue",
+    "appendix": r"\ledgertrue",
+}
+"""Where the ledger is, with the setting of the frame: not there, beside the article, or in it."""
+_APPENDIX = r"""\clearpage\appendix\newgeometry{margin=25mm}\small
+\setlength{\parindent}{0pt}\setlength{\parskip}{4pt plus 2pt}"""
+_SEE = re.compile(r"Figure~\\ref\{fig:([\w-]+)\}")
+_FIGURE = re.compile(r"\\begin\{figure\}.*?\\end\{figure\}\n?", re.DOTALL)
+
+
+def article(report: Report, ledger: str = "", figures: bool = True) -> str:
     """Write the whole article in LaTeX.
 
     Args:
         report: verdicts on the claims of :func:`labels`, or on the whole ledger.
+        ledger: a key of ``LEDGER``: where the ledger is that verdicts link to.
+        figures: whether to include the figures, which are read from the folder ``NAME-figures``
+            beside an article ``NAME.tex``.
 
     Raises:
         InputError: the text no longer fits the verdicts.
     """
+    text = "\n".join(map(templates_of(report).filled, templates.names()))
+    if not figures:
+        text = without_figures(text)
+    if ledger == "appendix":
+        text += f"\n{_APPENDIX}\n{ledger_document.body(report)}"
+    commands = ledger_document.commands() if ledger == "appendix" else ""
+    parts = {"commands": commands, "ledger": LEDGER[ledger], "body": text}
+    framed = _FILL.sub(lambda found: parts.get(found[1], found[0]), _frame())
+    return framed.replace("{{ version }}", tresym.__version__)
+
+
+def without_figures(text: str) -> str:
+    """Return the text of the article without figures; it names the commands that draw them."""
+    return _SEE.sub(r"\\texttt{tresym figure \1}", _FIGURE.sub("", text))
+
+
+def templates_of(report: Report) -> templates.Templates:
+    """Return the templates with the verdicts of a report and all other numbers."""
     rows = {row.claim.label: row for row in report.rows}
     pieces: dict[str, Callable[..., str]] = {
         "corrections": lambda: "\n".join(_corrected(rows)),
         "table": lambda name: written(table(name), "latex"),
     }
-    filled = templates.Templates(rows, named_numbers() | _counts(), pieces)
-    body = "\n".join(map(filled.filled, templates.names()))
-    return _frame().replace("{{ body }}", body).replace("{{ version }}", tresym.__version__)
+    return templates.Templates(rows, named_numbers() | _counts(), pieces)
+
+
+def passages(report: Report) -> dict[str, str]:
+    """Return the passages that pages of the site quote, in Markdown, by name."""
+    filled = templates_of(report)
+    return {
+        name: markdown_from_latex(filled.fill(text), _link)
+        for name, text in templates.passages().items()
+    }
+
+
+def _link(label: str, letter: str) -> str:
+    return f"[{letter}](/claims/{label}.md){{.mark}}"
 
 
 def labels() -> tuple[str, ...]:
@@ -98,7 +145,8 @@ def _corrected(rows: dict[str, Row]) -> Iterator[str]:
     """The corrections by weight, each once, with what is true instead."""
     for number, (fault, heading, meaning) in enumerate(FAULTS):
         yield rf"\subsection*{{{prose(heading)}}} {prose(meaning)}"
-        yield rf"\begin{{enumerate}}[{'resume,' if number else ''}leftmargin=*,itemsep=2pt]\sloppy"
+        options = f"{'resume,' if number else ''}leftmargin=*,itemsep=2pt"
+        yield rf"\begin{{enumerate}}[{options}]\small\raggedright"
         for correction in corrections():
             if rows[correction.labels[0]].claim.fault is fault:
                 yield " ".join(_correction(correction, rows))

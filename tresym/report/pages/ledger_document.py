@@ -27,13 +27,22 @@ def ledger_document(report: Report) -> str:
     Args:
         report: verdicts on the ledger; claims outside it are left out.
     """
+    frame = _file("ledger_document.tex").replace("{{ commands }}", commands())
+    return frame.replace("{{ body }}", body(report)).replace("{{ version }}", tresym.__version__)
+
+
+def body(report: Report) -> str:
+    """Write the text of the document, which can also be an appendix."""
     rows = {row.claim.label: row for row in report.rows}
-    body = "\n".join((*_symbols(rows.keys()), *_quoted(report), *_ledger(rows)))
-    return _frame().replace("{{ body }}", body).replace("{{ version }}", tresym.__version__)
+    return "\n".join((*_symbols(rows.keys()), *_quoted(report), *_ledger(rows)))
 
 
-def _frame() -> str:
-    name = "ledger_document.tex"
+def commands() -> str:
+    """Return the commands that :func:`body` uses, for the preamble."""
+    return _file("ledger_commands.tex")
+
+
+def _file(name: str) -> str:
     return files("tresym.report.pages").joinpath(name).read_text(encoding="utf-8")
 
 

@@ -41,6 +41,8 @@ INLINE = re.compile(r"\{\{(\w+)((?: [^{}]*)?)\}\}")
 """A placeholder: its kind and its arguments."""
 BLOCK = re.compile(r"\{\{(figure|steps|theorem|named) ([^{}]*)\}\}(.*?)\{\{end\}\}", re.DOTALL)
 """A placeholder with a text of its own."""
+PASSAGE = re.compile(r"^% passage: ([\w-]+)\n(.*?)^% end$", re.MULTILINE | re.DOTALL)
+"""A passage that other pages quote: its name and its text."""
 EXPECTS = re.compile(r"^% expects: (.+)$", re.MULTILINE)
 _UNLABELLED = frozenset(["figure", "number", "count", "piece", "end"])
 """The kinds whose first argument is not the label of a claim."""
@@ -58,8 +60,9 @@ def names() -> tuple[str, ...]:
 
 @cache
 def text_of(name: str) -> str:
-    """Return the text of a template."""
-    return (file_of("article") / f"{name}.tex").read_text(encoding="utf-8")
+    """Return the text of a template; its name may have another ending than ``.tex``."""
+    path = file_of("article") / (name if "." in name else f"{name}.tex")
+    return path.read_text(encoding="utf-8")
 
 
 def labels_in(text: str) -> tuple[str, ...]:
@@ -71,6 +74,11 @@ def labels_in(text: str) -> tuple[str, ...]:
 def figures_in(text: str) -> tuple[str, ...]:
     """Return the names of the figures in a template."""
     return tuple(m[2].strip() for m in BLOCK.finditer(text) if m[1] == "figure")
+
+
+def passages() -> dict[str, str]:
+    """Return the passages of the templates that other pages quote, by name."""
+    return {m[1]: m[2] for name in names() for m in PASSAGE.finditer(text_of(name))}
 
 
 def expected(text: str) -> dict[str, str]:
@@ -117,6 +125,10 @@ class Templates:
         faults = [*changed(text, self.rows)]
         if faults:
             raise InputError(f"article: {name}.tex no longer fits the ledger: {'; '.join(faults)}")
+        return self.fill(text)
+
+    def fill(self, text: str) -> str:
+        """Return a text with every placeholder replaced, without its comments."""
         text = re.sub(r"^%.*\n", "", text, flags=re.MULTILINE)
         return INLINE.sub(self._inline, BLOCK.sub(self._block, text))
 
