@@ -143,10 +143,15 @@ def _counted(known: dict[str, Entry], store: Mapping[str, Any]) -> Iterator[str]
 
 def _defined(known: dict[str, Entry], store: Mapping[str, Any]) -> Iterator[str]:
     """How many premises of definedness are proved, and which ones are left."""
-    single = [e for e in known.values() if e.status == "proved" and isinstance(e.theorem, Theorem)]
-    every = [e for e in single if not e.theorem.exists]  # type: ignore[union-attr]
-    total = sum(len(e.theorem.defined) for e in every)  # type: ignore[union-attr]
-    left = {label: e.undefined for label, e in known.items() if e in every and e.undefined}
+    every = {
+        label: (whole, entry.undefined)
+        for label, entry in known.items()
+        if entry.status == "proved"
+        and isinstance(whole := entry.theorem, Theorem)
+        and not whole.exists
+    }
+    total = sum(len(whole.defined) for whole, _ in every.values())
+    left = {label: parts for label, (_, parts) in every.items() if parts}
     remaining = sum(map(len, left.values()))
     bodies = {row["body"] for row in store["possible"].values()}
     without = [
