@@ -53,13 +53,23 @@ TESTS = Path(__file__).parent
 CORE = ("reals", "racket", "ledger")
 
 
+def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
+    """Whether a folder need not be read: it has no quick tests, and no others are wanted."""
+    if config.option.markexpr != "quick" or collection_path.parent != TESTS:
+        return None
+    return True if collection_path.name not in CORE else None
+
+
 # First, so that what is marked here can be chosen by ``-m quick``.
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     for item in items:
         inner = item.path.relative_to(TESTS)
-        if inner.parts[0] in CORE and item.get_closest_marker("slow") is None:
+        marks = {mark.name for mark in item.iter_markers()}
+        if inner.parts[0] in CORE and not marks & {"slow", "night"}:
             item.add_marker("quick")
+        if "coq" in marks and shutil.which("coqc") is None:
+            item.add_marker(pytest.mark.skip(reason="coqc is not installed"))
     finished = chunks.done()
     if finished:
         config.hook.pytest_deselected(items=[item for item in items if item.nodeid in finished])

@@ -20,7 +20,7 @@ from typing import Any, NamedTuple
 ROOT = Path(__file__).resolve().parent.parent
 RECORD = ROOT / "build" / "deep.jsonl"
 SAVED = ROOT / "docs" / "measurements" / "hunts.json"
-PYTEST = ("-m", "pytest", "-n", "0", "-o", "timeout=7200")
+PYTEST = ("-m", "pytest", "-n", "0", "-o", "timeout=7200", "-m", "")
 
 
 class Hunt(NamedTuple):

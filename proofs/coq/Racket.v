@@ -1592,3 +1592,188 @@ Proof.
     + pose proof (half_turn_rises c y ltac:(lra) N ltac:(lra)); lra.
 Qed.
 End Turned.
+
+(* The defect of a shape with a b >= 1/4: how small it is for each ratio b/a. *)
+Section Defect.
+Variables a b e : R.
+Hypotheses (A : a > 0) (B : b > 0) (P : e > 0) (Q : e < 1 / 2 * PI).
+Hypothesis D : tanh (sqrt (a * b) * (PI + asin (sqrt (b * / (a + b)) * cos e)))
+  = / sqrt (b * / a * sin e ^ 2 + 1) * cos e.
+Let r := b * / a.
+Let k := sqrt (a * b).
+Let p := PI + asin (sqrt (b * / (a + b)) * cos e).
+
+Lemma defect_signs : 0 < sin e /\ 0 < cos e /\ 0 < r /\ 0 < k /\ k * sqrt r = b /\ k ^ 2 = a * b.
+Proof.
+  unfold r, k; repeat split; try positive.
+  - apply sin_gt_0; lra.
+  - apply cos_gt_0; lra.
+  - apply product_root; lra.
+  - apply pow2_sqrt; left; positive.
+Qed.
+Lemma defect_turn : PI < p < 3 / 2 * PI.
+Proof.
+  destruct defect_signs as [S [C _]]; pose proof (share_below a b e A B) as H; unfold p.
+  assert (M : 0 < sqrt (b * / (a + b)) * cos e) by (apply Rmult_lt_0_compat; [apply sqrt_lt_R0; positive | exact C]).
+  pose proof (asin_above _ M); pose proof (asin_rises (sqrt (b * / (a + b)) * cos e) 1 ltac:(lra) (proj2 H) ltac:(lra)) as U.
+  rewrite asin_1 in U; lra.
+Qed.
+Lemma defect_angle : e = atan (/ (sqrt (r + 1) * sinh (k * p))).
+Proof.
+  destruct defect_signs as [S [C [R0 [K0 _]]]]; pose proof defect_turn as T; pose proof PI_RGT_0.
+  unfold r, k, p in *; rewrite (sinh_at_root a b _ e A B S C D).
+  assert (0 < sqrt (b * / a + 1)) by (apply sqrt_lt_R0; lra).
+  replace (sqrt (b * / a + 1) * (/ sqrt (b * / a + 1) * / sin e * cos e)) with (cos e * / sin e) by (field; lra).
+  rewrite Rinv_mult, Rinv_inv, Rmult_comm; symmetry; apply (atan_tan e); lra.
+Qed.
+Lemma defect_by_exp : e <= 2 * exp (- (PI * k)).
+Proof.
+  destruct defect_signs as [S [C [R0 [K0 _]]]]; pose proof defect_turn as T; pose proof PI_RGT_0 as J.
+  assert (X : 0 < PI * k) by positive; assert (Y : 0 < sinh (PI * k)) by (apply sinh_pos; exact X).
+  assert (Z : sinh (PI * k) < sinh (k * p)) by (apply sinh_rises; nra).
+  assert (W : 1 <= sqrt (r + 1)) by (apply below_sqrt; lra).
+  apply Rle_trans with (atan (/ sinh (PI * k))).
+  { rewrite defect_angle; apply arctangent_rises, Rinv_le_contravar; [exact Y | nra]. }
+  pose proof (exp_pos (- (PI * k))) as V; set (x := exp (- (PI * k))) in *.
+  assert (V1 : x < 1) by (rewrite <- exp_0; apply exp_increasing; lra).
+  assert (E : exp (PI * k) = / x) by (unfold x; rewrite exp_Ropp, Rinv_inv; reflexivity).
+  assert (AX : atan x <= x).
+  { enough (0 <= x - atan x) by lra.
+    apply (from_left_ge (fun t : R => t - atan t) (fun t : R => t * t * / (1 + t * t)) 0 x); try lra.
+    - intros t _; eapply d_eq; [derive |]; cbv beta; field; nra.
+    - intros t _; apply Rmult_le_pos; [nra | left; apply Rinv_0_lt_compat; nra].
+    - rewrite atan_0; lra. }
+  replace (atan (/ sinh (PI * k))) with (2 * atan x); [lra |].
+  symmetry; apply atan_unique.
+  - pose proof (atan_above x V); pose proof (atan_increasing x 1 V1) as M; rewrite atan_1 in M; lra.
+  - assert (G : 0 < 1 + x ^ 2) by nra; assert (W2 : 0 < sqrt (1 + x ^ 2)) by now apply sqrt_lt_R0.
+    assert (W3 : sqrt (1 + x ^ 2) ^ 2 = 1 + x ^ 2) by (apply pow2_sqrt; lra).
+    destruct (turn_atan x _ W2 W3) as [SX CX]; rewrite sin_2a, cos_2a, SX, CX.
+    assert (Hsh : sinh (PI * k) = (1 - x ^ 2) / (2 * x)) by (unfold sinh; fold x; rewrite E; field; lra).
+    rewrite Hsh; set (w := sqrt (1 + x ^ 2)) in *; field; nra.
+Qed.
+Hypotheses (B1 : b <= 1) (AB : a * b >= 1 / 4).
+Lemma defect_shape : 1 / 2 <= k /\ r <= 4 /\ r <= 4 * b ^ 2.
+Proof.
+  assert (0 < / a) by positive; assert (I : a * / a = 1) by (field; lra); unfold k, r; repeat split.
+  - apply below_sqrt; lra.
+  - apply (Rmult_le_reg_r a); [lra |]; rewrite Rmult_assoc, (Rmult_comm (/ a)), I; nra.
+  - apply (Rmult_le_reg_r a); [lra |]; rewrite Rmult_assoc, (Rmult_comm (/ a)), I; nra.
+Qed.
+Lemma defect_step l M : 0 <= l -> l <= r -> e <= M -> M <= PI / 2 ->
+  e <= atan (/ (sqrt (l + 1) * sinh ((PI + asin (sqrt (l * / (l + 1)) * cos M)) / 2))).
+Proof.
+  destruct defect_signs as [S [C [R0 [K0 _]]]]; destruct defect_shape as [K [R4 _]].
+  intros L LR EM M1; pose proof defect_turn as Z; pose proof PI_RGT_0 as J.
+  assert (V : 0 <= l * / (l + 1) <= b * / (a + b)).
+  { replace (b * / (a + b)) with (r * / (r + 1)) by (unfold r; field; lra).
+    assert (0 < / (l + 1)) by positive; split; [nra |].
+    apply (Rmult_le_reg_r ((l + 1) * (r + 1))); [nra |].
+    replace (l * / (l + 1) * ((l + 1) * (r + 1))) with (l * (r + 1)) by (field; lra).
+    replace (r * / (r + 1) * ((l + 1) * (r + 1))) with (r * (l + 1)) by (field; lra); nra. }
+  assert (G : 0 <= cos M <= cos e) by (split; [apply cos_ge_0; lra | apply cos_decr_1; lra]).
+  pose proof (share_below a b e A B) as [_ S1].
+  assert (X : sqrt (l * / (l + 1)) * cos M <= sqrt (b * / (a + b)) * cos e).
+  { apply Rmult_le_compat; [apply sqrt_pos | lra | apply sqrt_le_1_alt, V | lra]. }
+  assert (X0 : 0 <= sqrt (l * / (l + 1)) * cos M) by (pose proof (sqrt_pos (l * / (l + 1))); nra).
+  assert (T : asin (sqrt (l * / (l + 1)) * cos M) <= asin (sqrt (b * / (a + b)) * cos e)).
+  { destruct X as [X|X]; [left; apply asin_rises; lra | rewrite X; lra]. }
+  assert (T0 : 0 <= asin (sqrt (l * / (l + 1)) * cos M)).
+  { destruct X0 as [X0|X0]; [left; apply asin_above; exact X0 | rewrite <- X0, asin_0; lra]. }
+  rewrite defect_angle at 1; apply arctangent_rises; apply Rinv_le_contravar.
+  - apply Rmult_lt_0_compat; [apply sqrt_lt_R0; lra | apply sinh_pos; lra].
+  - apply Rmult_le_compat; [apply sqrt_pos | left; apply sinh_pos; lra | apply sqrt_le_1_alt; lra |].
+    apply sinh_grows; assert (PI + asin (sqrt (l * / (l + 1)) * cos M) <= p) by (unfold p; lra).
+    apply Rle_trans with (p / 2); [lra | nra].
+Qed.
+Lemma defect_boxes :
+  (0 < r <= 1 /\ e <= 42 / 100) \/ (1 <= r <= 2 /\ e <= 213 / 1000) \/ (2 <= r <= 3 /\ e <= 164 / 1000)
+  \/ (3 <= r <= 35 / 10 /\ e <= 138 / 1000) \/ (35 / 10 <= r <= 39 / 10 /\ e <= 1165 / 10000)
+  \/ (39 / 10 <= r <= 399 / 100 /\ e <= 1102 / 10000) \/ (399 / 100 <= r <= 4 /\ e <= 1089 / 10000).
+Proof.
+  destruct defect_signs as [_ [_ [R0 _]]]; destruct defect_shape as [_ [R4 _]]; pose proof PI_RGT_0 as PP.
+  pose proof pi_between as PB.
+  assert (E0 : e <= 42 / 100) by sharper defect_step 0 (PI / 2).
+  destruct (Rle_or_lt (399 / 100) r) as [L|L]; [| destruct (Rle_or_lt (39 / 10) r) as [L'|L'];
+    [| destruct (Rle_or_lt (35 / 10) r) as [M|M]; [| destruct (Rle_or_lt 3 r) as [M'|M'];
+    [| destruct (Rle_or_lt 2 r) as [O|O]; [| destruct (Rle_or_lt 1 r) as [O'|O']]]]]].
+  - assert (e <= 121 / 1000) by sharper defect_step (399 / 100) (42 / 100).
+    assert (e <= 1091 / 10000) by sharper defect_step (399 / 100) (121 / 1000).
+    assert (e <= 1089 / 10000) by sharper defect_step (399 / 100) (1091 / 10000).
+    do 6 right; split; lra.
+  - assert (e <= 122 / 1000) by sharper defect_step (39 / 10) (42 / 100).
+    assert (e <= 1104 / 10000) by sharper defect_step (39 / 10) (122 / 1000).
+    assert (e <= 1102 / 10000) by sharper defect_step (39 / 10) (1104 / 10000).
+    do 5 right; left; split; lra.
+  - assert (e <= 129 / 1000) by sharper defect_step (35 / 10) (42 / 100).
+    assert (e <= 1165 / 10000) by sharper defect_step (35 / 10) (129 / 1000).
+    do 4 right; left; split; lra.
+  - assert (e <= 138 / 1000) by sharper defect_step 3 (42 / 100).
+    do 3 right; left; split; lra.
+  - assert (e <= 164 / 1000) by sharper defect_step 2 (42 / 100).
+    do 2 right; left; split; lra.
+  - assert (e <= 213 / 1000) by sharper defect_step 1 (42 / 100).
+    right; left; split; lra.
+  - left; split; lra.
+Qed.
+End Defect.
+
+(* The ratio of such a defect to its leading term, from both sides. *)
+Lemma turn_from_top a b : 0 < a -> 0 < b -> asin (sqrt (b * / (a + b))) = atan (sqrt (b * / a)).
+Proof.
+  intros A B; pose proof (turn_of_share a b 0 A B) as H; rewrite sin_0, cos_0, Rmult_1_r in H; rewrite H.
+  f_equal; replace (b * / a * 0 ^ 2 + 1) with 1 by (field; lra); rewrite sqrt_1; field.
+Qed.
+Lemma asin_least y : 0 <= y -> y <= 1 -> y <= asin y.
+Proof.
+  intros [Y|Y] Z; [| subst; rewrite asin_0; lra]; pose proof (asin_above y Y).
+  rewrite <- (sin_asin y) at 1 by lra; left; now apply sin_lt_x.
+Qed.
+Section AtLeast.
+Variables b r k e : R.
+Hypotheses (B0 : 0 < b) (B1 : b <= 1) (R0 : 0 < r) (R4 : r <= 4) (K : 0 < k) (KR : k * sqrt r = b).
+Hypotheses (E0 : 0 < e) (E1 : e <= 42 / 100).
+Let w := sqrt (r * sin e ^ 2 + 1).
+Lemma ratio_above : (1 + b * sin e ^ 2 / (w + cos e)) * (1 + e ^ 2 / 6) * (1 / 2 * w + 1 / 2 * cos e)
+  <= exp (k * asin (sqrt r * / (w + cos e) * sin e ^ 2) + ln (e * / sin e) + ln (1 / 2 * w + 1 / 2 * cos e)).
+Proof.
+  destruct (sine_square_between e E0 E1) as [[A1 B2] [C D]].
+  destruct (sum_between b r k e B0 B1 R0 R4 KR E0 E1) as [F [G [L W]]]; fold w in F, G, W.
+  destruct (small_sine e) as [[SA SB] [SC SD]]; try lra.
+  assert (Cs : 0 < cos e) by nra; assert (J : 0 < / (w + cos e)) by positive.
+  assert (q0 : 0 < sqrt r) by (apply sqrt_lt_R0; lra).
+  set (y := sqrt r * / (w + cos e) * sin e ^ 2).
+  assert (Y0 : 0 <= y) by (unfold y; left; positive).
+  assert (Y1 : y <= 1).
+  { unfold y; assert (sqrt r * sin e <= w).
+    { apply below_sqrt; rewrite Rpow_mult_distr, pow2_sqrt; lra. }
+    assert (sqrt r * sin e * sin e <= w * 1) by (apply Rmult_le_compat; try lra; nra).
+    apply (Rmult_le_reg_r (w + cos e)); [lra |].
+    replace (sqrt r * / (w + cos e) * sin e ^ 2 * (w + cos e)) with (sqrt r * sin e * sin e) by (field; lra); lra. }
+  rewrite !exp_plus, !exp_ln by (first [lra | positive]).
+  assert (M1 : 0 <= b * sin e ^ 2 / (w + cos e)) by (unfold Rdiv; left; positive).
+  assert (V : 1 + e ^ 2 / 6 <= e * / sin e).
+  { apply (Rmult_le_reg_r (sin e)); [lra |]; rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
+    apply Rle_trans with ((1 + e ^ 2 / 6) * (e * (1 - e ^ 2 / 6 + e ^ 4 / 120))); [nra |].
+    enough (0 <= e * e ^ 4 * (1 / 36 - 1 / 120 - e ^ 2 / 720)) by nra.
+    assert (0 <= e ^ 4) by (apply pow_le; lra); apply Rmult_le_pos; [apply Rmult_le_pos; lra | nra]. }
+  assert (X : 1 + b * sin e ^ 2 / (w + cos e) <= exp (k * asin y)).
+  { eapply Rle_trans; [| apply exp_ineq1_le]; pose proof (asin_least y Y0 Y1).
+    replace (b * sin e ^ 2 / (w + cos e)) with (k * y) by (unfold y; rewrite <- KR; field; lra); nra. }
+  apply Rmult_le_compat_r; [lra |]; assert (0 <= e ^ 2) by nra; apply Rmult_le_compat; lra.
+Qed.
+End AtLeast.
+(* The logarithm of a number a little above one. *)
+Lemma ln_near z : 0 <= z -> ln (1 + z) <= z - z ^ 2 / 2 + z ^ 3 / 3.
+Proof.
+  intros Z; enough (0 <= z - z ^ 2 / 2 + z ^ 3 / 3 - ln (1 + z)) by lra.
+  apply (from_left_ge (fun t : R => t - t ^ 2 / 2 + t ^ 3 / 3 - ln (1 + t)) (fun t : R => t ^ 3 * / (1 + t)) 0 z); try lra.
+  - intros t T; eapply d_eq; [derive; lra |]; tidy; field; lra.
+  - intros t T; apply Rmult_le_pos; [apply pow_le; lra | left; apply Rinv_0_lt_compat; lra].
+  - rewrite Rplus_0_r, ln_1; lra.
+Qed.
+(* An inequality between the ratio of the moments and the square of the defect, on a box of them. *)
+Ltac boxed r e m :=
+  let u := fresh "u" in assert (0 <= e ^ 2 <= m ^ 2) by nra; set (u := e ^ 2) in *; clearbody u;
+  unfold up_all, up_exp, up_turn, low_sum, up_root, up_sine, up_time;
+  interval with (i_bisect u, i_bisect r, i_depth 30).

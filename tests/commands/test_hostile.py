@@ -781,7 +781,7 @@ def test_an_output_is_replaced_by_the_next(words: str, tmp_path) -> None:
 def test_a_picture_is_replaced_by_the_next(kind: str, tmp_path) -> None:
     target = tmp_path / f"out.{kind}"
     for _ in range(2):
-        name = "racket-flip" if kind == "gif" else "momentum-sphere"
+        name = "racket-flip" if kind == "gif" else "euler-angles"
         assert main(["figure", name, "-o", str(target)]) == 0
 
 

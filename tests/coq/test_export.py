@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import os
 import re
-import shutil
 import subprocess
 from collections.abc import Iterator
 from dataclasses import replace
@@ -178,8 +177,7 @@ def test_an_unknown_label_is_bad_input(tmp_path: Path) -> None:
     assert main(["export", "--coq", str(tmp_path), "xyz"]) == 2
 
 
-@pytest.mark.slow
-@pytest.mark.skipif(shutil.which("coqc") is None, reason="coqc is not installed")
+@pytest.mark.coq
 def test_coq_accepts_what_is_exported(tmp_path: Path) -> None:
     """The central chain, from the condition of one turn to the one root of the exact equation."""
     labels = [label for label in ("d36", "unique_root", "stable_equation") if label in proved()]
@@ -232,8 +230,7 @@ def false_somewhere(lemma: Theorem, right: Expr) -> bool:
     return False
 
 
-@pytest.mark.slow
-@pytest.mark.skipif(shutil.which("coqc") is None, reason="coqc is not installed")
+@pytest.mark.coq
 def test_no_falsehood_is_proved() -> None:
     count = int(os.environ.get("FALSEHOODS", "12"))
     false = falsehoods(count)

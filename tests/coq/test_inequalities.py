@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
-
 import pytest
 
 from tresym.coq.candidate_search import export
@@ -12,8 +10,6 @@ from tresym.coq.inequalities import inequality_proofs
 from tresym.coq.reductions import reductions
 from tresym.coq.statement import formula
 from tresym.reals.decisions.claim_parsing import read
-
-needs_coq = pytest.mark.skipif(shutil.which("coqc") is None, reason="coqc is not installed")
 
 
 @pytest.mark.parametrize(
@@ -52,8 +48,7 @@ def test_the_way_of_the_prover_of_signs(claim: str, words: str) -> None:
     assert any(words in proof for proof in list(inequality_proofs(theorem))[:5])
 
 
-@needs_coq
-@pytest.mark.slow
+@pytest.mark.coq
 @pytest.mark.parametrize(
     ("claim", "true"),
     [

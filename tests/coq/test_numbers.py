@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import shutil
 
 import pytest
 from mpmath import atan, findroot, mp, mpf, pi, sinh, sqrt, tanh
@@ -11,8 +10,6 @@ from mpmath import atan, findroot, mp, mpf, pi, sinh, sqrt, tanh
 from tresym.coq.candidate_search import prelude, run
 from tresym.coq.numbers import DIGITS, numbers
 from tresym.racket.body import NAMED_BODIES
-
-needs_coq = pytest.mark.skipif(shutil.which("coqc") is None, reason="coqc is not installed")
 
 
 def test_the_digits_are_those_of_the_equation() -> None:
@@ -27,8 +24,7 @@ def test_the_digits_are_those_of_the_equation() -> None:
             assert abs(exact - mpf(int(top)) / mpf(10) ** int(places)) < mpf(10) ** -(DIGITS + 2)
 
 
-@needs_coq
-@pytest.mark.slow
+@pytest.mark.coq
 def test_coq_proves_them_and_no_other_digit() -> None:
     text = numbers().replace("Require Import Tresym.\n", "")
     accepted, said, _ = run(prelude() + text, 300)

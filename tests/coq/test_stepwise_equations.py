@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
 import time
 
 import pytest
@@ -14,8 +13,6 @@ from tresym.coq.proof_script import spelled
 from tresym.coq.stepwise_equations import stepwise
 from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.language.parsing import parse
-
-needs_coq = pytest.mark.skipif(shutil.which("coqc") is None, reason="coqc is not installed")
 
 
 def test_what_is_spelled() -> None:
@@ -89,8 +86,7 @@ FALSE = (
 )
 
 
-@needs_coq
-@pytest.mark.slow
+@pytest.mark.coq
 def test_coq_accepts_what_is_true_alone() -> None:
     with Dialogue() as coq:
         coq.begin()

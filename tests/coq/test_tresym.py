@@ -2,13 +2,9 @@
 
 from __future__ import annotations
 
-import shutil
-
 import pytest
 
 from tresym.coq.candidate_search import prelude, run
-
-needs_coq = pytest.mark.skipif(shutil.which("coqc") is None, reason="coqc is not installed")
 
 USED = r"""
 Goal forall x0 u, 0 < x0 < 1 -> 0 < u ->
@@ -62,15 +58,13 @@ REFUSED = [  # a pole inside; a jump of the antiderivative; a product of integra
 ]
 
 
-@needs_coq
-@pytest.mark.slow
+@pytest.mark.coq
 def test_the_rules_serve() -> None:
     accepted, said, _ = run(prelude() + USED, 120)
     assert accepted, said
 
 
-@needs_coq
-@pytest.mark.slow
+@pytest.mark.coq
 def test_what_lacks_a_condition_is_refused() -> None:
     for text in REFUSED:
         assert not run(f"{prelude()}\nGoal {text}\nQed.\n", 120)[0]

@@ -217,13 +217,20 @@ def links(says: sympy.Eq, chain: Chain) -> list[tuple[sympy.Basic, sympy.Basic, 
 LARGEST_SIMPLIFIED = 60
 """Differences of more operations are left to the points: simplify would take minutes."""
 
-STEPS = [
-    pytest.param(claim, before, after, link, id=f"{claim.label}-{part}-{s}")
+EVERY = 5
+"""SymPy, which is slow, gets each fifth step in every run, and all of them every night."""
+
+ALL_STEPS = [
+    (f"{claim.label}-{part}-{s}", claim, before, after, link)
     for claim in CLAIMS
     for part, (says, chain) in enumerate(parts(claim))
     if isinstance(says, sympy.Eq)
     for s, (before, after, link) in enumerate(links(says, chain))
     if not before.has(sympy.Integral) and not after.has(sympy.Integral)
+]
+STEPS = [
+    pytest.param(*step, id=name, marks=pytest.mark.night if n % EVERY else ())
+    for n, (name, *step) in enumerate(ALL_STEPS)
 ]
 
 

@@ -54,9 +54,11 @@ def test_no_mutant_of_a_few_claims_holds() -> None:
     check(score)
 
 
-@pytest.mark.slow
+PARTS = [0, *(pytest.param(part, marks=pytest.mark.night) for part in (1, 2, 3))]
+
+
 @pytest.mark.filterwarnings("default::pytest.PytestUnraisableExceptionWarning")  # see time_limit
-@pytest.mark.parametrize("part", range(4))
+@pytest.mark.parametrize("part", PARTS)
 def test_no_mutant_holds(part: int) -> None:
     """Every sixth claim, in four parts; `tresym verify --mutants` takes them all.
 
@@ -120,7 +122,12 @@ def test_a_definition_is_changed_where_others_prove_something_by_it() -> None:
         assert judge(mutant.claim, changed).verdict is Verdict.REFUTED
 
 
-@pytest.mark.parametrize("label", ["rotating_turn", "unturned_turn", "half_a_turn_before"])
+ALIKE = [
+    pytest.param(label, marks=pytest.mark.night) for label in ("unturned_turn", "rotating_turn")
+]
+
+
+@pytest.mark.parametrize("label", ["half_a_turn_before", *ALIKE])
 def test_an_equation_is_changed_where_it_defines_a_function_with_a_slope(label: str) -> None:
     """What `decrease_of_bodies` rests on: with another equation the slope is another."""
     score = verify_mutants([label], 5)

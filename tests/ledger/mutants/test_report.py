@@ -82,8 +82,8 @@ def test_what_is_false_may_deny_nothing() -> None:
 
 
 def test_processes_find_what_one_finds() -> None:
-    labels = ("eq_gamma", "d08", "d02", "ratios_of_moments", "a_and_b_large")
-    alone, together = (verify_mutants(labels, 2, workers=n) for n in (1, 2))
+    labels = ("eq_gamma", "d08", "ratios_of_moments")
+    alone, together = (verify_mutants(labels, 1, workers=n) for n in (1, 2))
     assert alone == together
     assert [row.label for row in alone.rows] == sorted(labels, key=ORDER.index)
     assert alone.survivors == ()

@@ -15,7 +15,6 @@ from tresym.reals.numbers.exact import InputError
 from tresym.report import charts
 from tresym.report.charts import saved, scaling, times, work_precision
 from tresym.report.charts.common import tick_text, time_text
-from tresym.report.figures.grid import shown
 
 pytest.importorskip("matplotlib")
 
@@ -27,10 +26,10 @@ def data(workload: str) -> dict:
     return json.loads((SAVED / f"{workload}.json").read_text(encoding="utf-8"))
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("name", charts.CHARTS)
-def test_the_saved_chart_is_what_is_drawn(name: str) -> None:
-    text = charts.svg(name)
+def test_a_saved_chart_is_a_picture_that_can_stand_anywhere(name: str) -> None:
+    """That it is what is drawn is shown in test_processors.py."""
+    text = (BUILT / f"{name}.svg").read_text(encoding="utf-8")
     root = ElementTree.fromstring(text)
     assert root.tag.endswith("svg")
     found = {child.tag.rpartition("}")[2]: child.text for child in root}
@@ -39,7 +38,6 @@ def test_the_saved_chart_is_what_is_drawn(name: str) -> None:
     assert "<text" not in text
     assert "<script" not in text
     assert "dc:date" not in text
-    assert shown((BUILT / f"{name}.svg").read_text(encoding="utf-8")) == shown(text)
 
 
 @pytest.mark.parametrize("name", ["work-precision", "honesty", "scaling"])

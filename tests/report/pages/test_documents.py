@@ -13,7 +13,7 @@ from tresym.ledger.paper import corrections as all_corrections
 from tresym.ledger.verification import Report, verify
 from tresym.reals.verdict import Verdict
 from tresym.report.pages.corrections import FAULTS, corrections, is_correction
-from tresym.report.pages.documents import ledger
+from tresym.report.pages.documents import ledger, pages, stale
 from tresym.report.typesetting.markdown import sentence
 
 
@@ -93,6 +93,12 @@ def test_stricter_readings_are_listed_apart_from_statements_of_the_paper() -> No
     assert apart.count("Read as:") == len(HEDGED)
     for word in ("approximately", "very likely", r"\simeq", "hyperbolic shape", "very slow"):
         assert word in apart
+
+
+@pytest.mark.slow
+def test_every_page_is_up_to_date(whole: Report) -> None:
+    """Pictures and tables are compared in test_processors.py."""
+    assert stale(pages(whole)) == []
 
 
 def test_the_ledger_lists_every_claim(whole: Report) -> None:

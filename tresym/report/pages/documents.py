@@ -22,10 +22,11 @@ from tresym.report import charts, figures
 from tresym.report.charts import saved
 from tresym.report.figures.grid import shown
 from tresym.report.pages import coq_page
-from tresym.report.pages.article import article
+from tresym.report.pages.article import article, passages
 from tresym.report.pages.call_paths import call_paths
 from tresym.report.pages.check_tables import by_kind, by_source, measured
 from tresym.report.pages.corrections import corrections
+from tresym.report.pages.ledger_document import ledger_document
 from tresym.report.pages.messages import messages
 from tresym.report.pages.methods import methods
 from tresym.report.pages.numbers import numbers
@@ -39,8 +40,16 @@ from tresym.report.typesetting.statements import quoted
 
 def documents() -> Iterator[tuple[str, str]]:
     """Yield every generated document as its path below docs/generated and its text."""
-    report = verify(workers=cores())
+    yield from pages(verify(workers=cores()))
+    yield from drawn()
+
+
+def pages(report: Report) -> Iterator[tuple[str, str]]:
+    """Yield the documents of the ledger and of stored measurements."""
     yield "derivation.tex", article(report)
+    for name, text in passages(report).items():
+        yield f"passages/{name}.txt", text
+    yield "derivation-ledger.tex", ledger_document(report)
     yield "ledger.md", ledger(report)
     yield "ledger.json", _json(record(report))
     yield "numbers.json", _json(numbers(report))
@@ -53,7 +62,9 @@ def documents() -> Iterator[tuple[str, str]]:
     measured_tests = [*map(saved.load, ("guards", "hunts", "mutants"))]
     yield "trust.md", trust(report, *measured_tests)
     yield "trust-details.md", trust_details(*measured_tests)
-    yield from drawn()
+    yield "tables/deciding.md", measured(saved.load("check"))
+    yield "tables/kinds.md", by_kind(saved.load("kinds"))
+    yield "tables/papers.md", by_source(saved.load("papers"))
 
 
 def drawn() -> Iterator[tuple[str, str]]:
@@ -66,9 +77,6 @@ def drawn() -> Iterator[tuple[str, str]]:
         found = table(name)
         yield f"tables/{name}.md", written(found, "markdown")
         yield f"tables/{name}.tex", written(found, "latex")
-    yield "tables/deciding.md", measured(saved.load("check"))
-    yield "tables/kinds.md", by_kind(saved.load("kinds"))
-    yield "tables/papers.md", by_source(saved.load("papers"))
 
 
 def ledger(report: Report) -> str:

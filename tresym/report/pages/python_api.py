@@ -103,17 +103,18 @@ def derive(*labels: str) -> str:
         True
     """
     from tresym.ledger.verification import verify
-    from tresym.report.pages import derivation
+    from tresym.report.pages import derivation, fragments
     from tresym.report.pages.article import article
+    from tresym.report.pages.article import labels as named
 
-    report = verify(labels)
+    report = verify(labels or named())
     if not labels:
         return article(report)
     asked = [report[label] for label in dict.fromkeys(labels)]
     refused = derivation.refused(asked)
     if refused:
         raise InputError("; ".join(refused))
-    return "\n".join(map(derivation.fragment, asked))
+    return fragments.written(asked, "article")
 
 
 def paper(path: str | os.PathLike[str], limit: float = 5.0) -> list[Row]:

@@ -136,10 +136,10 @@ RECHECKED = {
         *("reals.signs.discontinuities.Case.point", "reals.decisions.dispatch._exact"),
         *("reals.decisions.inequalities._at_corners", "reals.decisions.inequalities._refuted_at"),
         *("reals.decisions.inequalities._in_cells", "reals.decisions.algebraic_witnesses"),
-        *("reals.decisions.inequalities._zero_between", "ledger.judge.refute"),
+        *("reals.decisions.inequalities._zero_between", "ledger.refutations.refute"),
         *("ledger.evidence.refutation", "ledger.counterexamples.rootless"),
-        *("ledger.evidence.asymptotics._expanded", "ledger.judge._refuted"),
-        "ledger.judge._refuted_slope",
+        *("ledger.evidence.asymptotics._expanded", "ledger.refutations.refuted_part"),
+        "ledger.judged_roots._refuted_slope",
         *("reals.decisions.equations._with_value", "reals.decisions.algebraic_witnesses"),
         *(
             "reals.decisions.asymptotics.path_claims._fails_beside",
@@ -215,8 +215,7 @@ def reached(without: Collection[str], roots: Collection[str] = ROOTS) -> set[Pie
             if not any(_within(".".join(piece), name) for name in without):
                 found.add(piece)
                 waiting += _named_in(*piece)
-                nodes = _nodes(_file(piece[0]).pieces[piece[1]])
-                attributes |= {node.attr for node in nodes if isinstance(node, ast.Attribute)}
+                attributes |= _attributes(*piece)
         picking = {(file, name.rpartition(".")[0]) for file, name in found if _picks(file, name)}
         named = {m for m in _methods(found) if _is_meant(m[1], attributes)}
         waiting = [*({*_methods(picking), *named} - seen)]
@@ -226,9 +225,23 @@ def reached(without: Collection[str], roots: Collection[str] = ROOTS) -> set[Pie
 def _methods(found: Collection[Piece]) -> Iterator[Piece]:
     """The methods of those pieces that are classes."""
     for file, owner in found:
-        yield from ((file, name) for name in _file(file).pieces if name.startswith(f"{owner}."))
+        yield from _methods_of(file, owner)
 
 
+@cache
+def _methods_of(file: str, owner: str) -> tuple[Piece, ...]:
+    """The methods of a piece, if it is a class."""
+    return tuple((file, name) for name in _file(file).pieces if name.startswith(f"{owner}."))
+
+
+@cache
+def _attributes(file: str, name: str) -> frozenset[str]:
+    """The names of attributes that a piece uses."""
+    nodes = _nodes(_file(file).pieces[name])
+    return frozenset(node.attr for node in nodes if isinstance(node, ast.Attribute))
+
+
+@cache
 def _picks(file: str, name: str) -> bool:
     """Whether a piece looks up an attribute of ``self`` by a computed name."""
     calls = (n for n in _nodes(_file(file).pieces[name]) if isinstance(n, ast.Call))
@@ -337,13 +350,11 @@ def _given_by(node: ast.stmt) -> Iterator[str]:
         yield from (n.id for t in targets for n in ast.walk(t) if isinstance(n, ast.Name))
 
 
-def _named_in(file: str, name: str) -> Iterator[Piece]:
+@cache
+def _named_in(file: str, name: str) -> tuple[Piece, ...]:
     """The pieces that a piece names."""
-    source = _file(file)
-    for used in _names(source.pieces[name]):
-        found = _piece(file, used)
-        if found is not None:
-            yield found
+    found = (_piece(file, used) for used in _names(_file(file).pieces[name]))
+    return tuple(dict.fromkeys(piece for piece in found if piece is not None))
 
 
 def _piece(file: str, name: str) -> Piece | None:
