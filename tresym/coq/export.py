@@ -22,7 +22,7 @@ from typing import Any, NamedTuple
 from tresym.coq import stamps
 from tresym.coq.candidate_search import assumptions
 from tresym.coq.coqtop import HEAD, prelude
-from tresym.coq.ledger_statements import Joint, lemmas, name_of, stamp, stem, theorem_of
+from tresym.coq.ledger_statements import Exported, Joint, lemmas, name_of, stamp, stem, theorem_of
 from tresym.coq.numbers import numbers
 from tresym.coq.statement import NotExportedError, Theorem, condition
 from tresym.ledger.claim import AllOf, Claim
@@ -56,7 +56,7 @@ class Entry(NamedTuple):
         without: the script that proves the theorem without the other premises.
     """
 
-    theorem: Theorem | Joint | None
+    theorem: Exported | None
     lemmas: str
     script: str | None
     premises: tuple[str, ...]
