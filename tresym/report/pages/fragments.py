@@ -32,7 +32,7 @@ _WORDS = {
 """Reasons that are written in other words than in the ledger; obvious ones are left out."""
 _SLIDE = 0.72
 """Width of a slide relative to a line of our article."""
-_IN_TEXT = re.compile(r"\\text\{\\footnotesize ([^{}$]*(?:\$[^$]*\$[^{}$]*)*)\}")
+_IN_TEXT = re.compile(r"\\text\{\\(?:footnotesize|small) ([^{}$]*(?:\$[^$]*\$[^{}$]*)*)\}")
 
 
 class Style(NamedTuple):
@@ -199,7 +199,7 @@ def for_markdown(body: str) -> str:
             part if n % 2 else rf"\text{{{part}}}" for n, part in enumerate(parts) if part
         )
 
-    shown = _IN_TEXT.sub(plain, body).replace(r"\footnotesize ", "")
+    shown = re.sub(r"\\(?:footnotesize|small) ", "", _IN_TEXT.sub(plain, body))
     return re.sub(r"\\operatorname\{(\w+)\}(?!\\left)", r"\\mathrm{\1}\\,", shown).replace(
         r"\operatorname", r"\mathrm"
     )
