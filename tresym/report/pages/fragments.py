@@ -14,8 +14,9 @@ from tresym.ledger.claim import Claim
 from tresym.ledger.verification import Row
 from tresym.reals.verdict import Verdict
 from tresym.report.pages import notebook
-from tresym.report.pages.derivation import NARROW, alone, derived, fragment, prose
+from tresym.report.pages.derivation import LONGEST, NARROW, alone, derived, prose
 from tresym.report.typesetting.chains import Because, Display, Line, displays
+from tresym.report.typesetting.finding_text import readable
 from tresym.report.typesetting.markdown import sentence
 from tresym.report.typesetting.statements import conditions, in_dollars, said
 from tresym.report.typesetting.titles import title
@@ -45,6 +46,8 @@ class Style(NamedTuple):
     """A reference to the equation with a label."""
     share: float
     """The width available, relative to a line of our article."""
+    strong: Callable[[str], str] = r"\textbf{{{}}}".format
+    """A word in bold type."""
 
 
 def written(rows: Collection[Row], style: str) -> str:
@@ -61,7 +64,7 @@ def written(rows: Collection[Row], style: str) -> str:
     numbers: dict[str, int] = {}
     look = _numbered(numbers, _slide_equation if style == "beamer" else _markdown_equation)
     if style == "beamer":
-        look = look._replace(words=prose, share=_SLIDE)
+        look = look._replace(words=prose, share=_SLIDE, strong=_LATEX.strong)
         texts = (
             f"\\begin{{frame}}[shrink]{{{prose(title(row.claim.label))}}}\n\\small\n"
             f"{_paragraphs(row, look, labels[:n])}\\end{{frame}}\n"
@@ -89,7 +92,7 @@ def _paragraphs(row: Row, style: Style, before: Collection[str], gap: str = "") 
     """The derivation of a claim, given the labels of the claims that are written before it."""
     claim = row.claim
     if row.finding.verdict is Verdict.REFUTED:
-        return fragment(row)
+        return "".join(f"{paragraph}\n{gap}" for paragraph in _refuted(row, style))
     found = [tuple(_folded(display)) for display in displays(claim)]
     cited = [c for c in _cited(claim) if c.label not in before and said(c).formula]
     known = {*before, *(c.label for c in cited)}
@@ -106,6 +109,23 @@ def _paragraphs(row: Row, style: Style, before: Collection[str], gap: str = "") 
         body = derived([_reasoned(line, style, known) for line in display], style.share)
         paragraphs.append(style.equation(body, claim.label + (f"-{n}" if n > 1 else "")))
     return "".join(f"{paragraph}\n{gap}" for paragraph in paragraphs)
+
+
+def _refuted(row: Row, style: Style) -> Iterator[str]:
+    """A refuted claim, marked as such, with the evidence and what is true instead."""
+    for claim, head in (
+        (row.claim, "Refuted"),
+        *((c, "True instead") for c in row.claim.amended_by),
+    ):
+        found = said(claim)
+        sentences = (_opening(claim, style), style.words(found.says or ""))
+        yield " ".join(
+            filter(None, (style.strong(head), f"({style.words(f'`{claim.label}`')}):", *sentences))
+        )
+        if found.formula:
+            yield style.equation(alone(found.formula, style.share), claim.label)
+        if claim is row.claim:
+            yield style.words(f"Evidence: {readable(row.finding.why[:LONGEST])}.")
 
 
 def _opening(claim: Claim, style: Style) -> str:
@@ -179,6 +199,7 @@ def _numbered(numbers: dict[str, int], equation: Callable[[str, int], str]) -> S
         equation=lambda body, label: equation(body, number(label)),
         refer=lambda label: f"({number(label)})",
         share=NARROW,
+        strong="**{}**".format,
     )
 
 
