@@ -57,9 +57,9 @@ def written(rows: Collection[Row], style: str) -> str:
         rows: the claims with their verdicts.
         style: ``article``, ``beamer``, ``markdown`` or ``jupyter``.
     """
-    labels = [row.claim.label for row in rows]
+    shown = {row.claim.label for row in rows}
     if style == "article":
-        texts = (_head(row) + _paragraphs(row, _LATEX, labels[:n]) for n, row in enumerate(rows))
+        texts = (_head(row) + _paragraphs(row, _LATEX, shown) for row in rows)
         return "\n".join(texts)
     numbers: dict[str, int] = {}
     look = _numbered(numbers, _slide_equation if style == "beamer" else _markdown_equation)
@@ -67,14 +67,14 @@ def written(rows: Collection[Row], style: str) -> str:
         look = look._replace(words=prose, share=_SLIDE, strong=_LATEX.strong)
         texts = (
             f"\\begin{{frame}}[shrink]{{{prose(title(row.claim.label))}}}\n\\small\n"
-            f"{_paragraphs(row, look, labels[:n])}\\end{{frame}}\n"
-            for n, row in enumerate(rows)
+            f"{_paragraphs(row, look, shown)}\\end{{frame}}\n"
+            for row in rows
         )
         return "\n".join(texts)
     parts = []
-    for n, row in enumerate(rows):
+    for row in rows:
         head = f"### {sentence(title(row.claim.label))}\n\n"
-        parts.append(head + _paragraphs(row, look, labels[:n], "\n"))
+        parts.append(head + _paragraphs(row, look, shown, "\n"))
     if style == "markdown":
         return "\n".join(parts)
     cells = [notebook.code("import tresym")]
@@ -88,14 +88,14 @@ def _head(row: Row) -> str:
     return f"% {title(label)}: {row.finding.verdict.value} (tresym verify {label})\n"
 
 
-def _paragraphs(row: Row, style: Style, before: Collection[str], gap: str = "") -> str:
-    """The derivation of a claim, given the labels of the claims that are written before it."""
+def _paragraphs(row: Row, style: Style, shown: set[str], gap: str = "") -> str:
+    """The derivation of a claim; the claims that it displays are added to those ``shown``."""
     claim = row.claim
     if row.finding.verdict is Verdict.REFUTED:
-        return "".join(f"{paragraph}\n{gap}" for paragraph in _refuted(row, style))
+        return "".join(f"{paragraph}\n{gap}" for paragraph in _refuted(row, style, shown))
     found = [tuple(_folded(display)) for display in displays(claim)]
-    cited = [c for c in _cited(claim) if c.label not in before and said(c).formula]
-    known = {*before, *(c.label for c in cited)}
+    cited = [c for c in _cited(claim) if c.label not in shown and said(c).formula]
+    shown.update(c.label for c in cited)
     spoken = said(claim)
     uses = "The derivation uses" if cited else ""
     sentences = (_opening(claim, style), style.words(spoken.says or ""), uses)
@@ -105,27 +105,34 @@ def _paragraphs(row: Row, style: Style, before: Collection[str], gap: str = "") 
         paragraphs.append(style.equation(body, premise.label))
     if cited:
         paragraphs.append("Hence" if len(found) == 1 else "Then")
+    if spoken.formula and not any(line.reasons for display in found for line in display):
+        paragraphs.append(style.equation(alone(spoken.formula, style.share), claim.label))
+        found = []
     for n, display in enumerate(found, 1):
-        body = derived([_reasoned(line, style, known) for line in display], style.share)
+        body = derived([_reasoned(line, style, shown) for line in display], style.share)
         paragraphs.append(style.equation(body, claim.label + (f"-{n}" if n > 1 else "")))
     return "".join(f"{paragraph}\n{gap}" for paragraph in paragraphs)
 
 
-def _refuted(row: Row, style: Style) -> Iterator[str]:
+def _refuted(row: Row, style: Style, shown: set[str]) -> Iterator[str]:
     """A refuted claim, marked as such, with the evidence and what is true instead."""
-    for claim, head in (
-        (row.claim, "Refuted"),
-        *((c, "True instead") for c in row.claim.amended_by),
-    ):
-        found = said(claim)
-        sentences = (_opening(claim, style), style.words(found.says or ""))
-        yield " ".join(
-            filter(None, (style.strong(head), f"({style.words(f'`{claim.label}`')}):", *sentences))
-        )
-        if found.formula:
-            yield style.equation(alone(found.formula, style.share), claim.label)
-        if claim is row.claim:
-            yield style.words(f"Evidence: {readable(row.finding.why[:LONGEST])}.")
+    yield from _marked("Refuted", row.claim, style)
+    yield style.words(f"Evidence: {readable(row.finding.why[:LONGEST])}.")
+    for claim in row.claim.amended_by:
+        if claim.label in shown and said(claim).formula:
+            yield f"{style.strong('True instead')}: {style.refer(claim.label)}."
+        else:
+            shown.add(claim.label)
+            yield from _marked("True instead", claim, style)
+
+
+def _marked(head: str, claim: Claim, style: Style) -> Iterator[str]:
+    """The statement of a claim after its label and a word in bold type."""
+    found = said(claim)
+    name = f"{style.strong(head)} ({style.words(f'`{claim.label}`')}):"
+    yield " ".join(filter(None, (name, _opening(claim, style), style.words(found.says or ""))))
+    if found.formula:
+        yield style.equation(alone(found.formula, style.share), claim.label)
 
 
 def _opening(claim: Claim, style: Style) -> str:
