@@ -147,7 +147,10 @@ READ_BY = {
     "tresym/report/pages/symbols.py": "an assumption, whose conditions have a column",
     "tresym/report/pages/article.py": "the article, with the conditions; what is true instead",
     "tresym/report/pages/derivation.py": "what a quoted theorem says, which is no claim",
+    "tresym/report/pages/ledger_document.py": "the same",
     "tresym/report/pages/site_data.py": "the same",
+    "tresym/report/pages/templates.py": "a sentence or a bound; its text states the conditions",
+    "tresym/report/pages/fragments.py": "a claim to paste, after its conditions",
     "tresym/commands/check.py": "what `check` answers, which is no claim of the ledger",
 }
 """The files that read what a claim says, and why these may."""

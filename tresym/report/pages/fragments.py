@@ -31,7 +31,7 @@ _WORDS = {
     "inverse functions": "inverse functions cancel",
 }  # fmt: skip
 """Reasons that are written in other words than in the ledger; obvious ones are left out."""
-_SLIDE = 0.72
+_SLIDE = 0.85
 """Width of a slide relative to a line of our article."""
 _IN_TEXT = re.compile(r"\\text\{\\(?:footnotesize|small) ([^{}$]*(?:\$[^$]*\$[^{}$]*)*)\}")
 
