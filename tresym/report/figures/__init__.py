@@ -33,7 +33,7 @@ MOVING = ("gif", "mp4")
 """The file formats of pictures, and those of animations."""
 MM_PER_INCH = 25.4
 PRINTED_MM = {
-    "racket-frame": 84, "euler-angles": 140, "momentum-sphere": 112, "flip-portrait": 112,
+    "racket-frame": 84, "euler-angles": 140, "momentum-sphere": 140, "flip-portrait": 112,
     "handle-portrait": 112, "handle-curves": 130, "symmetric-flips": 118, "defect-map": 140,
     "flip-curves": 108, "flip-map": 140, "shape-map": 140, "racket-flip": 146,
 }  # fmt: skip
