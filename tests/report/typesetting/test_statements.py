@@ -149,9 +149,7 @@ READ_BY = {
     "tresym/report/pages/ledger_document.py": "what a quoted theorem says, which is no claim",
     "tresym/report/pages/templates.py": "a sentence of the article; its conditions are in the text",
     "tresym/report/pages/derivation.py": "what a quoted theorem says, which is no claim",
-    "tresym/report/pages/ledger_document.py": "the same",
     "tresym/report/pages/site_data.py": "the same",
-    "tresym/report/pages/templates.py": "a sentence or a bound; its text states the conditions",
     "tresym/report/pages/fragments.py": "a claim to paste, after its conditions",
     "tresym/commands/check.py": "what `check` answers, which is no claim of the ledger",
 }
