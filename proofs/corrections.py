@@ -12,17 +12,17 @@ CORRECTIONS = (
         "The remainder of ε₀",
         "ε₀ = e^{−√(ab)π}(2√(a/(a + b)) e^{−b/√(1 + b/a)} + o(e^{−√(ab)π}))",
         ("d24", "eps0", "prop1"),
-        "Of arcsin(μ)/λ in the exponent the appendix keeps μ/λ. The next term, μ³/(6λ), is of the "
-        "order of λ² = 1/(ab): algebraic, and not exponentially small. On the path of the witness "
-        "what is left out is −t²/(3e) of the printed factor.",
+        "The appendix replaces arcsin(μ)/λ in the exponent by μ/λ. The next term, μ³/(6λ), is of "
+        "the order of λ² = 1/(ab): algebraic, and not exponentially small. On the path of the "
+        "witness the omitted term is −t²/(3e) times the printed factor.",
     ),
     Correction(
         "The slope of ε at γ = 0",
         "ε(γ) = ε₀ − γ/(4bε₀) + O(γ²)",
         ("eq_pavao", "remark1_speed", "d58", "remainder_constant", "prop1"),
         "−1/(4bε₀) is the leading term of dε/dγ for large ab, and not dε/dγ itself: with it the "
-        "remainder is of the order of γ. The appendix has the derivative up to O(1) only, and "
-        "drops that when it sums up.",
+        "remainder is of the order of γ. The appendix gives the derivative up to O(1), and its "
+        "summary omits this term.",
     ),
     Correction(
         "The symmetric motion does not always flip most",
@@ -31,17 +31,18 @@ CORRECTIONS = (
         ("symmetric_maximum",),
     ),
     Correction(
-        "A larger product ab does not make ε₀ smaller",
+        "A larger product ab does not imply a smaller ε₀",
         "the larger the product ab is, the smaller the parameter ε₀ is",
         ("larger_ab_smaller_eps0", "formula_shows_larger_ab"),
-        "ε₀ falls in a and falls in b, but is no function of ab. It holds where one of the two is "
-        "kept.",
+        "ε₀ decreases in a and in b, but it is not a function of ab. The statement holds if one of "
+        "the two is fixed.",
     ),
     Correction(
-        "Nor does it make the effect less robust",
+        "Nor does it imply a less robust effect",
         "the larger the term ab is, the less robust is the effect",
         ("larger_ab_less_robust",),
-        "The slope goes as 1/(bε₀), and b may fall while ab grows. At fixed b it holds.",
+        "The slope is of the order of 1/(bε₀), and b may decrease while ab increases. At fixed b "
+        "the statement holds.",
     ),
     Correction(
         "The flip along the separatrix is not zero",
@@ -49,11 +50,11 @@ CORRECTIONS = (
         ("zero_on_separatrix",),
     ),
     Correction(
-        "One ε₀ of the formula belongs to two values of a",
+        "The formula takes one ε₀ at two values of a",
         "each value of ε₀ is associated with one value of a through the equation of ε₀",
         ("each_eps0_one_a",),
-        "At b = 0.1 the formula rises and falls in a, so that it takes values twice. The exact ε₀ "
-        "does not.",
+        "At b = 0.1 the formula first increases and then decreases in a, so that it takes some "
+        "values twice. The exact ε₀ does not.",
     ),
     Correction(
         "dψ/dφ is not the angular velocity along the handle",
@@ -64,8 +65,8 @@ CORRECTIONS = (
         "No rigid body has the moments of rackets 1, 2 and 3",
         "Racket 1: 886, 16336, 18270; Racket 2: 1319, 14445, 16175; Racket 3: 448, 7126, 1818",
         ("table_racket_1_realizable", "table_racket_2_realizable", "table_racket_3_realizable"),
-        "The largest moment of a rigid body is at most the sum of the other two. With 8118 for "
-        "1818 in the last it still is not.",
+        "The largest moment of a rigid body is at most the sum of the other two. With 8118 "
+        "for 1818 in the last row this is still violated.",
     ),
     Correction(
         "b is never large",
@@ -73,7 +74,7 @@ CORRECTIONS = (
         ("a_and_b_large",),
     ),
     Correction(
-        "Of equal moments no axis is unstable",
+        "A spherical top has no unstable axis",
         "the motion is unstable around the e₂- axis. This behavior can be observed for any "
         "three-dimensional rigid body",
         ("any_rigid_body_is_unstable",),
@@ -82,8 +83,8 @@ CORRECTIONS = (
         "Flat and smooth at the origin from one side only",
         "f(s) = e^{−1/s}, for s ≠ 0 and f(0) = 0 is of class C^{∞}, infinitely flat at the origin",
         ("flat_function", "eps0_smooth", "G_is_smooth"),
-        "For s < 0 the function is unbounded, and so is what is built of it for λ < 0. The "
-        "argument needs λ ≥ 0 only, and there all of it is smooth.",
+        "For s < 0 the function is unbounded, and so is what is built from it for λ < 0. The "
+        "argument needs only λ ≥ 0, where everything is smooth.",
     ),
     Correction(
         "∂μ/∂λ is not zero at the origin",
@@ -94,35 +95,34 @@ CORRECTIONS = (
         "dε/dγ of the standard racket",
         "dε/dγ|_{γ = 0} = −34.5",
         ("d27",),
-        "Read as the derivative of ε(γ), which it is printed to equal; the number is that of its "
+        "Read as the derivative of ε(γ), to which the paper equates it; the number is that of its "
         "leading term, −1/(4bε₀).",
     ),
     Correction(
         "The levels at which the flip is off by π/6",
         "γ|_{ε = −π/12} = 1.09 × 10^{−2}, γ|_{ε = π/12} = −4.2 × 10^{−3}",
         ("d29",),
-        "Read as the levels of ε(γ), as the slope before is; the numbers are those of the linear "
+        "Read as levels of ε(γ), like the slope before; the numbers are those of the linear "
         "formula.",
     ),
     Correction(
-        "An equation from which the higher orders are dropped",
+        "An equation without its higher orders",
         "ε₀ = 2√(1 − μ²) e^{−(π + arcsin(μ cos ε₀))/λ}",
         ("equation",),
-        "Eq. (A.2), of which it is said to be a form, has “+ hot” on its left side. They are one "
-        "part in a thousand for the standard racket.",
+        "Eq. (A.2), which it is said to repeat, has “+ hot” on its left side. The higher orders "
+        "are one part in a thousand for the standard racket.",
     ),
     Correction(
         "a of racket 3",
         "Racket 3: 448, 7126, 1818, 14.88",
         ("table_racket_3_a",),
-        "By the moments that are printed with it a is 14.91.",
+        "The moments that are printed with it give a = 14.91.",
     ),
     Correction(
         "The third moment of racket 3",
         "Racket 3: 448, 7126, 1818, 14.88, 0.12",
         ("table_racket_3_b", "table_racket_3_order"),
-        "Two digits have changed places: 8118 for 1818 puts the moments in order and repairs b, "
-        "which is 0.1222 then.",
+        "Two digits are exchanged: 8118 for 1818 puts the moments in order and gives b = 0.1222.",
     ),
     Correction(
         "The flip of ethylene",
@@ -131,7 +131,7 @@ CORRECTIONS = (
         "The number is (2/π) e^{−π√(ab)}: the formula without the factor before the exponential.",
     ),
     Correction(
-        "ε₀(u, λμ)",
+        "A missing comma",
         "G(u, λ, μ) := u + arcsin μ − arcsin(μ cos(ε₀(u, λμ))) + hot = 0",
         ("defect_of_a_product",),
     ),
@@ -147,7 +147,7 @@ CORRECTIONS = (
         "A cross reference",
         "we only consider the case θ ∈ [0, π/2] (see Sec. 2)",
         ("reference_to_section_2",),
-        "It is said in Sect. 3.",
+        "The restriction is stated in Sect. 3.",
     ),
     Correction(
         "The unit of the moments",

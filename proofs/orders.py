@@ -70,6 +70,21 @@ wide = (*shape, 4 * a - b >= 0, epsilon0 <= Rational(1, 4))
 
 # -- the theorem's remainder ----------------------------------------------------------------------
 
+exponent_left_out = Claim(
+    says=equal(
+        mu**3 / (6 * lam),
+        b**2 / (6 * a * (1 + b / a) ** Rational(3, 2)),
+    ),
+    given=shape,
+    proof=by(substituting(d40), roots),
+    note="The first term that the exponent of the theorem leaves out.",
+)
+arcsine_above = Claim(
+    says=asin(x) - x - x**3 / 6 >= 0,
+    given=(x > 0, x < 1),
+    proof=manifest,
+)
+
 d24 = Claim(
     says=printed_remainder.says,
     means=printed_remainder.means,

@@ -61,6 +61,13 @@ d35 = Claim(
 
 _primitive = sqrt(b / a) * atanh(sqrt(a / b) * x / sqrt(1 - x**2)) - b * asin(x)
 
+turn_antiderivative = Claim(
+    says=equal(Derivative(_primitive, x), _in_x),
+    given=(*shape, b / (a + b) - x**2 > 0),
+    proof=by(differentiation, roots),
+    note="The turn on the separatrix is an elementary function of x.",
+)
+
 d36 = Claim(
     says=equal(printed.arctanh_left(x0, a, b, sympy), sqrt(a * b) * pi),
     given=(*shape, *defect),

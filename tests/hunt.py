@@ -16,7 +16,8 @@ from collections.abc import Callable
 import chunks
 
 from tresym.reals.decisions.time_limited import Task, check_all
-from tresym.reals.language.expression import differentiate, substitute
+from tresym.reals.language.derivatives import differentiate
+from tresym.reals.language.expression import substitute
 from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict

@@ -764,6 +764,491 @@ Ltac all_below m := lazymatch goal with |- up_all ?r (?e ^ 2) * _ <= _ =>
   unfold up_all, up_exp, up_turn, low_sum, up_root, up_sine, up_time;
   interval with (i_bisect u, i_bisect r, i_depth 30) end.
 
+(* Bounds on boxes. *)
+Lemma sinh_above x : 0 <= x -> x <= sinh x.
+Proof.
+  intros X; enough (0 <= sinh x - x) by lra; apply (from_left_ge (fun t => sinh t - t) (fun t => cosh t - 1) 0 x).
+  - exact X.
+  - intros t _; eapply d_eq; [exact (d_minus sinh (fun u => u) t _ _ (d_sinh (fun u => u) t 1 (d_id t)) (d_id t)) |]; cbv beta; over_reals; ring.
+  - intros t _; pose proof (cosh_above t); lra.
+  - rewrite sinh_0; lra.
+Qed.
+Lemma tanh_share x y : 0 <= x -> x <= y -> 0 < y -> x * tanh y <= y * tanh x.
+Proof.
+  intros X L Y; enough (0 <= y * tanh x - x * tanh y) by lra.
+  apply (concave (fun t => y * tanh t - t * tanh y) (fun t => y * / (cosh t * cosh t) - tanh y)
+    (fun t => y * (- 2 * sinh t * / (cosh t * cosh t * cosh t))) 0 y x).
+  - lra.
+  - intros t _; pose proof (cosh_pos t); eapply d_eq; [exact (d_minus (fun u => y * tanh u) (fun u => u * tanh y) t _ _ (d_mult (fun _ => y) tanh t _ _ (d_const y t) (d_tanh (fun u => u) t 1 (d_id t))) (d_mult (fun u => u) (fun _ => tanh y) t _ _ (d_id t) (d_const _ t))) |]; cbv beta; over_reals; field; lra.
+  - intros t _; pose proof (cosh_pos t); assert (0 < cosh t * cosh t) by nra; pose proof (d_cosh (fun u => u) t 1 (d_id t)) as DC; eapply d_eq; [exact (d_minus (fun u => y * / (cosh u * cosh u)) (fun _ => tanh y) t _ _ (d_mult (fun _ => y) (fun u => / (cosh u * cosh u)) t _ _ (d_const y t) (d_inv (fun u => cosh u * cosh u) t _ (d_mult cosh cosh t _ _ DC DC) ltac:(lra))) (d_const _ t)) |]; cbv beta; over_reals; field; lra.
+  - intros t T; pose proof (cosh_pos t); assert (0 <= sinh t) by (pose proof (sinh_above t (proj1 T)); lra).
+    assert (0 < / (cosh t * cosh t * cosh t)) by positive; set (j := / (cosh t * cosh t * cosh t)) in *.
+    assert (0 <= sinh t * j) by (apply Rmult_le_pos; lra); nra.
+  - rewrite tanh_0; lra.
+  - lra.
+Qed.
+Lemma atan_share c z : 0 <= c <= 1 -> 0 <= z -> c * atan z <= atan (c * z).
+Proof.
+  intros C Z; enough (0 <= atan (c * z) - c * atan z) by lra.
+  apply (concave (fun s : R => atan (s * z) - s * atan z) (fun s => z * / (1 + (s * z) ^ 2) - atan z)
+    (fun s => - 2 * s * z ^ 3 * / (1 + (s * z) ^ 2) ^ 2) 0 1 c).
+  - exact C.
+  - intros t _; auto_derive; [exact I | field; nra].
+  - intros t _; auto_derive; [nra | field; nra].
+  - intros t T; assert (0 < / (1 + (t * z) ^ 2) ^ 2) by (apply Rinv_0_lt_compat; nra).
+    set (j := / _) in *; assert (0 <= z ^ 3) by (apply pow_le; lra).
+    assert (0 <= t * z ^ 3) by (apply Rmult_le_pos; lra); assert (0 <= t * z ^ 3 * j) by (apply Rmult_le_pos; lra); lra.
+  - rewrite Rmult_0_l, atan_0; lra.
+  - rewrite Rmult_1_l; lra.
+Qed.
+Lemma atan_difference x y z : 0 < x -> 0 < y -> z = / (1 + x * y) * (x - y) -> atan z = (-1) * atan y + atan x.
+Proof.
+  intros X Y E; pose proof (atan_bound x); pose proof (atan_bound y).
+  pose proof (atan_above x X); pose proof (atan_above y Y); apply atan_unique; [lra |].
+  replace ((-1) * atan y + atan x) with (atan x - atan y) by ring.
+  rewrite sin_minus, cos_minus, E; assert (P : 0 < 1 + x * y) by nra.
+  assert (CX : 0 < cos (atan x)) by (apply cos_gt_0; lra); assert (CY : 0 < cos (atan y)) by (apply cos_gt_0; lra).
+  assert (SX : sin (atan x) = x * cos (atan x)) by (rewrite <- (sin_over_cos x) at 2; field; lra).
+  assert (SY : sin (atan y) = y * cos (atan y)) by (rewrite <- (sin_over_cos y) at 2; field; lra).
+  rewrite SX, SY; field; lra.
+Qed.
+Lemma mean_value_open (f df : R -> R) a b : a < b -> (forall x, a <= x <= b -> continuous f x) ->
+  (forall x, a < x < b -> is_derive f x (df x)) -> exists c, a < c < b /\ f b - f a = df c * (b - a).
+Proof.
+  intros L C D; assert (pr : forall c, a < c < b -> derivable_pt f c).
+  { intros c I; exists (df c); apply is_derive_Reals, D; lra. }
+  destruct (MVT f id a b pr (fun c _ => derivable_pt_id c) L) as [c [I E]].
+  - intros t T; apply continuity_pt_filterlim, C; lra.
+  - intros t _; apply derivable_continuous_pt, derivable_pt_id.
+  - assert (V : derive_pt f c (pr c I) = df c) by (apply derive_pt_eq_0, is_derive_Reals, D; lra).
+    assert (U : derive_pt id c (derivable_pt_id c) = 1) by apply derive_pt_id.
+    rewrite V, U in E; unfold id in E; exists c; split; [exact I | lra].
+Qed.
+(* The angle that a shape turns through on the separatrix from t on: it decreases in t, a and b. *)
+Definition turn_from (a b t : R) : R :=
+  (exponent a b t - ln t + ln (2 * / sqrt (b * / a + 1))) * / sqrt (a * b) - asin (sqrt (b * / (a + b))).
+Definition turn_rate (a b t : R) : R := (1 - b * sin t ^ 2) * / root_of a b t * / sin t.
+Lemma turn_from_is a b t : 0 < a -> 0 < b -> 0 < t -> 0 < sin t -> 0 <= cos t ->
+  turn_from a b t = ln ((root_of a b t + cos t) * / (sqrt (b * / a + 1) * sin t)) * / sqrt (a * b)
+    - asin (sqrt (b * / (a + b)) * cos t).
+Proof.
+  intros A B T S C; unfold turn_from, exponent; pose proof (root_above a b t A B) as W.
+  assert (K : 0 < sqrt (a * b)) by (apply sqrt_lt_R0; positive).
+  assert (R0 : 0 < b * / a) by positive; assert (Q : 0 < sqrt (b * / a + 1)) by (apply sqrt_lt_R0; lra).
+  set (w := root_of a b t) in *; set (q := sqrt (b * / a + 1)) in *.
+  replace (1 / 2 * w + 1 / 2 * cos t) with (/ 2 * (w + cos t)) by field.
+  assert (0 < / sin t) by positive; assert (0 < / q) by positive.
+  rewrite (ln_mult t), (ln_mult (/ 2)), (ln_mult 2), (ln_mult (w + cos t)), !ln_Rinv, (ln_mult q)
+    by (first [lra | positive]); field; lra.
+Qed.
+Lemma turn_from_derive a b t : 0 < a -> 0 < b -> 0 < t -> 0 < sin t -> 0 < cos t ->
+  is_derive (turn_from a b) t (- turn_rate a b t * / sqrt (a * b)).
+Proof.
+  intros A B T S C; assert (K : 0 < sqrt (a * b)) by (apply sqrt_lt_R0; positive).
+  pose proof (root_above a b t A B); unfold turn_from; eapply d_eq.
+  - apply (d_minus (fun u => (exponent a b u - ln u + ln (2 * / sqrt (b * / a + 1))) * / sqrt (a * b))
+      (fun _ => asin (sqrt (b * / (a + b))))); [| apply d_const].
+    apply (d_mult (fun u => exponent a b u - ln u + ln (2 * / sqrt (b * / a + 1))) (fun _ => / sqrt (a * b)));
+      [| apply d_const].
+    apply (d_plus (fun u => exponent a b u - ln u) (fun _ => ln (2 * / sqrt (b * / a + 1)))); [| apply d_const].
+    apply (d_minus (exponent a b) ln); [apply exponent_derive; assumption | apply is_derive_ln, T].
+  - cbv beta; unfold turn_rate; over_reals; field; lra.
+Qed.
+Lemma turn_from_end a b : 0 < a -> 0 < b -> turn_from a b (PI / 2) = 0.
+Proof.
+  intros A B; pose proof PI_RGT_0; rewrite turn_from_is; rewrite ?sin_PI2, ?cos_PI2; try lra.
+  assert (R0 : 0 < b * / a) by positive; unfold root_of; rewrite sin_PI2.
+  replace (b * / a * 1 ^ 2 + 1) with (b * / a + 1) by ring.
+  assert (0 < sqrt (b * / a + 1)) by (apply sqrt_lt_R0; lra).
+  replace ((sqrt (b * / a + 1) + 0) * / (sqrt (b * / a + 1) * 1)) with 1 by (field; lra).
+  rewrite ln_1, Rmult_0_r, asin_0; ring.
+Qed.
+Lemma turn_from_continuous a b t : 0 < a -> 0 < b -> 0 < t -> t <= PI / 2 -> continuous (turn_from a b) t.
+Proof.
+  intros A B T L; pose proof PI_RGT_0; assert (S : 0 < sin t) by (apply sin_gt_0; lra).
+  assert (C : 0 <= cos t) by (apply cos_ge_0; lra); pose proof (root_above a b t A B) as W; unfold root_of in W.
+  pose proof (share_below a b t A B) as M.
+  unfold turn_from, exponent, root_of; continues; cbv beta; try lra; try positive.
+Qed.
+Lemma rate_falls a b x y t : 0 < x -> x <= a -> 0 < y -> y <= b -> b <= 1 -> 0 < sin t ->
+  turn_rate a b t * / sqrt (a * b) <= turn_rate x y t * / sqrt (x * y).
+Proof.
+  intros X A Y B L S; pose proof (SIN_bound t) as [_ S1].
+  assert (E : forall u v, 0 < u -> 0 < v -> / root_of u v t * / sqrt (u * v) = / sqrt (v * (u + v * sin t ^ 2))).
+  { intros u v U V; rewrite <- Rinv_mult; f_equal; unfold root_of; rewrite <- sqrt_mult.
+    - f_equal; field; lra.
+    - assert (0 < v * / u) by positive; pose proof (pow2_ge_0 (sin t)); nra.
+    - nra. }
+  unfold turn_rate.
+  replace ((1 - b * sin t ^ 2) * / root_of a b t * / sin t * / sqrt (a * b))
+    with ((1 - b * sin t ^ 2) * / sin t * (/ root_of a b t * / sqrt (a * b))) by ring.
+  replace ((1 - y * sin t ^ 2) * / root_of x y t * / sin t * / sqrt (x * y))
+    with ((1 - y * sin t ^ 2) * / sin t * (/ root_of x y t * / sqrt (x * y))) by ring.
+  rewrite !E by lra; assert (0 < / sin t) by positive; assert (0 < sin t ^ 2 <= 1) by nra.
+  assert (D : 0 < y * (x + y * sin t ^ 2)) by nra.
+  apply Rmult_le_compat.
+  - apply Rmult_le_pos; nra.
+  - left; apply Rinv_0_lt_compat, sqrt_lt_R0; nra.
+  - apply Rmult_le_compat_r; nra.
+  - apply Rinv_le_contravar; [apply sqrt_lt_R0; exact D |]; apply sqrt_le_1_alt.
+    apply Rmult_le_compat; nra.
+Qed.
+Lemma turn_falls_by_shape a b x y t : 0 < x -> x <= a -> 0 < y -> y <= b -> b <= 1 -> 0 < t -> t < PI / 2 ->
+  turn_from a b t <= turn_from x y t.
+Proof.
+  intros X A Y B L T U.
+  destruct (mean_value_open (fun u => turn_from a b u - turn_from x y u)
+    (fun u => - turn_rate a b u * / sqrt (a * b) - (- turn_rate x y u * / sqrt (x * y))) t (PI / 2) U) as [c [C E]].
+  - intros u V; apply (continuous_minus (turn_from a b) (turn_from x y)); apply turn_from_continuous; lra.
+  - intros u V; apply (d_minus (turn_from a b) (turn_from x y)); apply turn_from_derive; try lra;
+      first [apply sin_gt_0; lra | apply cos_gt_0; lra].
+  - cbv beta in E; rewrite !turn_from_end in E by lra.
+    pose proof (rate_falls a b x y c X A Y B L ltac:(apply sin_gt_0; lra)) as F; nra.
+Qed.
+Definition is_defect (a b e : R) : Prop := tanh (sqrt (a * b) * (PI + asin (sqrt (b * / (a + b)) * cos e)))
+  = / sqrt (b * / a * sin e ^ 2 + 1) * cos e.
+Lemma turn_of_defect a b e : 0 < a -> 0 < b -> 0 < e -> e < PI / 2 -> is_defect a b e -> turn_from a b e = PI.
+Proof.
+  unfold is_defect; intros A B E0 E1 E; assert (SE : 0 < sin e) by (apply sin_gt_0; lra); assert (CE : 0 < cos e) by (apply cos_gt_0; lra).
+    rewrite turn_from_is by lra; pose proof (decay a b _ e A B SE CE E) as D.
+    assert (K : 0 < sqrt (a * b)) by (apply sqrt_lt_R0; positive).
+    pose proof (root_above a b e A B) as W; unfold root_of in *.
+    assert (0 < b * / a) by positive.
+    assert (Q : 0 < sqrt (b * / a + 1)) by (apply sqrt_lt_R0; lra).
+    set (w := sqrt (b * / a * sin e ^ 2 + 1)) in *; set (q := sqrt (b * / a + 1)) in *.
+    replace ((w + cos e) * / (q * sin e)) with (/ (q * / (w + cos e) * sin e)) by (field; lra).
+    rewrite <- D, <- exp_Ropp, ln_exp; field; lra.
+Qed.
+Lemma leading_of_defect a b e : 0 < a -> 0 < b -> 0 < e -> e < PI / 2 -> is_defect a b e ->
+  2 * sqrt (a * / (a + b)) * exp ((-1) * sqrt (a * b) * (PI + asin (sqrt (b * / (a + b))))) = e * exp ((-1) * exponent a b e).
+Proof.
+  intros A B E0 E1 E; pose proof (turn_of_defect a b e A B E0 E1 E) as T; unfold turn_from in T.
+  assert (K : 0 < sqrt (a * b)) by (apply sqrt_lt_R0; positive).
+  assert (R0 : 0 < b * / a) by positive; assert (Q : 0 < sqrt (b * / a + 1)) by (apply sqrt_lt_R0; lra).
+  rewrite (inverse_root a b A B); set (q := sqrt (b * / a + 1)) in *; assert (I : 0 < 2 * / q) by positive.
+  set (t := asin (sqrt (b * / (a + b)))) in *; set (k := sqrt (a * b)) in *; set (x := exponent a b e) in *.
+  assert (M : (-1) * x = (-1) * k * (PI + t) - ln e + ln (2 * / q)).
+  { assert (V : (x - ln e + ln (2 * / q)) * / k = PI + t) by lra.
+    assert (W : x - ln e + ln (2 * / q) = k * (PI + t)) by (rewrite <- V; field; lra); lra. }
+  rewrite M; unfold Rminus; rewrite !exp_plus, exp_Ropp, !exp_ln by lra; field; lra.
+Qed.
+(* Where the equation of a smaller shape has the sign beyond its root, the root of a shape is not above. *)
+Lemma defect_at_most a b x y c e : 0 < x -> x <= a -> 0 < y -> y <= b -> b <= 1 -> 0 < e -> e < PI / 2 ->
+  tanh (sqrt (a * b) * (PI + asin (sqrt (b * / (a + b)) * cos e))) = / sqrt (b * / a * sin e ^ 2 + 1) * cos e ->
+  0 < c -> c < PI / 2 -> 0 <= turn_short x y c -> e <= c.
+Proof.
+  intros X A Y B L E0 E1 E C0 C1 S; destruct (Rle_or_lt e c) as [H|H]; [exact H | exfalso].
+  pose proof (turn_of_defect a b e ltac:(lra) ltac:(lra) E0 E1 E) as Ta.
+  assert (Ts : turn_from x y c <= PI).
+  { rewrite turn_short_is in S by lra.
+    assert (SC : 0 < sin c) by (apply sin_gt_0; lra); assert (CC : 0 < cos c) by (apply cos_gt_0; lra).
+    rewrite turn_from_is by lra; assert (K : 0 < sqrt (x * y)) by (apply sqrt_lt_R0; nra).
+    pose proof (root_above x y c ltac:(lra) ltac:(lra)) as W; pose proof (root_square x y c ltac:(lra) ltac:(lra)) as W2.
+    unfold root_of in *; assert (R0 : 0 < y * / x) by (positive).
+    assert (Q : 0 < sqrt (y * / x + 1)) by (apply sqrt_lt_R0; lra).
+    assert (Q2 : sqrt (y * / x + 1) ^ 2 = y * / x + 1) by (apply pow2_sqrt; lra).
+    pose proof (sin_square c) as S2.
+    set (w := sqrt (y * / x * sin c ^ 2 + 1)) in *; set (q := sqrt (y * / x + 1)) in *.
+    set (m := asin (sqrt (y * / (x + y)) * cos c)) in *; set (v := (w + cos c) * / (q * sin c)).
+    assert (V : 0 < v) by (unfold v; assert (0 < q * sin c) by nra; positive).
+    assert (U : tanh (ln v) = / w * cos c).
+    { unfold tanh, sinh, cosh; rewrite exp_Ropp, exp_ln by exact V; unfold v.
+      assert (P : q ^ 2 * sin c ^ 2 = (w - cos c) * (w + cos c)).
+      { replace ((w - cos c) * (w + cos c)) with (w ^ 2 - cos c ^ 2) by ring; rewrite W2, Q2, S2; ring. }
+      assert (Z : / ((w + cos c) * / (q * sin c)) = (w - cos c) * / (q * sin c)).
+      { replace ((w - cos c) * / (q * sin c)) with ((w - cos c) * (w + cos c) * / (q * sin c) * / (w + cos c)) by (field; lra).
+        rewrite <- P; field; lra. }
+      rewrite Z; assert (0 < q * sin c) by nra.
+      set (j := / (q * sin c)); assert (0 < j) by (unfold j; positive); field; repeat split; try lra; nra. }
+    assert (N : ln v <= sqrt (x * y) * (PI + m)).
+    { destruct (Rle_or_lt (ln v) (sqrt (x * y) * (PI + m))) as [N|N]; [exact N |].
+      apply increasing_tanh in N; lra. }
+    apply (Rmult_le_reg_r (sqrt (x * y))); [exact K |].
+    replace ((ln v * / sqrt (x * y) - m) * sqrt (x * y)) with (ln v - m * sqrt (x * y)) by (field; lra); lra. }
+  pose proof (turn_falls_by_shape a b x y c X A Y B L C0 C1) as M.
+  destruct (mean_value_open (turn_from a b) (fun t => - turn_rate a b t * / sqrt (a * b)) c e H) as [t [T V]].
+  - intros t T; apply turn_from_continuous; lra.
+  - intros t T; apply turn_from_derive; try lra; first [apply sin_gt_0; lra | apply cos_gt_0; lra].
+  - assert (ST : 0 < sin t) by (apply sin_gt_0; lra); pose proof (SIN_bound t).
+    assert (0 < turn_rate a b t * / sqrt (a * b)); [| nra].
+    assert (CT : 0 < cos t) by (apply cos_gt_0; lra); pose proof (sin_square t).
+    assert (0 < 1 - b * sin t ^ 2) by nra; pose proof (root_above a b t ltac:(lra) ltac:(lra)).
+    assert (0 < sqrt (a * b)) by (apply sqrt_lt_R0; nra); unfold turn_rate; positive.
+Qed.
+(* The exponent of an angle below a polynomial, by their slopes. *)
+Lemma exponent_below a b p dp e : 0 < a -> 0 < b -> 0 < e -> e < PI / 2 ->
+  p 0 = 0 -> (forall t, 0 <= t <= e -> is_derive p t (dp t)) ->
+  (forall t, 0 < t < e -> / t - turn_rate a b t <= dp t) -> exponent a b e <= p e.
+Proof.
+  intros A B E0 E1 P0 P D; destruct (Rle_or_lt (exponent a b e) (p e)) as [H|H]; [exact H | exfalso].
+  set (g := fun t => p t - (sqrt (a * b) * ((-1) * asin (sqrt (b * / (a + b)) * cos t) + asin (sqrt (b * / (a + b))))
+    + ln (1 / 2 * root_of a b t + 1 / 2 * cos t))).
+  set (h := exponent a b e - p e) in *; assert (H0 : 0 < h) by (unfold h; lra).
+  assert (G0 : g 0 = 0).
+  { unfold g, root_of; rewrite P0, sin_0, cos_0, Rmult_1_r; replace (b * / a * 0 ^ 2 + 1) with 1 by ring.
+    rewrite sqrt_1; replace (1 / 2 * 1 + 1 / 2 * 1) with 1 by field; rewrite ln_1; ring. }
+  assert (GC : continuous g 0).
+  { unfold g; apply (continuous_minus p (fun t : R => sqrt (a * b) * ((-1) * asin (sqrt (b * / (a + b)) * cos t)
+      + asin (sqrt (b * / (a + b)))) + ln (1 / 2 * root_of a b t + 1 / 2 * cos t)));
+      [apply (continuous_derive p (dp 0)), P; lra |].
+    pose proof (share_below a b 0 A B); pose proof (root_above a b 0 A B); unfold root_of in *.
+    continues; cbv beta; rewrite ?cos_0 in *; try lra. }
+  apply continuity_pt_filterlim in GC.
+  destruct (GC (h / 2) ltac:(lra)) as [d [D0 N]]; cbn in N.
+  set (t := Rmin (d / 2) (Rmin (e / 2) (Rmin (h / 4) (1 / 2)))).
+  assert (T : 0 < t /\ t < d /\ t < e /\ t <= h / 4 /\ t <= 1 / 2).
+  { unfold t; repeat split.
+    - repeat apply Rmin_glb_lt; lra.
+    - eapply Rle_lt_trans; [apply Rmin_l | lra].
+    - eapply Rle_lt_trans; [apply Rmin_r |]; eapply Rle_lt_trans; [apply Rmin_l | lra].
+    - eapply Rle_trans; [apply Rmin_r |]; eapply Rle_trans; [apply Rmin_r |]; apply Rmin_l.
+    - eapply Rle_trans; [apply Rmin_r |]; eapply Rle_trans; [apply Rmin_r |]; apply Rmin_r. }
+  clearbody t; destruct T as [T0 [T1 [T2 [T3 T4]]]].
+  specialize (N t); unfold dist in N; cbn in N; unfold R_dist in N; rewrite G0 in N.
+  assert (GT : - (h / 2) < g t).
+  { enough (Rabs (g t - 0) < h / 2) as Z by (apply Rabs_def2 in Z; lra).
+    apply N; split; [split; [exact I | lra] | rewrite Rminus_0_r, Rabs_pos_eq by lra; exact T1]. }
+  assert (SE : forall u, 0 < u -> u <= e -> 0 < sin u /\ 0 < cos u).
+  { intros u U V; split; [apply sin_gt_0; lra | apply cos_gt_0; lra]. }
+  destruct (SE t T0 ltac:(lra)) as [S C].
+  assert (LS : ln (t * / sin t) <= t).
+  { destruct (small_sine t) as [[X _] _]; try lra.
+    assert (I : 0 < / sin t) by positive.
+    assert (V : 0 < t * / sin t) by positive.
+    eapply Rle_trans; [apply ln_below; exact V |].
+    apply (Rmult_le_reg_r (sin t)); [exact S |].
+    replace ((t * / sin t - 1) * sin t) with (t - sin t) by (field; lra).
+    assert (t - sin t <= t ^ 3 / 6) by lra; assert (t ^ 3 / 6 <= t * (t * (1 - t ^ 2 / 6))); [| nra].
+    assert (0 <= t ^ 2 <= 1 / 4) by nra; nra. }
+  destruct (mean_value_open (fun u => p u - exponent a b u) (fun u => dp u - (/ u - turn_rate a b u)) t e T2) as [c [CC V]].
+  - intros u U; destruct (SE u ltac:(lra) ltac:(lra)).
+    apply (continuous_derive _ (dp u - (/ u - turn_rate a b u))).
+    apply (d_minus p (exponent a b)); [apply P; lra |].
+    eapply d_eq; [apply exponent_derive; lra |]; unfold turn_rate; ring.
+  - intros u U; destruct (SE u ltac:(lra) ltac:(lra)).
+    apply (d_minus p (exponent a b)); [apply P; lra |].
+    eapply d_eq; [apply exponent_derive; lra |]; unfold turn_rate; ring.
+  - specialize (D c ltac:(lra)); cbv beta in V.
+    assert (p t - exponent a b t = g t - ln (t * / sin t)) by (unfold exponent, g; ring).
+    unfold h in *; nra.
+Qed.
+(* The slope of the exponent in the square v of the angle, for all shapes up to b and b / a = r. *)
+Definition sine_top (v : R) : R := 1 - v / 6 + v ^ 2 / 120.
+Definition slope_rest (b r p q v : R) : R :=
+  let w := sqrt (1 + r * (sine_top v ^ 2 * v)) in
+  1 / 6 - v / 120 - b * sine_top v ^ 2 - r * sine_top v ^ 3 / (1 + w) + sine_top v * w * (2 * p - 4 * q * v).
+Lemma sine_below_top t : 0 <= t -> t <= PI / 2 -> sin t <= t * sine_top (t ^ 2) /\ 0 < sine_top (t ^ 2).
+Proof.
+  intros T L; assert (P : PI <= 4) by interval; destruct (pre_sin_bound t 0) as [_ U]; try lra.
+  unfold sin_approx, sin_term in U; cbn in U; unfold sine_top; split.
+  - eapply Rle_trans; [exact U |]; right; field.
+  - assert (0 <= t ^ 2 <= 4) by nra; set (v := t ^ 2) in *; nra.
+Qed.
+Lemma slope_below a b z r p q e m : 0 < a -> 0 < b -> b <= z -> z <= 1 -> b * / a <= r -> 0 < e -> e < PI / 2 ->
+  e ^ 2 <= m -> (forall v, 0 <= v <= m -> 0 <= slope_rest z r p q v) ->
+  exponent a b e <= p * e ^ 2 - q * e ^ 4.
+Proof.
+  intros A B Z Z1 RR E0 E1 M H.
+  apply (exponent_below a b (fun t => p * t ^ 2 - q * t ^ 4) (fun t => 2 * p * t - 4 * q * t ^ 3)); trivial.
+  - ring.
+  - intros t _; auto_derive; [exact I | ring].
+  - intros t T; set (v := t ^ 2); assert (V : 0 < v <= m) by (unfold v; nra).
+    specialize (H v ltac:(lra)); unfold slope_rest in H; cbv zeta in H.
+    destruct (sine_below_top t) as [S M0]; try lra; fold v in S, M0; set (n := sine_top v) in *.
+    assert (S0 : 0 < sin t) by (apply sin_gt_0; lra).
+    assert (R0 : 0 < b * / a) by positive; pose proof (root_above a b t A B) as W1.
+    assert (S2 : sin t ^ 2 <= n ^ 2 * v) by (unfold v; rewrite <- Rpow_mult_distr; nra).
+    assert (Y0 : 0 <= r * (n ^ 2 * v)) by (apply Rmult_le_pos; nra).
+    assert (WW : root_of a b t <= sqrt (1 + r * (n ^ 2 * v))).
+    { unfold root_of; apply sqrt_le_1_alt; assert (0 <= sin t ^ 2) by nra; nra. }
+    assert (W2 : sqrt (1 + r * (n ^ 2 * v)) ^ 2 = 1 + r * (n ^ 2 * v)) by (apply pow2_sqrt; lra).
+    set (w := sqrt (1 + _)) in *; set (x := root_of a b t) in *.
+    set (k := 1 - 2 * p * v + 4 * q * v ^ 2).
+    assert (F : n * w * k <= 1 - z * (n ^ 2 * v)).
+    { assert (N : n = 1 - v / 6 + v ^ 2 / 120) by reflexivity.
+      assert (G : 1 - z * (n ^ 2 * v) - n * w * k
+        = v * (1 / 6 - v / 120 - z * n ^ 2 - r * n ^ 3 / (1 + w) + n * w * (2 * p - 4 * q * v))
+          + (1 - n - v * (1 / 6 - v / 120)) + n / (1 + w) * (1 + r * (n ^ 2 * v) - w ^ 2)).
+      { unfold k; field; lra. }
+      rewrite W2 in G; assert (1 - n - v * (1 / 6 - v / 120) = 0) by (rewrite N; field).
+      assert (0 <= v * (1 / 6 - v / 120 - z * n ^ 2 - r * n ^ 3 / (1 + w) + n * w * (2 * p - 4 * q * v)))
+        by (apply Rmult_le_pos; lra).
+      replace (1 + r * (n ^ 2 * v) - (1 + r * (n ^ 2 * v))) with 0 in G by ring; rewrite Rmult_0_r in G; lra. }
+    assert (J : / t * k <= turn_rate a b t).
+    { unfold turn_rate; fold x; assert (I : 0 < / t) by positive; assert (I1 : 0 < / x * / sin t) by positive.
+      assert (B2 : 1 - z * (n ^ 2 * v) <= 1 - b * sin t ^ 2) by (assert (0 <= sin t ^ 2) by nra; nra).
+      assert (B3 : 0 <= 1 - b * sin t ^ 2) by (pose proof (SIN_bound t); assert (sin t ^ 2 <= 1) by nra; nra).
+      apply (Rmult_le_reg_r (t * (x * sin t))); [apply Rmult_lt_0_compat; [lra | nra] |].
+      replace (/ t * k * (t * (x * sin t))) with (k * (x * sin t)) by (field; lra).
+      replace ((1 - b * sin t ^ 2) * / x * / sin t * (t * (x * sin t))) with (t * (1 - b * sin t ^ 2)) by (field; lra).
+      destruct (Rle_or_lt k 0) as [K|K].
+      - assert (0 < x * sin t) by nra; nra.
+      - apply Rle_trans with (k * (w * (t * n))); [| assert (t * (n * w * k) <= t * (1 - b * sin t ^ 2)) by nra; lra].
+        apply Rmult_le_compat_l; [lra |]; apply Rmult_le_compat; lra. }
+    assert (/ t * k = / t - (2 * p * t - 4 * q * t ^ 3)) by (unfold k, v; field; lra); lra.
+Qed.
+Lemma exp_nearer z : 0 <= z -> z <= 8 / 10 -> exp z <= 1 + z * (1 + z / 2 + z ^ 2 / 6 + z ^ 3 / 19).
+Proof.
+  intros A B; set (p := fun t : R => 1 + t * (1 + t / 2 + t ^ 2 / 6 + t ^ 3 / 19)).
+  assert (H : 0 <= p z * exp (- z) - 1).
+  { apply (from_left_ge (fun t : R => p t * exp (- t) - 1) (fun t : R => t ^ 3 * (4 / 19 - 1 / 6 - t / 19) * exp (- t)) 0 z).
+    - exact A.
+    - intros t T; unfold p; auto_derive; [exact I | field].
+    - intros t T; pose proof (exp_pos (- t)); apply Rmult_le_pos; [| lra]; apply Rmult_le_pos; [apply pow_le |]; lra.
+    - unfold p; rewrite Ropp_0, exp_0; lra. }
+  rewrite exp_Ropp in H; pose proof (exp_pos z) as P; apply (Rmult_le_compat_r (exp z)) in H; [| lra].
+  rewrite Rmult_0_l, Rmult_minus_distr_r, Rmult_assoc, Rinv_l in H; unfold p in *; lra.
+Qed.
+(* What a bound of the exponent says of the ratio of the defect to its leading term. *)
+Definition ratio_rest (p q v : R) : R :=
+  let x := v * (p - q * v) in (p - q * v) * (1 + x / 2 + x ^ 2 / 6 + x ^ 3 / 19) * exp (2 * x).
+Definition within_ratio (K a b e : R) : Prop :=
+  (exp (exponent a b e) - 1) * exp (2 * exponent a b e) <= K * e ^ 2.
+Lemma ratio_under a b z r p q e m K : 0 < a -> 0 < b -> b <= z -> z <= 1 -> b * / a <= r -> 0 < e -> e < PI / 2 ->
+  e ^ 2 <= m -> 0 < K -> (forall v, 0 <= v <= m -> 0 <= slope_rest z r p q v) ->
+  (forall v, 0 <= v <= m -> 0 <= p - q * v /\ v * (p - q * v) <= 8 / 10 /\ ratio_rest p q v <= K) -> within_ratio K a b e.
+Proof.
+  intros A B Z Z1 RR E0 E1 M K0 H N; pose proof (slope_below a b z r p q e m A B Z Z1 RR E0 E1 M H) as L.
+  assert (V : 0 < e ^ 2) by nra; destruct (N (e ^ 2) ltac:(lra)) as [N1 [N2 N3]]; unfold within_ratio.
+  replace (p * e ^ 2 - q * e ^ 4) with (e ^ 2 * (p - q * e ^ 2)) in L by ring.
+  set (v := e ^ 2) in *; set (g := p - q * v) in *; unfold ratio_rest in N3; fold g in N3; cbv zeta in N3.
+  set (x := exponent a b e) in *; assert (X0 : 0 <= v * g) by nra.
+  pose proof (exp_nearer (v * g) X0 N2) as Y; pose proof (exp_rises x (v * g) L) as U.
+  assert (T : exp (2 * x) <= exp (2 * (v * g))) by (apply exp_rises; lra).
+  pose proof (exp_pos (2 * x)); pose proof (exp_pos (2 * (v * g))).
+  destruct (Rle_or_lt (exp x) 1) as [P|P]; [nra |].
+  apply Rle_trans with (v * g * (1 + v * g / 2 + (v * g) ^ 2 / 6 + (v * g) ^ 3 / 19) * exp (2 * (v * g))).
+  - apply Rmult_le_compat; lra.
+  - replace (v * g * (1 + v * g / 2 + (v * g) ^ 2 / 6 + (v * g) ^ 3 / 19) * exp (2 * (v * g)))
+      with (v * (g * (1 + v * g / 2 + (v * g) ^ 2 / 6 + (v * g) ^ 3 / 19) * exp (2 * (v * g)))) by ring; nra.
+Qed.
+Lemma ratio_cell a b e a0 y z c m p q K : 0 < a0 -> a0 <= a -> 0 < y -> y <= b -> b <= z -> z <= 1 -> 0 < e -> e < PI / 2 ->
+  is_defect a b e -> 0 < c -> c ^ 2 <= m -> c < PI / 2 -> 0 <= turn_short a0 y c -> 0 < K ->
+  (forall v, 0 <= v <= m -> 0 <= slope_rest z (z / a0) p q v) ->
+  (forall v, 0 <= v <= m -> 0 <= p - q * v /\ v * (p - q * v) <= 8 / 10 /\ ratio_rest p q v <= K) -> within_ratio K a b e.
+Proof.
+  intros A0 A Y B Z Z1 E0 E1 D C0 M C1 T K0 H N.
+  pose proof (defect_at_most a b a0 y c e A0 A Y B ltac:(lra) E0 E1 D C0 C1 T) as L.
+  apply (ratio_under a b z (z / a0) p q e m K); try lra; try assumption; [| nra].
+  unfold Rdiv; apply Rmult_le_compat; try lra; [left; apply Rinv_0_lt_compat; lra | apply Rinv_le_contravar; lra].
+Qed.
+Lemma ratio_of_leading a b e s K : 0 < a -> 0 < b -> 0 < e -> e < PI / 2 -> s = e * exp ((-1) * exponent a b e) ->
+  1 / 4 <= K -> within_ratio K a b e -> Rabs (e * / s + (-1)) <= K * s ^ 2.
+Proof.
+  intros A B E0 E1 S K4 H; unfold within_ratio in H; rewrite S; clear S.
+  assert (S0 : 0 < sin e) by (apply sin_gt_0; lra); assert (C0 : 0 < cos e) by (apply cos_gt_0; lra).
+  assert (L : 1 - e ^ 2 / 4 <= exp (exponent a b e)).
+  { unfold exponent; rewrite !exp_plus; pose proof (root_above a b e A B) as W.
+    rewrite !exp_ln by (first [lra | positive]).
+    assert (X : 1 <= exp (sqrt (a * b) * (-1 * asin (sqrt (b * / (a + b)) * cos e) + asin (sqrt (b * / (a + b)))))).
+    { rewrite <- exp_0 at 1; apply exp_rises, Rmult_le_pos; [apply sqrt_pos |].
+      pose proof (share_below a b e A B); pose proof (share_below a b 0 A B) as Y; rewrite cos_0, Rmult_1_r in Y.
+      pose proof (sqrt_pos (b * / (a + b))); pose proof (COS_bound e).
+      destruct (Rle_lt_or_eq_dec (sqrt (b * / (a + b)) * cos e) (sqrt (b * / (a + b))) ltac:(nra)) as [P|P];
+        [assert (asin (sqrt (b * / (a + b)) * cos e) < asin (sqrt (b * / (a + b)))) by (apply asin_rises; lra); lra | rewrite P; lra]. }
+    assert (Y : 1 <= e * / sin e).
+    { assert (sin e <= e) by (left; apply sin_lt_x; lra); apply (Rmult_le_reg_r (sin e)); [lra |].
+      rewrite Rmult_assoc, Rinv_l by lra; lra. }
+    assert (Z : 1 - e ^ 2 / 4 <= 1 / 2 * root_of a b e + 1 / 2 * cos e).
+    { assert (PI <= 4) by interval; destruct (pre_cos_bound e 0) as [V _]; try lra.
+      unfold cos_approx, cos_term in V; cbn in V; assert (1 - e ^ 2 / 2 <= cos e) by (eapply Rle_trans, V; right; field); lra. }
+    match goal with |- _ <= exp ?q * _ * _ => set (u := exp q) in * end; set (j := e * / sin e) in *; set (d := 1 / 2 * _ + _) in *.
+    assert (0 < d) by (unfold d; lra); assert (1 <= u * j) by nra; nra. }
+  pose proof (exp_pos (exponent a b e)) as P; set (x := exponent a b e) in *.
+  replace (2 * x) with (x + x) in H by ring; rewrite exp_plus in H.
+  replace ((-1) * x) with (- x) by ring; rewrite exp_Ropp; set (X := exp x) in *.
+  replace (e * / (e * / X) + -1) with (X - 1) by (field; lra).
+  apply (Rmult_le_reg_r (X ^ 2)); [nra |].
+  replace (K * (e * / X) ^ 2 * X ^ 2) with (K * e ^ 2) by (field; lra).
+  destruct (Rle_or_lt 1 X) as [G|G].
+  - rewrite Rabs_pos_eq by lra; lra.
+  - rewrite Rabs_left by lra; assert (X ^ 2 <= 1) by nra; assert (0 <= e ^ 2) by nra; nra.
+Qed.
+Lemma exponent_grows a b x z e : 0 < a -> 0 < b -> 0 < x -> b <= z -> z <= 1 -> b * / a <= z * / x -> 0 < e -> e < PI / 2 ->
+  exponent a b e <= exponent x z e.
+Proof.
+  intros A B X Z Z1 RR E0 E1.
+  set (g := fun (a b t : R) => sqrt (a * b) * ((-1) * asin (sqrt (b * / (a + b)) * cos t) + asin (sqrt (b * / (a + b))))
+    + ln (1 / 2 * root_of a b t + 1 / 2 * cos t)).
+  assert (P : forall u v t, exponent u v t = g u v t + ln (t * / sin t)) by (intros; unfold exponent, g; ring).
+  assert (G0 : forall u v, g u v 0 = 0).
+  { intros u v; unfold g, root_of; rewrite sin_0, cos_0, Rmult_1_r; replace (v * / u * 0 ^ 2 + 1) with 1 by ring.
+    rewrite sqrt_1; replace (1 / 2 * 1 + 1 / 2 * 1) with 1 by field; rewrite ln_1; ring. }
+  assert (SE : forall t, 0 < t -> t < PI / 2 -> 0 < sin t /\ 0 < cos t).
+  { intros t U V; split; [apply sin_gt_0; lra | apply cos_gt_0; lra]. }
+  assert (GC : forall u v t, 0 < u -> 0 < v -> 0 <= t -> t <= e -> continuous (g u v) t).
+  { intros u v t U V T0 T1; pose proof (share_below u v t U V); pose proof (root_above u v t U V).
+    assert (0 < cos t) by (apply cos_gt_0; lra); unfold g, root_of in *; continues; cbv beta; lra. }
+  assert (GD : forall u v t, 0 < u -> 0 < v -> 0 < t -> t < PI / 2 -> is_derive (g u v) t (cot t - turn_rate u v t)).
+  { intros u v t U V T0 T1; destruct (SE t T0 T1) as [S C].
+    apply (is_derive_ext (fun s => exponent u v s - ln (s * / sin s))); [intros s; rewrite P; over_reals; ring |].
+    eapply d_eq; [apply (d_minus (exponent u v) (fun s => ln (s * / sin s)));
+      [apply exponent_derive; assumption | derive; first [lra | positive]] |].
+    unfold turn_rate, cot; over_reals; pose proof (root_above u v t U V); field; lra. }
+  rewrite !P; enough (g a b e <= g x z e) by lra.
+  destruct (mean_value_open (fun t => g x z t - g a b t)
+    (fun t => cot t - turn_rate x z t - (cot t - turn_rate a b t)) 0 e E0) as [c [C V]].
+  - intros t T; apply (continuous_minus (g x z) (g a b)); apply GC; lra.
+  - intros t T; apply (d_minus (g x z) (g a b)); apply GD; lra.
+  - cbv beta in V; rewrite !G0 in V; destruct (SE c ltac:(lra) ltac:(lra)) as [S _].
+    assert (turn_rate x z c <= turn_rate a b c); [| nra].
+    unfold turn_rate; pose proof (root_above a b c A B) as W; pose proof (SIN_bound c); assert (0 < / sin c) by positive.
+    assert (0 < sin c ^ 2 <= 1) by nra.
+    apply Rmult_le_compat_r; [lra |]; apply Rmult_le_compat; try nra.
+    + left; apply Rinv_0_lt_compat; pose proof (root_above x z c X ltac:(lra)); lra.
+    + apply Rinv_le_contravar; [lra |]; apply sqrt_le_1_alt; nra.
+Qed.
+(* The ratio itself, for angles that are not near 0. *)
+Definition ratio_at (x z e : R) : R :=
+  let k := sqrt (x * z) in let n := sqrt (z / (x + z)) in let c := cos e in
+  exp (k * (atan (sqrt (z / x)) - atan (n * c / sqrt (1 - n * c * (n * c))))) * (e / sin e)
+    * ((sqrt (z / x * sin e ^ 2 + 1) + c) / 2).
+Lemma ratio_at_is x z e : 0 < x -> 0 < z -> 0 < e -> e < PI / 2 -> exp (exponent x z e) = ratio_at x z e.
+Proof.
+  intros X Z E0 E1; assert (S : 0 < sin e) by (apply sin_gt_0; lra); assert (C : 0 < cos e) by (apply cos_gt_0; lra).
+  pose proof (root_above x z e X Z) as W; unfold exponent; rewrite !exp_plus, !exp_ln by (first [lra | positive]).
+  pose proof (share_below x z e X Z) as H; rewrite (asin_by_atan _ H).
+  pose proof (turn_of_share x z 0 X Z) as T; rewrite cos_0, sin_0, !Rmult_1_r in T.
+  replace (z * / x * 0 ^ 2 + 1) with 1 in T by ring; rewrite sqrt_1 in T; replace (sqrt (z * / x) * / 1) with (sqrt (z * / x)) in T by field.
+  rewrite T; unfold ratio_at, root_of, Rdiv; cbv zeta.
+  replace (-1 * atan (sqrt (z * / (x + z)) * cos e * / sqrt (1 - sqrt (z * / (x + z)) * cos e * (sqrt (z * / (x + z)) * cos e))) + atan (sqrt (z * / x)))
+    with (atan (sqrt (z * / x)) - atan (sqrt (z * / (x + z)) * cos e * / sqrt (1 - sqrt (z * / (x + z)) * cos e * (sqrt (z * / (x + z)) * cos e)))) by ring.
+  ring.
+Qed.
+Lemma ratio_cell_2 a b e a0 y z c d m p q K : 0 < a0 -> a0 <= a -> 0 < y -> y <= b -> b <= z -> z <= 1 -> 0 < e -> e < PI / 2 ->
+  is_defect a b e -> 0 < c -> d ^ 2 <= m -> 0 < d -> d < PI / 2 -> c < PI / 2 -> 0 <= turn_short a0 y c -> 0 < K ->
+  (forall v, 0 <= v <= m -> 0 <= slope_rest z (z / a0) p q v) ->
+  (forall v, 0 <= v <= m -> 0 <= p - q * v /\ v * (p - q * v) <= 8 / 10 /\ ratio_rest p q v <= K) ->
+  (forall t, d <= t <= c -> 1 <= ratio_at a0 z t /\ (ratio_at a0 z t - 1) * ratio_at a0 z t ^ 2 * / t ^ 2 <= K) -> within_ratio K a b e.
+Proof.
+  intros A0 A Y B Z Z1 E0 E1 D C0 M D0 D1 C1 T K0 H N V.
+  pose proof (defect_at_most a b a0 y c e A0 A Y B ltac:(lra) E0 E1 D C0 C1 T) as L.
+  assert (RR : b * / a <= z * / a0).
+  { apply Rmult_le_compat; try lra; [left; apply Rinv_0_lt_compat; lra | apply Rinv_le_contravar; lra]. }
+  destruct (Rle_or_lt e d) as [G|G].
+  - apply (ratio_under a b z (z / a0) p q e m K); try lra; try assumption; nra.
+  - destruct (V e ltac:(lra)) as [V1 V2]; assert (P2 : 0 < e ^ 2) by nra.
+    apply (Rmult_le_compat_r (e ^ 2)) in V2; [| lra]; rewrite Rmult_assoc, Rinv_l, Rmult_1_r in V2 by lra; rewrite <- ratio_at_is in V1, V2 by lra.
+    pose proof (exponent_grows a b a0 z e ltac:(lra) ltac:(lra) A0 Z Z1 RR E0 E1) as X; apply exp_rises in X.
+    unfold within_ratio; replace (2 * exponent a b e) with (exponent a b e + exponent a b e) by ring.
+    rewrite exp_plus; pose proof (exp_pos (exponent a b e)); set (u := exp (exponent a b e)) in *.
+    set (x := exp (exponent a0 z e)) in *; destruct (Rle_or_lt u 1); [assert (0 <= u * u) by nra; assert (0 <= e ^ 2) by nra; nra |].
+    apply Rle_trans with ((x - 1) * x ^ 2); [| exact V2]; apply Rmult_le_compat; nra.
+Qed.
+Ltac slopes_by := let v := fresh "v" in let V := fresh "V" in intros v V; unfold slope_rest, sine_top; interval with (i_bisect v).
+Ltac ratios_by := let v := fresh "v" in let V := fresh "V" in intros v V; repeat split;
+  [interval | unfold ratio_rest; interval with (i_bisect v) | unfold ratio_rest; interval with (i_bisect v)].
+(* The part y <= b <= z of a >= a0: the defect is at most c, by slopes p, q up to the angle d or c. *)
+Ltac ratio_part K a b e E a0 y z c m p q := destruct (Rle_or_lt y b) as [?|?];
+  [apply (ratio_cell a b e a0 y z c m p q K); try lra; [exact E | interval | unfold turn_short; interval with (i_prec 60) | slopes_by | ratios_by] |].
+Ltac ratio_part_beyond K a b e E a0 y z c d m p q := destruct (Rle_or_lt y b) as [?|?];
+  [apply (ratio_cell_2 a b e a0 y z c d m p q K); try lra; [exact E | interval | interval | unfold turn_short; interval with (i_prec 60) | slopes_by | ratios_by
+  | let t := fresh "t" in let T := fresh "T" in intros t T; unfold ratio_at; cbv zeta; split; interval with (i_bisect t, i_depth 30)] |].
+Ltac ratio_rest_part K a b e a0 z p q :=
+  apply (ratio_under a b z (z / a0) p q e (24675 / 10000) K); try lra;
+  [unfold Rdiv; apply Rmult_le_compat; try lra; [left; apply Rinv_0_lt_compat; lra | apply Rinv_le_contravar; lra]
+  | assert (PI / 2 <= 15708 / 10000) by interval; nra | slopes_by | ratios_by].
+
 (* A motion that turns: its precession by the angle of the turning, and the level of a half turn. *)
 Definition turned (a b c x : R) : R :=
   / (sqrt ((-1) * c * (b + a * (sin x) ^ 2) + a * b * (cos x) ^ 2))
@@ -967,3 +1452,188 @@ Proof.
     + pose proof (half_turn_rises c y ltac:(lra) N ltac:(lra)); lra.
 Qed.
 End Turned.
+
+(* The defect of a shape with a b >= 1/4: how small it is for each ratio b/a. *)
+Section Defect.
+Variables a b e : R.
+Hypotheses (A : a > 0) (B : b > 0) (P : e > 0) (Q : e < 1 / 2 * PI).
+Hypothesis D : tanh (sqrt (a * b) * (PI + asin (sqrt (b * / (a + b)) * cos e)))
+  = / sqrt (b * / a * sin e ^ 2 + 1) * cos e.
+Let r := b * / a.
+Let k := sqrt (a * b).
+Let p := PI + asin (sqrt (b * / (a + b)) * cos e).
+
+Lemma defect_signs : 0 < sin e /\ 0 < cos e /\ 0 < r /\ 0 < k /\ k * sqrt r = b /\ k ^ 2 = a * b.
+Proof.
+  unfold r, k; repeat split; try positive.
+  - apply sin_gt_0; lra.
+  - apply cos_gt_0; lra.
+  - apply product_root; lra.
+  - apply pow2_sqrt; left; positive.
+Qed.
+Lemma defect_turn : PI < p < 3 / 2 * PI.
+Proof.
+  destruct defect_signs as [S [C _]]; pose proof (share_below a b e A B) as H; unfold p.
+  assert (M : 0 < sqrt (b * / (a + b)) * cos e) by (apply Rmult_lt_0_compat; [apply sqrt_lt_R0; positive | exact C]).
+  pose proof (asin_above _ M); pose proof (asin_rises (sqrt (b * / (a + b)) * cos e) 1 ltac:(lra) (proj2 H) ltac:(lra)) as U.
+  rewrite asin_1 in U; lra.
+Qed.
+Lemma defect_angle : e = atan (/ (sqrt (r + 1) * sinh (k * p))).
+Proof.
+  destruct defect_signs as [S [C [R0 [K0 _]]]]; pose proof defect_turn as T; pose proof PI_RGT_0.
+  unfold r, k, p in *; rewrite (sinh_at_root a b _ e A B S C D).
+  assert (0 < sqrt (b * / a + 1)) by (apply sqrt_lt_R0; lra).
+  replace (sqrt (b * / a + 1) * (/ sqrt (b * / a + 1) * / sin e * cos e)) with (cos e * / sin e) by (field; lra).
+  rewrite Rinv_mult, Rinv_inv, Rmult_comm; symmetry; apply (atan_tan e); lra.
+Qed.
+Lemma defect_by_exp : e <= 2 * exp (- (PI * k)).
+Proof.
+  destruct defect_signs as [S [C [R0 [K0 _]]]]; pose proof defect_turn as T; pose proof PI_RGT_0 as J.
+  assert (X : 0 < PI * k) by positive; assert (Y : 0 < sinh (PI * k)) by (apply sinh_pos; exact X).
+  assert (Z : sinh (PI * k) < sinh (k * p)) by (apply sinh_rises; nra).
+  assert (W : 1 <= sqrt (r + 1)) by (apply below_sqrt; lra).
+  apply Rle_trans with (atan (/ sinh (PI * k))).
+  { rewrite defect_angle; apply arctangent_rises, Rinv_le_contravar; [exact Y | nra]. }
+  pose proof (exp_pos (- (PI * k))) as V; set (x := exp (- (PI * k))) in *.
+  assert (V1 : x < 1) by (rewrite <- exp_0; apply exp_increasing; lra).
+  assert (E : exp (PI * k) = / x) by (unfold x; rewrite exp_Ropp, Rinv_inv; reflexivity).
+  assert (AX : atan x <= x).
+  { enough (0 <= x - atan x) by lra.
+    apply (from_left_ge (fun t : R => t - atan t) (fun t : R => t * t * / (1 + t * t)) 0 x); try lra.
+    - intros t _; eapply d_eq; [derive |]; cbv beta; field; nra.
+    - intros t _; apply Rmult_le_pos; [nra | left; apply Rinv_0_lt_compat; nra].
+    - rewrite atan_0; lra. }
+  replace (atan (/ sinh (PI * k))) with (2 * atan x); [lra |].
+  symmetry; apply atan_unique.
+  - pose proof (atan_above x V); pose proof (atan_increasing x 1 V1) as M; rewrite atan_1 in M; lra.
+  - assert (G : 0 < 1 + x ^ 2) by nra; assert (W2 : 0 < sqrt (1 + x ^ 2)) by now apply sqrt_lt_R0.
+    assert (W3 : sqrt (1 + x ^ 2) ^ 2 = 1 + x ^ 2) by (apply pow2_sqrt; lra).
+    destruct (turn_atan x _ W2 W3) as [SX CX]; rewrite sin_2a, cos_2a, SX, CX.
+    assert (Hsh : sinh (PI * k) = (1 - x ^ 2) / (2 * x)) by (unfold sinh; fold x; rewrite E; field; lra).
+    rewrite Hsh; set (w := sqrt (1 + x ^ 2)) in *; field; nra.
+Qed.
+Hypotheses (B1 : b <= 1) (AB : a * b >= 1 / 4).
+Lemma defect_shape : 1 / 2 <= k /\ r <= 4 /\ r <= 4 * b ^ 2.
+Proof.
+  assert (0 < / a) by positive; assert (I : a * / a = 1) by (field; lra); unfold k, r; repeat split.
+  - apply below_sqrt; lra.
+  - apply (Rmult_le_reg_r a); [lra |]; rewrite Rmult_assoc, (Rmult_comm (/ a)), I; nra.
+  - apply (Rmult_le_reg_r a); [lra |]; rewrite Rmult_assoc, (Rmult_comm (/ a)), I; nra.
+Qed.
+Lemma defect_step l M : 0 <= l -> l <= r -> e <= M -> M <= PI / 2 ->
+  e <= atan (/ (sqrt (l + 1) * sinh ((PI + asin (sqrt (l * / (l + 1)) * cos M)) / 2))).
+Proof.
+  destruct defect_signs as [S [C [R0 [K0 _]]]]; destruct defect_shape as [K [R4 _]].
+  intros L LR EM M1; pose proof defect_turn as Z; pose proof PI_RGT_0 as J.
+  assert (V : 0 <= l * / (l + 1) <= b * / (a + b)).
+  { replace (b * / (a + b)) with (r * / (r + 1)) by (unfold r; field; lra).
+    assert (0 < / (l + 1)) by positive; split; [nra |].
+    apply (Rmult_le_reg_r ((l + 1) * (r + 1))); [nra |].
+    replace (l * / (l + 1) * ((l + 1) * (r + 1))) with (l * (r + 1)) by (field; lra).
+    replace (r * / (r + 1) * ((l + 1) * (r + 1))) with (r * (l + 1)) by (field; lra); nra. }
+  assert (G : 0 <= cos M <= cos e) by (split; [apply cos_ge_0; lra | apply cos_decr_1; lra]).
+  pose proof (share_below a b e A B) as [_ S1].
+  assert (X : sqrt (l * / (l + 1)) * cos M <= sqrt (b * / (a + b)) * cos e).
+  { apply Rmult_le_compat; [apply sqrt_pos | lra | apply sqrt_le_1_alt, V | lra]. }
+  assert (X0 : 0 <= sqrt (l * / (l + 1)) * cos M) by (pose proof (sqrt_pos (l * / (l + 1))); nra).
+  assert (T : asin (sqrt (l * / (l + 1)) * cos M) <= asin (sqrt (b * / (a + b)) * cos e)).
+  { destruct X as [X|X]; [left; apply asin_rises; lra | rewrite X; lra]. }
+  assert (T0 : 0 <= asin (sqrt (l * / (l + 1)) * cos M)).
+  { destruct X0 as [X0|X0]; [left; apply asin_above; exact X0 | rewrite <- X0, asin_0; lra]. }
+  rewrite defect_angle at 1; apply arctangent_rises; apply Rinv_le_contravar.
+  - apply Rmult_lt_0_compat; [apply sqrt_lt_R0; lra | apply sinh_pos; lra].
+  - apply Rmult_le_compat; [apply sqrt_pos | left; apply sinh_pos; lra | apply sqrt_le_1_alt; lra |].
+    apply sinh_grows; assert (PI + asin (sqrt (l * / (l + 1)) * cos M) <= p) by (unfold p; lra).
+    apply Rle_trans with (p / 2); [lra | nra].
+Qed.
+Lemma defect_boxes :
+  (0 < r <= 1 /\ e <= 42 / 100) \/ (1 <= r <= 2 /\ e <= 213 / 1000) \/ (2 <= r <= 3 /\ e <= 164 / 1000)
+  \/ (3 <= r <= 35 / 10 /\ e <= 138 / 1000) \/ (35 / 10 <= r <= 39 / 10 /\ e <= 1165 / 10000)
+  \/ (39 / 10 <= r <= 399 / 100 /\ e <= 1102 / 10000) \/ (399 / 100 <= r <= 4 /\ e <= 1089 / 10000).
+Proof.
+  destruct defect_signs as [_ [_ [R0 _]]]; destruct defect_shape as [_ [R4 _]]; pose proof PI_RGT_0 as PP.
+  pose proof pi_between as PB.
+  assert (E0 : e <= 42 / 100) by sharper defect_step 0 (PI / 2).
+  destruct (Rle_or_lt (399 / 100) r) as [L|L]; [| destruct (Rle_or_lt (39 / 10) r) as [L'|L'];
+    [| destruct (Rle_or_lt (35 / 10) r) as [M|M]; [| destruct (Rle_or_lt 3 r) as [M'|M'];
+    [| destruct (Rle_or_lt 2 r) as [O|O]; [| destruct (Rle_or_lt 1 r) as [O'|O']]]]]].
+  - assert (e <= 121 / 1000) by sharper defect_step (399 / 100) (42 / 100).
+    assert (e <= 1091 / 10000) by sharper defect_step (399 / 100) (121 / 1000).
+    assert (e <= 1089 / 10000) by sharper defect_step (399 / 100) (1091 / 10000).
+    do 6 right; split; lra.
+  - assert (e <= 122 / 1000) by sharper defect_step (39 / 10) (42 / 100).
+    assert (e <= 1104 / 10000) by sharper defect_step (39 / 10) (122 / 1000).
+    assert (e <= 1102 / 10000) by sharper defect_step (39 / 10) (1104 / 10000).
+    do 5 right; left; split; lra.
+  - assert (e <= 129 / 1000) by sharper defect_step (35 / 10) (42 / 100).
+    assert (e <= 1165 / 10000) by sharper defect_step (35 / 10) (129 / 1000).
+    do 4 right; left; split; lra.
+  - assert (e <= 138 / 1000) by sharper defect_step 3 (42 / 100).
+    do 3 right; left; split; lra.
+  - assert (e <= 164 / 1000) by sharper defect_step 2 (42 / 100).
+    do 2 right; left; split; lra.
+  - assert (e <= 213 / 1000) by sharper defect_step 1 (42 / 100).
+    right; left; split; lra.
+  - left; split; lra.
+Qed.
+End Defect.
+
+(* The ratio of such a defect to its leading term, from both sides. *)
+Lemma turn_from_top a b : 0 < a -> 0 < b -> asin (sqrt (b * / (a + b))) = atan (sqrt (b * / a)).
+Proof.
+  intros A B; pose proof (turn_of_share a b 0 A B) as H; rewrite sin_0, cos_0, Rmult_1_r in H; rewrite H.
+  f_equal; replace (b * / a * 0 ^ 2 + 1) with 1 by (field; lra); rewrite sqrt_1; field.
+Qed.
+Lemma asin_least y : 0 <= y -> y <= 1 -> y <= asin y.
+Proof.
+  intros [Y|Y] Z; [| subst; rewrite asin_0; lra]; pose proof (asin_above y Y).
+  rewrite <- (sin_asin y) at 1 by lra; left; now apply sin_lt_x.
+Qed.
+Section AtLeast.
+Variables b r k e : R.
+Hypotheses (B0 : 0 < b) (B1 : b <= 1) (R0 : 0 < r) (R4 : r <= 4) (K : 0 < k) (KR : k * sqrt r = b).
+Hypotheses (E0 : 0 < e) (E1 : e <= 42 / 100).
+Let w := sqrt (r * sin e ^ 2 + 1).
+Lemma ratio_above : (1 + b * sin e ^ 2 / (w + cos e)) * (1 + e ^ 2 / 6) * (1 / 2 * w + 1 / 2 * cos e)
+  <= exp (k * asin (sqrt r * / (w + cos e) * sin e ^ 2) + ln (e * / sin e) + ln (1 / 2 * w + 1 / 2 * cos e)).
+Proof.
+  destruct (sine_square_between e E0 E1) as [[A1 B2] [C D]].
+  destruct (sum_between b r k e B0 B1 R0 R4 KR E0 E1) as [F [G [L W]]]; fold w in F, G, W.
+  destruct (small_sine e) as [[SA SB] [SC SD]]; try lra.
+  assert (Cs : 0 < cos e) by nra; assert (J : 0 < / (w + cos e)) by positive.
+  assert (q0 : 0 < sqrt r) by (apply sqrt_lt_R0; lra).
+  set (y := sqrt r * / (w + cos e) * sin e ^ 2).
+  assert (Y0 : 0 <= y) by (unfold y; left; positive).
+  assert (Y1 : y <= 1).
+  { unfold y; assert (sqrt r * sin e <= w).
+    { apply below_sqrt; rewrite Rpow_mult_distr, pow2_sqrt; lra. }
+    assert (sqrt r * sin e * sin e <= w * 1) by (apply Rmult_le_compat; try lra; nra).
+    apply (Rmult_le_reg_r (w + cos e)); [lra |].
+    replace (sqrt r * / (w + cos e) * sin e ^ 2 * (w + cos e)) with (sqrt r * sin e * sin e) by (field; lra); lra. }
+  rewrite !exp_plus, !exp_ln by (first [lra | positive]).
+  assert (M1 : 0 <= b * sin e ^ 2 / (w + cos e)) by (unfold Rdiv; left; positive).
+  assert (V : 1 + e ^ 2 / 6 <= e * / sin e).
+  { apply (Rmult_le_reg_r (sin e)); [lra |]; rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
+    apply Rle_trans with ((1 + e ^ 2 / 6) * (e * (1 - e ^ 2 / 6 + e ^ 4 / 120))); [nra |].
+    enough (0 <= e * e ^ 4 * (1 / 36 - 1 / 120 - e ^ 2 / 720)) by nra.
+    assert (0 <= e ^ 4) by (apply pow_le; lra); apply Rmult_le_pos; [apply Rmult_le_pos; lra | nra]. }
+  assert (X : 1 + b * sin e ^ 2 / (w + cos e) <= exp (k * asin y)).
+  { eapply Rle_trans; [| apply exp_ineq1_le]; pose proof (asin_least y Y0 Y1).
+    replace (b * sin e ^ 2 / (w + cos e)) with (k * y) by (unfold y; rewrite <- KR; field; lra); nra. }
+  apply Rmult_le_compat_r; [lra |]; assert (0 <= e ^ 2) by nra; apply Rmult_le_compat; lra.
+Qed.
+End AtLeast.
+(* The logarithm of a number a little above one. *)
+Lemma ln_near z : 0 <= z -> ln (1 + z) <= z - z ^ 2 / 2 + z ^ 3 / 3.
+Proof.
+  intros Z; enough (0 <= z - z ^ 2 / 2 + z ^ 3 / 3 - ln (1 + z)) by lra.
+  apply (from_left_ge (fun t : R => t - t ^ 2 / 2 + t ^ 3 / 3 - ln (1 + t)) (fun t : R => t ^ 3 * / (1 + t)) 0 z); try lra.
+  - intros t T; eapply d_eq; [derive; lra |]; tidy; field; lra.
+  - intros t T; apply Rmult_le_pos; [apply pow_le; lra | left; apply Rinv_0_lt_compat; lra].
+  - rewrite Rplus_0_r, ln_1; lra.
+Qed.
+(* An inequality between the ratio of the moments and the square of the defect, on a box of them. *)
+Ltac boxed r e m :=
+  let u := fresh "u" in assert (0 <= e ^ 2 <= m ^ 2) by nra; set (u := e ^ 2) in *; clearbody u;
+  unfold up_all, up_exp, up_turn, low_sum, up_root, up_sine, up_time;
+  interval with (i_bisect u, i_bisect r, i_depth 30).

@@ -17,7 +17,8 @@ from tresym.coq.statement import NotExportedError, Theorem, formula, variable
 from tresym.dev.corpus.lists import known, pairs
 from tresym.dev.corpus.rewriting import changed, true_identity
 from tresym.ledger.paper import all_claims
-from tresym.reals.decisions.claim_parsing import Comparison, read
+from tresym.reals.decisions.claim_parsing import read
+from tresym.reals.decisions.statement import Comparison
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.binders import elementary

@@ -24,8 +24,8 @@ from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.claim_cross_check import attack
 from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.domain.conditions import Given
-from tresym.reals.language import expression
-from tresym.reals.language.expression import FUNCTIONS, Expr, apply
+from tresym.reals.language import derivatives
+from tresym.reals.language.expression import FUNCTIONS, Expr, apply, substitute
 from tresym.reals.language.parsing import parse
 from tresym.reals.normal import locally_constant
 from tresym.reals.numbers.arithmetic import ball_precision
@@ -145,17 +145,17 @@ def test_a_wrong_rule_of_differentiation(
     name: str, slope: str, claim: str, monkeypatch: Patch
 ) -> None:
     def wrong(at: Expr, value: Expr) -> Expr:
-        return expression.substitute(parse(slope), {"x": at})
+        return substitute(parse(slope), {"x": at})
 
-    monkeypatch.setitem(expression._SLOPES, name, wrong)
+    monkeypatch.setitem(derivatives._SLOPES, name, wrong)
     assert not tresym.check(claim)
     monkeypatch.setattr(check_judge, "_decide", lambda *_: Answer(PROVED, "it looks right"))
     assert stopped(tresym.check(claim))
 
 
 def test_a_wrong_rule_of_differentiation_before_sympy(monkeypatch: Patch) -> None:
-    for name in expression._SLOPES:
-        monkeypatch.setitem(expression._SLOPES, name, lambda at, value: value)
+    for name in derivatives._SLOPES:
+        monkeypatch.setitem(derivatives._SLOPES, name, lambda at, value: value)
     slope = Derivative(cos(x), x)
     assert stopped(tresym.check(Eq(slope, cos(x), evaluate=False)))
 

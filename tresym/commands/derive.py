@@ -1,70 +1,154 @@
-"""``tresym derive``: print the article, or derivations to paste, in LaTeX."""
+"""``tresym derive``: write the article with its figures, slides, a notebook, or single derivations."""
 
 from __future__ import annotations
 
 import argparse
 import os
 import sys
+from collections.abc import Iterator
+from concurrent.futures import Future
+from contextlib import contextmanager
+from importlib.util import find_spec
+from typing import TYPE_CHECKING
 
 from tresym.commands.parser import UNEXPECTED, Commands, deliver
+from tresym.output import check_replaceable, make_folder, write_bytes
 from tresym.reals.numbers.exact import InputError
+
+if TYPE_CHECKING:
+    from tresym.ledger.verification import Report
+
+STYLES = ("article", "beamer", "markdown", "jupyter")
 
 
 def add(commands: Commands) -> None:
     """Add `tresym derive` to the command line."""
     parser = commands.add_parser(
         "derive",
-        help="derivations in LaTeX: the whole article, or single claims to paste",
+        help="the article with its figures, slides, a notebook, or single derivations to paste",
         description=(
-            "Without labels, print the whole article; with labels, each claim with its derivation."
+            "Without labels, write the article about the paper, in LaTeX. With labels, write the "
+            "derivation of each of these claims, to paste into a text of your own."
         ),
-        epilog="Exit status: 1, without output, if a requested claim is refuted.",
+        epilog="With -o article.tex the figures are written to the folder article-figures. They "
+        "need matplotlib: pip install -e '.[docs]'. "
+        "Exit status: 1, without output, if a requested claim is refuted.",
         allow_abbrev=False,
     )
     parser.add_argument("labels", nargs="*", metavar="LABEL", help="claims, such as eq_gamma")
     parser.add_argument(
-        "--refuted",
-        action="store_true",
-        help="also print refuted claims, marked as such, with the correct statement",
+        "--style",
+        choices=STYLES,
+        default="article",
+        help="LaTeX (the default), ten slides, Markdown, or a notebook that computes the numbers",
     )
     parser.add_argument("-o", dest="path", metavar="PATH", help="write to a file instead")
     parser.add_argument(
         "--figures",
+        action=argparse.BooleanOptionalAction,
+        help="include the figures, as files beside PATH (default: if PATH is given)",
+    )
+    where = parser.add_mutually_exclusive_group()
+    where.add_argument(
+        "--ledger",
         action="store_true",
-        help="also write the figures of the article, as PDF, to the folder figures beside PATH",
+        help="also write every claim with its proof, to PATH-ledger.tex",
+    )
+    where.add_argument(
+        "--appendix", action="store_true", help="the same as an appendix of the article"
+    )
+    parser.add_argument(
+        "--refuted",
+        action="store_true",
+        help="also print refuted claims, marked as such, with the correct statement",
     )
     parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:
     """Run the command and return its exit status."""
-    if args.figures and (args.labels or args.path is None):
-        raise InputError("derive: --figures needs -o PATH and no labels")
+    _check(args)
+    return _pieces(args) if args.labels else _document(args)
+
+
+def _check(args: argparse.Namespace) -> None:
+    """Raise InputError if options do not fit together."""
+    whole = args.ledger or args.appendix
+    if args.labels and (whole or args.figures):
+        raise InputError("derive: --figures, --ledger and --appendix are for the article: no labels")
+    if args.path is None and (args.ledger or args.figures):
+        raise InputError("derive: --figures and --ledger write further files: give -o PATH")
+    if whole and args.style != "article":
+        raise InputError("derive: --ledger and --appendix are for --style article")
+    if args.figures and args.style == "jupyter":
+        raise InputError("derive: the cells of a notebook draw its figures; leave out --figures")
+
+
+def _pieces(args: argparse.Namespace) -> int:
+    """Write the derivations of the requested claims."""
     from tresym.ledger.verification import verify
     from tresym.reals.processes import cores
-    from tresym.report.pages import derivation
-    from tresym.report.pages.article import article
+    from tresym.report.pages import derivation, fragments
 
     report = verify(args.labels, workers=cores())
     asked = [report[label] for label in dict.fromkeys(args.labels)]
-    refused = derivation.refused(asked) if args.labels and not args.refuted else ()
+    refused = () if args.refuted else derivation.refused(asked)
     if refused:
         print("\n".join(refused), file=sys.stderr)
         return UNEXPECTED
-    statements = map(derivation.fragment, asked)
-    text = "\n".join(statements) if args.labels else article(report)
-    deliver(text, args.path)
-    if args.figures:
-        _draw(os.path.join(os.path.dirname(args.path), "figures"))
+    deliver(fragments.written(asked, args.style), args.path)
     return 0 if report.as_expected else UNEXPECTED
 
 
-def _draw(folder: str) -> None:
-    """Draw the figures of the article into a folder, which is created if needed."""
-    from tresym.output import write_bytes
-    from tresym.report import figures
-    from tresym.report.pages.article import figures_of
+def _document(args: argparse.Namespace) -> int:
+    """Write the article, slides or notebook, and the files that belong to it."""
+    from tresym.report.pages import documents_about as documents
 
-    os.makedirs(folder, exist_ok=True)
-    for name in figures_of():
-        write_bytes(os.path.join(folder, f"{name}.pdf"), figures.picture(name, "pdf"))
+    beside = os.path.splitext(args.path or "")[0]
+    with_figures = args.figures is not False and args.path is not None
+    names = documents.figures_of(args.style) if with_figures else ()
+    kind = "svg" if args.style == "markdown" else "pdf"
+    figures = {name: os.path.join(f"{beside}-figures", f"{name}.{kind}") for name in names}
+    ledger = f"{beside}-ledger.tex"
+    check_replaceable([*figures.values(), *([ledger] if args.ledger else [])], args.force)
+    with _drawing(figures, kind) as drawn:
+        report = _verified(args)
+        where = "document" if args.ledger else "appendix" if args.appendix else ""
+        folder = f"{os.path.basename(beside)}-figures" if figures else ""
+        text = documents.written(report, args.style, where, folder)
+        pictures = {path: one.result() for path, one in drawn.items()}
+    if pictures:
+        make_folder(f"{beside}-figures")
+    for path, picture in pictures.items():
+        write_bytes(path, picture)
+    if args.ledger:
+        deliver(documents.ledger(report), ledger)
+    deliver(text, args.path)
+    return 0 if report.as_expected else UNEXPECTED
+
+
+def _verified(args: argparse.Namespace) -> Report:
+    """Verify the claims that the document names; all, if it includes the ledger."""
+    from tresym.ledger.verification import verify
+    from tresym.reals.processes import cores
+    from tresym.report.pages import documents_about as documents
+
+    whole = args.ledger or args.appendix
+    return verify(() if whole else documents.labels(args.style), workers=cores())
+
+
+@contextmanager
+def _drawing(figures: dict[str, str], kind: str) -> Iterator[dict[str, Future[bytes]]]:
+    """Draw figures in another process, and yield the futures of the pictures by path."""
+    if not figures:
+        yield {}
+        return
+    from tresym.reals.processes import Processes
+    from tresym.report.figures import printed
+
+    if find_spec("matplotlib") is None:
+        raise InputError(
+            "derive: figures need matplotlib (pip install -e '.[docs]'); --no-figures omits them"
+        )
+    with Processes(1) as processes:
+        yield {path: processes.submit(printed, name, kind) for name, path in figures.items()}

@@ -63,8 +63,15 @@ def run(args: argparse.Namespace) -> int:
 def _search(folder: Path, labels: Sequence[str]) -> dict[str, Any]:
     """Search for missing proofs, or those of the labels, and store each one found."""
     from tresym.coq.candidate_search import version
-    from tresym.coq.export import open_claims, save, stamped, stored
-    from tresym.coq.ledger_proofs import Memory, search, witnesses
+    from tresym.coq.export import entries, open_claims, save, stamped, stored
+    from tresym.coq.ledger_proofs import (
+        Memory,
+        premised_points,
+        search,
+        strengthened,
+        witnesses,
+    )
+    from tresym.coq.statement import Theorem
     from tresym.ledger.paper import all_claims
 
     def keep(label: str, row: dict[str, Any]) -> None:
@@ -72,15 +79,28 @@ def _search(folder: Path, labels: Sequence[str]) -> dict[str, Any]:
         store["claims"][label] = stamped(row, store, version())
         save(store)
 
+    def say(text: str) -> None:
+        print(text, file=sys.stderr, flush=True)
+
     with closing(Memory(folder / "search.json", stored())) as memory:
         wanted = [c for c in open_claims() if not labels or c.label in labels]
-        search(wanted, memory, keep, lambda text: print(text, file=sys.stderr, flush=True))
+        search(wanted, memory, keep, say)
+        for label, entry in entries(stored(), labels or None).items():
+            whole = entry.theorem
+            if not isinstance(whole, Theorem) or not entry.undefined or entry.left is not None:
+                continue
+            if found := strengthened(label, whole, memory):
+                keep(label, stored()["claims"][label] | {"defined": found})
+                say(f"{label}: {len(found['left'])} of {len(whole.defined)} premises stay")
         store = stored()
         if not labels:
             claims = all_claims()
             rows = {c.label: store["claims"].get(c.label) for c in claims}
             store["claims"] = {label: row for label, row in rows.items() if row}
+            known = entries(store).values()
+            wholes = [e.stronger or e.theorem for e in known if e.undefined]
             points = witnesses(claims, memory)
+            points |= premised_points((t for t in wholes if isinstance(t, Theorem)), memory)
             store["possible"] = {k: stamped(r, store, version()) for k, r in points.items()}
             save(store)
     return store

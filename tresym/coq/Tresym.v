@@ -1765,6 +1765,12 @@ Proof.
   intros A B; apply (Rmult_le_reg_r (a + b)); [lra |].
   rewrite Rmult_assoc, Rinv_l by lra; lra.
 Qed.
+Lemma quotient_at_most_one a b : 0 < b -> a <= b -> a * / b <= 1.
+Proof.
+  intros B H; apply (Rmult_le_reg_r b); [exact B |]; rewrite Rmult_assoc, Rinv_l by lra; lra.
+Qed.
+Lemma inverse_difference a b : 0 < a -> a <= b -> 0 <= / a + (-1) * / b.
+Proof. intros A H; pose proof (Rinv_le_contravar a b A H); lra. Qed.
 Lemma sqrt_at_most_one u : u <= 1 -> sqrt u <= 1.
 Proof. intros H; rewrite <- sqrt_1; now apply sqrt_le_1_alt. Qed.
 Lemma sqrt_under_one u : u < 1 -> sqrt u < 1.
@@ -1789,7 +1795,10 @@ Proof. pose proof (COS_bound x); nra. Qed.
 Ltac at_most_one := first
   [ assumption | lra
   | apply share_at_most_one; solve [assumption | lra | positive]
-  | apply other_share_at_most_one; solve [assumption | lra | positive] | nra ].
+  | apply other_share_at_most_one; solve [assumption | lra | positive]
+  | apply quotient_at_most_one; lra
+  | match goal with |- ?s * ?a * / ?b <= 1 => apply (quotient_at_most_one (s * a) b); lra end
+  | nra ].
 Ltac under_one := first
   [ assumption | lra | apply share_under_one; solve [assumption | lra | positive] | nra ].
 Ltac bounds := repeat match goal with
@@ -1808,7 +1817,7 @@ Ltac structure leaf :=
   | |- _ * _ <> 0 => apply Rmult_integral_contrapositive_currified; structure leaf
   | |- _ ^ _ <> 0 => apply pow_nonzero; structure leaf
   | |- / _ <> 0 => apply Rinv_neq_0_compat; structure leaf
-  | |- exp _ <> 0 => apply Rgt_not_eq, exp_pos
+  | |- Rabs _ <> 0 => apply Rabs_no_R0; structure leaf
   | |- _ <> 0 => first [apply Rgt_not_eq, Rlt_gt; structure leaf | apply Rlt_not_eq; leaf ()]
   | |- 0 < _ * _ => first [apply Rmult_lt_0_compat; structure leaf | leaf ()]
   | |- 0 < / _ => apply Rinv_0_lt_compat; structure leaf
@@ -1829,16 +1838,20 @@ Ltac structure leaf :=
       [ leaf () | apply Rplus_lt_0_compat; structure leaf
       | apply Rplus_lt_le_0_compat; structure leaf | apply Rplus_le_lt_0_compat; structure leaf ]
   | |- 0 <= _ * _ => first [apply Rmult_le_pos; structure leaf | leaf ()]
+  | |- 0 <= / ?a + (-1) * / ?b => apply (inverse_difference a b); structure leaf
   | |- 0 <= / _ => apply Rlt_le, Rinv_0_lt_compat; structure leaf
   | |- 0 <= _ ^ _ => first [apply even_power; reflexivity | apply pow_le; structure leaf]
   | |- 0 <= sqrt _ => apply sqrt_pos
   | |- 0 <= Rabs _ => apply Rabs_pos
   | |- 0 <= _ + _ => first
       [leaf () | apply Rplus_le_le_0_compat; structure leaf | apply Rlt_le; structure leaf]
-  | |- 0 <= ?u => first [leaf () | apply Rlt_le; structure leaf]
+  | |- 0 <= _ => first [leaf () | apply Rlt_le; structure leaf]
   | |- _ => leaf ()
   end ].
 Ltac values := repeat match goal with H : ?x = _ |- _ => is_var x; subst x end.
+Ltac collected := match goal with
+  | |- ?u <> 0 => ring_simplify u | |- 0 < ?u => ring_simplify u | |- 0 <= ?u => ring_simplify u
+  end.
 Ltac definedness := saturate; structure ltac:(fun _ => solve [bounded]).
 
 Lemma jordan t : 0 <= t <= PI / 2 -> t <= PI / 2 * sin t.

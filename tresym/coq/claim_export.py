@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from tresym.coq.statement import Condition, NotExportedError, Theorem
-from tresym.reals.decisions.claim_parsing import Comparison, Statement
+from tresym.reals.decisions.statement import Comparison, Statement
 from tresym.reals.domain.operation_domains import needs
 from tresym.reals.language.binders import derivative, elementary
 from tresym.reals.language.expression import Expr, symbols

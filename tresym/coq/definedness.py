@@ -15,27 +15,18 @@ from typing import Any
 from tresym.coq.coqtop import Dialogue
 from tresym.coq.ledger_statements import stem
 from tresym.coq.statement import Theorem, condition, variable
+from tresym.reals.language.expression import ZERO
+from tresym.reals.language.formula import Conjunction
 
 TACTICS = (
     "give",
     "definedness",
     "laws; definedness",
     "values; definedness",
+    "values; collected; definedness",
 )
 """What is tried on each premise, cheapest first."""
 SECONDS = 3
-
-
-def stronger(theorem: Theorem, left: tuple[int, ...]) -> Theorem:
-    """Return the theorem with only those of its premises of definedness, by number from 0."""
-    return replace(theorem, defined=tuple(theorem.defined[n] for n in left))
-
-
-def names_of(theorem: Theorem) -> tuple[list[str], list[str]]:
-    """Return the names of variables and of hypotheses before the premises of definedness."""
-    definitions = [f"D_{n}" for n in range(1, len(theorem.definitions) + 1)]
-    given = [f"G_{n}" for n in range(1, len(theorem.given) + 1)]
-    return [*map(variable, theorem.variables)], [*definitions, *given]
 
 
 def strengthen(label: str, theorem: Theorem, coq: Dialogue) -> dict[str, Any] | None:
@@ -52,15 +43,13 @@ def strengthen(label: str, theorem: Theorem, coq: Dialogue) -> dict[str, Any] | 
     if theorem.exists or not theorem.defined:
         return None
     session = _Session(theorem, coq)
-    order = sorted(range(len(theorem.defined)), key=lambda n: len(condition(*theorem.defined[n])))
-    open_ = order
-    while True:
-        rest = [n for n in open_ if not session.shows(n)]
+    open_ = sorted(range(len(theorem.defined)), key=lambda n: len(session.parts[n]))
+    while rest := [n for n in open_ if not session.shows(n)]:
         if len(rest) == len(open_):
             break
         open_ = rest
     left: list[int] = []
-    for n in open_:
+    for n in rest:  # one that stays may help with those after it
         if not (left and session.shows(n, left)):
             left.append(n)
     session.end()
@@ -69,18 +58,42 @@ def strengthen(label: str, theorem: Theorem, coq: Dialogue) -> dict[str, Any] | 
     return {"left": sorted(left), "script": session.script(label, sorted(left))}
 
 
+def trial(label: str, theorem: Theorem, found: dict[str, Any]) -> str:
+    """Return the stronger theorem with its proof; ``@`` stands for a number."""
+    left = tuple(theorem.defined[n] for n in found["left"])
+    says = f"({theorem.body}) -> ({replace(theorem, defined=left).body})"
+    return (
+        f"Theorem trial_@ :\n{says}.\nProof.\nintros premised_{stem(label)}.\n"
+        f"{found['script']}\nQed."
+    )
+
+
+def satisfiable(theorem: Theorem) -> Theorem:
+    """Return that a point satisfies definitions, conditions and premises together."""
+    asked = [c for conditions, _ in theorem.definitions for c in conditions]
+    parts = [(e, sign, ZERO) for e, sign in theorem.defined]
+    given = tuple(dict.fromkeys((*theorem.given, *asked, *parts)))
+    plain = tuple(((), meaning) for _, meaning in theorem.definitions)
+    return replace(
+        theorem, definitions=plain, given=given, defined=(), says=Conjunction(()), exists=True
+    )
+
+
 class _Session:
     """A proof in which all premises are introduced, to try which of them follow from others."""
 
     def __init__(self, theorem: Theorem, coq: Dialogue) -> None:
         self.theorem, self.coq = theorem, coq
         self.parts = [condition(*part) for part in theorem.defined]
-        self.shown: list[tuple[int, str]] = []
-        names, before = names_of(theorem)
+        self.shown: list[tuple[int, str, bool]] = []
+        self.names = [
+            *map(variable, theorem.variables),
+            *(f"D_{n}" for n in range(1, len(theorem.definitions) + 1)),
+            *(f"G_{n}" for n in range(1, len(theorem.given) + 1)),
+        ]
         premises = [f"N_{n}" for n in range(len(self.parts))]
-        self.names, self.before = names, before
-        body = theorem.body.rsplit("\n", 1)[0] + "\n  True"
-        self.start = [f"Goal\n{body}.", f"intros {' '.join([*names, *before, *premises])}."]
+        body = replace(theorem, says=Conjunction(())).body
+        self.start = [f"Goal\n{body}.", f"intros {' '.join([*self.names, *premises])}."]
         self.start += _cases(theorem)
         self.begun = False
 
@@ -92,7 +105,7 @@ class _Session:
             if not self.begun:
                 self.begin()
             if self.coq.holds(f"assert (T_{n} : {self.parts[n]}) by ({clear}{tactic})."):
-                self.shown.append((n, tactic))
+                self.shown.append((n, tactic, bool(left)))
                 return True
             self.begun = self.coq.process is not None
         return False
@@ -103,7 +116,7 @@ class _Session:
         self.coq.holds("Abort All.")
         for sentence in self.start:
             self.coq.holds(sentence)
-        for n, _ in self.shown:
+        for n, *_ in self.shown:
             self.coq.holds(f"assert (T_{n} : {self.parts[n]}) by (exact N_{n}).")
         self.begun = True
 
@@ -114,11 +127,14 @@ class _Session:
 
     def script(self, label: str, left: list[int]) -> str:
         """Return the script of the stronger theorem, from the theorem ``premised_LABEL``."""
-        names = [*self.names, *self.before, *(f"N_{n}" for n in left)]
+        premises = [f"N_{n}" for n in left]
+        names = [*self.names, *premises]
         lines = [f"intros {' '.join(names)}."] if names else []
         lines += _cases(self.theorem)
-        lines += [f"assert (N_{n} : {self.parts[n]}) by ({tactic})." for n, tactic in self.shown]
-        every = [*self.names, *self.before, *(f"N_{n}" for n in range(len(self.parts)))]
+        for n, tactic, from_left in self.shown:
+            before = "" if from_left or not left else f"clear {' '.join(premises)}; "
+            lines.append(f"assert (N_{n} : {self.parts[n]}) by ({before}{tactic}).")
+        every = [*self.names, *(f"N_{n}" for n in range(len(self.parts)))]
         return "\n".join([*lines, f"exact (premised_{stem(label)} {' '.join(every)})."])
 
 

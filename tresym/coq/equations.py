@@ -19,13 +19,13 @@ from tresym.coq.linear_dependence import as_expression, expanded, whole_basis, w
 from tresym.coq.statement import Theorem, term
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.operation_domains import bound
+from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     HALF,
     ONE,
     PI,
     Expr,
     add,
-    differentiate,
     multiply,
     number,
     power,

@@ -19,12 +19,11 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from tresym.coq import stamps
 from tresym.coq.candidate_search import assumptions
 from tresym.coq.coqtop import HEAD, prelude
 from tresym.coq.ledger_statements import Joint, lemmas, name_of, stamp, stem, theorem_of
 from tresym.coq.numbers import numbers
-from tresym.coq.stamps import checked
-from tresym.coq.stamps import stamp as stamp_of_proof
 from tresym.coq.statement import NotExportedError, Theorem, condition
 from tresym.ledger.claim import AllOf, Claim
 from tresym.ledger.paper import PAPER, all_claims, file_of, sections
@@ -133,7 +132,7 @@ def entries(
             why = "no proof is stored for this statement"
             found[claim.label] = Entry(whole, "", None, (), why)
             continue
-        seen = checked(proof_row, applied(proof_row, store), library_text())
+        seen = stamps.checked(proof_row, applied(proof_row, store), library_text())
         if not seen and not unchecked:
             why = "Coq has not checked its stored proof since that or a lemma it uses was changed"
             found[claim.label] = Entry(whole, "", None, (), why)
@@ -194,7 +193,7 @@ def applied(row: Mapping[str, Any], store: Mapping[str, Any]) -> list[str]:
 def stamped(row: dict[str, Any], store: Mapping[str, Any], coq: str) -> dict[str, Any]:
     """Return a stored proof with the stamp that says that Coq has checked it today."""
     day = datetime.now(UTC).date().isoformat()
-    found = stamp_of_proof(row, applied(row, store), coq, day, library_text())
+    found = stamps.stamp(row, applied(row, store), coq, day, library_text())
     return row | {"checked": {"coq": coq, "day": day, "stamp": found}}
 
 

@@ -25,12 +25,12 @@ from tresym.coq.statement import Theorem, formula, term, variable
 from tresym.coq.sums_of_squares import square_proofs
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.sample_points import Range
+from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     ONE,
     ZERO,
     Expr,
     add,
-    differentiate,
     multiply,
     number,
     power,

@@ -20,12 +20,13 @@ from typing import Any
 
 from tresym.coq.candidate_search import by_steps
 from tresym.coq.coqtop import Dialogue
+from tresym.coq.definedness import satisfiable, strengthen, trial
 from tresym.coq.export import applied, library_text
 from tresym.coq.ledger_statements import Joint, conditions_of, lemmas, name_of, stamp, theorem_of
 from tresym.coq.lemma_proofs import Plan, candidates, plans, without_definitions
 from tresym.coq.stamps import checked, digest, library
 from tresym.coq.statement import NotExportedError, Theorem, comparison, term, variable
-from tresym.coq.witness_points import WAYS
+from tresym.coq.witness_points import WAYS, proofs_at
 from tresym.ledger.claim import Claim
 from tresym.ledger.conversion import known
 from tresym.reals.language.expression import number, symbols
@@ -201,6 +202,14 @@ def stepped(lemma: Theorem, memory: Memory) -> str | None:
     return proof if proof and memory.accepts(_proof(lemma.body, proof)) else None
 
 
+def strengthened(label: str, whole: Theorem, memory: Memory) -> dict[str, Any] | None:
+    """Return which premises of definedness stay, with a proof of the theorem without the others."""
+    found = strengthen(label, whole, memory.dialogue())
+    if found and memory.accepts(trial(label, whole, found), CLAIM_SECONDS):
+        return found
+    return None
+
+
 def witnesses(claims: Iterable[Claim], memory: Memory) -> dict[str, Any]:
     """Find a point for each set of conditions, with a Coq proof that the conditions hold there."""
     found: dict[str, Any] = {}
@@ -221,12 +230,27 @@ def witnesses(claims: Iterable[Claim], memory: Memory) -> dict[str, Any]:
         if point is None or not point.keys() >= {*names}:
             continue
         values = ", ".join(f"({term(number(point[name]))})" for name in names)
-        for way in WAYS:
-            script = f"exists {values}. repeat split; {way}numeric."
-            if memory.accepts(_proof(body, script)):
-                found[key] = {"body": body, "script": script}
-                break
+        scripts = (f"exists {values}. repeat split; {way}numeric." for way in WAYS)
+        found |= _first_accepted(body, scripts, memory)
     return found
+
+
+def premised_points(wholes: Iterable[Theorem], memory: Memory) -> dict[str, Any]:
+    """Find a point where the definitions, conditions and remaining premises of a theorem hold."""
+    found: dict[str, Any] = {}
+    for whole in wholes:
+        there = satisfiable(whole)
+        with suppress(*UNWRITTEN):
+            found |= _first_accepted(there.body, proofs_at({}, there), memory)
+    return found
+
+
+def _first_accepted(body: str, scripts: Iterable[str], memory: Memory) -> dict[str, Any]:
+    """Return the first of the proofs that Coq accepts, by the hash of what it proves."""
+    for script in scripts:
+        if memory.accepts(_proof(body, script)):
+            return {_hash(body): {"body": body, "script": script}}
+    return {}
 
 
 class _LateError(BaseException):

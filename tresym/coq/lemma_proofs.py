@@ -36,16 +36,8 @@ from tresym.ledger.claim import Chain, Claim, Definition, Reason, Root, Together
 from tresym.ledger.conversion import stage, tree
 from tresym.ledger.paper import file_of
 from tresym.reals.language.binders import elementary, worked_out
-from tresym.reals.language.expression import (
-    ZERO,
-    Expr,
-    apply,
-    differentiate,
-    number,
-    sqrt,
-    symbol,
-    symbols,
-)
+from tresym.reals.language.derivatives import differentiate
+from tresym.reals.language.expression import ZERO, Expr, apply, number, sqrt, symbol, symbols
 from tresym.reals.language.formula import Conjunction, Equivalence, Relation
 from tresym.reals.numbers.exact import InputError
 

@@ -78,9 +78,37 @@ def term(e: Expr, level: int = SUM) -> str:
     if e.op in FUNCTIONS:
         args = " ".join(term(arg, ATOM) for arg in e.args)
         return _in_brackets(f"{FUNCTIONS[e.op]} {args}", POWER, level)
+    if e.op in ("natural", "factorial", "power", "count"):
+        return _naturals(e, level)
     if e.op in VALUES:
         return _in_brackets(f"{VALUES[e.op]} {_function(e)}".lstrip(), POWER, level)
     raise NotExportedError(f"{e.op} is not exported to Coq yet")
+
+
+def _naturals(e: Expr, level: int) -> str:
+    """Translate a natural number as a real one, its factorial, a power with it, or as it is."""
+    if e.op == "count":
+        return _natural(e.args[0], level)
+    if e.op == "power":
+        return _in_brackets(f"{term(e.args[0], ATOM)} ^ {_natural(e.args[1], ATOM)}", POWER, level)
+    inside = _natural(e.args[0], ATOM)
+    return _in_brackets(f"INR {inside if e.op == 'natural' else f'(fact {inside})'}", POWER, level)
+
+
+def _natural(e: Expr, level: int) -> str:
+    """Translate a sum of natural numbers; what is added to it is written as successors."""
+    if e.op == "number":
+        return str(int(e.args[0].p))
+    if e.op == "+":
+        added = sum(int(arg.args[0].p) for arg in e.args if arg.op == "number")
+        names = [_natural(arg, PRODUCT) for arg in e.args if arg.op != "number"]
+        text = " + ".join(names)
+        for _ in range(added):
+            text = f"S {text if text.isidentifier() else f'({text})'}"
+        return _in_brackets(text, SUM, level)
+    if e.op == "*":
+        return _in_brackets(" * ".join(_natural(arg, POWER) for arg in e.args), PRODUCT, level)
+    return variable(e.args[0])
 
 
 def _function(e: Expr) -> str:

@@ -37,8 +37,12 @@ WAYS = "", "inverse_sines; ", "laws; unfold root, acosh, atanh in *; inverse_sin
 def point_proofs(claim: Claim, whole: Theorem) -> Iterator[str]:
     """Yield scripts for the existence of a point: a counterexample, or inputs of a number."""
     point = witness(claim)
-    if point is None:
-        return
+    if point is not None:
+        yield from proofs_at(point, whole)
+
+
+def proofs_at(point: dict[str, fmpq], whole: Theorem) -> Iterator[str]:
+    """Yield scripts for an existential theorem; variables without a value are chosen."""
     root = next((m for _, m in whole.definitions if m.left.op == "tanh"), None)
     defect = next(iter(symbols(root.left) - {"a", "b"}), "") if root else ""
     values = chosen(whole, {name: x for name, x in point.items() if name != defect}, defect)

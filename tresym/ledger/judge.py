@@ -101,7 +101,8 @@ from tresym.reals.balls.branch_and_bound import CertificateError
 from tresym.reals.cross_check import STOPPED
 from tresym.reals.decisions.identity import decide_continuous
 from tresym.reals.language.binders import derivative, elementary, generalised
-from tresym.reals.language.expression import ZERO, Expr, differentiate, substitute, symbols
+from tresym.reals.language.derivatives import differentiate
+from tresym.reals.language.expression import ZERO, Expr, substitute, symbols
 from tresym.reals.language.formula import Relation, relations
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict

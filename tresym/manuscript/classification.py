@@ -15,13 +15,13 @@ from tresym.manuscript.context import DEPTH, Memory, Under, about, names_in
 from tresym.manuscript.display import Said
 from tresym.manuscript.source import Display
 from tresym.manuscript.terms import Head, base_of, unknown_in, variables_of_integrals
-from tresym.reals.decisions.claim_parsing import chained
+from tresym.reals.decisions.statement import chained
 from tresym.reals.language.binders import antiderivative, is_infinite, outermost
 from tresym.reals.language.calls import UNKNOWN
+from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     DOTS,
     Expr,
-    differentiate,
     instantiate,
     number,
     replaced,

@@ -13,7 +13,7 @@ from tresym.manuscript.classification import EQUATION, UNREAD, Attempt, Link
 from tresym.manuscript.context import names_in
 from tresym.manuscript.instances import instances
 from tresym.reals.decisions.answer import Alternative, Answer
-from tresym.reals.decisions.claim_parsing import chained
+from tresym.reals.decisions.statement import chained
 from tresym.reals.decisions.time_limited import Task, check_all, check_within
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.expression import ONE, ZERO, Expr, symbols

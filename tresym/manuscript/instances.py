@@ -14,12 +14,12 @@ from collections.abc import Iterator, Mapping
 
 from tresym.reals.language.binders import outermost
 from tresym.reals.language.calls import FACTORIAL
+from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     BINDERS,
     LEAVES,
     Expr,
     bind,
-    differentiate,
     instantiate,
     number,
     rebuild,

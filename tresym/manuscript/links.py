@@ -48,7 +48,7 @@ from tresym.manuscript.terms import (
     with_primed_variables,
     without_units,
 )
-from tresym.reals.decisions.claim_parsing import chained
+from tresym.reals.decisions.statement import chained
 from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import DOTS, Expr, symbol, symbols

@@ -27,7 +27,8 @@ from tresym.manuscript.terms import base_of
 from tresym.reals.decisions.answer import Alternative, Answer
 from tresym.reals.decisions.time_limited import Task, check_all
 from tresym.reals.language.binders import elementary
-from tresym.reals.language.expression import Expr, differentiate, symbols
+from tresym.reals.language.derivatives import differentiate
+from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.repair import suggestions
 from tresym.reals.repair.edits import is_one_edit
 from tresym.reals.repair.search import GIVEN, SECONDS, Definitions

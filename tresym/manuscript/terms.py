@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from tresym.reals.decisions.claim_parsing import functions
+from tresym.reals.decisions.statement import functions
 from tresym.reals.language.calls import FACTORIAL
 from tresym.reals.language.expression import Expr
 from tresym.reals.language.latex_cursor import Author, is_letter

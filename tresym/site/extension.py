@@ -20,7 +20,7 @@ from sphinx.writers.html5 import HTML5Translator
 from tresym.report.charts import CHARTS
 from tresym.report.typesetting.formulas import Piece, pieces
 from tresym.site import claims, commands, docstrings, mathematics
-from tresym.site.markdown import badge, inline, link, statement, titled
+from tresym.site.markdown import statement, titled
 
 BUILT = "_built"
 """The folder for style sheets that the build writes; like claims/, it is not versioned."""
@@ -180,25 +180,6 @@ class ClaimDirective(SphinxDirective):
         return [box]
 
 
-class FindingsDirective(SphinxDirective):
-    """The directive ``{findings}``: each line a claim of the paper, a colon, and what is true."""
-
-    has_content = True
-
-    def run(self) -> list[nodes.Node]:
-        """Return a table of three columns, which becomes a list on a narrow screen."""
-        rows = ["| the paper | verdict | what is true |", "|---|---|---|"]
-        for line in self.content:
-            label, truths = line.split(":")
-            claim = _named(self, label)
-            said = (f"{inline(_named(self, name))} {link(name)}" for name in truths.split())
-            cells = (f"{inline(claim)} {link(label)}", badge(claim["verdict"]), "<br>".join(said))
-            rows.append(f"| {' | '.join(cells)} |")
-        box = nodes.container(classes=["findings"])
-        box += self.parse_text_to_nodes("\n".join(rows))
-        return [box]
-
-
 def _named(directive: SphinxDirective, label: str) -> dict[str, Any]:
     found = ledger_of(Path(directive.env.srcdir))["claims"]
     if label not in found:
@@ -307,7 +288,6 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.connect("autodoc-skip-member", docstrings.skip)
     app.add_html_math_renderer("mathml", (visit_inline, None), (visit_block, None))
     app.add_directive("claim", ClaimDirective)
-    app.add_directive("findings", FindingsDirective)
     app.add_directive("charts", ChartsDirective)
     app.connect("build-finished", copy_explorer)
     app.connect("doctree-read", link_labels)

@@ -15,7 +15,8 @@ from tresym.dev.corpus.lists import Known, known
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.operation_domains import with_domain
-from tresym.reals.language.expression import Expr, differentiate
+from tresym.reals.language.derivatives import differentiate
+from tresym.reals.language.expression import Expr
 from tresym.reals.language.parsing import parse
 from tresym.reals.language.solve import solutions
 from tresym.reals.signs.homogenisation import sign_by_homogeneity

@@ -12,11 +12,11 @@ from hypothesis import strategies as st
 from tresym.dev.corpus.rewriting import false_identity, true_identity
 from tresym.reals.decisions.identity import decide
 from tresym.reals.domain.conditions import Given
+from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     Expr,
     add,
     apply,
-    differentiate,
     multiply,
     number,
     power,

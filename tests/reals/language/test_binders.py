@@ -27,12 +27,12 @@ from tresym.reals.language.binders import (
     outermost,
     worked_out,
 )
+from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     MAX_DEPTH,
     Expr,
     apply,
     bind,
-    differentiate,
     number,
     opened,
     rebuild,

@@ -12,6 +12,7 @@ from in_sympy import to_sympy
 
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import at, derivative, integral, limit, order
+from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     FUNCTIONS,
     PI,
@@ -20,7 +21,6 @@ from tresym.reals.language.expression import (
     add,
     angle,
     apply,
-    differentiate,
     number,
     symbol,
     trees,

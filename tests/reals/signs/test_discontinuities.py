@@ -16,7 +16,8 @@ import tresym
 from tresym.reals.decisions.identity import decide
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
-from tresym.reals.language.expression import angle, differentiate, number, substitute
+from tresym.reals.language.derivatives import differentiate
+from tresym.reals.language.expression import angle, number, substitute
 from tresym.reals.language.parsing import parse
 from tresym.reals.language.sympy import from_sympy
 from tresym.reals.normal.field import Field

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+import re
+import warnings
 from importlib.util import find_spec
 from pathlib import Path
 from xml.etree import ElementTree
@@ -189,6 +191,59 @@ def test_a_strip_of_a_column_has_letters_of_a_caption():
         words = [word for word in style._words(strip) if word.get_text()]
         assert [word.get_text() for word in words[:3]] == ["φ = 0", "π/4", "π/2"]
         assert min(word.get_fontsize() for word in words) > 7
+
+
+# For an article
+
+
+@pytest.mark.parametrize("name", figures.FIGURES)
+def test_a_figure_for_an_article_has_the_fonts_of_latex_and_room_for_its_words(name, monkeypatch):
+    style = pytest.importorskip("tresym.report.figures.style")
+    pytest.importorskip("matplotlib")
+    saved = style.bitmap_or_page
+
+    def checked(figure, *rest):
+        assert round(figure.get_figwidth() * 25.4) == figures.PRINTED_MM[name] <= 146
+        assert style.stands(figure, style.scale_words(figure, 1.0), 1.0)
+        return saved(figure, *rest)
+
+    monkeypatch.setattr(style, "bitmap_or_page", checked)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")  # a character that the font lacks
+        page = figures.printed(name)
+    fonts = {found.lower() for found in re.findall(rb"/BaseFont /(?:[A-Z]{6}\+)?(\w+)", page)}
+    assert fonts <= {b"cmr10", b"cmmi10", b"cmsy10", b"cmex10"}
+    assert fonts or name in ("racket-frame", "euler-angles")  # whose words are outlines
+    assert page == figures.printed(name)
+
+
+def test_formulas_in_the_words_of_a_figure_are_set_as_formulas():
+    style = pytest.importorskip("tresym.report.figures.style")
+    found = {
+        "rotating, γ > 0": r"rotating, $\gamma  > 0$",
+        "−π/2": r"$-\pi /2$",
+        "ψ (rad)": r"$\psi $ (rad)",
+        "from ψ = ε to π − ε": r"from $\psi  = \epsilon $ to $\pi  - \epsilon $",
+        "the rectangle": "the rectangle",
+        r"$\varepsilon_0$ (rad)": r"$\epsilon_0$ (rad)",
+    }
+    assert {words: style.with_formulas(words) for words in found} == found
+
+
+def _grey(colour):
+    from matplotlib.colors import to_rgb
+
+    return float(np.dot(to_rgb(colour), (0.299, 0.587, 0.114)))
+
+
+def test_in_grey_the_colours_of_areas_keep_their_order():
+    matplotlib = pytest.importorskip("matplotlib")
+    style = pytest.importorskip("tresym.report.figures.style")
+    for name in ("cividis", style._PRINTED["image.cmap"]):
+        greys = [_grey(c) for c in matplotlib.colormaps[name](np.linspace(0, 1, 33))]
+        assert np.all(np.diff(greys) > 0.005)
+    dashes = [look["linestyle"] for _, look in style.ORBITS]
+    assert len(set(dashes)) == 3
 
 
 # Fig. 4

@@ -1,4 +1,4 @@
-"""The article compiles: no error, no undefined reference, no box that sticks out by 5 pt."""
+"""The ledger compiles: no error, no undefined reference, no box that sticks out by 5 pt."""
 
 import re
 import subprocess
@@ -10,9 +10,8 @@ from tresym.commands import main
 from tresym.ledger.verification import Report, verify
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
-from tresym.report import figures
-from tresym.report.pages.article import article, figures_of
 from tresym.report.pages.derivation import _valued, fragment, prose
+from tresym.report.pages.ledger_document import ledger_document
 
 
 @pytest.fixture(scope="module")
@@ -22,16 +21,16 @@ def report(whole: Report) -> Report:
 
 @pytest.fixture(scope="module")
 def text(report: Report) -> str:
-    return article(report)
+    return ledger_document(report)
 
 
-def test_every_claim_is_in_the_article(report: Report, text: str) -> None:
+def test_every_claim_is_in_the_ledger(report: Report, text: str) -> None:
     for row in report.rows:
         assert rf"\label{{claim:{row.claim.label}}}" in text
 
 
 def test_quoted_theorems_have_their_section(report: Report, text: str) -> None:
-    entries = text[text.index(r"\label{quoted}") : text.index(r"\begin{thebibliography}")]
+    entries = text[text.index(r"\label{quoted}") : text.index(r"\section{The ledger}")]
     listed = entries.split(r"\paragraph")[1:]
     assert len(listed) == len(report.axioms) > 0
     for (axiom, resting), entry in zip(report.axioms.items(), listed, strict=True):
@@ -42,16 +41,6 @@ def test_quoted_theorems_have_their_section(report: Report, text: str) -> None:
     assert ledger.count(r"\textsf{\small Quoted:}") == sum(
         bool(r.claim.axioms) for r in report.rows
     )
-
-
-def test_what_the_article_tells_is_there(report: Report, text: str) -> None:
-    assert not re.search(r"^@|\{\{ \w+ \}\}", text, re.MULTILINE)
-    known = {row.claim.label for row in report.rows}
-    assert set(re.findall(r"\\(?:claim|judged)\{(\w+)\}", text)) <= known
-    assert text.count(r"\begin{figure}") == len(figures_of())
-    assert set(figures_of()) <= set(figures.FIGURES)
-    labels = re.findall(r"\\label\{([^}]+)\}", text)
-    assert len(labels) == len(set(labels))
 
 
 def test_nothing_unprintable_is_left(report: Report) -> None:
@@ -95,7 +84,7 @@ def test_what_is_refuted_is_printed_marked(capsys: pytest.CaptureFixture[str]) -
     assert "Refuted" not in capsys.readouterr().out
 
 
-def test_the_article_marks_what_is_refuted(report: Report, text: str) -> None:
+def test_the_ledger_marks_what_is_refuted(report: Report, text: str) -> None:
     entries = re.split(r"\\label\{claim:", text)[1:]
     marked = [r"\verdict{refuted}{This is refuted:}" in entry for entry in entries]
     assert sum(marked) == report.counts[Verdict.REFUTED.value]
@@ -103,7 +92,7 @@ def test_the_article_marks_what_is_refuted(report: Report, text: str) -> None:
 
 @pytest.mark.slow
 @pytest.mark.usefixtures("pdflatex")
-def test_the_article_compiles(text: str, tmp_path: Path) -> None:
+def test_the_ledger_compiles(text: str, tmp_path: Path) -> None:
     log = compiled(text, tmp_path, times=2)
     assert "undefined" not in log
     assert "tresym: a display is shrunk" not in log

@@ -11,7 +11,7 @@ from tresym.ledger.finding import Premise
 from tresym.ledger.paper import all_claims
 from tresym.ledger.verification import verify
 from tresym.racket.notation import WORDS, WORDS_OF_PROOFS
-from tresym.report.pages.article import article
+from tresym.report.pages.ledger_document import ledger_document
 from tresym.report.pages.symbols import anchor, as_used, rows, symbols, used
 from tresym.site.claims import page
 
@@ -95,7 +95,7 @@ def test_the_page_of_a_claim_links_its_symbols() -> None:
     assert "[Symbols](/pages/symbols.md): " in text
 
 
-def test_the_article_begins_with_the_symbols() -> None:
-    text = article(verify(["eq_gamma"]))
+def test_the_ledger_begins_with_the_symbols() -> None:
+    text = ledger_document(verify(["eq_gamma"]))
     assert text.index(r"\section{Notation}") < text.index(r"\label{claim:eq_gamma}")
     assert r"$\gamma$ & level of the motion" in text

@@ -1,7 +1,8 @@
 """The page on trust says what was counted, and what the tests of the tests found."""
 
 from tresym.ledger.verification import verify
-from tresym.report.pages.trust import STATEMENTS, trust, trust_details
+from tresym.report.pages.coq_page import STATEMENTS
+from tresym.report.pages.trust import trust, trust_details
 from tresym.report.pages.trusted_code import CHECK, LEDGER, trusted
 
 GUARDS = {

@@ -1,10 +1,12 @@
 """What has to be trusted: the count reaches what decides, and leaves out only what it names."""
 
+import re
 from pathlib import Path
 
 import pytest
 
 import tresym
+from tresym.report.pages.coq_page import STATEMENTS
 from tresym.report.pages.trusted_code import (
     ENCLOSING,
     LEDGER,
@@ -101,3 +103,20 @@ def test_exact_limits_prove_and_their_bounds_enclose(counts: tuple[Count, Count]
         *proved.lines
     }
     assert "reals.decisions.asymptotics.expansions" in enclosed.lines
+
+
+def test_statements_for_coq_are_made_without_provers_and_deciders() -> None:
+    count = trusted(STATEMENTS)[0]
+    print(f"statements for Coq: {count.total}")
+    assert count.total <= 1400
+    makers = {"coq.export", "coq.ledger_statements", "coq.statement", "coq.theorem_trees"}
+    assert {name for name in count.lines if name.startswith("coq.")} - makers <= {"coq.coqtop"}
+    others = {tuple(name.split(".")[:2]) for name in count.lines} - {("coq", m) for m in makers}
+    assert not others & {
+        ("reals", package) for package in ("normal", "signs", "balls", "decisions", "repair")
+    }
+    assert "ledger.judge" not in count.lines
+    for name in ("ledger_statements", "statement", "theorem_trees"):
+        text = (HOME / "coq" / f"{name}.py").read_text(encoding="utf-8")
+        imported = {f"coq.{m}" for m in re.findall(r"^from tresym\.coq\.(\w+)", text, re.MULTILINE)}
+        assert imported <= makers

@@ -16,11 +16,11 @@ from tresym.commands.verify import show_verification
 from tresym.ledger.claim import AllOf, Claim, all_of, by, equal
 from tresym.ledger.paper import all_claims
 from tresym.ledger.verification import Report, verify
-from tresym.report.pages.article import article
 from tresym.report.pages.corrections import corrections
 from tresym.report.pages.derivation import fragment, prose
 from tresym.report.pages.derivation import in_dollars as dollars
 from tresym.report.pages.documents import ledger
+from tresym.report.pages.ledger_document import ledger_document
 from tresym.report.pages.site_data import record
 from tresym.report.typesetting.markdown import sentence
 from tresym.report.typesetting.plain_text import plain
@@ -61,7 +61,7 @@ def _in_latex(claim: Claim) -> str:
     return conditions(said(claim), dollars, prose)
 
 
-def _in_the_article(claim: Claim) -> str:
+def _in_the_document(claim: Claim) -> str:
     def named(label: str) -> str:
         return rf"\texttt{{{prose(label)}}}"
 
@@ -92,7 +92,7 @@ def _at_the_terminal(report: Report, label: str) -> str:
 PLACES: dict[str, tuple[Callable[[Report, str], str], Callable[[Claim], str]]] = {
     "the ledger as a page": (lambda r, label: ledger(r), _in_markdown),
     "the corrections": (lambda r, label: corrections(r), _in_markdown),
-    "the article": (lambda r, label: article(r), _in_the_article),
+    "the ledger as a document": (lambda r, label: ledger_document(r), _in_the_document),
     "a statement to paste": (lambda r, label: fragment(r[label]), _in_latex),
     "the list of the site": (lambda r, label: pages.index(_saved(r)), _in_markdown),
     "the page of a claim": (_on_the_page, _by_name),
@@ -100,7 +100,7 @@ PLACES: dict[str, tuple[Callable[[Report, str], str], Callable[[Claim], str]]] =
         lambda r, label: statement(_saved(r)["claims"][label]),
         _in_markdown,
     ),
-    "the findings of the start page": (
+    "an entry of a list": (
         lambda r, label: inline(_saved(r)["claims"][label]),
         _in_markdown,
     ),

@@ -43,7 +43,8 @@ from tresym.reals.decisions import check
 from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.decisions.dispatch import decide_claim
 from tresym.reals.decisions.time_limited import Task, check_all
-from tresym.reals.language.expression import Expr, differentiate, symbols
+from tresym.reals.language.derivatives import differentiate
+from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict

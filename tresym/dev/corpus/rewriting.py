@@ -13,11 +13,11 @@ from fractions import Fraction
 from random import Random
 from typing import Any
 
+from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     Expr,
     add,
     apply,
-    differentiate,
     multiply,
     number,
     power,

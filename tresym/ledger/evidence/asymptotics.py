@@ -30,7 +30,7 @@ from tresym.ledger.finding import Finding, Ruling
 from tresym.ledger.statements import As, ExactlyOne
 from tresym.reals.decisions.asymptotics.leading_terms import sign_towards
 from tresym.reals.decisions.asymptotics.order_claims import decide_order
-from tresym.reals.decisions.claim_parsing import Comparison, Path
+from tresym.reals.decisions.statement import Comparison, Path
 from tresym.reals.language.binders import elementary, worked_out
 from tresym.reals.language.expression import ONE, ZERO, substitute, symbols
 from tresym.reals.language.expression import Expr as Tree

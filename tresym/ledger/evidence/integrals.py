@@ -49,13 +49,13 @@ from tresym.reals.language.binders import (
     outermost,
     worked_out,
 )
+from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     BINDERS,
     LEAVES,
     ONE,
     ZERO,
     Expr,
-    differentiate,
     instantiate,
     opened,
     replaced,

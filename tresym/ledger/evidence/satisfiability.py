@@ -25,7 +25,8 @@ from tresym.reals.decisions.identity import decide_continuous
 from tresym.reals.domain.binder_values import jumps
 from tresym.reals.domain.evaluation import evaluate, stands
 from tresym.reals.language.binders import elementary, generalised, outermost, worked_out
-from tresym.reals.language.expression import Expr, differentiate, opened, replaced, symbol
+from tresym.reals.language.derivatives import differentiate
+from tresym.reals.language.expression import Expr, opened, replaced, symbol
 from tresym.reals.language.formula import Relation, relations
 from tresym.reals.numbers.arithmetic import ball_precision, side
 from tresym.reals.numbers.exact import Interval

@@ -20,14 +20,8 @@ from tresym.reals.decisions.answer import Answer, Root, exactly, refuted
 from tresym.reals.decisions.inequalities_on_regions import is_isolated
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
-from tresym.reals.language.expression import (
-    LEAVES,
-    PI,
-    Expr,
-    differentiate,
-    number,
-    symbols,
-)
+from tresym.reals.language.derivatives import differentiate
+from tresym.reals.language.expression import LEAVES, PI, Expr, number, symbols
 from tresym.reals.normal.at_point import equal_at, satisfies
 from tresym.reals.normal.field import Field
 from tresym.reals.normal.polynomials import Monomial, polynomial, terms_in_symbols

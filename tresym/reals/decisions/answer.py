@@ -8,8 +8,9 @@ from typing import Any, NamedTuple
 
 from flint import arb, fmpq
 
-from tresym.reals.decisions.claim_parsing import Comparison, Statement, in_latex
+from tresym.reals.decisions.claim_parsing import in_latex
 from tresym.reals.decisions.identity import with_point
+from tresym.reals.decisions.statement import Comparison, Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.expression import Expr
 from tresym.reals.normal.to_expression import normal_form

@@ -11,14 +11,14 @@ from tresym.reals.cross_check import conditions, contradiction, program, said, w
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.asymptotics.numerical_evidence import Ray, fails
 from tresym.reals.decisions.asymptotics.refutation_check import parameters
-from tresym.reals.decisions.claim_parsing import Comparison, Path, Statement, implied_integers
 from tresym.reals.decisions.readable_witnesses import tidied
+from tresym.reals.decisions.statement import Comparison, Path, Statement, implied_integers
 from tresym.reals.language.binders import is_infinite, outermost
+from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     DOTS,
     ZERO,
     Expr,
-    differentiate,
     instantiate,
     integer,
     number,

@@ -12,8 +12,8 @@ from collections.abc import Iterator
 from flint import arb, fmpq
 
 from tresym.reals.cross_check import SHOWN, program, somewhere
-from tresym.reals.decisions.claim_parsing import Comparison, Statement, functions
 from tresym.reals.decisions.integer_variables import reduced_in
+from tresym.reals.decisions.statement import Comparison, Statement, functions
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.operation_domains import needs
 from tresym.reals.language.binders import is_infinite, outermost

@@ -5,20 +5,15 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from typing import Any
+from typing import Any, NamedTuple
 
 from tresym.reals.cross_check import STOPPED
 from tresym.reals.decisions.answer import Answer, Decide, exact_text, refuted, worst
 from tresym.reals.decisions.claim_cross_check import attack
-from tresym.reals.decisions.claim_parsing import (
-    Comparison,
-    Statement,
-    functions,
-    implied_integers,
-    read,
-)
+from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.decisions.equalities import decide_equality
 from tresym.reals.decisions.identity import JUMP
+from tresym.reals.decisions.statement import Comparison, Statement, functions, implied_integers
 from tresym.reals.decisions.variable_exponents import beyond_positive_bases, holds_powers
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
@@ -167,9 +162,10 @@ def _decide(comparison: Comparison, statement: Statement) -> Answer:
         return decide_by_leibniz(comparison, statement, _bounded)
     if hiding:
         return Answer(Verdict.UNDECIDED, "derivatives of sums and limits are not supported")
-    procedure = _procedure_for(comparison, statement)
-    if procedure is not None:
-        return procedure(comparison, statement, _bounded)
+    parts = _Parts.of(comparison, statement)
+    for procedure, applies, _ in ORDER:
+        if applies(parts):
+            return procedure(comparison, statement, _bounded)
     real = comparison.differentiated, comparison.by
     if left.op == "abs" and relation in ("<", "<=") and not symbols(right):
         halves = (replace(comparison, left=side * left.args[0]) for side in (1, -1))
@@ -182,73 +178,150 @@ def _decide(comparison: Comparison, statement: Statement) -> Answer:
     return _decide_inequality(left, relation, right, statement.given, *real)
 
 
-Procedure = Callable[[Comparison, Statement, Decide], Answer]
-"""Decides a claim by simpler ones, which it hands to its last argument."""
+class _Parts(NamedTuple):
+    """What the choice of a procedure looks at.
+
+    Attributes:
+        nodes: the outermost operations that are not elementary: sums, integrals, and so on.
+        unknown: the names of the functions left unknown, ``factorial`` among them.
+        infinite: whether a sum or product is infinite.
+    """
+
+    comparison: Comparison
+    statement: Statement
+    nodes: frozenset[str]
+    unknown: frozenset[str]
+    infinite: bool
+
+    @classmethod
+    def of(cls, comparison: Comparison, statement: Statement) -> _Parts:
+        """Return the parts of a comparison."""
+        sides = comparison.left, comparison.right
+        outer = list(outermost(*sides))
+        called = (f for e in (*sides, *statement.said) for f in functions(e))
+        return cls(
+            comparison,
+            statement,
+            frozenset(node.op for node in outer),
+            frozenset(f.args[0].args[0] for f in called),
+            any(map(is_infinite, outer)),
+        )
+
+    @property
+    def has_dots(self) -> bool:
+        """Return whether a side is a sum with an ellipsis."""
+        name = DOTS.args[0]
+        return any(name in symbols(e) for e in (self.comparison.left, self.comparison.right))
+
+    @property
+    def finite_sums(self) -> bool:
+        """Return whether sums or products are all that is beyond an elementary claim."""
+        alone = self.nodes <= {"sum", "product", "unknown"} and self.statement.path is None
+        return bool(self.nodes & {"sum", "product"}) and (self.unknown <= {FACTORIAL} or alone)
+
+    @property
+    def at_integers(self) -> bool:
+        """Return whether the claim is about integers, at points rather than along a path."""
+        return bool(self.statement.integers) and self.statement.path is None
+
+    @property
+    def among_integers(self) -> bool:
+        """Return whether the claim is about the integers that satisfy an equation."""
+        from tresym.reals.decisions.equations import among_integers
+
+        return bool(self.statement.equations) and among_integers(self.statement)
+
+    @property
+    def alternates(self) -> bool:
+        """Return whether a power or angle depends on the parity of an integer."""
+        from tresym.reals.decisions.integer_variables import alternates
+
+        return self.at_integers and alternates(self.comparison, self.statement)
 
 
-def _procedure_for(comparison: Comparison, statement: Statement) -> Procedure | None:
-    """Return the procedure for claims with sums, integrals, paths and the like, or None."""
-    sides = comparison.left, comparison.right
-    nodes = {node.op for node in outermost(*sides)}
-    unknown = {f.args[0].args[0] for e in (*sides, *statement.said) for f in functions(e)}
-    if any(DOTS.args[0] in symbols(side) for side in sides):
-        from tresym.reals.decisions.ellipsis_series import decide_dotted
+def _ellipses(*claim: Any) -> Answer:
+    from tresym.reals.decisions.ellipsis_series import decide_dotted
 
-        return decide_dotted
-    if any(is_infinite(node) for node in outermost(*sides)):
-        from tresym.reals.decisions.infinite_sums import decide_infinite
+    return decide_dotted(*claim)
 
-        return decide_infinite
-    if "nth" in nodes:
-        from tresym.reals.decisions.nth_derivatives import decide_repeated
 
-        return decide_repeated
-    finite = nodes <= {"sum", "product", "unknown"} and statement.path is None
-    if nodes & {"sum", "product"} and (unknown <= {FACTORIAL} or finite):
-        from tresym.reals.decisions.finite_sums import decide_totals
+def _infinite_sums(*claim: Any) -> Answer:
+    from tresym.reals.decisions.infinite_sums import decide_infinite
 
-        return decide_totals
-    if FACTORIAL in unknown:
-        from tresym.reals.decisions.factorials import decide_factorials
+    return decide_infinite(*claim)
 
-        return decide_factorials
-    if unknown and statement.integers and statement.path is None:
-        from tresym.reals.decisions.integer_variables import decide_whole
 
-        return decide_whole
-    if unknown:
-        from tresym.reals.decisions.unknown_functions import decide_unknown
+def _nth_derivatives(*claim: Any) -> Answer:
+    from tresym.reals.decisions.nth_derivatives import decide_repeated
 
-        return decide_unknown
-    if statement.equations:
-        from tresym.reals.decisions.equations import among_integers, decide_under_equations
+    return decide_repeated(*claim)
 
-        if among_integers(statement):
-            return decide_under_equations
-    if statement.integers and statement.path is None:
-        from tresym.reals.decisions.integer_variables import alternates, decide_whole
 
-        if alternates(comparison, statement):
-            return decide_whole
-    if statement.equations:
-        return decide_under_equations
-    if "integral" in nodes and statement.path is not None:
+def _finite_sums(*claim: Any) -> Answer:
+    from tresym.reals.decisions.finite_sums import decide_totals
+
+    return decide_totals(*claim)
+
+
+def _factorials(*claim: Any) -> Answer:
+    from tresym.reals.decisions.factorials import decide_factorials
+
+    return decide_factorials(*claim)
+
+
+def _integer_variables(*claim: Any) -> Answer:
+    from tresym.reals.decisions.integer_variables import decide_whole
+
+    return decide_whole(*claim)
+
+
+def _unknown_functions(*claim: Any) -> Answer:
+    from tresym.reals.decisions.unknown_functions import decide_unknown
+
+    return decide_unknown(*claim)
+
+
+def _equations(*claim: Any) -> Answer:
+    from tresym.reals.decisions.equations import decide_under_equations
+
+    return decide_under_equations(*claim)
+
+
+def _integrals(*claim: Any) -> Answer:
+    from tresym.reals.decisions.integrals import decide_integrals
+
+    return decide_integrals(*claim)
+
+
+def _paths(comparison: Comparison, statement: Statement, decided: Decide) -> Answer:
+    if any(node.op == "integral" for node in outermost(comparison.left, comparison.right)):
         from tresym.reals.decisions.asymptotics.integral_limits import decide_integral_limits
 
-        return decide_integral_limits
-    if "integral" in nodes:
-        from tresym.reals.decisions.integrals import decide_integrals
+        return decide_integral_limits(comparison, statement, decided)
+    from tresym.reals.decisions.asymptotics.path_claims import decide_tending
 
-        return decide_integrals
-    if statement.integers and statement.path is None:
-        from tresym.reals.decisions.integer_variables import decide_whole
+    return decide_tending(comparison, statement, decided)
 
-        return decide_whole
-    if statement.path is not None:
-        from tresym.reals.decisions.asymptotics.path_claims import decide_tending
 
-        return decide_tending
-    return None
+Procedure = Callable[[Comparison, Statement, Decide], Answer]
+"""Decides a claim by simpler ones, which it hands to its last argument."""
+ORDER: tuple[tuple[Procedure, Callable[[_Parts], bool], str], ...] = (
+    (_ellipses, lambda p: p.has_dots, "its general term must be found before it is a sum"),
+    (_infinite_sums, lambda p: p.infinite, "its value is a limit, or that of a known series"),
+    (_nth_derivatives, lambda p: "nth" in p.nodes, "induction on n leaves ordinary derivatives"),
+    (_finite_sums, lambda p: p.finite_sums, "induction leaves a claim without sums"),
+    (_factorials, lambda p: FACTORIAL in p.unknown, "a recurrence leaves no factorials"),
+    (_integer_variables, lambda p: bool(p.unknown) and p.at_integers, "f(n) is one value a case"),
+    (_unknown_functions, lambda p: bool(p.unknown), "values of a function become variables"),
+    (_equations, lambda p: p.among_integers, "solutions are found before cases modulo M"),
+    (_integer_variables, lambda p: p.alternates, "(-1)**n must be a number to solve equations"),
+    (_equations, lambda p: bool(p.statement.equations), "solving them leaves free variables"),
+    (_paths, lambda p: p.statement.path is not None, "limits need expansions, at integers too"),
+    (_integrals, lambda p: "integral" in p.nodes, "antiderivatives leave no integrals"),
+    (_integer_variables, lambda p: p.at_integers, "cases modulo M and real variables are last"),
+)
+"""The procedures in the order in which they are asked, when, and why there: each removes what the
+later ones cannot handle. What none applies to is an elementary claim at points."""
 
 
 def _decide_inequality(

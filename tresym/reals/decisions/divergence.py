@@ -18,11 +18,11 @@ from tresym.reals.decisions.integer_variables import reduced_in
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.operation_domains import operations
 from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     ONE,
     PI,
     Expr,
-    differentiate,
     fresh,
     number,
     substitute,

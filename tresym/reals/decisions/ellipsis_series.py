@@ -19,7 +19,6 @@ from flint import fmpq, fmpq_mat, fmpq_poly
 
 from tresym.reals.decisions.answer import Answer, Decide
 from tresym.reals.decisions.asymptotics.laurent import Germ, germ_of
-from tresym.reals.decisions.claim_parsing import Comparison, Statement
 from tresym.reals.decisions.hypergeometric import (
     HIGHEST,
     OpenError,
@@ -31,9 +30,11 @@ from tresym.reals.decisions.hypergeometric import (
 )
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.power_series import by_equation, functions_of, need_range, without
+from tresym.reals.decisions.statement import Comparison, Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.binders import elementary, is_infinite
+from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     DOTS,
     LEAVES,
@@ -42,7 +43,6 @@ from tresym.reals.language.expression import (
     Expr,
     add,
     apply,
-    differentiate,
     fresh,
     multiply,
     number,

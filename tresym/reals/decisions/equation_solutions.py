@@ -11,10 +11,11 @@ from typing import Any, NamedTuple
 
 from flint import fmpq
 
-from tresym.reals.decisions.claim_parsing import Statement
 from tresym.reals.decisions.readable_witnesses import tidied
+from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.operation_domains import needs
+from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     HALF,
     ONE,
@@ -23,7 +24,6 @@ from tresym.reals.language.expression import (
     Expr,
     add,
     apply,
-    differentiate,
     fresh,
     multiply,
     number,

@@ -20,10 +20,10 @@ from itertools import islice
 from typing import Any
 
 from tresym.reals.decisions.answer import Answer, Decide, exact_text, worst
-from tresym.reals.decisions.claim_parsing import Comparison, Statement
 from tresym.reals.decisions.equation_solutions import Case, solved
 from tresym.reals.decisions.ideals import follows, numerator_factors
 from tresym.reals.decisions.readable_witnesses import constants_hold, exact_witness
+from tresym.reals.decisions.statement import Comparison, Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate, stands
 from tresym.reals.domain.newton import points_on
@@ -218,11 +218,15 @@ def _split(claim: Comparison, statement: Statement, decided: Decide) -> Answer |
     for pair in statement.equations:
         left, right = pair
         factors = numerator_factors(left - right)
-        if factors is None or (len(factors) == 1 and not needs((left - right,))):
+        links = tuple(bound(*part) for part in needs((left, right)))
+        if factors is None or (len(factors) == 1 and not links):
             continue
+        if factors in ([left - right], [right - left]) and {*links} <= {
+            *statement.given.comparisons
+        }:
+            continue  # the only case is this equation, under the same conditions
         zero = (f for f in factors if sign(f, statement.given, "!=") not in PROVING["!="])
         cases = [Case(None, (), ((factor, ZERO),)) for factor in zero]
-        links = tuple(bound(*part) for part in needs((left, right)))
         rest = _without(statement, pair)
         return _by_cases(claim, replace(rest, given=rest.given & Given(links)), "", cases, decided)
     return None

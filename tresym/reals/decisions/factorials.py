@@ -14,9 +14,9 @@ from itertools import islice, product
 from math import factorial
 
 from tresym.reals.decisions.answer import Answer, Decide
-from tresym.reals.decisions.claim_parsing import Comparison, Statement, functions
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.readable_witnesses import constants_hold
+from tresym.reals.decisions.statement import Comparison, Statement, functions
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import outermost
 from tresym.reals.language.calls import FACTORIAL

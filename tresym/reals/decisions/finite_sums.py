@@ -20,21 +20,21 @@ from functools import partial
 
 from tresym.reals.decisions.answer import Answer, Decide, worst
 from tresym.reals.decisions.asymptotics.limit_values import limit_of
-from tresym.reals.decisions.claim_parsing import Comparison, Statement
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.known_series import quoted_product
 from tresym.reals.decisions.readable_witnesses import constants_hold, tidied
+from tresym.reals.decisions.statement import Comparison, Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.operation_domains import operations
 from tresym.reals.language.binders import outermost, total
 from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     LEAVES,
     ONE,
     ZERO,
     Expr,
     add,
-    differentiate,
     fresh,
     integer,
     multiply,

@@ -16,13 +16,13 @@ from flint import arb, fmpq, fmpq_poly, fmpz, fmpz_poly
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.calls import FACTORIAL, INFINITY
+from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     LEAVES,
     ONE,
     ZERO,
     Expr,
     apply,
-    differentiate,
     integer,
     multiply,
     number,

@@ -23,13 +23,8 @@ from tresym.reals.decisions.asymptotics.leading_terms import sign_towards
 from tresym.reals.domain.conditions import Condition, Given
 from tresym.reals.domain.evaluation import Tape, evaluate, stands
 from tresym.reals.domain.sample_points import Range
-from tresym.reals.language.expression import (
-    LEAVES,
-    ZERO,
-    Expr,
-    differentiate,
-    symbols,
-)
+from tresym.reals.language.derivatives import differentiate
+from tresym.reals.language.expression import LEAVES, ZERO, Expr, symbols
 from tresym.reals.language.solve import solutions
 from tresym.reals.normal.at_point import equal_at, satisfies
 from tresym.reals.normal.to_expression import numerator

@@ -10,10 +10,10 @@ from __future__ import annotations
 from dataclasses import replace
 
 from tresym.reals.decisions.answer import Answer, Decide
-from tresym.reals.decisions.claim_parsing import Comparison, Statement
 from tresym.reals.decisions.finite_sums import first_terms
 from tresym.reals.decisions.known_series import Quoted, quoted_total
 from tresym.reals.decisions.power_series import decide_power_series
+from tresym.reals.decisions.statement import Comparison, Statement
 from tresym.reals.language.binders import is_infinite, outermost
 from tresym.reals.language.expression import (
     Expr,

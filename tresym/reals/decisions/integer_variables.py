@@ -20,12 +20,13 @@ from math import lcm, prod
 from flint import arb, fmpq
 
 from tresym.reals.decisions.answer import Answer, Decide, exactly, refuted, worst
-from tresym.reals.decisions.claim_parsing import Comparison, Statement
 from tresym.reals.decisions.readable_witnesses import constants_hold
+from tresym.reals.decisions.statement import Comparison, Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.operation_domains import operations
 from tresym.reals.language.binders import outermost
+from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     LEAVES,
     ONE,
@@ -33,7 +34,6 @@ from tresym.reals.language.expression import (
     ZERO,
     Expr,
     add,
-    differentiate,
     multiply,
     number,
     power,

@@ -24,18 +24,19 @@ from flint import arb, fmpq
 
 from tresym.reals.decisions.answer import Answer, Decide, refuted
 from tresym.reals.decisions.asymptotics.limit_values import limit_of
-from tresym.reals.decisions.claim_parsing import Comparison, Statement, functions
 from tresym.reals.decisions.divergence import has_no_limit
 from tresym.reals.decisions.identity import decide, shown
 from tresym.reals.decisions.integral_identities import Antiderivatives
 from tresym.reals.decisions.known_integrals import standard
 from tresym.reals.decisions.readable_witnesses import constants_hold, simple_points
+from tresym.reals.decisions.statement import Comparison, Statement, functions
 from tresym.reals.domain import binder_values
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate, stands
 from tresym.reals.domain.operation_domains import bound, needs, singularities
 from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     HALF,
     LEAVES,
@@ -45,7 +46,6 @@ from tresym.reals.language.expression import (
     Expr,
     add,
     apply,
-    differentiate,
     instantiate,
     multiply,
     number,

@@ -19,13 +19,13 @@ from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     LEAVES,
     ONE,
     ZERO,
     Expr,
     add,
-    differentiate,
     multiply,
     number,
     sqrt,

@@ -28,6 +28,7 @@ from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.binders import elementary, total
 from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     LEAVES,
     MINUS_ONE,
@@ -37,7 +38,6 @@ from tresym.reals.language.expression import (
     Expr,
     add,
     apply,
-    differentiate,
     multiply,
     number,
     opened,

@@ -10,15 +10,15 @@ from __future__ import annotations
 from dataclasses import replace
 
 from tresym.reals.decisions.answer import Answer, Decide
-from tresym.reals.decisions.claim_parsing import Comparison, Statement, functions
+from tresym.reals.decisions.statement import Comparison, Statement, functions
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import elementary, integral, outermost
+from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     LEAVES,
     ZERO,
     Expr,
     add,
-    differentiate,
     fresh,
     instantiate,
     opened,

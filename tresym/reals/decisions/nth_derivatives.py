@@ -9,17 +9,17 @@ from __future__ import annotations
 from dataclasses import replace
 
 from tresym.reals.decisions.answer import Answer, Decide
-from tresym.reals.decisions.claim_parsing import Comparison, Statement
 from tresym.reals.decisions.equations import is_whole
 from tresym.reals.decisions.finite_sums import decided_at, from_on
 from tresym.reals.decisions.hypergeometric import folded
+from tresym.reals.decisions.statement import Comparison, Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.operation_domains import operations, singularities
 from tresym.reals.language.binders import elementary, outermost
+from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     ZERO,
     Expr,
-    differentiate,
     instantiate,
     number,
     substitute,

@@ -25,8 +25,8 @@ from flint import arb, fmpq, fmpq_poly
 from tresym.reals.cross_check import FALSE, program
 from tresym.reals.decisions.answer import Answer, Root
 from tresym.reals.decisions.claim_cross_check import with_orders
-from tresym.reals.decisions.claim_parsing import Comparison, Statement, functions
 from tresym.reals.decisions.readable_witnesses import constants_hold, simple_points
+from tresym.reals.decisions.statement import Comparison, Statement, functions
 from tresym.reals.domain.binder_values import jumps
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import elementary, outermost, worked_out

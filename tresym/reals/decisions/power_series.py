@@ -24,7 +24,6 @@ from math import factorial
 from flint import fmpq, fmpq_poly
 
 from tresym.reals.decisions.answer import Answer, exactly, refuted
-from tresym.reals.decisions.claim_parsing import functions
 from tresym.reals.decisions.hypergeometric import (
     HIGHEST,
     K,
@@ -39,17 +38,18 @@ from tresym.reals.decisions.hypergeometric import (
     whole_roots,
 )
 from tresym.reals.decisions.identity import decide
+from tresym.reals.decisions.statement import functions
 from tresym.reals.domain.binder_values import jumps
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.binders import elementary
+from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     LEAVES,
     ONE,
     ZERO,
     Expr,
     apply,
-    differentiate,
     fresh,
     number,
     rebuild,

@@ -12,8 +12,9 @@ from itertools import islice
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tresym.reals.decisions.answer import Answer
-from tresym.reals.decisions.claim_parsing import Statement, read_as
+from tresym.reals.decisions.claim_parsing import read_as
 from tresym.reals.decisions.dispatch import decide_claim
+from tresym.reals.decisions.statement import Statement
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.processes import AHEAD, Processes, cores
 from tresym.reals.verdict import Verdict

@@ -18,20 +18,20 @@ from math import prod
 from flint import arb, fmpq
 
 from tresym.reals.decisions.answer import Answer, Decide, exactly, refuted
-from tresym.reals.decisions.claim_parsing import Comparison, Statement
 from tresym.reals.decisions.equations import is_empty
+from tresym.reals.decisions.statement import Comparison, Statement
 from tresym.reals.domain.binder_values import jumps
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import Tape, rational_power, stands
 from tresym.reals.domain.operation_domains import bound, needs
 from tresym.reals.language.binders import elementary, generalised
+from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     LEAVES,
     MAX_POWER,
     ONE,
     ZERO,
     Expr,
-    differentiate,
     integer,
     number,
     power,

@@ -29,13 +29,13 @@ from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.local_search import low_points
 from tresym.reals.domain.operation_domains import needs, with_domain
+from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     LEAVES,
     ONE,
     ZERO,
     Expr,
     add,
-    differentiate,
     number,
     substitute,
     symbol,

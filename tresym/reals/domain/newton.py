@@ -16,7 +16,8 @@ from flint import arb, arb_mat
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.sample_points import _sample
-from tresym.reals.language.expression import Expr, differentiate, symbols
+from tresym.reals.language.derivatives import differentiate
+from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import Interval
 

@@ -10,12 +10,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from tresym.reals.domain.conditions import Given
+from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     LEAVES,
     ZERO,
     Expr,
     apply,
-    differentiate,
     number,
     sqrt,
     substitute,

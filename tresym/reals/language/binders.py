@@ -10,13 +10,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     LEAVES,
     ORDERS,
     UNWORKED,
     Expr,
     bind,
-    differentiate,
     instantiate,
     multiply,
     number,

@@ -30,6 +30,15 @@ from tresym.reals.numbers.exact import InputError, exact_number, fraction_text
 
 Number: TypeAlias = int | Fraction | fmpq
 
+FUNCTIONS = frozenset(
+    (
+        *("exp", "log", "abs", "sign", "cbrt", "sin", "cos", "tan", "cot", "sec", "csc"),
+        *("sinh", "cosh", "tanh", "coth", "sech", "csch"),
+        *("asin", "acos", "atan", "asinh", "acosh", "atanh"),
+    )
+)
+"""The functions of one argument a tree may apply. ``sqrt x`` is ``x**(1/2)``. Of two arguments
+there is ``atan2`` alone, see :func:`angle`."""
 LEAVES = frozenset(("number", "symbol", "pi", "bound", "function"))
 BINDERS = frozenset(
     ("integral", "antiderivative", "derivative", "nth", "at", "limit", "root", "sum", "product")
@@ -419,75 +428,6 @@ def rebuild(node: Expr, args: tuple[Expr, ...]) -> Expr:
     return angle(*args) if node.op == "atan2" else apply(node.op, args[0])
 
 
-def differentiate(e: Expr, name: str) -> Expr:
-    """Return the formal derivative of ``e`` with respect to the variable ``name``.
-
-    Formal means that ``log u`` gives ``u'/u`` and ``atanh u`` gives ``u'/(1 − u²)`` whatever the
-    sign, so that the derivative may have a larger domain than ``e``. The derivative of an integral,
-    a derivative or a limit is a node, since nothing here proves that it exists.
-
-    Raises:
-        InputError: ``e`` contains an order such as O(x), which is not a function.
-    """
-    done: dict[Expr, Expr | None] = {}
-
-    def walk(node: Expr) -> Expr | None:
-        """Return the derivative, or None for zero."""
-        if name not in symbols(node):
-            return None
-        if node not in done:
-            hidden = node.op in UNWORKED and node.op != "unknown"
-            done[node] = _kept_derivative(node, name) if hidden else _derivative(node, walk)
-        return done[node]
-
-    return walk(e) or ZERO
-
-
-def _derivative(node: Expr, walk: Any) -> Expr | None:
-    if node.op == "symbol":
-        return ONE
-    parts = [walk(arg) for arg in node.args]
-    if node.op == "+":
-        return add(*(part for part in parts if part is not None))
-    if node.op == "*":
-        return add(
-            *(
-                multiply(*node.args[:i], part, *node.args[i + 1 :])
-                for i, part in enumerate(parts)
-                if part is not None
-            )
-        )
-    if node.op == "^":
-        return _power_derivative(*node.args, *parts)
-    if node.op == "unknown":
-        return _unknown_derivative(node, parts)
-    if node.op == "atan2":
-        y, x = node.args
-        dy, dx = (ZERO if part is None else part for part in parts)
-        return (x * dy - y * dx) / (x**2 + y**2)
-    return multiply(_SLOPES[node.op](node.args[0], node), parts[0])
-
-
-def _unknown_derivative(node: Expr, parts: list[Expr | None]) -> Expr:
-    """Apply the chain rule to an arbitrary function."""
-    name, orders = node.args[0].args
-    return add(
-        *(
-            multiply(
-                unknown(name, node.args[1:], (*orders[:i], orders[i] + 1, *orders[i + 1 :])), part
-            )
-            for i, part in enumerate(parts[1:])
-            if part is not None
-        )
-    )
-
-
-def _kept_derivative(node: Expr, name: str) -> Expr:
-    if node.op in ORDERS:
-        raise InputError(f"{node} is an order and has no derivative")
-    return Expr("derivative", (bind(node, (name,)), symbol(name)), (name,))
-
-
 def bind(e: Expr, names: tuple[str, ...]) -> Expr:
     """Return ``e`` as the body of a binder of the variables ``names``."""
     places = {name: n for n, name in enumerate(names)}
@@ -549,48 +489,6 @@ def integer(e: Expr) -> int | None:
 def fresh(name: str, taken: Container[str]) -> str:
     """Return ``name``, or the first of ``name_1``, ``name_2``, … that is not taken."""
     return next(found for n in count() if (found := f"{name}_{n}" if n else name) not in taken)
-
-
-def _power_derivative(base: Expr, exponent: Expr, db: Expr | None, de: Expr | None) -> Expr:
-    terms = []
-    if db is not None:
-        lower = power(base, exponent - 1) if exponent != number(2) else base
-        terms.append(multiply(exponent, lower, db))
-    if de is not None:
-        terms.append(multiply(power(base, exponent), apply("log", base), de))
-    return add(*terms)
-
-
-_SLOPES: dict[str, Callable[[Expr, Expr], Expr]] = {
-    "exp": lambda x, value: value,
-    "log": lambda x, value: 1 / x,
-    "sin": lambda x, value: apply("cos", x),
-    "cos": lambda x, value: -apply("sin", x),
-    "tan": lambda x, value: 1 + value**2,
-    "cot": lambda x, value: -1 - value**2,
-    "sec": lambda x, value: value * apply("tan", x),
-    "csc": lambda x, value: -value * apply("cot", x),
-    "asin": lambda x, value: 1 / sqrt(1 - x**2),
-    "acos": lambda x, value: -1 / sqrt(1 - x**2),
-    "atan": lambda x, value: 1 / (1 + x**2),
-    "sinh": lambda x, value: apply("cosh", x),
-    "cosh": lambda x, value: apply("sinh", x),
-    "tanh": lambda x, value: 1 - value**2,
-    "coth": lambda x, value: 1 - value**2,
-    "sech": lambda x, value: -value * apply("tanh", x),
-    "csch": lambda x, value: -value * apply("coth", x),
-    "asinh": lambda x, value: 1 / sqrt(x**2 + 1),
-    "acosh": lambda x, value: 1 / (sqrt(x - 1) * sqrt(x + 1)),
-    "atanh": lambda x, value: 1 / (1 - x**2),
-    "abs": lambda x, value: x / value,
-    "cbrt": lambda x, value: number(Fraction(1, 3)) / value**2,
-    "sign": lambda x, value: multiply(ZERO, 1 / x),  # constant where it is defined
-}
-"""The derivative of each function at x, given its value there."""
-
-FUNCTIONS = frozenset(_SLOPES)
-"""The functions of one argument a tree may apply. ``sqrt x`` is ``x**(1/2)``. Of two arguments
-there is ``atan2`` alone, see :func:`angle`."""
 
 
 def _text(e: Expr, level: int) -> str:

@@ -39,14 +39,8 @@ from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.cylindrical_decomposition import sample_points
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.operation_domains import singularities
-from tresym.reals.language.expression import (
-    PI,
-    Expr,
-    differentiate,
-    number,
-    substitute,
-    symbols,
-)
+from tresym.reals.language.derivatives import differentiate
+from tresym.reals.language.expression import PI, Expr, number, substitute, symbols
 from tresym.reals.normal.constants import settled, vanishes
 from tresym.reals.normal.field import Field
 from tresym.reals.normal.polynomials import terms_in_symbols

@@ -11,7 +11,7 @@ from functools import cache
 
 from flint import fmpq
 
-from tresym.reals.decisions.claim_parsing import functions
+from tresym.reals.decisions.statement import functions
 from tresym.reals.language.binders import ordered, worked_out
 from tresym.reals.language.expression import (
     LEAVES,

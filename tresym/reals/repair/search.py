@@ -15,13 +15,14 @@ from itertools import islice, takewhile
 from typing import NamedTuple, TypeAlias
 
 from tresym.reals.decisions.answer import Alternative
-from tresym.reals.decisions.claim_parsing import Path, chained, read_path
+from tresym.reals.decisions.claim_parsing import read_path
 from tresym.reals.decisions.dispatch import decide_claim
+from tresym.reals.decisions.statement import Path, chained
 from tresym.reals.language.binders import outermost
 from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     Expr,
-    differentiate,
     instantiate,
     number,
     opened,

@@ -32,7 +32,8 @@ from flint import fmpq, fmpq_mat, fmpz_poly
 
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.operation_domains import bound, needs
-from tresym.reals.language.expression import Expr, differentiate, number, symbol, symbols
+from tresym.reals.language.derivatives import differentiate
+from tresym.reals.language.expression import Expr, number, symbol, symbols
 from tresym.reals.language.like_terms import scaled
 from tresym.reals.normal.polynomials import degree, polynomial
 from tresym.reals.normal.ring import UndefinedError

@@ -5,7 +5,8 @@ from __future__ import annotations
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.operation_domains import singularities
-from tresym.reals.language.expression import Expr, differentiate, substitute, symbol, symbols
+from tresym.reals.language.derivatives import differentiate
+from tresym.reals.language.expression import Expr, substitute, symbol, symbols
 from tresym.reals.language.formula import MIRRORED
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.signs.interior import Ask

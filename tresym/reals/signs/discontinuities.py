@@ -18,12 +18,12 @@ from flint import fmpq
 
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.operation_domains import denominators, singularities
+from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     PI,
     ZERO,
     Expr,
     as_expr,
-    differentiate,
     number,
     replaced,
     sqrt,

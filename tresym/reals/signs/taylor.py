@@ -17,16 +17,8 @@ from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.operation_domains import singularities
 from tresym.reals.domain.sample_points import Range
-from tresym.reals.language.expression import (
-    ONE,
-    ZERO,
-    Expr,
-    differentiate,
-    number,
-    substitute,
-    symbol,
-    symbols,
-)
+from tresym.reals.language.derivatives import differentiate
+from tresym.reals.language.expression import ONE, ZERO, Expr, number, substitute, symbol, symbols
 from tresym.reals.language.solve import solutions
 from tresym.reals.normal.to_expression import numerator
 from tresym.reals.numbers.arithmetic import ball_precision

@@ -32,6 +32,12 @@ KINDS = ("svg", "pdf", "png", "gif", "mp4")
 MOVING = ("gif", "mp4")
 """The file formats of pictures, and those of animations."""
 MM_PER_INCH = 25.4
+PRINTED_MM = {
+    "racket-frame": 84, "euler-angles": 140, "momentum-sphere": 140, "flip-portrait": 112,
+    "handle-portrait": 112, "handle-curves": 130, "symmetric-flips": 118, "defect-map": 140,
+    "flip-curves": 108, "flip-map": 140, "shape-map": 140, "racket-flip": 146,
+}  # fmt: skip
+"""The width of each figure in an article, whose lines are 146 mm long; no text is made smaller."""
 OF_A_BODY = ("flip-portrait", "flip-map", "flip-curves", "racket-flip")
 """The figures that can be drawn for any body."""
 
@@ -97,6 +103,29 @@ def picture(
         if kind == "svg":
             return style.svg_text(figure, FIGURES[name]).encode()
         return style.bitmap_or_page(figure, FIGURES[name], kind, dpi)
+
+
+def printed(name: str, kind: str = "pdf") -> bytes:
+    """Return a figure for an article: in the fonts of LaTeX, and legible in grey.
+
+    Args:
+        name: one of ``FIGURES``.
+        kind: ``pdf`` or ``svg``.
+
+    Raises:
+        InputError: matplotlib is not installed.
+    """
+    from tresym.report.figures import style
+
+    module = import_module(f"{__name__}.{name.replace('-', '_')}")
+    with style.looks(printed=True):
+        figure = (module.strip if name == "racket-flip" else module.draw)(module.data())
+        style.set_formulas(figure)
+        share = PRINTED_MM[name] / MM_PER_INCH / figure.get_figwidth()
+        figure.set_size_inches(figure.get_size_inches() * share)
+        if kind == "svg":
+            return style.svg_text(figure, FIGURES[name]).encode()
+        return style.bitmap_or_page(figure, FIGURES[name], kind)
 
 
 def kind_of(path: str | None) -> str:

@@ -75,12 +75,10 @@ def draw(data: Data) -> Any:
         ("exact: symmetric trajectory", "linear: ε₀ − γ/(4bε₀)"),
         strict=True,
     ):
-        filled = sheet.contourf(
-            data.defect0, data.gamma, values, steps, cmap="PuOr_r", extend="both"
-        )
+        filled = sheet.contourf(data.defect0, data.gamma, values, steps, extend="both")
         for level, name, look in LINES:
             line = sheet.contour(data.defect0, data.gamma, values, [level], colors="black", **look)
-            sheet.clabel(line, fmt={level: name}, fontsize=8)
+            sheet.clabel(line, fmt={level: style.label(name)}, fontsize=8)
         sheet.set_title(f"{title}, b = {data.b}")
         sheet.set_xlabel(r"$\varepsilon_0$ (rad)")
     grid[0, 0].set_ylabel("γ")

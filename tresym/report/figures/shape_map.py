@@ -131,9 +131,9 @@ def _name(sheet: Any, point: Mark) -> None:
     sheet.annotate(
         point.name,
         (point.a, point.b),
-        (-7, -3) if point.a > 15 else (7, -3),
+        {"racket-1": (-7, -5), "racket-3": (7, 0)}.get(point.name, (7, -3)),
         textcoords="offset points",
-        ha="right" if point.a > 15 else "left",
+        ha="right" if point.name == "racket-1" else "left",
         fontsize=8,
         path_effects=style.halo(),
         zorder=6,

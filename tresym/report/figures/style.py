@@ -8,8 +8,10 @@ Ito.
 from __future__ import annotations
 
 import io
+import logging
 import math
 import os
+import re
 import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -45,12 +47,24 @@ _LOOKS = {
     "figure.dpi": 100,
     "savefig.facecolor": "white",
     "mathtext.fontset": "dejavusans",
+    "image.cmap": "PuOr_r",
 }
+_PRINTED = {
+    "font.family": "cmr10",
+    "mathtext.fontset": "cm",
+    "axes.formatter.use_mathtext": True,
+    "image.cmap": "summer",  # light enough for black lines
+}
+"""What differs in a figure for an article: Computer Modern, and colours that differ in grey."""
 
 
 @contextmanager
-def looks() -> Iterator[None]:
+def looks(printed: bool = False) -> Iterator[None]:
     """Use the settings with which every figure is drawn and saved, whatever the user's own are.
+
+    Args:
+        printed: whether the figure is for an article, with the fonts of LaTeX; then call
+            :func:`set_formulas` before it is saved.
 
     Raises:
         InputError: matplotlib is not installed.
@@ -62,9 +76,10 @@ def looks() -> Iterator[None]:
         import matplotlib
     except ModuleNotFoundError:
         raise InputError("figure: needs matplotlib (pip install -e '.[docs]')") from None
+    logging.getLogger("fontTools").setLevel(logging.ERROR)  # it warns of the dates of cmr10
     with matplotlib.rc_context():
         matplotlib.rcdefaults()
-        matplotlib.rcParams.update(_LOOKS)
+        matplotlib.rcParams.update(_LOOKS | (_PRINTED if printed else {}))
         yield
 
 
@@ -89,38 +104,61 @@ def _settle(figure: Any) -> None:
         axes.set_position([round(x, 4) for x in axes.get_position(original=True).bounds])
 
 
-def fit_words(figure: Any, least: float) -> None:
+def fit_words(figure: Any, least: float) -> float:
     """Set the text of a narrower picture as large as possible without clipping or overlap.
 
     Args:
         figure: the picture.
         least: how much narrower it is than as drawn; text is not made smaller than in proportion.
+
+    Returns:
+        The size of the text relative to the size as drawn.
     """
-    words = [(word, word.get_fontsize()) for word in _words(figure)]
-    ruled = [each for each in figure.axes if each.axison]
-    axes = [axis for each in ruled for axis in (each.xaxis, each.yaxis)]
-    marks = [
-        (axis, axis.get_ticklabels()[0].get_fontsize())
-        for axis in axes
-        if len(axis.get_ticklabels())
-    ]
-
-    def stand(share: float) -> bool:
-        for word, size in words:
-            word.set_fontsize(share * size)
-        for axis, size in marks:
-            axis.set_tick_params(labelsize=share * size)
-        figure.draw_without_rendering()
-        shown = [word for word, _ in words]
-        shown += [mark for axis, _ in marks for mark in axis.get_ticklabels()]
-        boxes = [x.get_window_extent() for x in shown if x.get_visible() and x.get_text()]
-        return _apart(boxes, figure.bbox)
-
+    sizes = scale_words(figure, 1.0)
     share = min(least, 1.0)
-    stand(share)
-    while share < 1 and stand(min(1.05 * share, 1.0)):
+    while share < 1 and stands(figure, sizes, min(1.05 * share, 1.0)):
         share = min(1.05 * share, 1.0)
-    stand(share)
+    stands(figure, sizes, share)
+    return share
+
+
+Sizes = tuple[list[tuple[Any, float]], list[tuple[Any, float]]]
+"""The texts of a picture and the axes with numbers, each with the size of its letters."""
+
+
+def scale_words(figure: Any, share: float) -> Sizes:
+    """Multiply the size of all text by a factor, and return the sizes before."""
+    axes = [axis for each in figure.axes if each.axison for axis in (each.xaxis, each.yaxis)]
+    marks = [(axis, axis.get_ticklabels()) for axis in axes]
+    sizes = (
+        [(word, word.get_fontsize()) for word in _words(figure)],
+        [(axis, labels[0].get_fontsize()) for axis, labels in marks if len(labels)],
+    )
+    _set_sizes(sizes, share)
+    return sizes
+
+
+def _set_sizes(sizes: Sizes, share: float) -> None:
+    for word, size in sizes[0]:
+        word.set_fontsize(share * size)
+    for axis, size in sizes[1]:
+        axis.set_tick_params(labelsize=share * size)
+
+
+def stands(figure: Any, sizes: Sizes, share: float) -> bool:
+    """Set text at a share of these sizes; return whether no part is clipped or overlaps another."""
+    _set_sizes(sizes, share)
+    figure.draw_without_rendering()
+    shown = [word for word, _ in sizes[0]]
+    shown += [mark for axis, _ in sizes[1] for mark in _in_view(axis)]
+    boxes = [x.get_window_extent() for x in shown if x.get_visible() and x.get_text()]
+    return _apart(boxes, figure.bbox)
+
+
+def _in_view(axis: Any) -> Iterator[Any]:
+    """The numbers at the ticks of an axis, without those beyond its ends, which are not drawn."""
+    low, high = sorted(axis.get_view_interval())
+    yield from (tick.label1 for tick in axis.get_major_ticks() if low <= tick.get_loc() <= high)
 
 
 def _words(figure: Any) -> Iterator[Any]:
@@ -130,6 +168,44 @@ def _words(figure: Any) -> Iterator[Any]:
         yield from (axes.title, axes.xaxis.label, axes.yaxis.label, *axes.texts)
         if (legend := axes.get_legend()) is not None:
             yield from legend.get_texts()
+
+
+_SIGNS = {
+    "γ": r"\gamma ", "Δ": r"\Delta ", "ε": r"\epsilon ", "θ": r"\theta ", "π": r"\pi ",
+    "φ": r"\phi ", "ψ": r"\psi ", "₀": "_0", "−": "-", "|": r"\vert ",
+}  # fmt: skip
+"""Characters that occur in formulas alone, as matplotlib writes them."""
+_FORMULA = re.compile(
+    rf"(?:[^\s,:;]*[{''.join(_SIGNS)}][^\s,:;]*|\b[a-z](?= =))(?: [<>=+−] [^\s,:;]+)*"
+)
+
+
+def set_formulas(figure: Any) -> None:
+    """Set the formulas in the text of a figure in italics, as LaTeX does."""
+    from matplotlib.text import Text
+
+    for axes in figure.axes:
+        for axis in (axes.xaxis, axes.yaxis):
+            places = axis.get_ticklocs()
+            marks = axis.get_major_formatter().format_ticks(places)
+            if any(with_formulas(mark) != mark for mark in marks):
+                axis.set_ticks(places, [with_formulas(mark) for mark in marks])
+    for word in figure.findobj(Text):
+        word.set_text(with_formulas(word.get_text()))
+
+
+def label(text: str) -> str:
+    """Return a text as the present look needs it; for text that is measured while it is drawn."""
+    from matplotlib import rcParams
+
+    return with_formulas(text) if rcParams["font.family"] == [_PRINTED["font.family"]] else text
+
+
+def with_formulas(text: str) -> str:
+    """Return a text with its formulas between dollars, as matplotlib reads them."""
+    if "$" in text:
+        return text.replace(r"\varepsilon", r"\epsilon")
+    return _FORMULA.sub(lambda m: f"${''.join(_SIGNS.get(c, c) for c in m[0])}$", text)
 
 
 def _apart(boxes: list[Any], frame: Any) -> bool:

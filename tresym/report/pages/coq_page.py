@@ -16,7 +16,14 @@ from tresym.coq.statement import Theorem
 from tresym.ledger.claim import Claim
 from tresym.ledger.paper import sections
 from tresym.reals.verdict import Verdict
+from tresym.report.pages.trusted_code import trusted
 
+STATEMENTS = (
+    "coq.export.statements",
+    "coq.export.possible",
+    "coq.ledger_statements.theorem_of",
+)
+"""The functions that write the statements which Coq proves."""
 _LINES = re.DOTALL | re.MULTILINE
 LIBRARY = {
     "PI": ("the number π", "Coq's `Reals`"),
@@ -102,6 +109,7 @@ def page() -> str:
             *_counted(known, store),
             *_defined(known, store),
             *_vocabulary(known),
+            *_made_by(),
             *_reasons(known),
         ]
     )
@@ -176,6 +184,24 @@ def _vocabulary(known: dict[str, Entry]) -> Iterator[str]:
         if re.search(r"Definition (\w+)", definition)[1] in words:  # type: ignore[index]
             yield definition
     yield "```"
+    yield ""
+
+
+def _made_by() -> Iterator[str]:
+    """How much code makes the statements."""
+    count = trusted(STATEMENTS)[0]
+    yield "## The code that makes the statements"
+    yield ""
+    yield (
+        f"{count.total:,} lines of Python turn a claim into a statement, among them the "
+        "classes of expressions and claims and the conversion from SymPy. None of these modules "
+        "proves or decides anything."
+    )
+    yield ""
+    yield "| module | lines |"
+    yield "|---|--:|"
+    for file, lines in sorted(count.lines.items(), key=lambda row: (-row[1], row[0])):
+        yield f"| `{file}` | {lines} |"
     yield ""
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 from decimal import Context
 
 from tresym.ledger.axioms import Axiom
@@ -147,7 +147,7 @@ def entry(row: Row, known: Collection[str]) -> str:
     place = prose(place_text(claim)) if claim.where else "lemma"
     head = (
         rf"\paragraph{{{prose(title(claim.label))}}}\label{{claim:{claim.label}}}"
-        rf"\texttt{{\small {_lettered(claim.label)}}}\atend{{"
+        rf"\hypertarget{{claim:{claim.label}}}{{}}\texttt{{\small {_lettered(claim.label)}}}\atend{{"
         rf"\verdict{{{verdict.lower()}}}{{{verdict}}}\ \textsf{{\small {place}}}}}"
     )
     lines = [r"\needspace{4\baselineskip}", head]
@@ -244,10 +244,52 @@ def in_one(claim: Claim) -> str | None:
     return _aligned(tuple(line for display in shown for line in display), 1)
 
 
+def chosen_lines(claim: Claim, items: Iterable[tuple[str, str]], share: float) -> str:
+    """Return some lines of a derivation, aligned, with reasons in words that the caller gives.
+
+    Args:
+        claim: a claim whose proof is a chain.
+        items: the number of each line, counted from 1, or several joined by a plus sign that are
+            set in one line; and the reason in LaTeX, or an empty text.
+        share: the width available, relative to a line of our article.
+    """
+    lines = [(n, line) for n, d in enumerate(displays(claim)) for line in d]
+    lines = lines[len(claim.knowing) :]
+    starts = {n: line.left for n, line in reversed(lines)}
+    rows: list[str] = []
+    shown: set[int] = set()
+    for numbers, why in items:
+        chosen = [lines[int(number) - 1] for number in numbers.split("+")]
+        of, first = chosen[0]
+        left = first.left if first.left == EQUIVALENT or of in shown else starts[of]
+        left = "" if left == EQUIVALENT and not rows else left
+        shown.add(of)
+        rows += _worded(left, " ".join(line.right for _, line in chosen), why, share * LINE)
+    return aligned_rows(rows)
+
+
+def _worded(left: str, right: str, why: str, limit: float) -> Iterator[str]:
+    """A line of a derivation; what is too wide for one line continues on the next."""
+    reason = rf"\text{{\small {why}}}" if why else ""
+    if width(left) + width(right) > limit and left != EQUIVALENT:
+        first, *rest = broken(left, limit)
+        yield from (f"&{first}", *map(continued, rest))
+        left = ""
+    first, *rest = broken(right, limit)
+    *lines, last = (f"{left or ' '}&{first}", *map(continued, rest))
+    yield from lines
+    used = (width(left) + width(first) if not rest else width(rest[-1])) + 0.5 * len(why)
+    yield last + (rf"\qquad {reason}" if why and used <= limit else "")
+    if why and used > limit:
+        yield rf"&\qquad\qquad {reason}"
+
+
 def alone(formula: str, share: float = 1) -> str:
     """Return a formula without a derivation, broken into lines if it is too wide."""
     lines = broken(formula, share * LINE)
-    return formula if len(lines) == 1 else _rows([f"&{lines[0]}", *map(_continued, lines[1:])])
+    return (
+        formula if len(lines) == 1 else aligned_rows([f"&{lines[0]}", *map(continued, lines[1:])])
+    )
 
 
 def _aligned(display: Display, share: float) -> str:
@@ -256,7 +298,7 @@ def _aligned(display: Display, share: float) -> str:
         return alone(display[0].right, share)
     start = max(width(line.left) for line in display)
     narrow = all(start + width(line.right) + _extent(line) <= share * WIDEST for line in display)
-    return _rows([*map(_row, display)] if narrow else [*_broken(display, share)])
+    return aligned_rows([*map(_row, display)] if narrow else [*_broken(display, share)])
 
 
 def _row(line: Line) -> str:
@@ -272,9 +314,9 @@ def _broken(display: Display, share: float) -> Iterator[str]:
             line = Line("", line.left + line.right, line.reasons)
         if line.left and not arrow:
             first, *rest = broken(line.left, share * LINE)
-            yield from (f"&{first}", *map(_continued, rest))
+            yield from (f"&{first}", *map(continued, rest))
         first, *rest = broken(line.right, share * LINE)
-        *lines, last = (rf"&{arrow}\quad {first}", *map(_continued, rest))
+        *lines, last = (rf"&{arrow}\quad {first}", *map(continued, rest))
         yield from lines
         beside = width((rest or [first])[-1]) + _extent(line) <= share * WIDEST
         whys = [why for part in _parted(line, share) if (why := _because(part))]
@@ -293,11 +335,13 @@ def _parted(line: Line, share: float) -> Iterator[Line]:
     yield line._replace(reasons=fitting)
 
 
-def _continued(line: str) -> str:
+def continued(line: str) -> str:
+    """Return the continuation of a line, indented."""
     return rf"&\quad\quad {line}"
 
 
-def _rows(rows: list[str]) -> str:
+def aligned_rows(rows: list[str]) -> str:
+    """Return rows with alignment marks as a LaTeX ``aligned`` block."""
     body = " \\\\\n".join(rows)
     return f"\\begin{{aligned}}\n{body}\n\\end{{aligned}}"
 

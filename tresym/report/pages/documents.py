@@ -22,10 +22,11 @@ from tresym.report import charts, figures
 from tresym.report.charts import saved
 from tresym.report.figures.grid import shown
 from tresym.report.pages import coq_page
-from tresym.report.pages.article import article
+from tresym.report.pages.article import article, passages
 from tresym.report.pages.call_paths import call_paths
 from tresym.report.pages.check_tables import by_kind, by_source, measured
 from tresym.report.pages.corrections import corrections
+from tresym.report.pages.ledger_document import ledger_document
 from tresym.report.pages.messages import messages
 from tresym.report.pages.methods import methods
 from tresym.report.pages.numbers import numbers
@@ -46,6 +47,9 @@ def documents() -> Iterator[tuple[str, str]]:
 def pages(report: Report) -> Iterator[tuple[str, str]]:
     """Yield the documents of the ledger and of stored measurements."""
     yield "derivation.tex", article(report)
+    for name, text in passages(report).items():
+        yield f"passages/{name}.txt", text
+    yield "derivation-ledger.tex", ledger_document(report)
     yield "ledger.md", ledger(report)
     yield "ledger.json", _json(record(report))
     yield "numbers.json", _json(numbers(report))

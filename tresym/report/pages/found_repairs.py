@@ -11,7 +11,8 @@ from typing import NamedTuple
 
 from tresym.ledger.claim import Claim
 from tresym.reals.decisions.answer import Alternative
-from tresym.reals.decisions.claim_parsing import Statement, read
+from tresym.reals.decisions.claim_parsing import read
+from tresym.reals.decisions.statement import Statement
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.repair.search import alternatives
 

@@ -105,8 +105,9 @@ def derive(*labels: str) -> str:
     from tresym.ledger.verification import verify
     from tresym.report.pages import derivation
     from tresym.report.pages.article import article
+    from tresym.report.pages.article import labels as named
 
-    report = verify(labels)
+    report = verify(labels or named())
     if not labels:
         return article(report)
     asked = [report[label] for label in dict.fromkeys(labels)]

@@ -23,12 +23,6 @@ from tresym.reals.verdict import Verdict
 from tresym.report.pages import coq_page
 from tresym.report.pages.trusted_code import CHECK, LEDGER, RECHECKED, Count, trusted
 
-STATEMENTS = (
-    "coq.export.statements",
-    "coq.export.possible",
-    "coq.ledger_statements.theorem_of",
-)
-"""The functions that write the statements which Coq proves."""
 WHAT = ("PROVED", "ENCLOSED: additional")
 
 
@@ -80,7 +74,7 @@ def _answer(report: Report) -> list[str]:
     known = coq_page.found(labels)
     marks = [coq_page.mark(label, known) for label in labels]
     checked = sum(mark is not None and mark["status"] == "proved" for mark in marks)
-    statements = trusted(STATEMENTS)[0].total
+    statements = trusted(coq_page.STATEMENTS)[0].total
     proved, enclosed = trusted(LEDGER)
     return [
         f"**For {checked} of {len(labels)} claims** you have to trust Coq, its libraries, and the "

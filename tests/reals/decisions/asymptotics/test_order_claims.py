@@ -7,7 +7,8 @@ from flint import arb, fmpq
 
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.asymptotics.order_claims import decide_order
-from tresym.reals.decisions.claim_parsing import Statement, read
+from tresym.reals.decisions.claim_parsing import read
+from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.arithmetic import ball_precision

@@ -13,7 +13,8 @@ from tresym.reals.decisions.asymptotics.path_claims import (
     _periodic_failure,
     allows,
 )
-from tresym.reals.decisions.claim_parsing import LIMIT, Comparison, Path, Statement, read
+from tresym.reals.decisions.claim_parsing import LIMIT, read
+from tresym.reals.decisions.statement import Comparison, Path, Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.calls import INFINITY

@@ -13,18 +13,19 @@ from tresym.reals.decisions.answer import Answer, Decide, exact_text, worst
 from tresym.reals.decisions.asymptotics.leading_terms import leading_sign
 from tresym.reals.decisions.asymptotics.limit_values import limit_of
 from tresym.reals.decisions.asymptotics.path_claims import allows, compared_of
-from tresym.reals.decisions.claim_parsing import LIMIT, Comparison, Path, Statement
+from tresym.reals.decisions.claim_parsing import LIMIT
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.integrals import without_integrals
+from tresym.reals.decisions.statement import Comparison, Path, Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     ONE,
     ZERO,
     Expr,
-    differentiate,
     multiply,
     number,
     opened,

@@ -20,7 +20,8 @@ from typing import NamedTuple
 from flint import arb
 
 from tresym.reals.cross_check import FALSE, Program, has_meaning, program
-from tresym.reals.decisions.claim_parsing import LIMIT, Comparison, Path
+from tresym.reals.decisions.claim_parsing import LIMIT
+from tresym.reals.decisions.statement import Comparison, Path
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import LEAVES, Expr, symbols
 from tresym.reals.numbers.arithmetic import ball_precision

@@ -9,8 +9,8 @@ from flint import arb, fmpq
 from tresym.reals.decisions.answer import Answer, constant_ball, refuted
 from tresym.reals.decisions.asymptotics.leading_terms import Judgement, judge_order, sign_towards
 from tresym.reals.decisions.asymptotics.scale import T
-from tresym.reals.decisions.claim_parsing import Comparison, Path
 from tresym.reals.decisions.derivative_domains import where_real
+from tresym.reals.decisions.statement import Comparison, Path
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.expression import Expr, number, substitute, symbol

@@ -21,7 +21,7 @@ from tresym.reals.decisions.answer import Answer, Decide, exact_text, worst
 from tresym.reals.decisions.asymptotics.leading_terms import leading_sign, sign_towards
 from tresym.reals.decisions.asymptotics.limit_values import limit_of, stays_bounded
 from tresym.reals.decisions.asymptotics.order_claims import decide_order, region
-from tresym.reals.decisions.claim_parsing import LIMIT, Comparison, Path, Statement
+from tresym.reals.decisions.claim_parsing import LIMIT
 from tresym.reals.decisions.derivative_domains import where_real
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.inequalities_on_regions import is_isolated
@@ -33,11 +33,13 @@ from tresym.reals.decisions.integer_variables import (
     with_integer_bounds,
 )
 from tresym.reals.decisions.readable_witnesses import simple_points
+from tresym.reals.decisions.statement import Comparison, Path, Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate, stands
 from tresym.reals.domain.operation_domains import needs, operations
 from tresym.reals.domain.sample_points import corners
 from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     LEAVES,
     ONE,
@@ -45,7 +47,6 @@ from tresym.reals.language.expression import (
     ZERO,
     Expr,
     apply,
-    differentiate,
     number,
     replaced,
     substitute,

@@ -19,8 +19,8 @@ from flint import arb
 from tresym.reals.cross_check import program
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.asymptotics.numerical_evidence import Ray, fails, oscillating
-from tresym.reals.decisions.claim_parsing import Comparison, Statement
 from tresym.reals.decisions.readable_witnesses import MOST_TRIED, SIMPLE, constants_hold
+from tresym.reals.decisions.statement import Comparison, Statement
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import Expr, number, substitute, symbols

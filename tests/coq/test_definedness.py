@@ -1,0 +1,98 @@
+"""Premises of definedness: proved where the conditions imply them, and stated where they stay."""
+
+from __future__ import annotations
+
+import re
+import shutil
+from pathlib import Path
+
+import pytest
+
+from tresym.coq import export
+from tresym.coq.coqtop import Dialogue
+from tresym.coq.definedness import satisfiable, strengthen, trial
+from tresym.coq.ledger_proofs import Memory, premised_points
+from tresym.coq.ledger_statements import Joint, stem
+from tresym.coq.statement import Theorem
+from tresym.reals.language.expression import ZERO, apply, symbol
+from tresym.reals.language.formula import Relation
+
+STORE = export.stored()
+ENTRIES = export.entries(STORE)
+STRONGER = {label: e for label, e in ENTRIES.items() if e.stronger is not None}
+X, A = symbol("x"), symbol("a")
+NEEDS = Theorem(
+    "claim_needs",
+    ("a", "x"),
+    (),
+    ((A, ">", ZERO),),
+    ((A, "!="), (apply("sin", X), "!="), (A * apply("sin", X), "!=")),
+    Relation(X / A, "==", X / A),
+)
+
+
+def test_a_stronger_theorem_states_exactly_the_premises_that_stay() -> None:
+    assert len(STRONGER) > 100
+    for entry in STRONGER.values():
+        assert entry.stronger
+        assert entry.left is not None
+        assert entry.stronger.body.count("(* defined *)") == len(entry.left)
+        assert isinstance(entry.theorem, Theorem)
+        assert len(entry.left) < len(entry.theorem.defined)
+        assert len(entry.undefined) == len(entry.left)
+
+
+def test_a_premise_that_was_dropped_by_hand_is_not_proved() -> None:
+    label = next(label for label, entry in STRONGER.items() if entry.left)
+    row = STORE["claims"][label]
+    dropped = row | {"defined": row["defined"] | {"left": []}}
+    store = {**STORE, "claims": {**STORE["claims"], label: dropped}}
+    assert export.entries(store, [label])[label].status == "none"
+
+
+def test_the_theorem_of_a_claim_is_the_stronger_one(tmp_path: Path) -> None:
+    joint = next(
+        label
+        for label, e in ENTRIES.items()
+        if isinstance(e.theorem, Joint) and export.strengthened(label, ENTRIES)
+    )
+    label = next(label for label, e in STRONGER.items() if e.status == "proved")
+    export.write(tmp_path, [label, joint], STORE)
+    said = (tmp_path / "Statements.v").read_text(encoding="utf-8")
+    closed = (tmp_path / "Ledger.v").read_text(encoding="utf-8")
+    assert f"Definition stronger_{stem(label)} : Prop :=" in said
+    assert f"Theorem claim_{stem(label)} : stronger_{stem(label)}." in closed
+    assert re.search(rf"Definition stronger_{stem(joint)} : Prop :=\n.*stronger_\w+", said)
+    assert f"Theorem claim_{stem(joint)} : stronger_{stem(joint)}." in closed
+
+
+def test_definitions_conditions_and_premises_hold_together_somewhere() -> None:
+    bodies = {row["body"] for row in STORE["possible"].values()}
+    wholes = {label: e.stronger or e.theorem for label, e in ENTRIES.items() if e.undefined}
+    left = [
+        label
+        for label, whole in wholes.items()
+        if isinstance(whole, Theorem) and satisfiable(whole).body not in bodies
+    ]
+    assert left == []
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(shutil.which("coqc") is None, reason="coqc is not installed")
+def test_only_what_the_conditions_imply_is_dropped() -> None:
+    with Dialogue() as coq:
+        found = strengthen("needs", NEEDS, coq)
+        assert found
+        assert found["left"] == [1]  # the sine may be 0; the product follows from it
+        assert coq.accepts(trial("needs", NEEDS, found), 20)
+        assert not coq.accepts(trial("needs", NEEDS, found | {"left": []}), 20)
+    memory = Memory(None)
+    try:
+        (row,) = premised_points([NEEDS], memory).values()
+        assert row["body"].startswith("  exists a x : R,")
+        contradictory = Theorem(
+            "claim_none", ("x",), (), ((X, "==", ZERO),), ((X, "!="),), Relation(X, "==", X)
+        )
+        assert premised_points([contradictory], memory) == {}
+    finally:
+        memory.close()

@@ -1,0 +1,83 @@
+"""The page on Coq: what is proved, which premises stay, and every word of the statements."""
+
+import re
+
+import pytest
+
+from tresym.commands import main
+from tresym.coq import export
+from tresym.coq.coqtop import prelude
+from tresym.coq.ledger_statements import Joint
+from tresym.coq.statement import Theorem
+from tresym.report.pages import coq_page
+from tresym.report.pages.trusted_code import trusted
+
+KNOWN = coq_page.found()
+BOUND = re.compile(r"\b(?:forall|exists !|exists|fun) ([^:]*) : R\b")
+
+
+def test_every_function_in_a_statement_is_explained() -> None:
+    defined = set(re.findall(r"\(\* .*? \*\)\nDefinition (\w+)", prelude()))
+    words, variables = set(), set()
+    for entry in KNOWN.values():
+        if isinstance(entry.theorem, Theorem):
+            text = re.sub(r"\(\*.*?\*\)", "", entry.theorem.body)
+            words |= set(re.findall(r"[A-Za-z_][\w']*", text))
+            for names in BOUND.findall(text):
+                variables |= {*names.split()}
+    assert words - variables - defined - {*coq_page.LIBRARY} <= {"forall", "exists", "fun", "R"}
+
+
+def test_the_page_says_what_is_proved_and_which_premises_stay() -> None:
+    page = coq_page.page()
+    proved = sum(entry.status == "proved" for entry in KNOWN.values())
+    assert f"Coq proves {proved} of the {len(KNOWN)} claims (checked with " in page
+    assert f"{trusted(coq_page.STATEMENTS)[0].total:,} lines of Python turn a claim" in page
+    label, entry = next((n, e) for n, e in KNOWN.items() if e.undefined and e.status == "proved")
+    assert f"| `{label}` | `{entry.undefined[0]}`" in page
+    assert "Definition is_root" in page
+    assert "Definition cot " not in page  # since no statement uses it
+
+
+def test_the_theorem_of_a_claim_is_shown_without_the_premises_that_are_proved() -> None:
+    label = next(n for n, e in KNOWN.items() if e.left == () and e.status == "proved")
+    found = coq_page.shown(label, KNOWN)
+    assert found
+    assert "(* defined *)" not in found["text"]
+    assert found["undefined"] == []
+    joint = next(
+        n
+        for n, e in KNOWN.items()
+        if isinstance(e.theorem, Joint) and export.strengthened(n, KNOWN)
+    )
+    found = coq_page.shown(joint, KNOWN)
+    assert found
+    assert "stronger_" in found["text"]
+
+
+@pytest.mark.parametrize(
+    ("label", "says"),
+    [
+        ("eq_gamma", "    proved in Coq (checked with "),
+        ("d24", "its refutation is proved in Coq ("),
+    ],
+)
+def test_verify_says_what_coq_proved(
+    label: str, says: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["verify", label]) == 0
+    assert says in capsys.readouterr().out
+
+
+def test_verify_says_nothing_where_the_stamp_does_not_hold(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    store = export.stored()
+    store["claims"]["eq_gamma"]["script"] = "nonsense."
+    monkeypatch.setattr(coq_page, "stored", lambda: store)
+    coq_page.found.cache_clear()
+    try:
+        assert main(["verify", "eq_gamma"]) == 0
+        assert "in Coq" not in capsys.readouterr().out
+    finally:
+        coq_page.found.cache_clear()
