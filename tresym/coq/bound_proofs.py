@@ -7,6 +7,7 @@ parts and L'Hôpital's rule. Equations on the way are lemmas for the provers of 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 
 from tresym.coq.bound_statements import (
     MINUS_INFINITY,
@@ -16,13 +17,14 @@ from tresym.coq.bound_statements import (
     natural_parts,
     naturally,
 )
-from tresym.coq.claim_export import theorem
 from tresym.coq.equations import exchanged, nodes
+from tresym.coq.claim_export import theorem
 from tresym.coq.limit_proofs import Limits, StuckLimitError
-from tresym.coq.statement import Theorem, term, variable
+from tresym.coq.statement import ATOM, Theorem, comparison, term, variable
 from tresym.coq.theorem_trees import inside
-from tresym.reals.decisions.antiderivatives import suggested
+from tresym.reals.decisions.antiderivatives import suggested, summed
 from tresym.reals.decisions.claim_parsing import Comparison, Derivative
+from tresym.reals.domain.operation_domains import needs
 from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.expression import (
     ONE,

@@ -12,7 +12,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from tresym.coq.statement import ATOM, NotExportedError, comparison, condition, term, variable
-from tresym.coq.theorem_trees import inside
+from tresym.coq.theorem_trees import Part, inside
 from tresym.reals.decisions.claim_parsing import (
     LIMIT,
     Comparison,
@@ -23,7 +23,6 @@ from tresym.reals.decisions.claim_parsing import (
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.operation_domains import needs
 from tresym.reals.language.binders import elementary, outermost
-from tresym.reals.language.calls import FACTORIAL
 from tresym.reals.language.expression import (
     LEAVES,
     ONE,
@@ -37,6 +36,7 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
+from tresym.reals.language.calls import FACTORIAL
 from tresym.reals.language.parsing import INFINITY
 
 MINUS_INFINITY = -INFINITY

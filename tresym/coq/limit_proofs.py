@@ -16,6 +16,7 @@ from tresym.reals.domain.conditions import Given
 from tresym.reals.language.expression import (
     LEAVES,
     MINUS_ONE,
+    ONE,
     ZERO,
     Expr,
     differentiate,
