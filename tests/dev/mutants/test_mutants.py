@@ -257,8 +257,8 @@ def test_a_verifier_that_believes_everything_is_caught(monkeypatch: pytest.Monke
     def gullible(claim: Claim, found: object, evidence: object = None) -> Finding:
         return Finding(Verdict.PROVED, "it looks right")
 
-    for module in ("verification", "mutants.report"):
-        monkeypatch.setattr(f"tresym.ledger.{module}.judge", gullible)
+    for module in ("ledger.verification", "dev.mutants.report"):
+        monkeypatch.setattr(f"tresym.{module}.judge", gullible)
     monkeypatch.setattr("tresym.dev.mutants.report._once", {})
     assert len(verify_mutants(["eq_gamma"], 1).survivors) > 5
     assert main(["verify", "--mutants", "eq_gamma"]) == 1
