@@ -37,7 +37,7 @@ DECISIONS = (
     *("infinite_sums", "derivative_domains", "point_check", "definedness_check", "asymptotics/*"),
 )
 CHECKERS = (
-    *("ledger/judge.py", "ledger/definitions.py", "ledger/conversion.py", "ledger/evidence/*.py"),
+    *("ledger/judge*.py", "ledger/refutations.py", "ledger/definitions.py", "ledger/conversion.py"),
     *("reals/normal/*.py", "reals/signs/*.py", "reals/cross_check.py"),
     *("reals/domain/binder_values.py", "reals/domain/integrands.py"),
     *("reals/balls/branch_and_bound.py", "reals/balls/simplest_constants.py"),

@@ -1,4 +1,4 @@
-"""``tresym derive``: write the article with its figures, slides, a notebook, or single derivations."""
+"""``tresym derive``: the article with its figures, slides, a notebook, or single derivations."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ def _check(args: argparse.Namespace) -> None:
     """Raise InputError if options do not fit together."""
     whole = args.ledger or args.appendix
     if args.labels and (whole or args.figures):
-        raise InputError("derive: --figures, --ledger and --appendix are for the article: no labels")
+        raise InputError("derive: --figures, --ledger and --appendix take no labels")
     if args.path is None and (args.ledger or args.figures):
         raise InputError("derive: --figures and --ledger write further files: give -o PATH")
     if whole and args.style != "article":

@@ -152,6 +152,8 @@ READ_BY = {
     "tresym/report/pages/found_repairs.py": "the search for a repair, which reads the conditions",
     "tresym/report/pages/symbols.py": "an assumption, whose conditions have a column",
     "tresym/report/pages/article.py": "the article, with the conditions; what is true instead",
+    "tresym/report/pages/ledger_document.py": "what a quoted theorem says, which is no claim",
+    "tresym/report/pages/templates.py": "a sentence of the article; its conditions are in the text",
     "tresym/report/pages/derivation.py": "what a quoted theorem says, which is no claim",
     "tresym/report/pages/site_data.py": "the same",
     "tresym/commands/check.py": "what `check` answers, which is no claim of the ledger",

@@ -67,7 +67,8 @@ from tresym.ledger.evidence.box_bounds import Boxes
 from tresym.ledger.evidence.chart_bounds import Charted, Reading
 from tresym.ledger.evidence.interval_evaluation import Evaluated, fails_at_once
 from tresym.ledger.evidence.refutation import Denied, denied_somewhere
-from tresym.ledger.judge import judge_evidence, refute
+from tresym.ledger.judge import judge_evidence
+from tresym.ledger.refutations import refute
 from tresym.ledger.statements import AtMostOne, ExactlyOne, ForSome
 from tresym.reals.verdict import Verdict
 

@@ -16,8 +16,9 @@ from tresym.ledger import paper
 from tresym.ledger.claim import AllOf, Claim, Counterexample
 from tresym.ledger.evidence.refutation import Denied
 from tresym.ledger.finding import RULINGS, Finding, Ruling
-from tresym.ledger.judge import judge, judge_evidence, seen_false
+from tresym.ledger.judge import judge, judge_evidence
 from tresym.ledger.lazy import Kept
+from tresym.ledger.refutations import seen_false
 from tresym.ledger.verification import JSON_VERSION, MUTANTS, choose
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.processes import Processes

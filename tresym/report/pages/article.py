@@ -145,7 +145,8 @@ def _corrected(rows: dict[str, Row]) -> Iterator[str]:
     """The corrections by weight, each once, with what is true instead."""
     for number, (fault, heading, meaning) in enumerate(FAULTS):
         yield rf"\subsection*{{{prose(heading)}}} {prose(meaning)}"
-        yield rf"\begin{{enumerate}}[{'resume,' if number else ''}leftmargin=*,itemsep=2pt]\sloppy"
+        options = f"{'resume,' if number else ''}leftmargin=*,itemsep=2pt"
+        yield rf"\begin{{enumerate}}[{options}]\small\raggedright"
         for correction in corrections():
             if rows[correction.labels[0]].claim.fault is fault:
                 yield " ".join(_correction(correction, rows))

@@ -136,10 +136,10 @@ RECHECKED = {
         *("reals.signs.discontinuities.Case.point", "reals.decisions.dispatch._exact"),
         *("reals.decisions.inequalities._at_corners", "reals.decisions.inequalities._refuted_at"),
         *("reals.decisions.inequalities._in_cells", "reals.decisions.algebraic_witnesses"),
-        *("reals.decisions.inequalities._zero_between", "ledger.judge.refute"),
+        *("reals.decisions.inequalities._zero_between", "ledger.refutations.refute"),
         *("ledger.evidence.refutation", "ledger.counterexamples.rootless"),
-        *("ledger.evidence.asymptotics._expanded", "ledger.judge._refuted"),
-        "ledger.judge._refuted_slope",
+        *("ledger.evidence.asymptotics._expanded", "ledger.refutations.refuted_part"),
+        "ledger.judged_roots._refuted_slope",
         *("reals.decisions.equations._with_value", "reals.decisions.algebraic_witnesses"),
         *(
             "reals.decisions.asymptotics.path_claims._fails_beside",
