@@ -88,9 +88,10 @@ AREAS: dict[str, tuple[str, ...]] = {
         *("leading_terms._fails_at_a_phase", "numerical_evidence.fails"),
     ),
     "reals.balls": ("simplest_constants.candidates",),
-    "ledger.judge": (
-        *("_judge_chains", "_judge_unique_root", "_judge_at_most_one", "_judge_instance"),
-        *("_judge_implicit_function", "_judge_relations", "_judge_all"),
+    "ledger": (
+        *("judge._judge_chains", "judge._judge_instance", "judge._judge_relations"),
+        *("judge._judge_all", "judged_roots.judge_unique_root"),
+        *("judged_roots.judge_at_most_one", "judged_roots.judge_implicit_function"),
     ),
     "ledger.evidence": (
         *("asymptotics.failing_order", "asymptotics.judge_squeezed", "chart_bounds.judge_charted"),
