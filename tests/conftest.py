@@ -62,8 +62,9 @@ def no_suggestions(request: pytest.FixtureRequest) -> Iterator[None]:
     inner = request.path.relative_to(TESTS).as_posix()
     with pytest.MonkeyPatch.context() as patch:
         if inner.startswith(CORE) and not inner.startswith(SUGGESTING):
-            patch.setattr("tresym.reals.repair.alternatives", lambda *_: ())
-            patch.setattr("tresym.reals.repair.suggestions", lambda claims, *_: (() for _ in claims))
+            repair = "tresym.reals.repair"
+            patch.setattr(f"{repair}.alternatives", lambda *_: ())
+            patch.setattr(f"{repair}.suggestions", lambda claims, *_: (() for _ in claims))
         yield
 
 
