@@ -1862,3 +1862,139 @@ Ltac boxed r e m :=
   let u := fresh "u" in assert (0 <= e ^ 2 <= m ^ 2) by nra; set (u := e ^ 2) in *; clearbody u;
   unfold up_all, up_exp, up_turn, low_sum, up_root, up_sine, up_time;
   interval with (i_bisect u, i_bisect r, i_depth 30).
+
+(* The equation of a half turn near a point of it, solved for its start, its value and its end. *)
+Lemma turn_solution (F : R -> R -> R) (s a b g p u v e q v1 v2 : R) (away : R -> R) :
+  a > 0 -> b > 0 -> (forall c t, F c t = rate s a b c t) -> p < g -> u < e < v -> u < q < v ->
+  (forall c t, p < c -> u < t < v -> 0 < c + b * sin t ^ 2) -> 0 < s -> 0 < (-1) * b * sin e ^ 2 + 1 ->
+  is_RInt (F g) e q PI -> (forall c, away c = c - g) ->
+  v1 = - rate s a b g e -> v2 = RInt (rate_slope s a b g) e q ->
+  (exists f : R -> R, f g = e
+    /\ (exists near : R, 0 < near /\ forall x c : R, Rabs (away c) < near -> x = f c -> is_RInt (F c) x q PI)
+    /\ is_derive f g ((-1) * / v1 * v2)) /\
+  (forall f : R -> R, f g = e -> continuous f g ->
+    (exists near : R, 0 < near /\ forall x c : R, Rabs (away c) < near -> x = f c -> is_RInt (F c) x q PI) ->
+    is_derive f g ((-1) * / v1 * v2)).
+Proof.
+  intros A B Fs L X Y P S K Z Aw V1 V2.
+  assert (R0 : 0 < rate s a b g e).
+  { pose proof (reach a b A B e); specialize (P g e L X); unfold rate.
+    assert (0 < sqrt (a + b * sin e ^ 2)) by (apply sqrt_lt_R0; assumption).
+    assert (0 < sqrt (g + b * sin e ^ 2)) by (apply sqrt_lt_R0; assumption); positive. }
+  assert (d0 : 0 < Rmin (g - p) (Rmin (e - u) (v - e))) by (repeat apply Rmin_pos; lra).
+  assert (near : forall x c, Rabs (x - e) < Rmin (g - p) (Rmin (e - u) (v - e)) ->
+    Rabs (c - g) < Rmin (g - p) (Rmin (e - u) (v - e)) -> u < x < v /\ p < c).
+  { intros x c H1 H2; pose proof (Rmin_l (g - p) (Rmin (e - u) (v - e))).
+    pose proof (Rmin_r (g - p) (Rmin (e - u) (v - e))); pose proof (Rmin_l (e - u) (v - e)).
+    pose proof (Rmin_r (e - u) (v - e)); apply Rabs_def2 in H1; apply Rabs_def2 in H2; lra. }
+  apply (implicit_equation (fun x c => RInt (rate s a b c) x q) (fun x c => - rate s a b c x) _ away e g PI
+    (RInt (rate_slope s a b g) e q)).
+  - exists (mkposreal _ d0); simpl; intros x c H1 H2; destruct (near x c H1 H2) as [H3 H4].
+    apply (turn_by_start s a b A B c u v x q H3 Y); intros t T; now apply P.
+  - apply continuity_2d_pt_opp; pose proof (reach a b A B e); specialize (P g e L X); unfold rate; continues_2d;
+      apply Rgt_not_eq, sqrt_lt_R0; assumption.
+  - lra.
+  - exists (mkposreal _ d0); intros x H1; assert (H2 : Rabs (g - g) < Rmin (g - p) (Rmin (e - u) (v - e))).
+    { rewrite Rminus_eq_0, Rabs_R0; exact d0. }
+    destruct (near x g H1 H2) as [H3 _].
+    exact (continuous_derive _ _ _ (turn_by_level s a b A B g p u v x q L H3 Y P)).
+  - exact (turn_by_level s a b A B g p u v e q L X Y P).
+  - exists (mkposreal _ d0); simpl; intros x c H1 H2; destruct (near x c H1 H2) as [H3 H4].
+    assert (I : is_RInt (F c) x q (RInt (rate s a b c) x q)).
+    { apply (is_RInt_ext (rate s a b c)); [intros t _; symmetry; apply Fs |].
+      apply integral_correct; intros t T; apply rate_continuous; try assumption; apply P; [exact H4 |].
+      revert T; unfold Rmin, Rmax; destruct (Rle_dec x q); lra. }
+    split; intros H5; [| rewrite <- H5; exact I].
+    rewrite <- (is_RInt_unique _ _ _ _ H5); symmetry; apply is_RInt_unique, I.
+  - exact Z.
+  - exact Aw.
+  - rewrite V1, V2; field; lra.
+Qed.
+Lemma value_solution (s a b e v1 v2 : R) (away : R -> R) : a > 0 -> b > 0 -> b < 1 -> 0 < e -> e < PI / 2 -> 0 < s ->
+  is_RInt (over s a b PI e) e (1 / 2 * PI) 0 -> (forall c, away c = c - PI) ->
+  v1 = - zero_rate s a b e -> v2 = -1 ->
+  (exists f : R -> R, f PI = e
+    /\ (exists near : R, 0 < near /\ forall x c : R, Rabs (away c) < near -> x = f c ->
+      is_RInt (over s a b c x) x (1 / 2 * PI) 0)
+    /\ is_derive f PI ((-1) * / v1 * v2)) /\
+  (forall f : R -> R, f PI = e -> continuous f PI ->
+    (exists near : R, 0 < near /\ forall x c : R, Rabs (away c) < near -> x = f c ->
+      is_RInt (over s a b c x) x (1 / 2 * PI) 0) ->
+    is_derive f PI ((-1) * / v1 * v2)).
+Proof.
+  intros A B B1 E0 E1 S Z Aw V1 V2; pose proof PI_RGT_0 as J.
+  assert (Sn : 0 < sin e) by (apply sin_gt_0; lra).
+  assert (R0 : 0 < rate s a b 0 e).
+  { pose proof (reach a b A B e); unfold rate; assert (0 < 0 + b * sin e ^ 2) by (rewrite Rplus_0_l; apply Rmult_lt_0_compat; [lra | apply pow_lt; exact Sn]).
+    assert (0 < sqrt (a + b * sin e ^ 2)) by (apply sqrt_lt_R0; assumption).
+    assert (0 < sqrt (0 + b * sin e ^ 2)) by (apply sqrt_lt_R0; assumption).
+    pose proof (forward b B e B1); positive. }
+  assert (d0 : 0 < Rmin e (PI / 2 - e)) by (apply Rmin_pos; lra).
+  assert (near : forall x, Rabs (x - e) < Rmin e (PI / 2 - e) -> 0 < x < PI / 2).
+  { intros x H1; pose proof (Rmin_l e (PI / 2 - e)); pose proof (Rmin_r e (PI / 2 - e)); apply Rabs_def2 in H1; lra. }
+  apply (implicit_equation (fun x c => RInt (over s a b c x) x (1 / 2 * PI)) (fun x c => - rate s a b 0 x) _ away e PI 0 (-1)).
+  - exists (mkposreal _ d0); simpl; intros x c H1 H2; destruct (near x H1) as [H3 H4].
+    rewrite <- zero_rate_is by (first [assumption | apply sin_gt_0; lra]); apply over_by_end; assumption.
+  - apply continuity_2d_pt_opp; pose proof (reach a b A B e); assert (0 < 0 + b * sin e ^ 2) by (rewrite Rplus_0_l; apply Rmult_lt_0_compat; [lra | apply pow_lt; exact Sn]); unfold rate; continues_2d;
+      apply Rgt_not_eq, sqrt_lt_R0; assumption.
+  - lra.
+  - exists (mkposreal _ d0); intros x H1; destruct (near x H1) as [H3 H4].
+    exact (continuous_derive _ _ _ (over_by_value s a b A B x PI H3 H4)).
+  - exact (over_by_value s a b A B e PI E0 E1).
+  - exists (mkposreal _ d0); simpl; intros x c H1 H2; destruct (near x H1) as [H3 H4].
+    assert (I : is_RInt (over s a b c x) x (1 / 2 * PI) (RInt (over s a b c x) x (1 / 2 * PI))).
+    { apply integral_correct; intros t T; unfold over; apply (continuous_plus (fun _ => (-1) * c * / (1 / 2 * PI + (-1) * x))).
+      - apply continuous_const.
+      - apply (zero_on s a b A B x (1 / 2 * PI)); try lra; exact T. }
+    split; intros H5; [| rewrite <- H5; exact I].
+    rewrite <- (is_RInt_unique _ _ _ _ H5); symmetry; apply is_RInt_unique, I.
+  - exact Z.
+  - exact Aw.
+  - rewrite V1, V2, zero_rate_is by assumption; field; lra.
+Qed.
+Lemma turned_by_angle a b c x : a > 0 -> b > 0 -> b <= 1 -> - b < c < 0 ->
+  is_derive (fun t : R => RInt (turned a b c) 0 t) x (turned a b c x).
+Proof.
+  intros A B L C; apply (d_upper_end (turned a b c) 0 (Rmin 0 x - 1) (Rmax 0 x + 1)); try lra.
+  intros t _; now apply turned_continuous.
+Qed.
+Lemma turned_by_levels a b g x : a > 0 -> b > 0 -> b <= 1 -> - b < g < 0 ->
+  is_derive (fun c : R => RInt (turned a b c) 0 x) g (RInt (turned_slope a b g) 0 x).
+Proof.
+  intros A B L C; apply (leibniz (turned a b) (turned_slope a b) 0 x g (- b) 0 C).
+  - intros c t H _; now apply turned_by_level.
+  - intros t _; now apply slope_near.
+  - intros c H t _; now apply turned_continuous.
+Qed.
+Lemma turned_solution (a b g e v1 v2 : R) (away : R -> R) : a > 0 -> b > 0 -> b <= 1 -> - b < g < 0 -> 0 < sin e ->
+  is_RInt (turned a b g) 0 e PI -> (forall c, away c = c - g) ->
+  v1 = turned a b g e -> v2 = RInt (turned_slope a b g) 0 e ->
+  (exists f : R -> R, f g = e
+    /\ (exists near : R, 0 < near /\ forall x c : R, Rabs (away c) < near -> x = f c -> is_RInt (turned a b c) 0 x PI)
+    /\ is_derive f g ((-1) * / v1 * v2)) /\
+  (forall f : R -> R, f g = e -> continuous f g ->
+    (exists near : R, 0 < near /\ forall x c : R, Rabs (away c) < near -> x = f c -> is_RInt (turned a b c) 0 x PI) ->
+    is_derive f g ((-1) * / v1 * v2)).
+Proof.
+  intros A B L G S Z Aw V1 V2; pose proof (turned_positive a b A B L g e G S) as T.
+  assert (d0 : 0 < Rmin (g + b) (- g)) by (apply Rmin_pos; lra).
+  assert (near : forall c, Rabs (c - g) < Rmin (g + b) (- g) -> - b < c < 0).
+  { intros c H2; pose proof (Rmin_l (g + b) (- g)); pose proof (Rmin_r (g + b) (- g)); apply Rabs_def2 in H2; lra. }
+  apply (implicit_equation (fun x c => RInt (turned a b c) 0 x) (fun x c => turned a b c x) _ away e g PI
+    (RInt (turned_slope a b g) 0 e)).
+  - exists (mkposreal _ d0); simpl; intros x c _ H2; apply turned_by_angle; auto.
+  - pose proof (under_root a b A B g e G) as U; pose proof (below_line a b A B g e G) as W.
+    assert (0 < sqrt ((-1) * g * (b + a * sin e ^ 2) + a * b * cos e ^ 2)) by now apply sqrt_lt_R0.
+    unfold turned; continues_2d; lra.
+  - lra.
+  - apply filter_forall; intros x; exact (continuous_derive _ _ _ (turned_by_levels a b g x A B L G)).
+  - exact (turned_by_levels a b g e A B L G).
+  - exists (mkposreal _ d0); simpl; intros x c _ H2; specialize (near c H2).
+    assert (I : is_RInt (turned a b c) 0 x (RInt (turned a b c) 0 x)).
+    { apply integral_correct; intros t _; now apply turned_continuous. }
+    split; intros H5; [| rewrite <- H5; exact I].
+    rewrite <- (is_RInt_unique _ _ _ _ H5); symmetry; apply is_RInt_unique, I.
+  - exact Z.
+  - exact Aw.
+  - rewrite V1, V2; field; lra.
+Qed.
