@@ -11,7 +11,7 @@ from tresym.coq.export import stored
 from tresym.coq.ledger_statements import Theorem, lemmas, theorem_of
 from tresym.ledger.paper import all_claims
 
-SECONDS = 60
+SECONDS = 12
 SHARPER = (
     ("corner_margin", ">= (3 / 8) *", ">= (2 / 5) *"),  # at b = 1, x = 1/10
     ("decay_at_least", "(-3) * PI", "(-2) * PI"),  # everywhere
