@@ -1388,6 +1388,91 @@ Proof.
       assert ((1 - c) * (1 / 2 * / q) >= (1 - c) * (1 / 2 * (1 - r / 2))) by nra.
       assert (0 <= r * (1 - c)) by nra; lra.
 Qed.
+Lemma printed_turn_sharp r : 0 < r -> r ^ 2 <= 1 / 4 ->
+  r ^ 3 * (1666 / 10000 - 173 / 1000 * r ^ 2 + 1238 / 10000 * r ^ 4) <= atan r - r * / sqrt (1 + r ^ 2)
+  <= r ^ 3 * (16674 / 100000 - 12 / 100 * r ^ 2).
+Proof.
+  intros R0 R1; assert (W : forall t, 1 <= sqrt (1 + t ^ 2) /\ sqrt (1 + t ^ 2) ^ 2 = 1 + t ^ 2).
+  { intros t; pose proof (pow2_ge_0 t); split; [apply below_sqrt; lra | apply pow2_sqrt; lra]. }
+  set (d := fun t : R => t ^ 2 * / ((1 + t ^ 2) * (sqrt (1 + t ^ 2) * (1 + sqrt (1 + t ^ 2))))).
+  assert (D : forall t, is_derive (fun t : R => atan t - t * / sqrt (1 + t ^ 2)) t (d t)).
+  { intros t; destruct (W t) as [W1 W2]; pose proof (pow2_ge_0 t); unfold d.
+    auto_derive; [repeat split; try (apply Rgt_not_eq; simpl in *; lra); simpl in *; lra |].
+    replace (1 + t * (t * 1)) with (1 + t ^ 2) by ring; set (w := sqrt (1 + t ^ 2)) in *.
+    replace (1 * / w + t * (- (1 * ((1 + 1) * (t * 1)) * / (2 * w)) * / (w * w))) with ((w ^ 2 - t ^ 2) * / w ^ 3) by (field; lra).
+    rewrite <- W2; replace (t ^ 2) with (w ^ 2 - 1) by lra; field; lra. }
+  assert (I : forall y, 0 <= y <= 1 / 4 -> 4998 / 10000 - 865 / 1000 * y + 8666 / 10000 * y ^ 2
+    <= / ((1 + y) * (sqrt (1 + y) * (1 + sqrt (1 + y)))) <= 50022 / 100000 - 6 / 10 * y).
+  { intros y Y; split; apply not_below; interval with (i_bisect y, i_prec 60, i_depth 20). }
+  assert (J : forall t, 0 <= t <= r -> t ^ 2 * (4998 / 10000 - 865 / 1000 * t ^ 2 + 8666 / 10000 * t ^ 4) <= d t
+    <= t ^ 2 * (50022 / 100000 - 6 / 10 * t ^ 2)).
+  { intros t T; assert (Y : 0 <= t ^ 2 <= 1 / 4) by nra; destruct (I _ Y); unfold d.
+    replace (t ^ 4) with ((t ^ 2) ^ 2) by ring; split; apply Rmult_le_compat_l; lra. }
+  split.
+  - enough (0 <= (atan r - r * / sqrt (1 + r ^ 2)) - r ^ 3 * (1666 / 10000 - 173 / 1000 * r ^ 2 + 1238 / 10000 * r ^ 4)) by lra.
+    apply (from_left_ge (fun t : R => (atan t - t * / sqrt (1 + t ^ 2)) - t ^ 3 * (1666 / 10000 - 173 / 1000 * t ^ 2 + 1238 / 10000 * t ^ 4))
+      (fun t => d t - t ^ 2 * (4998 / 10000 - 865 / 1000 * t ^ 2 + 8666 / 10000 * t ^ 4)) 0 r).
+    + lra.
+    + intros t _; apply (d_minus (fun t : R => atan t - t * / sqrt (1 + t ^ 2))
+        (fun t : R => t ^ 3 * (1666 / 10000 - 173 / 1000 * t ^ 2 + 1238 / 10000 * t ^ 4))); [apply D |].
+      auto_derive; [exact Logic.I | field].
+    + intros t T; specialize (J t T); lra.
+    + rewrite atan_0; lra.
+  - enough (0 <= r ^ 3 * (16674 / 100000 - 12 / 100 * r ^ 2) - (atan r - r * / sqrt (1 + r ^ 2))) by lra.
+    apply (from_left_ge (fun t : R => t ^ 3 * (16674 / 100000 - 12 / 100 * t ^ 2) - (atan t - t * / sqrt (1 + t ^ 2)))
+      (fun t => t ^ 2 * (50022 / 100000 - 6 / 10 * t ^ 2) - d t) 0 r).
+    + lra.
+    + intros t _; apply (d_minus (fun t : R => t ^ 3 * (16674 / 100000 - 12 / 100 * t ^ 2))
+        (fun t : R => atan t - t * / sqrt (1 + t ^ 2))); [| apply D].
+      auto_derive; [exact Logic.I | field].
+    + intros t T; specialize (J t T); lra.
+    + rewrite atan_0; lra.
+Qed.
+(* The square of a defect against the product of its shape, where that is at least 4. *)
+Lemma defect_smaller a b e : 0 < a -> 0 < b -> b <= 1 -> 4 <= a * b -> 0 < e -> e < PI / 2 -> is_defect a b e ->
+  e ^ 2 * (a * b) <= 6 / 100000.
+Proof.
+  intros A B B1 AB E0 E1 E; pose proof PI_RGT_0 as P.
+  assert (S : 0 < sin e) by (apply sin_gt_0; lra); assert (C : 0 < cos e) by (apply cos_gt_0; lra).
+  pose proof (sinh_at_root a b _ e A B S C E) as H.
+  assert (K : 2 <= sqrt (a * b)) by (apply below_sqrt; lra).
+  assert (K2 : sqrt (a * b) ^ 2 = a * b) by (apply pow2_sqrt; lra).
+  assert (R0 : 0 < b * / a) by positive; assert (Q : 1 <= sqrt (b * / a + 1)) by (apply below_sqrt; lra).
+  assert (M : 0 < asin (sqrt (b * / (a + b)) * cos e)).
+  { apply asin_above, Rmult_lt_0_compat; [apply sqrt_lt_R0; positive | exact C]. }
+  set (k := sqrt (a * b)) in *; set (q := sqrt (b * / a + 1)) in *; set (m := asin _) in *.
+  assert (L : k * (sinh (2 * PI) / 2) <= sinh (k * (PI + m))).
+  { apply Rle_trans with (sinh (k * PI)); [| apply sinh_grows; nra].
+    enough (0 <= sinh (k * PI) - k * (sinh (2 * PI) / 2)) by lra.
+    apply (from_left_ge (fun t : R => sinh (t * PI) - t * (sinh (2 * PI) / 2)) (fun t => PI * cosh (t * PI) - sinh (2 * PI) / 2) 2 k K).
+    - intros t _; eapply d_eq; [derive |]; cbv beta; over_reals; ring.
+    - intros t T; pose proof (cosh_rises (2 * PI) (t * PI) ltac:(lra) ltac:(nra)).
+      assert (sinh (2 * PI) / 2 <= PI * cosh (2 * PI)) by (unfold sinh, cosh; interval); nra.
+    - lra. }
+  assert (N : 267 <= sinh (2 * PI)) by (unfold sinh; interval).
+  assert (G : sin e * (1335 / 10 * k) <= cos e).
+  { assert (J : sin e * sinh (k * (PI + m)) <= cos e).
+    { rewrite H; replace (sin e * (/ q * / sin e * cos e)) with (/ q * cos e) by (field; lra).
+      assert (/ q <= 1) by (rewrite <- Rinv_1; apply Rinv_le_contravar; lra); nra. }
+    assert (1335 / 10 * k <= sinh (k * (PI + m))) by nra; nra. }
+  assert (T : e * (1335 / 10 * k) <= 1).
+  { assert (F : e * cos e <= sin e).
+    { enough (0 <= sin e - e * cos e) by lra.
+      apply (from_left_ge (fun t : R => sin t - t * cos t) (fun t => t * sin t) 0 e); [lra | | |].
+      - intros t _; auto_derive; [exact I | ring].
+      - intros t T; apply Rmult_le_pos; [lra | apply sin_ge_0; lra].
+      - rewrite sin_0; lra. }
+    apply (Rmult_le_reg_r (cos e)); [exact C |]; nra. }
+  rewrite <- K2; assert (0 < e * k) by nra; assert ((e * k) ^ 2 <= (10 / 1335) ^ 2) by nra; nra.
+Qed.
+Lemma exp_above_square x : 0 <= x -> 1 + x + x ^ 2 / 2 <= exp x.
+Proof.
+  intros X; enough (0 <= exp x - (1 + x + x ^ 2 / 2)) by lra.
+  apply (from_left_ge (fun t : R => exp t - (1 + t + t ^ 2 / 2)) (fun t => exp t - (1 + t)) 0 x X).
+  - intros t _; auto_derive; [exact I | field].
+  - intros t _; pose proof (exp_ineq1_le t); lra.
+  - rewrite exp_0; lra.
+Qed.
 
 (* A motion that turns: its precession by the angle of the turning, and the level of a half turn. *)
 Definition turned (a b c x : R) : R :=
