@@ -1,52 +1,61 @@
-intros [C [n [n0 N]]].
-pose proof (Rabs_pos C) as C0; set (M := Rabs C) in *.
-set (a := Rmin (n / 2) (Rmin (1 / 10000) (/ (8 * M + 1)))).
-assert (i0 : 0 < / (8 * M + 1)) by (apply Rinv_0_lt_compat; lra).
-assert (A : 0 < a) by (unfold a; repeat apply Rmin_pos; lra).
-assert (An : a <= n / 2 /\ a <= 1 / 10000 /\ a <= / (8 * M + 1)).
-{ unfold a; pose proof (Rmin_l (n / 2) (Rmin (1 / 10000) (/ (8 * M + 1)))).
-  pose proof (Rmin_r (n / 2) (Rmin (1 / 10000) (/ (8 * M + 1)))).
-  pose proof (Rmin_l (1 / 10000) (/ (8 * M + 1))); pose proof (Rmin_r (1 / 10000) (/ (8 * M + 1))); lra. }
-clearbody a; destruct An as [A1 [A2 A3]].
-assert (I : 0 < 1 * / (a + 1)) by positive; assert (I' : 0 < 1 * / a) by positive; assert (I2 : 0 < a * / (a + 1)) by positive.
-destruct (claim_defect_is_one a 1) as [e [[P [Q D]] _]]; try lra.
-pose proof (share_below a 1 0 A ltac:(lra)) as H0; rewrite cos_0, Rmult_1_r in H0.
-specialize (N a 1 e D P Q ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)).
-assert (B0 : 1 > 0) by lra; pose proof (defect_turn a 1 e A B0 P Q) as T; pose proof pi_between as J; pose proof PI_4 as J4.
-pose proof (defect_angle a 1 e A B0 P Q D) as V.
-assert (M4 : 8 * (M * a) <= 1).
-{ apply (Rmult_le_compat_r (8 * M + 1)) in A3; [| lra]; rewrite Rinv_l in A3 by lra; nra. }
-assert (K2 : sqrt (a * 1) ^ 2 = a) by (rewrite pow2_sqrt by lra; ring).
-assert (K0 : 0 < sqrt (a * 1)) by (apply sqrt_lt_R0; lra).
-set (k := sqrt (a * 1)) in *; assert (K1 : k <= 1 / 100) by nra.
-set (x := k * (PI + asin (sqrt (1 * / (a + 1)) * cos e))) in *.
-assert (P3 : 3 / 2 * PI <= 472 / 100) by interval.
-assert (X : 0 < x <= 472 / 100 * k) by (unfold x; split; [apply Rmult_lt_0_compat; lra | nra]).
-assert (Sx : 0 < sinh x <= 2 * x).
-{ split; [apply sinh_pos; lra |]; pose proof (exp_below x) as E1; pose proof (exp_ineq1_le (- x)) as E2.
-  unfold sinh; assert (exp x <= 1 + 2 * x); [| lra].
-  assert (0 < exp x) by apply exp_pos; nra. }
-set (c := sqrt (a * / (a + 1))) in *; assert (c0 : 0 < c) by (apply sqrt_lt_R0; exact I2).
-assert (c2 : c ^ 2 = a * / (a + 1)) by (apply pow2_sqrt; lra).
-assert (ia : 9999 / 10000 <= / (a + 1) <= 1).
-{ split; apply (Rmult_le_reg_r (a + 1)); try lra; rewrite Rinv_l; lra. }
-assert (ck : 99 / 100 * k <= c <= k) by (split; nra).
-assert (L : 1 / 10 <= e).
-{ apply Rle_trans with (atan (104 / 1000)); [interval |]; rewrite V; apply arctangent_rises.
-  rewrite Rinv_mult; replace (/ sqrt (1 * / a + 1)) with c by (apply inverse_root; lra).
-  apply (Rmult_le_reg_r (sinh x)); [lra |]; rewrite Rmult_assoc, Rinv_l by lra; nra. }
-set (s := asin (sqrt (1 * / (a + 1)))) in *.
-assert (s0 : 0 < s) by (apply asin_above, sqrt_lt_R0; lra).
-assert (ks : 0 < k * (PI + s)) by (apply Rmult_lt_0_compat; lra).
-assert (E1 : 1 <= exp (k * (PI + s))) by (rewrite <- exp_0; apply exp_rises; lra).
-assert (E2 : 0 < exp ((-2) * k * (PI + s)) <= 1).
-{ split; [apply exp_pos | rewrite <- exp_0; apply exp_rises; lra]. }
-set (y := exp (k * (PI + s))) in *; set (z := exp ((-2) * k * (PI + s))) in *.
-assert (ic : 100 <= / c) by (apply (Rmult_le_reg_r c); [lra | rewrite Rinv_l by lra; lra]).
-assert (Left : 5 <= 1 / 2 * e * / c * y) by (assert (5 <= 1 / 2 * e * / c) by nra; nra).
-rewrite Rabs_pos_eq in N by lra.
-replace (4 * a * / (a + 1) * z) with (4 * (a * (/ (a + 1) * z))) in N by ring.
-assert (0 <= / (a + 1) * z <= 1) by nra; set (q := / (a + 1) * z) in *.
-rewrite Rabs_pos_eq in N by nra; pose proof (Rle_abs C) as Cm; fold M in Cm.
-assert (C * (4 * (a * q)) <= M * (4 * (a * q))) by (apply Rmult_le_compat_r; nra).
-assert (M * (4 * (a * q)) <= M * (4 * a)); [apply Rmult_le_compat_l; [lra | assert (a * q <= a * 1) by (apply Rmult_le_compat_l; lra); lra] | lra].
+intros [K [n [N H]]]; pose proof PI_RGT_0 as PP; pose proof pi_between as PB.
+set (a := Rmin (n / 2) (Rmin (1 / 3600) (/ (4 * (Rabs K + 1))))).
+pose proof (Rabs_pos K) as K0; pose proof (Rle_abs K) as K1.
+assert (A : 0 < a /\ a < n /\ a <= 1 / 3600 /\ a <= / (4 * (Rabs K + 1))).
+{ assert (0 < / (4 * (Rabs K + 1))) by (apply Rinv_0_lt_compat; lra); unfold a; repeat split.
+  - repeat apply Rmin_glb_lt; lra.
+  - eapply Rle_lt_trans; [apply Rmin_l | lra].
+  - eapply Rle_trans; [apply Rmin_r | apply Rmin_l].
+  - eapply Rle_trans; [apply Rmin_r | apply Rmin_r]. }
+clearbody a; destruct A as [A [A1 [A2 A3]]].
+assert (Tanh : forall x, 0 <= x -> tanh x <= x).
+{ intros x X; enough (0 <= x - tanh x) by lra.
+  apply (from_left_ge (fun t => t - tanh t) (fun t => 1 - 1 * / (cosh t * cosh t)) 0 x X).
+  - intros t _; exact (d_minus (fun t => t) tanh t _ _ (d_id t) (d_tanh (fun t => t) t 1 (d_id t))).
+  - intros t _; pose proof (cosh_above t); enough (/ (cosh t * cosh t) <= 1) by lra.
+    rewrite <- Rinv_1; apply Rinv_le_contravar; nra.
+  - rewrite tanh_0; lra. }
+assert (K2 : sqrt (a * 1) ^ 2 = a) by (rewrite Rmult_1_r; apply pow2_sqrt; lra).
+assert (Kp : 0 < sqrt (a * 1)) by (apply sqrt_lt_R0; lra).
+assert (E : exists e, 1 / 10 <= e <= PI / 2 /\ tanh (sqrt (a * 1) * (PI + asin (sqrt (1 * / (a + 1)) * cos e)))
+  = / sqrt (1 * / a * sin e ^ 2 + 1) * cos e).
+{ apply defect_exists; try lra; rewrite turn_short_is by lra.
+  - apply Rle_minus; set (m := asin _); assert (M : - (PI / 2) <= m <= PI / 2) by apply asin_bound.
+    eapply Rle_trans; [apply Tanh; nra |].
+    assert (I : 0 < 1 * / a) by (assert (0 < / a) by positive; lra).
+    assert (W : 0 < sqrt (1 * / a * sin (1 / 10) ^ 2 + 1)) by (apply sqrt_lt_R0; pose proof (pow2_ge_0 (sin (1 / 10))); nra).
+    assert (W2 : sqrt (1 * / a * sin (1 / 10) ^ 2 + 1) ^ 2 = 1 * / a * sin (1 / 10) ^ 2 + 1)
+      by (apply pow2_sqrt; pose proof (pow2_ge_0 (sin (1 / 10))); nra).
+    set (w := sqrt (1 * / a * _ + 1)) in *; set (k := sqrt (a * 1)) in *.
+    assert (V : k * w <= 102 / 1000).
+    { assert (k ^ 2 * w ^ 2 <= (102 / 1000) ^ 2); [| nra].
+      rewrite K2, W2; replace (a * (1 * / a * sin (1 / 10) ^ 2 + 1)) with (sin (1 / 10) ^ 2 + a) by (field; lra).
+      assert (sin (1 / 10) ^ 2 <= 1 / 100) by interval; lra. }
+    apply (Rmult_le_reg_r w); [exact W |]; replace (/ w * cos (1 / 10) * w) with (cos (1 / 10)) by (field; lra).
+    assert (9 / 10 <= cos (1 / 10)) by interval; assert (0 < k * w) by nra.
+    apply Rle_trans with (k * w * (3 * PI / 2)); nra.
+  - rewrite cos_PI2, Rmult_0_r, Rmult_0_r, asin_0, Rminus_0_r; pose proof (increasing_tanh 0 (sqrt (a * 1) * (PI + 0)) ltac:(nra)) as T; rewrite tanh_0 in T; lra. }
+destruct E as [e [[E0 E1] E]].
+assert (E2 : e < PI / 2).
+{ destruct E1 as [E1|E1]; [exact E1 | exfalso]; rewrite E1, cos_PI2, !Rmult_0_r, asin_0, Rplus_0_r in E.
+  pose proof (increasing_tanh 0 (sqrt (a * 1) * PI) ltac:(nra)) as T; rewrite tanh_0 in T; lra. }
+pose proof (share_below a 1 0 A ltac:(lra)) as S; rewrite cos_0, Rmult_1_r in S.
+assert (J : 0 < / (a + 1)) by positive; assert (J1 : / (a + 1) <= 1) by (rewrite <- Rinv_1; apply Rinv_le_contravar; lra).
+assert (Q : 0 < a * / (a + 1) <= a) by nra.
+specialize (H a 1 e E ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) A1 ltac:(lra) ltac:(lra) ltac:(lra) ltac:(apply Rgt_not_eq; lra) ltac:(lra) ltac:(lra)).
+set (m := asin _) in *; assert (M : - (PI / 2) <= m <= PI / 2) by apply asin_bound.
+assert (R : 0 < sqrt (a * / (a + 1)) <= 1 / 60).
+{ split; [apply sqrt_lt_R0; lra | apply above_sqrt; lra]. }
+set (q := sqrt (a * / (a + 1))) in *; set (k := sqrt (a * 1)) in *.
+assert (X : 1 <= exp (k * (PI + m))) by (rewrite <- exp_0 at 1; apply exp_rises; nra).
+assert (Y : exp (-2 * k * (PI + m)) <= 1) by (rewrite <- exp_0; apply exp_rises; nra).
+pose proof (exp_pos (-2 * k * (PI + m))) as Y0; set (x := exp (k * (PI + m))) in *; set (y := exp (-2 * k * (PI + m))) in *.
+assert (I : 60 <= / q) by (replace 60 with (/ (1 / 60)) by field; apply Rinv_le_contravar; lra).
+assert (L : 3 <= 1 / 2 * e * / q * x).
+{ assert (3 <= 1 / 2 * e * / q) by nra; assert (0 < 1 / 2 * e * / q) by lra; nra. }
+rewrite Rabs_pos_eq in H by lra.
+assert (Z : 0 <= 4 * a * / (a + 1) * y <= 4 * a) by (assert (0 <= a * / (a + 1) * y <= a) by (split; [apply Rmult_le_pos; lra | nra]); lra).
+rewrite (Rabs_pos_eq (4 * _ * _ * _)) in H by lra.
+assert (G : 4 * a * (Rabs K + 1) <= 1).
+{ apply Rmult_le_compat_r with (r := 4 * (Rabs K + 1)) in A3; [| lra]; rewrite Rinv_l in A3 by lra; lra. }
+set (z := 4 * a * / (a + 1) * y) in *; nra.

@@ -411,25 +411,50 @@ Proof.
 Qed.
 
 (* What the scripts of limits leave. *)
+Lemma asin_half : asin (1 / 2) = PI / 6.
+Proof. rewrite <- sin_PI6; apply asin_sin; pose proof PI_RGT_0; lra. Qed.
 Ltac at_values := repeat match goal with
   | |- context [exp ?u] => worth exp u 0 1 exp_0
   | |- context [ln ?u] => worth ln u 1 0 ln_1
   | |- context [sin ?u] => worth sin u 0 0 sin_0
   | |- context [cos ?u] => worth cos u 0 1 cos_0
+  | |- context [sin ?u] => worth sin u PI 0 sin_PI
+  | |- context [cos ?u] => worth cos u PI (-1) cos_PI
+  | |- context [sin ?u] => worth sin u (PI / 2) 1 sin_PI2
+  | |- context [cos ?u] => worth cos u (PI / 2) 0 cos_PI2
+  | |- context [sin ?u] => worth sin u (2 * PI) 0 sin_2PI
   | |- context [tan ?u] => worth tan u 0 0 tan_0
   | |- context [atan ?u] => worth atan u 0 0 atan_0
+  | |- context [ln ?u] => worth ln u (exp 1) 1 (ln_exp 1)
   | |- context [atan ?u] => worth atan u 1 (PI / 4) atan_1
   | |- context [asin ?u] => worth asin u 0 0 asin_0
   | |- context [asin ?u] => worth asin u 1 (PI / 2) asin_1
+  | |- context [asin ?u] => worth asin u (1 / 2) (PI / 6) asin_half
   | |- context [sinh ?u] => worth sinh u 0 0 sinh_0
   | |- context [cosh ?u] => worth cosh u 0 1 cosh_0
   | |- context [tanh ?u] => worth tanh u 0 0 tanh_0
   | |- context [sqrt ?u] => worth sqrt u 1 1 sqrt_1
   | |- context [sqrt ?u] => worth sqrt u 0 0 sqrt_0
   end.
+(* Equal arguments are made the same, and signs taken out of even and odd functions. *)
+Ltac same_argument f := repeat match goal with
+  | |- context [f ?u] => match goal with |- context [f ?v] =>
+      tryif constr_eq u v then fail else
+        replace (f u) with (f v) by (f_equal; first [ring | field; repeat split; assumption]) end
+  end.
+Ltac merge :=
+  rewrite ?Rplus_0_l;
+  repeat match goal with
+  | |- context [sin ((-1) * ?u)] => replace (sin ((-1) * u)) with (- sin u) by (rewrite <- sin_neg; f_equal; ring)
+  | |- context [cos ((-1) * ?u)] => replace (cos ((-1) * u)) with (cos u) by (rewrite <- cos_neg; f_equal; ring)
+  end;
+  same_argument sin; same_argument cos; same_argument exp; same_argument ln; same_argument sqrt;
+  same_argument atan; same_argument asin.
 Ltac equal_numbers :=
   cbv beta; first [reflexivity | ring | lra | field; repeat split; side
     | progress at_values; first [reflexivity | ring | lra | field; repeat split; side]
+    | at_values; rewrite ?Rabs_pos_eq by lra; merge;
+      first [reflexivity | ring | lra | field; repeat split; side]
     | rewrite ?exp_ln, ?ln_exp by side; first [ring | field; side]].
 Ltac equal_limits := apply f_equal; equal_numbers.
 Ltac product_value := first
@@ -451,11 +476,22 @@ Ltac apart_ := cbv beta; pose proof pi_between;
       | |- _ /\ _ => split; apart_
       | |- 0 < _ * _ => apply Rmult_lt_0_compat; apart_
       | |- 0 < / _ => apply Rinv_0_lt_compat; apart_
+      | |- 0 < Rabs _ => apply Rabs_pos_lt; apart_
+      | |- _ > 0 => apply Rlt_gt; apart_
       | |- 0 < sqrt _ => apply sqrt_lt_R0; apart_
       | |- 0 < _ ^ _ => apply pow_lt; apart_
       end
     | beside
     | interval ].
+Lemma Rpower_less x n : 0 < x -> Rpower x (n + (-1)) = Rpower x n * / x.
+Proof.
+  intros X; rewrite Rpower_plus; f_equal.
+  replace (-1) with (- (1)) by ring; now rewrite Rpower_Ropp, Rpower_1.
+Qed.
+Lemma t_point (f : R -> R) (a : R) : filterlim f (at_point a) (locally (f a)).
+Proof. intros P H; exact (locally_singleton _ _ H). Qed.
+Lemma t_point_value (f : R -> R) (a v : R) : f a = v -> filterlim f (at_point a) (locally v).
+Proof. intros <-; apply t_point. Qed.
 Ltac exp_minus := repeat match goal with
   | |- context [exp ((-1) * ?u)] => replace (exp ((-1) * u)) with (/ exp u) by (rewrite <- exp_Ropp; f_equal; ring)
   | |- context [exp ((-1) * ?a * ?u)] =>
@@ -464,19 +500,23 @@ Ltac exp_minus := repeat match goal with
 Ltac exp_apart := repeat match goal with
   | |- context [exp ?u] => lazymatch goal with H : 0 < exp u |- _ => fail | _ => pose proof (exp_pos u) end
   end.
-Ltac equal_near := cbv beta; pose proof pi_between; exp_minus; exp_apart; first
+Ltac equal_near := cbv beta; pose proof pi_between; merge; exp_minus; exp_apart; first
   [ reflexivity | ring | field; repeat split; apart_
   | unfold Rpower, tan, cot, sec, csc; rewrite ?exp_Ropp, ?exp_plus; first [ring | field; repeat split; first [apply Rgt_not_eq, exp_pos | apart_]]
+  | rewrite Rpower_less by apart_; field; repeat split; apart_
+  | unfold tan; match goal with |- context [sin ?u] => field [(sin_square u)]; repeat split; apart_ end
   | f_equal; solve [ring | field; repeat split; apart_] ].
 Ltac slope_near := eapply d_eq; [derive; cbv beta; apart_ | tidy; first [equal_near | slope]].
 Ltac bounded_near := cbv beta; apply Rabs_le; first [apply SIN_bound | apply COS_bound | split; apart_].
-Ltac ends_of X := cbv beta in X; unfold Rmin, Rmax in X;
-  repeat match type of X with context [Rle_dec ?a ?b] => destruct (Rle_dec a b) end.
-Ltac inside := let x := fresh "x" in let X := fresh "X" in intros x X; try ends_of X; cbv beta;
+Ltac ends_here := cbv beta in *; unfold Rmin, Rmax in *;
+  repeat match goal with
+  | X : context [Rle_dec ?a ?b] |- _ => destruct (Rle_dec a b)
+  | X : context [exp ?u] |- _ => new_fact (1 + u <= exp u) ltac:(apply exp_ineq1_le)
+  end.
+Ltac inside_ := cbv beta; try lra; ends_here;
   first [lra | side | apart_ | exfalso; first [lra | nra]].
-Ltac continues_inside := let x := fresh "x" in let X := fresh "X" in intros x X; try ends_of X;
-  unfold Rpower; continues; cbv beta; first [lra | side | apart_ | exfalso; first [lra | nra]].
-Ltac inside_ := cbv beta; first [lra | side | apart_ | exfalso; first [lra | nra]].
+Ltac inside := intros; inside_.
+Ltac continues_inside := intros; unfold Rpower; continues; inside_.
 Lemma sum_induction (c : nat) (f : nat -> R) (low : nat) (F : nat -> R) :
   F O = terms f low c -> (forall n, F (S n) = F n + f (low + (c + n))%nat) ->
   forall n, terms f low (c + n) = F n.
@@ -486,3 +526,4 @@ Proof.
 Qed.
 Lemma natural_minus c n : (c <= n)%nat -> exists m, n = (c + m)%nat.
 Proof. intros H; exists (n - c)%nat; lia. Qed.
+Ltac equal_terms := unfold_whole; first [equal_whole | whole_numbers; equal_numbers].

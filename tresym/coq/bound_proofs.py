@@ -7,9 +7,9 @@ parts and L'Hôpital's rule. Equations on the way are lemmas for the provers of 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 
 from tresym.coq.bound_statements import (
+    AND,
     MINUS_INFINITY,
     BoundTheorem,
     count_of,
@@ -17,26 +17,27 @@ from tresym.coq.bound_statements import (
     natural_parts,
     naturally,
 )
-from tresym.coq.equations import exchanged, nodes
 from tresym.coq.claim_export import theorem
+from tresym.coq.equations import exchanged, nodes
 from tresym.coq.limit_proofs import Limits, StuckLimitError
-from tresym.coq.statement import ATOM, Theorem, comparison, term, variable
+from tresym.coq.statement import ATOM, Theorem, term, variable
 from tresym.coq.theorem_trees import inside
-from tresym.reals.decisions.antiderivatives import suggested, summed
-from tresym.reals.decisions.claim_parsing import Comparison, Derivative
-from tresym.reals.domain.operation_domains import needs
+from tresym.reals.decisions.antiderivatives import suggested
+from tresym.reals.decisions.asymptotics.limit_values import limit_of
+from tresym.reals.decisions.statement import Comparison, Derivative, Path
 from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.expression import (
+    MINUS_ONE,
     ONE,
     ZERO,
     Expr,
-    differentiate,
     number,
     substitute,
     symbol,
     symbols,
 )
-from tresym.reals.language.parsing import INFINITY
+from tresym.reals.language.derivatives import differentiate
+from tresym.reals.language.calls import INFINITY
 
 Prove = Callable[[Theorem], "str | None"]
 
@@ -96,15 +97,19 @@ def _of_sum(bound: BoundTheorem, node: Expr, value: Expr, prove: Prove) -> Itera
     (k,), body = inside(node)
     names = {n, k}
     shown, total = naturally(body, names), naturally(value, names)
-    start = f"destruct (natural_minus {less} {variable(n)} ltac:(assumption)) as [m ->]. " if less else ""
+    start = (
+        f"destruct (natural_minus {less} {variable(n)} ltac:(assumption)) as [m ->]. "
+        if less
+        else ""
+    )
     if less:
         return
     text = f"(fun {variable(k)} : nat => {term(shown)}) {low} (fun {variable(n)} : nat => {term(total)})"
-    whole = f"apply (sum_induction {more} {text}); clear {variable(n)}; [unfold_whole; equal_whole | intros {variable(n)}; "
+    whole = f"apply (sum_induction {more} {text}); clear {variable(n)}; [equal_terms | intros {variable(n)}; "
     script = _step(node, value, n, more, low, bound, prove)
     if script is not None:
         yield f"{script[0]}{head}" + _split(bound, defined, f"{start}{whole}{script[1]}].")
-    yield head + _split(bound, defined, f"{start}{whole}unfold_whole; equal_whole].")
+    yield head + _split(bound, defined, f"{start}{whole}equal_terms].")
 
 
 def _step(
@@ -112,7 +117,7 @@ def _step(
 ) -> tuple[str, str] | None:
     """Return the step of the induction as a lemma on real numbers, and how it is applied."""
     (k,), body = inside(node)
-    if symbols(_exponents(body)) & {k} or symbols(_exponents(value)) & {n} or outermost_any(body, value):
+    if not elementary(body, value) or {k, n} & symbols(_exponents(body) + _exponents(value)):
         return None
     at = Expr("+", (symbol(n), number(low + more))) if low + more else symbol(n)
     left = exchanged(value, {symbol(n): Expr("+", (symbol(n), ONE))})
@@ -135,11 +140,6 @@ def _exponents(e: Expr) -> Expr:
     """Return the sum of the exponents in ``e`` that are not numbers."""
     found = [node.args[1] for node in nodes([e]) if node.op == "^" and node.args[1].op != "number"]
     return Expr("+", (ZERO, *found))
-
-
-def outermost_any(*trees: Expr) -> bool:
-    """Return whether the trees contain factorials or other functions without a real counterpart."""
-    return not elementary(*trees)
 
 
 def _of_series(theorem: BoundTheorem, node: Expr, value: Expr) -> Iterator[str]:
@@ -168,15 +168,17 @@ def _of_integral(bound: BoundTheorem, node: Expr, value: Expr, prove: Prove) -> 
     (x,), f = inside(node)
     low, high = node.args[1:]
     given = bound.statement.given
-    positive = frozenset(str(c[0]) for c in given.comparisons if c[1] == ">" and c[0].op == "symbol")
+    positive = frozenset(
+        str(c[0]) for c in given.comparisons if c[1] == ">" and c[0].op == "symbol"
+    )
     opened = ends_of(node)
     for whole in suggested(f, x, positive):
         derived = differentiate(whole, x)
-        slope = Comparison(whole, "==", f)
         named = Comparison(derived, "==", f, (Derivative(whole, x, 1, derived),))
         regions = [given.comparisons]
-        inner = [(symbol(x), ">", low)] if low != MINUS_INFINITY else []
-        inner += [(symbol(x), "<", high)] if high != INFINITY else []
+        weak = ["=" if any(opened) and not is_open else "" for is_open in opened]
+        inner = [(symbol(x), f">{weak[0]}", low)] if low != MINUS_INFINITY else []
+        inner += [(symbol(x), f"<{weak[1]}", high)] if high != INFINITY else []
         regions.append((*given.comparisons, *inner))
         found = None
         for region in regions[::-1] if any(opened) or not symbols(high - low) else regions[:1]:
@@ -187,22 +189,77 @@ def _of_integral(bound: BoundTheorem, node: Expr, value: Expr, prove: Prove) -> 
                 break
         if found is None:
             continue
-        v = variable(x)
-        function = f"(fun {v} : R => {term(f)})"
-        whole_text = f"(fun {v} : R => {term(whole)})"
         head = found
-        if not any(opened):
-            ends = [substitute(whole, {x: end}) for end in (high, low)]
-            equal = theorem(Comparison(ends[0] - ends[1], "==", value), given.comparisons, "value")
-            script = prove(equal)
-            if script is None:
-                continue
-            head += f"assert (value : {equal.body.strip()}).\n{{ {script} }}\n{_intros(bound)}"
-            proof = (
-                f"apply (by_antiderivative {function} {whole_text}).\n"
-                "{ continues_inside. }\n{ continues_inside. }\n"
-                f"{{ intros {v} X; try ends_of X; apply slope; inside_. }}\n"
-                f"{{ transitivity ({term(ends[0] - ends[1])}); "
-                "[cbv beta; equal_numbers | apply value; inside_]. }"
+        texts = [f"(fun {variable(x)} : R => {term(e)})" for e in (f, whole)]
+        if any(opened):
+            yield from _improper(bound, node, whole, texts, head)
+            continue
+        ends = [exchanged(whole, {symbol(x): end}) for end in (high, low)]
+        gap = Expr("+", (ends[0], Expr("*", (MINUS_ONE, ends[1]))))
+        equal = theorem(Comparison(gap, "==", value), given.comparisons, "value")
+        script = prove(equal)
+        last = "cbv beta; equal_numbers."
+        if script is not None:
+            head += f"assert (value : {equal.body.strip()}).\n{{ {script} }}\n"
+            same = f"transitivity ({term(gap)})"
+            last = (
+                f"first [{same}; [cbv beta; equal_numbers | apply value; inside_] | {last[:-1]}]."
             )
-            yield head + _split(bound, "inside.", proof)
+        proof = (
+            f"apply (by_antiderivative {texts[0]} {texts[1]}).\n"
+            "{ continues_inside. }\n{ continues_inside. }\n"
+            f"{{ intros {variable(x)} X; apply slope; inside_. }}\n{{ {last} }}"
+        )
+        yield head + _intros(bound) + _split(bound, "inside.", proof)
+
+
+def _improper(
+    bound: BoundTheorem, node: Expr, whole: Expr, texts: list[str], head: str
+) -> Iterator[str]:
+    """Yield proofs through the limits of the antiderivative at the ends."""
+    (x,), _ = inside(node)
+    low, high = node.args[1:]
+    v = variable(x)
+    opened = ends_of(node)
+    bounds = [] if low == MINUS_INFINITY else [f"{term(low)} {'<' if opened[0] else '<='} {v}"]
+    bounds += [] if high == INFINITY else [f"{v} {'<' if opened[1] else '<='} {term(high)}"]
+    region = f"(fun {v} : R => {AND.join(bounds) or 'True'})"
+    inner, limits, values = [], [], []
+    for end, is_open, side in ((low, opened[0], 1), (high, opened[1], -1)):
+        if not is_open:
+            inner.append("{ hnf; lra. }")
+            values.append(substitute(whole, {x: end}))
+            limits.append(f"{{ apply (t_point_value {texts[1]}). equal_numbers. }}")
+            continue
+        infinite = end in (INFINITY, MINUS_INFINITY)
+        path = Path(x, None if infinite else end, (-side if infinite else side,))
+        search = Limits(bound.statement.given, "(1 / 4)", "5")
+        try:
+            found = limit_of(whole, x, path.point, path.sides[0], bound.statement.given)
+            if found is None or found in (INFINITY, MINUS_INFINITY):
+                return
+            limits.append(f"{{ {search.along(whole, path, found)} }}")
+        except StuckLimitError:
+            return
+        values.append(found)
+        if infinite:
+            other = low if end == INFINITY else high
+            at = "0" if other in (INFINITY, MINUS_INFINITY) else term(other)
+            inner.append(f"{{ exists ({at}); intros; hnf; lra || (split; lra). }}")
+        else:
+            other = high if side > 0 else low
+            size = "1" if other in (INFINITY, MINUS_INFINITY) else term(high - low)
+            inner.append(
+                f"{{ exists (mkposreal ({size}) ltac:(lra)); intros u B U; "
+                f"change (Rabs (u - {term(end, ATOM)}) < {size}) in B; apply Rabs_def2 in B; lra. }}"
+            )
+    shown = " ".join(f"({term(e)})" for e in values)
+    proof = (
+        f"apply (improper {texts[0]} {texts[1]} _ _ {shown}).\n"
+        f"{{ apply (Filter_prod _ _ _ {region} {region}).\n" + "\n".join(inner) + "\n"
+        "cbv beta; intros u w U W z Z; simpl in Z; "
+        "(split; [apply slope; inside_ | unfold Rpower; continues; inside_]). }\n"
+        + "\n".join(limits)
+        + "\n{ equal_numbers. }"
+    )
+    yield head + _intros(bound) + _split(bound, "inside.", proof)

@@ -12,23 +12,18 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from tresym.coq.statement import ATOM, NotExportedError, comparison, condition, term, variable
-from tresym.coq.theorem_trees import Part, inside
-from tresym.reals.decisions.claim_parsing import (
-    LIMIT,
-    Comparison,
-    Path,
-    Statement,
-    implied_integers,
-)
+from tresym.coq.theorem_trees import inside
+from tresym.reals.decisions.claim_parsing import LIMIT
+from tresym.reals.decisions.statement import Comparison, Path, Statement, implied_integers
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.operation_domains import needs
 from tresym.reals.language.binders import elementary, outermost
+from tresym.reals.language.calls import FACTORIAL
 from tresym.reals.language.expression import (
     LEAVES,
     ONE,
     ZERO,
     Expr,
-    differentiate,
     fresh,
     number,
     replaced,
@@ -36,8 +31,8 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.calls import FACTORIAL
-from tresym.reals.language.parsing import INFINITY
+from tresym.reals.language.derivatives import differentiate
+from tresym.reals.language.calls import INFINITY
 
 MINUS_INFINITY = -INFINITY
 AND = " /\\ "
@@ -91,6 +86,8 @@ def bound_theorem(claim: Comparison, statement: Statement, name: str) -> BoundTh
             what = "factorials and unknown functions" if node.op == "unknown" else node.op
             if node.op != "unknown" or node.args[0].args[0] != FACTORIAL:
                 raise NotExportedError(f"{what} cannot be exported to Coq yet")
+    if statement.path is None and all(node.op == "unknown" for node in nodes):
+        raise NotExportedError("factorials outside of sums cannot be exported to Coq yet")
     conditions = statement.given.comparisons
     sides = [e for x, _, y in conditions for e in (x, y)]
     implied = implied_integers([claim.left, claim.right, *sides], statement.integers)
@@ -103,7 +100,9 @@ def bound_theorem(claim: Comparison, statement: Statement, name: str) -> BoundTh
     names = {node: ZERO for node in nodes if node.op != "unknown"}
     other = [replaced(e, names) for e in other if e not in (INFINITY, MINUS_INFINITY)]
     parts = needs([naturally(e, whole) for e in (*other, *sides)])
-    premises = [comparison(naturally(x, whole), sign, naturally(y, whole)) for x, sign, y in conditions]
+    premises = [
+        comparison(naturally(x, whole), sign, naturally(y, whole)) for x, sign, y in conditions
+    ]
     premises += [condition(*p) for p in parts if symbols(p[0]) and not symbols(p[0]) & whole]
     premises += [p for node in nodes if node.op == "sum" for p in _counted(node, frozenset(whole))]
     used = symbols(claim.left) | symbols(claim.right) | frozenset().union(*map(symbols, sides))
@@ -162,7 +161,11 @@ def _counted(node: Expr, whole: frozenset[str]) -> list[str]:
     if node.args[2] == INFINITY:
         return []
     up, down = natural_parts(count_of(node))
-    return [f"(({term(Expr('count', (down,)))} <= {term(Expr('count', (up,)))})%nat)"] if down != ZERO else []
+    return (
+        [f"(({term(Expr('count', (down,)))} <= {term(Expr('count', (up,)))})%nat)"]
+        if down != ZERO
+        else []
+    )
 
 
 def _sum(node: Expr, whole: frozenset[str]) -> tuple[str, list[str]]:
@@ -205,7 +208,11 @@ def _related(claim: Comparison, whole: frozenset[str]) -> list[str]:
         if node.op == "sum":
             text, parts = _sum(node, whole)
             infinite = node.args[2] == INFINITY
-            now = f"is_lim_seq (fun n : nat => {text}) (Finite {value})" if infinite else f"{text} = {value}"
+            now = (
+                f"is_lim_seq (fun n : nat => {text}) (Finite {value})"
+                if infinite
+                else f"{text} = {value}"
+            )
         else:
             now, parts = _integral(node, value)
         said += parts
@@ -215,7 +222,10 @@ def _related(claim: Comparison, whole: frozenset[str]) -> list[str]:
         return [*said, *exists]
     left, right = (naturally(replaced(e, values), whole) for e in (claim.left, claim.right))
     names = " ".join(term(name) for name in values.values())
-    return [*said, f"exists {names} : R, " + " /\\ ".join([*exists, comparison(left, claim.relation, right)])]
+    return [
+        *said,
+        f"exists {names} : R, " + " /\\ ".join([*exists, comparison(left, claim.relation, right)]),
+    ]
 
 
 def is_open_at(body: Expr, name: str, end: Expr) -> bool:
@@ -253,7 +263,9 @@ def _integral(node: Expr, value: str) -> tuple[str, list[str]]:
     else:
         if low == INFINITY or high == MINUS_INFINITY or not _in_order(low, high):
             raise NotExportedError("the ends of an improper integral must be in order")
-        filters = [_filter(e, is_open, 1 - 2 * n) for n, (e, is_open) in enumerate(zip((low, high), ends))]
+        filters = [
+            _filter(e, is_open, 1 - 2 * n) for n, (e, is_open) in enumerate(zip((low, high), ends))
+        ]
         text = f"is_RInt_gen {function} {filters[0]} {filters[1]} {value}"
         bounds = [] if low == MINUS_INFINITY else [f"{term(low)} < {v}"]
         bounds += [] if high == INFINITY else [f"{v} < {term(high)}"]

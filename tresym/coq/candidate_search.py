@@ -12,12 +12,15 @@ import shutil
 import subprocess
 import tempfile
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
+from importlib.resources import files
 from pathlib import Path
 
-from tresym.coq.coqtop import TEXT_SECONDS, Dialogue, prelude
+from tresym.coq.bound_proofs import Prove, bound_proofs
+from tresym.coq.bound_statements import BoundTheorem
+from tresym.coq.coqtop import HEAD, TEXT_SECONDS, Dialogue, prelude
 from tresym.coq.equations import equation_proofs
 from tresym.coq.inequalities import inequality_proofs
 from tresym.coq.statement import Theorem
@@ -48,9 +51,17 @@ class Outcome:
     text: str
 
 
-def proofs(theorem: Theorem) -> Iterator[str]:
-    """Yield proofs to try, the most likely first."""
+def proofs(theorem: Theorem | BoundTheorem, prove: Prove = lambda _: None) -> Iterator[str]:
+    """Yield proofs to try, the most likely first.
+
+    Args:
+        theorem: the theorem.
+        prove: a prover of lemmas, for theorems about integrals, sums and limits.
+    """
     try:
+        if isinstance(theorem, BoundTheorem):
+            yield from bound_proofs(theorem, prove)
+            return
         if theorem.relation == "==":
             yield from equation_proofs(theorem)
         else:
@@ -59,7 +70,7 @@ def proofs(theorem: Theorem) -> Iterator[str]:
         return
 
 
-def export(theorems: Sequence[Theorem], seconds: float = 120) -> Outcome:
+def export(theorems: Sequence[Theorem | BoundTheorem], seconds: float = 120) -> Outcome:
     """Search for proofs of the theorems and let Coq check the complete file.
 
     Args:
@@ -70,7 +81,7 @@ def export(theorems: Sequence[Theorem], seconds: float = 120) -> Outcome:
         found = [next(proofs(theorem), None) for theorem in theorems]
         return Outcome(None, MISSING, file_of(theorems, found))
     found = []
-    with Dialogue() as coq:
+    with Dialogue(lemmas=HEAD + bound(theorems)) as coq:
         coq.begin()
         deadline = time.monotonic() + seconds
         for theorem in theorems:
@@ -88,9 +99,15 @@ def export(theorems: Sequence[Theorem], seconds: float = 120) -> Outcome:
     )
 
 
-def file_of(theorems: Sequence[Theorem], found: Sequence[str | None]) -> str:
+def bound(theorems: Iterable[Theorem | BoundTheorem]) -> str:
+    """Return the text of ``Bound.v`` if one of the theorems needs it."""
+    needed = any(isinstance(theorem, BoundTheorem) for theorem in theorems)
+    return files("tresym.coq").joinpath("Bound.v").read_text(encoding="utf-8") if needed else ""
+
+
+def file_of(theorems: Sequence[Theorem | BoundTheorem], found: Sequence[str | None]) -> str:
     """Return the file: prelude, statements, proofs, and ``Print Assumptions`` commands."""
-    parts = ["(* Written by tresym. *)\n", prelude()]
+    parts = ["(* Written by tresym. *)\n", prelude(), bound(theorems)]
     for theorem, proof in zip(theorems, found, strict=False):
         if proof is not None:
             parts.append(
@@ -99,7 +116,7 @@ def file_of(theorems: Sequence[Theorem], found: Sequence[str | None]) -> str:
     return "\n".join(parts) + "\n"
 
 
-def found_by(theorem: Theorem, coq: Dialogue, deadline: float) -> str | None:
+def found_by(theorem: Theorem | BoundTheorem, coq: Dialogue, deadline: float) -> str | None:
     """Return the first proof that Coq accepts before the deadline, or None.
 
     Args:
@@ -107,13 +124,13 @@ def found_by(theorem: Theorem, coq: Dialogue, deadline: float) -> str | None:
         coq: a running Coq process.
         deadline: a time of ``time.monotonic()``.
     """
-    for proof in dict.fromkeys(proofs(theorem)):
+    for proof in proofs(theorem, lambda lemma: found_by(lemma, coq, deadline)):
         left = deadline - time.monotonic()
         if left <= 0:
             return None
         if coq.accepts(f"Goal\n{theorem.body}.\nProof.\n{proof}\nQed.", min(left, TEXT_SECONDS)):
             return proof
-    if theorem.relation == "==" and theorem.by is None:
+    if isinstance(theorem, Theorem) and theorem.relation == "==" and theorem.by is None:
         return by_steps(theorem, coq, deadline)
     return None
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tresym.coq.bound_statements import BoundTheorem, bound_theorem
 from tresym.coq.statement import Condition, NotExportedError, Theorem
 from tresym.reals.decisions.statement import Comparison, Statement
 from tresym.reals.domain.operation_domains import needs
@@ -10,7 +11,7 @@ from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.language.formula import Relation
 
 
-def theorems(statement: Statement, name: str = "claim") -> list[Theorem]:
+def theorems(statement: Statement, name: str = "claim") -> list[Theorem] | list[BoundTheorem]:
     """Return a theorem for each comparison of a claim.
 
     Args:
@@ -20,18 +21,17 @@ def theorems(statement: Statement, name: str = "claim") -> list[Theorem]:
     Raises:
         NotExportedError: this kind of claim cannot be exported yet.
     """
-    if statement.path is not None:
-        raise NotExportedError("orders and limits are not exported to Coq yet")
-    if statement.equations or statement.integers:
-        raise NotExportedError("only inequalities are exported to Coq as conditions yet")
-    if not all(elementary(c.left, c.right) for c in statement.comparisons):
-        raise NotExportedError("integrals, sums and unknown functions are not exported to Coq yet")
+    if statement.equations:
+        raise NotExportedError("conditions that are equations are not exported to Coq yet")
     count = len(statement.comparisons)
     names = [name] if count == 1 else [f"{name}_{n + 1}" for n in range(count)]
-    return [
-        theorem(comparison, statement.given.comparisons, name)
-        for comparison, name in zip(statement.comparisons, names, strict=True)
-    ]
+    pairs = [*zip(statement.comparisons, names, strict=True)]
+    if statement.path is not None or not all(elementary(c.left, c.right) for c, _ in pairs):
+        return [bound_theorem(comparison, statement, name) for comparison, name in pairs]
+    if statement.integers:
+        raise NotExportedError("claims about integers without a sum are not exported to Coq yet")
+    given = statement.given.comparisons
+    return [theorem(comparison, given, name) for comparison, name in pairs]
 
 
 def theorem(claim: Comparison, given: tuple[Condition, ...] = (), name: str = "claim") -> Theorem:

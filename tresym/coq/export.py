@@ -426,7 +426,8 @@ def possible(store: Mapping[str, Any]) -> str:
     The theorems show that the conditions of the claims can be satisfied, so that no theorem holds
     vacuously.
     """
-    lines = [f"(* Points at which the conditions of the claims hold. *)\n\n{HEAD}"]
+    lines = ["(* Points at which the conditions of the claims hold. *)\n", HEAD]
+    lines.append("Require Import Racket.\n")
     for key, row in store.get("possible", {}).items():
         lines.append(f"Theorem possible_{key} :\n{row['body']}.\nProof.\n{row['script']}\nQed.\n")
     return "\n".join(lines)

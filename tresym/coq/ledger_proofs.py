@@ -62,6 +62,9 @@ class Memory:
             if checked(row, applied(row, store or {}), library_text()):
                 for body, proof in _LEMMA.findall(row["lemmas"]):
                     self.known |= {_key("lemma", body): proof, _key(_proof(body, proof)): True}
+        for row in store.get("possible", {}).values() if store else ():
+            if checked(row, (), library_text()):
+                self.known[_key(_proof(row["body"], row["script"]))] = True
 
     def accepts(self, text: str, patience: int | None = None) -> bool:
         """Return whether Coq accepts the text.

@@ -11,22 +11,21 @@ from dataclasses import dataclass
 from tresym.coq.bound_statements import MINUS_INFINITY, extended
 from tresym.coq.statement import ATOM, term, variable
 from tresym.reals.decisions.asymptotics.limit_values import limit_of
-from tresym.reals.decisions.claim_parsing import Path
+from tresym.reals.decisions.statement import Path
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.expression import (
     LEAVES,
     MINUS_ONE,
-    ONE,
     ZERO,
     Expr,
-    differentiate,
     multiply,
     number,
     substitute,
     symbol,
     symbols,
 )
-from tresym.reals.language.parsing import INFINITY
+from tresym.reals.language.derivatives import differentiate
+from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.sympy import from_sympy
 
 INFINITE = (INFINITY, MINUS_INFINITY)
@@ -106,7 +105,7 @@ class Limits:
             body = self.tends(plain, value)
             fun = f"(fun t : R => {term(plain)})"
             scripts.append(
-                f"{start}apply (t_beside {self.filter} {fun}).\n"
+                f"{start}apply (t_beside {self.filter} {fun} _ {extended(value)}).\n"
                 f"{{ {self.near} equal_near. }}\n{body}"
             )
         if len(scripts) == 1:
@@ -137,7 +136,11 @@ class Limits:
         if "t" not in symbols(e):
             return extended(e), f"apply (t_const {f})."
         if e.op == "symbol":
-            return (extended(INFINITY), "exact t_infinity.") if self.far else (extended(ZERO), "exact t_right.")
+            return (
+                (extended(INFINITY), "exact t_infinity.")
+                if self.far
+                else (extended(ZERO), "exact t_right.")
+            )
         if e.op in ("+", "*"):
             return self.operation(e, value)
         if e.op == "^":
@@ -159,7 +162,10 @@ class Limits:
                 f"apply (t_ln_0 {f} {fun}); [| {self.near[:-1]}; apart_].\n{self.tends(arg)}"
             )
         at = extended(Expr(e.op, (inner,)))
-        return at, f"apply (t_outer {f} {outer} {fun} {term(inner, ATOM)}); [| continues; apart_].\n{self.tends(arg)}"
+        return (
+            at,
+            f"apply (t_outer {f} {outer} {fun} {term(inner, ATOM)}); [| continues; apart_].\n{self.tends(arg)}",
+        )
 
     def power(self, e: Expr, value: Expr) -> tuple[str, str]:
         f, (base, exponent) = self.filter, e.args
@@ -167,7 +173,11 @@ class Limits:
         if exponent.op != "number":
             whole = Expr("exp", (Expr("*", (exponent, Expr("log", (base,)))),))
             shown = f"(fun t : R => {term(whole)})"
-            return extended(value), f"change (filterlim {shown} {f} (Rbar_locally {extended(value)})).\n" + self.tends(whole, value)
+            return extended(
+                value
+            ), f"change (filterlim {shown} {f} (Rbar_locally {extended(value)})).\n" + self.tends(
+                whole, value
+            )
         r = exponent.args[0]
         inner = self.limit(base)
         if r < 0:
@@ -191,7 +201,11 @@ class Limits:
         if inner in INFINITE:
             if inner == MINUS_INFINITY:
                 raise StuckLimitError
-            lemma = "t_sqrt_infinity" if r == number(1).args[0] / 2 else f"(t_pow_infinity {int(r.p) - 1})"
+            lemma = (
+                "t_sqrt_infinity"
+                if r == number(1).args[0] / 2
+                else f"(t_pow_infinity {int(r.p) - 1})"
+            )
             if r.q not in (1, 2) or (r.q == 2 and r.p != 1):
                 raise StuckLimitError
             return extended(INFINITY), (
@@ -252,7 +266,7 @@ class Limits:
         """Return the proof through another expression that is equal near the end."""
         text = f"(fun t : R => {term(after)})"
         return (
-            f"apply (t_beside {self.filter} {text}).\n{{ {self.near} equal_near. }}\n"
+            f"apply (t_beside {self.filter} {text} _ {extended(value)}).\n{{ {self.near} equal_near. }}\n"
             f"{self.tends(after, value)}"
         )
 
@@ -271,10 +285,19 @@ class Limits:
     def quotient(self, e: Expr) -> tuple[Expr, Expr]:
         """Return a product as a quotient to which L'Hôpital's rule applies."""
         over = [arg for arg in e.args if not _under(arg)]
-        under = [Expr("^", (arg.args[0], number(-arg.args[1].args[0]))) if arg.args[1] != MINUS_ONE else arg.args[0] for arg in e.args if _under(arg)]
+        under = [
+            Expr("^", (arg.args[0], number(-arg.args[1].args[0])))
+            if arg.args[1] != MINUS_ONE
+            else arg.args[0]
+            for arg in e.args
+            if _under(arg)
+        ]
         n, d = multiply(*over), multiply(*under)
         if under:
-            if (self.limit(n) in INFINITE) == (self.limit(d) in INFINITE) and self.limit(d) in (*INFINITE, ZERO):
+            if (self.limit(n) in INFINITE) == (self.limit(d) in INFINITE) and self.limit(d) in (
+                *INFINITE,
+                ZERO,
+            ):
                 return n, d
         decays = [arg for arg in over if arg.op == "exp" and self.limit(arg) == ZERO]
         if decays:
@@ -283,7 +306,9 @@ class Limits:
         logs = [arg for arg in over if _has(arg, "log")]
         rest = [arg for arg in over if arg not in logs]
         if logs and rest:
-            return multiply(*logs), multiply(*(Expr("^", (arg, MINUS_ONE)) for arg in map(_plain, rest)), *under)
+            return multiply(*logs), multiply(
+                *(Expr("^", (arg, MINUS_ONE)) for arg in map(_plain, rest)), *under
+            )
         small = [arg for arg in e.args if self.limit(arg) == ZERO]
         large = [arg for arg in e.args if arg not in small]
         if small and large:
@@ -305,7 +330,7 @@ class Limits:
         radius = self.beyond if self.far else self.radius
         inner = f"(fun t : R => {term(after)})"
         lines = [
-            f"apply (t_beside {self.filter} {whole}).\n{{ {self.near} equal_near. }}",
+            f"apply (t_beside {self.filter} {whole} _ {extended(value)}).\n{{ {self.near} equal_near. }}",
             f"apply ({rule} {texts} {term(value, ATOM)} {radius}).",
             "{ lra. }",
             "{ intros t T; slope_near. }\n{ intros t T; slope_near. }\n{ intros t T; apart_. }",
@@ -325,7 +350,7 @@ class Limits:
         whole = f"(fun t : R => / ({term(inverse)}))"
         side = "above" if value == INFINITY else "below"
         return (
-            f"apply (t_beside {self.filter} {whole}).\n{{ {self.near} equal_near. }}\n"
+            f"apply (t_beside {self.filter} {whole} _ {extended(value)}).\n{{ {self.near} equal_near. }}\n"
             f"apply (t_inv_{side} {self.filter} (fun t : R => {term(inverse)})); [| {self.near[:-1]}; apart_].\n"
             f"{self.tends(inverse, ZERO)}"
         )
