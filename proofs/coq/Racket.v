@@ -1998,3 +1998,153 @@ Proof.
   - exact Aw.
   - rewrite V1, V2; field; lra.
 Qed.
+
+(* For b = 1 the printed formula exceeds the defect by about its square over 6 a, which is far
+   more than the square of the exponential. *)
+Lemma cosine_least e : 0 <= e -> 1 - e ^ 2 / 2 <= cos e.
+Proof.
+  intros E; enough (0 <= cos e - (1 - e ^ 2 / 2)) by lra.
+  apply (from_left_ge (fun t : R => cos t - (1 - t ^ 2 / 2)) (fun t : R => t - sin t) 0 e); try assumption.
+  - intros t _; eapply d_eq; [derive; lra |]; tidy; field.
+  - intros t T; destruct (Req_dec t 0) as [->|N]; [rewrite sin_0; lra | pose proof (sin_lt_x t ltac:(lra)); lra].
+  - rewrite cos_0; lra.
+Qed.
+Lemma atan_at_most x : 0 <= x -> atan x <= x.
+Proof.
+  intros X; enough (0 <= x - atan x) by lra.
+  apply (from_left_ge (fun t : R => t - atan t) (fun t : R => t * t * / (1 + t * t)) 0 x); try lra.
+  - intros t _; eapply d_eq; [derive |]; cbv beta; field; nra.
+  - intros t _; apply Rmult_le_pos; [nra | left; apply Rinv_0_lt_compat; nra].
+  - rewrite atan_0; lra.
+Qed.
+Lemma asin_cubic y : 0 <= y -> y <= 1 / 2 -> y + y ^ 3 / 6 <= asin y.
+Proof.
+  intros Y Z; enough (0 <= asin y - (y + y ^ 3 / 6)) by lra.
+  apply (from_left_ge (fun t : R => asin t - (t + t ^ 3 / 6)) (fun t : R => / sqrt (1 - t ^ 2) - (1 + t ^ 2 / 2)) 0 y); try assumption.
+  - intros t T; assert (0 < 1 - t ^ 2) by nra; assert (0 < sqrt (1 - t ^ 2)) by (apply sqrt_lt_R0; lra).
+    eapply d_eq; [derive; lra |]; tidy; replace ((-1) * t ^ 2 + 1) with (1 - t ^ 2) by ring; field; lra.
+  - intros t T; assert (P : 0 < 1 - t ^ 2) by nra; assert (S : 0 < sqrt (1 - t ^ 2)) by (apply sqrt_lt_R0; lra).
+    enough (1 + t ^ 2 / 2 <= / sqrt (1 - t ^ 2)) by lra.
+    apply (Rmult_le_reg_r (sqrt (1 - t ^ 2))); [exact S |]; rewrite Rinv_l by lra.
+    assert (Q : sqrt (1 - t ^ 2) ^ 2 = 1 - t ^ 2) by (apply pow2_sqrt; lra); set (q := sqrt _) in *.
+    assert (((1 + t ^ 2 / 2) * q) ^ 2 <= 1); [| nra].
+    rewrite Rpow_mult_distr, Q; assert (0 <= t ^ 2 <= 1 / 4) by nra; set (x := t ^ 2) in *; nra.
+  - rewrite asin_0; lra.
+Qed.
+Lemma printed_above a e : a >= 100 -> e > 0 -> e < 1 / 2 * PI ->
+  tanh (sqrt (a * 1) * (PI + asin (sqrt (1 * / (a + 1)) * cos e))) = / sqrt (1 * / a * sin e ^ 2 + 1) * cos e ->
+  exp (- (PI * sqrt (a * 1))) ^ 2
+  < 2 * sqrt (a * / (a + 1)) * exp (- sqrt (a * / (a + 1))) * exp (- (PI * sqrt (a * 1))) - e.
+Proof.
+  intros A P Q D; assert (A0 : a > 0) by lra; assert (B0 : 1 > 0) by lra; pose proof pi_between as J.
+  destruct (defect_signs a 1 e A0 B0 P Q) as [S [C [R0 [K0 [KR K2]]]]].
+  pose proof (defect_by_exp a 1 e A0 B0 P Q D) as U; pose proof (defect_angle a 1 e A0 B0 P Q D) as V.
+  pose proof (defect_turn a 1 e A0 B0 P Q) as T; pose proof (share_below a 1 e ltac:(lra) ltac:(lra)) as H0.
+  set (k := sqrt (a * 1)) in *; set (c := sqrt (a * / (a + 1))) in *.
+  assert (K : 10 <= k) by (apply below_sqrt; lra).
+  assert (m0 : 0 < 1 * / (a + 1)) by positive.
+  assert (M2 : sqrt (1 * / (a + 1)) ^ 2 = / (a + 1)) by (rewrite pow2_sqrt by lra; ring).
+  set (m := sqrt (1 * / (a + 1))) in *; assert (m1 : 0 < m) by (apply sqrt_lt_R0; exact m0).
+  assert (I1 : / (a + 1) <= / 101) by (apply Rinv_le_contravar; lra).
+  assert (I2 : / (606 / 100 * a) <= / (6 * (a + 1))) by (apply Rinv_le_contravar; lra).
+  assert (Ia : 0 < / a <= / 100) by (split; [positive | apply Rinv_le_contravar; lra]).
+  assert (C0 : 0 < a * / (a + 1)) by positive.
+  assert (C2 : c ^ 2 = 1 - / (a + 1)) by (unfold c; rewrite pow2_sqrt by lra; field; lra).
+  assert (c0 : 0 < c) by (apply sqrt_lt_R0; exact C0).
+  assert (c1 : 99 / 100 <= c <= 1) by (split; nra).
+  assert (km : k * m = c).
+  { apply same_square; [nra | lra |]; rewrite Rpow_mult_distr, K2, M2, C2; field; lra. }
+  set (t := exp (- (PI * k))) in *; assert (t0 : 0 < t) by apply exp_pos.
+  assert (t1 : t * (156 * a) <= 1).
+  { assert (X : (1 + k / 2) ^ 6 <= exp (PI * k)).
+    { apply Rle_trans with (exp (k / 2) ^ 6).
+      - apply pow_incr; split; [lra | apply exp_ineq1_le].
+      - replace (exp (k / 2) ^ 6) with (exp (6 * (k / 2))) by (simpl; rewrite Rmult_1_r, <- !exp_plus; f_equal; field).
+        apply exp_rises; nra. }
+    assert (Y : t * exp (PI * k) = 1) by (unfold t; rewrite <- exp_plus, Rplus_opp_l; apply exp_0).
+    assert (Z : 156 * a <= (1 + k / 2) ^ 6); [| nra].
+    replace a with (k ^ 2) by lra; apply Rle_trans with ((k / 2) ^ 6).
+    - replace ((k / 2) ^ 6) with (k ^ 2 * (k ^ 2) ^ 2 / 64) by field; assert (100 <= k ^ 2) by nra; nra.
+    - apply pow_incr; lra. }
+  assert (t2 : t <= / a / 156).
+  { apply (Rmult_le_reg_r (156 * a)); [lra |]; replace (/ a / 156 * (156 * a)) with 1 by (field; lra); exact t1. }
+  pose proof (cosine_least e ltac:(lra)) as Ce; pose proof (COS_bound e) as Cb.
+  assert (E2 : e ^ 2 <= 4 * t ^ 2) by nra.
+  assert (T2 : t ^ 2 <= / a * / 2433600) by nra.
+  set (z := asin (m * cos e)) in *.
+  assert (m2 : m <= 1 / 2) by nra.
+  pose proof (asin_cubic (m * cos e) ltac:(nra) ltac:(nra)) as As; fold z in As.
+  assert (Ex : c + / (8 * a) <= k * z).
+  { apply Rle_trans with (k * (m * cos e + (m * cos e) ^ 3 / 6)); [| apply Rmult_le_compat_l; lra].
+    replace (k * (m * cos e + (m * cos e) ^ 3 / 6)) with (k * m * cos e * (1 + m ^ 2 * cos e ^ 2 / 6)) by field.
+    rewrite km, M2; set (x := cos e) in *; assert (X : 1 - 2 * t ^ 2 <= x) by lra.
+    assert (X2 : 1 - 4 * t ^ 2 <= x ^ 2) by nra.
+    assert (i0 : 0 < / (a + 1)) by positive; set (i := / (a + 1)) in *.
+    assert (I3 : / (6 * (a + 1)) = i / 6) by (unfold i; field; lra).
+    assert (I4 : / (606 / 100 * a) = / a * (100 / 606)) by (field; lra).
+    assert (I5 : / (8 * a) = / a / 8) by (field; lra).
+    assert (I6 : i <= / a) by (apply Rinv_le_contravar; lra).
+    set (j := / a) in *; clearbody i j; rewrite I5.
+    assert (Y : 1 + i / 6 - 4 * t ^ 2 <= x * (1 + i * x ^ 2 / 6)).
+    { apply Rle_trans with ((1 - 2 * t ^ 2) * (1 + i * (1 - 4 * t ^ 2) / 6)).
+      - assert (0 <= t ^ 2 * i) by nra; assert (0 <= t ^ 2 * t ^ 2 * i) by (apply Rmult_le_pos; nra); nra.
+      - apply Rmult_le_compat; try lra; nra. }
+    apply Rle_trans with (c * (1 + i / 6 - 4 * t ^ 2)); [nra |].
+    rewrite Rmult_assoc; apply Rmult_le_compat_l; lra. }
+  set (x := k * (PI + z)) in *.
+  assert (X0 : PI * k <= x) by (unfold x; nra).
+  assert (Ee : e <= c * / sinh x).
+  { assert (0 < sqrt (1 * / a + 1)) by (apply sqrt_lt_R0; positive).
+    assert (0 < sinh x) by (apply sinh_pos; nra); rewrite V.
+    unfold c; rewrite (inverse_root a 1 ltac:(lra) ltac:(lra)), <- Rinv_mult.
+    apply atan_at_most; left; positive. }
+  set (d := / (8 * a)) in *; assert (d0 : 0 < d) by (unfold d; positive).
+  assert (F : exp (- x) <= t * exp (- c) * / (1 + d)).
+  { apply Rle_trans with (t * exp (- c) * exp (- d)).
+    - unfold t; rewrite <- !exp_plus; apply exp_rises; unfold x; lra.
+    - apply Rmult_le_compat_l; [pose proof (exp_pos (- c)); nra |].
+      rewrite exp_Ropp; apply Rinv_le_contravar; [lra | apply exp_ineq1_le]. }
+  pose proof (exp_pos (- x)) as y0; set (y := exp (- x)) in *; pose proof (exp_pos (- c)) as g0; set (g := exp (- c)) in *.
+  assert (y1 : y <= t) by (apply exp_rises; lra).
+  assert (Sh : sinh x = (/ y - y) / 2) by (unfold sinh, y; rewrite exp_Ropp, Rinv_inv; reflexivity).
+  assert (t3 : t <= 1 / 1000) by lra.
+  assert (Y2 : 0 < 1 - y ^ 2) by nra.
+  assert (Sf : c * / sinh x = 2 * c * y * / (1 - y ^ 2)) by (rewrite Sh; field; split; [nra | lra]).
+  assert (g1 : 36 / 100 <= g).
+  { unfold g; apply Rle_trans with (exp (- 1)); [interval | apply exp_rises; lra]. }
+  assert (d1 : d <= 1 / 800) by (unfold d; replace (/ (8 * a)) with (/ a / 8) by (field; lra); lra).
+  assert (d2 : t <= d / 19) by (unfold d; replace (/ (8 * a)) with (/ a / 8) by (field; lra); lra).
+  rewrite Sf in Ee.
+  assert (G : y * / (1 - y ^ 2) <= t * g * (1 - d / 2)).
+  { apply (Rmult_le_reg_r (1 - y ^ 2)); [exact Y2 |]; rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
+    apply Rle_trans with (t * g * / (1 + d)); [exact F |]; rewrite Rmult_assoc, (Rmult_assoc (t * g)), (Rmult_assoc t).
+    apply Rmult_le_compat_l; [lra |]; apply Rmult_le_compat_l; [lra |].
+    apply (Rmult_le_reg_r (1 + d)); [lra |]; rewrite Rinv_l by lra.
+    assert (y ^ 2 <= t / 1000) by nra; assert (0 <= y ^ 2) by nra; nra. }
+  assert (Fin : e <= 2 * c * (t * g * (1 - d / 2))) by (eapply Rle_trans; [exact Ee |]; rewrite Rmult_assoc; apply Rmult_le_compat_l; lra).
+  assert (36 / 100 * (99 / 100) <= c * g) by nra.
+  assert (t ^ 2 < c * g * t * d); [| nra].
+  assert (t < c * g * d) by nra; nra.
+Qed.
+
+(* The decay of a small defect by the defect. *)
+Lemma share_of_sum r e : 0 < r -> r <= 4 -> 0 < e -> e <= 1 / 4 ->
+  (1 - 23 / 25 * e ^ 2) / 2 * e <= sin e * / (sqrt (r * sin e ^ 2 + 1) + cos e) <= (1 + e ^ 2 / 4) / 2 * e.
+Proof.
+  intros R0 R4 E0 E1; destruct (small_sine e) as [[S1 S2] [C1 C2]]; try lra.
+  destruct (sine_square_between e E0 ltac:(lra)) as [_ [Sq S0]].
+  set (w := sqrt (r * sin e ^ 2 + 1)).
+  assert (W : 1 <= w <= 1 + r * e ^ 2 / 2).
+  { unfold w; split; [apply below_sqrt | apply above_sqrt]; nra. }
+  replace (e ^ 4) with ((e ^ 2) ^ 2) in S2, C2 by ring; assert (V : 0 < e ^ 2 <= 1 / 16) by nra.
+  set (v := e ^ 2) in *; set (s := sin e) in *; set (c := cos e) in *; assert (0 < w + c) by nra.
+  split; apply (Rmult_le_reg_r (w + c)); try assumption; rewrite (Rmult_assoc s), Rinv_l, Rmult_1_r by lra.
+  - apply Rle_trans with (e * (1 - v / 6)); [| exact S1].
+    replace ((1 - 23 / 25 * v) / 2 * e * (w + c)) with (e * ((1 - 23 / 25 * v) / 2 * (w + c))) by ring.
+    apply Rmult_le_compat_l; [lra |].
+    apply Rle_trans with ((1 - 23 / 25 * v) / 2 * (2 + 3 / 2 * v + v ^ 2 / 24)); [apply Rmult_le_compat_l; nra | nra].
+  - apply Rle_trans with (e * (1 - v / 6 + v ^ 2 / 120)); [exact S2 |].
+    replace ((1 + v / 4) / 2 * e * (w + c)) with (e * ((1 + v / 4) / 2 * (w + c))) by ring.
+    apply Rmult_le_compat_l; [lra |].
+    apply Rle_trans with ((1 + v / 4) / 2 * (2 - v / 2)); [nra | apply Rmult_le_compat_l; lra].
+Qed.
