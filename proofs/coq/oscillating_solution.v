@@ -2,7 +2,7 @@ intros v_E v_I1 v_I2 v_I3 v_M chi; intros.
 set (p := v_I2 + (-1) * v_I1) in *; set (q := v_I3 + (-1) * v_I2) in *; set (r := v_I3 + (-1) * v_I1) in *.
 set (n := (-1) * v_M ^ 2 + 2 * v_E * v_I3) in *; set (m := v_M ^ 2 + (-2) * v_E * v_I1) in *.
 assert (P : p = v_I2 - v_I1) by (unfold p; ring); assert (Q : q = v_I3 - v_I2) by (unfold q; ring).
-assert (R : r = v_I3 - v_I1) by (unfold r; ring); clearbody p q r n m.
+assert (RR : r = v_I3 - v_I1) by (unfold r; ring); clearbody p q r n m.
 set (d := sqrt ((-1) * / q * / m * (sin chi) ^ 2 * p * n + 1)) in *; assert (0 < d) by (apply sqrt_lt_R0; assumption).
 set (w := sqrt (/ v_I1 * / v_I2 * / v_I3 * q * m)) in *; set (a1 := sqrt (v_I1 * / r * n)) in *.
 set (a2 := sqrt (v_I2 * / q * n)) in *; set (a3 := sqrt (v_I3 * / r * m)) in *.
@@ -25,7 +25,7 @@ split; [| split].
 { exists (a1 * - sin chi); split; [eapply d_eq; [derive | cbv beta; ring] |].
   transitivity (- (w * a1) * d * sin chi); [ring | rewrite K1, Q; field; repeat split; lra]. }
 { exists (a2 * cos chi); split; [eapply d_eq; [derive | cbv beta; ring] |].
-  transitivity (w * a2 * d * cos chi); [ring | rewrite K2, R; field; repeat split; lra]. }
+  transitivity (w * a2 * d * cos chi); [ring | rewrite K2, RR; field; repeat split; lra]. }
 { exists (a3 * (- (p * n * / (q * m)) * sin chi * cos chi * / d)); split.
   { eapply d_eq; [apply (d_mult (fun _ => a3) _ chi 0 _ (d_const a3 chi) D) | cbv beta; ring]. }
   transitivity (- (w * a3 * (p * n * / (q * m))) * cos chi * sin chi); [field; repeat split; lra | rewrite K3, P; field; repeat split; lra]. }
