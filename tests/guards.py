@@ -37,7 +37,7 @@ DECISIONS = (
     *("infinite_sums", "derivative_domains", "point_check", "definedness_check", "asymptotics/*"),
 )
 CHECKERS = (
-    *("ledger/judge.py", "ledger/definitions.py", "ledger/conversion.py", "ledger/evidence/*.py"),
+    *("ledger/judge*.py", "ledger/refutations.py", "ledger/definitions.py", "ledger/conversion.py"),
     *("reals/normal/*.py", "reals/signs/*.py", "reals/cross_check.py"),
     *("reals/domain/binder_values.py", "reals/domain/integrands.py"),
     *("reals/balls/branch_and_bound.py", "reals/balls/simplest_constants.py"),
@@ -271,7 +271,7 @@ def main() -> int:
     os.environ["HYPOTHESIS_PROFILE"] = "guards"
     words = ["-n", "0", "-q", "-s", "-m", "quick", "-p", "no:cacheprovider", "-o", "timeout=0"]
     words += ["-W", "ignore:Module already imported", "-o", "addopts=--import-mode=importlib"]
-    words += os.environ.get("TESTS", "tests/reals tests/ledger").split()
+    words += os.environ.get("TESTS", "tests/reals tests/ledger tests/dev").split()
     return int(pytest.main(words, plugins=[Guards(wanted)]))
 
 

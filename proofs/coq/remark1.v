@@ -56,7 +56,8 @@ assert (Fine : 35 / 10 <= r <= 4 /\ e <= 1165 / 10000 -> 13 / 25 < exp q * c).
     unfold Rdiv; apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat; lra | apply Rmult_le_compat_r; nra].
   - unfold c; clear - R3 E3 Low; interval with (i_bisect r, i_bisect e, i_depth 20). }
 assert (G : forall l h m, l <= r <= h -> e <= m -> 13 / 25 < (1 - m ^ 2 / 4) * c -> m <= 42 / 100 -> 13 / 25 < exp q * c).
-{ intros l h m _ E1 H5 M1; apply (F (1 - m ^ 2 / 4)); [nra | nra | exact H5]. }
+{ clear - P E42 V' F; intros l h m _ E1 H5 M1; assert (e ^ 2 <= m ^ 2) by nra; assert (m ^ 2 <= (42 / 100) ^ 2) by nra.
+  apply (F (1 - m ^ 2 / 4)); [lra | lra | exact H5]. }
 destruct X as [[X Y]|[[X Y]|[[X Y]|[[X Y]|[[X Y]|[[X Y]|[X Y]]]]]]];
   try (apply Fine; lra).
 - destruct (Rle_or_lt r (1 / 2)) as [H5|H5].

@@ -32,14 +32,12 @@ from sympy import (
     sin,
     sqrt,
     tan,
-    tanh,
 )
 
 from tresym.ledger.claim import (
     Claim,
     Counterexample,
     Definition,
-    ImplicitFunction,
     Instance,
     UniqueRoot,
     all_of,
@@ -52,7 +50,7 @@ from tresym.ledger.claim import (
     together,
 )
 from tresym.ledger.finding import Finding, Premise
-from tresym.ledger.judge import judge, judge_evidence, refute, seen_false
+from tresym.ledger.judge import judge, judge_evidence
 from tresym.ledger.reasons import (
     algebra,
     applying,
@@ -69,6 +67,7 @@ from tresym.ledger.reasons import (
     substituting,
     trigonometry,
 )
+from tresym.ledger.refutations import refute
 from tresym.ledger.statements import ExactlyOne, ForSome, Under
 from tresym.reals.numbers.exact import parse_number
 from tresym.reals.verdict import Verdict
@@ -86,24 +85,6 @@ def claim(says: object, proof: object, given: tuple = (), **rest: object) -> Cla
 
 
 EVERYTHING = (roots, trigonometry, exponentials, inverses, differentiation)
-
-FALSE = {
-    "wrong sign": (equal(cos(x) ** 2 - sin(x) ** 2, 2 * sin(x) ** 2 - 1), ()),
-    "wrong branch of a root": (equal(sqrt(x**2), x), ()),
-    "true only for positive b": (equal(sqrt(a * b**2), b * sqrt(a)), (a > 0,)),
-    "a defect of 1e-60": (equal(sin(x) ** 2 + cos(x) ** 2, 1 + Rational(1, 10**60)), ()),
-    "off by a constant": (equal(log(2 * x), log(x)), (x > 0,)),
-    "arctan of the inverse": (equal(atan(x) + atan(1 / x), pi / 2), ()),
-    "double angle of arctan": (equal(2 * atan(x), atan(2 * x / (1 - x**2))), ()),
-}
-
-
-@pytest.mark.parametrize("name", FALSE)
-def test_false_identities_are_refuted_with_a_witness(name: str) -> None:
-    says, given = FALSE[name]
-    finding = judge(claim(says, by(*EVERYTHING), given), {})
-    assert finding.verdict is not Verdict.PROVED
-    assert finding.verdict is Verdict.REFUTED or name in {"arctan of the inverse"}
 
 
 def test_division_by_zero_is_not_proved() -> None:
@@ -137,24 +118,11 @@ def test_a_derivative_is_not_taken_at_equal_values() -> None:
         at(Derivative(x**2 * y, x), {x: 1, y: 1})
 
 
-def test_unsatisfiable_conditions_prove_nothing() -> None:
-    assert verdict(claim(equal(a, a), by(), (a > 1, a < 0))) is Verdict.UNDECIDED
-    assert verdict(claim(a >= a - 1, by(), (a > 1, a < 0))) is Verdict.UNDECIDED
-
-
 def test_right_steps_between_wrong_ends() -> None:
     right = step((a - b) * (a + b), algebra)
     assert verdict(claim(equal(a**2 - b**2, a**2 + b**2), (right,))) is Verdict.REFUTED
     late = (step(a**2 - b**2), step((a - b) * (a + b)))
     assert verdict(claim(equal(a**2 + b**2, (a - b) * (a + b)), late)) is Verdict.REFUTED
-
-
-def test_conditions_may_hold_at_a_point_alone() -> None:
-    """At x = 0, where the condition holds too, the equation says 1 = −1."""
-    says = equal(sqrt(x**2 - 2 * x + 1), x - 1)
-    proof = (step(x - 1, roots),)
-    assert verdict(claim(says, proof, (x**2 * (x - 1) >= 0,))) is Verdict.UNDECIDED
-    assert verdict(claim(says, proof, (x**2 * (x - 1) >= 0, x > 0))) is Verdict.PROVED
 
 
 def test_a_step_uses_only_the_reasons_it_names() -> None:
@@ -240,43 +208,6 @@ def root(function: object, slope: object, low: object, high: object, *given: obj
     return verdict(claim(stated, UniqueRoot(chain, *ends), given))
 
 
-def test_unique_roots() -> None:
-    assert root(x**3 + x - 1, 3 * x**2 + 1, 0, 1) is Verdict.PROVED
-    assert root(x**3 + x + 1, 3 * x**2 + 1, 0, 1) is Verdict.REFUTED
-    assert root(x**3 + x - 1, 3 * x**2 - 1, 0, 1) is Verdict.UNDECIDED
-    assert root(x**2 - 1, 2 * x, -2, 2) is Verdict.UNDECIDED
-    assert root(1 / x, -1 / x**2, -1, 1) is Verdict.UNDECIDED
-    assert root(x + tanh(x) - 1, 2 - tanh(x) ** 2, 0, 1) is Verdict.PROVED
-
-
-def test_what_jumps_over_zero_has_no_root() -> None:
-    """x − 2 sign(x) + 1/2 rises, where it has a slope, from above 0 to below it."""
-    for jumping in (x - 2 * sign(x) + Rational(1, 2), x - 4 * atan(1 / x)):
-        ends = [(step(jumping.subs(x, end)),) for end in (-1, 1)]
-        for slope in (S.One, 1 + 4 / (1 + x**2)):
-            stated = ExactlyOne(x, -1, 1, equal(jumping, 0))
-            proof = UniqueRoot((step(slope, differentiation),), *ends)
-            assert not judge(claim(stated, proof), {}).verdict.holds
-    at_the_end = x - 1 + 2 * sign(x)
-    stated = ExactlyOne(x, 0, 1, equal(at_the_end, 0))
-    ends = [(step(at_the_end.subs(x, end)),) for end in (0, 1)]
-    found = judge(claim(stated, UniqueRoot((step(ONE, differentiation),), *ends)), {})
-    assert "stays away from its singularity" in found.why
-
-
-def test_a_root_needs_all_of_its_chains() -> None:
-    stated = ExactlyOne(x, Integer(0), Integer(1), equal(x**3 + x - 1, 0))
-    slope, low, high = by_hand = (
-        (step(3 * x**2 + 1, differentiation),),
-        (step(Integer(-1)),),
-        (step(Integer(1)),),
-    )
-    assert verdict(claim(stated, UniqueRoot(*by_hand))) is Verdict.PROVED
-    for chains in (((), low, high), (slope, (), high), (slope, low, by(algebra))):
-        assert verdict(claim(stated, UniqueRoot(*chains))) is Verdict.UNDECIDED
-    assert verdict(claim(stated, UniqueRoot(*by_hand), (x > 3, x < 2))) is Verdict.UNDECIDED
-
-
 def test_definitions_introduce_new_symbols_only() -> None:
     assert verdict(claim(equal(x, a + b), Definition())) is Premise.DEFINED
     assert verdict(claim(equal(x, a + b), Definition("so it is"))) is Premise.ASSUMED
@@ -332,13 +263,6 @@ def test_all_that_is_used_was_judged_and_not_another_of_its_name() -> None:
     assert judge(user, held).verdict is Verdict.UNDECIDED
 
 
-def test_conditions_with_integrals_alone_may_hold_nowhere() -> None:
-    nowhere = Integral(exp(t), (t, 0, 1)) < 0
-    for proof in (by(algebra), formally(), manifest):
-        assert not verdict(claim(nowhere, proof, (nowhere,))).holds
-        assert not verdict(claim(Gt(x**2 + 1, 0, evaluate=False), proof, (nowhere,))).holds
-
-
 @pytest.mark.parametrize("sides", [(tan(x) * cos(x), sin(x)), (sin(x), tan(x) * cos(x))])
 def test_both_sides_of_what_needs_no_chain_are_shown_to_exist(sides: tuple[Any, Any]) -> None:
     assert verdict(claim(equal(*sides), formally())) is Verdict.UNDECIDED
@@ -388,14 +312,6 @@ def test_what_is_not_shown_says_what_is_open() -> None:
     assert "could not determine the sign" in open_.why
     sentence = judge(claim(Tuple(Gt(x**2, -1, evaluate=False), ForSome(x > 5)), formally()), {})
     assert "is not a relation" in sentence.why
-
-
-def test_conditions_of_what_is_not_elementary_are_met_nowhere() -> None:
-    area = Integral(exp(t**2), (t, 0, x))
-    says = Gt(x**2 + 1, 0, evaluate=False)
-    for given in ((area > 5,), (area > 5, area < 1), (area < 0, x > 0)):
-        assert verdict(claim(says, manifest, given)) is Verdict.UNDECIDED
-        assert verdict(claim(says, formally(), given)) is Verdict.UNDECIDED
 
 
 def test_sentences_are_decided_as_written() -> None:
@@ -558,18 +474,6 @@ def test_a_condition_on_a_hidden_symbol_is_not_forgotten() -> None:
     assert not judge(Claim("both", equal(x, -x), steps), held).verdict.holds
 
 
-def test_a_true_claim_with_a_broken_chain_is_not_refuted() -> None:
-    rest = Claim("rest", equal(y, 1 - x), Definition())
-    lemma = Claim("lemma", equal(x + y, 1), by(substituting(rest)))
-    held = {"lemma": Finding(Verdict.PROVED, "assumed")}
-    says = equal(x**2 + x * y, x)
-    assert judge(Claim("user", says, by(substituting(lemma))), held).verdict is Verdict.UNDECIDED
-
-
-def test_no_unique_root_where_there_is_none() -> None:
-    assert root(x**3 + x + 1, 3 * x**2 + 1, 0, 1) is Verdict.REFUTED
-
-
 def test_nothing_is_proved_by_nothing() -> None:
     from sympy import Equivalent
 
@@ -658,26 +562,6 @@ def test_a_conjunction_proves_no_formula() -> None:
     assert judge(Claim("sentence", "so it is", all_of(good)), found).verdict is Verdict.PROVED
 
 
-def test_conditions_do_not_restrict_the_interval_of_a_root() -> None:
-    function, slope = x**3 - x - 1, 3 * x**2 - 1
-    assert root(function, slope, 0, 2, x > 1) is not Verdict.PROVED
-    assert root(function, slope, 1, 2) is Verdict.PROVED
-
-
-def test_what_hangs_on_a_variable_is_not_taken_for_a_constant() -> None:
-    """An integral stays a symbol of its own, but no derivative by what it depends on is zero."""
-    area = Integral(t * x, (t, 0, 1))
-    for says in (
-        equal(Derivative(Integral(1, (t, 0, x)), x), 0),
-        equal(Derivative(Derivative(area * x, x), x), 0),
-        equal(Derivative(Subs(Integral(t * y, (t, 0, 1)), y, x), x), 0),
-        equal(Subs(area, x, 0), area),
-    ):
-        assert verdict(claim(says, by(*EVERYTHING, differentiation))) is Verdict.REFUTED
-    free = equal(Derivative(x * Integral(y, (y, 0, 1)), x), Integral(y, (y, 0, 1)))
-    assert verdict(claim(free, by(differentiation))) is Verdict.PROVED
-
-
 def test_what_holds_of_a_symbol_does_not_hold_of_a_bound_one() -> None:
     lemma = Claim("lemma", equal(Abs(x), x), by(roots), given=(x > 0,))
     held = {"lemma": judge(lemma, {})}
@@ -712,14 +596,6 @@ def test_a_stored_proof_that_does_not_hold_leaves_its_claim_undecided() -> None:
         assert "stored proof" in finding.why
 
 
-def test_a_definition_that_contradicts_a_condition_proves_nothing() -> None:
-    nought = Claim("nought", equal(x, 0), Definition())
-    held = {"nought": judge(nought, {})}
-    for proof in (by(substituting(nought)), formally(nought)):
-        user = Claim("user", equal(1 / x, 2), proof, given=(x > 0,))
-        assert not judge(user, held).verdict.holds
-
-
 def test_what_a_claim_rests_on_is_shown_whether_spoken_of_or_not() -> None:
     below = Claim("below", equal(t, -1), Definition(), given=(y < 0,))
     root = Claim("root", equal(sqrt(y**2), t * y), by(substituting(below), roots), given=(y < 0,))
@@ -741,90 +617,6 @@ def test_what_a_claim_rests_on_is_shown_whether_spoken_of_or_not() -> None:
     ):
         says = equal(sqrt(y**2), y)
         assert not judge(Claim("up", says, proof, given=(y < 0,)), held).verdict.holds
-
-
-def test_a_condition_against_a_definition_or_a_cited_bound_proves_nothing() -> None:
-    half = Claim("half", equal(x, Rational(1, 2)), Definition())
-    proof = (step(Rational(1, 2), substituting(half)),)
-    bound = Claim("bound", Gt(1 - x, 0, evaluate=False), proof)
-    held = {"half": judge(half, {})}
-    held["bound"] = judge(bound, held)
-    assert held["bound"].verdict is Verdict.PROVED
-    says = Gt(1 - x, 0, evaluate=False)
-    steps = (step(1 - x, citing(bound)),)
-    assert not judge(Claim("user", says, steps, given=(x > 5,)), held).verdict.holds
-    third = Claim("third", equal(y, x + 1), by(substituting(half)))
-    held["third"] = Finding(Verdict.PROVED, "assumed")
-    third = replace(third, says=equal(y, Rational(3, 2)))
-    says = Gt(y + x, 6, evaluate=False)
-    assert not judge(Claim("…", says, formally(third), given=(x > 5,)), held).verdict.holds
-    chain = (step(3 * x**2 + a, differentiation),)
-    ends = [(step((x**3 + a * x - a).subs(x, end)),) for end in (0, 1)]
-    root, says = UniqueRoot(chain, *ends), ExactlyOne(x, 0, 1, equal(x**3 + a * x, a))
-    assert verdict(claim(says, root, (a > 0,))) is Verdict.PROVED
-    assert not verdict(claim(says, root, (a > 0, a < 0))).holds
-    assert not verdict(claim("one root", root, (a > 0,))).holds
-    for other in (equal(x**3 + a * x, a), ExactlyOne(x, 0, 1, x**3 + a * x > a)):
-        assert verdict(claim(other, root, (a > 0,))) is Verdict.UNDECIDED
-
-
-def test_the_ends_do_not_depend_on_the_unknown() -> None:
-    """Nothing is between x − 1 and x + 1 but for some x: the name would be caught."""
-    chain, ends = (step(Integer(1), differentiation),), [(step(Integer(n)),) for n in (-1, 1)]
-    root = UniqueRoot(chain, *ends)
-    assert verdict(claim(ExactlyOne(y, -1, 1, equal(y, 0)), root)) is Verdict.PROVED
-    caught = claim(ExactlyOne(y, y - 1, y + 1, equal(y, y)), root)
-    assert verdict(caught) is Verdict.UNDECIDED
-    ends = [(step(y - 1),), (step(y + 1),)]
-    caught = claim(ExactlyOne(y, y - 1, y + 1, equal(y, 0)), UniqueRoot(chain, *ends))
-    assert "must not depend on the bound variable" in judge(caught, {}).why
-
-
-# -- implicit functions ---------------------------------------------------------------------------
-
-
-def slope_of(left: Any, right: Any, slope: Any, *given: Any, **changes: Any) -> Finding:
-    """y is a function of x by left = right; what is claimed of its slope r at x = 0."""
-    equation = Claim("equation", equal(left, right), by(), given=given)
-    says = -Subs(Derivative(left, x), x, 0) / Derivative(left.subs(x, 0), y)
-    proof = ImplicitFunction(equation, y, x, Integer(0), (step(slope, differentiation),))
-    planted = Claim("slope", equal(r, says), proof, given=given)
-    return judge(replace(planted, **changes), {"equation": Finding(Verdict.PROVED, "")})
-
-
-CUBIC = y**3 + y + x * y
-
-
-def test_the_slope_of_a_cubic() -> None:
-    assert slope_of(CUBIC, 2, 3 * y**2 + 1).verdict is Verdict.PROVED
-    right = -Subs(Derivative(CUBIC, x), x, 0) / Derivative(y**3 + y, y)
-    wrong = slope_of(CUBIC, 2, 3 * y**2 + 1, says=equal(r, right + 1))
-    assert wrong.verdict is Verdict.REFUTED
-    assert wrong.witness
-
-
-@pytest.mark.parametrize(
-    ("left", "right", "slope", "given", "why"),
-    [
-        (CUBIC, 2 + x, 3 * y**2 + 1, (), "must not depend on the unknown"),
-        (CUBIC, 2 * y, 3 * y**2 + 1, (), "must not depend on the unknown"),
-        (y**3 - 3 * y + x * y, -2, 3 * y**2 - 3, (), "could not show the sign"),
-        (y**2 + x * y, 1, 2 * y, (), "could not show the sign"),
-        (CUBIC, 2, 3 * y**2 + 1, (y > 5,), "no point"),
-        (y + exp(x * y), 1, S.One, (y > 5,), "no point"),
-    ],
-    ids=str,
-)
-def test_what_is_no_implicit_function(
-    left: Any, right: Any, slope: Any, given: tuple[Any, ...], why: str
-) -> None:
-    assert why in slope_of(left, right, slope, *given).why
-
-
-def test_the_slope_has_a_name_and_is_no_equation_for_one() -> None:
-    right = -Subs(Derivative(CUBIC, x), x, 0) / Derivative(y**3 + y, y)
-    for says in (equal(r + 1, right), equal(r**2, right)):
-        assert "is not a new symbol" in slope_of(CUBIC, 2, 3 * y**2 + 1, says=says).why
 
 
 # -- instances ------------------------------------------------------------------------------------
@@ -881,15 +673,6 @@ def test_a_chain_from_what_balls_show_is_no_more_exact_than_they() -> None:
     assert judge(false, found).verdict is Verdict.REFUTED
     found["seen"] = Finding(Verdict.PROVED, "exactly")
     assert judge(told, found).verdict is Verdict.PROVED
-
-
-def test_whichever_part_is_false_is_refuted() -> None:
-    both = together(by(), by())
-    right, wrong = equal(x + x, 2 * x), equal(x + x, 3 * x)
-    for parts in ((right, wrong), (wrong, right)):
-        assert judge(claim(Tuple(*parts), both), {}).verdict is Verdict.REFUTED
-        assert seen_false(claim(Tuple(*parts), both)).verdict is Verdict.REFUTED
-    assert seen_false(claim(Tuple(right, right), both)).verdict is Verdict.UNDECIDED
 
 
 def test_a_cited_bound_holds_of_the_integral_that_it_names_and_no_other() -> None:

@@ -161,8 +161,8 @@ class Limits:
                 raise StuckLimitError
             at = "(Finite (PI / 2))" if e.op == "atan" else extended(value)
             return at, (
-                f"apply (t_far {f} {outer} {fun} {extended(inner)}); [| exact {FAR[e.op, inner]}].\n"
-                f"{self.tends(arg)}"
+                f"apply (t_far {f} {outer} {fun} {extended(inner)}); "
+                f"[| exact {FAR[e.op, inner]}].\n{self.tends(arg)}"
             )
         if e.op == "log" and inner == ZERO:
             return extended(MINUS_INFINITY), (
@@ -200,13 +200,13 @@ class Limits:
                 )
             if limit in INFINITE:
                 return extended(ZERO), (
-                    f"apply (t_inv_infinite {f} {text} {extended(limit)}); [| reflexivity | easy].\n"
-                    f"{self.tends(under)}"
+                    f"apply (t_inv_infinite {f} {text} {extended(limit)}); "
+                    f"[| reflexivity | easy].\n{self.tends(under)}"
                 )
             at = f"(Finite (/ {term(limit, ATOM)}))"
             return at, (
-                f"apply (t_inv {f} {text} {extended(limit)}); [| intros v_E; injection v_E; apart_].\n"
-                f"{self.tends(under)}"
+                f"apply (t_inv {f} {text} {extended(limit)}); "
+                f"[| intros v_E; injection v_E; apart_].\n{self.tends(under)}"
             )
         u = Expr("^", (symbol("u"), exponent))
         outer = f"(fun u : R => {term(u)})"

@@ -37,9 +37,7 @@ from tresym.ledger.claim import (
     Together,
     UniqueRoot,
     asked_by,
-    by,
     chains_of,
-    equal,
     parts_of,
 )
 from tresym.ledger.conversion import (
@@ -47,27 +45,22 @@ from tresym.ledger.conversion import (
     Conditions,
     conditions,
     defined,
-    definitions,
     dependencies,
     dependent,
     formula,
     known,
     put_in,
     put_into,
-    tree,
 )
 from tresym.ledger.counterexamples import (
     contradiction,
-    rootless,
     scalars,
-    violation,
 )
 from tresym.ledger.definitions import (
     captured,
     conflict,
     confused,
     judge_definition,
-    restrictions,
     table,
 )
 from tresym.ledger.evidence.admissible import unfit
@@ -78,31 +71,39 @@ from tresym.ledger.evidence.asymptotics import (
     judge_squeezed,
 )
 from tresym.ledger.evidence.box_bounds import Boxes
-from tresym.ledger.evidence.chain import check_chain, instantiated, unmet_condition
+from tresym.ledger.evidence.chain import check_chain, instantiated
 from tresym.ledger.evidence.chart_bounds import Charted, judge_charted
 from tresym.ledger.evidence.integrals import (
     NotShownError,
     need,
     need_integrals,
-    need_smooth,
-    under_binder,
     with_bounds,
 )
 from tresym.ledger.evidence.interval_evaluation import Evaluated, judge_evaluated
 from tresym.ledger.evidence.local_facts import by_facts, facts_of
 from tresym.ledger.evidence.printed_numbers import judge_printed
 from tresym.ledger.evidence.refutation import Denied, denied_somewhere, judge_counterexample
-from tresym.ledger.evidence.satisfiability import satisfiable
-from tresym.ledger.evidence.sign_prover import continuous_on, is_manifest, manifest_sign, undefined
+from tresym.ledger.evidence.sign_prover import is_manifest, undefined
 from tresym.ledger.finding import WEAKEST_FIRST, Finding, StepFinding
-from tresym.ledger.reasons import citing, substituting
-from tresym.ledger.statements import AtMostOne, Binding, ExactlyOne, ForSome
+from tresym.ledger.judged_roots import judge_at_most_one, judge_implicit_function, judge_unique_root
+from tresym.ledger.reasons import citing
+from tresym.ledger.refutations import (
+    PROVED,
+    REFUTED,
+    UNDECIDED,
+    all_facts_behind,
+    facts_used,
+    refuted_part,
+    need_all,
+    need_possible,
+    refute,
+)
+from tresym.ledger.statements import Binding, ForSome
 from tresym.reals.balls.branch_and_bound import CertificateError
 from tresym.reals.cross_check import STOPPED
 from tresym.reals.decisions.identity import decide_continuous
-from tresym.reals.language.binders import derivative, elementary, generalised
-from tresym.reals.language.derivatives import differentiate
-from tresym.reals.language.expression import ZERO, Expr, substitute, symbols
+from tresym.reals.language.binders import elementary, generalised
+from tresym.reals.language.expression import Expr
 from tresym.reals.language.formula import Relation, relations
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
@@ -114,8 +115,6 @@ NEVER_ATTACKED = (
 )
 """Evidence whose claims skip the independent check: a single point cannot contradict their
 statements, or (for conjunctions) the parts have been checked already."""
-
-UNDECIDED, PROVED, REFUTED = Verdict.UNDECIDED, Verdict.PROVED, Verdict.REFUTED
 ENCLOSED = Verdict.ENCLOSED
 
 
@@ -195,7 +194,7 @@ def _worlds(claim: Claim, says: Basic) -> tuple[tuple[Basic, ...], ...]:
     spoken_of = {str(s) for e in (says, *claim.given) for s in e.free_symbols}
     if all(spoken_of.isdisjoint(entry.names) for entry in table(claim.rests_on)):
         return ((),)
-    return tuple(dict.fromkeys((_known(claim), _behind(claim))))
+    return tuple(dict.fromkeys((facts_used(claim), all_facts_behind(claim))))
 
 
 def _can_be_evaluated(says: Basic, claim: Claim) -> bool:
@@ -265,13 +264,13 @@ def _by_kind(claim: Claim, found: Findings) -> Finding:
         case Counterexample():
             return judge_counterexample(claim, claim.proof)
         case UniqueRoot():
-            return _judge_unique_root(claim, claim.proof)
+            return judge_unique_root(claim, claim.proof)
         case Monotone():
-            return _judge_at_most_one(claim, claim.proof)
+            return judge_at_most_one(claim, claim.proof)
         case ImplicitFunction():
-            return _judge_implicit_function(claim, claim.proof)
+            return judge_implicit_function(claim, claim.proof)
         case Instance():
-            return _unless(partial(_refuted, claim), _judge_instance, claim, claim.proof)
+            return _unless(partial(refuted_part, claim), _judge_instance, claim, claim.proof)
         case Together() | tuple() if claim.statement is not None:
             return _judge_chains(claim, chains_of(claim.statement, claim.proof))
         case Charted():
@@ -309,13 +308,6 @@ def _unless(
         return finding
 
 
-def _need_all(steps: tuple[StepFinding, ...]) -> None:
-    """Require that there is at least one step and that every step is PROVED."""
-    why = next((s.why for s in steps if s.verdict is not PROVED), None)
-    need(why is None, f"{why}", steps)
-    need(bool(steps), "there is nothing to prove")
-
-
 def _judge_with_facts(claim: Claim, found: Findings) -> Finding:
     """Prove the claim's local facts in order, then judge the claim with their help.
 
@@ -340,102 +332,18 @@ def _judge_chains(claim: Claim, parts: tuple[tuple[Basic, Chain], ...] | None) -
         raise NotShownError(
             "the proof must have one chain for each part of the statement, but their numbers differ"
         )
-    _need_possible(claim)
+    need_possible(claim)
     given = conditions(claim.given)
     steps = tuple(s for says, chain in parts for s in check_chain(formula(says), chain, given))
 
     try:
-        _need_all(steps)
+        need_all(steps)
     except NotShownError:
         refuted = next(filter(None, (refute(says, claim) for says, _ in parts)), None)
         if refuted is None:
             raise
         return replace(refuted, steps=steps)
     return Finding(PROVED, "every step follows from the reasons it names", steps=steps)
-
-
-def _need_possible(claim: Claim) -> None:
-    """Require a point that satisfies the conditions: nothing is proved from impossible ones."""
-    need(
-        _possible(claim),
-        "no exact point was found that satisfies the conditions, so nothing is proved; "
-        "check the conditions",
-    )
-
-
-def _possible(claim: Claim) -> bool:
-    """Return whether a point satisfies the conditions, with the definitions substituted."""
-    given = conditions(claim.given)
-    if not all(elementary(c.left, c.right) for c in given):
-        return False
-    explicit = [entry for entry in table(claim.rests_on) if entry.explicit]
-    rules = {entry.symbol: entry.meaning for entry in explicit}
-    bounds = put_into(with_bounds(given, (citing(*claim.uses),)), rules)
-    if known(bounds).satisfying_point() is None:
-        return False
-    assumed = restrictions(claim.rests_on)
-    written = (entry.written for entry in explicit)
-    return not assumed or satisfiable(claim.given, (*written, *assumed))
-
-
-def refute(says: Basic, claim: Claim) -> Finding | None:
-    """Return REFUTED with a point that violates ``says``, or None if no such point is found.
-
-    The point satisfies the conditions of ``claim`` and the equations of the claims it uses; ball
-    arithmetic proves that ``says`` fails there.
-    """
-    try:
-        for known in dict.fromkeys((_known(claim), _behind(claim))):
-            found = violation(says, claim.given, known)
-            if found is not None:
-                return Finding(REFUTED, found.why, witness=found.point)
-    except (CircularError, InputError):
-        return None
-    return None
-
-
-def seen_false(claim: Claim) -> Finding:
-    """Return REFUTED if a counterexample is found without using the evidence, else UNDECIDED."""
-    found = denied_somewhere(claim) if isinstance(claim.proof, Charted) else _refuted(claim)
-    return found or Finding(UNDECIDED, "neither a proof nor a counterexample was found")
-
-
-def _refuted(claim: Claim) -> Finding | None:
-    """Return REFUTED for the first part of the statement with a counterexample, or None."""
-    found = (refute(says, claim) for says in claim.parts)
-    return next((finding for finding in found if finding is not None), None)
-
-
-def _behind(claim: Claim) -> tuple[Basic, ...]:
-    """Return the equations and conditions of all definitions that the claim depends on.
-
-    If the claim uses definitions only, or if two different claims have the same label, this is the
-    same as `_known`.
-    """
-    defining = Definition | Root | ImplicitFunction
-    if all(isinstance(c.proof, defining) for c in claim.uses):
-        return _known(claim)
-    used = {c.label: c for c in claim.rests_on if isinstance(c.proof, defining)}
-    if any(used.get(c.label, c) is not c for c in claim.rests_on):
-        return _known(claim)
-    known = dict.fromkeys(c for d in (*used.values(), *claim.uses) for c in d.given)
-    known.update((p, None) for d in used.values() for p in parts_of(d.says))
-    return tuple(known)
-
-
-def _known(claim: Claim) -> tuple[Basic, ...]:
-    """Return the statements and conditions of the used claims that concern defined symbols.
-
-    A used claim without any definition behind it is left out: it holds for all values that satisfy
-    its conditions, so it restricts nothing, and whether its conditions hold is just what may be
-    wrong.
-    """
-    known: dict[Basic, None] = {}
-    for used in claim.uses:
-        if table((used, *used.rests_on)):
-            known.update(dict.fromkeys(used.given))
-            known.update((p, None) for p in parts_of(used.decided) if isinstance(p, Relational))
-    return tuple(known)
 
 
 def _judge_all(claims: tuple[Claim, ...], found: Findings) -> Finding:
@@ -451,99 +359,6 @@ def _judge_all(claims: tuple[Claim, ...], found: Findings) -> Finding:
             return Finding(UNDECIDED, f"{claim.label} is undecided")
     weakest = min((found[c.label].verdict for c in claims), key=WEAKEST_FIRST.index)
     return Finding(weakest, "follows from " + ", ".join(c.label for c in claims))
-
-
-def _judge_unique_root(claim: Claim, proof: UniqueRoot) -> Finding:
-    """Return PROVED if there is exactly one root, REFUTED if balls exclude any root."""
-    root = claim.statement
-    if not isinstance(root, ExactlyOne) or root.difference is None:
-        raise NotShownError(
-            "this evidence proves that an equation has exactly one root, but the claim states "
-            "something else"
-        )
-    _need_bound(claim, root)
-    stated = root.variable, root.difference, root.low, root.high
-    try:
-        return _one_root(proof, stated, conditions(claim.given))
-    except NotShownError as error:
-        none = rootless(root.difference, root.variable, (root.low, root.high), claim.given)
-        if none is None:
-            raise
-        return Finding(REFUTED, none.why, witness=none.point, steps=error.steps)
-
-
-def _need_bound(claim: Claim, says: ExactlyOne | AtMostOne) -> None:
-    """Require that the ends do not depend on the bound variable and the conditions are possible."""
-    x = says.variable
-    free = x not in says.low.free_symbols | says.high.free_symbols
-    need(free, f"the ends of the interval must not depend on the bound variable {x}")
-    _need_possible(claim)
-
-
-def _one_root(proof: UniqueRoot, stated: tuple[Basic, ...], given: Conditions) -> Finding:
-    """Prove existence and uniqueness: continuity, opposite signs at the ends, a monotone function.
-
-    ``stated`` is the variable, the function (difference of the sides) and the two ends.
-    """
-    v, h, low, high = map(tree, stated)
-    name = str(v)
-    # The root may lie anywhere in the interval, so conditions on the variable must not be used.
-    given = without(name, given)
-    gap = continuous_on(h, (*given, Relation(v, ">=", low), Relation(v, "<=", high)))
-    need(gap is None, f"could not show that {gap} stays away from its singularity")
-    inside = (*given, Relation(v, ">", low), Relation(v, "<", high))
-    start = derivative(h, name)
-    steps, slope = _chain_to_sign(start, proof.derivative, inside)
-    signs = []
-    for end, chain in ((low, proof.at_low), (high, proof.at_high)):
-        found, sign = _chain_to_sign(substitute(h, {name: end}), chain, given)
-        steps += found
-        signs.append(sign)
-    _need_all(steps)
-    why = (
-        "exactly one root needs a derivative of one sign and opposite signs at the ends, but the "
-        f"signs found are: derivative {slope}, ends {signs[0]} and {signs[1]}"
-    )
-    need(slope in ("+", "-") and sorted(map(str, signs)) == ["+", "-"], why, steps)
-    why = "the signs at the ends are opposite and the derivative has one sign"
-    return Finding(PROVED, why, steps=steps)
-
-
-def _judge_at_most_one(claim: Claim, proof: Monotone) -> Finding:
-    """Return PROVED if left minus right side is smooth and increasing between the ends."""
-    says = claim.statement
-    if not isinstance(says, AtMostOne) or says.difference is None:
-        raise NotShownError(
-            "this evidence proves that an equation has at most one root, but the claim states "
-            "something else"
-        )
-    _need_bound(claim, says)
-    v, low, high, difference = map(tree, (*says.args[:3], says.difference))
-    name = says.variable.name
-    given = without(name, conditions(claim.given))
-    inside = (*given, Relation(v, ">", low), Relation(v, "<", high))
-    need_smooth(difference, inside)
-    rising = Relation(differentiate(difference, name), ">", ZERO)
-    steps = check_chain(rising, proof.slope, inside)
-    _need_all(steps)
-    return Finding(PROVED, "left side minus right side is increasing on the interval", steps=steps)
-
-
-def without(name: str, given: Conditions) -> Conditions:
-    """Return the conditions in which the symbol ``name`` does not occur."""
-    return tuple(c for c in given if name not in symbols(c.left) | symbols(c.right))
-
-
-def _chain_to_sign(
-    start: Expr, chain: Chain, given: Conditions
-) -> tuple[tuple[StepFinding, ...], str | None]:
-    """Check a chain that starts at ``start``; return its steps and the sign of its last form."""
-    if not chain or chain[-1].expression is None:
-        why = "the last step of the chain must state an expression whose sign can be proved"
-        return (StepFinding(UNDECIDED, why),), None
-    last = tree(chain[-1].expression)
-    steps = check_chain(Relation(start, "==", last), chain, given)
-    return steps, manifest_sign(last, given)
 
 
 def _judge_instance(claim: Claim, proof: Instance) -> Finding:
@@ -569,7 +384,7 @@ def _judge_instance(claim: Claim, proof: Instance) -> Finding:
         claim.says == proof.says,
         f"the statement is not {general.label} with these values substituted",
     )
-    _need_possible(claim)
+    need_possible(claim)
     given = with_bounds(conditions(claim.given), (citing(*proof.cited),))
     for condition in conditions(tuple(map(proof.put, general.given))):
         met = condition in given or is_manifest(condition, given)
@@ -600,62 +415,6 @@ def _need_values(sides: Sequence[Expr], given: Conditions) -> None:
     need_integrals(sides, given)
 
 
-def _judge_implicit_function(claim: Claim, proof: ImplicitFunction) -> Finding:
-    """Return PROVED if the implicit function theorem applies and gives the stated derivative."""
-    needs_equations = "implicit differentiation needs an equation and states an equation"
-    if not (isinstance(proof.equation.decided, Eq) and isinstance(claim.says, Eq)):
-        raise NotShownError(needs_equations)
-    equation, says = formula(proof.equation.decided), formula(claim.says)
-    if not isinstance(equation, Relation) or not isinstance(says, Relation):
-        raise NotShownError(needs_equations)
-    need(equation.sign == says.sign == "==", needs_equations)
-    u, p, at = proof.unknown.name, proof.parameter.name, tree(proof.at)
-    left, right = equation.left, equation.right
-    fixed = u != p and not {u, p} & (symbols(right) | symbols(at))
-    need(
-        fixed,
-        "the right side of the equation must not depend on the unknown or on the parameter",
-    )
-    new = says.left.op == "symbol" and says.left not in definitions(claim.rests_on)
-    need(new and not symbols(says.left) & symbols(left), f"{says.left} is not a new symbol")
-    outside = without(p, conditions(claim.given))
-    there = substitute(left, {p: at})
-    by_unknown = derivative(there, u)
-    slope = -derivative(left, p, at) / by_unknown
-    if not under_binder(says.right, slope, outside):
-        why = "the stated derivative differs from the derivative of the implicit function"
-        other = Finding(UNDECIDED, why)
-        return _refuted_slope(claim, proof) or other
-    _need_possible(claim)
-    place = tree(proof.parameter)
-    near = (*outside, Relation(place, ">=", at), Relation(place, "<=", at))
-    unmet = unmet_condition(proof.equation, {}, near)
-    need(unmet is None, f"the equation holds only under {unmet}, which could not be shown")
-    need_smooth(left, near)
-    steps, sign = _chain_to_sign(by_unknown, proof.slope, outside)
-    _need_all(steps)
-    manifest = sign in ("+", "-")
-    need(manifest, f"could not show the sign of the derivative with respect to {u}", steps)
-    written = tuple(c for c in claim.given if proof.parameter not in c.free_symbols)
-    on_curve = (proof.equation.decided.xreplace({proof.parameter: proof.at}),)
-    need(satisfiable(written, on_curve), "no point was found that satisfies the equation", steps)
-    why = f"the equation is smooth and its derivative with respect to {u} is not zero"
-    return Finding(PROVED, why, steps=steps)
-
-
-def _refuted_slope(claim: Claim, proof: ImplicitFunction) -> Finding | None:
-    """Return REFUTED with a point of the curve where the stated derivative is wrong, or None."""
-    says, equation = claim.says, proof.equation.decided
-    assert isinstance(says, Basic)
-    assert isinstance(equation, Basic)
-    left, p = equation.args[0], proof.parameter
-    by_unknown = Derivative(left.xreplace({p: proof.at}), proof.unknown)
-    slope = -Subs(Derivative(left, p), p, proof.at) / by_unknown
-    return refute(
-        equal(says.args[1], slope), replace(claim, proof=by(substituting(proof.equation)))
-    )
-
-
 def _judge_relations(claim: Claim) -> Finding:
     """Judge the relations one by one; the first that is not PROVED determines the finding.
 
@@ -684,7 +443,7 @@ def _judge_relations(claim: Claim) -> Finding:
 
 def _without_chain(written: Relational, claim: Claim) -> Finding:
     """Prove one relation: an equation by normal forms, an inequality by the sign prover."""
-    _need_possible(claim)
+    need_possible(claim)
     relation, given = formula(written), conditions(claim.given)
     if not isinstance(relation, Relation):
         raise NotShownError(f"{written} is not a relation between numbers")

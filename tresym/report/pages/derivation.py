@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from decimal import Context
 
 from tresym.ledger.axioms import Axiom
@@ -31,6 +31,7 @@ LINE = 66
 """Width of a line with a formula alone, in letters."""
 NARROW = 0.8
 """Width of a line of LaTeX's article class relative to our article, less the equation number."""
+_EQREF = re.compile(r"\\eqref\{[^}]*\}")
 _LABEL = re.compile(r"\b[a-z]\w*_\w+")
 """A label with an underscore, which cannot be an ordinary word."""
 
@@ -73,26 +74,6 @@ def axiom_key(axiom: Axiom) -> str:
     return "axiom:" + "".join(c for c in axiom.name if c.isascii() and c.isalpha())
 
 
-def fragment(row: Row) -> str:
-    """Return one statement with its conditions and derivation, to paste into a document.
-
-    Args:
-        row: the claim with its verdict. A refuted claim becomes a paragraph that says so, with the
-            evidence and what is true instead.
-
-    Returns:
-        LaTeX for a document that loads amsmath.
-    """
-    claim = row.claim
-    if row.finding.verdict is not Verdict.REFUTED:
-        return "\n".join([*in_words(claim), *_numbered(claim)]) + "\n"
-    lines = [rf"\textbf{{Refuted}} (\texttt{{{_lettered(claim.label)}}}):", *_stated(claim)]
-    lines += [prose(f"Evidence: {readable(row.finding.why[:LONGEST])}.")]
-    for true in claim.amended_by:
-        lines += [rf"\textbf{{True instead}} (\texttt{{{_lettered(true.label)}}}):", *_stated(true)]
-    return "\n".join(lines) + "\n"
-
-
 def refused(rows: Collection[Row]) -> tuple[str, ...]:
     """Return an error line for each refuted claim, with what is true instead."""
     return tuple(
@@ -117,19 +98,6 @@ def in_words(claim: Claim, name: Callable[[str], str] | None = None) -> list[str
     return [*lines, *filter(None, [conditions(found, in_dollars, prose, name)])]
 
 
-def _stated(claim: Claim) -> list[str]:
-    """The statement with its conditions, without its derivation."""
-    formula = said(claim).formula
-    return [*in_words(claim), *([rf"\[{formula}\]"] if formula else [])]
-
-
-def _numbered(claim: Claim) -> Iterator[str]:
-    """The displays as equations with the labels ``tresym:LABEL``, ``tresym:LABEL-2``, and so on."""
-    for n, body in enumerate(set_displays(claim, NARROW), 1):
-        label = f"tresym:{claim.label}" + (f"-{n}" if n > 1 else "")
-        yield f"\\begin{{equation}}\\label{{{label}}}\n{body}\n\\end{{equation}}"
-
-
 def in_dollars(formula: str) -> str:
     """Return a formula as inline mathematics."""
     return f"${formula}$"
@@ -147,7 +115,8 @@ def entry(row: Row, known: Collection[str]) -> str:
     place = prose(place_text(claim)) if claim.where else "lemma"
     head = (
         rf"\paragraph{{{prose(title(claim.label))}}}\label{{claim:{claim.label}}}"
-        rf"\hypertarget{{claim:{claim.label}}}{{}}\texttt{{\small {_lettered(claim.label)}}}\atend{{"
+        rf"\hypertarget{{claim:{claim.label}}}{{}}"
+        rf"\texttt{{\small {_lettered(claim.label)}}}\atend{{"
         rf"\verdict{{{verdict.lower()}}}{{{verdict}}}\ \textsf{{\small {place}}}}}"
     )
     lines = [r"\needspace{4\baselineskip}", head]
@@ -292,6 +261,16 @@ def alone(formula: str, share: float = 1) -> str:
     )
 
 
+def derived(display: Sequence[Line], share: float = 1) -> str:
+    """Return the lines of a derivation, aligned at their relation signs.
+
+    Args:
+        display: the lines with their reasons.
+        share: the width available, relative to a line of our article.
+    """
+    return _aligned(tuple(display), share)
+
+
 def _aligned(display: Display, share: float) -> str:
     """Lines aligned at the relation sign, reasons at the right; too wide ones are broken."""
     if len(display) == 1 and not display[0].reasons:
@@ -353,7 +332,9 @@ def _because(line: Line) -> str:
 
 def _extent(line: Line) -> float:
     """The approximate width of the reasons of a line, in letters of a formula."""
-    words = sum(len(why.words) + 1 + sum(map(len, why.labels)) for why in line.reasons)
+    words = sum(
+        len(_EQREF.sub("(1.1)", why.words)) + 1 + sum(map(len, why.labels)) for why in line.reasons
+    )
     return 0.6 * words + sum(0.8 * width(why.formula) for why in line.reasons)
 
 

@@ -103,7 +103,7 @@ def derive(*labels: str) -> str:
         True
     """
     from tresym.ledger.verification import verify
-    from tresym.report.pages import derivation
+    from tresym.report.pages import derivation, fragments
     from tresym.report.pages.article import article
     from tresym.report.pages.article import labels as named
 
@@ -114,7 +114,7 @@ def derive(*labels: str) -> str:
     refused = derivation.refused(asked)
     if refused:
         raise InputError("; ".join(refused))
-    return "\n".join(map(derivation.fragment, asked))
+    return fragments.written(asked, "article")
 
 
 def paper(path: str | os.PathLike[str], limit: float = 5.0) -> list[Row]:

@@ -60,8 +60,9 @@ def names() -> tuple[str, ...]:
 
 @cache
 def text_of(name: str) -> str:
-    """Return the text of a template."""
-    return (file_of("article") / f"{name}.tex").read_text(encoding="utf-8")
+    """Return the text of a template; its name may have another ending than ``.tex``."""
+    path = file_of("article") / (name if "." in name else f"{name}.tex")
+    return path.read_text(encoding="utf-8")
 
 
 def labels_in(text: str) -> tuple[str, ...]:

@@ -45,7 +45,7 @@ def markdown_from_latex(text: str, mark: Callable[[str, str], str]) -> str:
         done += [_worded(text[at : found.start()], mark), _formula(found)]
         at = found.end()
     joined = "".join([*done, _worded(text[at:], mark)])
-    return re.sub(r"\n{3,}", "\n\n", joined).strip() + "\n"
+    return re.sub(r"\n{3,}", "\n\n", re.sub(r" +\n", "\n", joined)).strip() + "\n"
 
 
 def _formula(found: re.Match[str]) -> str:

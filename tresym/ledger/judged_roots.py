@@ -1,0 +1,200 @@
+"""Judge claims about roots: that there is one, at most one, and what depends on it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from sympy import Basic, Derivative, Eq, Subs
+
+from tresym.ledger.claim import (
+    Chain,
+    Claim,
+    ImplicitFunction,
+    Monotone,
+    UniqueRoot,
+    by,
+    equal,
+)
+from tresym.ledger.conversion import (
+    Conditions,
+    conditions,
+    definitions,
+    formula,
+    tree,
+)
+from tresym.ledger.counterexamples import (
+    rootless,
+)
+from tresym.ledger.evidence.chain import check_chain, unmet_condition
+from tresym.ledger.evidence.integrals import (
+    NotShownError,
+    need,
+    need_smooth,
+    under_binder,
+)
+from tresym.ledger.evidence.satisfiability import satisfiable
+from tresym.ledger.evidence.sign_prover import continuous_on, manifest_sign
+from tresym.ledger.finding import Finding, StepFinding
+from tresym.ledger.reasons import substituting
+from tresym.ledger.refutations import (
+    PROVED,
+    REFUTED,
+    UNDECIDED,
+    need_all,
+    need_possible,
+    refute,
+)
+from tresym.ledger.statements import AtMostOne, ExactlyOne
+from tresym.reals.language.binders import derivative
+from tresym.reals.language.derivatives import differentiate
+from tresym.reals.language.expression import ZERO, Expr, substitute, symbols
+from tresym.reals.language.formula import Relation
+
+
+def judge_unique_root(claim: Claim, proof: UniqueRoot) -> Finding:
+    """Return PROVED if there is exactly one root, REFUTED if balls exclude any root."""
+    root = claim.statement
+    if not isinstance(root, ExactlyOne) or root.difference is None:
+        raise NotShownError(
+            "this evidence proves that an equation has exactly one root, but the claim states "
+            "something else"
+        )
+    _need_bound(claim, root)
+    stated = root.variable, root.difference, root.low, root.high
+    try:
+        return _one_root(proof, stated, conditions(claim.given))
+    except NotShownError as error:
+        none = rootless(root.difference, root.variable, (root.low, root.high), claim.given)
+        if none is None:
+            raise
+        return Finding(REFUTED, none.why, witness=none.point, steps=error.steps)
+
+
+def _need_bound(claim: Claim, says: ExactlyOne | AtMostOne) -> None:
+    """Require that the ends do not depend on the bound variable and the conditions are possible."""
+    x = says.variable
+    free = x not in says.low.free_symbols | says.high.free_symbols
+    need(free, f"the ends of the interval must not depend on the bound variable {x}")
+    need_possible(claim)
+
+
+def _one_root(proof: UniqueRoot, stated: tuple[Basic, ...], given: Conditions) -> Finding:
+    """Prove existence and uniqueness: continuity, opposite signs at the ends, a monotone function.
+
+    ``stated`` is the variable, the function (difference of the sides) and the two ends.
+    """
+    v, h, low, high = map(tree, stated)
+    name = str(v)
+    # The root may lie anywhere in the interval, so conditions on the variable must not be used.
+    given = without(name, given)
+    gap = continuous_on(h, (*given, Relation(v, ">=", low), Relation(v, "<=", high)))
+    need(gap is None, f"could not show that {gap} stays away from its singularity")
+    inside = (*given, Relation(v, ">", low), Relation(v, "<", high))
+    start = derivative(h, name)
+    steps, slope = _chain_to_sign(start, proof.derivative, inside)
+    signs = []
+    for end, chain in ((low, proof.at_low), (high, proof.at_high)):
+        found, sign = _chain_to_sign(substitute(h, {name: end}), chain, given)
+        steps += found
+        signs.append(sign)
+    need_all(steps)
+    why = (
+        "exactly one root needs a derivative of one sign and opposite signs at the ends, but the "
+        f"signs found are: derivative {slope}, ends {signs[0]} and {signs[1]}"
+    )
+    need(slope in ("+", "-") and sorted(map(str, signs)) == ["+", "-"], why, steps)
+    why = "the signs at the ends are opposite and the derivative has one sign"
+    return Finding(PROVED, why, steps=steps)
+
+
+def judge_at_most_one(claim: Claim, proof: Monotone) -> Finding:
+    """Return PROVED if left minus right side is smooth and increasing between the ends."""
+    says = claim.statement
+    if not isinstance(says, AtMostOne) or says.difference is None:
+        raise NotShownError(
+            "this evidence proves that an equation has at most one root, but the claim states "
+            "something else"
+        )
+    _need_bound(claim, says)
+    v, low, high, difference = map(tree, (*says.args[:3], says.difference))
+    name = says.variable.name
+    given = without(name, conditions(claim.given))
+    inside = (*given, Relation(v, ">", low), Relation(v, "<", high))
+    need_smooth(difference, inside)
+    rising = Relation(differentiate(difference, name), ">", ZERO)
+    steps = check_chain(rising, proof.slope, inside)
+    need_all(steps)
+    return Finding(PROVED, "left side minus right side is increasing on the interval", steps=steps)
+
+
+def without(name: str, given: Conditions) -> Conditions:
+    """Return the conditions in which the symbol ``name`` does not occur."""
+    return tuple(c for c in given if name not in symbols(c.left) | symbols(c.right))
+
+
+def _chain_to_sign(
+    start: Expr, chain: Chain, given: Conditions
+) -> tuple[tuple[StepFinding, ...], str | None]:
+    """Check a chain that starts at ``start``; return its steps and the sign of its last form."""
+    if not chain or chain[-1].expression is None:
+        why = "the last step of the chain must state an expression whose sign can be proved"
+        return (StepFinding(UNDECIDED, why),), None
+    last = tree(chain[-1].expression)
+    steps = check_chain(Relation(start, "==", last), chain, given)
+    return steps, manifest_sign(last, given)
+
+
+def judge_implicit_function(claim: Claim, proof: ImplicitFunction) -> Finding:
+    """Return PROVED if the implicit function theorem applies and gives the stated derivative."""
+    needs_equations = "implicit differentiation needs an equation and states an equation"
+    if not (isinstance(proof.equation.decided, Eq) and isinstance(claim.says, Eq)):
+        raise NotShownError(needs_equations)
+    equation, says = formula(proof.equation.decided), formula(claim.says)
+    if not isinstance(equation, Relation) or not isinstance(says, Relation):
+        raise NotShownError(needs_equations)
+    need(equation.sign == says.sign == "==", needs_equations)
+    u, p, at = proof.unknown.name, proof.parameter.name, tree(proof.at)
+    left, right = equation.left, equation.right
+    fixed = u != p and not {u, p} & (symbols(right) | symbols(at))
+    need(
+        fixed,
+        "the right side of the equation must not depend on the unknown or on the parameter",
+    )
+    new = says.left.op == "symbol" and says.left not in definitions(claim.rests_on)
+    need(new and not symbols(says.left) & symbols(left), f"{says.left} is not a new symbol")
+    outside = without(p, conditions(claim.given))
+    there = substitute(left, {p: at})
+    by_unknown = derivative(there, u)
+    slope = -derivative(left, p, at) / by_unknown
+    if not under_binder(says.right, slope, outside):
+        why = "the stated derivative differs from the derivative of the implicit function"
+        other = Finding(UNDECIDED, why)
+        return _refuted_slope(claim, proof) or other
+    need_possible(claim)
+    place = tree(proof.parameter)
+    near = (*outside, Relation(place, ">=", at), Relation(place, "<=", at))
+    unmet = unmet_condition(proof.equation, {}, near)
+    need(unmet is None, f"the equation holds only under {unmet}, which could not be shown")
+    need_smooth(left, near)
+    steps, sign = _chain_to_sign(by_unknown, proof.slope, outside)
+    need_all(steps)
+    manifest = sign in ("+", "-")
+    need(manifest, f"could not show the sign of the derivative with respect to {u}", steps)
+    written = tuple(c for c in claim.given if proof.parameter not in c.free_symbols)
+    on_curve = (proof.equation.decided.xreplace({proof.parameter: proof.at}),)
+    need(satisfiable(written, on_curve), "no point was found that satisfies the equation", steps)
+    why = f"the equation is smooth and its derivative with respect to {u} is not zero"
+    return Finding(PROVED, why, steps=steps)
+
+
+def _refuted_slope(claim: Claim, proof: ImplicitFunction) -> Finding | None:
+    """Return REFUTED with a point of the curve where the stated derivative is wrong, or None."""
+    says, equation = claim.says, proof.equation.decided
+    assert isinstance(says, Basic)
+    assert isinstance(equation, Basic)
+    left, p = equation.args[0], proof.parameter
+    by_unknown = Derivative(left.xreplace({p: proof.at}), proof.unknown)
+    slope = -Subs(Derivative(left, p), p, proof.at) / by_unknown
+    return refute(
+        equal(says.args[1], slope), replace(claim, proof=by(substituting(proof.equation)))
+    )

@@ -1,0 +1,244 @@
+"""Read one link of a chain: what it assumes, defines, claims or continues."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from tresym.manuscript import prose
+from tresym.manuscript.classification import (
+    ASSUMED,
+    CONSTANTS,
+    DEFINED,
+    UNREAD,
+    Attempt,
+    Link,
+    claim,
+    read_so,
+)
+from tresym.manuscript.context import Memory, Under
+from tresym.manuscript.directives import Orders
+from tresym.manuscript.display import STRANGE, Said
+from tresym.manuscript.display_text import OR, WORDS
+from tresym.manuscript.kinds import Kinds
+from tresym.manuscript.mentions import names_in
+from tresym.manuscript.source import Display, Event, Prose
+from tresym.manuscript.terms import (
+    SIGNS,
+    Head,
+    base_of,
+    is_plain,
+    plain,
+    read_term,
+    unknown_in,
+    with_derivatives_counted,
+    with_primed_variables,
+    without_units,
+)
+from tresym.reals.decisions.statement import chained
+from tresym.reals.language.binders import elementary, outermost
+from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.expression import Expr, symbol, symbols
+from tresym.reals.language.formula import NEGATED
+from tresym.reals.language.latex_operands import Piece
+from tresym.reals.language.latex_tokens import RELATIONS
+from tresym.reals.language.parsing import Compared
+from tresym.reals.numbers.exact import InputError
+
+EITHER = "either"
+"""Marks the first of two alternatives: a chain that is followed by "or"."""
+
+
+class LinkReader:
+    """What was read so far, and how one link of a chain is read."""
+
+    def __init__(self, events: Sequence[Event]) -> None:
+        self.events = events
+        self.memory = Memory("\n".join(e.text for e in events if isinstance(e, Display | Prose)))
+        self.kinds = Kinds(events)
+        self.place, self.words = 0, ""
+        self.orders = Orders()
+        self.cases: list[tuple[tuple[str, ...], tuple[Compared, ...]]] = []
+
+    def either_reading(self, blank: Link, said: Said, under: Under, why: str) -> Iterator[Link]:
+        """Yield the links of a chain that has two readings, each link with both readings."""
+        rows: list[list[Piece | str]] = []
+        for longer in (True, False):
+            self.memory.longer, self.memory.shorter = longer, not longer
+            rows.append([self.piece(term, said) for term in said.terms])
+        self.memory.longer = self.memory.shorter = False
+        if any(isinstance(piece, str) for row in rows for piece in row):
+            return
+        if any(RELATIONS.get(op, "->") in ("->", "in", "<<", ">>") for op in said.ops):
+            return
+        for n, op in enumerate(said.ops):
+            shown = " ".join((*said.terms[n], op, *said.terms[n + 1]))
+            both = []
+            for row in rows:
+                one, other = row[n : n + 2]
+                if isinstance(one, Piece) and isinstance(other, Piece):
+                    compared = one.tree, RELATIONS[op], other.tree
+                    link = replace(blank, shown=shown)
+                    link = claim(
+                        self.memory, link, 1, said, compared, (one, other), under, None, False
+                    )
+                    both.append(replace(link, firm=False, otherwise=(UNREAD, why)))
+            yield both[0] if both[0].claims == both[1].claims else replace(both[0], second=both[1])
+
+    def link(
+        self,
+        link: Link,
+        n: int,
+        op: str,
+        said: Said,
+        sides: Sequence[Piece | str],
+        under: Under,
+        problem: str,
+        signed: bool,
+    ) -> Link:
+        """Classify one link: the first of a chain by its form; later ones are claims."""
+        left, right = sides
+        relation = RELATIONS.get(op, op)
+        head = self.memory.head(said.terms[0]) if n == 0 and relation == "==" else None
+        if isinstance(right, str):
+            return replace(link, status=UNREAD, why=right)
+        if head and (op == ":=" or self.is_new(head, right.tree, under)):
+            return self.definition(link, head, right.tree, signed or bool(said.conditions), under)
+        if isinstance(left, str) and head is not None and head.name in self.memory.functions:
+            left = Piece(symbol(head.name))
+        if isinstance(left, str):
+            return replace(link, status=UNREAD, why=left)
+        if relation in ("<<", ">>") and n == 0:
+            link = read_so(link, (left.tree, relation, right.tree))
+            return replace(
+                link,
+                status=ASSUMED,
+                why="a condition that does not say by how much; it is not used",
+            )
+        if op in STRANGE or relation in ("<<", ">>"):
+            return replace(link, status=UNREAD, why=f"the relation {op} is not supported")
+        self.memory.seen |= symbols(left.tree) | symbols(right.tree)
+        compared = (left.tree, relation, right.tree)
+        if op == ":=":
+            return replace(read_so(link, compared), status=DEFINED, why="a definition")
+        if relation == "in" or relation.startswith("->"):
+            return self.interval_or_limit(link, said, under)
+        bound = relation in NEGATED and relation != "=="
+        lone = bound and all(map(is_plain, said.terms))
+        if lone and said.before in (OR, EITHER):
+            why = "the text does not say which of the alternatives holds"
+            return replace(read_so(link, compared), status=UNREAD, why=why)
+        assumed = n == 0 and under.kind == prose.ASSUME
+        if bound and not said.before and (assumed or lone):
+            defined = not assumed and self.is_of_defined(said)
+            asked = claim(self.memory, link, n, said, compared, (left, right), under, head, signed)
+            if under.told or (under.universal and not assumed):
+                return asked if defined else replace(asked, firm=False)
+            condition = self.assumption(link, compared, "a condition")
+            asked = replace(asked, firm=False, otherwise=(ASSUMED, "a condition"))
+            return asked if defined else condition
+        if assumed:
+            return self.assumption(link, compared, "an assumption")
+        if problem:
+            return replace(read_so(link, compared), status=UNREAD, why=problem)
+        return claim(self.memory, link, n, said, compared, (left, right), under, head, signed)
+
+    def is_of_defined(self, said: Said) -> bool:
+        """Whether a chain bounds a symbol that has a definition, so that it is true or false."""
+        heads = (self.memory.head([t for t in term if t not in SIGNS]) for term in said.terms)
+        return any(head and head.name in self.memory.functions for head in heads)
+
+    def interval_or_limit(self, link: Link, said: Said, under: Under) -> Link:
+        """Return the link of a membership in an interval, or of a limit."""
+        found = self.memory.condition(said)
+        if found is not None and said.ops[0] == "\\in":
+            self.memory.lasting += found[0]
+            read_as = chained(found[0]) or " ".join(said.tokens)
+            return replace(link, status=ASSUMED, why="a condition", read_as=read_as)
+        if found is not None and under.path and len(said.ops) == 1:
+            name, end = under.path.split(" -> ")
+            side = {"+": ", 1", "-": ", -1"}.get(end[-1:], "")
+            value = found[2].split(" -> ")[1]
+            text = (
+                f"limit({found[2].split(' -> ')[0]}, {name}, {end.rstrip('+-')}{side}) == {value}"
+            )
+            return replace(link, read_as=text, claims=(Attempt(text, "", text),), firm=False)
+        return replace(link, status=UNREAD, why="the path of the limit is not understood")
+
+    def is_new(self, head: Head, value: Expr, under: Under) -> bool:
+        """Whether ``head = value`` is a definition: the head is new and not part of the value."""
+        if under.noted and under.kind == prose.SOLVE:
+            return False
+        if under.noted and under.kind == prose.CLAIM:
+            known = (
+                {name for name, _ in under.sources}
+                | self.memory.functions.keys()
+                | names_in(under.given)
+            )
+            return not head.derived and head.name not in known
+        if under.kind == prose.DEFINE and under.noted:
+            return True
+        base = {head.name, head.base} | {n for n in symbols(value) if base_of(n) == head.base}
+        if not base.isdisjoint(symbols(value) | unknown_in(value)):
+            return False
+        if head.derived:
+            return head.base not in self.memory.functions and head.name not in self.memory.functions
+        return head.name not in self.memory.functions
+
+    def definition(self, link: Link, head: Head, value: Expr, several: bool, under: Under) -> Link:
+        """Return the link that defines a symbol or function, which is remembered."""
+        shown = (
+            head.name
+            if head.derived or not head.parameters
+            else f"{head.name}({', '.join(head.parameters)})"
+        )
+        link = replace(link, sides=(symbol(head.name), "==", value), read_as=f"{shown} == {value}")
+        if any(node.op in ("O", "o") for node in outermost(value)):
+            return replace(link, status=DEFINED, why="a definition up to the order given")
+        constants = sorted(
+            name
+            for name in symbols(value) - self.memory.seen - {*head.parameters}
+            if CONSTANTS.fullmatch(name)
+        )
+        of_some = not names_in(under.passing).isdisjoint(head.parameters)
+        if several or of_some:  # it holds for some arguments only
+            self.memory.undefine(head.name)
+        elif symbols(value) or under.noted:
+            self.memory.define(head, value, under.passing)
+        self.memory.seen |= symbols(value) | {head.name}
+        if constants and head.parameters and not under.noted:
+            why = f"an ansatz, with the free constants {', '.join(constants)}"
+            return replace(link, status=ASSUMED, why=why)
+        if under.kind == prose.ASSUME:
+            return replace(link, status=ASSUMED, why="an assumption")
+        why = "a definition; it is substituted later if that decides a link"
+        return replace(
+            link, status=DEFINED, why="one of several values of its left side" if several else why
+        )
+
+    def assumption(self, link: Link, compared: Compared, why: str) -> Link:
+        """Return the link of a comparison that is assumed, as a condition on what follows."""
+        finite = not {compared[0], compared[2]} & {INFINITY, -INFINITY}
+        is_condition = compared[1] in NEGATED and compared[1] != "=="
+        if is_condition and finite and elementary(compared[0], compared[2]):
+            self.memory.lasting.append(compared)
+        return replace(read_so(link, compared), status=ASSUMED, why=why)
+
+    def piece(self, tokens: Sequence[str], said: Said) -> Piece | str:
+        """Return a term as an expression, or the reason why it cannot be read."""
+        if "hot" in tokens:
+            return "the text does not say how small the terms of higher order are"
+        if any(tuple(tokens[n : n + 3]) == ("{", ",", "}") for n in range(len(tokens))):
+            return "a number with one comma, such as 1,000, may be a decimal or a list"
+        if WORDS in tokens:
+            return f"the words {(said.words or ('in it',))[0]!a} are not understood"
+        try:
+            lone = len(said.ops) == 1 and self.memory.head(said.terms[0]) is not None
+            tokens = with_primed_variables(without_units(tokens) if lone else tokens)
+            if self.memory.counts_derivatives:
+                tokens = with_derivatives_counted(tokens)
+            if said.either and tokens[:1] in (("\\pm",), ("\\mp",)):
+                tokens = tokens[1:]
+            return read_term(tokens, self.memory.author)
+        except InputError as error:
+            return plain(str(error))
