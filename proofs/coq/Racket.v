@@ -1863,6 +1863,176 @@ Ltac boxed r e m :=
   unfold up_all, up_exp, up_turn, low_sum, up_root, up_sine, up_time;
   interval with (i_bisect u, i_bisect r, i_depth 30).
 
+(* The unfolded motion: how fast the precession goes, and how that grows with the level. *)
+Section Unfolded.
+Variables a b : R.
+Hypotheses (A : 0 < a) (B : 0 < b) (B1 : b <= 1).
+Definition u_root (g x : R) : R := (-1) * g * (b + a * sin x ^ 2) + a * b * cos x ^ 2.
+Definition u_under (g x : R) : R := a + b * sin x ^ 2 + (-1) * g * cos x ^ 2.
+Definition u_over (g x : R) : R := cos x ^ 2 * ((-1) * b + 1) * (a + (-1) * g) + sin x ^ 2 * (g + 1) * (a + b).
+Definition u_rate (g x : R) : R := / (sqrt (u_root g x)) * / (u_under g x) * u_over g x.
+Definition u_growth (g x : R) : R :=
+  / sqrt (u_root g x) * / u_under g x * / u_under g x * (sin x ^ 2 * (a + b) ^ 2)
+  + / 2 * (/ sqrt (u_root g x) * / sqrt (u_root g x) * / sqrt (u_root g x)) * (b + a * sin x ^ 2)
+    * / u_under g x * u_over g x.
+Lemma u_root_above g x : g < 0 -> 0 < u_root g x.
+Proof.
+  intros G; unfold u_root; assert (0 <= a * b * cos x ^ 2) by (apply Rmult_le_pos; [left; positive | apply pow2_ge_0]).
+  assert (0 < (-1) * g * (b + a * sin x ^ 2)); [| lra].
+  apply Rmult_lt_0_compat; [lra |]; pose proof (pow2_ge_0 (sin x)); nra.
+Qed.
+Lemma u_under_above g x : g < 0 -> 0 < u_under g x.
+Proof.
+  intros G; unfold u_under; pose proof (pow2_ge_0 (sin x)); pose proof (pow2_ge_0 (cos x)).
+  assert (0 <= b * sin x ^ 2) by (apply Rmult_le_pos; lra).
+  assert (0 <= (-1) * g * cos x ^ 2) by (apply Rmult_le_pos; lra); lra.
+Qed.
+Lemma u_over_least g x : g < 0 -> - b < g -> 0 <= u_over g x.
+Proof.
+  intros G L; unfold u_over; apply Rplus_le_le_0_compat.
+  - apply Rmult_le_pos; [apply Rmult_le_pos; [apply pow2_ge_0 | lra] | lra].
+  - apply Rmult_le_pos; [apply Rmult_le_pos; [apply pow2_ge_0 | lra] | lra].
+Qed.
+Lemma u_over_above g x : g < 0 -> - b < g -> b < 1 \/ 0 < sin x -> 0 < u_over g x.
+Proof.
+  intros G L [H|H]; unfold u_over.
+  - assert (C : sin x ^ 2 + cos x ^ 2 = 1) by (pose proof (sin_square x); lra).
+    pose proof (pow2_ge_0 (sin x)); pose proof (pow2_ge_0 (cos x)).
+    assert (0 < ((-1) * b + 1) * (a + (-1) * g)) by (apply Rmult_lt_0_compat; lra).
+    assert (0 < (g + 1) * (a + b)) by (apply Rmult_lt_0_compat; lra).
+    rewrite !Rmult_assoc; destruct (Req_dec (sin x ^ 2) 0) as [Z|Z].
+    + rewrite Z in *; replace (cos x ^ 2) with 1 by lra; lra.
+    + apply Rplus_le_lt_0_compat; [apply Rmult_le_pos; lra | apply Rmult_lt_0_compat; lra].
+  - apply Rplus_le_lt_0_compat.
+    + apply Rmult_le_pos; [apply Rmult_le_pos; [apply pow2_ge_0 | lra] | lra].
+    + apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat; [apply pow_lt; lra | lra] | lra].
+Qed.
+Lemma u_rate_continuous g x : g < 0 -> continuous (u_rate g) x.
+Proof.
+  intros G; pose proof (u_root_above g x G) as P; pose proof (u_under_above g x G) as Q.
+  assert (sqrt (u_root g x) <> 0) by (apply Rgt_not_eq, sqrt_lt_R0, P).
+  assert (u_under g x <> 0) by (apply Rgt_not_eq, Q).
+  unfold u_rate, u_root, u_under, u_over in *; continues; assumption.
+Qed.
+Lemma u_rate_by_level g x : g < 0 -> is_derive (fun c : R => u_rate c x) g (u_growth g x).
+Proof.
+  intros G; pose proof (u_root_above g x G) as P; pose proof (u_under_above g x G) as Q.
+  assert (S : 0 < sqrt (u_root g x)) by (apply sqrt_lt_R0, P).
+  unfold u_rate, u_growth in *; eapply d_eq.
+  - unfold u_root, u_under, u_over in *; derive; cbv beta; first [assumption | apply Rgt_not_eq; assumption].
+  - cbv beta; fold (u_root g x); fold (u_under g x); fold (u_over g x).
+    assert (E : sqrt (u_root g x) ^ 2 = u_root g x) by (apply pow2_sqrt; lra).
+    set (s := sqrt (u_root g x)) in *.
+    assert (K : cos x ^ 2 * u_over g x + u_under g x * (cos x ^ 2 * ((-1) * b + 1) * (-1) + sin x ^ 2 * (a + b)) = sin x ^ 2 * (a + b) ^ 2).
+    { unfold u_over, u_under; rewrite (sin_square x); ring. }
+    rewrite <- K; field; repeat split; lra.
+Qed.
+Lemma u_growth_continuous g x : g < 0 -> continuity_2d_pt u_growth g x.
+Proof.
+  intros G; pose proof (u_root_above g x G) as P; pose proof (u_under_above g x G) as Q.
+  assert (sqrt (u_root g x) <> 0) by (apply Rgt_not_eq, sqrt_lt_R0, P).
+  assert (u_under g x <> 0) by (apply Rgt_not_eq, Q).
+  unfold u_growth, u_root, u_under, u_over in *; continues_2d; assumption.
+Qed.
+Lemma u_phase_by_level g y : - b < g -> g < 0 ->
+  is_derive (fun c : R => RInt (u_rate c) 0 y) g (RInt (u_growth g) 0 y).
+Proof.
+  intros L G; apply (leibniz u_rate u_growth 0 y g (- b) 0); [lra | | |].
+  - intros q t Q _; apply u_rate_by_level; lra.
+  - intros t _; now apply u_growth_continuous.
+  - intros q Q t _; apply u_rate_continuous; lra.
+Qed.
+Lemma u_growth_above g x : - b < g -> g < 0 -> 0 < sin x -> 0 < u_growth g x.
+Proof.
+  intros L G X; pose proof (u_root_above g x G) as P; pose proof (u_under_above g x G) as Q.
+  assert (S : 0 < sqrt (u_root g x)) by (apply sqrt_lt_R0, P).
+  pose proof (u_over_above g x G L (or_intror X)); assert (0 < a + b) by lra.
+  assert (0 < b + a * sin x ^ 2) by (pose proof (pow2_ge_0 (sin x)); nra).
+  unfold u_growth; apply Rplus_lt_0_compat; positive.
+Qed.
+Lemma u_phase_rises g y : - b < g -> g < 0 -> 0 < y -> y < PI -> 0 < RInt (u_growth g) 0 y.
+Proof.
+  intros L G Y T; apply integral_positive; [exact Y | |].
+  - intros x X.
+    assert (C := u_growth_continuous g x G).
+    intros V HV; destruct HV as [e He]; destruct (C e) as [d D]; exists d; intros z Z; apply He.
+    apply (D g z); [rewrite Rminus_eq_0, Rabs_R0; apply cond_pos | exact Z].
+  - intros x X; apply u_growth_above; trivial; apply sin_gt_0; lra.
+Qed.
+Lemma u_phase_by_end g y : g < 0 -> is_derive (fun t : R => RInt (u_rate g) 0 t) y (u_rate g y).
+Proof.
+  intros G; apply (d_upper_end (u_rate g) 0 (Rmin 0 y - 1) (Rmax 0 y + 1)); try lra.
+  intros t _; now apply u_rate_continuous.
+Qed.
+Lemma u_rate_above g x : - b < g -> g < 0 -> b < 1 \/ 0 < sin x -> 0 < u_rate g x.
+Proof.
+  intros L G H; pose proof (u_root_above g x G) as P; pose proof (u_under_above g x G) as Q.
+  assert (S : 0 < sqrt (u_root g x)) by (apply sqrt_lt_R0, P).
+  pose proof (u_over_above g x G L H); unfold u_rate; positive.
+Qed.
+Lemma u_phase_once g x y : - b < g -> g < 0 -> b < 1 -> RInt (u_rate g) 0 x = RInt (u_rate g) 0 y -> x = y.
+Proof.
+  intros L G H E.
+  assert (C : forall p q, continuous_on (u_rate g) p q) by (intros p q t _; now apply u_rate_continuous).
+  assert (K : forall p q, p < q -> RInt (u_rate g) 0 p < RInt (u_rate g) 0 q).
+  { intros p q Q; rewrite (integral_cut (u_rate g) 0 p q) by apply C.
+    pose proof (integral_positive (u_rate g) p q Q (C p q)) as I.
+    specialize (I ltac:(intros t _; apply u_rate_above; trivial; now left)); lra. }
+  destruct (Rtotal_order x y) as [T|[T|T]]; [apply K in T | exact T | apply K in T]; lra.
+Qed.
+Definition u_share (g x : R) : R := sqrt (a + b) * sqrt (b + g) * / (sqrt (u_root g x)) * sin x.
+Definition u_angle (g x : R) : R := (1 / 2) * PI + (-1) * atan (u_share g x).
+Definition u_inner (g x : R) : R := / (1 + u_share g x * u_share g x) * sqrt (a + b).
+Lemma u_inner_above g x : 0 < u_inner g x.
+Proof.
+  unfold u_inner; pose proof (Rle_0_sqr (u_share g x)) as J; unfold Rsqr in J.
+  apply Rmult_lt_0_compat; [apply Rinv_0_lt_compat | apply sqrt_lt_R0]; lra.
+Qed.
+Lemma u_angle_by_end g x : - b < g -> g < 0 -> is_derive (fun t : R => u_angle g t) x
+  (- (u_inner g x * (sqrt (b + g) * (b * (a - g)) * (/ sqrt (u_root g x) * / sqrt (u_root g x) * / sqrt (u_root g x)))) * cos x).
+Proof.
+  intros L G; pose proof (u_root_above g x G) as P; assert (S : 0 < sqrt (u_root g x)) by (apply sqrt_lt_R0, P).
+  unfold u_angle, u_inner; eapply d_eq.
+  - unfold u_share, u_root in *; derive; cbv beta; first [assumption | apply Rgt_not_eq; assumption].
+  - cbv beta; fold (u_root g x); fold (u_share g x).
+    assert (E : sqrt (u_root g x) ^ 2 = u_root g x) by (apply pow2_sqrt; lra).
+    pose proof (Rle_0_sqr (u_share g x)) as J; unfold Rsqr in J.
+    set (u := u_share g x) in *; set (s := sqrt (u_root g x)) in *.
+    assert (K : s ^ 2 + sin x ^ 2 * (g * a + a * b) = b * (a - g)).
+    { rewrite E; unfold u_root; rewrite (sin_square x); ring. }
+    rewrite <- K; clearbody u s; tidy; field; repeat split; lra.
+Qed.
+Lemma u_angle_by_level g x : - b < g -> g < 0 -> is_derive (fun c : R => u_angle c x) g
+  (- (u_inner g x * (/ (2 * sqrt (b + g)) * / sqrt (u_root g x) + sqrt (b + g) * (b + a * sin x ^ 2)
+    * / 2 * (/ sqrt (u_root g x) * / sqrt (u_root g x) * / sqrt (u_root g x)))) * sin x).
+Proof.
+  intros L G; pose proof (u_root_above g x G) as P; assert (S : 0 < sqrt (u_root g x)) by (apply sqrt_lt_R0, P).
+  assert (T : 0 < sqrt (b + g)) by (apply sqrt_lt_R0; lra); assert (0 < b + g) by lra.
+  unfold u_angle, u_inner; eapply d_eq.
+  - unfold u_share, u_root in *; derive; cbv beta; first [assumption | apply Rgt_not_eq; assumption].
+  - cbv beta; fold (u_root g x); fold (u_share g x).
+    pose proof (Rle_0_sqr (u_share g x)) as J; unfold Rsqr in J.
+    set (u := u_share g x) in *; set (s := sqrt (u_root g x)) in *; clearbody u s; field; repeat split; lra.
+Qed.
+Lemma u_level_above g x : - b < g -> g < 0 ->
+  0 < u_inner g x * (/ (2 * sqrt (b + g)) * / sqrt (u_root g x) + sqrt (b + g) * (b + a * sin x ^ 2)
+    * / 2 * (/ sqrt (u_root g x) * / sqrt (u_root g x) * / sqrt (u_root g x))).
+Proof.
+  intros L G; pose proof (u_root_above g x G) as P; pose proof (u_inner_above g x).
+  assert (S : 0 < sqrt (u_root g x)) by (apply sqrt_lt_R0, P).
+  assert (T : 0 < sqrt (b + g)) by (apply sqrt_lt_R0; lra).
+  assert (0 < b + a * sin x ^ 2) by (pose proof (pow2_ge_0 (sin x)); nra).
+  positive.
+Qed.
+Lemma u_end_above g x : - b < g -> g < 0 ->
+  0 < u_inner g x * (sqrt (b + g) * (b * (a - g)) * (/ sqrt (u_root g x) * / sqrt (u_root g x) * / sqrt (u_root g x))).
+Proof.
+  intros L G; pose proof (u_root_above g x G) as P; pose proof (u_inner_above g x).
+  assert (S : 0 < sqrt (u_root g x)) by (apply sqrt_lt_R0, P).
+  assert (T : 0 < sqrt (b + g)) by (apply sqrt_lt_R0; lra); assert (0 < a - g) by lra.
+  positive.
+Qed.
+End Unfolded.
 (* The equation of a half turn near a point of it, solved for its start, its value and its end. *)
 Lemma turn_solution (F : R -> R -> R) (s a b g p u v e q v1 v2 : R) (away : R -> R) :
   a > 0 -> b > 0 -> (forall c t, F c t = rate s a b c t) -> p < g -> u < e < v -> u < q < v ->
