@@ -205,6 +205,7 @@ def test_options_that_do_not_fit_together_are_refused(capsys: pytest.CaptureFixt
     for words in (
         ["--ledger"],
         ["--figures"],
+        ["--ledger", "-o", "/dev/null"],
         ["--ledger", "--appendix", "-o", "x"],
         ["eq_gamma", "--appendix"],
         ["eq_gamma", "--figures", "-o", "x"],
