@@ -185,7 +185,7 @@ def _correction(correction: Correction, rows: dict[str, Row]) -> Iterator[str]:
     true = [*dict.fromkeys(each for wrong in own for each in wrong.amended_by)]
     told = [text + _mark(rows[each.label]) for each in true if (text := _in_a_line(each))][:MOST]
     if told:
-        yield rf"\emph{{True instead:}} {'; '.join(told)}."
+        yield rf"\emph{{True instead:}} {'. '.join(told)}."
 
 
 def _mark(row: Row) -> str:
