@@ -271,7 +271,7 @@ def main() -> int:
     os.environ["HYPOTHESIS_PROFILE"] = "guards"
     words = ["-n", "0", "-q", "-s", "-m", "quick", "-p", "no:cacheprovider", "-o", "timeout=0"]
     words += ["-W", "ignore:Module already imported", "-o", "addopts=--import-mode=importlib"]
-    words += os.environ.get("TESTS", "tests/reals tests/ledger").split()
+    words += os.environ.get("TESTS", "tests/reals tests/ledger tests/dev").split()
     return int(pytest.main(words, plugins=[Guards(wanted)]))
 
 

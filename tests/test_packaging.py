@@ -64,3 +64,22 @@ def test_verify_runs_from_any_folder(installed: Path, tmp_path: Path) -> None:
 def test_the_proofs_have_one_import_name(installed: Path, tmp_path: Path) -> None:
     code = "import tresym.proofs, sys; print('proofs' in sys.modules)"
     assert run(sys.executable, "-c", code, cwd=tmp_path, path=installed).strip() == "False"
+
+
+def test_what_only_developers_run_is_not_in_the_wheel(installed: Path, tmp_path: Path) -> None:
+    environment = {**os.environ, "PYTHONPATH": str(installed)}
+    for words in (["bench", "turn"], ["verify", "--mutants", "eq_gamma"]):
+        if installed == ROOT:
+            continue
+        done = subprocess.run(
+            [sys.executable, "-m", "tresym", *words],
+            cwd=tmp_path,
+            env=environment,
+            capture_output=True,
+            text=True,
+        )
+        assert done.returncode == 2
+        assert "runs only in a source checkout" in done.stderr
+        assert done.stderr.count("\n") == 1
+    assert (installed / "tresym" / "dev").exists() is (installed == ROOT)
+    assert "bench" in run(sys.executable, "-m", "tresym", "--help", cwd=tmp_path, path=installed)

@@ -20,9 +20,9 @@ from tresym.coq.candidate_search import found_by
 from tresym.coq.claim_export import theorems
 from tresym.coq.coqtop import Dialogue
 from tresym.coq.statement import NotExportedError
+from tresym.dev.corpus.lists import known, pairs
+from tresym.dev.corpus.rewriting import true_identity
 from tresym.output import write_text
-from tresym.reals.corpus.lists import known, pairs
-from tresym.reals.corpus.rewriting import true_identity
 from tresym.reals.decisions.claim_parsing import read
 
 STORE = Path(__file__).with_name("coverage.json")

@@ -11,7 +11,7 @@ import pytest
 from tresym.commands import main
 from tresym.coq.candidate_search import assumptions, export, file_of, prelude, proofs
 from tresym.coq.claim_export import theorems
-from tresym.reals.corpus.lists import known, pairs
+from tresym.dev.corpus.lists import known, pairs
 from tresym.reals.decisions.claim_parsing import read
 
 BEYOND = re.compile(r"\b(Admitted|Axiom|Axioms|Parameter|Parameters|Conjecture|admit|Abort)\b")

@@ -22,8 +22,8 @@ from tresym.coq.ledger_statements import conditions_of, theorem_of
 from tresym.coq.lemma_proofs import candidates, plans
 from tresym.coq.stamps import checked, library
 from tresym.coq.statement import NotExportedError, Theorem, comparison, variable
+from tresym.dev.corpus.rewriting import changed
 from tresym.ledger.paper import all_claims
-from tresym.reals.corpus.rewriting import changed
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.expression import Expr, symbols

@@ -14,9 +14,9 @@ from flint import arb
 from tresym.coq.claim_export import theorem, theorems
 from tresym.coq.ledger_statements import Joint, theorem_of
 from tresym.coq.statement import NotExportedError, Theorem, formula, variable
+from tresym.dev.corpus.lists import known, pairs
+from tresym.dev.corpus.rewriting import changed, true_identity
 from tresym.ledger.paper import all_claims
-from tresym.reals.corpus.lists import known, pairs
-from tresym.reals.corpus.rewriting import changed, true_identity
 from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.decisions.statement import Comparison
 from tresym.reals.domain.conditions import Given

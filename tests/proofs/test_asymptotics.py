@@ -57,8 +57,16 @@ PARTS = (asymptotics, constants, exponent, monotonicity, orders, rigid_bodies)
 CLAIMS = list(dict.fromkeys(claim for part in PARTS for claim in stated(part)))
 
 
+EVERY = 4
+"""Of so many claims one is searched for anew in every run, and all of them every night."""
+ANEW = [
+    pytest.param(claim, id=claim.label, marks=pytest.mark.night if n % EVERY else ())
+    for n, claim in enumerate(CLAIMS)
+]
+
+
 @pytest.mark.slow
-@pytest.mark.parametrize("claim", CLAIMS, ids=lambda claim: claim.label)
+@pytest.mark.parametrize("claim", ANEW)
 def test_every_claim_gets_its_verdict_when_found_anew(claim):
     settled = {used.label: Finding(Verdict.PROVED, "") for used in claim.uses}
     with finding_anew():

@@ -15,11 +15,11 @@ from sympy import Derivative, Eq, Equivalent, Ge, Gt, Integral, Symbol, Tuple, c
 
 import tresym
 from tresym.commands import main
+from tresym.dev.corpus.lists import known, pairs
 from tresym.ledger.claim import Claim, Definition, by, equal, formally, together
 from tresym.ledger.finding import StepFinding
 from tresym.ledger.reasons import substituting
 from tresym.reals import cross_check
-from tresym.reals.corpus.lists import known, pairs
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.claim_cross_check import attack
 from tresym.reals.decisions.claim_parsing import read
@@ -247,7 +247,7 @@ def test_verify_does_not_end_well(monkeypatch: Patch, capsys: Any) -> None:
 
 @pytest.mark.usefixtures("careless")
 def test_mutants_that_only_the_advocate_stops_are_told(monkeypatch: Patch, capsys: Any) -> None:
-    from tresym.ledger.mutants.report import verify_mutants
+    from tresym.dev.mutants.report import verify_mutants
 
     true = Claim("true", equal(sin(x) ** 2, 1 - cos(x) ** 2), by())
     monkeypatch.setattr("tresym.ledger.paper.all_claims", lambda *_: (true,))

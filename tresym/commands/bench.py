@@ -9,23 +9,19 @@ import time
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from tresym.bench import workloads
-from tresym.bench.names import WORKLOADS
-from tresym.commands.parser import (
-    INTERRUPTED,
-    Commands,
-    add_output,
-)
+from tresym.commands.parser import INTERRUPTED, Commands, add_output, in_a_checkout
 from tresym.reals.numbers.exact import InputError, quoted
 
 if TYPE_CHECKING:
-    from tresym.bench.run import Keep, Measurement, Tables, Timing
+    from tresym.dev.bench.run import Keep, Measurement, Tables, Timing
 
 
 def add(commands: Commands) -> None:
     """Add `tresym bench` to the command line."""
-    from tresym.bench.names import WORKLOADS
-
+    try:
+        from tresym.dev.bench.names import WORKLOADS
+    except ModuleNotFoundError:
+        WORKLOADS = {"none": "tresym is not running from a source checkout"}
     width = max(map(len, WORKLOADS))
     parser = commands.add_parser(
         "bench",
@@ -47,6 +43,8 @@ def add(commands: Commands) -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Run the command and return its exit status."""
+    with in_a_checkout("bench"):
+        import tresym.dev.bench.workloads  # noqa: F401
     return run_all(args.workloads, args.save, args.json, args.path)
 
 
@@ -56,6 +54,9 @@ def run_all(names: Sequence[str], save: bool, as_json: bool, path: str | None) -
     Raises:
         InputError: an unknown name, or ``save`` without a checkout.
     """
+    from tresym.dev.bench import workloads
+    from tresym.dev.bench.names import WORKLOADS
+
     chosen = list(dict.fromkeys(names or WORKLOADS))
     for name in chosen:
         if name not in WORKLOADS:
@@ -81,6 +82,7 @@ def run_all(names: Sequence[str], save: bool, as_json: bool, path: str | None) -
 
 
 def _print_all(done: list[Measurement], as_json: bool, path: str | None) -> None:
+    from tresym.dev.bench import workloads
     from tresym.output import write_text
 
     if as_json:

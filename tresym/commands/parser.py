@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import argparse
 import sys
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, NoReturn, TypeAlias
 
 from tresym.reals.numbers.exact import InputError
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator
 
     from tresym.racket.body import Shape
 
@@ -34,6 +35,24 @@ def one_line(text: str, longest: int) -> str:
     """Return ``text`` as printable characters, cut to ``longest``."""
     shown = text if text.isprintable() else ascii(text)[1:-1]
     return shown if len(shown) <= longest else shown[: longest - 3] + "..."
+
+
+@contextmanager
+def in_a_checkout(what: str) -> Iterator[None]:
+    """Run a block that imports :mod:`tresym.dev`, which the wheel does not contain.
+
+    Raises:
+        InputError: tresym does not run from a checkout.
+    """
+    try:
+        yield
+    except ModuleNotFoundError as error:
+        if error.name != "tresym.dev":
+            raise
+        raise InputError(
+            f"{what}: runs only in a source checkout of tresym; "
+            "the installed package does not contain it"
+        ) from None
 
 
 def add_output(parser: argparse.ArgumentParser) -> None:

@@ -16,6 +16,7 @@ from tresym.commands.parser import (
     Commands,
     add_output,
     deliver,
+    in_a_checkout,
     worker_count,
 )
 from tresym.ledger.finding import RULINGS, Premise, Ruling
@@ -23,8 +24,8 @@ from tresym.reals.numbers.exact import InputError, fraction_text
 from tresym.reals.verdict import Verdict
 
 if TYPE_CHECKING:
+    from tresym.dev.mutants.report import MutantReport, MutantRow
     from tresym.ledger.claim import Claim
-    from tresym.ledger.mutants.report import MutantReport, MutantRow
     from tresym.ledger.verification import Report, Row
 
 
@@ -109,8 +110,8 @@ def _verify_claims(args: argparse.Namespace) -> int:
 
 
 def _verify_mutants(labels: tuple[str, ...], args: argparse.Namespace, workers: int) -> int:
-    from tresym.ledger.mutants.report import verify_mutants
-
+    with in_a_checkout("verify --mutants"):
+        from tresym.dev.mutants.report import verify_mutants
     if args.json or args.path is not None:
         import json
 
@@ -162,8 +163,8 @@ def show_verification(labels: tuple[str, ...], console: Console, workers: int = 
 
 def show_mutants(labels: tuple[str, ...], console: Console, workers: int = 1) -> MutantReport:
     """Judge false variants, print those that pass as they are found, then the score."""
-    from tresym.ledger.mutants.report import MUTANTS, verify_mutants
-    from tresym.ledger.verification import choose
+    from tresym.dev.mutants.report import verify_mutants
+    from tresym.ledger.verification import MUTANTS, choose
 
     total = len(choose(labels))
     progress = _progress("judging mutants", console)

@@ -26,6 +26,8 @@ from tresym.reals.resource_limits import collecting_seldom
 from tresym.reals.verdict import Verdict
 
 JSON_VERSION = 1
+MUTANTS = 5
+"""False variants that each claim should have, at least one for each of its places."""
 BATCH = 6
 """Number of consecutive claims per task of a process; neighbours share cached results."""
 

@@ -24,6 +24,9 @@ from sympy import (
 )
 from tresym.proofs import NOT_MATHEMATICS
 
+from tresym.dev.mutants.mutations import mutations
+from tresym.dev.mutants.report import _planted_row, verify_mutants
+from tresym.dev.mutants.seeded_faults import planted
 from tresym.ledger import definitions
 from tresym.ledger import judge as judging
 from tresym.ledger.claim import (
@@ -46,9 +49,6 @@ from tresym.ledger.evidence.box_bounds import Boxes
 from tresym.ledger.evidence.refutation import Denied
 from tresym.ledger.finding import Finding
 from tresym.ledger.judge import judge
-from tresym.ledger.mutants.mutations import mutations
-from tresym.ledger.mutants.report import _planted_row, verify_mutants
-from tresym.ledger.mutants.seeded_faults import planted
 from tresym.ledger.paper import all_claims
 from tresym.ledger.reasons import algebra, citing, roots, substituting
 from tresym.ledger.statements import Rounds, order

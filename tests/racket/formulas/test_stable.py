@@ -14,9 +14,9 @@ from flint import arb, fmpq
 from hypothesis import example, given, target
 from hypothesis import strategies as st
 
-from tresym.bench import atlas, peers, turn
-from tresym.bench.flipmap import ball_flip
-from tresym.bench.truth import true_digits
+from tresym.dev.bench import atlas, peers, turn
+from tresym.dev.bench.flipmap import ball_flip
+from tresym.dev.bench.truth import true_digits
 from tresym.racket.body import Shape, named_body
 from tresym.racket.flip import separatrix
 from tresym.racket.flip.model_selection import RUNGS, climb

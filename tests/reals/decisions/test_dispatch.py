@@ -17,9 +17,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import tresym
-from tresym.bench import check as check_pairs
 from tresym.commands import main
 from tresym.commands.check import read_tasks
+from tresym.dev.bench import check as check_pairs
 from tresym.reals.decisions import dispatch
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.dispatch import decide_claim

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import shutil
 from contextlib import suppress
+from itertools import product
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -41,13 +42,14 @@ def test_a_saved_chart_is_a_picture_that_can_stand_anywhere(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", ["work-precision", "honesty", "scaling"])
-@pytest.mark.parametrize("inner", [None, [], {}, "[bold", 1e999, {"x": [None]}])
-def test_a_measurement_of_another_shape_is_one_line(
-    name: str, inner: object, tmp_path: Path
-) -> None:
+def test_a_measurement_of_another_shape_is_one_line(name: str, tmp_path: Path) -> None:
     known = data(charts.CHARTS[name].workload)
     path = tmp_path / "measured.json"
-    for key in known.keys() & {"machine", "memory", "notes", "points", "rows", "versions"}:
+    keys = sorted(known.keys() & {"machine", "memory", "notes", "points", "rows", "versions"})
+    shapes = (None, [], {}, "[bold", 1e999, {"x": [None]})
+    for n, (key, inner) in enumerate(product(keys, shapes)):
+        if key != "rows" and n % 5:  # the rows are what is drawn
+            continue
         path.write_text(json.dumps({**known, key: inner}), encoding="utf-8")
         with suppress(InputError):
             charts.picture(name, str(path))

@@ -14,8 +14,7 @@ from typing import Any
 from tresym.ledger.axioms import RULES
 from tresym.ledger.evidence.admissible import is_formal
 from tresym.ledger.evidence.box_bounds import Boxes
-from tresym.ledger.mutants.report import MUTANTS
-from tresym.ledger.verification import Report
+from tresym.ledger.verification import MUTANTS, Report
 from tresym.racket.bounds import charts
 from tresym.reals.balls.gradient import Divided
 from tresym.reals.balls.tracing import Named

@@ -1,0 +1,271 @@
+"""Inequalities and orders: lists of true and nearly true claims, and random ones."""
+
+import json
+from fractions import Fraction
+from itertools import product
+from pathlib import Path
+
+import pytest
+from flint import arb, fmpq
+from hypothesis import given
+from hypothesis import strategies as st
+
+import tresym
+from tresym.dev.corpus.lists import Known, known
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import evaluate
+from tresym.reals.domain.operation_domains import with_domain
+from tresym.reals.language.derivatives import differentiate
+from tresym.reals.language.expression import Expr
+from tresym.reals.language.parsing import parse
+from tresym.reals.language.solve import solutions
+from tresym.reals.signs.homogenisation import sign_by_homogeneity
+from tresym.reals.signs.orthant_cones import sign_on_cones
+from tresym.reals.verdict import Verdict
+
+SAVED = Path(__file__).resolve().parents[3] / "docs" / "measurements"
+PROVED, ENCLOSED = Verdict.PROVED, Verdict.ENCLOSED
+REFUTED, UNDECIDED = Verdict.REFUTED, Verdict.UNDECIDED
+
+NAMED = [
+    "a/(b+c) + b/(a+c) + c/(a+b) >= 3/2 given a > 0, b > 0, c > 0",
+    "x**4*y**2 + x**2*y**4 - 3*x**2*y**2 + 1 >= 0",
+    "exp(x + y) >= 1 + x + y",
+    "exp(-x**2) <= 1/(1 + x**2)",
+    "sin(x) >= 2*x/pi given 0 <= x <= pi/2",
+    "(a + b + c + d)/4 >= (a*b*c*d)**(1/4) given a > 0, b > 0, c > 0, d > 0",
+    "x*log(x) >= -1/E",
+    "x*y <= x*log(x) - x + exp(y) given x > 0",
+    "asin(x) <= pi*x/2 given 0 <= x <= 1",
+    "cosh(x) <= exp(x**2/2)",
+    "x*y <= 1/4 given x >= 0, y >= 0, x + y <= 1",
+    "max(x, y) >= (x + y)/2",
+]
+LISTED = [pair for name in ("inequalities", "orders") for pair in known(name)]
+SAMPLED = [pair for n, pair in enumerate(LISTED) if not (pair.truth and n % 7)]
+"""All that are false, and some that are true."""
+
+
+@pytest.mark.parametrize("claim", NAMED)
+def test_inequalities_with_names_are_proved(claim: str) -> None:
+    assert tresym.check(claim).verdict is PROVED
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("pair", SAMPLED, ids=lambda pair: pair.claim)
+def test_no_claim_of_the_lists_is_decided_wrongly(pair: Known) -> None:
+    answer = tresym.check(pair.claim, limit=20)
+    assert answer.verdict in ((PROVED, ENCLOSED, UNDECIDED) if pair.truth else (REFUTED, UNDECIDED))
+
+
+def test_what_is_measured_of_the_lists_has_nothing_wrong() -> None:
+    notes = json.loads((SAVED / "check.json").read_text(encoding="utf-8"))["notes"]
+    for name in ("inequalities", "orders"):
+        assert notes[f"true {name}"].get("REFUTED", 0) == 0
+        assert not notes[f"false {name}"].keys() & {"PROVED", "ENCLOSED"}
+
+
+FALSE = [
+    # kinks and poles, which no second derivative sees
+    "abs(x) >= 1/2 given -1 <= x <= 1",
+    "-1/x >= -10 given -1 <= x <= 1",
+    "sqrt(abs(x)) >= 1/2 given -1 <= x <= 1",
+    # periodic, but not where it is defined
+    "sin(x) + 0*sqrt(x) >= -1/2",
+    "sin(x) + 0*log(x) >= -1/2",
+    # equality, where it is excluded
+    "x + y > 0 given x >= 0, y >= 0",
+    "x**2*y > 0 given x > 0, y >= 0",
+    "a/(b+c) + b/(a+c) + c/(a+b) > 3/2 given a > 0, b > 0, c > 0",
+    "log((x + y)/2) > (log(x) + log(y))/2 given x > 0, y > 0",
+    "exp(sin(x)) < E",
+    "3 + 4*cos(x) + cos(2*x) > 0",
+    "(x**3 - 2)**2 > 0",
+    "x*log(x) > -1/E",
+    # conditions that almost suffice
+    "x/y + y/x >= 2 given x > 0",
+    "x**3 + y**3 + z**3 >= 3*x*y*z given x > -1, y > 0, z > 0",
+    "x*y <= 1/4 given x >= 0, y >= 0, x + y <= 1.001",
+    "exp(x) <= 1 + (E - 1)*x given 0 <= x <= 1 + 10**(-6)",
+]
+
+
+@pytest.mark.parametrize("claim", FALSE)
+def test_planted_falsehoods_are_refuted(claim: str) -> None:
+    answer = tresym.check(claim)
+    assert answer.verdict is REFUTED
+    assert answer.witness
+
+
+UNDEFINED = [
+    "log(x) - log(2*x) == O(1) as x -> 0-",
+    "sqrt(x) == O(sqrt(x)) as x -> 0-",
+    "acosh(x) - log(x) == O(1) as x -> -oo",
+]
+
+
+@pytest.mark.parametrize("claim", UNDEFINED)
+def test_no_order_is_granted_where_nothing_is_defined(claim: str) -> None:
+    assert tresym.check(claim).verdict is UNDECIDED
+
+
+SMALL = st.integers(-3, 4)
+MONOMIALS = st.tuples(st.integers(0, 3), st.integers(0, 3))
+CONDITIONS = st.sampled_from(
+    [
+        "",
+        "x > 0, y > 0",
+        "x >= 0, y >= 0",
+        "x >= 0, y >= 0, x + y <= 1",
+        "x > y, y > 0",
+        "x*y > 0",
+        "0 <= x <= 1, 0 <= y <= 1",
+        "x >= -1",
+        "x + y > 0",
+        "x**2 + y**2 <= 1",
+    ]
+)
+GRID = [Fraction(p, q) for q in (1, 2, 3) for p in range(-4, 5)] + [Fraction(7), Fraction(1, 50)]
+POINTS = [{"x": x, "y": y} for x, y in product(sorted(set(GRID)), repeat=2)]
+
+
+@given(
+    st.dictionaries(MONOMIALS, SMALL, min_size=1, max_size=5),
+    st.booleans(),
+    CONDITIONS,
+    st.sampled_from([">=", ">", "!="]),
+)
+def test_signs_on_cones_hold_at_every_point(
+    terms: dict[tuple[int, int], int], squared: bool, conditions: str, relation: str
+) -> None:
+    text = " + ".join(f"({c})*x**{i}*y**{j}" for (i, j), c in terms.items())
+    difference = parse(f"({text})**2 + x**2*y**2 - y**2*x**2" if squared else text)
+    region = with_domain(Given.parse(conditions), difference)
+    if region.satisfying_point(["x", "y"]) is None:
+        return
+    if sign_on_cones(difference, relation, region) is None:
+        return
+    for point in POINTS:
+        if all(_holds(c.expression, c.relation, point) for c in region.conditions):
+            assert _holds(difference, relation, point), point
+
+
+def _holds(e: Expr, relation: str, point: dict[str, Fraction]) -> bool:
+    value = _value(e, point)
+    return {">": value > 0, ">=": value >= 0, "!=": value != 0}[relation]
+
+
+def _value(e: Expr, point: dict[str, Fraction]) -> Fraction:
+    """A polynomial at a rational point."""
+    if e.op == "number":
+        value: fmpq = e.args[0]
+        return Fraction(int(value.p), int(value.q))
+    if e.op == "symbol":
+        return point[e.args[0]]
+    values = [_value(arg, point) for arg in e.args]
+    if e.op == "^":
+        return values[0] ** int(values[1])
+    total = values[0]
+    for other in values[1:]:
+        total = total + other if e.op == "+" else total * other
+    return total
+
+
+@pytest.mark.parametrize(
+    ("slope", "zero"),
+    [("log(x) + 1", "exp(-1)"), ("exp(x) - y", "log(y)"), ("1/E - 1/x", "E"), ("x - 2*y", "2*y")],
+)
+def test_where_a_derivative_vanishes(slope: str, zero: str) -> None:
+    (found,) = solutions(parse(slope), "x")
+    assert tresym.check(f"{found} == {zero}", given="y > 0")
+
+
+def test_a_symbol_in_several_terms_has_no_solution() -> None:
+    assert solutions(differentiate(parse("x*exp(x)"), "x"), "x") == []
+
+
+BY_CASES = [
+    "acos(cos(x)) == abs(x) given -pi <= x <= pi",
+    "acosh(cosh(x)) == abs(x)",
+    "acos((1 - x**2)/(1 + x**2)) == 2*abs(atan(x))",
+    "acosh(cosh(x)) + acosh(cosh(y)) == abs(x) + abs(y)",
+]
+NARROW = [
+    "acos(cos(x)) == abs(x) given -3.15 <= x <= 3.15",
+    "acosh(cosh(x)) + acosh(cosh(y)) == abs(x) + y",
+    "acosh(cosh(x)) == x given x >= -0.001",
+    "abs(x)/x == 1 given x >= -1/10**40",
+    "sqrt(x**2) == x given -0.0001 <= x <= 1000",
+    "sqrt(x**2) == -x given -1000 <= x <= 0.0001",
+    "atan(tan(x)) == x given -pi/2 < x < 1.58",
+    "cos(x) < 1 given x > 0",
+    "cos(x) < 1 given x > 30",
+    "cos(x) < 1 given x < -7",
+    "sin(x)**2 > 0 given x > 1",
+    "sin(x) + cos(x) < sqrt(2) given x > 0",
+]
+"""False, but at points that are few or in a small part of what the conditions allow."""
+
+
+@pytest.mark.parametrize("claim", BY_CASES)
+def test_identities_by_cases(claim: str) -> None:
+    """Where a normal form depends on the sign of a polynomial, it is zero for either sign."""
+    assert tresym.check(claim).verdict is PROVED
+
+
+@pytest.mark.parametrize("claim", NARROW)
+def test_what_fails_in_a_small_part_is_refuted(claim: str) -> None:
+    assert tresym.check(claim).verdict is REFUTED
+
+
+@pytest.mark.parametrize("claim", ["sin(x)/x > -0.3 given x > 0", "cos(x)/x < 1/5 given x > 3"])
+def test_a_search_of_a_part_of_the_line_proves_nothing_of_the_rest(claim: str) -> None:
+    assert tresym.check(claim).verdict in (ENCLOSED, PROVED)
+    assert tresym.check("sin(x) + sin(sqrt(2)*x) < 2 given x > 0").verdict is UNDECIDED
+
+
+HOMOGENEOUS = [
+    ("x*y*z <= 1/27", "x > 0, y > 0, z > 0, x + y + z <= 1", PROVED),
+    ("x*y*z < 1/27", "x > 0, y > 0, z > 0, x + y + z < 1", PROVED),
+    ("x*y*z < 1/27", "x > 0, y > 0, z > 0, x + y + z <= 1", REFUTED),
+    ("x*y*z >= -1/27", "x < 0, y < 0, z < 0, x + y + z >= -1", PROVED),
+    ("x + y >= 2", "x > 0, y > 0, x*y >= 1", PROVED),
+    ("x + y >= 2", "x*y >= 1", REFUTED),
+    ("x + y + z <= sqrt(3)", "x**2 + y**2 + z**2 <= 1", PROVED),
+    ("x + 2*y <= sqrt(5)", "x**2 + y**2 <= 1", PROVED),
+    ("x + y + z <= 1.7", "x**2 + y**2 + z**2 <= 1", REFUTED),
+    ("x**2 - y <= 1/4", "x > 0, y > 0, x + y <= 1", REFUTED),
+    ("1 - x - y - x*y >= 0", "x > 0, y > 0, x + y <= 1", REFUTED),
+    ("1 + x*y - x**2 - y**2 >= 0", "x + y <= 1", REFUTED),
+    ("x*y + y*z + z*x <= 1/3", "x + y + z <= 1", REFUTED),
+    ("x**2*y <= 0.148", "x >= 0, y >= 0, x + y <= 1", REFUTED),
+]
+
+
+@pytest.mark.parametrize(("claim", "conditions", "verdict"), HOMOGENEOUS)
+def test_conditions_that_make_a_polynomial_homogeneous(
+    claim: str, conditions: str, verdict: Verdict
+) -> None:
+    """Only terms of the right sign may be multiplied by the form of the condition."""
+    assert tresym.check(claim, given=conditions).verdict is verdict
+
+
+@given(
+    st.tuples(*(st.integers(-3, 3) for _ in range(6))),
+    st.sampled_from(["x + y <= 1", "x + y >= 1", "x*y >= 1", "x**2 + y**2 <= 1", "x + 2*y < 2"]),
+    st.sampled_from(["x > 0, y > 0", "x > 0, y < 0", "x >= 0", ""]),
+)
+def test_what_is_made_homogeneous_holds_at_points(
+    coefficients: tuple[int, ...], condition: str, signs: str
+) -> None:
+    """Polynomials of degree 2 under a condition: a proof holds at all points of a grid."""
+    parts = zip(coefficients, ("x**2", "x*y", "y**2", "x", "y", "1"), strict=True)
+    polynomial = " + ".join(f"({c})*{monomial}" for c, monomial in parts)
+    region = Given.parse(f"{signs}, {condition}" if signs else condition)
+    proof = sign_by_homogeneity(parse(polynomial), ">=", region)
+    if proof is not None:
+        difference = parse(polynomial)
+        for x, y in product(range(-12, 13), repeat=2):
+            at = {"x": arb(fmpq(x, 4)), "y": arb(fmpq(y, 4))}
+            if all(c.holds_exactly(at) for c in region.conditions):
+                assert evaluate(difference, at) >= 0

@@ -1,0 +1,109 @@
+"""The methods that the account switches off, by area.
+
+Each is named by the function or method that is its entry, without the leading ``tresym.``. Switched
+off, it returns what it returns when it finds nothing: None, an undecided answer, False, 0 or no
+items.
+"""
+
+from __future__ import annotations
+
+AREAS: dict[str, tuple[str, ...]] = {
+    "reals.signs": (
+        *("interior.by_signs_of_parts", "interior.sign_inside", "interior.strict_by_conditions"),
+        *("orthant_cones.sign_on_cones", "homogenisation.sign_by_homogeneity"),
+        *("polynomials.sign_of_polynomial", "concavity.sign_by_concavity"),
+        *("taylor.sign_by_taylor", "absolute_value_cases.by_cases"),
+        *("transformations.by_equivalents", "transformations._logarithms"),
+        *("transformations._cleared", "transformations._exponentials"),
+        *("transformations._in_powers", "discontinuities.cases_at_jumps"),
+        *("structural.Parts._stated", "structural.Parts._by_conditions"),
+        *("structural.Parts._in_half_turn", "structural.Parts._algebraic"),
+        *("structural.Parts._fraction", "structural.Parts._less", "structural.Parts._polynomial"),
+        *("structural.Parts._by_conjugate", "structural.Parts._at_ends"),
+        *("structural.Parts._on_box", "structural.Parts._by_factors"),
+        *("structural.Parts._known_part", "structural.Parts._sum_sign"),
+        "structural.Parts._power_sign",
+    ),
+    "reals.normal": (
+        *("locally_constant.equal_by_derivative", "locally_constant.nonzero_inside"),
+        *("locally_constant._algebraic_walls", "locally_constant._gap", "monotone.same_sign"),
+        *("constants.algebraic_zero", "constants._log_sum", "constants._atan_sum"),
+        *("denesting._denested", "factors.FactoredRing._by_signs", "field.Field._special_atan"),
+        *("box.sign_on_box", "box.coefficient_sign", "box.quadratic_sign"),
+        *("ranges.ProvingRing._by_facts", "ranges.ProvingRing._by_discriminant"),
+        *("ranges.ProvingRing._by_conjugate", "ranges.ProvingRing._by_cases"),
+        *("ranges.ProvingRing._over_pi", "sign_equations.SignedRing.learn"),
+        "sign_equations.SignedRing.is_mixed",
+    ),
+    "reals.domain": (
+        *("local_search.low_points", "narrow_regions.windows", "newton.points_on"),
+        "cylindrical_decomposition.sample_points",
+    ),
+    "reals.decisions": (
+        *("identity._prove", "identity._by_constants", "identity._prove_by_branch"),
+        *("identity._at_limits", "identity._at_jumps", "inverse_branches.without_inverse"),
+        *("inequalities._constants", "inequalities._apart", "inequalities._sides"),
+        *("inequalities._zero_between", "inequalities._at_corners", "inequalities._in_cells"),
+        *("inequalities_on_regions.search", "inequalities_on_regions._Search._contact"),
+        *("inequalities_on_regions._Search._piece", "variable_reduction.by_one_variable"),
+        *("variable_reduction._scaled", "variable_reduction._of_one_part"),
+        *("variable_reduction._monotone", "variable_reduction._separated"),
+        *("variable_reduction._multiplied", "variable_reduction._by_sizes"),
+        *("variable_reduction._by_variable", "variable_reduction._quotient"),
+        *("algebraic_witnesses.equal_at_algebraic", "algebraic_witnesses.equal_at_lowest"),
+        *("algebraic_witnesses.equal_at_simple", "algebraic_witnesses.equal_at_turns"),
+        *("readable_witnesses.exact_witness", "integrals.decide_integrals"),
+        *("integrals._by_identity", "integrals._infinite", "integrals._by_quadrature"),
+        *("integrals._at_parameters", "integrals._without_value", "integrals._of_waves"),
+        *("integrals._roots_of_squares", "known_integrals.standard"),
+        *("integral_identities.Antiderivatives.put_in", "antiderivatives.summed"),
+        *("leibniz.decide_by_leibniz", "divergence.has_no_limit"),
+        *("finite_sums.decide_totals", "finite_sums._induction", "finite_sums._by_closed_forms"),
+        *("finite_sums._looked_at", "finite_sums._tends", "hypergeometric.series_of"),
+        *("hypergeometric.folded", "hypergeometric.summed", "known_series.quoted_total"),
+        *("known_series.quoted_product", "known_series._power_series", "known_series._zeta"),
+        *("known_series._value_of_zeta", "known_series._fraction", "known_series._product"),
+        *("known_series._on_both_sides", "power_series.decide_power_series"),
+        *("power_series._at_points", "power_series._at_ends", "infinite_sums.decide_infinite"),
+        *("ellipsis_series.decide_dotted", "ellipsis_series._fitted"),
+        *("ellipsis_series._inside_circle", "nth_derivatives.decide_repeated"),
+        *("factorials.decide_factorials", "factorials._looked_at"),
+        *("integer_variables.decide_whole", "integer_variables._by_divisors"),
+        *("integer_variables._by_residues", "integer_variables._beyond"),
+        *("equations.decide_under_equations", "equations._without_variables"),
+        *("equations._as_consequence", "equations._with_a_point", "equations._homogeneous"),
+        *("equations._by_elimination", "equations._split", "equations._by_cases"),
+        *("equations._with_value", "equation_solutions.solved", "ideals.follows"),
+        *("unknown_functions.decide_unknown", "unknown_functions._realised"),
+    ),
+    "reals.decisions.asymptotics": (
+        *("order_claims.decide_order", "order_claims._refutation", "path_claims.decide_tending"),
+        *("path_claims._limit", "path_claims._with_parameters", "path_claims._among_integers"),
+        *("path_claims._by_residues", "path_claims._at_integers", "path_claims._by_exact_limit"),
+        *("path_claims._by_signs", "path_claims._from_somewhere_on"),
+        *("path_claims._periodic_failure", "path_claims._failure_where_waves_return"),
+        *("integral_limits.decide_integral_limits", "integral_limits._by_derivatives"),
+        *("limit_values.limit_of", "limit_values._squeezed", "limit_values._without_waves"),
+        *("leading_terms._leading_terms", "leading_terms._without"),
+        *("leading_terms._fails_at_a_phase", "numerical_evidence.fails"),
+    ),
+    "reals.balls": ("simplest_constants.candidates",),
+    "ledger": (
+        *("judge._judge_chains", "judge._judge_instance", "judge._judge_relations"),
+        *("judge._judge_all", "judged_roots.judge_unique_root"),
+        *("judged_roots.judge_at_most_one", "judged_roots.judge_implicit_function"),
+    ),
+    "ledger.evidence": (
+        *("asymptotics.failing_order", "asymptotics.judge_squeezed", "chart_bounds.judge_charted"),
+        *("interval_evaluation.judge_evaluated", "box_bounds.Boxes.judge"),
+        *("printed_numbers.judge_printed", "integrals.sign_of_integral"),
+        *("refutation.denied_somewhere", "refutation.Denied.judge"),
+    ),
+}
+"""Areas, which are packages or modules, and the functions in them."""
+
+METHODS = tuple(f"{area}.{name}" for area, names in AREAS.items() for name in names)
+"""All methods, by their full names without the leading ``tresym.``."""
+
+REASONS: dict[str, str] = {}
+"""Why a method is kept that decides fewer than five claims per hundred lines of its own."""
