@@ -45,8 +45,10 @@ def test_coq_proves_the_theorem_and_none_with_another_slope():
         for label in APPLY_IT[:2]:
             script = file_of("coq").joinpath(f"{label}.v").read_text(encoding="utf-8")
             body = printed(label).body
-            assert coq.accepts(f"Theorem right :\n{body}.\nProof.\n{script}\nQed.", 120)
+            assert coq.accepts(f"Theorem stated_{label} :\n{body}.\nProof.\n{script}\nQed.", 120)
             for old, new in WRONG:
                 wrong = body.replace(old, new)
                 assert wrong != body
-                assert not coq.accepts(f"Theorem wrong :\n{wrong}.\nProof.\n{script}\nQed.", 120)
+                assert not coq.accepts(
+                    f"Theorem altered_{label} :\n{wrong}.\nProof.\n{script}\nQed.", 120
+                )
