@@ -1,0 +1,74 @@
+"""Claims about integrals, sums and limits in Coq: what they say, and that no false one holds."""
+
+from __future__ import annotations
+
+import shutil
+import time
+from pathlib import Path
+
+import pytest
+
+from tresym.coq.bound_statements import BoundTheorem
+from tresym.coq.candidate_search import bound, found_by
+from tresym.coq.claim_export import theorems
+from tresym.coq.coqtop import HEAD, Dialogue
+from tresym.coq.statement import NotExportedError
+from tresym.reals.decisions.claim_parsing import read
+
+needs_coq = pytest.mark.skipif(shutil.which("coqc") is None, reason="coqc is not installed")
+CLAIMS = Path(__file__).with_name("textbook_claims.txt").read_text(encoding="utf-8")
+
+
+def of_kind(kind: str) -> list[str]:
+    """The claims under a heading."""
+    return CLAIMS.split(f"# {kind}\n")[1].split("\n# ")[0].strip().splitlines()
+
+
+@pytest.mark.parametrize(
+    ("claim", "said"),
+    [
+        ("integral(x^2, x, 0, 1) == 1/3", "is_RInt (fun x : R => x ^ 2) 0 1 (1 / 3)"),
+        ("integral(1/x, x, 1, 2) == log(2)", "forall x : R, Rmin 1 2 < x < Rmax 1 2 -> x <> 0"),
+        ("integral(exp(-x), x, 0, oo) == 1", "(at_point 0) (Rbar_locally p_infty) 1"),
+        ("integral(1/sqrt(x), x, 0, 1) == 2", "(at_right 0) (at_point 1) 2"),
+        ("sum(2^k, k, 0, n) == 2^(n + 1) - 1", "terms (fun k : nat => 2 ^ k) 0 (S n)"),
+        ("sum(1/k, k, 1, 4) == 25/12", "(k < 1 + 4)%nat -> INR k <> 0"),
+        ("1/x -> oo as x -> 0+", "(at_right 0) (Rbar_locally p_infty)"),
+        ("sqrt(x) -> 0 as x -> 0", "(locally' 0) (fun x : R => 0 <= x)"),
+    ],
+)
+def test_a_statement_says_what_is_claimed_and_that_its_parts_are_defined(
+    claim: str, said: str
+) -> None:
+    assert said in theorems(read(claim))[0].text
+
+
+@pytest.mark.parametrize(
+    ("claim", "why"),
+    [
+        ("sin(x) == O(x) as x -> 0", "orders are not exported"),
+        ("integral(integral(x*y, x, 0, 1), y, 0, 1) == 1/4", "within an integral"),
+        ("sum(k, k, -2, n) == n*(n + 1)/2 - 3", "begin at a natural number"),
+    ],
+)
+def test_what_is_not_exported_says_why(claim: str, why: str) -> None:
+    with pytest.raises(NotExportedError, match=why):
+        theorems(read(claim))
+
+
+@needs_coq
+@pytest.mark.slow
+def test_of_true_claims_some_of_each_kind_are_proved_and_of_false_ones_none() -> None:
+    true = [of_kind(kind)[0] for kind in ("limits", "integrals", "sums")]
+    with Dialogue(lemmas=HEAD + bound(theorems(read(true[0])))) as coq:
+        for claim in [*true, *of_kind("false")]:
+            try:
+                found = [found_by(t, coq, time.monotonic() + 20) for t in theorems(read(claim))]
+            except NotExportedError:
+                continue
+            assert all(found) == (claim in true), claim
+            assert any(found) or claim not in true
+
+
+def test_a_theorem_about_a_limit_is_one_about_bound_variables() -> None:
+    assert all(isinstance(t, BoundTheorem) for t in theorems(read("1/x -> 0 as x -> oo")))
