@@ -29,6 +29,8 @@ CORRECTIONS = (
         "for a variation of 2π of the angle φ, the maximum of variation of ψ is given by the "
         "symmetric motion where ψ_f = π − ψ₀",
         ("symmetric_maximum",),
+        "Where the symmetric flip exceeds π, it is the smallest of all. The paper uses such γ "
+        "itself.",
     ),
     Correction(
         "A larger product ab does not imply a smaller ε₀",
@@ -48,6 +50,8 @@ CORRECTIONS = (
         "The flip along the separatrix is not zero",
         "the variation of the flip angle is approximately zero on the separatrix",
         ("zero_on_separatrix",),
+        "The symmetric start, ψ₀ = ε₀, flips by π − 2ε₀. The flip is small only for starts at an "
+        "unstable point or running into one.",
     ),
     Correction(
         "The formula takes one ε₀ at two values of a",
@@ -60,6 +64,8 @@ CORRECTIONS = (
         "dψ/dφ is not the angular velocity along the handle",
         "(dψ/dφ)₀ is the initial angular velocity of the racket along the handle",
         ("initial_rate_is_angular_velocity",),
+        "The angular velocity along the handle also has a part from the precession, with the "
+        "factor cos θ.",
     ),
     Correction(
         "No rigid body has the moments of rackets 1, 2 and 3",
@@ -78,6 +84,8 @@ CORRECTIONS = (
         "the motion is unstable around the e₂- axis. This behavior can be observed for any "
         "three-dimensional rigid body",
         ("any_rigid_body_is_unstable",),
+        "True if the three moments are different. A body with three equal moments rotates "
+        "uniformly about any axis.",
     ),
     Correction(
         "Flat and smooth at the origin from one side only",

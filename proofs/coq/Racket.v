@@ -1248,6 +1248,146 @@ Ltac ratio_rest_part K a b e a0 z p q :=
   apply (ratio_under a b z (z / a0) p q e (24675 / 10000) K); try lra;
   [unfold Rdiv; apply Rmult_le_compat; try lra; [left; apply Rinv_0_lt_compat; lra | apply Rinv_le_contravar; lra]
   | assert (PI / 2 <= 15708 / 10000) by interval; nra | slopes_by | ratios_by].
+(* The sine of a defect by the product of the shape, and its square against that product. *)
+Lemma defect_small a b e : 0 < a -> 0 < b -> b <= 1 -> 1 / 4 <= a * b -> 0 < e -> e < PI / 2 -> is_defect a b e ->
+  e <= 45 / 100 /\ e ^ 2 * (a * b) <= 51 / 1000.
+Proof.
+  intros A B B1 AB E0 E1 E; pose proof PI_RGT_0 as P.
+  assert (S : 0 < sin e) by (apply sin_gt_0; lra); assert (C : 0 < cos e) by (apply cos_gt_0; lra).
+  pose proof (sinh_at_root a b _ e A B S C E) as H.
+  assert (K : 1 / 2 <= sqrt (a * b)) by (apply below_sqrt; lra).
+  assert (K2 : sqrt (a * b) ^ 2 = a * b) by (apply pow2_sqrt; lra).
+  assert (R0 : 0 < b * / a) by positive; assert (Q : 1 <= sqrt (b * / a + 1)) by (apply below_sqrt; lra).
+  assert (M : 0 < asin (sqrt (b * / (a + b)) * cos e)).
+  { apply asin_above, Rmult_lt_0_compat; [apply sqrt_lt_R0; positive | exact C]. }
+  set (k := sqrt (a * b)) in *; set (q := sqrt (b * / a + 1)) in *; set (m := asin _) in *.
+  assert (L : 2 * k * sinh (PI / 2) <= sinh (k * (PI + m))).
+  { apply Rle_trans with (sinh (k * PI)); [| apply sinh_grows; nra].
+    enough (0 <= sinh (k * PI) - 2 * k * sinh (PI / 2)) by lra.
+    apply (from_left_ge (fun t : R => sinh (t * PI) - 2 * t * sinh (PI / 2)) (fun t => PI * cosh (t * PI) - 2 * sinh (PI / 2)) (1 / 2) k K).
+    - intros t _; eapply d_eq; [derive |]; cbv beta; over_reals; ring.
+    - intros t T; pose proof (cosh_rises (PI / 2) (t * PI) ltac:(lra) ltac:(nra)).
+      assert (2 * sinh (PI / 2) <= PI * cosh (PI / 2)) by (unfold sinh, cosh; interval); nra.
+    - replace (1 / 2 * PI) with (PI / 2) by field; lra. }
+  assert (N : 23 / 10 <= sinh (PI / 2)) by (unfold sinh; interval).
+  assert (G : sin e * (46 / 10 * k) <= cos e).
+  { assert (J : sin e * sinh (k * (PI + m)) <= cos e).
+    { rewrite H; replace (sin e * (/ q * / sin e * cos e)) with (/ q * cos e) by (field; lra).
+      assert (/ q <= 1) by (rewrite <- Rinv_1; apply Rinv_le_contravar; lra); nra. }
+    assert (46 / 10 * k <= sinh (k * (PI + m))) by nra; nra. }
+  assert (T : e * (46 / 10 * k) <= 1).
+  { assert (F : e * cos e <= sin e).
+    { enough (0 <= sin e - e * cos e) by lra.
+      apply (from_left_ge (fun t : R => sin t - t * cos t) (fun t => t * sin t) 0 e); [lra | | |].
+      - intros t _; auto_derive; [exact I | ring].
+      - intros t T; apply Rmult_le_pos; [lra | apply sin_ge_0; lra].
+      - rewrite sin_0; lra. }
+    apply (Rmult_le_reg_r (cos e)); [exact C |]; nra. }
+  split; [nra |]; rewrite <- K2; assert (0 < e * k) by nra; assert ((e * k) ^ 2 <= (10 / 46) ^ 2) by nra; nra.
+Qed.
+(* What the printed leading term adds to the logarithm of the true one. *)
+Lemma printed_turn r : 0 < r -> 0 <= atan r - r * / sqrt (1 + r ^ 2) <= r * r ^ 2 / 6.
+Proof.
+  intros R0; assert (W : forall t, 1 <= sqrt (1 + t ^ 2) /\ sqrt (1 + t ^ 2) ^ 2 = 1 + t ^ 2).
+  { intros t; pose proof (pow2_ge_0 t); split; [apply below_sqrt; lra | apply pow2_sqrt; lra]. }
+  set (d := fun t : R => / (1 + t ^ 2) * (1 - / sqrt (1 + t ^ 2))).
+  assert (D : forall t, is_derive (fun t : R => atan t - t * / sqrt (1 + t ^ 2)) t (d t)).
+  { intros t; destruct (W t) as [W1 W2]; pose proof (pow2_ge_0 t); unfold d.
+    auto_derive; [repeat split; try (apply Rgt_not_eq; simpl in *; lra); simpl in *; lra |].
+    replace (1 + t * (t * 1)) with (1 + t ^ 2) by ring; set (w := sqrt (1 + t ^ 2)) in *.
+    rewrite <- W2; field_simplify; [| lra | lra].
+    replace (t ^ 2) with (w ^ 2 - 1) by lra; field; lra. }
+  assert (I : forall t, 0 <= d t <= t ^ 2 / 2).
+  { intros t; destruct (W t) as [W1 W2]; pose proof (pow2_ge_0 t) as Y; unfold d; set (w := sqrt (1 + t ^ 2)) in *.
+    rewrite <- W2; replace (t ^ 2) with (w ^ 2 - 1) by lra.
+    assert (J : 0 < / w <= 1) by (split; [apply Rinv_0_lt_compat; lra | rewrite <- Rinv_1; apply Rinv_le_contravar; lra]).
+    assert (V : w * / w = 1) by (field; lra); replace (/ w ^ 2) with (/ w * / w) by (field; lra); split; [apply Rmult_le_pos; nra |].
+    assert (0 <= (w - 1) * (w ^ 3 + w ^ 2 - 2)) by (apply Rmult_le_pos; nra).
+    apply (Rmult_le_reg_r (w ^ 3)); [apply pow_lt; lra |].
+    replace (/ w * / w * (1 - / w) * w ^ 3) with (w - 1) by (field; lra); nra. }
+  split.
+  - apply (from_left_ge (fun t : R => atan t - t * / sqrt (1 + t ^ 2)) d 0 r); [lra | intros; apply D | intros; apply I |].
+    rewrite atan_0; lra.
+  - enough (0 <= r * r ^ 2 / 6 - (atan r - r * / sqrt (1 + r ^ 2))) by lra.
+    apply (from_left_ge (fun t : R => t * t ^ 2 / 6 - (atan t - t * / sqrt (1 + t ^ 2))) (fun t => t ^ 2 / 2 - d t) 0 r).
+    + lra.
+    + intros t _; apply (d_minus (fun t : R => t * t ^ 2 / 6) (fun t : R => atan t - t * / sqrt (1 + t ^ 2))); [| apply D].
+      auto_derive; [exact Logic.I | field].
+    + intros t _; specialize (I t); lra.
+    + rewrite atan_0; lra.
+Qed.
+Lemma asin_apart u v : 0 <= v -> v <= u -> u < 1 -> u - v <= asin u - asin v.
+Proof.
+  intros V U L; destruct (Req_dec u v) as [->|N]; [lra |].
+  enough (0 <= asin u - asin v - (u - v)) by lra.
+  apply (from_left_ge (fun t : R => asin t - asin v - (t - v)) (fun t => / sqrt ((-1) * t ^ 2 + 1) - 1) v u U).
+  - intros t T; eapply d_eq; [apply (d_minus (fun t : R => asin t - asin v) (fun t : R => t - v));
+      [apply (d_minus asin (fun _ => asin v)); [apply (d_asin (fun t : R => t)); [apply d_id | lra | lra] | apply d_const]
+      | apply (d_minus (fun t : R => t) (fun _ => v)); [apply d_id | apply d_const]] |]; cbv beta; over_reals; ring.
+  - intros t T; assert (0 < (-1) * t ^ 2 + 1) by nra; assert (0 < sqrt ((-1) * t ^ 2 + 1)) by (apply sqrt_lt_R0; lra).
+    assert (sqrt ((-1) * t ^ 2 + 1) <= 1) by (apply above_sqrt; nra).
+    enough (1 <= / sqrt ((-1) * t ^ 2 + 1)) by lra; rewrite <- Rinv_1 at 1; apply Rinv_le_contravar; lra.
+  - lra.
+Qed.
+Lemma exponent_low a b e : 0 < a -> 0 < b -> b * / a <= 4 -> 0 < e -> e <= 45 / 100 ->
+  - (27 / 100) * e ^ 2 <= exponent a b e /\ (1 / 2 <= b -> 0 <= exponent a b e).
+Proof.
+  intros A B R4 E0 E1; pose proof pi_between as P.
+  assert (S : 0 < sin e) by (apply sin_gt_0; lra); assert (C : 0 < cos e) by (apply cos_gt_0; lra).
+  destruct (small_sine e) as [[_ S1] [C1 C2]]; try lra; pose proof (sin_square e) as S2.
+  pose proof (root_above a b e A B) as W; pose proof (root_square a b e A B) as W2.
+  pose proof (share_below a b 0 A B) as M; rewrite cos_0, Rmult_1_r in M; pose proof (sqrt_pos (b * / (a + b))) as M0.
+  assert (R0 : 0 < b * / a) by positive; pose proof (product_root a b A B) as KR.
+  assert (K : 0 < sqrt (a * b)) by (apply sqrt_lt_R0; positive).
+  assert (KM : sqrt (a * b) * sqrt (b * / (a + b)) = b * / sqrt (b * / a + 1)).
+  { rewrite <- (inverse_root a b A B); rewrite <- sqrt_mult by (left; positive).
+    apply same_square; [apply sqrt_pos | pose proof (sqrt_pos (a * / (a + b))); nra |].
+    rewrite Rpow_mult_distr, !pow2_sqrt by (left; positive); field; lra. }
+  pose proof (asin_apart (sqrt (b * / (a + b))) (sqrt (b * / (a + b)) * cos e) ltac:(nra)
+    ltac:(pose proof (COS_bound e); nra) ltac:(lra)) as T.
+  unfold exponent; set (w := root_of a b e) in *; set (c := cos e) in *; set (m := sqrt (b * / (a + b))) in *.
+  assert (U : 0 < 1 - c <= e ^ 2 / 2).
+  { split; [unfold c; assert (cos e < cos 0) by (apply cos_decreasing_1; lra); rewrite cos_0 in *; lra | lra]. }
+  assert (C9 : 89 / 100 <= c) by nra.
+  assert (Q1 : 0 < sqrt (b * / a + 1)) by (apply sqrt_lt_R0; lra).
+  assert (Q2 : sqrt (b * / a + 1) ^ 2 = b * / a + 1) by (apply pow2_sqrt; lra).
+  assert (X : b * (1 - c) * / sqrt (b * / a + 1) <= sqrt (a * b) * ((-1) * asin (m * c) + asin m)).
+  { replace (b * (1 - c) * / sqrt (b * / a + 1)) with (sqrt (a * b) * (m * (1 - c))) by (replace (sqrt (a * b) * (m * (1 - c))) with (sqrt (a * b) * m * (1 - c)) by ring; rewrite KM; ring).
+    apply Rmult_le_compat_l; lra. }
+  assert (Low : forall y, 0 < y -> 1 - / y <= ln y).
+  { intros y Y; pose proof (ln_below (/ y) ltac:(positive)) as Z; rewrite ln_Rinv in Z by exact Y; lra. }
+  assert (Y : 3 / 10 * (1 - c) <= ln (e * / sin e)).
+  { assert (V : 0 < e * / sin e) by positive; eapply Rle_trans; [| apply Low, V].
+    replace (/ (e * / sin e)) with (sin e * / e) by (field; lra).
+    assert (sin e * / e <= 1 - e ^ 2 / 6 + e ^ 4 / 120).
+    { apply (Rmult_le_reg_r e); [lra |]; rewrite Rmult_assoc, Rinv_l by lra; lra. }
+    assert (e ^ 4 <= 21 / 100 * e ^ 2) by (replace (e ^ 4) with (e ^ 2 * e ^ 2) by ring; apply Rmult_le_compat_r; nra); lra. }
+  assert (D0 : 0 < 1 / 2 * w + 1 / 2 * c) by lra; pose proof (Low _ D0) as Z.
+  set (d := 1 / 2 * w + 1 / 2 * c) in *; assert (D1 : 94 / 100 <= d) by (unfold d; lra).
+  assert (I : / d * d = 1) by (field; lra); assert (I0 : 0 < / d) by positive; assert (I1 : / d <= 107 / 100) by nra.
+  assert (X0 : 0 <= b * (1 - c) * / sqrt (b * / a + 1)) by (left; positive).
+  split.
+  - assert (0 <= (d - 1 + 1 / 2 * (1 - c)) * / d) by (apply Rmult_le_pos; [unfold d; lra | lra]).
+    assert (0 <= 1 / 2 * (1 - c) * (107 / 100 - / d)) by (apply Rmult_le_pos; lra); lra.
+  - intros B5; set (r := b * / a) in *; set (q := sqrt (r + 1)) in *.
+    assert (J : 1 - r / 2 <= / q).
+    { apply (Rmult_le_reg_r q); [exact Q1 |]; rewrite Rinv_l by lra.
+      destruct (Rle_or_lt 2 r); [nra |]; assert (q <= 1 + r / 2) by (apply above_sqrt; nra); nra. }
+    assert (J0 : 0 < / q) by positive.
+    assert (G : (1 - c) * (1 / 2 * / q) <= b * (1 - c) * / q) by nra.
+    assert (W3 : 39 / 100 * r * (1 - c) <= 1 / 2 * (w - 1)).
+    { assert (F : w ^ 2 - 1 = r * ((1 - c) * (1 + c))) by (rewrite W2, S2; ring).
+      assert (w <= 14 / 10).
+      { unfold w, root_of; apply above_sqrt; [lra |]; fold r; rewrite S2; assert ((1 - c ^ 2) <= 21 / 100) by nra; nra. }
+      assert (0 < r * (1 - c)) by nra; assert (F2 : (w - 1) * (w + 1) = r * (1 - c) * (1 + c)) by lra; nra. }
+    destruct (Rle_or_lt 1 d) as [L|L].
+    + assert (0 <= ln d) by (apply ln_nonnegative, L); nra.
+    + assert (0 <= (1 - d) * (107 / 100 - / d)) by (apply Rmult_le_pos; lra).
+      assert (1 - / d >= - (107 / 100) * (1 - d)) by lra.
+      assert (1 - d <= 1 / 2 * (1 - c) - 39 / 100 * r * (1 - c)) by (unfold d; lra).
+      assert ((1 - c) * (1 / 2 * / q) >= (1 - c) * (1 / 2 * (1 - r / 2))) by nra.
+      assert (0 <= r * (1 - c)) by nra; lra.
+Qed.
 
 (* A motion that turns: its precession by the angle of the turning, and the level of a half turn. *)
 Definition turned (a b c x : R) : R :=
@@ -1637,3 +1777,139 @@ Ltac boxed r e m :=
   let u := fresh "u" in assert (0 <= e ^ 2 <= m ^ 2) by nra; set (u := e ^ 2) in *; clearbody u;
   unfold up_all, up_exp, up_turn, low_sum, up_root, up_sine, up_time;
   interval with (i_bisect u, i_bisect r, i_depth 30).
+
+(* The equation of a half turn near a point of it, solved for its start, its value and its end. *)
+Lemma turn_solution (F : R -> R -> R) (s a b g p u v e q v1 v2 : R) (away : R -> R) :
+  a > 0 -> b > 0 -> (forall c t, F c t = rate s a b c t) -> p < g -> u < e < v -> u < q < v ->
+  (forall c t, p < c -> u < t < v -> 0 < c + b * sin t ^ 2) -> 0 < s -> 0 < (-1) * b * sin e ^ 2 + 1 ->
+  is_RInt (F g) e q PI -> (forall c, away c = c - g) ->
+  v1 = - rate s a b g e -> v2 = RInt (rate_slope s a b g) e q ->
+  (exists f : R -> R, f g = e
+    /\ (exists near : R, 0 < near /\ forall x c : R, Rabs (away c) < near -> x = f c -> is_RInt (F c) x q PI)
+    /\ is_derive f g ((-1) * / v1 * v2)) /\
+  (forall f : R -> R, f g = e -> continuous f g ->
+    (exists near : R, 0 < near /\ forall x c : R, Rabs (away c) < near -> x = f c -> is_RInt (F c) x q PI) ->
+    is_derive f g ((-1) * / v1 * v2)).
+Proof.
+  intros A B Fs L X Y P S K Z Aw V1 V2.
+  assert (R0 : 0 < rate s a b g e).
+  { pose proof (reach a b A B e); specialize (P g e L X); unfold rate.
+    assert (0 < sqrt (a + b * sin e ^ 2)) by (apply sqrt_lt_R0; assumption).
+    assert (0 < sqrt (g + b * sin e ^ 2)) by (apply sqrt_lt_R0; assumption); positive. }
+  assert (d0 : 0 < Rmin (g - p) (Rmin (e - u) (v - e))) by (repeat apply Rmin_pos; lra).
+  assert (near : forall x c, Rabs (x - e) < Rmin (g - p) (Rmin (e - u) (v - e)) ->
+    Rabs (c - g) < Rmin (g - p) (Rmin (e - u) (v - e)) -> u < x < v /\ p < c).
+  { intros x c H1 H2; pose proof (Rmin_l (g - p) (Rmin (e - u) (v - e))).
+    pose proof (Rmin_r (g - p) (Rmin (e - u) (v - e))); pose proof (Rmin_l (e - u) (v - e)).
+    pose proof (Rmin_r (e - u) (v - e)); apply Rabs_def2 in H1; apply Rabs_def2 in H2; lra. }
+  apply (implicit_equation (fun x c => RInt (rate s a b c) x q) (fun x c => - rate s a b c x) _ away e g PI
+    (RInt (rate_slope s a b g) e q)).
+  - exists (mkposreal _ d0); simpl; intros x c H1 H2; destruct (near x c H1 H2) as [H3 H4].
+    apply (turn_by_start s a b A B c u v x q H3 Y); intros t T; now apply P.
+  - apply continuity_2d_pt_opp; pose proof (reach a b A B e); specialize (P g e L X); unfold rate; continues_2d;
+      apply Rgt_not_eq, sqrt_lt_R0; assumption.
+  - lra.
+  - exists (mkposreal _ d0); intros x H1; assert (H2 : Rabs (g - g) < Rmin (g - p) (Rmin (e - u) (v - e))).
+    { rewrite Rminus_eq_0, Rabs_R0; exact d0. }
+    destruct (near x g H1 H2) as [H3 _].
+    exact (continuous_derive _ _ _ (turn_by_level s a b A B g p u v x q L H3 Y P)).
+  - exact (turn_by_level s a b A B g p u v e q L X Y P).
+  - exists (mkposreal _ d0); simpl; intros x c H1 H2; destruct (near x c H1 H2) as [H3 H4].
+    assert (I : is_RInt (F c) x q (RInt (rate s a b c) x q)).
+    { apply (is_RInt_ext (rate s a b c)); [intros t _; symmetry; apply Fs |].
+      apply integral_correct; intros t T; apply rate_continuous; try assumption; apply P; [exact H4 |].
+      revert T; unfold Rmin, Rmax; destruct (Rle_dec x q); lra. }
+    split; intros H5; [| rewrite <- H5; exact I].
+    rewrite <- (is_RInt_unique _ _ _ _ H5); symmetry; apply is_RInt_unique, I.
+  - exact Z.
+  - exact Aw.
+  - rewrite V1, V2; field; lra.
+Qed.
+Lemma value_solution (s a b e v1 v2 : R) (away : R -> R) : a > 0 -> b > 0 -> b < 1 -> 0 < e -> e < PI / 2 -> 0 < s ->
+  is_RInt (over s a b PI e) e (1 / 2 * PI) 0 -> (forall c, away c = c - PI) ->
+  v1 = - zero_rate s a b e -> v2 = -1 ->
+  (exists f : R -> R, f PI = e
+    /\ (exists near : R, 0 < near /\ forall x c : R, Rabs (away c) < near -> x = f c ->
+      is_RInt (over s a b c x) x (1 / 2 * PI) 0)
+    /\ is_derive f PI ((-1) * / v1 * v2)) /\
+  (forall f : R -> R, f PI = e -> continuous f PI ->
+    (exists near : R, 0 < near /\ forall x c : R, Rabs (away c) < near -> x = f c ->
+      is_RInt (over s a b c x) x (1 / 2 * PI) 0) ->
+    is_derive f PI ((-1) * / v1 * v2)).
+Proof.
+  intros A B B1 E0 E1 S Z Aw V1 V2; pose proof PI_RGT_0 as J.
+  assert (Sn : 0 < sin e) by (apply sin_gt_0; lra).
+  assert (R0 : 0 < rate s a b 0 e).
+  { pose proof (reach a b A B e); unfold rate; assert (0 < 0 + b * sin e ^ 2) by (rewrite Rplus_0_l; apply Rmult_lt_0_compat; [lra | apply pow_lt; exact Sn]).
+    assert (0 < sqrt (a + b * sin e ^ 2)) by (apply sqrt_lt_R0; assumption).
+    assert (0 < sqrt (0 + b * sin e ^ 2)) by (apply sqrt_lt_R0; assumption).
+    pose proof (forward b B e B1); positive. }
+  assert (d0 : 0 < Rmin e (PI / 2 - e)) by (apply Rmin_pos; lra).
+  assert (near : forall x, Rabs (x - e) < Rmin e (PI / 2 - e) -> 0 < x < PI / 2).
+  { intros x H1; pose proof (Rmin_l e (PI / 2 - e)); pose proof (Rmin_r e (PI / 2 - e)); apply Rabs_def2 in H1; lra. }
+  apply (implicit_equation (fun x c => RInt (over s a b c x) x (1 / 2 * PI)) (fun x c => - rate s a b 0 x) _ away e PI 0 (-1)).
+  - exists (mkposreal _ d0); simpl; intros x c H1 H2; destruct (near x H1) as [H3 H4].
+    rewrite <- zero_rate_is by (first [assumption | apply sin_gt_0; lra]); apply over_by_end; assumption.
+  - apply continuity_2d_pt_opp; pose proof (reach a b A B e); assert (0 < 0 + b * sin e ^ 2) by (rewrite Rplus_0_l; apply Rmult_lt_0_compat; [lra | apply pow_lt; exact Sn]); unfold rate; continues_2d;
+      apply Rgt_not_eq, sqrt_lt_R0; assumption.
+  - lra.
+  - exists (mkposreal _ d0); intros x H1; destruct (near x H1) as [H3 H4].
+    exact (continuous_derive _ _ _ (over_by_value s a b A B x PI H3 H4)).
+  - exact (over_by_value s a b A B e PI E0 E1).
+  - exists (mkposreal _ d0); simpl; intros x c H1 H2; destruct (near x H1) as [H3 H4].
+    assert (I : is_RInt (over s a b c x) x (1 / 2 * PI) (RInt (over s a b c x) x (1 / 2 * PI))).
+    { apply integral_correct; intros t T; unfold over; apply (continuous_plus (fun _ => (-1) * c * / (1 / 2 * PI + (-1) * x))).
+      - apply continuous_const.
+      - apply (zero_on s a b A B x (1 / 2 * PI)); try lra; exact T. }
+    split; intros H5; [| rewrite <- H5; exact I].
+    rewrite <- (is_RInt_unique _ _ _ _ H5); symmetry; apply is_RInt_unique, I.
+  - exact Z.
+  - exact Aw.
+  - rewrite V1, V2, zero_rate_is by assumption; field; lra.
+Qed.
+Lemma turned_by_angle a b c x : a > 0 -> b > 0 -> b <= 1 -> - b < c < 0 ->
+  is_derive (fun t : R => RInt (turned a b c) 0 t) x (turned a b c x).
+Proof.
+  intros A B L C; apply (d_upper_end (turned a b c) 0 (Rmin 0 x - 1) (Rmax 0 x + 1)); try lra.
+  intros t _; now apply turned_continuous.
+Qed.
+Lemma turned_by_levels a b g x : a > 0 -> b > 0 -> b <= 1 -> - b < g < 0 ->
+  is_derive (fun c : R => RInt (turned a b c) 0 x) g (RInt (turned_slope a b g) 0 x).
+Proof.
+  intros A B L C; apply (leibniz (turned a b) (turned_slope a b) 0 x g (- b) 0 C).
+  - intros c t H _; now apply turned_by_level.
+  - intros t _; now apply slope_near.
+  - intros c H t _; now apply turned_continuous.
+Qed.
+Lemma turned_solution (a b g e v1 v2 : R) (away : R -> R) : a > 0 -> b > 0 -> b <= 1 -> - b < g < 0 -> 0 < sin e ->
+  is_RInt (turned a b g) 0 e PI -> (forall c, away c = c - g) ->
+  v1 = turned a b g e -> v2 = RInt (turned_slope a b g) 0 e ->
+  (exists f : R -> R, f g = e
+    /\ (exists near : R, 0 < near /\ forall x c : R, Rabs (away c) < near -> x = f c -> is_RInt (turned a b c) 0 x PI)
+    /\ is_derive f g ((-1) * / v1 * v2)) /\
+  (forall f : R -> R, f g = e -> continuous f g ->
+    (exists near : R, 0 < near /\ forall x c : R, Rabs (away c) < near -> x = f c -> is_RInt (turned a b c) 0 x PI) ->
+    is_derive f g ((-1) * / v1 * v2)).
+Proof.
+  intros A B L G S Z Aw V1 V2; pose proof (turned_positive a b A B L g e G S) as T.
+  assert (d0 : 0 < Rmin (g + b) (- g)) by (apply Rmin_pos; lra).
+  assert (near : forall c, Rabs (c - g) < Rmin (g + b) (- g) -> - b < c < 0).
+  { intros c H2; pose proof (Rmin_l (g + b) (- g)); pose proof (Rmin_r (g + b) (- g)); apply Rabs_def2 in H2; lra. }
+  apply (implicit_equation (fun x c => RInt (turned a b c) 0 x) (fun x c => turned a b c x) _ away e g PI
+    (RInt (turned_slope a b g) 0 e)).
+  - exists (mkposreal _ d0); simpl; intros x c _ H2; apply turned_by_angle; auto.
+  - pose proof (under_root a b A B g e G) as U; pose proof (below_line a b A B g e G) as W.
+    assert (0 < sqrt ((-1) * g * (b + a * sin e ^ 2) + a * b * cos e ^ 2)) by now apply sqrt_lt_R0.
+    unfold turned; continues_2d; lra.
+  - lra.
+  - apply filter_forall; intros x; exact (continuous_derive _ _ _ (turned_by_levels a b g x A B L G)).
+  - exact (turned_by_levels a b g e A B L G).
+  - exists (mkposreal _ d0); simpl; intros x c _ H2; specialize (near c H2).
+    assert (I : is_RInt (turned a b c) 0 x (RInt (turned a b c) 0 x)).
+    { apply integral_correct; intros t _; now apply turned_continuous. }
+    split; intros H5; [| rewrite <- H5; exact I].
+    rewrite <- (is_RInt_unique _ _ _ _ H5); symmetry; apply is_RInt_unique, I.
+  - exact Z.
+  - exact Aw.
+  - rewrite V1, V2; field; lra.
+Qed.

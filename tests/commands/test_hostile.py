@@ -256,7 +256,7 @@ COMMANDS: dict[str, tuple[list[list[str]], list[str]]] = {
         ["--given", "--as", "--limit", "-f", "--json", "-o"],
     ),
     "verify": ([["eq_gamma"], ["xyz"]], ["--graph", "--json", "-o"]),
-    "derive": ([["eq_gamma"], ["xyz"]], ["-o"]),
+    "derive": ([["eq_gamma"], ["xyz"]], ["--style", "--ledger", "-o"]),
     "table": ([["objects"], []], ["--format", "--json", "-o"]),
     "audit": ([[PAPER], ["/dev/null"], ["/"], []], ["--json", "-o"]),
     "paper": ([[PAPER], ["/dev/null"], ["/"], []], ["--json", "--strict", "--limit", "-o"]),

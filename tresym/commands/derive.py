@@ -76,12 +76,17 @@ def _check(args: argparse.Namespace) -> None:
     whole = args.ledger or args.appendix
     if args.labels and (whole or args.figures):
         raise InputError("derive: --figures, --ledger and --appendix take no labels")
-    if args.path is None and (args.ledger or args.figures):
+    if not _is_file(args.path) and (args.ledger or args.figures):
         raise InputError("derive: --figures and --ledger write further files: give -o PATH")
     if whole and args.style != "article":
         raise InputError("derive: --ledger and --appendix are for --style article")
     if args.figures and args.style == "jupyter":
         raise InputError("derive: the cells of a notebook draw its figures; leave out --figures")
+
+
+def _is_file(path: str | None) -> bool:
+    """Return whether output goes to a file, beside which others can be written."""
+    return path is not None and (os.path.isfile(path) or not os.path.exists(path))
 
 
 def _pieces(args: argparse.Namespace) -> int:
@@ -105,7 +110,7 @@ def _document(args: argparse.Namespace) -> int:
     from tresym.report.pages import documents_about as documents
 
     beside = os.path.splitext(args.path or "")[0]
-    with_figures = args.figures is not False and args.path is not None
+    with_figures = args.figures is not False and _is_file(args.path)
     names = documents.figures_of(args.style) if with_figures else ()
     kind = "svg" if args.style == "markdown" else "pdf"
     figures = {name: os.path.join(f"{beside}-figures", f"{name}.{kind}") for name in names}

@@ -1868,3 +1868,164 @@ Proof.
   apply (Rmult_le_compat_l (PI / 2)) in H; [| lra].
   replace (PI / 2 * (sin t - 2 / PI * t)) with (PI / 2 * sin t - t) in H by (field; lra); lra.
 Qed.
+
+(* The implicit function theorem in one dimension: the derivative of any continuous solution, and
+   a solution, the greatest point at which the left side is not yet above the right one. *)
+Lemma implicit_derive (h : R -> R -> R) (f : R -> R) (x0 p0 lx lp : R) :
+  differentiable_pt_lim h x0 p0 lx lp -> lx <> 0 -> f p0 = x0 -> continuous f p0 ->
+  locally p0 (fun p => h (f p) p = h x0 p0) -> is_derive f p0 (- lp / lx).
+Proof.
+  intros D N E C [d2 L]; apply is_derive_Reals; intros eps Eps.
+  set (m := Rabs lx); assert (M : 0 < m) by now apply Rabs_pos_lt.
+  pose proof (Rabs_pos lp) as P; set (K := (2 * Rabs lp + m) / m).
+  assert (K0 : 0 < K) by (unfold K; apply Rdiv_lt_0_compat; lra).
+  assert (Eta : 0 < Rmin (m / 2) (eps * m / (2 * (K + 1)))).
+  { apply Rmin_pos; [lra | apply Rdiv_lt_0_compat; nra]. }
+  destruct (D (mkposreal _ Eta)) as [d Hd]; simpl in Hd.
+  assert (C' : locally (f p0) (fun y => Rabs (y - x0) < d)) by (rewrite E; exists d; intros y Y; exact Y).
+  destruct (C _ C') as [d1 H1]; pose proof (cond_pos d); pose proof (cond_pos d1); pose proof (cond_pos d2).
+  assert (D0 : 0 < Rmin d (Rmin d1 d2)) by (repeat apply Rmin_pos; assumption).
+  exists (mkposreal _ D0); simpl; intros t T B.
+  pose proof (Rmin_l d (Rmin d1 d2)); pose proof (Rmin_r d (Rmin d1 d2)).
+  pose proof (Rmin_l d1 d2); pose proof (Rmin_r d1 d2).
+  assert (Q : p0 + t - p0 = t) by ring.
+  assert (B1 : ball p0 d1 (p0 + t)) by (change (Rabs (p0 + t - p0) < d1); rewrite Q; lra).
+  assert (B2 : ball p0 d2 (p0 + t)) by (change (Rabs (p0 + t - p0) < d2); rewrite Q; lra).
+  specialize (H1 _ B1); specialize (L _ B2); simpl in H1, L.
+  specialize (Hd (f (p0 + t)) (p0 + t) H1 ltac:(rewrite Q; lra)); rewrite L, Q in Hd.
+  rewrite E; set (y := f (p0 + t) - x0) in *.
+  replace (h x0 p0 - h x0 p0 - (lx * y + lp * t)) with (- (lx * y + lp * t)) in Hd by ring.
+  rewrite Rabs_Ropp in Hd; set (eta := Rmin (m / 2) (eps * m / (2 * (K + 1)))) in *.
+  pose proof (Rmin_l (m / 2) (eps * m / (2 * (K + 1)))) as E1.
+  pose proof (Rmin_r (m / 2) (eps * m / (2 * (K + 1)))) as E2; fold eta in E1, E2.
+  pose proof (Rabs_pos y) as Y0; pose proof (Rabs_pos_lt t T) as T0.
+  assert (X : Rmax (Rabs y) (Rabs t) <= Rabs y + Rabs t) by (apply Rmax_lub; lra).
+  assert (Z : Rabs (lx * y + lp * t) <= eta * (Rabs y + Rabs t)) by nra.
+  assert (W : m * Rabs y <= Rabs (lx * y + lp * t) + Rabs lp * Rabs t).
+  { unfold m; rewrite <- !Rabs_mult; replace (lx * y) with ((lx * y + lp * t) + - (lp * t)) at 1 by ring.
+    eapply Rle_trans; [apply Rabs_triang | rewrite (Rabs_Ropp (lp * t)); lra]. }
+  assert (V : Rabs y <= K * Rabs t).
+  { apply (Rmult_le_reg_l m); [exact M |]; replace (m * (K * Rabs t)) with (2 * Rabs lp * Rabs t + m * Rabs t)
+      by (unfold K; field; lra); nra. }
+  replace (y / t - - lp / lx) with ((lx * y + lp * t) / (lx * t)) by (field; split; assumption).
+  unfold Rdiv; rewrite Rabs_mult, Rabs_inv, Rabs_mult; fold m.
+  apply (Rmult_lt_reg_r (m * Rabs t)); [nra |]; rewrite Rmult_assoc, Rinv_l by nra; rewrite Rmult_1_r.
+  apply Rle_lt_trans with (eta * ((K + 1) * Rabs t)); [eapply Rle_trans; [exact Z |]; apply Rmult_le_compat_l; lra |].
+  apply Rle_lt_trans with (eps * m / (2 * (K + 1)) * ((K + 1) * Rabs t)); [apply Rmult_le_compat_r; nra |].
+  replace (eps * m / (2 * (K + 1)) * ((K + 1) * Rabs t)) with (eps * (m * Rabs t) / 2) by (field; lra).
+  assert (0 < eps * (m * Rabs t)) by (apply Rmult_lt_0_compat; nra); lra.
+Qed.
+Lemma implicit_solution_up (h hx : R -> R -> R) (x0 p0 : R) :
+  locally_2d (fun x p => is_derive (fun t => h t p) x (hx x p)) x0 p0 ->
+  continuity_2d_pt hx x0 p0 -> 0 < hx x0 p0 -> locally x0 (fun x => continuous (h x) p0) ->
+  exists f, f p0 = x0 /\ continuous f p0 /\ locally p0 (fun p => h (f p) p = h x0 p0).
+Proof.
+  intros [d1 D] C S [d2 P]; destruct (C (mkposreal _ S)) as [d3 C3]; simpl in C3.
+  set (d := Rmin d1 (Rmin d2 d3)); set (r := h x0 p0).
+  assert (d0 : 0 < d) by (repeat apply Rmin_pos; apply cond_pos).
+  assert (L : d <= d1 /\ d <= d2 /\ d <= d3).
+  { unfold d; pose proof (Rmin_l d1 (Rmin d2 d3)); pose proof (Rmin_r d1 (Rmin d2 d3)).
+    pose proof (Rmin_l d2 d3); pose proof (Rmin_r d2 d3); lra. }
+  assert (near : forall x, x0 - d / 2 <= x <= x0 + d / 2 -> Rabs (x - x0) < d) by (intros; apply Rabs_def1; lra).
+  assert (Dx : forall p x, Rabs (p - p0) < d -> x0 - d / 2 <= x <= x0 + d / 2 -> is_derive (fun t => h t p) x (hx x p)).
+  { intros p x Hp X; specialize (near x X); apply D; lra. }
+  assert (up : forall p x y, Rabs (p - p0) < d -> x0 - d / 2 <= x -> x < y -> y <= x0 + d / 2 -> h x p < h y p).
+  { intros p x y Hp X XY Y; apply (rising (fun t => h t p) (fun t => hx t p) x y); try lra.
+    - intros t T; apply (continuous_derive _ (hx t p)), Dx; [exact Hp | lra].
+    - intros t T; apply Dx; [exact Hp | lra].
+    - intros t T; specialize (near t ltac:(lra)); specialize (C3 t p ltac:(lra) ltac:(lra)).
+      apply Rabs_def2 in C3; lra. }
+  set (E := fun p x => x0 - d / 2 <= x <= x0 + d / 2 /\ h x p <= r).
+  exists (fun p => real (Lub_Rbar (E p))).
+  assert (one : forall p x, Rabs (p - p0) < d -> x0 - d / 2 <= x <= x0 + d / 2 -> h x p = r -> real (Lub_Rbar (E p)) = x).
+  { intros p x Hp X Z; rewrite (is_lub_Rbar_unique (E p) (Finite x)); [reflexivity |]; split.
+    - intros y [Y1 Y2]; simpl; destruct (Rle_or_lt y x) as [H|H]; [exact H |].
+      specialize (up p x y Hp ltac:(lra) H ltac:(lra)); lra.
+    - intros b B; apply B; split; [exact X | lra]. }
+  assert (roots : forall e, 0 < e -> e <= d / 2 ->
+    locally p0 (fun p => Rabs (real (Lub_Rbar (E p)) - x0) <= e /\ h (real (Lub_Rbar (E p))) p = r)).
+  { intros e e0 ed.
+    assert (Z : Rabs (p0 - p0) < d) by (rewrite Rminus_eq_0, Rabs_R0; exact d0).
+    pose proof (up p0 (x0 - e) x0 Z ltac:(lra) ltac:(lra) ltac:(lra)) as U1; fold r in U1.
+    pose proof (up p0 x0 (x0 + e) Z ltac:(lra) ltac:(lra) ltac:(lra)) as U2; fold r in U2.
+    assert (B1 : ball x0 d2 (x0 - e)) by (change (Rabs (x0 - e - x0) < d2); apply Rabs_def1; lra).
+    assert (B2 : ball x0 d2 (x0 + e)) by (change (Rabs (x0 + e - x0) < d2); apply Rabs_def1; lra).
+    pose proof (P _ B1) as C1; pose proof (P _ B2) as C2.
+    assert (N1 : locally p0 (fun p => h (x0 - e) p < r)).
+    { apply (C1 (fun y => y < r)); apply open_lt; exact U1. }
+    assert (N2 : locally p0 (fun p => r < h (x0 + e) p)).
+    { apply (C2 (fun y => r < y)); apply open_gt; exact U2. }
+    assert (N3 : locally p0 (fun p => Rabs (p - p0) < d)) by (exists (mkposreal d d0); intros y Y; exact Y).
+    generalize (filter_and _ _ N1 (filter_and _ _ N2 N3)); apply filter_imp; intros p [H1 [H2 H3]].
+    destruct (root_exists (fun t => h t p - r) (x0 - e) (x0 + e)) as [x [X R0]]; [lra | | nra |].
+    - intros t T; apply (continuous_minus (fun t => h t p) (fun _ => r)); [| apply continuous_const].
+      apply (continuous_derive _ (hx t p)), Dx; [exact H3 | lra].
+    - rewrite (one p x H3 ltac:(lra) ltac:(lra)); split; [apply Rabs_le; lra | lra]. }
+  split; [apply one; [rewrite Rminus_eq_0, Rabs_R0; exact d0 | lra | reflexivity] | split].
+  - intros Q HQ; rewrite (one p0 x0) in HQ; [| rewrite Rminus_eq_0, Rabs_R0; exact d0 | lra | reflexivity].
+    destruct HQ as [q HQ]; pose proof (cond_pos q) as q0.
+    assert (e0 : 0 < Rmin (q / 2) (d / 2)) by (apply Rmin_pos; lra).
+    pose proof (Rmin_l (q / 2) (d / 2)); pose proof (Rmin_r (q / 2) (d / 2)).
+    change (locally p0 (fun p => Q (real (Lub_Rbar (E p))))).
+    generalize (roots _ e0 ltac:(lra)); apply filter_imp; intros p [H1 _]; apply HQ.
+    change (Rabs (real (Lub_Rbar (E p)) - x0) < q); lra.
+  - generalize (roots (d / 2) ltac:(lra) ltac:(lra)); apply filter_imp; intros p [_ H1]; exact H1.
+Qed.
+Lemma implicit_function (h hx : R -> R -> R) (x0 p0 lp : R) :
+  locally_2d (fun x p => is_derive (fun t => h t p) x (hx x p)) x0 p0 ->
+  continuity_2d_pt hx x0 p0 -> hx x0 p0 <> 0 -> locally x0 (fun x => continuous (h x) p0) ->
+  is_derive (h x0) p0 lp ->
+  (exists f, f p0 = x0 /\ continuous f p0 /\ locally p0 (fun p => h (f p) p = h x0 p0)
+    /\ is_derive f p0 (- lp / hx x0 p0)) /\
+  (forall f, f p0 = x0 -> continuous f p0 -> locally p0 (fun p => h (f p) p = h x0 p0) ->
+    is_derive f p0 (- lp / hx x0 p0)).
+Proof.
+  intros D C N P Lp.
+  assert (F : differentiable_pt_lim h x0 p0 (hx x0 p0) lp).
+  { apply filterdiff_differentiable_pt_lim.
+    apply (is_derive_filterdiff h x0 p0 hx lp); [| exact Lp |].
+    - apply (locally_2d_locally (fun x p => is_derive (fun t => h t p) x (hx x p))), D.
+    - apply (continuity_2d_pt_filterlim hx), C. }
+  assert (U : forall f, f p0 = x0 -> continuous f p0 -> locally p0 (fun p => h (f p) p = h x0 p0) ->
+    is_derive f p0 (- lp / hx x0 p0)) by (intros f; now apply implicit_derive).
+  split; [| exact U].
+  assert (X : exists f, f p0 = x0 /\ continuous f p0 /\ locally p0 (fun p => h (f p) p = h x0 p0)).
+  { destruct (Rlt_or_le 0 (hx x0 p0)) as [S|S]; [exact (implicit_solution_up h hx x0 p0 D C S P) |].
+    destruct (implicit_solution_up (fun x p => - h x p) (fun x p => - hx x p) x0 p0) as [f [F1 [F2 F3]]].
+    - revert D; apply locally_2d_impl, locally_2d_forall; intros u v H; now apply (d_opp (fun t => h t v)).
+    - now apply continuity_2d_pt_opp.
+    - lra.
+    - revert P; apply filter_imp; intros x H; now apply (continuous_opp (h x)).
+    - exists f; split; [exact F1 | split; [exact F2 |]]; revert F3; apply filter_imp; intros p H; lra. }
+  destruct X as [f [F1 [F2 F3]]]; exists f; exact (conj F1 (conj F2 (conj F3 (U f F1 F2 F3)))).
+Qed.
+(* The same where an equation is said of x and p. *)
+Lemma implicit_equation (h hx : R -> R -> R) (says : R -> R -> Prop) (away : R -> R) (x0 p0 r lp s : R) :
+  locally_2d (fun x p => is_derive (fun t => h t p) x (hx x p)) x0 p0 ->
+  continuity_2d_pt hx x0 p0 -> hx x0 p0 <> 0 -> locally x0 (fun x => continuous (h x) p0) ->
+  is_derive (h x0) p0 lp -> locally_2d (fun x p => says x p <-> h x p = r) x0 p0 -> says x0 p0 ->
+  (forall p, away p = p - p0) -> s = - lp / hx x0 p0 ->
+  (exists f : R -> R, f p0 = x0
+    /\ (exists near : R, 0 < near /\ forall x p : R, Rabs (away p) < near -> x = f p -> says x p)
+    /\ is_derive f p0 s) /\
+  (forall f : R -> R, f p0 = x0 -> continuous f p0 ->
+    (exists near : R, 0 < near /\ forall x p : R, Rabs (away p) < near -> x = f p -> says x p) ->
+    is_derive f p0 s).
+Proof.
+  intros D C N P Lp [d Eq] Z Aw ->; pose proof (cond_pos d).
+  assert (Z' : h x0 p0 = r) by (apply Eq; trivial; rewrite Rminus_eq_0, Rabs_R0; assumption).
+  destruct (implicit_function h hx x0 p0 lp D C N P Lp) as [[f [F1 [F2 [F3 F4]]]] U].
+  assert (close : forall g, g p0 = x0 -> continuous g p0 -> locally p0 (fun p => Rabs (g p - x0) < d)).
+  { intros g G K; apply (K (fun y => Rabs (y - x0) < d)); rewrite G; exists d; intros y Y; exact Y. }
+  assert (beside : locally p0 (fun p => Rabs (p - p0) < d)) by (exists d; intros y Y; exact Y).
+  split.
+  - exists f; split; [exact F1 | split; [| exact F4]].
+    destruct (filter_and _ _ F3 (filter_and _ _ (close f F1 F2) beside)) as [e E]; exists e.
+    split; [apply cond_pos |]; intros x p Q ->; rewrite Aw in Q; destruct (E p Q) as [E1 [E2 E3]].
+    apply Eq; [exact E2 | exact E3 | rewrite E1; exact Z'].
+  - intros g G1 G2 [near [n0 G3]]; apply U; [exact G1 | exact G2 |].
+    assert (B : locally p0 (fun p => Rabs (p - p0) < near)) by (exists (mkposreal near n0); intros y Y; exact Y).
+    generalize (filter_and _ _ B (filter_and _ _ (close g G1 G2) beside)); apply filter_imp.
+    intros p [B1 [B2 B3]]; rewrite Z'; apply Eq; [exact B2 | exact B3 |].
+    apply G3; [rewrite Aw; exact B1 | reflexivity].
+Qed.

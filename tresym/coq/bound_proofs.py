@@ -26,7 +26,16 @@ from tresym.reals.decisions.antiderivatives import suggested
 from tresym.reals.decisions.asymptotics.limit_values import limit_of
 from tresym.reals.decisions.statement import Comparison, Derivative, Path
 from tresym.reals.language.binders import elementary, outermost
-from tresym.reals.language.expression import MINUS_ONE, ONE, ZERO, Expr, number, substitute, symbol, symbols
+from tresym.reals.language.expression import (
+    MINUS_ONE,
+    ONE,
+    ZERO,
+    Expr,
+    number,
+    substitute,
+    symbol,
+    symbols,
+)
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.calls import INFINITY
 

@@ -19,7 +19,18 @@ from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.operation_domains import needs
 from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.calls import FACTORIAL
-from tresym.reals.language.expression import LEAVES, ONE, ZERO, Expr, fresh, number, replaced, substitute, symbol, symbols
+from tresym.reals.language.expression import (
+    LEAVES,
+    ONE,
+    ZERO,
+    Expr,
+    fresh,
+    number,
+    replaced,
+    substitute,
+    symbol,
+    symbols,
+)
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.calls import INFINITY
 

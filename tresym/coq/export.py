@@ -22,7 +22,7 @@ from typing import Any, NamedTuple
 from tresym.coq import stamps
 from tresym.coq.candidate_search import assumptions
 from tresym.coq.coqtop import HEAD, prelude
-from tresym.coq.ledger_statements import Joint, lemmas, name_of, stamp, stem, theorem_of
+from tresym.coq.ledger_statements import Exported, Joint, lemmas, name_of, stamp, stem, theorem_of
 from tresym.coq.numbers import numbers
 from tresym.coq.statement import NotExportedError, Theorem, condition
 from tresym.ledger.claim import AllOf, Claim
@@ -56,7 +56,7 @@ class Entry(NamedTuple):
         without: the script that proves the theorem without the other premises.
     """
 
-    theorem: Theorem | Joint | None
+    theorem: Exported | None
     lemmas: str
     script: str | None
     premises: tuple[str, ...]
@@ -426,7 +426,8 @@ def possible(store: Mapping[str, Any]) -> str:
     The theorems show that the conditions of the claims can be satisfied, so that no theorem holds
     vacuously.
     """
-    lines = [f"(* Points at which the conditions of the claims hold. *)\n\n{HEAD}"]
+    lines = ["(* Points at which the conditions of the claims hold. *)\n", HEAD]
+    lines.append("Require Import Racket.\n")
     for key, row in store.get("possible", {}).items():
         lines.append(f"Theorem possible_{key} :\n{row['body']}.\nProof.\n{row['script']}\nQed.\n")
     return "\n".join(lines)

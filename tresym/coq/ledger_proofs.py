@@ -22,7 +22,15 @@ from tresym.coq.candidate_search import by_steps
 from tresym.coq.coqtop import Dialogue
 from tresym.coq.definedness import satisfiable, strengthen, trial
 from tresym.coq.export import applied, library_text
-from tresym.coq.ledger_statements import Joint, conditions_of, lemmas, name_of, stamp, theorem_of
+from tresym.coq.ledger_statements import (
+    Exported,
+    Joint,
+    conditions_of,
+    lemmas,
+    name_of,
+    stamp,
+    theorem_of,
+)
 from tresym.coq.lemma_proofs import Plan, candidates, plans, without_definitions
 from tresym.coq.stamps import checked, digest, library
 from tresym.coq.statement import NotExportedError, Theorem, comparison, term, variable
@@ -54,6 +62,9 @@ class Memory:
             if checked(row, applied(row, store or {}), library_text()):
                 for body, proof in _LEMMA.findall(row["lemmas"]):
                     self.known |= {_key("lemma", body): proof, _key(_proof(body, proof)): True}
+        for row in store.get("possible", {}).values() if store else ():
+            if checked(row, (), library_text()):
+                self.known[_key(_proof(row["body"], row["script"]))] = True
 
     def accepts(self, text: str, patience: int | None = None) -> bool:
         """Return whether Coq accepts the text.
@@ -138,9 +149,7 @@ def search(
             memory.keep()
 
 
-def found(
-    claim: Claim, whole: Theorem | Joint, memory: Memory
-) -> tuple[dict[str, Any] | None, str]:
+def found(claim: Claim, whole: Exported, memory: Memory) -> tuple[dict[str, Any] | None, str]:
     """Try the plans for a claim; return the first proof that Coq accepts, or what is missing.
 
     Args:
@@ -280,11 +289,11 @@ def _found_soon(proofs: Iterator[str]) -> Iterator[str]:
         signal.signal(signal.SIGVTALRM, before)
 
 
-def _trial(claim: Claim, whole: Theorem | Joint, plan: Plan) -> str | None:
+def _trial(claim: Claim, whole: Exported, plan: Plan) -> str | None:
     """Return a theorem with the lemmas and the applied theorems as premises, or None."""
 
-    def whole_of(theorem: Theorem | Joint) -> str:
-        if isinstance(theorem, Theorem):
+    def whole_of(theorem: Exported) -> str:
+        if not isinstance(theorem, Joint):
             return f"({theorem.body})"
         return f"({_AND.join(whole_of(theorem_of(part)) for part in theorem.parts)})"
 

@@ -14,9 +14,11 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from hashlib import sha256
+from typing import TypeAlias
 
 from sympy import Basic
 
+from tresym.coq.implicit_statements import Implicit
 from tresym.coq.statement import (
     Condition,
     Every,
@@ -77,6 +79,10 @@ class Joint:
         return f"Theorem {self.name} :\n{self.body}."
 
 
+Exported: TypeAlias = Theorem | Joint | Implicit
+"""The theorem of a claim."""
+
+
 def stem(label: str) -> str:
     """Return the label with all characters that Coq does not allow in names replaced."""
     return re.sub(r"\W", "_", label, flags=re.ASCII)
@@ -92,7 +98,7 @@ def lemmas() -> str:
     return file_of("coq").joinpath("Racket.v").read_text(encoding="utf-8")
 
 
-def theorem_of(claim: Claim) -> Theorem | Joint:
+def theorem_of(claim: Claim) -> Exported:
     """Return the Coq theorem of a claim.
 
     Raises:
@@ -103,10 +109,10 @@ def theorem_of(claim: Claim) -> Theorem | Joint:
     return found
 
 
-def _theorem_of(claim: Claim) -> Theorem | Joint:
+def _theorem_of(claim: Claim) -> Exported:
     proof = claim.proof
     if isinstance(proof, ImplicitFunction):
-        raise NotExportedError("the implicit function theorem is not exported yet")
+        return _implicit(claim, proof)
     if isinstance(proof, Root):
         raise NotExportedError(
             "the definition of a root has no theorem of its own; it is a premise of the theorems "
@@ -146,6 +152,27 @@ def _theorem_of(claim: Claim) -> Theorem | Joint:
         raise NotExportedError(
             f"the statement cannot be converted to real expressions ({error})"
         ) from None
+
+
+def _implicit(claim: Claim, proof: ImplicitFunction) -> Implicit:
+    """Return the implicit function theorem for the equation of a claim."""
+    (slope,) = relations(read(claim.says))  # type: ignore[arg-type]
+    (equation,) = relations(read(proof.equation.decided))  # type: ignore[arg-type]
+    unknown, parameter = proof.unknown.name, proof.parameter.name
+    given = tuple(c for c in conditions_of(claim.given) if parameter not in free(c))
+    at = sympy_reader.unworked(proof.at)
+    names = free(equation).union(free(slope), symbols(at), *map(free, given))
+    names -= {parameter, slope.left.args[0]}
+    return Implicit(
+        name_of(claim.label),
+        tuple(sorted(names)),
+        tuple((c.left, c.sign, c.right) for c in given),
+        equation,
+        unknown,
+        parameter,
+        at,
+        slope,
+    )
 
 
 def conditions_of(given: Iterable[Basic]) -> list[Relation]:
@@ -400,6 +427,6 @@ def existence(claim: Claim, says: Formula) -> Theorem:
     return Theorem(whole.name, whole.variables, whole.definitions, whole.given, remaining, every)
 
 
-def stamp(found: Theorem | Joint) -> str:
+def stamp(found: Exported) -> str:
     """Return a hash of the statement; it changes when the statement does."""
     return sha256(f"{found.text}".encode()).hexdigest()[:16]

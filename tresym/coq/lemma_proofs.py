@@ -16,8 +16,18 @@ from itertools import islice
 from tresym.coq.candidate_search import proofs
 from tresym.coq.equations import exchanged, nodes, quarters
 from tresym.coq.export import conjoined
+from tresym.coq.implicit_statements import Implicit
 from tresym.coq.inequalities import QUICK, by_intervals
-from tresym.coq.ledger_statements import Joint, free, name_of, read, relations, stem, theorem_of
+from tresym.coq.ledger_statements import (
+    Exported,
+    Joint,
+    free,
+    name_of,
+    read,
+    relations,
+    stem,
+    theorem_of,
+)
 from tresym.coq.reductions import known
 from tresym.coq.statement import (
     FUNCTIONS,
@@ -51,7 +61,7 @@ class Plan:
     uses: tuple[str, ...] = ()
 
 
-def plans(claim: Claim, whole: Theorem | Joint) -> Iterator[Plan]:
+def plans(claim: Claim, whole: Exported) -> Iterator[Plan]:
     """Yield the plans to try for a claim, the most likely first.
 
     A hand-written script in ``proofs/coq`` comes before the generated ones.
@@ -67,6 +77,8 @@ def plans(claim: Claim, whole: Theorem | Joint) -> Iterator[Plan]:
         yield Plan(
             (), script, tuple(used.label for used in claim.rests_on if stem(used.label) in found)
         )
+    if isinstance(whole, Implicit):
+        return  # none is generated
     if whole.exists:
         yield from (Plan((), script) for script in point_proofs(claim, whole))
     else:
@@ -329,7 +341,7 @@ class _Planner:
             theorem = theorem_of(used)
         except NotExportedError:
             return ()
-        if isinstance(theorem, Joint) or theorem.exists:
+        if not isinstance(theorem, Theorem) or theorem.exists:
             return ()
         says = [*relations(theorem.says)]
         if not says:

@@ -13,7 +13,17 @@ from tresym.coq.statement import ATOM, term, variable
 from tresym.reals.decisions.asymptotics.limit_values import limit_of
 from tresym.reals.decisions.statement import Path
 from tresym.reals.domain.conditions import Given
-from tresym.reals.language.expression import LEAVES, MINUS_ONE, ZERO, Expr, multiply, number, substitute, symbol, symbols
+from tresym.reals.language.expression import (
+    LEAVES,
+    MINUS_ONE,
+    ZERO,
+    Expr,
+    multiply,
+    number,
+    substitute,
+    symbol,
+    symbols,
+)
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.sympy import from_sympy

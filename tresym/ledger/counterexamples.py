@@ -13,12 +13,10 @@ procedures whose results it may contradict.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
-from itertools import islice, pairwise
 from time import perf_counter
-from typing import Any
 
 from flint import arb, fmpq
 from sympy import (
@@ -32,51 +30,43 @@ from sympy import (
     Subs,
     Symbol,
     Tuple,
-    false,
 )
 from sympy.core.relational import Relational
 
 from tresym.ledger.ball_evaluation import At, differentiated, value
 from tresym.ledger.claim import Claim, equal, parts_of
 from tresym.ledger.conversion import MAX_PASSES, CircularError, tree
-from tresym.ledger.lazy import Kept
+from tresym.ledger.sample_points import (
+    BITS,
+    POINTS,
+    Conditions,
+    Place,
+    World,
+    names_of,
+    points_for,
+    need_unbound,
+    places,
+    reached,
+)
 from tresym.reals import cross_check
 from tresym.reals.decisions.identity import decide
 from tresym.reals.domain.conditions import Given
-from tresym.reals.domain.sample_points import Range
 from tresym.reals.language.binders import generalised
 from tresym.reals.numbers.arithmetic import ball_precision, side
 from tresym.reals.numbers.exact import Interval, fraction_text
 from tresym.reals.verdict import Verdict
 
-Conditions = tuple[Basic, ...]
 Rules = dict[Basic, Basic]
-Place = Mapping[Symbol, Interval]
-"""Exact values (intervals of width 0) or tiny segments, by symbol."""
-
-BITS, ROUGH = 128, 64
-POINTS = 40
-"""Exact points that are tried before the search for a violation gives up."""
 LOOKS = ((BITS, POINTS), (1024, 2))
 """Pairs of a precision in bits and the number of points tried with it."""
 ENOUGH, TRIED, SHARE = (2, 1), (8, 2), 0.02
 """Effort of the independent check: points evaluated and points tried (each for cheap relations, and
 for those with an integral or an implicit equation), and the share of the decision's time that
 further points may take."""
-ROOTS = 2
-"""Points on an implicit equation that are searched for."""
-SPAN, GRID = fmpq(8), 16
-"""Length of the interval searched for a root along an unbounded coordinate, and its grid steps."""
 PARAMETERS, CELLS = 2, 256
 """Points tried, and subintervals per point, to show that an interval contains no root."""
 LARGE = 400
 """Size (number of nodes) of the largest expression in which symbols are substituted."""
-COARSE = 32
-"""Precision in bits for the signs on the grid."""
-FINEST = 3**20
-"""Denominator to which the points of the bracketing search are rounded."""
-WIDTH = fmpq(1, 2**24)
-"""Width of the segment that brackets a root of an implicit equation."""
 
 
 @dataclass(frozen=True)
@@ -85,67 +75,6 @@ class Violation:
 
     point: Mapping[str, fmpq]
     why: str
-
-
-@dataclass(frozen=True)
-class World:
-    """The setting of a search: conditions, rules for defined symbols, implicit equations.
-
-    Attributes:
-        conditions: conditions with the rules substituted.
-        rules: pairs of a defined symbol and its meaning.
-        implicit: differences of sides that vanish where the equations hold.
-        large: conditions without substitution, because the result would be too long.
-    """
-
-    conditions: Conditions
-    rules: tuple[tuple[Symbol, Basic], ...]
-    implicit: tuple[Basic, ...]
-    large: Conditions = ()
-
-    def names(self, *sides: Basic) -> frozenset[Symbol]:
-        """Return the free variables (not the defined symbols) on which ``sides`` depend.
-
-        Raises:
-            CircularError: a symbol occurs where a variable is bound on which its meaning depends.
-        """
-        rules = dict(self.rules)
-        _need_unbound(sides, rules)
-        return _reached(_names(*sides), rules).difference(rules)
-
-    def at(self, place: Place) -> At:
-        """Return the point of evaluation that corresponds to ``place``."""
-        return At({s: i.ball() for s, i in place.items()}, rules=dict(self.rules))
-
-    def values(self, sides: Iterable[Basic], place: Place) -> tuple[Any, ...]:
-        """Return a ball for each of ``sides`` at ``place``."""
-        here = self.at(place)
-        return tuple(value(side, here) for side in sides)
-
-
-def _names(*sides: Basic) -> frozenset[Symbol]:
-    return frozenset().union(*(side.free_symbols for side in sides))
-
-
-def _reached(names: Iterable[Symbol], rules: Mapping[Symbol, Basic]) -> frozenset[Symbol]:
-    """Return the symbols ``names`` and all symbols on which their meanings depend."""
-    found, waiting = set[Symbol](), [*names]
-    while waiting:
-        name = waiting.pop()
-        if name not in found:
-            found.add(name)
-            waiting += rules[name].free_symbols if name in rules else ()
-    return frozenset(found)
-
-
-def _need_unbound(sides: Iterable[Basic], rules: Mapping[Symbol, Basic]) -> None:
-    """Require that no symbol occurs where a variable is bound on which its meaning depends."""
-    for node in {n for e in sides for n in e.atoms(Integral, Derivative, Subs)}:
-        for name in node.free_symbols.intersection(rules):
-            if not _reached((name,), rules).isdisjoint(node.variables):
-                raise CircularError(
-                    f"{name} is defined in terms of a variable that is bound where {name} occurs"
-                )
 
 
 @lru_cache(maxsize=4096)
@@ -167,7 +96,7 @@ def violation(says: Basic, given: Conditions, known: tuple[Basic, ...] = ()) -> 
     """
     for relation, there in _relations(says, known):
         world = _world(given, there)
-        points = _points(world, world.names(*relation.args))
+        points = points_for(world, world.names(*relation.args))
         for bits, count in LOOKS:
             for place in points.first(count):
                 with ball_precision(bits):
@@ -197,7 +126,7 @@ def contradiction(
         start, shown = perf_counter(), 0
         expensive = bool(world.implicit) or relation.has(Integral)
         with ball_precision(BITS):
-            for tried, place in enumerate(_places(world, world.names(*relation.args)), 1):
+            for tried, place in enumerate(places(world, world.names(*relation.args)), 1):
                 if place is not None:
                     sides = world.values(relation.args, place)
                     shown += sides[0].is_finite() and sides[1].is_finite()
@@ -235,8 +164,8 @@ def rootless(
 
     The interval is cut into cells, and a ball on each cell shows one and the same sign.
     """
-    names = _names(function, *ends) - {variable}
-    for place in _points(_world(given, ()), names).first(PARAMETERS):
+    names = names_of(function, *ends) - {variable}
+    for place in points_for(_world(given, ()), names).first(PARAMETERS):
         with ball_precision(BITS):
             here = At({s: i.ball() for s, i in place.items()})
             low, high = (value(end, here) for end in ends)
@@ -257,11 +186,11 @@ def somewhere(given: Conditions, known: tuple[Basic, ...]) -> tuple[Rules, tuple
     the integral.
     """
     world, rules = _world(given, known), {}
-    spoken_of = _names(*given)
+    spoken_of = names_of(*given)
     for left, right in world.rules:
         done = differentiated(right) if isinstance(right, Derivative) else right
         rules[left] = right if left not in spoken_of or done.has(Integral) else done
-    return rules, tuple(_points(world, world.names(*rules.values()), enough=1))
+    return rules, tuple(points_for(world, world.names(*rules.values()), enough=1))
 
 
 def excluded(difference: arb, relation: str) -> bool:
@@ -314,12 +243,12 @@ def _world(given: Conditions, known: tuple[Basic, ...]) -> World:
     pending = []
     for left, right in (equation.args for equation in equations):
         new = isinstance(left, Symbol) and left not in rules
-        if new and left not in _reached(right.free_symbols, rules):
+        if new and left not in reached(right.free_symbols, rules):
             rules[left] = right
         elif left != right:
             pending.append((left, right))
-    _need_unbound(rules.values(), rules)
-    conditioned = _names(*given)
+    need_unbound(rules.values(), rules)
+    conditioned = names_of(*given)
     plain = tuple(c for c in given if not c.has(Integral, Derivative, Subs, Eq))
     implicit = []
     for left, right in pending:
@@ -340,7 +269,7 @@ def _world(given: Conditions, known: tuple[Basic, ...]) -> World:
     asked = dict.fromkeys((*given, *(r for r in relations if not isinstance(r, Eq))))
     small = [c for c in asked if _size((c,), rules) <= LARGE]
     others = tuple(c for c in asked if c not in small)
-    _need_unbound((*implicit, *others), rules)
+    need_unbound((*implicit, *others), rules)
     conditions = dict.fromkeys(put_in(c, rules) for c in small)
     return World(tuple(conditions), tuple(rules.items()), tuple(implicit), others)
 
@@ -406,173 +335,7 @@ def _solved(
         return None
     for symbol in sorted(names.difference(rules), key=lambda s: (s in conditioned, s.name)):
         slope = difference.diff(symbol)
-        alone = symbol not in _reached(names - {symbol}, rules)
+        alone = symbol not in reached(names - {symbol}, rules)
         if alone and slope != 0 and symbol not in slope.free_symbols:
             return symbol, -difference.subs(symbol, 0) / slope
     return None
-
-
-@lru_cache(maxsize=512)
-def _points(
-    world: World, names: frozenset[Symbol], enough: int = ROOTS
-) -> Kept[dict[Symbol, Interval]]:
-    """Return points (or tiny segments that contain one) where all conditions and equations hold.
-
-    Args:
-        world: the setting; with more than one implicit equation no points are found.
-        names: the variables that need values.
-        enough: the number of segments to find on an implicit equation.
-    """
-    if len(world.implicit) > 1 or false in world.conditions:
-        return Kept(lambda: iter(()))
-    symbols, plain, hard = _parts(world, names)
-
-    def starts() -> Iterator[dict[Symbol, Interval]]:
-        for named in Given.from_sympy(*plain).points(sorted(symbols), POINTS):
-            exact = {symbols[name]: Interval(v, v) for name, v in named.items()}
-            with ball_precision(BITS):
-                here = world.at(exact)
-                inside = all(_holds(c, here) for c in hard)
-            if inside:
-                yield exact
-
-    if not world.implicit:
-        return Kept(starts)
-    found: list[dict[Symbol, Interval]] = []
-    for grid in _grids(world):
-        found = [*_roots(world, starts(), grid, enough)]
-        if len(found) >= enough:
-            break
-    return Kept(lambda: iter(found))
-
-
-def _roots(
-    world: World, starts: Iterator[dict[Symbol, Interval]], grid: Sequence[int], enough: int
-) -> Iterator[dict[Symbol, Interval]]:
-    """Yield at most ``enough`` segments that bracket a root of the implicit equation."""
-    segments = (segment for exact in starts for segment in _on_equation(world, exact, grid))
-    return islice(segments, enough)
-
-
-def _places(world: World, names: frozenset[Symbol]) -> Iterator[dict[Symbol, Interval] | None]:
-    """Yield points as `_points` does, but from the independent check's own sampling.
-
-    None stands for a point that is not shown to satisfy all conditions.
-    """
-    if len(world.implicit) > 1 or false in world.conditions:
-        return
-    symbols, plain, hard = _parts(world, names)
-    order = sorted(symbols)
-    given = Given.from_sympy(*plain).comparisons
-    for values in cross_check.points(order, given, cross_check.conditions(order, given)):
-        if values is None:
-            yield None
-            continue
-        ends = (Interval(v, v) for v in map(cross_check.exact, values))
-        exact = dict(zip((symbols[name] for name in order), ends, strict=True))
-        here = world.at(exact)
-        if not all(_holds(c, here) for c in hard):
-            yield None
-        elif world.implicit:
-            yield next(_on_equation(world, exact, _grids(world)[0]), None)
-        else:
-            yield exact
-
-
-def _parts(
-    world: World, names: frozenset[Symbol]
-) -> tuple[dict[str, Symbol], list[Basic], list[Basic]]:
-    """Return the symbols by name, and the conditions without and with integrals or derivatives."""
-    conditions = world.conditions
-    symbols = {s.name: s for s in names | world.names(*world.implicit, *world.large)}
-    symbols |= {s.name: s for condition in conditions for s in condition.free_symbols}
-    hard = [c for c in conditions if c.has(Integral, Derivative, Subs)]
-    return symbols, [c for c in conditions if c not in hard], [*hard, *world.large]
-
-
-def _grids(world: World) -> tuple[Sequence[int], ...]:
-    """Return the grids to search for a root; with an integral, a grid of two points comes first."""
-    (difference,) = world.implicit
-    rules = dict(world.rules)
-    meanings = (rules[s] for s in _reached(difference.free_symbols, rules) if s in rules)
-    coarse = ((1, GRID - 1),) if any(e.has(Integral) for e in (difference, *meanings)) else ()
-    return (*coarse, range(1, GRID))
-
-
-def _on_equation(
-    world: World, exact: dict[Symbol, Interval], grid: Sequence[int]
-) -> Iterator[dict[Symbol, Interval]]:
-    """Yield at most one segment that brackets a root, along one coordinate through a point."""
-    (difference,) = world.implicit
-    plain = (c for c in world.conditions if not c.has(Integral, Derivative, Subs))
-    box = Given.from_sympy(*plain).box
-    found: dict[Symbol, Interval] | None = None
-    with ball_precision(ROUGH):
-        fixed = {s: i.ball() for s, i in exact.items()}
-        rules, moving = dict(world.rules), world.names(difference)
-        for symbol in sorted(moving, key=lambda s: (s.name not in box, s.name)):
-            low, high = _reach(box.get(symbol.name, Range()))
-
-            def there(v: arb | fmpq, symbol: Symbol = symbol) -> At:
-                return At({**fixed, symbol: arb(v)}, rules=rules)
-
-            def at(v: arb | fmpq, there: Callable[[arb | fmpq], At] = there) -> arb:
-                return value(difference, there(v))
-
-            segment = _segment(at, [low + (high - low) * n / GRID for n in grid])
-            if segment is None or not at(segment.ball()).is_finite():
-                continue
-            here = there(segment.ball())
-            if all(_holds(c, here) for c in (*world.conditions, *world.large)):
-                found = {**exact, symbol: segment}
-                break
-    if found is not None:
-        yield found
-
-
-def _reach(where: Range) -> tuple[fmpq, fmpq]:
-    """Return the ends of the interval to search; missing ends are replaced by finite ones."""
-    low = -SPAN / 2 if where.low is None else where.low
-    return low, low + SPAN if where.high is None else where.high
-
-
-def _segment(function: Callable[[fmpq], arb], grid: Sequence[fmpq]) -> Interval | None:
-    """Return a tiny segment with opposite signs of ``function`` at its ends, or None."""
-    with ball_precision(COARSE):
-        signed = [(v, s) for v in grid if (s := side(function(v)))]
-    changes = [(v, w) for (v, first), (w, second) in pairwise(signed) if first != second]
-    return next(filter(None, (_narrowed(function, *ends) for ends in changes)), None)
-
-
-def _narrowed(function: Callable[[fmpq], arb], start: fmpq, end: fmpq) -> Interval | None:
-    """Shrink a bracket of a root by the secant method; None if a sign cannot be determined."""
-    first, last = function(start), function(end)
-    while end - start > WIDTH:
-        width, share = end - start, first / (first - last)
-        # Bisection would often hit the root itself, where a ball cannot determine the sign;
-        # hence the fraction 5/9 and denominators that are powers of 3.
-        parts = round(float(share.mid()) * FINEST) if share.is_finite() else FINEST * 5 // 9
-        middle = start + width * fmpq(min(max(parts, 1), FINEST - 1), FINEST)
-        half = max(WIDTH * 4 / 9, min(width / 32, width * width))
-        for near in (middle - half, middle + half, (5 * start + 4 * end) / 9):
-            v = fmpq((near * FINEST).floor(), FINEST)
-            if not start < v < end:
-                continue
-            found = function(v)
-            if not side(found):
-                return None
-            if side(found) == side(first):
-                start, first = v, found
-            else:
-                end, last = v, found
-            if end - start <= 2 * half:
-                break
-    return Interval(start, end)
-
-
-def _holds(condition: Basic, here: At) -> bool:
-    """Return whether balls show the inequality strictly (``>=`` and ``<=`` as ``>`` and ``<``)."""
-    difference = value(condition.lhs, here) - value(condition.rhs, here)
-    if condition.rel_op == "!=":
-        return bool(side(difference))
-    return bool(difference > 0 if condition.rel_op in (">", ">=") else difference < 0)

@@ -17,8 +17,9 @@ from dataclasses import dataclass, field
 from flint import fmpq
 
 from tresym.manuscript import prose
-from tresym.manuscript.context import Memory, Under, names_in
+from tresym.manuscript.context import Memory, Under
 from tresym.manuscript.display import Said
+from tresym.manuscript.mentions import names_in
 from tresym.manuscript.terms import Head, base_of, read_term, unknown_in
 from tresym.reals.domain.evaluation import evaluate, stands
 from tresym.reals.language.binders import elementary, outermost

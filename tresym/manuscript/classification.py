@@ -11,8 +11,9 @@ from flint import fmpq
 
 from tresym.manuscript import accusations, prose
 from tresym.manuscript.accusations import NO_VARIABLES, Ground
-from tresym.manuscript.context import DEPTH, Memory, Under, about, names_in
+from tresym.manuscript.context import DEPTH, Memory, Under
 from tresym.manuscript.display import Said
+from tresym.manuscript.mentions import about, names_in
 from tresym.manuscript.source import Display
 from tresym.manuscript.terms import Head, base_of, unknown_in, variables_of_integrals
 from tresym.reals.decisions.statement import chained

@@ -10,12 +10,12 @@ from tresym.manuscript import prose, restrictions
 from tresym.manuscript.conditions import INDICES, ConditionReader, whole
 from tresym.manuscript.dependence import may_depend
 from tresym.manuscript.directives import Orders
-from tresym.manuscript.display import Said, statements
+from tresym.manuscript.display import Said
 from tresym.manuscript.kinds import Uses
+from tresym.manuscript.mentions import dependent, names_in, quietly, reaches
 from tresym.manuscript.scopes import Restriction, Scopes
 from tresym.manuscript.terms import Head, base_of, is_plain, read_term, unknown_in
 from tresym.reals.language.binders import elementary
-from tresym.reals.language.calls import INTEGERS
 from tresym.reals.language.expression import (
     BINDERS,
     DOTS,
@@ -48,14 +48,6 @@ _CALLED = re.compile(
     r"(?:\s*,\s*(?:[a-z]|\\[a-z]+))*\s*\)\s*&?\s*:?="
 )
 """The head of a function's definition."""
-_L = r"([a-zA-Z]|\\[a-zA-Z]+)"
-_D = r"\s*(?:d|\\mathrm\s*\{?d\}?|\\partial)(?:\s*\^\s*\{?\d\}?)?\s*"
-_DERIVATIVES = (
-    (rf"\\d?dot\s*\{{?\s*{_L}", "t"),
-    (r"(?<![a-zA-Z\\])([a-zA-Z])(?:_\w)?'", ""),
-    (rf"\\[dt]?frac\s*\{{{_D}{_L}\s*\}}\s*\{{{_D}{_L}", ""),
-)
-"""How derivatives of symbols are written."""
 _ITERATES = re.compile(
     r"\b(?:iterat|with itself|compositional power|period-\w|n-fold)", re.IGNORECASE
 )
@@ -131,7 +123,7 @@ class Memory(ConditionReader):
         self.partial = False
         self.counts_derivatives = "derivative" in text and not _ITERATES.search(text)
         self.primes = bool(_PRIMED_TIME.search(text)) and not _TIME_WITHIN.search(text)
-        self.dependent = _dependent(text)
+        self.dependent = dependent(text)
         self.called = frozenset(
             head.name for m in _CALLED.finditer(text) if (head := self.head(tokenize(m[1])))
         )
@@ -248,7 +240,7 @@ class Memory(ConditionReader):
             values = {
                 n: known[n]
                 for n in (symbols(body) & known.keys()).difference(e.names)
-                if _reaches(n, e.names, known)
+                if reaches(n, e.names, known)
             }
             if not values:
                 break
@@ -459,48 +451,3 @@ class Memory(ConditionReader):
                     given.append((left, op, right))
         kind = around.kind if around.noted else prose.CLAIM
         return replace(around, given=tuple(given), sources=tuple(values), kind=kind, noted=True)
-
-
-def _reaches(name: str, names: Iterable[str], known: Mapping[str, Expr]) -> bool:
-    """Whether the definition of ``name`` contains one of ``names``, directly or indirectly."""
-    reached, left = set(), {name}
-    while left:
-        reached |= left
-        left = {s for n in left if n in known for s in symbols(known[n])} - reached
-    return not reached.isdisjoint(names)
-
-
-def _dependent(text: str) -> dict[str, set[str]]:
-    """Return the letters that are differentiated, and by which variables (``""`` for any)."""
-    found: dict[str, set[str]] = {}
-    for pattern, by in _DERIVATIVES:
-        for match in re.finditer(pattern, text):
-            name, *rest = (part.lstrip("\\") for part in match.groups())
-            found.setdefault(name, set()).add(rest[0] if rest else by)
-    return found
-
-
-def quietly(tex: str) -> list[Said]:
-    """Return the chains of an inline formula, none if it cannot be split."""
-    try:
-        return statements(tex) if len(tex) < 400 else []
-    except InputError:
-        return []
-
-
-def names_in(comparisons: Iterable[Compared]) -> frozenset[str]:
-    """Return the names that occur in comparisons."""
-    return frozenset().union(*(symbols(a) | symbols(b) for a, _, b in comparisons))
-
-
-def about(names: frozenset[str], given: Sequence[Compared]) -> list[Compared]:
-    """Return the conditions on these variables, and on variables connected to them."""
-    reached, size = set(names), 0
-    while len(reached) != size:
-        size = len(reached)
-        for left, _, right in given:
-            own = (symbols(left) | symbols(right)) - symbols(INTEGERS)
-            if own & reached:
-                reached |= own
-    kept = [c for c in given if (symbols(c[0]) | symbols(c[2])) & reached]
-    return list(dict.fromkeys(kept))

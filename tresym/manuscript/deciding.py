@@ -10,8 +10,8 @@ from typing import Any
 from tresym.manuscript import accusations
 from tresym.manuscript.attempts import answers_to
 from tresym.manuscript.classification import EQUATION, UNREAD, Attempt, Link
-from tresym.manuscript.context import names_in
 from tresym.manuscript.instances import instances
+from tresym.manuscript.mentions import names_in
 from tresym.reals.decisions.answer import Alternative, Answer
 from tresym.reals.decisions.statement import chained
 from tresym.reals.decisions.time_limited import Task, check_all, check_within

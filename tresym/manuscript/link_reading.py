@@ -16,11 +16,12 @@ from tresym.manuscript.classification import (
     claim,
     read_so,
 )
-from tresym.manuscript.context import Memory, Under, names_in
+from tresym.manuscript.context import Memory, Under
 from tresym.manuscript.directives import Orders
 from tresym.manuscript.display import STRANGE, Said
 from tresym.manuscript.display_text import OR, WORDS
 from tresym.manuscript.kinds import Kinds
+from tresym.manuscript.mentions import names_in
 from tresym.manuscript.source import Display, Event, Prose
 from tresym.manuscript.terms import (
     SIGNS,

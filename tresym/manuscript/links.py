@@ -23,12 +23,13 @@ from tresym.manuscript.classification import (
     claim,
 )
 from tresym.manuscript.conditions import Conditions
-from tresym.manuscript.context import Under, names_in
+from tresym.manuscript.context import Under
 from tresym.manuscript.directives import Orders, orders_of
 from tresym.manuscript.display import Said, statements
 from tresym.manuscript.display_text import OR, OTHERWISE, between
 from tresym.manuscript.files import Note
 from tresym.manuscript.link_reading import EITHER, LinkReader
+from tresym.manuscript.mentions import names_in
 from tresym.manuscript.source import Display, Event, Missing, Prose, Scope, Section
 from tresym.manuscript.terms import (
     as_derivatives,

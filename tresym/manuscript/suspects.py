@@ -30,8 +30,9 @@ from tresym.reals.language.binders import elementary
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.repair import suggestions
+from tresym.reals.repair.agreement import Definitions
 from tresym.reals.repair.edits import is_one_edit
-from tresym.reals.repair.search import GIVEN, SECONDS, Definitions
+from tresym.reals.repair.search import GIVEN, SECONDS
 
 SUSPECT = "SUSPECT"
 

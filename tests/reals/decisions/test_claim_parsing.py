@@ -50,13 +50,6 @@ def test_conditions_of_both_places_are_joined() -> None:
     assert read("x > 0", [x > 1, "y > 1"]).given == Given.parse("x > 1, y > 1")
 
 
-def test_a_derivative_keeps_what_is_differentiated() -> None:
-    (comparison,) = read("diff(log(x), x) == 1/x").comparisons
-    assert comparison.differentiated == (parse("log(x)"),)
-    (comparison,) = read(sp.Eq(sp.Derivative(sp.log(x), x), 1 / x)).comparisons
-    assert comparison.differentiated == (parse("log(x)"),)
-
-
 @pytest.mark.parametrize(
     ("text", "name", "point", "sides"),
     [
@@ -221,15 +214,6 @@ def test_conditions_that_are_no_inequalities_are_kept_apart() -> None:
     assert found.under == "b > 2, a + b == 1, n integer"
     n = sp.Symbol("n", integer=True)
     assert read(sp.Gt(n, x), [sp.Eq(x, 1)]).under == "x == 1, n integer"
-
-
-def test_an_integral_without_ends_is_a_claim_of_a_derivative() -> None:
-    one, other = read("integral(f*exp(x), x) == y"), read("2*integral(x, x) + x == x**2")
-    assert str(one.comparisons[0].right) == "f*exp(x)"
-    assert one.comparisons[0].derivatives[0].by == "x"
-    (comparison,) = other.comparisons
-    assert comparison.right == parse("2*x")
-    assert comparison.differentiated == (parse("-x + x**2"),)
 
 
 def test_conditions_with_a_side_in_common_go_on_in_one_direction_alone() -> None:

@@ -105,6 +105,7 @@ OPEN = [
     "x == 0 given x**2 + y**2 == 0",  # one point, of which no other is near
     "sqrt(x**2) == abs(x) given sqrt(x**2) == x",  # its only factor is the equation itself
     "x > 0 given log(x**4) == 4*log(x**2)",
+    "a > 3 given a + b == sqrt(5), a**2 + b**2 + a**5*b**5 == 3",  # an irrational coefficient
     "sqrt(x**2) == x given 2*atan(x) == atan(2*x/(1 - x**2))",
 ]
 

@@ -10,7 +10,8 @@ from tresym.commands import main
 from tresym.ledger.verification import Report, verify
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
-from tresym.report.pages.derivation import _valued, fragment, prose
+from tresym.report.pages import fragments
+from tresym.report.pages.derivation import _valued, prose
 from tresym.report.pages.ledger_document import ledger_document
 
 
@@ -51,8 +52,12 @@ def test_nothing_unprintable_is_left(report: Report) -> None:
 
 
 def test_one_statement_to_paste() -> None:
-    text = fragment(verify(["eq_gamma"])["eq_gamma"])
-    assert r"\gamma &= \frac{2I_2E}{M^2}-1 && \text{\footnotesize by \texttt{d08}}" in text
+    text = fragments.written([verify(["eq_gamma"])["eq_gamma"]], "article")
+    assert text.startswith("% ")
+    assert r"Let $0 < I_1 < I_2 < I_3$ and $M > 0$." in text
+    assert r"\gamma &= \frac{2I_2E}{M^2}-1 && \text{\footnotesize by \eqref{tresym:d08}}" in text
+    assert text.index(r"\label{tresym:d08}") < text.index(r"\label{tresym:eq_gamma}")
+    assert "PROVED" not in text.split("\n", 1)[1]
     with pytest.raises(InputError):
         verify(["eq_gamm"])
 
@@ -104,7 +109,8 @@ def test_statements_to_paste_fit_an_article_as_latex_sets_it(tmp_path: Path) -> 
     """Short and long chains; no margin is set, and each is referred to."""
     labels = ["d37", "eq_gamma", "eq_Euler", "stable_equation", "logarithmic_equation"]
     report = verify(labels)
-    body = "".join(fragment(report[label]) + rf"\eqref{{tresym:{label}}}" for label in labels)
+    body = fragments.written([report[label] for label in labels], "article")
+    body += "".join(rf"\eqref{{tresym:{label}}}" for label in labels)
     head = r"\documentclass{article}\usepackage{amsmath,amssymb}\begin{document}"
     assert "undefined" not in compiled(head + body + r"\end{document}", tmp_path, times=2)
 

@@ -66,7 +66,7 @@ def test_libraries_are_named(counts: tuple[Count, Count]) -> None:
 def test_the_count_stays_within_what_was_reached(counts: tuple[Count, Count]) -> None:
     proved, enclosed = counts
     print(f"PROVED {proved.total}, ENCLOSED {enclosed.total} more")
-    assert proved.total <= 12_600
+    assert proved.total <= 12_640
     assert enclosed.total <= 2450
     proved, enclosed = trusted(LEDGER)
     print(f"the ledger alone: PROVED {proved.total}, ENCLOSED {enclosed.total} more")

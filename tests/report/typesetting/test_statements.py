@@ -16,9 +16,10 @@ from tresym.commands.verify import show_verification
 from tresym.ledger.claim import AllOf, Claim, all_of, by, equal
 from tresym.ledger.paper import all_claims
 from tresym.ledger.verification import Report, verify
+from tresym.report.pages import fragments
 from tresym.report.pages.corrections import corrections
-from tresym.report.pages.derivation import fragment, prose
 from tresym.report.pages.derivation import in_dollars as dollars
+from tresym.report.pages.derivation import prose
 from tresym.report.pages.documents import ledger
 from tresym.report.pages.ledger_document import ledger_document
 from tresym.report.pages.site_data import record
@@ -61,6 +62,10 @@ def _in_latex(claim: Claim) -> str:
     return conditions(said(claim), dollars, prose)
 
 
+def _in_a_fragment(claim: Claim) -> str:
+    return fragments._opening(claim, fragments._LATEX)
+
+
 def _in_the_document(claim: Claim) -> str:
     def named(label: str) -> str:
         return rf"\texttt{{{prose(label)}}}"
@@ -98,7 +103,10 @@ PLACES: dict[str, tuple[Callable[[Report, str], str], Callable[[Claim], str]]] =
     "the ledger as a page": (lambda r, label: ledger(r), _in_markdown),
     "the corrections": (lambda r, label: corrections(r), _in_markdown),
     "the ledger as a document": (lambda r, label: ledger_document(r), _in_the_document),
-    "a statement to paste": (lambda r, label: fragment(r[label]), _in_latex),
+    "a statement to paste": (
+        lambda r, label: fragments.written([r[label]], "article"),
+        _in_a_fragment,
+    ),
     "the list of the site": (lambda r, label: pages.index(_saved(r)), _in_markdown),
     "the page of a claim": (_on_the_page, _by_name),
     "a frame, as in the theory": (
@@ -133,7 +141,7 @@ def test_the_conditions_stand_where_the_claim_is_quoted(
         pytest.skip("it is neither refuted nor true instead of what is")
     text, words = PLACES[place]
     asked = words(report[label].claim)
-    assert asked.startswith(("Given ", "Each part holds under its own hypotheses"))
+    assert asked.startswith(("Given ", "Let ", "Each part holds under its own hypotheses"))
     if place not in DOCUMENTS or place not in _written:
         _written[place] = text(report, label)
     assert asked in _written[place]
@@ -156,6 +164,7 @@ READ_BY = {
     "tresym/report/pages/templates.py": "a sentence of the article; its conditions are in the text",
     "tresym/report/pages/derivation.py": "what a quoted theorem says, which is no claim",
     "tresym/report/pages/site_data.py": "the same",
+    "tresym/report/pages/fragments.py": "a claim to paste, after its conditions",
     "tresym/commands/check.py": "what `check` answers, which is no claim of the ledger",
 }
 """The files that read what a claim says, and why these may."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import replace
 from functools import cache
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -16,13 +16,13 @@ from tresym.reals.decisions.statement import (
     chained,
     functions,
 )
+from tresym.reals.decisions.written_derivatives import NOT_DECIDED, read_derivatives
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language import expression
 from tresym.reals.language.binders import elementary, is_infinite, outermost, worked_out
 from tresym.reals.language.calls import INFINITY, INTEGERS
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
-    LEAVES,
     ZERO,
     Expr,
     add,
@@ -34,7 +34,7 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.language.latex_output import typeset
-from tresym.reals.language.parsing import NO_INFINITY, Compared, parse, parse_claim, parse_given
+from tresym.reals.language.parsing import Compared, parse, parse_claim, parse_given
 from tresym.reals.language.sentences import spelled, spelled_conditions
 from tresym.reals.language.sympy import RELATIONS, atoms, unworked
 from tresym.reals.language.unicode_input import plain
@@ -55,20 +55,6 @@ _PATH = re.compile(r"\s*([A-Za-z_]\w*)\s*->\s*(.+?)\s*")
 _AND = re.compile(r"\band\b|;|&&?|∧")
 _INFINITE = re.compile(r"([-+]?)(?:oo|inf|infinity)")
 _SIDES = {"+": (1,), "-": (-1,), "": (1, -1)}
-_NOT_DECIDED = {
-    "antiderivative": (
-        "an indefinite integral must be compared with an antiderivative: integral(f, x) == F"
-    ),
-    "root": "claims about the root of an equation are not supported",
-    "limit": "a limit must stand alone on its side: write limit(f, x, a) == L, or f -> L as x -> a",
-    "at": "a value at a point is not supported here: substitute the point yourself",
-    "derivative": "the value of a derivative at a point is not supported: write the derivative out",
-    **dict.fromkeys(
-        expression.ORDERS, "O(…) and o(…) belong on the right side of a claim: f == g + O(h)"
-    ),
-}
-VALUED = ("integral", "nth", "sum", "product", "unknown")
-"""What may stand in a claim and is worked out when it is decided."""
 _LONE = "a limit must stand alone on one side and be compared by == with its value"
 _ASSUMPTIONS = {
     "is_extended_positive": ">",
@@ -267,7 +253,9 @@ def _comparison(left: Expr, relation: str, right: Expr) -> Comparison:
     if relation == "==" and right in (INFINITY, -INFINITY) and left.op == "integral":
         return replace(_comparison(left, relation, ZERO), right=right)
     work = cache(worked_out)
-    written = tuple(dict.fromkeys(d for side in (left, right) for d in _derivatives(side, work)))
+    written = tuple(
+        dict.fromkeys(d for side in (left, right) for d in read_derivatives(side, work))
+    )
     values = (node for node in outermost(left, right) if node.op == "at" and len(node.names) == 1)
     primitives = tuple(dict.fromkeys(node.args[0] for node in values))
     return Comparison(work(left), relation, work(right), written, primitives)
@@ -315,7 +303,7 @@ def _without_ends(left: Expr, right: Expr) -> Comparison:
         parts = term.args if term.op == "*" else (term,)
         factors = [part for part in parts if part != node]
         if others or len(factors) != len(parts) - 1 or name in symbols(multiply(*factors)):
-            raise InputError(_NOT_DECIDED["antiderivative"])
+            raise InputError(NOT_DECIDED["antiderivative"])
         names.add(name)
         known.append(multiply(*factors, instantiate(node.args[0], (node.args[1],))))
     if len(names) != 1:
@@ -325,68 +313,13 @@ def _without_ends(left: Expr, right: Expr) -> Comparison:
     (by,) = names
     f, function = (worked_out(add(*terms)) for terms in (known, rest))
     for side in (f, function):
-        tuple(_derivatives(side, worked_out))
+        tuple(read_derivatives(side, worked_out))
     value = differentiate(function, by)
     return Comparison(value, "==", f, (Derivative(function, by, 1, value),))
 
 
 def _terms(e: Expr) -> tuple[Expr, ...]:
     return e.args if e.op == "+" else (e,)
-
-
-def _derivatives(e: Expr, work: Callable[[Expr], Expr]) -> Iterator[Derivative]:
-    """The derivatives that are written in ``e``, inner ones first, worked out by ``work``.
-
-    Raises:
-        InputError: what else binds a variable and is not decided.
-    """
-    if _is_infinite(e):
-        raise InputError(NO_INFINITY)
-    for node in outermost(e):
-        place = node.args[-1]
-        if node.op in VALUED:
-            if not all(map(_is_valued, work(node).args)):
-                raise InputError(
-                    "an integrand or summand cannot contain a derivative, a "
-                    "limit or an order term here"
-                )
-            continue
-        if _is_slope_of_unknown(node):
-            continue
-        if node.op == "at" and elementary(*node.args) and node.args[0].loose:
-            continue
-        fixed = place.op != "symbol" or bool(symbols(place) & symbols(node.args[0]))
-        if node.op != "derivative" or fixed:
-            raise InputError(_NOT_DECIDED[node.op])
-        function, times = node, 0
-        while function.op == "derivative" and function.args[1] == place:
-            function, times = instantiate(function.args[0], (place,)), times + 1
-        yield from _derivatives(function, work)
-        yield Derivative(work(function), place.args[0], times, work(node))
-
-
-def _is_infinite(e: Expr) -> bool:
-    """Whether oo stands in it elsewhere than at the end of an integral."""
-    if e.op in LEAVES or INFINITY.args[0] not in symbols(e):
-        return e == INFINITY
-    ends = (INFINITY, -INFINITY) if e.op in ("integral", "sum", "product") else ()
-    return any(_is_infinite(arg) for arg in e.args if arg not in ends)
-
-
-def _is_slope_of_unknown(node: Expr) -> bool:
-    """Whether it is a derivative of a function left unknown, at some point."""
-    points: list[Expr] = []
-    while node.op in ("derivative", "at"):
-        points += node.args[1:]
-        node = node.args[0]
-    return node.op == "unknown" and all(map(_is_valued, (*points, *node.args)))
-
-
-def _is_valued(e: Expr) -> bool:
-    """Whether nothing that binds is in it but what may be."""
-    if e.op in LEAVES:
-        return True
-    return (e.op in VALUED or e.op not in expression.UNWORKED) and all(map(_is_valued, e.args))
 
 
 def _path(path: str | None) -> Path | None:

@@ -12,6 +12,7 @@ from tresym.reals.decisions.answer import Answer, Decide, exact_text, refuted, w
 from tresym.reals.decisions.claim_cross_check import attack
 from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.decisions.equalities import decide_equality
+from tresym.reals.decisions.equations import among_integers, decide_under_equations
 from tresym.reals.decisions.identity import JUMP
 from tresym.reals.decisions.statement import Comparison, Statement, functions, implied_integers
 from tresym.reals.decisions.variable_exponents import beyond_positive_bases, holds_powers
@@ -179,13 +180,7 @@ def _decide(comparison: Comparison, statement: Statement) -> Answer:
 
 
 class _Parts(NamedTuple):
-    """What the choice of a procedure looks at.
-
-    Attributes:
-        nodes: the outermost operations that are not elementary: sums, integrals, and so on.
-        unknown: the names of the functions left unknown, ``factorial`` among them.
-        infinite: whether a sum or product is infinite.
-    """
+    """What a procedure is chosen by: outermost operations, functions left unknown, and the like."""
 
     comparison: Comparison
     statement: Statement
@@ -223,13 +218,6 @@ class _Parts(NamedTuple):
     def at_integers(self) -> bool:
         """Return whether the claim is about integers, at points rather than along a path."""
         return bool(self.statement.integers) and self.statement.path is None
-
-    @property
-    def among_integers(self) -> bool:
-        """Return whether the claim is about the integers that satisfy an equation."""
-        from tresym.reals.decisions.equations import among_integers
-
-        return bool(self.statement.equations) and among_integers(self.statement)
 
     @property
     def alternates(self) -> bool:
@@ -281,12 +269,6 @@ def _unknown_functions(*claim: Any) -> Answer:
     return decide_unknown(*claim)
 
 
-def _equations(*claim: Any) -> Answer:
-    from tresym.reals.decisions.equations import decide_under_equations
-
-    return decide_under_equations(*claim)
-
-
 def _integrals(*claim: Any) -> Answer:
     from tresym.reals.decisions.integrals import decide_integrals
 
@@ -313,9 +295,17 @@ ORDER: tuple[tuple[Procedure, Callable[[_Parts], bool], str], ...] = (
     (_factorials, lambda p: FACTORIAL in p.unknown, "a recurrence leaves no factorials"),
     (_integer_variables, lambda p: bool(p.unknown) and p.at_integers, "f(n) is one value a case"),
     (_unknown_functions, lambda p: bool(p.unknown), "values of a function become variables"),
-    (_equations, lambda p: p.among_integers, "solutions are found before cases modulo M"),
+    (
+        decide_under_equations,
+        lambda p: bool(among_integers(p.statement)),
+        "solutions are found before cases modulo M",
+    ),
     (_integer_variables, lambda p: p.alternates, "(-1)**n must be a number to solve equations"),
-    (_equations, lambda p: bool(p.statement.equations), "solving them leaves free variables"),
+    (
+        decide_under_equations,
+        lambda p: bool(p.statement.equations),
+        "solving them leaves free variables",
+    ),
     (_paths, lambda p: p.statement.path is not None, "limits need expansions, at integers too"),
     (_integrals, lambda p: "integral" in p.nodes, "antiderivatives leave no integrals"),
     (_integer_variables, lambda p: p.at_integers, "cases modulo M and real variables are last"),

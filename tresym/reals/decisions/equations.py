@@ -219,12 +219,10 @@ def _split(claim: Comparison, statement: Statement, decided: Decide) -> Answer |
         left, right = pair
         factors = numerator_factors(left - right)
         links = tuple(bound(*part) for part in needs((left, right)))
-        if factors is None or (len(factors) == 1 and not links):
+        if factors is None:
             continue
-        if factors in ([left - right], [right - left]) and {*links} <= {
-            *statement.given.comparisons
-        }:
-            continue  # the only case is this equation, under the same conditions
+        if len(factors) == 1 and len(needs((factors[0],))) >= len(links):
+            continue  # the only case is this equation again, defined where it was
         zero = (f for f in factors if sign(f, statement.given, "!=") not in PROVING["!="])
         cases = [Case(None, (), ((factor, ZERO),)) for factor in zero]
         rest = _without(statement, pair)

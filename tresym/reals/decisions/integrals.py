@@ -17,7 +17,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from functools import partial
-from itertools import chain, pairwise
+from itertools import chain
 from typing import NamedTuple
 
 from flint import arb, fmpq
@@ -27,21 +27,24 @@ from tresym.reals.decisions.asymptotics.limit_values import limit_of
 from tresym.reals.decisions.divergence import has_no_limit
 from tresym.reals.decisions.identity import decide, shown
 from tresym.reals.decisions.integral_identities import Antiderivatives
+from tresym.reals.decisions.integration_pieces import (
+    MINUS_INFINITY,
+    pieces_of,
+    roots_of_squares,
+    without_corners,
+)
 from tresym.reals.decisions.known_integrals import standard
 from tresym.reals.decisions.readable_witnesses import constants_hold, simple_points
 from tresym.reals.decisions.statement import Comparison, Statement, functions
 from tresym.reals.domain import binder_values
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate, stands
-from tresym.reals.domain.operation_domains import bound, needs, singularities
+from tresym.reals.domain.operation_domains import bound, needs
 from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
-    HALF,
     LEAVES,
-    ONE,
-    PI,
     ZERO,
     Expr,
     add,
@@ -52,15 +55,12 @@ from tresym.reals.language.expression import (
     opened,
     rebuild,
     replaced,
-    sqrt,
     substitute,
     symbol,
     symbols,
 )
 from tresym.reals.language.formula import NEGATED
 from tresym.reals.language.like_terms import collected
-from tresym.reals.language.solve import solutions
-from tresym.reals.normal.to_expression import normal_form
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.signs.definedness import continuous_on, undefined
@@ -68,12 +68,7 @@ from tresym.reals.signs.interior import PROVING, is_zero
 from tresym.reals.signs.sign import proof, sign
 from tresym.reals.verdict import Verdict
 
-MINUS_INFINITY = -INFINITY
 BITS = (64, 128)
-CUTS, DENOMINATOR = 12, 5040
-"""Pieces into which an interval is cut at most."""
-TURNS = 40
-"""Multiples of π at which a sine or a cosine in the integrand is looked at."""
 PARAMETERS = 3
 _OPEN = "no antiderivative could be found and verified on the whole interval"
 
@@ -345,7 +340,7 @@ def _between(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Wor
         raise _OpenError(
             f"integral of {f}: a sum or a limit in the integrand could not be evaluated"
         )
-    for root, size in _roots_of_squares(f, inside):
+    for root, size in roots_of_squares(f, inside):
         f = replaced(f, {root: size})
         work.notes.append(f"{root} = {size} on the interval")
     known = standard(f, name, low, high, given)
@@ -355,7 +350,7 @@ def _between(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Wor
     if _is_odd(name, f, low, high, given):
         work.notes.append(f"{f} is odd in {name}")
         return ZERO
-    pieces = list(_pieces(name, (f,), low, high))
+    pieces = list(pieces_of(name, (f,), low, high))
     values = [_piece(name, f, start, end, given, work) for start, end in pieces]
     infinite = {value for value in values if _ends(value)}
     if len(infinite) > 1:
@@ -370,120 +365,12 @@ def _inside(name: str, low: Expr, high: Expr) -> Given:
     return Given(tuple(bounds))
 
 
-def _pieces(name: str, parts: Iterable[Expr], low: Expr, high: Expr) -> Iterator[tuple[Expr, Expr]]:
-    """Yield the parts of the interval between the points where ``parts`` may be singular."""
-    cuts: list[Expr] = []
-    within = (c for c in _cuts(name, parts) if not symbols(c) and _is_between(low, c, high))
-    for c in sorted(within, key=_middle):
-        if not cuts or _is_between(cuts[-1], c, INFINITY):
-            cuts.append(c)
-    ends = [low, *cuts[:CUTS], high]
-    yield from pairwise(ends)
-
-
-def _middle(e: Expr) -> fmpq:
-    with ball_precision():
-        return evaluate(e, {}).mid().fmpq()
-
-
-def _cuts(name: str, parts: Iterable[Expr]) -> Iterator[Expr]:
-    """Points, some of them within the interval, at which a part may be singular."""
-    for part, _ in (found for f in parts for found in singularities(f)):
-        for cut in (*solutions(part, name), *_roots(part, name), *_turns(part, name)):
-            form = normal_form(cut, Given())  # π/2 for acos(0)
-            yield form if form.size <= cut.size + 2 else cut
-
-
-def _roots_of_squares(f: Expr, inside: Given) -> Iterator[tuple[Expr, Expr]]:
-    """Square roots in ``f``, and the absolute values that they are: √(1 − sin²x) is |cos x|."""
-    for root in dict.fromkeys(_parts(f)):
-        if root.op != "^" or root.args[1] != HALF:
-            continue
-        (u, _) = root.args
-        waves = {node.args[0] for node in _parts(u) if node.op in ("sin", "cos")}
-        bases = [(ONE, apply(wave, a)) for a in waves for wave in ("cos", "sin")]
-        bases += [
-            (sqrt(number(2)), apply(wave, a / 2 + turn))
-            for a in waves
-            for turn in (ZERO, PI / 4)
-            for wave in ("cos", "sin")
-        ]
-        if u.op == "^" and u.args[1].op == "number":
-            bases.append((ONE, u.args[0] ** (u.args[1].args[0] / 2)))
-        if not bases or continuous_on(u, inside) is not None:
-            continue
-        for scale, base in bases:
-            if decide(u, (scale * base) ** 2, inside).verdict is Verdict.PROVED:
-                yield root, scale * apply("abs", base)
-                break
-
-
-def _parts(e: Expr) -> Iterator[Expr]:
-    if e.op not in LEAVES:
-        yield e
-        for arg in e.args:
-            yield from _parts(arg)
-
-
-def _roots(part: Expr, name: str) -> Iterator[Expr]:
-    """Zeros of what is linear or quadratic in the variable."""
-    at = {name: ZERO}
-    slope = differentiate(part, name)
-    bend = differentiate(slope, name)
-    if name in symbols(differentiate(bend, name)) or name in symbols(substitute(bend, at) - bend):
-        return
-    try:
-        a, b, c = (decided_number(substitute(e, at)) for e in (bend / 2, slope, part))
-    except InputError:
-        return
-    if a is None or b is None or c is None:
-        return
-    if a != 0 and b * b >= 4 * a * c:
-        for side in (1, -1):
-            yield (-number(b) + side * sqrt(number(b * b - 4 * a * c))) / number(2 * a)
-    elif b != 0:
-        yield number(-c / b)
-
-
-def decided_number(e: Expr) -> fmpq | None:
-    """The rational number that ``e`` is by its exact value in balls; None if it is no such."""
-    if symbols(e):
-        return None
-    with ball_precision():
-        ball = evaluate(e, {})
-        found = (ball * DENOMINATOR).unique_fmpz() if ball.is_finite() else None
-    return None if found is None else fmpq(int(found), DENOMINATOR)
-
-
-def _turns(part: Expr, name: str) -> Iterator[Expr]:
-    """Zeros of the sine or cosine of an expression that is linear in the variable."""
-    if part.op not in ("sin", "cos"):
-        return
-    inner = part.args[0]
-    slope = differentiate(inner, name)
-    if symbols(slope):
-        return
-    start = substitute(inner, {name: ZERO})
-    for n in range(-TURNS, TURNS + 1):
-        half = fmpq(1, 2) if part.op == "cos" else fmpq(0)
-        yield ((half + n) * PI - start) / slope
-
-
-def _is_between(low: Expr, c: Expr, high: Expr) -> bool:
-    with ball_precision():
-        at = evaluate(c, {})
-        if symbols(low) - {INFINITY.args[0]} or symbols(high) - {INFINITY.args[0]}:
-            return False
-        over = low == MINUS_INFINITY or bool(at > evaluate(low, {}))
-        return at.is_finite() and over and (high == INFINITY or bool(at < evaluate(high, {})))
-
-
 def _piece(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Work) -> Expr:
     """Return ∫ f over one piece, by the first candidate that is verified."""
     from tresym.reals.decisions.antiderivatives import suggested
 
     inside = given & _inside(name, low, high)
-    plain = _without_corners(f, inside)
+    plain = without_corners(f, inside)
     positive = {s for s in symbols(plain) if sign(symbol(s), inside) == "+"}
 
     def later() -> Iterator[Expr]:  # SymPy is loaded where it is needed
@@ -492,9 +379,9 @@ def _piece(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Work)
     written = (instantiate(body, (symbol(name),)) for body in work.primitives)
     for candidate in chain(written, _of_waves(plain, name), later()):
         values = []
-        for start, end in _pieces(name, (candidate,), low, high):
+        for start, end in pieces_of(name, (candidate,), low, high):
             here = given & _inside(name, start, end)
-            function = _without_corners(candidate, here)
+            function = without_corners(candidate, here)
             values.append(_difference(name, plain, function, start, end, given))
             if values[-1] is None:
                 break
@@ -568,19 +455,6 @@ def _at_end(function: Expr, name: str, point: Expr, given: Given) -> Expr | None
     """Its value there, which is its limit from where it is defined: only sign and atan2 jump."""
     value = substitute(function, {name: point})
     return None if binder_values.jumps(function) or undefined(value, given) is not None else value
-
-
-def _without_corners(e: Expr, given: Given) -> Expr:
-    """``e`` without the absolute values and signs of what has one sign."""
-    if e.op in LEAVES:
-        return e
-    args = tuple(_without_corners(arg, given) for arg in e.args)
-    if e.op in ("abs", "sign"):
-        found = sign(args[0], given)
-        if found in ("+", "-") or (e.op == "abs" and found in ("0", ">=0", "<=0")):
-            up = 1 if found in ("+", "0", ">=0") else -1
-            return up * args[0] if e.op == "abs" else number(up)
-    return rebuild(e, args)
 
 
 # By quadrature

@@ -17,7 +17,8 @@ from tresym.reals.decisions import check as decided
 from tresym.reals.decisions.answer import Alternative, Answer
 from tresym.reals.decisions.time_limited import current_cache
 from tresym.reals.processes import Processes, cores
-from tresym.reals.repair.search import MOST, SECONDS, Definitions, alternatives
+from tresym.reals.repair.agreement import Definitions
+from tresym.reals.repair.search import MOST, SECONDS, alternatives
 from tresym.reals.verdict import Verdict
 
 __all__ = ["Alternative", "check", "suggested", "suggestions"]

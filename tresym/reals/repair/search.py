@@ -8,31 +8,23 @@ exactly like any other claim. Trivial statements are dropped. The most common mi
 
 from __future__ import annotations
 
-import math
 import time
 from collections.abc import Iterator, Sequence
 from itertools import islice, takewhile
-from typing import NamedTuple, TypeAlias
 
 from tresym.reals.decisions.answer import Alternative
 from tresym.reals.decisions.claim_parsing import read_path
 from tresym.reals.decisions.dispatch import decide_claim
-from tresym.reals.decisions.statement import Path, chained
+from tresym.reals.decisions.statement import chained
 from tresym.reals.language.binders import outermost
 from tresym.reals.language.calls import INFINITY
-from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     Expr,
-    instantiate,
-    number,
-    opened,
-    replaced,
-    substitute,
-    symbol,
     symbols,
 )
 from tresym.reals.language.parsing import Compared, parse_claim, parse_given
 from tresym.reals.numbers.exact import InputError
+from tresym.reals.repair.agreement import Claim, Definitions, agrees_with_values, without_integrals
 from tresym.reals.repair.edits import (
     FACTOR,
     FUNCTION,
@@ -46,7 +38,7 @@ from tresym.reals.repair.edits import (
 from tresym.reals.repair.floating import Points, UnsupportedError
 from tresym.reals.repair.like_terms import collected, is_trivial, loses_names
 from tresym.reals.repair.regions import holding
-from tresym.reals.repair.samples import held, near_end, sampled
+from tresym.reals.repair.samples import held, sampled
 from tresym.reals.repair.values import values, worked_side
 from tresym.reals.resource_limits import TimeUp, time_limit
 
@@ -71,49 +63,6 @@ GIVEN = "given"
 """The first word of an edit that adds a condition."""
 _BOUNDS = frozenset(("<", "<=", ">", ">="))
 _CLOSED = {"<": "<=", ">": ">="}
-NEARER = (3e-3, 3e-4)
-ORDER_STEPS = (0.1, 0.03)
-"""The distances from the end of a path at which asymptotic statements are tested."""
-
-
-Definitions: TypeAlias = tuple[tuple[str, Expr], ...]
-"""Symbols and their definitions, in the order of substitution."""
-
-
-class _Claim(NamedTuple):
-    """The parts of a claim: a chain, its conditions, its path, and definitions of symbols."""
-
-    terms: tuple[Expr, ...]
-    relations: tuple[str, ...]
-    given: tuple[Compared, ...]
-    path: Path | None
-    put: Definitions = ()
-
-    @property
-    def links(self) -> list[Compared]:
-        return [*zip(self.terms, self.relations, self.terms[1:], strict=False)]
-
-    @property
-    def integers(self) -> list[str]:
-        return [str(left) for left, relation, _ in self.given if relation == "in"]
-
-    def defined(self) -> _Claim:
-        """Return the claim with the definitions of its symbols substituted."""
-        terms = self.terms
-        for name, value in self.put:
-            terms = tuple(substitute(term, {name: value}) for term in terms)
-        return self._replace(terms=terms, put=())
-
-    def says(self) -> str:
-        """Return the chain in the text grammar."""
-        rest = (f" {r} {t}" for r, t in zip(self.relations, self.terms[1:], strict=True))
-        return str(self.terms[0]) + "".join(rest)
-
-    def text(self, more: str = "") -> str:
-        """Return the claim in the text grammar, optionally with one more condition."""
-        under = ", ".join(filter(None, (chained(self.given), more)))
-        text = self.defined().says() + (f" given {under}" if under else "")
-        return text + (f" as {self.path}" if self.path is not None else "")
 
 
 def alternatives(
@@ -171,7 +120,7 @@ def alternatives(
     return tuple(found)
 
 
-def _parsed(text: str) -> _Claim:
+def _parsed(text: str) -> Claim:
     """Return the parts of a claim.
 
     Raises:
@@ -182,7 +131,7 @@ def _parsed(text: str) -> _Claim:
     links = parse_claim(claim)
     terms = (links[0][0], *(link[2] for link in links))
     relations = tuple(link[1] for link in links)
-    return _Claim(terms, relations, tuple(parse_given(under)), read_path(end) if end else None)
+    return Claim(terms, relations, tuple(parse_given(under)), read_path(end) if end else None)
 
 
 def _decided(text: str, seconds: float) -> str:
@@ -197,7 +146,7 @@ def _decided(text: str, seconds: float) -> str:
     return answer.verdict.value if answer else ""
 
 
-def _candidates(claim: _Claim, until: float) -> Iterator[tuple[float, _Claim, str, str]]:
+def _candidates(claim: Claim, until: float) -> Iterator[tuple[float, Claim, str, str]]:
     """Yield candidates: the rank, the claim, one more condition or "", and the edit in words."""
     grid = _grid(claim)
     under = _regions(claim, grid)
@@ -210,7 +159,7 @@ def _candidates(claim: _Claim, until: float) -> Iterator[tuple[float, _Claim, st
     yield from _ranked(claim, grid, until)
 
 
-def _grid(claim: _Claim) -> Points | None:
+def _grid(claim: Claim) -> Points | None:
     """Return points at which the conditions hold; None if none is found in floating point."""
     terms = claim.defined().terms
     names = sorted(frozenset().union(*map(symbols, terms)) - symbols(INFINITY))
@@ -229,16 +178,16 @@ def _with_values(points: Points, put: Definitions) -> Points:
     return points
 
 
-def _is_inequality(claim: _Claim) -> bool:
+def _is_inequality(claim: Claim) -> bool:
     return any(relation in _BOUNDS for relation in claim.relations)
 
 
-def _regions(claim: _Claim, grid: Points | None) -> Iterator[tuple[float, _Claim, str, str]]:
+def _regions(claim: Claim, grid: Points | None) -> Iterator[tuple[float, Claim, str, str]]:
     """Yield the claim under natural conditions."""
     if grid is None or claim.path is not None:
         return
     try:
-        links = [_without_integrals(link) for link in claim.links]
+        links = [without_integrals(link) for link in claim.links]
         usual = (more for more in holding(links, grid, claim.integers) if _is_apart(claim, more))
         for more in islice(usual, MOST_REGIONS):
             yield 0.0, claim, more, ""
@@ -246,7 +195,7 @@ def _regions(claim: _Claim, grid: Points | None) -> Iterator[tuple[float, _Claim
         return
 
 
-def _is_apart(claim: _Claim, more: str) -> bool:
+def _is_apart(claim: Claim, more: str) -> bool:
     """Return whether a condition restates neither the claim nor the ends of a sum."""
     nodes = [n for n in outermost(*claim.terms) if n.op in ("sum", "product")]
     ends = frozenset().union(*(symbols(end) for node in nodes for end in node.args[1:]))
@@ -259,8 +208,8 @@ def _is_apart(claim: _Claim, more: str) -> bool:
 
 
 def _ranked(
-    claim: _Claim, grid: Points | None, until: float
-) -> Iterator[tuple[float, _Claim, str, str]]:
+    claim: Claim, grid: Points | None, until: float
+) -> Iterator[tuple[float, Claim, str, str]]:
     """Yield other values and edits with their ranks, the likelier ones first."""
     seen = {_key(claim.terms)}
     valued = [(VALUE, *found, "") for found in _valued(claim)]
@@ -280,8 +229,8 @@ def _ranked(
 
 
 def _new(
-    seen: set[object], found: tuple[float, _Claim, str, str]
-) -> Iterator[tuple[float, _Claim, str, str]]:
+    seen: set[object], found: tuple[float, Claim, str, str]
+) -> Iterator[tuple[float, Claim, str, str]]:
     """Yield a candidate unless an earlier one differs only in the order of terms and factors."""
     rank, claim, says, more = found
     key = _key(claim.terms)
@@ -297,7 +246,7 @@ def _key(terms: Sequence[Expr]) -> object:
         return tuple(terms)
 
 
-def _valued(claim: _Claim) -> Iterator[tuple[_Claim, str]]:
+def _valued(claim: Claim) -> Iterator[tuple[Claim, str]]:
     """Yield the claim with another value."""
     if len(claim.terms) != 2:
         return
@@ -310,7 +259,7 @@ def _valued(claim: _Claim) -> Iterator[tuple[_Claim, str]]:
         yield claim._replace(terms=terms), f"the {name} is {value}"
 
 
-def _surviving(claim: _Claim, grid: Points | None, until: float) -> Iterator[Edit]:
+def _surviving(claim: Claim, grid: Points | None, until: float) -> Iterator[Edit]:
     """Yield nontrivial edits that hold in floating point, by rank.
 
     Edits that leave integrals unchanged are cheap to test and come first within the common ranks.
@@ -332,7 +281,7 @@ def _surviving(claim: _Claim, grid: Points | None, until: float) -> Iterator[Edi
     yield from (e for e in waiting if _stands(claim, e, points, until))
 
 
-def _stands(claim: _Claim, edit: Edit, points: Points | None, until: float) -> bool:
+def _stands(claim: Claim, edit: Edit, points: Points | None, until: float) -> bool:
     """Return whether an edit holds in floating point, if that can be seen, and is not trivial."""
     if time.process_time() > until:
         return False
@@ -353,7 +302,7 @@ def _stands(claim: _Claim, edit: Edit, points: Points | None, until: float) -> b
     if not survives:
         return False
     changed = [(a, b) for a, b in zip(claim.links, links, strict=True) if a != b]
-    slopes = [(_without_integrals(a), _without_integrals(b)) for a, b in changed]
+    slopes = [(without_integrals(a), without_integrals(b)) for a, b in changed]
     lone = edit.rank == VARIABLE and edit.old in lone_variables(claim.terms, claim.integers)
     mistaken = edit.old if lone and _are_alike(edit.old, edit.new) else ""
     return not any(is_trivial(*pair, mistaken) for pair in changed) and not any(
@@ -374,7 +323,7 @@ def _are_alike(one: str, other: str) -> bool:
     return abs(ord(one[0]) - ord(other[0])) <= 2 and (len(one) == 1) is (len(other) == 1)
 
 
-def _sharp_first(claim: _Claim, found: Iterator[Edit]) -> list[Edit]:
+def _sharp_first(claim: Claim, found: Iterator[Edit]) -> list[Edit]:
     """Sort inequalities: those whose sides nearly touch, as in print, come first."""
     grid = _closed_grid(claim)
     if grid is None:
@@ -387,13 +336,13 @@ def _sharp_first(claim: _Claim, found: Iterator[Edit]) -> list[Edit]:
     return [edit for _, _, edit in order]
 
 
-def _touches(claim: _Claim) -> bool:
+def _touches(claim: Claim) -> bool:
     """Return whether the sides of an inequality are seen to touch somewhere."""
     grid = _closed_grid(claim)
     return grid is not None and _gap(claim.links, grid) < TOUCHING
 
 
-def _closed_grid(claim: _Claim) -> Points | None:
+def _closed_grid(claim: Claim) -> Points | None:
     """Return points at which the conditions hold, ends included."""
     names = sorted(frozenset().union(*map(symbols, claim.terms)) - symbols(INFINITY))
     closed = [(a, _CLOSED.get(r, r), b) for a, r, b in claim.given if r != "!="]
@@ -403,14 +352,14 @@ def _closed_grid(claim: _Claim) -> Points | None:
         return None
 
 
-def _differs(claim: _Claim) -> bool:
+def _differs(claim: Claim) -> bool:
     """Return whether the sides of an equality are seen to differ, or to have no values.
 
     This refutes nothing; it is used for claims that are not decided.
     """
     grid = _grid(claim)
     try:
-        rows = [held(grid, _without_integrals(x), APART) for x in claim.links] if grid else []
+        rows = [held(grid, without_integrals(x), APART) for x in claim.links] if grid else []
     except (UnsupportedError, InputError, OverflowError):
         return False
     seen = [value for row in rows for value in row]
@@ -432,17 +381,17 @@ def _gap(links: Sequence[Compared], grid: Points) -> float:
     return found
 
 
-def _survives(claim: _Claim, links: Sequence[Compared], points: Points) -> bool:
-    return all(_agrees(claim, link, points) for link in links)
+def _survives(claim: Claim, links: Sequence[Compared], points: Points) -> bool:
+    return all(agrees_with_values(claim, link, points) for link in links)
 
 
-def _telling(claim: _Claim, grid: Points) -> Points:
+def _telling(claim: Claim, grid: Points) -> Points:
     """Return a few points, preferably ones at which the sides of the claim have values."""
     if not grid.at:
         return grid
     few = FEW if grid.count > FEW else FEW // 2
     try:
-        rows = [held(grid, _without_integrals(link)) for link in claim.links]
+        rows = [held(grid, without_integrals(link)) for link in claim.links]
         defined = [n for n in range(grid.count) if all(row[n] is not None for row in rows)]
     except (UnsupportedError, InputError):
         defined = []
@@ -451,72 +400,3 @@ def _telling(claim: _Claim, grid: Points) -> Points:
         : few // 3 if len(chosen) >= 3 else few
     ]
     return Points({name: [row[n] for n in chosen] for name, row in grid.at.items()})
-
-
-def _agrees(claim: _Claim, link: Compared, points: Points) -> bool:
-    """Return whether a comparison holds at two or more points, and fails at no more than one."""
-    left, _, right = link
-    path = claim.path
-    if left.op == "limit" or right.op == "limit":
-        node, value = (left, right) if left.op == "limit" else (right, left)
-        (name,), body = opened(node, symbols(value))
-        end = node.args[1]
-        return _tends(points, name, end, int(node.args[2].args[0].p), (body, "->", value))
-    if path is not None:
-        end = path.point if path.point is not None else number(path.sides[0]) * INFINITY
-        return _tends(points, path.name, end, path.sides[0], link)
-    found = held(points, _without_integrals(link))
-    fails = found.count(False)
-    if points.count == 1:
-        return found == [True]
-    return found.count(True) >= 2 and fails <= (1 if found.count(True) > 4 else 0)
-
-
-def _tends(points: Points, name: str, end: Expr, side: int, link: Compared) -> bool:
-    """Return whether an asymptotic statement is seen to hold near the end of its path."""
-    left, relation, right = link
-    orders = [node for node in outermost(right) if node.op in ("O", "o")]
-    if relation == "==" and len(orders) == 1:
-        rest = replaced(right, {orders[0]: number(0)})
-        left, relation, right = left - rest, orders[0].op, orders[0].args[0]
-    if relation not in ("->", "~", "O", "o"):
-        raise UnsupportedError(relation)
-    gaps = []
-    for step in NEARER if relation in ("->", "~") else ORDER_STEPS:
-        near = near_end(points, name, end, side, step)
-        if right in (INFINITY, -INFINITY):
-            sign = 1 if right == INFINITY else -1
-            gaps.append([1 / (sign * x) if x * sign > 0 else math.nan for x in near.values(left)])
-            continue
-        rows = near.values(left), near.values(right)
-        if relation == "->":
-            gaps.append([abs(x - y) / max(1.0, abs(y)) for x, y in zip(*rows, strict=True)])
-        else:
-            shift = 1 if relation == "~" else 0
-            gaps.append([abs(x / y - shift) if y else math.nan for x, y in zip(*rows, strict=True)])
-    most = {"O": 1.8, "o": 0.9, "->": 0.8, "~": 0.8}[relation]
-    pairs = [(x, y) for x, y in zip(*gaps, strict=True) if math.isfinite(x + y)]
-    holds = [y <= most * x or y < 1e-6 for x, y in pairs]
-    return holds.count(True) >= 1 and holds.count(False) <= len(holds) // 3
-
-
-def _without_integrals(link: Compared) -> Compared:
-    """Return an equation of indefinite integrals as one of their derivatives."""
-    left, relation, right = link
-    nodes = [node for node in outermost(left, right) if node.op == "antiderivative"]
-    if not nodes:
-        return link
-    by = str(nodes[0].args[1])
-    return _slope(left, by), relation, _slope(right, by)
-
-
-def _slope(e: Expr, by: str) -> Expr:
-    """Return the derivative by a variable; that of an indefinite integral is its integrand."""
-    nodes = [node for node in dict.fromkeys(outermost(e)) if node.op == "antiderivative"]
-    marks = {node: symbol(f"[{n}]") for n, node in enumerate(nodes)}
-    plain = replaced(e, marks)
-    slope = differentiate(plain, by)
-    for node, mark in marks.items():
-        inner = instantiate(node.args[0], (node.args[1],))
-        slope = slope + differentiate(plain, str(mark)) * inner
-    return substitute(slope, {str(mark): number(0) for mark in marks.values()})

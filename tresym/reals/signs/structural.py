@@ -14,7 +14,6 @@ from contextlib import suppress
 from flint import fmpq
 
 from tresym.reals.domain.conditions import Given
-from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.operation_domains import bound
 from tresym.reals.language.expression import ONE, PI, Expr, apply, number, symbols
 from tresym.reals.normal.box import REALS, sign_on_box
@@ -26,10 +25,17 @@ from tresym.reals.normal.ring import (
     project,
     small_factor,
 )
-from tresym.reals.numbers.arithmetic import ball_precision, decided
-from tresym.reals.numbers.exact import Interval, rational_ends
+from tresym.reals.numbers.exact import Interval
 from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.signs.atoms import Atoms
+from tresym.reals.signs.spans import (
+    absolute_sign,
+    beside,
+    constant_sign,
+    constant_span,
+    span_sign,
+    times,
+)
 
 MAX_ATOMS = 8
 MAX_TERMS = 200
@@ -135,7 +141,7 @@ class Parts:
 
     def _sign(self, e: Expr) -> str | None:
         if not symbols(e):
-            return _constant_sign(e)
+            return constant_sign(e)
         stated = self._stated(e)
         if stated in ("+", "-"):
             return stated
@@ -178,7 +184,7 @@ class Parts:
                 y, x = map(self.sign, e.args)
                 return y if y == "+" or x == "+" else None
             case "symbol":
-                return _span_sign(self.span(e))
+                return span_sign(self.span(e))
         if e.op in _POSITIVE:
             return "+"
         return self.sign(e.args[0]) if e.op in _ODD else None
@@ -189,7 +195,7 @@ class Parts:
             found = self.sign(factor)
             if found is None:
                 return None
-            total = _times(total, found)
+            total = times(total, found)
         return total
 
     def _power_sign(self, base: Expr, exponent: Expr) -> str | None:
@@ -240,9 +246,9 @@ class Parts:
         if e.op == "symbol":
             return self.given.box.get(e.args[0], REALS)
         if not symbols(e):
-            return _constant_span(e)
+            return constant_span(e)
         if e.op == "abs":
-            return _absolute(self.span(e.args[0]), self.nonzero(e.args[0]))
+            return absolute_sign(self.span(e.args[0]), self.nonzero(e.args[0]))
         if e.op in ("+", "*"):
             return REALS
         return _RANGES.get(e.op, REALS) & self._span_by_sign(e)
@@ -256,7 +262,7 @@ class Parts:
             above_one = self.sign(e.args[0])
         elif e.op == "^" and e.args[1].op == "number" and e.args[1].args[0] > 0:
             above_one = self.sign(e.args[0] - ONE)
-        return _beside(fmpq(0), found) & _beside(fmpq(1), above_one)
+        return beside(fmpq(0), found) & beside(fmpq(1), above_one)
 
     # -- polynomials in atoms -------------------------------------------------------------------
 
@@ -419,7 +425,7 @@ class Parts:
                 found = "+" if found in ("+", "-") else ">=0"
             if found is None:
                 return None
-            total = _times(total, found)
+            total = times(total, found)
         return total
 
     def _known_part(self, p: Poly) -> str | None:
@@ -486,60 +492,3 @@ class Parts:
                     found.append((side * value.num, strict, side * value.den))
             self._facts = found
         return self._facts
-
-
-def _constant_sign(e: Expr) -> str | None:
-    def attempt() -> str | None:
-        x = evaluate(e, {})
-        return "+" if x > 0 else "-" if x < 0 else "0" if x.is_zero() else None
-
-    return decided(attempt)
-
-
-def _constant_span(e: Expr) -> Interval:
-    """Return rational ends of the ball of a constant."""
-    with ball_precision():
-        value = evaluate(e, {})
-        low, high = rational_ends(value)[:2]
-    below = None if low is None else fmpq((low * 2**64).floor() - 1, 2**64)
-    above = None if high is None else fmpq((high * 2**64).ceil() + 1, 2**64)
-    return Interval(below, above, True, True)
-
-
-def _span_sign(span: Interval) -> str | None:
-    if span.low is not None and span.low >= 0:
-        return "+" if span.low > 0 or span.low_open else ">=0"
-    if span.high is not None and span.high <= 0:
-        return "-" if span.high < 0 or span.high_open else "<=0"
-    return None
-
-
-def _beside(end: fmpq, found: str | None) -> Interval:
-    """Return the values above or below ``end``, by the sign of their difference from it."""
-    if found in ("+", ">=0"):
-        return Interval(end, None, found == "+")
-    return Interval(None, end, False, found == "-") if found in ("-", "<=0") else REALS
-
-
-def _absolute(span: Interval, nonzero: bool) -> Interval:
-    """Return the range of the absolute value of an expression with a given range."""
-    if span.low is not None and span.low >= 0:
-        return span
-    if span.high is not None and span.high <= 0:
-        low = None if span.low is None else -span.low
-        return Interval(-span.high, low, span.high_open, span.low_open)
-    if span.low is None or span.high is None:
-        return Interval(fmpq(0), None, nonzero)
-    ends = (-span.low, not span.low_open), (span.high, not span.high_open)
-    top, closed = max(ends)
-    return Interval(fmpq(0), top, nonzero, not closed)
-
-
-def _times(x: str, y: str) -> str:
-    """Return the sign of a product."""
-    if "0" in (x, y):
-        return "0"
-    negative = (x in ("-", "<=0")) != (y in ("-", "<=0"))
-    if {x, y} <= {"+", "-"}:
-        return "-" if negative else "+"
-    return "<=0" if negative else ">=0"

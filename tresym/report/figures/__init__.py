@@ -37,7 +37,9 @@ PRINTED_MM = {
     "handle-portrait": 112, "handle-curves": 130, "symmetric-flips": 118, "defect-map": 140,
     "flip-curves": 108, "flip-map": 140, "shape-map": 140, "racket-flip": 146,
 }  # fmt: skip
-"""The width of each figure in an article, whose lines are 146 mm long; no text is made smaller."""
+"""The width of each figure in an article, whose lines are 146 mm long."""
+SMALLER_TEXT = {"momentum-sphere": 0.8}
+"""The size of the text in these, relative to the other figures."""
 OF_A_BODY = ("flip-portrait", "flip-map", "flip-curves", "racket-flip")
 """The figures that can be drawn for any body."""
 
@@ -123,6 +125,8 @@ def printed(name: str, kind: str = "pdf") -> bytes:
         style.set_formulas(figure)
         share = PRINTED_MM[name] / MM_PER_INCH / figure.get_figwidth()
         figure.set_size_inches(figure.get_size_inches() * share)
+        if name in SMALLER_TEXT:
+            style.scale_words(figure, SMALLER_TEXT[name])
         if kind == "svg":
             return style.svg_text(figure, FIGURES[name]).encode()
         return style.bitmap_or_page(figure, FIGURES[name], kind)

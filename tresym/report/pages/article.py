@@ -18,6 +18,7 @@ from tresym.ledger.claim import AllOf, Claim
 from tresym.ledger.paper import Correction, all_claims, corrections
 from tresym.ledger.verification import Report, Row
 from tresym.report.pages import ledger_document, templates
+from tresym.report.pages.article_markdown import article_markdown
 from tresym.report.pages.corrections import FAULTS
 from tresym.report.pages.derivation import prose
 from tresym.report.pages.numbers import named_numbers
@@ -74,12 +75,32 @@ def without_figures(text: str) -> str:
     return _SEE.sub(r"\\texttt{tresym figure \1}", _FIGURE.sub("", text))
 
 
-def templates_of(report: Report) -> templates.Templates:
-    """Return the templates with the verdicts of a report and all other numbers."""
+def in_markdown(report: Report, folder: str = "") -> str:
+    """Write the whole article in Markdown.
+
+    Args:
+        report: verdicts on the claims of :func:`labels`, or on the whole ledger.
+        folder: the folder of the figures, as SVG; an empty text for no figures.
+    """
+    text = "\n".join(map(templates_of(report, "markdown").filled, templates.names()))
+    return article_markdown(text if folder else without_figures(text), folder)
+
+
+def templates_of(report: Report, form: str = "latex") -> templates.Templates:
+    """Return the templates with the verdicts of a report and all other numbers.
+
+    Args:
+        report: the verdicts.
+        form: the format of tables, ``latex`` or ``markdown``.
+    """
     rows = {row.claim.label: row for row in report.rows}
+
+    def _labelled(name: str) -> str:
+        return "" if form == "latex" else rf"\label{{tab:{name}}}"
+
     pieces: dict[str, Callable[..., str]] = {
         "corrections": lambda: "\n".join(_corrected(rows)),
-        "table": lambda name: written(table(name), "latex"),
+        "table": lambda name: _labelled(name) + written(table(name), form),
     }
     return templates.Templates(rows, named_numbers() | _counts(), pieces)
 
@@ -164,7 +185,7 @@ def _correction(correction: Correction, rows: dict[str, Row]) -> Iterator[str]:
     true = [*dict.fromkeys(each for wrong in own for each in wrong.amended_by)]
     told = [text + _mark(rows[each.label]) for each in true if (text := _in_a_line(each))][:MOST]
     if told:
-        yield rf"\emph{{True instead:}} {'; '.join(told)}."
+        yield rf"\emph{{True instead:}} {'. '.join(told)}."
 
 
 def _mark(row: Row) -> str:

@@ -10,6 +10,7 @@ from typing import Any
 
 from tresym.coq import export
 from tresym.coq.coqtop import prelude
+from tresym.coq.definedness import satisfiable
 from tresym.coq.export import Entry, entries, stored
 from tresym.coq.ledger_statements import name_of
 from tresym.coq.statement import Theorem
@@ -142,18 +143,32 @@ def _counted(known: dict[str, Entry], store: Mapping[str, Any]) -> Iterator[str]
 
 def _defined(known: dict[str, Entry], store: Mapping[str, Any]) -> Iterator[str]:
     """How many premises of definedness are proved, and which ones are left."""
-    single = [e for e in known.values() if e.status == "proved" and isinstance(e.theorem, Theorem)]
-    every = [e for e in single if not e.theorem.exists]  # type: ignore[union-attr]
-    total = sum(len(e.theorem.defined) for e in every)  # type: ignore[union-attr]
-    left = {label: e.undefined for label, e in known.items() if e in every and e.undefined}
+    every = {
+        label: (whole, entry.undefined)
+        for label, entry in known.items()
+        if entry.status == "proved"
+        and isinstance(whole := entry.theorem, Theorem)
+        and not whole.exists
+    }
+    total = sum(len(whole.defined) for whole, _ in every.values())
+    left = {label: parts for label, (_, parts) in every.items() if parts}
     remaining = sum(map(len, left.values()))
+    bodies = {row["body"] for row in store["possible"].values()}
+    without = [
+        label
+        for label in left
+        if isinstance(whole := known[label].stronger or known[label].theorem, Theorem)
+        and satisfiable(whole).body not in bodies
+    ]
     yield "## Where a part is undefined"
     yield ""
     yield (
         f"The parts of the claims are defined under {total:,} conditions. Coq proves "
         f"{total - remaining:,} of them from the conditions of their claims. The other "
         f"{remaining} are premises of the {len(left)} theorems below, which say nothing about "
-        "points where such a premise fails."
+        "points where such a premise fails. For each of these theorems Coq proves that some point "
+        "satisfies definitions, conditions and premises together"
+        + (f", except {', '.join(f'`{label}`' for label in without)}." if without else ".")
     )
     yield ""
     yield "| claim | premises |"

@@ -74,26 +74,6 @@ def axiom_key(axiom: Axiom) -> str:
     return "axiom:" + "".join(c for c in axiom.name if c.isascii() and c.isalpha())
 
 
-def fragment(row: Row) -> str:
-    """Return one statement with its conditions and derivation, to paste into a document.
-
-    Args:
-        row: the claim with its verdict. A refuted claim becomes a paragraph that says so, with the
-            evidence and what is true instead.
-
-    Returns:
-        LaTeX for a document that loads amsmath.
-    """
-    claim = row.claim
-    if row.finding.verdict is not Verdict.REFUTED:
-        return "\n".join([*in_words(claim), *_numbered(claim)]) + "\n"
-    lines = [rf"\textbf{{Refuted}} (\texttt{{{_lettered(claim.label)}}}):", *_stated(claim)]
-    lines += [prose(f"Evidence: {readable(row.finding.why[:LONGEST])}.")]
-    for true in claim.amended_by:
-        lines += [rf"\textbf{{True instead}} (\texttt{{{_lettered(true.label)}}}):", *_stated(true)]
-    return "\n".join(lines) + "\n"
-
-
 def refused(rows: Collection[Row]) -> tuple[str, ...]:
     """Return an error line for each refuted claim, with what is true instead."""
     return tuple(
@@ -116,19 +96,6 @@ def in_words(claim: Claim, name: Callable[[str], str] | None = None) -> list[str
     found = said(claim)
     lines = [prose(found.says)] if found.says else []
     return [*lines, *filter(None, [conditions(found, in_dollars, prose, name)])]
-
-
-def _stated(claim: Claim) -> list[str]:
-    """The statement with its conditions, without its derivation."""
-    formula = said(claim).formula
-    return [*in_words(claim), *([rf"\[{formula}\]"] if formula else [])]
-
-
-def _numbered(claim: Claim) -> Iterator[str]:
-    """The displays as equations with the labels ``tresym:LABEL``, ``tresym:LABEL-2``, and so on."""
-    for n, body in enumerate(set_displays(claim, NARROW), 1):
-        label = f"tresym:{claim.label}" + (f"-{n}" if n > 1 else "")
-        yield f"\\begin{{equation}}\\label{{{label}}}\n{body}\n\\end{{equation}}"
 
 
 def in_dollars(formula: str) -> str:

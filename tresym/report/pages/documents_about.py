@@ -47,6 +47,8 @@ def written(report: Report, style: str, where: str = "", folder: str = "") -> st
         return _slides(report, bool(folder))
     if style == "jupyter":
         return _notebook(report)
+    if style == "markdown":
+        return article.in_markdown(report, folder)
     return article.article(report, where, bool(folder))
 
 

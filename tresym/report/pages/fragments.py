@@ -14,8 +14,9 @@ from tresym.ledger.claim import Claim
 from tresym.ledger.verification import Row
 from tresym.reals.verdict import Verdict
 from tresym.report.pages import notebook
-from tresym.report.pages.derivation import NARROW, alone, derived, fragment, prose
+from tresym.report.pages.derivation import LONGEST, NARROW, alone, derived, prose
 from tresym.report.typesetting.chains import Because, Display, Line, displays
+from tresym.report.typesetting.finding_text import readable
 from tresym.report.typesetting.markdown import sentence
 from tresym.report.typesetting.statements import conditions, in_dollars, said
 from tresym.report.typesetting.titles import title
@@ -30,9 +31,9 @@ _WORDS = {
     "inverse functions": "inverse functions cancel",
 }  # fmt: skip
 """Reasons that are written in other words than in the ledger; obvious ones are left out."""
-_SLIDE = 0.72
+_SLIDE = 0.85
 """Width of a slide relative to a line of our article."""
-_IN_TEXT = re.compile(r"\\text\{\\footnotesize ([^{}$]*(?:\$[^$]*\$[^{}$]*)*)\}")
+_IN_TEXT = re.compile(r"\\text\{\\(?:footnotesize|small) ([^{}$]*(?:\$[^$]*\$[^{}$]*)*)\}")
 
 
 class Style(NamedTuple):
@@ -45,6 +46,8 @@ class Style(NamedTuple):
     """A reference to the equation with a label."""
     share: float
     """The width available, relative to a line of our article."""
+    strong: Callable[[str], str] = r"\textbf{{{}}}".format
+    """A word in bold type."""
 
 
 def written(rows: Collection[Row], style: str) -> str:
@@ -54,24 +57,24 @@ def written(rows: Collection[Row], style: str) -> str:
         rows: the claims with their verdicts.
         style: ``article``, ``beamer``, ``markdown`` or ``jupyter``.
     """
-    labels = [row.claim.label for row in rows]
+    shown = {row.claim.label for row in rows}
     if style == "article":
-        texts = (_head(row) + _paragraphs(row, _LATEX, labels[:n]) for n, row in enumerate(rows))
+        texts = (_head(row) + _paragraphs(row, _LATEX, shown) for row in rows)
         return "\n".join(texts)
     numbers: dict[str, int] = {}
     look = _numbered(numbers, _slide_equation if style == "beamer" else _markdown_equation)
     if style == "beamer":
-        look = look._replace(words=prose, share=_SLIDE)
+        look = look._replace(words=prose, share=_SLIDE, strong=_LATEX.strong)
         texts = (
             f"\\begin{{frame}}[shrink]{{{prose(title(row.claim.label))}}}\n\\small\n"
-            f"{_paragraphs(row, look, labels[:n])}\\end{{frame}}\n"
-            for n, row in enumerate(rows)
+            f"{_paragraphs(row, look, shown)}\\end{{frame}}\n"
+            for row in rows
         )
         return "\n".join(texts)
     parts = []
-    for n, row in enumerate(rows):
+    for row in rows:
         head = f"### {sentence(title(row.claim.label))}\n\n"
-        parts.append(head + _paragraphs(row, look, labels[:n], "\n"))
+        parts.append(head + _paragraphs(row, look, shown, "\n"))
     if style == "markdown":
         return "\n".join(parts)
     cells = [notebook.code("import tresym")]
@@ -85,14 +88,14 @@ def _head(row: Row) -> str:
     return f"% {title(label)}: {row.finding.verdict.value} (tresym verify {label})\n"
 
 
-def _paragraphs(row: Row, style: Style, before: Collection[str], gap: str = "") -> str:
-    """The derivation of a claim, given the labels of the claims that are written before it."""
+def _paragraphs(row: Row, style: Style, shown: set[str], gap: str = "") -> str:
+    """The derivation of a claim; the claims that it displays are added to those ``shown``."""
     claim = row.claim
     if row.finding.verdict is Verdict.REFUTED:
-        return fragment(row)
+        return "".join(f"{paragraph}\n{gap}" for paragraph in _refuted(row, style, shown))
     found = [tuple(_folded(display)) for display in displays(claim)]
-    cited = [c for c in _cited(claim) if c.label not in before and said(c).formula]
-    known = {*before, *(c.label for c in cited)}
+    cited = [c for c in _cited(claim) if c.label not in shown and said(c).formula]
+    shown.update(c.label for c in cited)
     spoken = said(claim)
     uses = "The derivation uses" if cited else ""
     sentences = (_opening(claim, style), style.words(spoken.says or ""), uses)
@@ -102,10 +105,34 @@ def _paragraphs(row: Row, style: Style, before: Collection[str], gap: str = "") 
         paragraphs.append(style.equation(body, premise.label))
     if cited:
         paragraphs.append("Hence" if len(found) == 1 else "Then")
+    if spoken.formula and not any(line.reasons for display in found for line in display):
+        paragraphs.append(style.equation(alone(spoken.formula, style.share), claim.label))
+        found = []
     for n, display in enumerate(found, 1):
-        body = derived([_reasoned(line, style, known) for line in display], style.share)
+        body = derived([_reasoned(line, style, shown) for line in display], style.share)
         paragraphs.append(style.equation(body, claim.label + (f"-{n}" if n > 1 else "")))
     return "".join(f"{paragraph}\n{gap}" for paragraph in paragraphs)
+
+
+def _refuted(row: Row, style: Style, shown: set[str]) -> Iterator[str]:
+    """A refuted claim, marked as such, with the evidence and what is true instead."""
+    yield from _marked("Refuted", row.claim, style)
+    yield style.words(f"Evidence: {readable(row.finding.why[:LONGEST])}.")
+    for claim in row.claim.amended_by:
+        if claim.label in shown and said(claim).formula:
+            yield f"{style.strong('True instead')}: {style.refer(claim.label)}."
+        else:
+            shown.add(claim.label)
+            yield from _marked("True instead", claim, style)
+
+
+def _marked(head: str, claim: Claim, style: Style) -> Iterator[str]:
+    """The statement of a claim after its label and a word in bold type."""
+    found = said(claim)
+    name = f"{style.strong(head)} ({style.words(f'`{claim.label}`')}):"
+    yield " ".join(filter(None, (name, _opening(claim, style), style.words(found.says or ""))))
+    if found.formula:
+        yield style.equation(alone(found.formula, style.share), claim.label)
 
 
 def _opening(claim: Claim, style: Style) -> str:
@@ -179,6 +206,7 @@ def _numbered(numbers: dict[str, int], equation: Callable[[str, int], str]) -> S
         equation=lambda body, label: equation(body, number(label)),
         refer=lambda label: f"({number(label)})",
         share=NARROW,
+        strong="**{}**".format,
     )
 
 
@@ -199,7 +227,7 @@ def for_markdown(body: str) -> str:
             part if n % 2 else rf"\text{{{part}}}" for n, part in enumerate(parts) if part
         )
 
-    shown = _IN_TEXT.sub(plain, body).replace(r"\footnotesize ", "")
+    shown = re.sub(r"\\(?:footnotesize|small) ", "", _IN_TEXT.sub(plain, body))
     return re.sub(r"\\operatorname\{(\w+)\}(?!\\left)", r"\\mathrm{\1}\\,", shown).replace(
         r"\operatorname", r"\mathrm"
     )

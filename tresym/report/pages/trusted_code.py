@@ -111,8 +111,8 @@ RECHECKED = {
             "reals.balls.simplest_constants.candidates",
         ),
         *("reals.normal.to_expression.numerator", "reals.decisions.variable_reduction._lowest"),
-        *("reals.decisions.integrals._cuts", "reals.decisions.integrals._roots"),
-        *("reals.decisions.integrals._turns", "reals.signs.polynomials._least"),
+        *("reals.decisions.integration_pieces._cuts", "reals.decisions.integration_pieces._roots"),
+        *("reals.decisions.integration_pieces._turns", "reals.signs.polynomials._least"),
         "reals.numbers.exact.Interval.simplest",
     ),
     "it only skips a search that would fail, or estimates the cost of one": (
@@ -143,7 +143,7 @@ RECHECKED = {
         *("reals.decisions.equations._with_value", "reals.decisions.algebraic_witnesses"),
         *(
             "reals.decisions.asymptotics.path_claims._fails_beside",
-            "reals.decisions.asymptotics.path_claims._periodic_failure",
+            "reals.decisions.asymptotics.recurring_failures.periodic_failure",
         ),
         *(
             "reals.decisions.unknown_functions._realised",

@@ -10,13 +10,11 @@ from tresym.reals.decisions.asymptotics.path_claims import (
     _by_exact_limit,
     _by_signs,
     _from_somewhere_on,
-    _periodic_failure,
     allows,
 )
 from tresym.reals.decisions.claim_parsing import LIMIT, read
 from tresym.reals.decisions.statement import Comparison, Path, Statement
 from tresym.reals.domain.conditions import Given
-from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import ZERO
 from tresym.reals.language.parsing import parse
@@ -146,7 +144,7 @@ def test_what_holds_on_one_side_does_not_on_both(claim: str) -> None:
         ("!=", "", ("1", "-a", "oo", "-oo"), ("0", "a - 1")),
     ],
 )
-def test_what_a_limitallows(
+def test_what_a_limit_allows(
     relation: str, value: str, allowed: tuple[str, ...], forbidden: tuple[str, ...]
 ) -> None:
     """A limit of 0 shows no inequality, and an infinite one no order."""
@@ -157,35 +155,6 @@ def test_what_a_limitallows(
 
 
 SIDES = {"oo": Path("x", None, (1,)), "-oo": Path("x", None, (-1,)), "0": Path("x", ZERO, (1, -1))}
-
-
-@pytest.mark.parametrize(
-    ("difference", "end", "fails"),
-    [
-        ("sin(x)", "oo", True),
-        ("sin(x) + sin(2*x) + 1/2", "-oo", True),
-        ("sin(1/x) + 1/2", "0", True),
-        ("2 + sin(x)", "oo", False),
-        ("sin(x/2) + 1/2", "oo", False),  # it has another period
-        ("x*sin(x)", "oo", False),
-        ("1 - x*sin(1/x)", "0", False),
-        ("sin(x) + a", "oo", False),
-        ("sqrt(sin(x)) - 2", "-oo", True),  # where it is real
-    ],
-)
-def test_what_has_a_period_fails_again_and_again(difference: str, end: str, fails: bool) -> None:
-    found = _periodic_failure(parse(difference), ">", SIDES[end])
-    assert (found is not None) is fails
-    if found is not None:
-        assert found.verdict is Verdict.REFUTED
-        assert found.witness is not None
-        at = evaluate(parse(found.witness["x"]), {})
-        assert evaluate(parse(difference), {"x": at}) <= 0
-
-
-def test_a_period_towards_a_point_that_is_open_is_not_looked_for() -> None:
-    path = Path("x", parse("a"), (1,))
-    assert _periodic_failure(parse("sin(1/(x - a))"), ">", path) is None
 
 
 def test_an_exact_limit_is_one_from_each_side() -> None:
