@@ -268,7 +268,7 @@ def account(names: tuple[str, ...] = METHODS, every: int = 1) -> dict[str, Any]:
     for found in before.values():
         of = counts.setdefault(_asked[found.number].collection, {})
         of[found.verdict] = of.get(found.verdict, 0) + 1
-    rows = [_row(name, lines[name], len(used[name]), lost[name]) for name in names]
+    rows = [_row(name, lines[name], len(used[name]), lost[name], every) for name in names]
     return {"workload": "account", "every": every, "collections": counts, "rows": rows}
 
 
@@ -278,8 +278,8 @@ def _is_lost(before: str, now: str) -> bool:
     return settled and now != before and {before, now} != {"PROVED", "ENCLOSED"}
 
 
-def _row(name: str, lines: int, used: int, lost: list[Asked]) -> dict[str, Any]:
-    per_hundred = 100 * len(lost) / max(lines, 1)
+def _row(name: str, lines: int, used: int, lost: list[Asked], every: int) -> dict[str, Any]:
+    per_hundred = 100 * every * len(lost) / max(lines, 1)
     by: dict[str, int] = {}
     for asked in lost:
         by[asked.collection] = by.get(asked.collection, 0) + 1
@@ -291,8 +291,13 @@ def _row(name: str, lines: int, used: int, lost: list[Asked]) -> dict[str, Any]:
         "per hundred lines": round(per_hundred, 1),
         "lost in": by,
         "examples": [asked.claim for asked in lost[:5]],
-        "why": REASONS.get(name, "") if per_hundred < FEW else "",
+        "why": reason(name) if per_hundred < FEW else "",
     }
+
+
+def reason(name: str) -> str:
+    """Why a method is kept that decides little; its own reason, or that of its module."""
+    return next((why for start, why in REASONS.items() if name.startswith(start)), "")
 
 
 @cache

@@ -105,5 +105,24 @@ AREAS: dict[str, tuple[str, ...]] = {
 METHODS = tuple(f"{area}.{name}" for area, names in AREAS.items() for name in names)
 """All methods, by their full names without the leading ``tresym.``."""
 
-REASONS: dict[str, str] = {}
-"""Why a method is kept that decides fewer than five claims per hundred lines of its own."""
+TEXTBOOK = "textbook claims and manuscripts, of which the collections have few"
+REASONS: dict[str, str] = {
+    **dict.fromkeys(
+        (
+            *("reals.decisions.integrals", "reals.decisions.known_integrals"),
+            *("reals.decisions.integral_identities", "reals.decisions.integration_pieces"),
+            *("reals.decisions.antiderivatives", "reals.decisions.leibniz"),
+            *("reals.decisions.divergence", "reals.decisions.finite_sums"),
+            *("reals.decisions.hypergeometric", "reals.decisions.known_series"),
+            *("reals.decisions.power_series", "reals.decisions.infinite_sums"),
+            *("reals.decisions.ellipsis_series", "reals.decisions.nth_derivatives"),
+            *("reals.decisions.factorials", "reals.decisions.integer_variables"),
+            *("reals.decisions.equation", "reals.decisions.ideals"),
+            "reals.decisions.unknown_functions",
+        ),
+        TEXTBOOK,
+    ),
+    "ledger": "claims of the ledger that have no other evidence",
+}
+"""Why a method is kept that decides fewer than five claims per hundred lines of its own, by the
+beginning of its name."""

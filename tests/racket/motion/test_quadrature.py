@@ -78,6 +78,7 @@ defects = st.fractions("1/10", "3/2")
 
 
 @given(st.sampled_from(ABOVE), defects)
+@pytest.mark.slow
 def test_balls_and_mpmath_agree_above(gamma: str, e: Any) -> None:
     with ball_precision(140), mp_precision(30) as mp:
         a, b, g = numbers(mp, gamma)

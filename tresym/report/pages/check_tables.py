@@ -132,11 +132,13 @@ def by_method(data: Mapping[str, Any]) -> str:
         data: what ``python tests/account.py --save`` wrote.
     """
     rows = [row for row in data["rows"] if row["lines"] >= SHORT]
-    weak = [row for row in rows if 100 * row["lost"] < FEW * row["lines"]]
+    every = data["every"]
+    weak = [row for row in rows if 100 * every * row["lost"] < FEW * row["lines"]]
     claims = sum(sum(counts.values()) for counts in data["collections"].values())
     lines = [
-        f"Each of {len(data['rows'])} methods was switched off in turn, on {claims:,} claims: lists, "
-        f"random identities, manuscripts and the ledger. {len(rows)} methods have {SHORT} lines of "
+        f"Each of {len(data['rows'])} methods was switched off in turn, on {claims:,} claims"
+        f"{'' if every == 1 else f', of {every} one'}: lists, random identities, manuscripts and "
+        f"the ledger. {len(rows)} methods have {SHORT} lines of "
         f"code or more that nothing else uses. The following {len(weak)} of them decide fewer than "
         f"{FEW} claims per hundred lines that no other method decides.",
         "",
