@@ -135,12 +135,13 @@ def by_method(data: Mapping[str, Any]) -> str:
     every = data["every"]
     weak = [row for row in rows if 100 * every * row["lost"] < FEW * row["lines"]]
     claims = sum(sum(counts.values()) for counts in data["collections"].values())
+    sample = f", one in {every} of the collections" if every > 1 else ""
+    warning = " So small a sample cannot show that a method is not needed." if every > 1 else ""
     lines = [
-        f"Each of {len(data['rows'])} methods was switched off in turn, on {claims:,} claims"
-        f"{'' if every == 1 else f', of {every} one'}: lists, random identities, manuscripts and "
-        f"the ledger. {len(rows)} methods have {SHORT} lines of "
-        f"code or more that nothing else uses. The following {len(weak)} of them decide fewer than "
-        f"{FEW} claims per hundred lines that no other method decides.",
+        f"Each of {len(data['rows'])} methods was switched off in turn, on {claims:,} claims{sample}: "
+        f"lists, random identities, manuscripts and the ledger. {len(rows)} methods have {SHORT} "
+        f"lines of code or more that nothing else uses. Without one of the following {len(weak)}, "
+        f"fewer than {FEW} claims are lost for each hundred of its lines.{warning}",
         "",
         "| method | lines | finds something for | lost without it | why it is kept |",
         "|---|--:|--:|--:|---|",
