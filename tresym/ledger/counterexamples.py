@@ -43,9 +43,9 @@ from tresym.ledger.sample_points import (
     Place,
     World,
     names_of,
-    points_for,
     need_unbound,
     places,
+    points_for,
     reached,
 )
 from tresym.reals import cross_check

@@ -93,10 +93,10 @@ from tresym.ledger.refutations import (
     UNDECIDED,
     all_facts_behind,
     facts_used,
-    refuted_part,
     need_all,
     need_possible,
     refute,
+    refuted_part,
 )
 from tresym.ledger.statements import Binding, ForSome
 from tresym.reals.balls.branch_and_bound import CertificateError

@@ -83,6 +83,7 @@ class World:
 
 
 def names_of(*sides: Basic) -> frozenset[Symbol]:
+    """Return the free symbols of several expressions."""
     return frozenset().union(*(side.free_symbols for side in sides))
 
 

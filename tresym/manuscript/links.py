@@ -227,16 +227,7 @@ class _Reading(LinkReader):
         if (derived := as_derivatives(said.terms)) and {*said.ops} == {"="}:
             said = replace(said, terms=derived)
         if said.values:
-            listed = said.ops == ("=",) and said.values[-1] == ("\\ldots",)
-            found = self.memory.integers(said) if listed else None
-            shown = " ".join(said.tokens)
-            if found is None:
-                why = "it may be a list of values or a number with commas; neither is read"
-                yield replace(blank, status=UNREAD, why=why, shown=shown)
-            else:
-                self.memory.lasting += found[0]
-                why, text = "a condition", chained(found[0])
-                yield replace(blank, status=ASSUMED, why=why, shown=shown, read_as=text)
+            yield self.list_of_values(blank, said)
             return
         under, problem = self.under(said, extra, around)
         self.memory.uses = self.kinds.uses(said.tokens, self.place)
@@ -271,6 +262,18 @@ class _Reading(LinkReader):
                 )
                 link = replace(link, claims=(*link.claims, *told))
             yield link
+
+    def list_of_values(self, blank: Link, said: Said) -> Link:
+        """Return the link of a list such as ``n = 1, 2, ...``, a condition if it is one."""
+        listed = said.ops == ("=",) and said.values[-1] == ("\\ldots",)
+        found = self.memory.integers(said) if listed else None
+        shown = " ".join(said.tokens)
+        if found is None:
+            why = "it may be a list of values or a number with commas; neither is read"
+            return replace(blank, status=UNREAD, why=why, shown=shown)
+        self.memory.lasting += found[0]
+        text = chained(found[0])
+        return replace(blank, status=ASSUMED, why="a condition", shown=shown, read_as=text)
 
     def strange(self, said: Said, n: int, line: int) -> str:
         """Return why a link cannot be decided: a symbol in it is not a real number. Else ``""``."""

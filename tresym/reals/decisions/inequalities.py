@@ -50,6 +50,10 @@ GRID, GRID_STEPS = range(-80, 81), 5
 MAX_STARTS = 24
 ZEROS = (equal_at_simple, equal_at_lowest)
 PERIODS = (2 * PI, number(2))
+NO_POINT_FOUND = (
+    "no point was found that satisfies the conditions and where both sides {}are defined, "
+    "so there may be nothing to prove; check the conditions, or bound the variables"
+)
 
 
 def decide_inequality(
@@ -79,15 +83,10 @@ def decide_inequality(
         (left, right), given = moved
         answer = decide_inequality(left, relation, right, given, differentiated, by)
         return replace(answer, why=f"rewritten as {left} {relation} {right}: {answer.why}")
-    if defined is None and not names:
-        return Answer(Verdict.UNDECIDED, no_point((left, right), inside))
     if defined is None:
-        return Answer(
-            Verdict.UNDECIDED,
-            "no point was found that satisfies the conditions and where both sides "
-            f"{'and the differentiated functions ' if differentiated else ''}are defined, "
-            "so there may be nothing to prove; check the conditions, or bound the variables",
-        )
+        more = "and the differentiated functions " if differentiated else ""
+        why = NO_POINT_FOUND.format(more) if names else no_point((left, right), inside)
+        return Answer(Verdict.UNDECIDED, why)
     if not symbols(left) | symbols(right):
         return _constants(left, relation, right)
     region = with_domain(whole, left, right)
@@ -103,14 +102,9 @@ def decide_inequality(
         answer = _shown_under(given, _apart(left, right, region, inside, defined))
         split = None if differentiated or answer.verdict is not Verdict.UNDECIDED else _sides(given)
         return answer if split is None else _on_both_sides(left, right, *split, answer)
-    starts = inside.points(names, MAX_STARTS)
-    for point in chain(_in_cells(left - right, region), low_points(left - right, inside, starts)):
-        refutation = _refuted_at(point, left, relation, right, inside)
-        for zero_near in ZEROS if relation == ">" and len(names) > 1 else ():
-            if refutation is None:
-                refutation = zero_near(left, right, inside, point)
-        if refutation is not None:
-            return refutation
+    refutation = _refuted_at_lowest(left, relation, right, region, inside)
+    if refutation is not None:
+        return refutation
     if not differentiated:
         reduced = by_one_variable(left, relation, right, given, decide_inequality)
         if reduced is not None and not (partly and reduced):
@@ -120,6 +114,22 @@ def decide_inequality(
     if partly and answer.verdict is Verdict.UNDECIDED:
         return replace(answer, why=ONLY_INSIDE)
     return answer
+
+
+def _refuted_at_lowest(
+    left: Expr, relation: str, right: Expr, region: Given, inside: Given
+) -> Answer | None:
+    """Return a refutation in an open cell, at a low point, or at a zero beside one; or None."""
+    names = sorted(symbols(left) | symbols(right) | inside.names)
+    starts = inside.points(names, MAX_STARTS)
+    for point in chain(_in_cells(left - right, region), low_points(left - right, inside, starts)):
+        refutation = _refuted_at(point, left, relation, right, inside)
+        for zero_near in ZEROS if relation == ">" and len(names) > 1 else ():
+            if refutation is None:
+                refutation = zero_near(left, right, inside, point)
+        if refutation is not None:
+            return refutation
+    return None
 
 
 def _shown_under(given: Given, found: Answer) -> Answer:

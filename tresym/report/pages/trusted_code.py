@@ -34,27 +34,27 @@ ENCLOSING = (
     "reals.decisions.asymptotics.order_claims",
     "reals.decisions.asymptotics.leading_terms",
     *(
-        "reals.decisions.asymptotics.expansions.Enclosure",
-        "reals.decisions.asymptotics.expansions.Size",
+        "reals.decisions.asymptotics.truncated_series.Enclosure",
+        "reals.decisions.asymptotics.truncated_series.Size",
     ),
     "reals.decisions.asymptotics.scale.Scale.written",
     *(
-        f"reals.decisions.asymptotics.expansions.Expansions.{name}"
+        f"reals.decisions.asymptotics.series_arithmetic.SeriesArithmetic.{name}"
         for name in ("enclosure", "_enclosed", "largest")
     ),
     *(
-        f"reals.decisions.asymptotics.expansions.Expansions._{name}"
+        f"reals.decisions.asymptotics.series_arithmetic.SeriesArithmetic._{name}"
         for name in ("height", "along_chain", "element")
     ),
     *(
-        f"reals.decisions.asymptotics.expansions.Expansions.{name}"
+        f"reals.decisions.asymptotics.series_arithmetic.SeriesArithmetic.{name}"
         for name in ("size", "_size", "_raised")
     ),
     *(
-        f"reals.decisions.asymptotics.expansions.Expansions._{name}"
+        f"reals.decisions.asymptotics.series_arithmetic.SeriesArithmetic._{name}"
         for name in ("times", "total", "term", "whole")
     ),
-    "reals.decisions.asymptotics.expansions.Expansions._bounded",
+    "reals.decisions.asymptotics.series_arithmetic.SeriesArithmetic._bounded",
     *("reals.decisions.inequalities._apart", "reals.decisions.inequalities._one_period"),
     "reals.decisions.inequalities._shown_under",
     *("reals.decisions.integrals._by_quadrature", "reals.decisions.asymptotics.path_claims._theta"),

@@ -12,8 +12,9 @@ from math import isqrt
 
 from flint import fmpq
 
-from tresym.reals.decisions.asymptotics.expansions import Expansions, plus, quotient, times
+from tresym.reals.decisions.asymptotics.expansions import Expansions
 from tresym.reals.decisions.asymptotics.scale import Leading, Scale, T, UnresolvedError
+from tresym.reals.decisions.asymptotics.truncated_series import plus, quotient, times
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.expression import (
     ONE,

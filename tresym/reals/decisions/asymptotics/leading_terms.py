@@ -17,9 +17,10 @@ from typing import NamedTuple
 from flint import arb, fmpq
 
 from tresym.reals.balls.taylor import taylor_value
-from tresym.reals.decisions.asymptotics.expansions import Expansions, quotient, raised
+from tresym.reals.decisions.asymptotics.expansions import Expansions
 from tresym.reals.decisions.asymptotics.gruntz import Rewritten
 from tresym.reals.decisions.asymptotics.scale import Leading, T, UnresolvedError
+from tresym.reals.decisions.asymptotics.truncated_series import quotient, raised
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.expression import (
