@@ -138,8 +138,9 @@ def by_method(data: Mapping[str, Any]) -> str:
     sample = f", one in {every} of the collections" if every > 1 else ""
     warning = " So small a sample cannot show that a method is not needed." if every > 1 else ""
     lines = [
-        f"Each of {len(data['rows'])} methods was switched off in turn, on {claims:,} claims{sample}: "
-        f"lists, random identities, manuscripts and the ledger. {len(rows)} methods have {SHORT} "
+        f"Each of {len(data['rows'])} methods was switched off in turn, on {claims:,} "
+        f"claims{sample}: lists, random identities, manuscripts and the ledger. "
+        f"{len(rows)} methods have {SHORT} "
         f"lines of code or more that nothing else uses. Without one of the following {len(weak)}, "
         f"fewer than {FEW} claims are lost for each hundred of its lines.{warning}",
         "",
