@@ -1,4 +1,4 @@
-"""Stand-ins for the search for true claims near refuted ones; named, so that processes find them."""
+"""Stand-ins for the search for true claims near refuted ones, which other processes can find."""
 
 from __future__ import annotations
 
