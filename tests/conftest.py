@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 
 import chunks
 import pytest
+import unsuggested
 from hangs import HANGS
 from hypothesis import HealthCheck, settings
 
@@ -62,9 +63,8 @@ def no_suggestions(request: pytest.FixtureRequest) -> Iterator[None]:
     inner = request.path.relative_to(TESTS).as_posix()
     with pytest.MonkeyPatch.context() as patch:
         if inner.startswith(CORE) and not inner.startswith(SUGGESTING):
-            repair = "tresym.reals.repair"
-            patch.setattr(f"{repair}.alternatives", lambda *_: ())
-            patch.setattr(f"{repair}.suggestions", lambda claims, *_: (() for _ in claims))
+            patch.setattr("tresym.reals.repair.alternatives", unsuggested.alternatives)
+            patch.setattr("tresym.reals.repair.suggestions", unsuggested.suggestions)
         yield
 
 

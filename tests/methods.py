@@ -55,7 +55,7 @@ AREAS: dict[str, tuple[str, ...]] = {
         *("readable_witnesses.exact_witness", "integrals.decide_integrals"),
         *("integrals._by_identity", "integrals._infinite", "integrals._by_quadrature"),
         *("integrals._at_parameters", "integrals._without_value", "integrals._of_waves"),
-        *("integrals._roots_of_squares", "known_integrals.standard"),
+        *("integration_pieces.roots_of_squares", "known_integrals.standard"),
         *("integral_identities.Antiderivatives.put_in", "antiderivatives.summed"),
         *("leibniz.decide_by_leibniz", "divergence.has_no_limit"),
         *("finite_sums.decide_totals", "finite_sums._induction", "finite_sums._by_closed_forms"),
@@ -81,7 +81,7 @@ AREAS: dict[str, tuple[str, ...]] = {
         *("path_claims._limit", "path_claims._with_parameters", "path_claims._among_integers"),
         *("path_claims._by_residues", "path_claims._at_integers", "path_claims._by_exact_limit"),
         *("path_claims._by_signs", "path_claims._from_somewhere_on"),
-        *("path_claims._periodic_failure", "path_claims._failure_where_waves_return"),
+        *("recurring_failures.periodic_failure", "recurring_failures.failure_where_waves_return"),
         *("integral_limits.decide_integral_limits", "integral_limits._by_derivatives"),
         *("limit_values.limit_of", "limit_values._squeezed", "limit_values._without_waves"),
         *("leading_terms._leading_terms", "leading_terms._without"),
@@ -105,5 +105,24 @@ AREAS: dict[str, tuple[str, ...]] = {
 METHODS = tuple(f"{area}.{name}" for area, names in AREAS.items() for name in names)
 """All methods, by their full names without the leading ``tresym.``."""
 
-REASONS: dict[str, str] = {}
-"""Why a method is kept that decides fewer than five claims per hundred lines of its own."""
+TEXTBOOK = "textbook claims and manuscripts, of which the collections have few"
+REASONS: dict[str, str] = {
+    **dict.fromkeys(
+        (
+            *("reals.decisions.integrals", "reals.decisions.known_integrals"),
+            *("reals.decisions.integral_identities", "reals.decisions.integration_pieces"),
+            *("reals.decisions.antiderivatives", "reals.decisions.leibniz"),
+            *("reals.decisions.divergence", "reals.decisions.finite_sums"),
+            *("reals.decisions.hypergeometric", "reals.decisions.known_series"),
+            *("reals.decisions.power_series", "reals.decisions.infinite_sums"),
+            *("reals.decisions.ellipsis_series", "reals.decisions.nth_derivatives"),
+            *("reals.decisions.factorials", "reals.decisions.integer_variables"),
+            *("reals.decisions.equation", "reals.decisions.ideals"),
+            "reals.decisions.unknown_functions",
+        ),
+        TEXTBOOK,
+    ),
+    "ledger": "claims of the ledger that have no other evidence",
+}
+"""Why a method is kept that decides fewer than five claims per hundred lines of its own, by the
+beginning of its name."""

@@ -74,7 +74,7 @@ def test_rigorous_integration_and_quadrature_agree_to_fifty_digits(body, gamma):
     assert routes.agreement(routes.scipy_solver(shape, level), truth) >= 10
 
 
-@pytest.mark.slow
+@pytest.mark.night
 def test_the_table_of_routes():
     for row in routes.compare():
         for route, digits in zip(routes.ROUTES[1:], row.digits, strict=True):

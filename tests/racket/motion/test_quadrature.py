@@ -77,6 +77,7 @@ def test_where_the_body_rotates_about_its_handle_it_is_elementary() -> None:
 defects = st.fractions("1/10", "3/2")
 
 
+@pytest.mark.slow
 @given(st.sampled_from(ABOVE), defects)
 def test_balls_and_mpmath_agree_above(gamma: str, e: Any) -> None:
     with ball_precision(140), mp_precision(30) as mp:

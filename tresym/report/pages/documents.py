@@ -24,7 +24,7 @@ from tresym.report.figures.grid import shown
 from tresym.report.pages import coq_page
 from tresym.report.pages.article import article, passages
 from tresym.report.pages.call_paths import call_paths
-from tresym.report.pages.check_tables import by_kind, by_source, measured
+from tresym.report.pages.check_tables import by_kind, by_method, by_source, measured
 from tresym.report.pages.corrections import corrections
 from tresym.report.pages.ledger_document import ledger_document
 from tresym.report.pages.messages import messages
@@ -65,6 +65,7 @@ def pages(report: Report) -> Iterator[tuple[str, str]]:
     yield "tables/deciding.md", measured(saved.load("check"))
     yield "tables/kinds.md", by_kind(saved.load("kinds"))
     yield "tables/papers.md", by_source(saved.load("papers"))
+    yield "tables/account.md", by_method(saved.load("account"))
 
 
 def drawn() -> Iterator[tuple[str, str]]:
