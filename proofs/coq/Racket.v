@@ -1388,6 +1388,91 @@ Proof.
       assert ((1 - c) * (1 / 2 * / q) >= (1 - c) * (1 / 2 * (1 - r / 2))) by nra.
       assert (0 <= r * (1 - c)) by nra; lra.
 Qed.
+Lemma printed_turn_sharp r : 0 < r -> r ^ 2 <= 1 / 4 ->
+  r ^ 3 * (1666 / 10000 - 173 / 1000 * r ^ 2 + 1238 / 10000 * r ^ 4) <= atan r - r * / sqrt (1 + r ^ 2)
+  <= r ^ 3 * (16674 / 100000 - 12 / 100 * r ^ 2).
+Proof.
+  intros R0 R1; assert (W : forall t, 1 <= sqrt (1 + t ^ 2) /\ sqrt (1 + t ^ 2) ^ 2 = 1 + t ^ 2).
+  { intros t; pose proof (pow2_ge_0 t); split; [apply below_sqrt; lra | apply pow2_sqrt; lra]. }
+  set (d := fun t : R => t ^ 2 * / ((1 + t ^ 2) * (sqrt (1 + t ^ 2) * (1 + sqrt (1 + t ^ 2))))).
+  assert (D : forall t, is_derive (fun t : R => atan t - t * / sqrt (1 + t ^ 2)) t (d t)).
+  { intros t; destruct (W t) as [W1 W2]; pose proof (pow2_ge_0 t); unfold d.
+    auto_derive; [repeat split; try (apply Rgt_not_eq; simpl in *; lra); simpl in *; lra |].
+    replace (1 + t * (t * 1)) with (1 + t ^ 2) by ring; set (w := sqrt (1 + t ^ 2)) in *.
+    replace (1 * / w + t * (- (1 * ((1 + 1) * (t * 1)) * / (2 * w)) * / (w * w))) with ((w ^ 2 - t ^ 2) * / w ^ 3) by (field; lra).
+    rewrite <- W2; replace (t ^ 2) with (w ^ 2 - 1) by lra; field; lra. }
+  assert (I : forall y, 0 <= y <= 1 / 4 -> 4998 / 10000 - 865 / 1000 * y + 8666 / 10000 * y ^ 2
+    <= / ((1 + y) * (sqrt (1 + y) * (1 + sqrt (1 + y)))) <= 50022 / 100000 - 6 / 10 * y).
+  { intros y Y; split; apply not_below; interval with (i_bisect y, i_prec 60, i_depth 20). }
+  assert (J : forall t, 0 <= t <= r -> t ^ 2 * (4998 / 10000 - 865 / 1000 * t ^ 2 + 8666 / 10000 * t ^ 4) <= d t
+    <= t ^ 2 * (50022 / 100000 - 6 / 10 * t ^ 2)).
+  { intros t T; assert (Y : 0 <= t ^ 2 <= 1 / 4) by nra; destruct (I _ Y); unfold d.
+    replace (t ^ 4) with ((t ^ 2) ^ 2) by ring; split; apply Rmult_le_compat_l; lra. }
+  split.
+  - enough (0 <= (atan r - r * / sqrt (1 + r ^ 2)) - r ^ 3 * (1666 / 10000 - 173 / 1000 * r ^ 2 + 1238 / 10000 * r ^ 4)) by lra.
+    apply (from_left_ge (fun t : R => (atan t - t * / sqrt (1 + t ^ 2)) - t ^ 3 * (1666 / 10000 - 173 / 1000 * t ^ 2 + 1238 / 10000 * t ^ 4))
+      (fun t => d t - t ^ 2 * (4998 / 10000 - 865 / 1000 * t ^ 2 + 8666 / 10000 * t ^ 4)) 0 r).
+    + lra.
+    + intros t _; apply (d_minus (fun t : R => atan t - t * / sqrt (1 + t ^ 2))
+        (fun t : R => t ^ 3 * (1666 / 10000 - 173 / 1000 * t ^ 2 + 1238 / 10000 * t ^ 4))); [apply D |].
+      auto_derive; [exact Logic.I | field].
+    + intros t T; specialize (J t T); lra.
+    + rewrite atan_0; lra.
+  - enough (0 <= r ^ 3 * (16674 / 100000 - 12 / 100 * r ^ 2) - (atan r - r * / sqrt (1 + r ^ 2))) by lra.
+    apply (from_left_ge (fun t : R => t ^ 3 * (16674 / 100000 - 12 / 100 * t ^ 2) - (atan t - t * / sqrt (1 + t ^ 2)))
+      (fun t => t ^ 2 * (50022 / 100000 - 6 / 10 * t ^ 2) - d t) 0 r).
+    + lra.
+    + intros t _; apply (d_minus (fun t : R => t ^ 3 * (16674 / 100000 - 12 / 100 * t ^ 2))
+        (fun t : R => atan t - t * / sqrt (1 + t ^ 2))); [| apply D].
+      auto_derive; [exact Logic.I | field].
+    + intros t T; specialize (J t T); lra.
+    + rewrite atan_0; lra.
+Qed.
+(* The square of a defect against the product of its shape, where that is at least 4. *)
+Lemma defect_smaller a b e : 0 < a -> 0 < b -> b <= 1 -> 4 <= a * b -> 0 < e -> e < PI / 2 -> is_defect a b e ->
+  e ^ 2 * (a * b) <= 6 / 100000.
+Proof.
+  intros A B B1 AB E0 E1 E; pose proof PI_RGT_0 as P.
+  assert (S : 0 < sin e) by (apply sin_gt_0; lra); assert (C : 0 < cos e) by (apply cos_gt_0; lra).
+  pose proof (sinh_at_root a b _ e A B S C E) as H.
+  assert (K : 2 <= sqrt (a * b)) by (apply below_sqrt; lra).
+  assert (K2 : sqrt (a * b) ^ 2 = a * b) by (apply pow2_sqrt; lra).
+  assert (R0 : 0 < b * / a) by positive; assert (Q : 1 <= sqrt (b * / a + 1)) by (apply below_sqrt; lra).
+  assert (M : 0 < asin (sqrt (b * / (a + b)) * cos e)).
+  { apply asin_above, Rmult_lt_0_compat; [apply sqrt_lt_R0; positive | exact C]. }
+  set (k := sqrt (a * b)) in *; set (q := sqrt (b * / a + 1)) in *; set (m := asin _) in *.
+  assert (L : k * (sinh (2 * PI) / 2) <= sinh (k * (PI + m))).
+  { apply Rle_trans with (sinh (k * PI)); [| apply sinh_grows; nra].
+    enough (0 <= sinh (k * PI) - k * (sinh (2 * PI) / 2)) by lra.
+    apply (from_left_ge (fun t : R => sinh (t * PI) - t * (sinh (2 * PI) / 2)) (fun t => PI * cosh (t * PI) - sinh (2 * PI) / 2) 2 k K).
+    - intros t _; eapply d_eq; [derive |]; cbv beta; over_reals; ring.
+    - intros t T; pose proof (cosh_rises (2 * PI) (t * PI) ltac:(lra) ltac:(nra)).
+      assert (sinh (2 * PI) / 2 <= PI * cosh (2 * PI)) by (unfold sinh, cosh; interval); nra.
+    - lra. }
+  assert (N : 267 <= sinh (2 * PI)) by (unfold sinh; interval).
+  assert (G : sin e * (1335 / 10 * k) <= cos e).
+  { assert (J : sin e * sinh (k * (PI + m)) <= cos e).
+    { rewrite H; replace (sin e * (/ q * / sin e * cos e)) with (/ q * cos e) by (field; lra).
+      assert (/ q <= 1) by (rewrite <- Rinv_1; apply Rinv_le_contravar; lra); nra. }
+    assert (1335 / 10 * k <= sinh (k * (PI + m))) by nra; nra. }
+  assert (T : e * (1335 / 10 * k) <= 1).
+  { assert (F : e * cos e <= sin e).
+    { enough (0 <= sin e - e * cos e) by lra.
+      apply (from_left_ge (fun t : R => sin t - t * cos t) (fun t => t * sin t) 0 e); [lra | | |].
+      - intros t _; auto_derive; [exact I | ring].
+      - intros t T; apply Rmult_le_pos; [lra | apply sin_ge_0; lra].
+      - rewrite sin_0; lra. }
+    apply (Rmult_le_reg_r (cos e)); [exact C |]; nra. }
+  rewrite <- K2; assert (0 < e * k) by nra; assert ((e * k) ^ 2 <= (10 / 1335) ^ 2) by nra; nra.
+Qed.
+Lemma exp_above_square x : 0 <= x -> 1 + x + x ^ 2 / 2 <= exp x.
+Proof.
+  intros X; enough (0 <= exp x - (1 + x + x ^ 2 / 2)) by lra.
+  apply (from_left_ge (fun t : R => exp t - (1 + t + t ^ 2 / 2)) (fun t => exp t - (1 + t)) 0 x X).
+  - intros t _; auto_derive; [exact I | field].
+  - intros t _; pose proof (exp_ineq1_le t); lra.
+  - rewrite exp_0; lra.
+Qed.
 
 (* A motion that turns: its precession by the angle of the turning, and the level of a half turn. *)
 Definition turned (a b c x : R) : R :=
@@ -1778,6 +1863,176 @@ Ltac boxed r e m :=
   unfold up_all, up_exp, up_turn, low_sum, up_root, up_sine, up_time;
   interval with (i_bisect u, i_bisect r, i_depth 30).
 
+(* The unfolded motion: how fast the precession goes, and how that grows with the level. *)
+Section Unfolded.
+Variables a b : R.
+Hypotheses (A : 0 < a) (B : 0 < b) (B1 : b <= 1).
+Definition u_root (g x : R) : R := (-1) * g * (b + a * sin x ^ 2) + a * b * cos x ^ 2.
+Definition u_under (g x : R) : R := a + b * sin x ^ 2 + (-1) * g * cos x ^ 2.
+Definition u_over (g x : R) : R := cos x ^ 2 * ((-1) * b + 1) * (a + (-1) * g) + sin x ^ 2 * (g + 1) * (a + b).
+Definition u_rate (g x : R) : R := / (sqrt (u_root g x)) * / (u_under g x) * u_over g x.
+Definition u_growth (g x : R) : R :=
+  / sqrt (u_root g x) * / u_under g x * / u_under g x * (sin x ^ 2 * (a + b) ^ 2)
+  + / 2 * (/ sqrt (u_root g x) * / sqrt (u_root g x) * / sqrt (u_root g x)) * (b + a * sin x ^ 2)
+    * / u_under g x * u_over g x.
+Lemma u_root_above g x : g < 0 -> 0 < u_root g x.
+Proof.
+  intros G; unfold u_root; assert (0 <= a * b * cos x ^ 2) by (apply Rmult_le_pos; [left; positive | apply pow2_ge_0]).
+  assert (0 < (-1) * g * (b + a * sin x ^ 2)); [| lra].
+  apply Rmult_lt_0_compat; [lra |]; pose proof (pow2_ge_0 (sin x)); nra.
+Qed.
+Lemma u_under_above g x : g < 0 -> 0 < u_under g x.
+Proof.
+  intros G; unfold u_under; pose proof (pow2_ge_0 (sin x)); pose proof (pow2_ge_0 (cos x)).
+  assert (0 <= b * sin x ^ 2) by (apply Rmult_le_pos; lra).
+  assert (0 <= (-1) * g * cos x ^ 2) by (apply Rmult_le_pos; lra); lra.
+Qed.
+Lemma u_over_least g x : g < 0 -> - b < g -> 0 <= u_over g x.
+Proof.
+  intros G L; unfold u_over; apply Rplus_le_le_0_compat.
+  - apply Rmult_le_pos; [apply Rmult_le_pos; [apply pow2_ge_0 | lra] | lra].
+  - apply Rmult_le_pos; [apply Rmult_le_pos; [apply pow2_ge_0 | lra] | lra].
+Qed.
+Lemma u_over_above g x : g < 0 -> - b < g -> b < 1 \/ 0 < sin x -> 0 < u_over g x.
+Proof.
+  intros G L [H|H]; unfold u_over.
+  - assert (C : sin x ^ 2 + cos x ^ 2 = 1) by (pose proof (sin_square x); lra).
+    pose proof (pow2_ge_0 (sin x)); pose proof (pow2_ge_0 (cos x)).
+    assert (0 < ((-1) * b + 1) * (a + (-1) * g)) by (apply Rmult_lt_0_compat; lra).
+    assert (0 < (g + 1) * (a + b)) by (apply Rmult_lt_0_compat; lra).
+    rewrite !Rmult_assoc; destruct (Req_dec (sin x ^ 2) 0) as [Z|Z].
+    + rewrite Z in *; replace (cos x ^ 2) with 1 by lra; lra.
+    + apply Rplus_le_lt_0_compat; [apply Rmult_le_pos; lra | apply Rmult_lt_0_compat; lra].
+  - apply Rplus_le_lt_0_compat.
+    + apply Rmult_le_pos; [apply Rmult_le_pos; [apply pow2_ge_0 | lra] | lra].
+    + apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat; [apply pow_lt; lra | lra] | lra].
+Qed.
+Lemma u_rate_continuous g x : g < 0 -> continuous (u_rate g) x.
+Proof.
+  intros G; pose proof (u_root_above g x G) as P; pose proof (u_under_above g x G) as Q.
+  assert (sqrt (u_root g x) <> 0) by (apply Rgt_not_eq, sqrt_lt_R0, P).
+  assert (u_under g x <> 0) by (apply Rgt_not_eq, Q).
+  unfold u_rate, u_root, u_under, u_over in *; continues; assumption.
+Qed.
+Lemma u_rate_by_level g x : g < 0 -> is_derive (fun c : R => u_rate c x) g (u_growth g x).
+Proof.
+  intros G; pose proof (u_root_above g x G) as P; pose proof (u_under_above g x G) as Q.
+  assert (S : 0 < sqrt (u_root g x)) by (apply sqrt_lt_R0, P).
+  unfold u_rate, u_growth in *; eapply d_eq.
+  - unfold u_root, u_under, u_over in *; derive; cbv beta; first [assumption | apply Rgt_not_eq; assumption].
+  - cbv beta; fold (u_root g x); fold (u_under g x); fold (u_over g x).
+    assert (E : sqrt (u_root g x) ^ 2 = u_root g x) by (apply pow2_sqrt; lra).
+    set (s := sqrt (u_root g x)) in *.
+    assert (K : cos x ^ 2 * u_over g x + u_under g x * (cos x ^ 2 * ((-1) * b + 1) * (-1) + sin x ^ 2 * (a + b)) = sin x ^ 2 * (a + b) ^ 2).
+    { unfold u_over, u_under; rewrite (sin_square x); ring. }
+    rewrite <- K; field; repeat split; lra.
+Qed.
+Lemma u_growth_continuous g x : g < 0 -> continuity_2d_pt u_growth g x.
+Proof.
+  intros G; pose proof (u_root_above g x G) as P; pose proof (u_under_above g x G) as Q.
+  assert (sqrt (u_root g x) <> 0) by (apply Rgt_not_eq, sqrt_lt_R0, P).
+  assert (u_under g x <> 0) by (apply Rgt_not_eq, Q).
+  unfold u_growth, u_root, u_under, u_over in *; continues_2d; assumption.
+Qed.
+Lemma u_phase_by_level g y : - b < g -> g < 0 ->
+  is_derive (fun c : R => RInt (u_rate c) 0 y) g (RInt (u_growth g) 0 y).
+Proof.
+  intros L G; apply (leibniz u_rate u_growth 0 y g (- b) 0); [lra | | |].
+  - intros q t Q _; apply u_rate_by_level; lra.
+  - intros t _; now apply u_growth_continuous.
+  - intros q Q t _; apply u_rate_continuous; lra.
+Qed.
+Lemma u_growth_above g x : - b < g -> g < 0 -> 0 < sin x -> 0 < u_growth g x.
+Proof.
+  intros L G X; pose proof (u_root_above g x G) as P; pose proof (u_under_above g x G) as Q.
+  assert (S : 0 < sqrt (u_root g x)) by (apply sqrt_lt_R0, P).
+  pose proof (u_over_above g x G L (or_intror X)); assert (0 < a + b) by lra.
+  assert (0 < b + a * sin x ^ 2) by (pose proof (pow2_ge_0 (sin x)); nra).
+  unfold u_growth; apply Rplus_lt_0_compat; positive.
+Qed.
+Lemma u_phase_rises g y : - b < g -> g < 0 -> 0 < y -> y < PI -> 0 < RInt (u_growth g) 0 y.
+Proof.
+  intros L G Y T; apply integral_positive; [exact Y | |].
+  - intros x X.
+    assert (C := u_growth_continuous g x G).
+    intros V HV; destruct HV as [e He]; destruct (C e) as [d D]; exists d; intros z Z; apply He.
+    apply (D g z); [rewrite Rminus_eq_0, Rabs_R0; apply cond_pos | exact Z].
+  - intros x X; apply u_growth_above; trivial; apply sin_gt_0; lra.
+Qed.
+Lemma u_phase_by_end g y : g < 0 -> is_derive (fun t : R => RInt (u_rate g) 0 t) y (u_rate g y).
+Proof.
+  intros G; apply (d_upper_end (u_rate g) 0 (Rmin 0 y - 1) (Rmax 0 y + 1)); try lra.
+  intros t _; now apply u_rate_continuous.
+Qed.
+Lemma u_rate_above g x : - b < g -> g < 0 -> b < 1 \/ 0 < sin x -> 0 < u_rate g x.
+Proof.
+  intros L G H; pose proof (u_root_above g x G) as P; pose proof (u_under_above g x G) as Q.
+  assert (S : 0 < sqrt (u_root g x)) by (apply sqrt_lt_R0, P).
+  pose proof (u_over_above g x G L H); unfold u_rate; positive.
+Qed.
+Lemma u_phase_once g x y : - b < g -> g < 0 -> b < 1 -> RInt (u_rate g) 0 x = RInt (u_rate g) 0 y -> x = y.
+Proof.
+  intros L G H E.
+  assert (C : forall p q, continuous_on (u_rate g) p q) by (intros p q t _; now apply u_rate_continuous).
+  assert (K : forall p q, p < q -> RInt (u_rate g) 0 p < RInt (u_rate g) 0 q).
+  { intros p q Q; rewrite (integral_cut (u_rate g) 0 p q) by apply C.
+    pose proof (integral_positive (u_rate g) p q Q (C p q)) as I.
+    specialize (I ltac:(intros t _; apply u_rate_above; trivial; now left)); lra. }
+  destruct (Rtotal_order x y) as [T|[T|T]]; [apply K in T | exact T | apply K in T]; lra.
+Qed.
+Definition u_share (g x : R) : R := sqrt (a + b) * sqrt (b + g) * / (sqrt (u_root g x)) * sin x.
+Definition u_angle (g x : R) : R := (1 / 2) * PI + (-1) * atan (u_share g x).
+Definition u_inner (g x : R) : R := / (1 + u_share g x * u_share g x) * sqrt (a + b).
+Lemma u_inner_above g x : 0 < u_inner g x.
+Proof.
+  unfold u_inner; pose proof (Rle_0_sqr (u_share g x)) as J; unfold Rsqr in J.
+  apply Rmult_lt_0_compat; [apply Rinv_0_lt_compat | apply sqrt_lt_R0]; lra.
+Qed.
+Lemma u_angle_by_end g x : - b < g -> g < 0 -> is_derive (fun t : R => u_angle g t) x
+  (- (u_inner g x * (sqrt (b + g) * (b * (a - g)) * (/ sqrt (u_root g x) * / sqrt (u_root g x) * / sqrt (u_root g x)))) * cos x).
+Proof.
+  intros L G; pose proof (u_root_above g x G) as P; assert (S : 0 < sqrt (u_root g x)) by (apply sqrt_lt_R0, P).
+  unfold u_angle, u_inner; eapply d_eq.
+  - unfold u_share, u_root in *; derive; cbv beta; first [assumption | apply Rgt_not_eq; assumption].
+  - cbv beta; fold (u_root g x); fold (u_share g x).
+    assert (E : sqrt (u_root g x) ^ 2 = u_root g x) by (apply pow2_sqrt; lra).
+    pose proof (Rle_0_sqr (u_share g x)) as J; unfold Rsqr in J.
+    set (u := u_share g x) in *; set (s := sqrt (u_root g x)) in *.
+    assert (K : s ^ 2 + sin x ^ 2 * (g * a + a * b) = b * (a - g)).
+    { rewrite E; unfold u_root; rewrite (sin_square x); ring. }
+    rewrite <- K; clearbody u s; tidy; field; repeat split; lra.
+Qed.
+Lemma u_angle_by_level g x : - b < g -> g < 0 -> is_derive (fun c : R => u_angle c x) g
+  (- (u_inner g x * (/ (2 * sqrt (b + g)) * / sqrt (u_root g x) + sqrt (b + g) * (b + a * sin x ^ 2)
+    * / 2 * (/ sqrt (u_root g x) * / sqrt (u_root g x) * / sqrt (u_root g x)))) * sin x).
+Proof.
+  intros L G; pose proof (u_root_above g x G) as P; assert (S : 0 < sqrt (u_root g x)) by (apply sqrt_lt_R0, P).
+  assert (T : 0 < sqrt (b + g)) by (apply sqrt_lt_R0; lra); assert (0 < b + g) by lra.
+  unfold u_angle, u_inner; eapply d_eq.
+  - unfold u_share, u_root in *; derive; cbv beta; first [assumption | apply Rgt_not_eq; assumption].
+  - cbv beta; fold (u_root g x); fold (u_share g x).
+    pose proof (Rle_0_sqr (u_share g x)) as J; unfold Rsqr in J.
+    set (u := u_share g x) in *; set (s := sqrt (u_root g x)) in *; clearbody u s; field; repeat split; lra.
+Qed.
+Lemma u_level_above g x : - b < g -> g < 0 ->
+  0 < u_inner g x * (/ (2 * sqrt (b + g)) * / sqrt (u_root g x) + sqrt (b + g) * (b + a * sin x ^ 2)
+    * / 2 * (/ sqrt (u_root g x) * / sqrt (u_root g x) * / sqrt (u_root g x))).
+Proof.
+  intros L G; pose proof (u_root_above g x G) as P; pose proof (u_inner_above g x).
+  assert (S : 0 < sqrt (u_root g x)) by (apply sqrt_lt_R0, P).
+  assert (T : 0 < sqrt (b + g)) by (apply sqrt_lt_R0; lra).
+  assert (0 < b + a * sin x ^ 2) by (pose proof (pow2_ge_0 (sin x)); nra).
+  positive.
+Qed.
+Lemma u_end_above g x : - b < g -> g < 0 ->
+  0 < u_inner g x * (sqrt (b + g) * (b * (a - g)) * (/ sqrt (u_root g x) * / sqrt (u_root g x) * / sqrt (u_root g x))).
+Proof.
+  intros L G; pose proof (u_root_above g x G) as P; pose proof (u_inner_above g x).
+  assert (S : 0 < sqrt (u_root g x)) by (apply sqrt_lt_R0, P).
+  assert (T : 0 < sqrt (b + g)) by (apply sqrt_lt_R0; lra); assert (0 < a - g) by lra.
+  positive.
+Qed.
+End Unfolded.
 (* The equation of a half turn near a point of it, solved for its start, its value and its end. *)
 Lemma turn_solution (F : R -> R -> R) (s a b g p u v e q v1 v2 : R) (away : R -> R) :
   a > 0 -> b > 0 -> (forall c t, F c t = rate s a b c t) -> p < g -> u < e < v -> u < q < v ->
@@ -1912,4 +2167,154 @@ Proof.
   - exact Z.
   - exact Aw.
   - rewrite V1, V2; field; lra.
+Qed.
+
+(* For b = 1 the printed formula exceeds the defect by about its square over 6 a, which is far
+   more than the square of the exponential. *)
+Lemma cosine_least e : 0 <= e -> 1 - e ^ 2 / 2 <= cos e.
+Proof.
+  intros E; enough (0 <= cos e - (1 - e ^ 2 / 2)) by lra.
+  apply (from_left_ge (fun t : R => cos t - (1 - t ^ 2 / 2)) (fun t : R => t - sin t) 0 e); try assumption.
+  - intros t _; eapply d_eq; [derive; lra |]; tidy; field.
+  - intros t T; destruct (Req_dec t 0) as [->|N]; [rewrite sin_0; lra | pose proof (sin_lt_x t ltac:(lra)); lra].
+  - rewrite cos_0; lra.
+Qed.
+Lemma atan_at_most x : 0 <= x -> atan x <= x.
+Proof.
+  intros X; enough (0 <= x - atan x) by lra.
+  apply (from_left_ge (fun t : R => t - atan t) (fun t : R => t * t * / (1 + t * t)) 0 x); try lra.
+  - intros t _; eapply d_eq; [derive |]; cbv beta; field; nra.
+  - intros t _; apply Rmult_le_pos; [nra | left; apply Rinv_0_lt_compat; nra].
+  - rewrite atan_0; lra.
+Qed.
+Lemma asin_cubic y : 0 <= y -> y <= 1 / 2 -> y + y ^ 3 / 6 <= asin y.
+Proof.
+  intros Y Z; enough (0 <= asin y - (y + y ^ 3 / 6)) by lra.
+  apply (from_left_ge (fun t : R => asin t - (t + t ^ 3 / 6)) (fun t : R => / sqrt (1 - t ^ 2) - (1 + t ^ 2 / 2)) 0 y); try assumption.
+  - intros t T; assert (0 < 1 - t ^ 2) by nra; assert (0 < sqrt (1 - t ^ 2)) by (apply sqrt_lt_R0; lra).
+    eapply d_eq; [derive; lra |]; tidy; replace ((-1) * t ^ 2 + 1) with (1 - t ^ 2) by ring; field; lra.
+  - intros t T; assert (P : 0 < 1 - t ^ 2) by nra; assert (S : 0 < sqrt (1 - t ^ 2)) by (apply sqrt_lt_R0; lra).
+    enough (1 + t ^ 2 / 2 <= / sqrt (1 - t ^ 2)) by lra.
+    apply (Rmult_le_reg_r (sqrt (1 - t ^ 2))); [exact S |]; rewrite Rinv_l by lra.
+    assert (Q : sqrt (1 - t ^ 2) ^ 2 = 1 - t ^ 2) by (apply pow2_sqrt; lra); set (q := sqrt _) in *.
+    assert (((1 + t ^ 2 / 2) * q) ^ 2 <= 1); [| nra].
+    rewrite Rpow_mult_distr, Q; assert (0 <= t ^ 2 <= 1 / 4) by nra; set (x := t ^ 2) in *; nra.
+  - rewrite asin_0; lra.
+Qed.
+Lemma printed_above a e : a >= 100 -> e > 0 -> e < 1 / 2 * PI ->
+  tanh (sqrt (a * 1) * (PI + asin (sqrt (1 * / (a + 1)) * cos e))) = / sqrt (1 * / a * sin e ^ 2 + 1) * cos e ->
+  exp (- (PI * sqrt (a * 1))) ^ 2
+  < 2 * sqrt (a * / (a + 1)) * exp (- sqrt (a * / (a + 1))) * exp (- (PI * sqrt (a * 1))) - e.
+Proof.
+  intros A P Q D; assert (A0 : a > 0) by lra; assert (B0 : 1 > 0) by lra; pose proof pi_between as J.
+  destruct (defect_signs a 1 e A0 B0 P Q) as [S [C [R0 [K0 [KR K2]]]]].
+  pose proof (defect_by_exp a 1 e A0 B0 P Q D) as U; pose proof (defect_angle a 1 e A0 B0 P Q D) as V.
+  pose proof (defect_turn a 1 e A0 B0 P Q) as T; pose proof (share_below a 1 e ltac:(lra) ltac:(lra)) as H0.
+  set (k := sqrt (a * 1)) in *; set (c := sqrt (a * / (a + 1))) in *.
+  assert (K : 10 <= k) by (apply below_sqrt; lra).
+  assert (m0 : 0 < 1 * / (a + 1)) by positive.
+  assert (M2 : sqrt (1 * / (a + 1)) ^ 2 = / (a + 1)) by (rewrite pow2_sqrt by lra; ring).
+  set (m := sqrt (1 * / (a + 1))) in *; assert (m1 : 0 < m) by (apply sqrt_lt_R0; exact m0).
+  assert (I1 : / (a + 1) <= / 101) by (apply Rinv_le_contravar; lra).
+  assert (I2 : / (606 / 100 * a) <= / (6 * (a + 1))) by (apply Rinv_le_contravar; lra).
+  assert (Ia : 0 < / a <= / 100) by (split; [positive | apply Rinv_le_contravar; lra]).
+  assert (C0 : 0 < a * / (a + 1)) by positive.
+  assert (C2 : c ^ 2 = 1 - / (a + 1)) by (unfold c; rewrite pow2_sqrt by lra; field; lra).
+  assert (c0 : 0 < c) by (apply sqrt_lt_R0; exact C0).
+  assert (c1 : 99 / 100 <= c <= 1) by (split; nra).
+  assert (km : k * m = c).
+  { apply same_square; [nra | lra |]; rewrite Rpow_mult_distr, K2, M2, C2; field; lra. }
+  set (t := exp (- (PI * k))) in *; assert (t0 : 0 < t) by apply exp_pos.
+  assert (t1 : t * (156 * a) <= 1).
+  { assert (X : (1 + k / 2) ^ 6 <= exp (PI * k)).
+    { apply Rle_trans with (exp (k / 2) ^ 6).
+      - apply pow_incr; split; [lra | apply exp_ineq1_le].
+      - replace (exp (k / 2) ^ 6) with (exp (6 * (k / 2))) by (simpl; rewrite Rmult_1_r, <- !exp_plus; f_equal; field).
+        apply exp_rises; nra. }
+    assert (Y : t * exp (PI * k) = 1) by (unfold t; rewrite <- exp_plus, Rplus_opp_l; apply exp_0).
+    assert (Z : 156 * a <= (1 + k / 2) ^ 6); [| nra].
+    replace a with (k ^ 2) by lra; apply Rle_trans with ((k / 2) ^ 6).
+    - replace ((k / 2) ^ 6) with (k ^ 2 * (k ^ 2) ^ 2 / 64) by field; assert (100 <= k ^ 2) by nra; nra.
+    - apply pow_incr; lra. }
+  assert (t2 : t <= / a / 156).
+  { apply (Rmult_le_reg_r (156 * a)); [lra |]; replace (/ a / 156 * (156 * a)) with 1 by (field; lra); exact t1. }
+  pose proof (cosine_least e ltac:(lra)) as Ce; pose proof (COS_bound e) as Cb.
+  assert (E2 : e ^ 2 <= 4 * t ^ 2) by nra.
+  assert (T2 : t ^ 2 <= / a * / 2433600) by nra.
+  set (z := asin (m * cos e)) in *.
+  assert (m2 : m <= 1 / 2) by nra.
+  pose proof (asin_cubic (m * cos e) ltac:(nra) ltac:(nra)) as As; fold z in As.
+  assert (Ex : c + / (8 * a) <= k * z).
+  { apply Rle_trans with (k * (m * cos e + (m * cos e) ^ 3 / 6)); [| apply Rmult_le_compat_l; lra].
+    replace (k * (m * cos e + (m * cos e) ^ 3 / 6)) with (k * m * cos e * (1 + m ^ 2 * cos e ^ 2 / 6)) by field.
+    rewrite km, M2; set (x := cos e) in *; assert (X : 1 - 2 * t ^ 2 <= x) by lra.
+    assert (X2 : 1 - 4 * t ^ 2 <= x ^ 2) by nra.
+    assert (i0 : 0 < / (a + 1)) by positive; set (i := / (a + 1)) in *.
+    assert (I3 : / (6 * (a + 1)) = i / 6) by (unfold i; field; lra).
+    assert (I4 : / (606 / 100 * a) = / a * (100 / 606)) by (field; lra).
+    assert (I5 : / (8 * a) = / a / 8) by (field; lra).
+    assert (I6 : i <= / a) by (apply Rinv_le_contravar; lra).
+    set (j := / a) in *; clearbody i j; rewrite I5.
+    assert (Y : 1 + i / 6 - 4 * t ^ 2 <= x * (1 + i * x ^ 2 / 6)).
+    { apply Rle_trans with ((1 - 2 * t ^ 2) * (1 + i * (1 - 4 * t ^ 2) / 6)).
+      - assert (0 <= t ^ 2 * i) by nra; assert (0 <= t ^ 2 * t ^ 2 * i) by (apply Rmult_le_pos; nra); nra.
+      - apply Rmult_le_compat; try lra; nra. }
+    apply Rle_trans with (c * (1 + i / 6 - 4 * t ^ 2)); [nra |].
+    rewrite Rmult_assoc; apply Rmult_le_compat_l; lra. }
+  set (x := k * (PI + z)) in *.
+  assert (X0 : PI * k <= x) by (unfold x; nra).
+  assert (Ee : e <= c * / sinh x).
+  { assert (0 < sqrt (1 * / a + 1)) by (apply sqrt_lt_R0; positive).
+    assert (0 < sinh x) by (apply sinh_pos; nra); rewrite V.
+    unfold c; rewrite (inverse_root a 1 ltac:(lra) ltac:(lra)), <- Rinv_mult.
+    apply atan_at_most; left; positive. }
+  set (d := / (8 * a)) in *; assert (d0 : 0 < d) by (unfold d; positive).
+  assert (F : exp (- x) <= t * exp (- c) * / (1 + d)).
+  { apply Rle_trans with (t * exp (- c) * exp (- d)).
+    - unfold t; rewrite <- !exp_plus; apply exp_rises; unfold x; lra.
+    - apply Rmult_le_compat_l; [pose proof (exp_pos (- c)); nra |].
+      rewrite exp_Ropp; apply Rinv_le_contravar; [lra | apply exp_ineq1_le]. }
+  pose proof (exp_pos (- x)) as y0; set (y := exp (- x)) in *; pose proof (exp_pos (- c)) as g0; set (g := exp (- c)) in *.
+  assert (y1 : y <= t) by (apply exp_rises; lra).
+  assert (Sh : sinh x = (/ y - y) / 2) by (unfold sinh, y; rewrite exp_Ropp, Rinv_inv; reflexivity).
+  assert (t3 : t <= 1 / 1000) by lra.
+  assert (Y2 : 0 < 1 - y ^ 2) by nra.
+  assert (Sf : c * / sinh x = 2 * c * y * / (1 - y ^ 2)) by (rewrite Sh; field; split; [nra | lra]).
+  assert (g1 : 36 / 100 <= g).
+  { unfold g; apply Rle_trans with (exp (- 1)); [interval | apply exp_rises; lra]. }
+  assert (d1 : d <= 1 / 800) by (unfold d; replace (/ (8 * a)) with (/ a / 8) by (field; lra); lra).
+  assert (d2 : t <= d / 19) by (unfold d; replace (/ (8 * a)) with (/ a / 8) by (field; lra); lra).
+  rewrite Sf in Ee.
+  assert (G : y * / (1 - y ^ 2) <= t * g * (1 - d / 2)).
+  { apply (Rmult_le_reg_r (1 - y ^ 2)); [exact Y2 |]; rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
+    apply Rle_trans with (t * g * / (1 + d)); [exact F |]; rewrite Rmult_assoc, (Rmult_assoc (t * g)), (Rmult_assoc t).
+    apply Rmult_le_compat_l; [lra |]; apply Rmult_le_compat_l; [lra |].
+    apply (Rmult_le_reg_r (1 + d)); [lra |]; rewrite Rinv_l by lra.
+    assert (y ^ 2 <= t / 1000) by nra; assert (0 <= y ^ 2) by nra; nra. }
+  assert (Fin : e <= 2 * c * (t * g * (1 - d / 2))) by (eapply Rle_trans; [exact Ee |]; rewrite Rmult_assoc; apply Rmult_le_compat_l; lra).
+  assert (36 / 100 * (99 / 100) <= c * g) by nra.
+  assert (t ^ 2 < c * g * t * d); [| nra].
+  assert (t < c * g * d) by nra; nra.
+Qed.
+
+(* The decay of a small defect by the defect. *)
+Lemma share_of_sum r e : 0 < r -> r <= 4 -> 0 < e -> e <= 1 / 4 ->
+  (1 - 23 / 25 * e ^ 2) / 2 * e <= sin e * / (sqrt (r * sin e ^ 2 + 1) + cos e) <= (1 + e ^ 2 / 4) / 2 * e.
+Proof.
+  intros R0 R4 E0 E1; destruct (small_sine e) as [[S1 S2] [C1 C2]]; try lra.
+  destruct (sine_square_between e E0 ltac:(lra)) as [_ [Sq S0]].
+  set (w := sqrt (r * sin e ^ 2 + 1)).
+  assert (W : 1 <= w <= 1 + r * e ^ 2 / 2).
+  { unfold w; split; [apply below_sqrt | apply above_sqrt]; nra. }
+  replace (e ^ 4) with ((e ^ 2) ^ 2) in S2, C2 by ring; assert (V : 0 < e ^ 2 <= 1 / 16) by nra.
+  set (v := e ^ 2) in *; set (s := sin e) in *; set (c := cos e) in *; assert (0 < w + c) by nra.
+  split; apply (Rmult_le_reg_r (w + c)); try assumption; rewrite (Rmult_assoc s), Rinv_l, Rmult_1_r by lra.
+  - apply Rle_trans with (e * (1 - v / 6)); [| exact S1].
+    replace ((1 - 23 / 25 * v) / 2 * e * (w + c)) with (e * ((1 - 23 / 25 * v) / 2 * (w + c))) by ring.
+    apply Rmult_le_compat_l; [lra |].
+    apply Rle_trans with ((1 - 23 / 25 * v) / 2 * (2 + 3 / 2 * v + v ^ 2 / 24)); [apply Rmult_le_compat_l; nra | nra].
+  - apply Rle_trans with (e * (1 - v / 6 + v ^ 2 / 120)); [exact S2 |].
+    replace ((1 + v / 4) / 2 * e * (w + c)) with (e * ((1 + v / 4) / 2 * (w + c))) by ring.
+    apply Rmult_le_compat_l; [lra |].
+    apply Rle_trans with ((1 + v / 4) / 2 * (2 - v / 2)); [nra | apply Rmult_le_compat_l; lra].
 Qed.

@@ -1,7 +1,5 @@
 """The implicit function theorem as it is printed for the claims that apply it."""
 
-import shutil
-
 import pytest
 
 from tresym.coq.coqtop import Dialogue
@@ -42,7 +40,6 @@ def test_the_parameter_is_not_free_in_the_theorem():
 
 
 @pytest.mark.coq
-@pytest.mark.skipif(shutil.which("coqtop") is None, reason="needs coqtop")
 def test_coq_proves_the_theorem_and_none_with_another_slope():
     with Dialogue(patience=30, lemmas=lemmas()) as coq:
         for label in APPLY_IT[:2]:

@@ -26,6 +26,8 @@ from tresym.reals.decisions.antiderivatives import suggested
 from tresym.reals.decisions.asymptotics.limit_values import limit_of
 from tresym.reals.decisions.statement import Comparison, Derivative, Path
 from tresym.reals.language.binders import elementary, outermost
+from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     MINUS_ONE,
     ONE,
@@ -36,8 +38,6 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.derivatives import differentiate
-from tresym.reals.language.calls import INFINITY
 
 Prove = Callable[[Theorem], "str | None"]
 
@@ -60,9 +60,7 @@ def bound_proofs(theorem: BoundTheorem, prove: Prove) -> Iterator[str]:
     value = claim.right if node == claim.left else claim.left
     if node.op == "integral":
         yield from _of_integral(theorem, node, value, prove)
-    elif node.args[2] == INFINITY:
-        yield from _of_series(theorem, node, value)
-    else:
+    elif node.args[2] != INFINITY:
         yield from _of_sum(theorem, node, value, prove)
 
 
@@ -94,59 +92,52 @@ def _of_sum(bound: BoundTheorem, node: Expr, value: Expr, prove: Prove) -> Itera
     if not n or symbols(down):
         return
     less, more = (int(substitute(e, {n: ZERO}).args[0].p) for e in (down, up))
-    (k,), body = inside(node)
-    names = {n, k}
-    shown, total = naturally(body, names), naturally(value, names)
-    start = (
-        f"destruct (natural_minus {less} {variable(n)} ltac:(assumption)) as [m ->]. "
-        if less
-        else ""
-    )
     if less:
         return
-    text = f"(fun {variable(k)} : nat => {term(shown)}) {low} (fun {variable(n)} : nat => {term(total)})"
-    whole = f"apply (sum_induction {more} {text}); clear {variable(n)}; [equal_terms | intros {variable(n)}; "
-    script = _step(node, value, n, more, low, bound, prove)
-    if script is not None:
-        yield f"{script[0]}{head}" + _split(bound, defined, f"{start}{whole}{script[1]}].")
-    yield head + _split(bound, defined, f"{start}{whole}equal_terms].")
+    (k,), body = inside(node)
+    names, v = {n, k}, variable(n)
+    shown, total = (term(naturally(e, names)) for e in (body, value))
+    functions = f"(fun {variable(k)} : nat => {shown}) {low} (fun {v} : nat => {total})"
+    whole = f"apply (sum_induction {more} {functions}); clear {v}; [equal_terms | intros {v}; "
+    found = _step(node, value, n, more, bound, prove)
+    if found is not None:
+        lemma, step = found
+        yield f"{lemma}{head}" + _split(bound, defined, f"{whole}{step}].")
+    yield head + _split(bound, defined, f"{whole}equal_terms].")
 
 
 def _step(
-    node: Expr, value: Expr, n: str, more: int, low: int, bound: BoundTheorem, prove: Prove
+    node: Expr, value: Expr, n: str, more: int, bound: BoundTheorem, prove: Prove
 ) -> tuple[str, str] | None:
     """Return the step of the induction as a lemma on real numbers, and how it is applied."""
     (k,), body = inside(node)
+    low = int(node.args[1].args[0].p)
     if not elementary(body, value) or {k, n} & symbols(_exponents(body) + _exponents(value)):
         return None
-    at = Expr("+", (symbol(n), number(low + more))) if low + more else symbol(n)
+
+    def last(index: Expr) -> Expr:
+        return Expr("+", (index, number(low + more))) if low + more else index
+
     left = exchanged(value, {symbol(n): Expr("+", (symbol(n), ONE))})
-    right = Expr("+", (value, exchanged(body, {symbol(k): at})))
+    right = Expr("+", (value, exchanged(body, {symbol(k): last(symbol(n))})))
     given = (*bound.statement.given.comparisons, (symbol(n), ">=", ZERO))
     lemma = theorem(Comparison(left, "==", right), given, "step")
     script = prove(lemma)
     if script is None:
         return None
-    v = variable(n)
-    apply_ = (
+    v, index = variable(n), term(last(Expr("natural", (symbol(n),))))
+    applied = (
         f"replace (INR (S {v})) with (INR {v} + 1) by (rewrite S_INR; ring); "
-        f"replace (INR ({low} + ({more} + {v}))) with ({term(Expr('+', (Expr('natural', (symbol(n),)), number(low + more))) if low + more else Expr('natural', (symbol(n),)))}) by (rewrite !plus_INR; cbn [INR]; ring); "
-        f"pose proof (pos_INR {v}); apply step; inside_"
+        f"replace (INR ({low} + ({more} + {v}))) with ({index}) "
+        f"by (rewrite !plus_INR; cbn [INR]; ring); pose proof (pos_INR {v}); apply step; inside_"
     )
-    return f"assert (step : {lemma.body.strip()}).\n{{ {script} }}\n", apply_
+    return f"assert (step : {lemma.body.strip()}).\n{{ {script} }}\n", applied
 
 
 def _exponents(e: Expr) -> Expr:
     """Return the sum of the exponents in ``e`` that are not numbers."""
     found = [node.args[1] for node in nodes([e]) if node.op == "^" and node.args[1].op != "number"]
     return Expr("+", (ZERO, *found))
-
-
-def _of_series(theorem: BoundTheorem, node: Expr, value: Expr) -> Iterator[str]:
-    """Through the closed form of the partial sums."""
-    (k,), body = inside(node)
-    return
-    yield
 
 
 def _of_limit(theorem: BoundTheorem) -> Iterator[str]:
@@ -165,52 +156,54 @@ def _of_limit(theorem: BoundTheorem) -> Iterator[str]:
 
 
 def _of_integral(bound: BoundTheorem, node: Expr, value: Expr, prove: Prove) -> Iterator[str]:
+    """Yield proofs through antiderivatives."""
     (x,), f = inside(node)
-    low, high = node.args[1:]
     given = bound.statement.given
     positive = frozenset(
         str(c[0]) for c in given.comparisons if c[1] == ">" and c[0].op == "symbol"
     )
-    opened = ends_of(node)
     for whole in suggested(f, x, positive):
-        derived = differentiate(whole, x)
-        named = Comparison(derived, "==", f, (Derivative(whole, x, 1, derived),))
-        regions = [given.comparisons]
-        weak = ["=" if any(opened) and not is_open else "" for is_open in opened]
-        inner = [(symbol(x), f">{weak[0]}", low)] if low != MINUS_INFINITY else []
-        inner += [(symbol(x), f"<{weak[1]}", high)] if high != INFINITY else []
-        regions.append((*given.comparisons, *inner))
-        found = None
-        for region in regions[::-1] if any(opened) or not symbols(high - low) else regions[:1]:
-            lemma = theorem(named, region, "slope")
-            script = prove(lemma)
-            if script is not None:
-                found = f"assert (slope : {lemma.body.strip()}).\n{{ {script} }}\n"
-                break
-        if found is None:
+        slope = _slope(bound, node, whole, prove)
+        if slope is None:
             continue
-        head = found
         texts = [f"(fun {variable(x)} : R => {term(e)})" for e in (f, whole)]
-        if any(opened):
-            yield from _improper(bound, node, whole, texts, head)
+        if any(ends_of(node)):
+            yield from _improper(bound, node, whole, texts, slope)
             continue
-        ends = [exchanged(whole, {symbol(x): end}) for end in (high, low)]
+        ends = [exchanged(whole, {symbol(x): end}) for end in node.args[2:0:-1]]
         gap = Expr("+", (ends[0], Expr("*", (MINUS_ONE, ends[1]))))
         equal = theorem(Comparison(gap, "==", value), given.comparisons, "value")
         script = prove(equal)
-        last = "cbv beta; equal_numbers."
+        last, lemma = "cbv beta; equal_numbers", ""
         if script is not None:
-            head += f"assert (value : {equal.body.strip()}).\n{{ {script} }}\n"
+            lemma = f"assert (value : {equal.body.strip()}).\n{{ {script} }}\n"
             same = f"transitivity ({term(gap)})"
-            last = (
-                f"first [{same}; [cbv beta; equal_numbers | apply value; inside_] | {last[:-1]}]."
-            )
+            last = f"first [{same}; [{last} | apply value; inside_] | {last}]"
         proof = (
             f"apply (by_antiderivative {texts[0]} {texts[1]}).\n"
             "{ continues_inside. }\n{ continues_inside. }\n"
-            f"{{ intros {variable(x)} X; apply slope; inside_. }}\n{{ {last} }}"
+            f"{{ intros {variable(x)} X; apply slope; inside_. }}\n{{ {last}. }}"
         )
-        yield head + _intros(bound) + _split(bound, "inside.", proof)
+        yield slope + lemma + _intros(bound) + _split(bound, "inside.", proof)
+
+
+def _slope(bound: BoundTheorem, node: Expr, whole: Expr, prove: Prove) -> str | None:
+    """Return a proof that the derivative is the integrand, between the ends if they are numbers."""
+    (x,), f = inside(node)
+    low, high = node.args[1:]
+    given, opened = bound.statement.given.comparisons, ends_of(node)
+    derived = differentiate(whole, x)
+    named = Comparison(derived, "==", f, (Derivative(whole, x, 1, derived),))
+    weak = ["=" if any(opened) and not is_open else "" for is_open in opened]
+    inner = [(symbol(x), f">{weak[0]}", low)] if low != MINUS_INFINITY else []
+    inner += [(symbol(x), f"<{weak[1]}", high)] if high != INFINITY else []
+    ordered = any(opened) or not symbols(high - low)
+    for region in [(*given, *inner)] * ordered + [given]:
+        lemma = theorem(named, region, "slope")
+        script = prove(lemma)
+        if script is not None:
+            return f"assert (slope : {lemma.body.strip()}).\n{{ {script} }}\n"
+    return None
 
 
 def _improper(
@@ -251,7 +244,8 @@ def _improper(
             size = "1" if other in (INFINITY, MINUS_INFINITY) else term(high - low)
             inner.append(
                 f"{{ exists (mkposreal ({size}) ltac:(lra)); intros u B U; "
-                f"change (Rabs (u - {term(end, ATOM)}) < {size}) in B; apply Rabs_def2 in B; lra. }}"
+                f"change (Rabs (u - {term(end, ATOM)}) < {size}) in B; "
+                "apply Rabs_def2 in B; lra. }"
             )
     shown = " ".join(f"({term(e)})" for e in values)
     proof = (

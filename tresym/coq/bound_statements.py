@@ -1,9 +1,9 @@
 """Print claims about integrals, sums and limits as theorems of Coq: statements, not proofs.
 
-An integral is ``is_RInt`` (``is_RInt_gen`` where an end is infinite, or the integrand not defined at
-an end), a sum is ``terms`` of ``Bound.v``, a series the limit of these, a limit ``filterlim``. What
-makes the parts defined is part of the conclusion, except for conditions on parameters alone, which
-are premises. Integer variables are natural numbers.
+An integral is ``is_RInt`` (``is_RInt_gen`` where an end is infinite, or the integrand is not
+defined at an end), a sum is ``terms`` of ``Bound.v``, a series the limit of these, a limit
+``filterlim``. What makes the parts defined is part of the conclusion, except for conditions on
+parameters alone, which are premises. Integer variables are natural numbers.
 """
 
 from __future__ import annotations
@@ -18,7 +18,8 @@ from tresym.reals.decisions.statement import Comparison, Path, Statement, implie
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.operation_domains import needs
 from tresym.reals.language.binders import elementary, outermost
-from tresym.reals.language.calls import FACTORIAL
+from tresym.reals.language.calls import FACTORIAL, INFINITY
+from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     LEAVES,
     ONE,
@@ -31,8 +32,6 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.derivatives import differentiate
-from tresym.reals.language.calls import INFINITY
 
 MINUS_INFINITY = -INFINITY
 AND = " /\\ "
@@ -263,9 +262,7 @@ def _integral(node: Expr, value: str) -> tuple[str, list[str]]:
     else:
         if low == INFINITY or high == MINUS_INFINITY or not _in_order(low, high):
             raise NotExportedError("the ends of an improper integral must be in order")
-        filters = [
-            _filter(e, is_open, 1 - 2 * n) for n, (e, is_open) in enumerate(zip((low, high), ends))
-        ]
+        filters = _filter(low, ends[0], 1), _filter(high, ends[1], -1)
         text = f"is_RInt_gen {function} {filters[0]} {filters[1]} {value}"
         bounds = [] if low == MINUS_INFINITY else [f"{term(low)} < {v}"]
         bounds += [] if high == INFINITY else [f"{v} < {term(high)}"]
@@ -313,5 +310,6 @@ def _limit(claim: Comparison, path: Path) -> list[str]:
     said = [f"{where} (fun {x} : R => {AND.join(parts)})"] if parts else []
     return [
         *said,
-        f"filterlim (fun {x} : R => {term(claim.left)}) {where} (Rbar_locally {extended(claim.right)})",
+        f"filterlim (fun {x} : R => {term(claim.left)}) {where} "
+        f"(Rbar_locally {extended(claim.right)})",
     ]

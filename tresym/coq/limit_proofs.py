@@ -1,4 +1,4 @@
-"""Prove limits in Coq: by the limits of the parts, and by L'Hôpital's rule where these are not enough.
+"""Prove limits in Coq by the limits of the parts, or by L'Hôpital's rule.
 
 Only the ends 0 from above and infinity are treated; others are reduced to them by substitution. The
 limits of parts are computed by tresym; Coq proves each step.
@@ -9,10 +9,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from tresym.coq.bound_statements import MINUS_INFINITY, extended
-from tresym.coq.statement import ATOM, term, variable
+from tresym.coq.statement import ATOM, term
 from tresym.reals.decisions.asymptotics.limit_values import limit_of
 from tresym.reals.decisions.statement import Path
 from tresym.reals.domain.conditions import Given
+from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     LEAVES,
     MINUS_ONE,
@@ -24,8 +26,6 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.derivatives import differentiate
-from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.sympy import from_sympy
 
 INFINITE = (INFINITY, MINUS_INFINITY)
@@ -62,6 +62,7 @@ class Limits:
 
     @property
     def filter(self) -> str:
+        """The filter of the end as Coq text."""
         return "(Rbar_locally p_infty)" if self.far else "(at_right 0)"
 
     @property
@@ -85,8 +86,7 @@ class Limits:
 
     def along(self, e: Expr, path: Path, value: Expr) -> str:
         """Return a proof that the function tends to the value along the path."""
-        t, v = symbol("t"), variable(path.name)
-        assert path.name == v or True
+        t = symbol("t")
         scripts = []
         for side in path.sides:
             self.far = path.point is None
@@ -128,7 +128,13 @@ class Limits:
         shown, script = self.shown(e, value)
         if shown == extended(value):
             return script
-        return f"apply (t_value {self.filter} _ {shown} {extended(value)}); [| equal_limits].\n{script}"
+        goal = f"{shown} {extended(value)}"
+        return f"apply (t_value {self.filter} _ {goal}); [| equal_limits].\n{script}"
+
+    def beside(self, text: str, value: Expr) -> str:
+        """Return the step to another function that is equal near the end."""
+        step = f"apply (t_beside {self.filter} {text} _ {extended(value)}).\n"
+        return f"{step}{{ {self.near} equal_near. }}\n"
 
     def shown(self, e: Expr, value: Expr) -> tuple[str, str]:
         """Return the limit as the rules write it, and the proof that ``e`` tends to it."""
@@ -155,7 +161,8 @@ class Limits:
                 raise StuckLimitError
             at = "(Finite (PI / 2))" if e.op == "atan" else extended(value)
             return at, (
-                f"apply (t_far {f} {outer} {fun} {extended(inner)}); [| exact {FAR[e.op, inner]}].\n{self.tends(arg)}"
+                f"apply (t_far {f} {outer} {fun} {extended(inner)}); "
+                f"[| exact {FAR[e.op, inner]}].\n{self.tends(arg)}"
             )
         if e.op == "log" and inner == ZERO:
             return extended(MINUS_INFINITY), (
@@ -164,10 +171,12 @@ class Limits:
         at = extended(Expr(e.op, (inner,)))
         return (
             at,
-            f"apply (t_outer {f} {outer} {fun} {term(inner, ATOM)}); [| continues; apart_].\n{self.tends(arg)}",
+            f"apply (t_outer {f} {outer} {fun} {term(inner, ATOM)}); [| continues; apart_].\n"
+            f"{self.tends(arg)}",
         )
 
     def power(self, e: Expr, value: Expr) -> tuple[str, str]:
+        """Return the proof for a power."""
         f, (base, exponent) = self.filter, e.args
         fun = f"(fun t : R => {term(base)})"
         if exponent.op != "number":
@@ -186,15 +195,18 @@ class Limits:
             if limit == ZERO:
                 side = "above" if value == INFINITY else "below"
                 return extended(value), (
-                    f"apply (t_inv_{side} {f} {text}); [| {self.near[:-1]}; apart_].\n{self.tends(under)}"
+                    f"apply (t_inv_{side} {f} {text}); [| {self.near[:-1]}; apart_].\n"
+                    f"{self.tends(under)}"
                 )
             if limit in INFINITE:
                 return extended(ZERO), (
-                    f"apply (t_inv_infinite {f} {text} {extended(limit)}); [| reflexivity | easy].\n{self.tends(under)}"
+                    f"apply (t_inv_infinite {f} {text} {extended(limit)}); "
+                    f"[| reflexivity | easy].\n{self.tends(under)}"
                 )
             at = f"(Finite (/ {term(limit, ATOM)}))"
             return at, (
-                f"apply (t_inv {f} {text} {extended(limit)}); [| intros v_E; injection v_E; apart_].\n{self.tends(under)}"
+                f"apply (t_inv {f} {text} {extended(limit)}); "
+                f"[| intros v_E; injection v_E; apart_].\n{self.tends(under)}"
             )
         u = Expr("^", (symbol("u"), exponent))
         outer = f"(fun u : R => {term(u)})"
@@ -213,7 +225,8 @@ class Limits:
             )
         at = term(Expr("^", (inner, exponent)), ATOM)
         return f"(Finite {at})", (
-            f"apply (t_outer {f} {outer} {fun} {term(inner, ATOM)}); [| continues; apart_].\n{self.tends(base)}"
+            f"apply (t_outer {f} {outer} {fun} {term(inner, ATOM)}); [| continues; apart_].\n"
+            f"{self.tends(base)}"
         )
 
     def operation(self, e: Expr, value: Expr) -> tuple[str, str]:
@@ -265,10 +278,7 @@ class Limits:
     def by(self, after: Expr, value: Expr) -> str:
         """Return the proof through another expression that is equal near the end."""
         text = f"(fun t : R => {term(after)})"
-        return (
-            f"apply (t_beside {self.filter} {text} _ {extended(value)}).\n{{ {self.near} equal_near. }}\n"
-            f"{self.tends(after, value)}"
-        )
+        return f"{self.beside(text, value)}{self.tends(after, value)}"
 
     def leading(self, e: Expr) -> Expr:
         """Return a sum with its largest term taken out as a factor."""
@@ -293,12 +303,13 @@ class Limits:
             if _under(arg)
         ]
         n, d = multiply(*over), multiply(*under)
-        if under:
-            if (self.limit(n) in INFINITE) == (self.limit(d) in INFINITE) and self.limit(d) in (
-                *INFINITE,
-                ZERO,
-            ):
-                return n, d
+        ends = self.limit(n), self.limit(d)
+        if (
+            under
+            and ends[1] in (*INFINITE, ZERO)
+            and (ends[0] in INFINITE) == (ends[1] in INFINITE)
+        ):
+            return n, d
         decays = [arg for arg in over if arg.op == "exp" and self.limit(arg) == ZERO]
         if decays:
             d = multiply(*(Expr("exp", (-arg.args[0],)) for arg in decays), *under)
@@ -306,9 +317,7 @@ class Limits:
         logs = [arg for arg in over if _has(arg, "log")]
         rest = [arg for arg in over if arg not in logs]
         if logs and rest:
-            return multiply(*logs), multiply(
-                *(Expr("^", (arg, MINUS_ONE)) for arg in map(_plain, rest)), *under
-            )
+            return multiply(*logs), multiply(*(Expr("^", (arg, MINUS_ONE)) for arg in rest), *under)
         small = [arg for arg in e.args if self.limit(arg) == ZERO]
         large = [arg for arg in e.args if arg not in small]
         if small and large:
@@ -330,12 +339,11 @@ class Limits:
         radius = self.beyond if self.far else self.radius
         inner = f"(fun t : R => {term(after)})"
         lines = [
-            f"apply (t_beside {self.filter} {whole} _ {extended(value)}).\n{{ {self.near} equal_near. }}",
+            self.beside(whole, value),
             f"apply ({rule} {texts} {term(value, ATOM)} {radius}).",
             "{ lra. }",
             "{ intros t T; slope_near. }\n{ intros t T; slope_near. }\n{ intros t T; apart_. }",
-            f"{{ apply (t_beside {self.filter} {inner} _ {extended(value)}).\n{{ {self.near} equal_near. }}",
-            f"{self.tends(after, value)} }}",
+            f"{{ {self.beside(inner, value)}{self.tends(after, value)} }}",
         ]
         if large:
             lines.append(f"{{ {self.tends(d, INFINITY)} }}")
@@ -350,18 +358,14 @@ class Limits:
         whole = f"(fun t : R => / ({term(inverse)}))"
         side = "above" if value == INFINITY else "below"
         return (
-            f"apply (t_beside {self.filter} {whole} _ {extended(value)}).\n{{ {self.near} equal_near. }}\n"
-            f"apply (t_inv_{side} {self.filter} (fun t : R => {term(inverse)})); [| {self.near[:-1]}; apart_].\n"
-            f"{self.tends(inverse, ZERO)}"
+            f"{self.beside(whole, value)}"
+            f"apply (t_inv_{side} {self.filter} (fun t : R => {term(inverse)})); "
+            f"[| {self.near[:-1]}; apart_].\n{self.tends(inverse, ZERO)}"
         )
 
 
 def _under(e: Expr) -> bool:
     return e.op == "^" and e.args[1].op == "number" and e.args[1].args[0] < 0
-
-
-def _plain(e: Expr) -> Expr:
-    return e
 
 
 def _size(e: Expr) -> object:

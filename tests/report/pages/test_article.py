@@ -6,8 +6,10 @@ from pathlib import Path
 
 import pytest
 
+import tresym
 from tresym.ledger.verification import Report
 from tresym.reals.numbers.exact import InputError
+from tresym.reals.verdict import Verdict
 from tresym.report import figures
 from tresym.report.pages import templates
 from tresym.report.pages.article import _counts, article, figures_of, labels, passages
@@ -72,6 +74,13 @@ def test_a_number_that_is_written_by_hand_is_found() -> None:
     assert bare_numbers(allowed + steps) == []
     assert bare_numbers(r"at most 0.17 on 33 boxes, $\frac{7}{5}$") == ["0.17", "33", "7", "5"]
     assert bare_numbers("{{steps d}} 3 in 12 steps {{end}}") == ["12"]
+
+
+@pytest.mark.parametrize("name", TEMPLATES)
+def test_what_a_template_states_itself_is_proved(name: str) -> None:
+    for line in re.findall(r"^% check: (.+)$", templates.text_of(name), re.MULTILINE):
+        claim, _, given = line.partition(" given ")
+        assert tresym.check(claim, given=given).verdict is Verdict.PROVED, line
 
 
 def test_the_counts_are_those_of_the_verification(report: Report) -> None:

@@ -31,7 +31,8 @@ class Wait(NamedTuple):
 WAITS = {
     "tresym verify": Wait("-m tresym verify --json", 12),
     "tresym verify eq_gamma": Wait("-m tresym verify eq_gamma --json", 1.2),
-    "tresym derive": Wait("-m tresym derive", 15),
+    "tresym derive": Wait("-m tresym derive", 12),
+    "tresym derive eq_gamma": Wait("-m tresym derive eq_gamma", 2),
     "tresym figure flip-map": Wait("-m tresym figure flip-map", 3, "matplotlib"),
     "tresym chart work-precision": Wait("-m tresym chart work-precision", 2, "matplotlib"),
     "tresym flip": Wait("-m tresym flip --shape 12.5372 0.0629"),

@@ -46,7 +46,7 @@ def documents() -> Iterator[tuple[str, str]]:
 
 def pages(report: Report) -> Iterator[tuple[str, str]]:
     """Yield the documents of the ledger and of stored measurements."""
-    yield "derivation.tex", article(report)
+    yield "derivation.tex", article(report, figures=False)
     for name, text in passages(report).items():
         yield f"passages/{name}.txt", text
     yield "derivation-ledger.tex", ledger_document(report)

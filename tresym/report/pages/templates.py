@@ -7,7 +7,8 @@ which ends at ``{{end}}``: figures, derivations and the sentence of a theorem.
 
 A comment ``% expects: d24 REFUTED, repaired ENCLOSED`` names the verdicts with which the text was
 written; claims that it does not list must be proved, defined or assumed. It is an error if a
-template names a claim that is gone, or whose verdict has changed.
+template names a claim that is gone, or whose verdict has changed. A comment ``% check: CLAIM given
+CONDITIONS`` is an identity that the text uses without a claim of the ledger; a test proves it.
 """
 
 from __future__ import annotations
