@@ -30,6 +30,7 @@ from mutations import ROOT, Mutant, apply, mutants
 
 DECISIONS = (
     *("identity", "inequalities", "equalities", "inequalities_on_regions", "dispatch"),
+    *("integration_pieces", "statement", "written_derivatives"),
     *("inverse_branches", "variable_reduction", "algebraic_witnesses", "integrals"),
     *("finite_sums", "integer_variables", "equations", "unknown_functions"),
     *("readable_witnesses", "variable_exponents", "ellipsis_series", "hypergeometric"),
@@ -37,7 +38,8 @@ DECISIONS = (
     *("infinite_sums", "derivative_domains", "point_check", "definedness_check", "asymptotics/*"),
 )
 CHECKERS = (
-    *("ledger/judge*.py", "ledger/refutations.py", "ledger/definitions.py", "ledger/conversion.py"),
+    *("ledger/judge*.py", "ledger/refutations.py", "ledger/sample_points.py"),
+    *("ledger/definitions.py", "ledger/conversion.py", "ledger/evidence/*.py"),
     *("reals/normal/*.py", "reals/signs/*.py", "reals/cross_check.py"),
     *("reals/domain/binder_values.py", "reals/domain/integrands.py"),
     *("reals/balls/branch_and_bound.py", "reals/balls/simplest_constants.py"),

@@ -10,7 +10,7 @@ from flint import fmpq
 from tresym.reals.decisions.identity import decide
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
-from tresym.reals.domain.operation_domains import singularities
+from tresym.reals.domain.operation_domains import preorder, singularities
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
@@ -70,11 +70,11 @@ def _cuts(name: str, parts: Iterable[Expr]) -> Iterator[Expr]:
 
 def roots_of_squares(f: Expr, inside: Given) -> Iterator[tuple[Expr, Expr]]:
     """Square roots in ``f``, and the absolute values that they are: √(1 − sin²x) is |cos x|."""
-    for root in dict.fromkeys(_parts(f)):
+    for root in dict.fromkeys(preorder(f)):
         if root.op != "^" or root.args[1] != HALF:
             continue
         (u, _) = root.args
-        waves = {node.args[0] for node in _parts(u) if node.op in ("sin", "cos")}
+        waves = {node.args[0] for node in preorder(u) if node.op in ("sin", "cos")}
         bases = [(ONE, apply(wave, a)) for a in waves for wave in ("cos", "sin")]
         bases += [
             (sqrt(number(2)), apply(wave, a / 2 + turn))
@@ -90,13 +90,6 @@ def roots_of_squares(f: Expr, inside: Given) -> Iterator[tuple[Expr, Expr]]:
             if decide(u, (scale * base) ** 2, inside).verdict is Verdict.PROVED:
                 yield root, scale * apply("abs", base)
                 break
-
-
-def _parts(e: Expr) -> Iterator[Expr]:
-    if e.op not in LEAVES:
-        yield e
-        for arg in e.args:
-            yield from _parts(arg)
 
 
 def _roots(part: Expr, name: str) -> Iterator[Expr]:

@@ -8,7 +8,6 @@ tests compare each with quadrature.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from itertools import product
 from typing import NamedTuple
 
@@ -17,11 +16,11 @@ from flint import fmpq
 from tresym.reals.decisions.identity import decide
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
+from tresym.reals.domain.operation_domains import preorder
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
-    LEAVES,
     ONE,
     ZERO,
     Expr,
@@ -211,7 +210,7 @@ def _hold(conditions: str, at: dict[str, Expr], given: Given) -> bool:
 def _parameters(f: Expr) -> list[Expr]:
     """What the parameters of a theorem may be: coefficients of t, of t², and what is without it."""
     found: dict[Expr, None] = {}
-    for e in _parts(f):
+    for e in preorder(f):
         if T not in symbols(e):
             continue
         try:
@@ -244,10 +243,3 @@ def _root(e: Expr) -> Expr | None:
     if e.op == "^" and e.args[1] == number(2):
         return e.args[0]
     return sqrt(e) if e.op == "number" and e.args[0] > 0 else None
-
-
-def _parts(e: Expr) -> Iterator[Expr]:
-    if e.op not in LEAVES:
-        yield e
-        for arg in e.args:
-            yield from _parts(arg)

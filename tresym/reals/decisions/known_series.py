@@ -26,11 +26,11 @@ from tresym.reals.decisions.hypergeometric import (
 from tresym.reals.decisions.identity import decide
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
+from tresym.reals.domain.operation_domains import preorder
 from tresym.reals.language.binders import elementary, total
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
-    LEAVES,
     MINUS_ONE,
     ONE,
     PI,
@@ -325,7 +325,7 @@ def _parameters(trees: Iterable[Expr], n: str) -> Iterator[Expr]:
     found: dict[Expr, None] = {}
     numbers = True
     for e in trees:
-        for node in _parts(e):
+        for node in preorder(e):
             if node.op in _PERIODIC and not node.loose:
                 z = node.args[0]
                 found |= {in_lowest_terms(z / PI): None, in_lowest_terms(2 * z / PI): None}
@@ -352,10 +352,3 @@ def _roots(e: Expr, n: str) -> Iterator[Expr]:
     yield from solutions(e, n)
     if square != ZERO:
         yield from solutions(2 * square * symbol(n) ** 2 - e, n)
-
-
-def _parts(e: Expr) -> Iterator[Expr]:
-    if e.op not in LEAVES:
-        yield e
-        for arg in e.args:
-            yield from _parts(arg)

@@ -81,6 +81,14 @@ def operations(expressions: Iterable[Expr]) -> Iterator[Expr]:
         yield node
 
 
+def preorder(e: Expr) -> Iterator[Expr]:
+    """Yield every operation in ``e``, each before its operands and as often as it occurs."""
+    if e.op not in LEAVES:
+        yield e
+        for arg in e.args:
+            yield from preorder(arg)
+
+
 def needs_of(node: Expr) -> list[tuple[Expr, str]]:
     """Return the expressions, with relations to zero, that state where the operation is defined."""
     x = node.args[0]
