@@ -1374,7 +1374,8 @@ Proof.
     { apply (Rmult_le_reg_r q); [exact Q1 |]; rewrite Rinv_l by lra.
       destruct (Rle_or_lt 2 r); [nra |]; assert (q <= 1 + r / 2) by (apply above_sqrt; nra); nra. }
     assert (J0 : 0 < / q) by positive.
-    assert (G : (1 - c) * (1 / 2 * / q) <= b * (1 - c) * / q) by nra.
+    assert (G : (1 - c) * (1 / 2 * / q) <= b * (1 - c) * / q)
+      by (assert (0 <= (b - 1 / 2) * ((1 - c) * / q)) by (repeat apply Rmult_le_pos; lra); lra).
     assert (W3 : 39 / 100 * r * (1 - c) <= 1 / 2 * (w - 1)).
     { assert (F : w ^ 2 - 1 = r * ((1 - c) * (1 + c))) by (rewrite W2, S2; ring).
       assert (w <= 14 / 10).

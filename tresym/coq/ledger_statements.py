@@ -156,8 +156,8 @@ def _theorem_of(claim: Claim) -> Exported:
 
 def _implicit(claim: Claim, proof: ImplicitFunction) -> Implicit:
     """Return the implicit function theorem for the equation of a claim."""
-    (slope,) = relations(read(claim.says))  # type: ignore[arg-type]
-    (equation,) = relations(read(proof.equation.decided))  # type: ignore[arg-type]
+    (slope,) = relations(read(claim.says))
+    (equation,) = relations(read(proof.equation.decided))
     unknown, parameter = proof.unknown.name, proof.parameter.name
     given = tuple(c for c in conditions_of(claim.given) if parameter not in free(c))
     at = sympy_reader.unworked(proof.at)

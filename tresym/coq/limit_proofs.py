@@ -7,6 +7,7 @@ limits of parts are computed by tresym; Coq proves each step.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from fractions import Fraction
 
 from tresym.coq.bound_statements import MINUS_INFINITY, extended
 from tresym.coq.statement import ATOM, term
@@ -368,8 +369,8 @@ def _under(e: Expr) -> bool:
     return e.op == "^" and e.args[1].op == "number" and e.args[1].args[0] < 0
 
 
-def _size(e: Expr) -> object:
-    return e.args[0] if e.op == "number" else 1
+def _size(e: Expr) -> Fraction | int:
+    return Fraction(str(e.args[0])) if e.op == "number" else 1
 
 
 def _has(e: Expr, op: str) -> bool:
