@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-OWN_PROCESSES = ("test_attempts.py", "test_language_server.py", "test_ci.py")
+OWN_PROCESSES = ("test_attempts.py", "test_language_server.py", "test_ci.py", "test_examples.py")
 """Tests in which it matters that a claim has a process of its own."""
 
 
