@@ -27,7 +27,7 @@ from tresym.proofs import NOT_MATHEMATICS
 from tresym.dev.mutants.mutations import mutations
 from tresym.dev.mutants.report import _planted_row, verify_mutants
 from tresym.dev.mutants.seeded_faults import planted
-from tresym.ledger import definitions
+from tresym.ledger import definitions, refutations
 from tresym.ledger import judge as judging
 from tresym.ledger.claim import (
     AllOf,
@@ -283,10 +283,10 @@ def test_planted_falsehoods_are_judged_with_the_mutants(monkeypatch: pytest.Monk
     [
         (judging, "conflict", lambda claims: None, "planted: defined twice"),
         (judging, "conflict", lambda claims: None, "planted: a circle"),
-        (judging, "restrictions", lambda claims: (), "planted: an area twice"),
+        (refutations, "restrictions", lambda claims: (), "planted: an area twice"),
         (judging, "captured", lambda claim: None, "planted: a constant of what is bound"),
         (definitions, "need_value", lambda *asked: None, "planted: what does not exist"),
-        (judging, "_possible", lambda claim: True, "planted: against a bound"),
+        (refutations, "_possible", lambda claim: True, "planted: against a bound"),
         (judging, "unfit", lambda claim: None, "planted: another bound"),
         (judging, "unfit", lambda claim: None, "planted: no smoothness"),
         (bounds, "inconsistent", lambda *bound: None, "planted: no bound"),
