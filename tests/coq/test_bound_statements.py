@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
 import time
 from pathlib import Path
 
@@ -15,7 +14,7 @@ from tresym.coq.coqtop import HEAD, Dialogue
 from tresym.coq.statement import NotExportedError
 from tresym.reals.decisions.claim_parsing import read
 
-needs_coq = pytest.mark.skipif(shutil.which("coqc") is None, reason="coqc is not installed")
+needs_coq = pytest.mark.coq
 CLAIMS = Path(__file__).with_name("textbook_claims.txt").read_text(encoding="utf-8")
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import shutil
 from pathlib import Path
 
 import pytest
@@ -84,8 +83,7 @@ def test_definitions_conditions_and_premises_hold_together_somewhere() -> None:
     }
 
 
-@pytest.mark.slow
-@pytest.mark.skipif(shutil.which("coqc") is None, reason="coqc is not installed")
+@pytest.mark.coq
 def test_only_what_the_conditions_imply_is_dropped() -> None:
     with Dialogue() as coq:
         found = strengthen("needs", NEEDS, coq)
