@@ -80,10 +80,10 @@ def test_definitions_conditions_and_premises_hold_together_somewhere() -> None:
         "time_of_a_turn",
         "newton_four_exceeds",  # and these on a root and on Newton's step from another point
         "newton_pi_exceeds",
-        "newton_four_angles",
+        "newton_four_angles",  # for these no point is stored yet
         "newton_pi_angles",
-        "terms_decrease",  # a natural number among the symbols
-        "arcsine_above",  # for these no point has been searched for yet
+        "terms_decrease",
+        "arcsine_above",
         "d15",
         "eq_dthetadphi",
         "exponent_left_out",
