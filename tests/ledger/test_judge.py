@@ -6,6 +6,7 @@ from typing import Any
 import pytest
 import sympy
 from flint import arb
+from planted_claims import EVERYTHING, a, b, claim, t, verdict, x, y
 from sympy import (
     Abs,
     And,
@@ -73,18 +74,6 @@ from tresym.reals.numbers.exact import parse_number
 from tresym.reals.verdict import Verdict
 
 ONE = Integer(1)
-a, b, r, x, y, t = (Symbol(name, real=True) for name in "abrxyt")
-
-
-def verdict(claim: Claim, **found: Finding) -> Verdict:
-    return judge(claim, found).verdict
-
-
-def claim(says: object, proof: object, given: tuple = (), **rest: object) -> Claim:
-    return Claim(label="planted", says=says, proof=proof, given=given, **rest)
-
-
-EVERYTHING = (roots, trigonometry, exponentials, inverses, differentiation)
 
 
 def test_division_by_zero_is_not_proved() -> None:

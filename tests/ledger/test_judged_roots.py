@@ -6,6 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
+from planted_claims import EVERYTHING, claim, r, t, verdict, x, y
 from sympy import (
     Derivative,
     Integer,
@@ -13,7 +14,6 @@ from sympy import (
     Rational,
     S,
     Subs,
-    Symbol,
     atan,
     exp,
     sign,
@@ -34,26 +34,12 @@ from tresym.ledger.reasons import (
     algebra,
     differentiation,
     exponentials,
-    inverses,
-    roots,
     trigonometry,
 )
 from tresym.ledger.statements import ExactlyOne
 from tresym.reals.verdict import Verdict
 
 ONE = Integer(1)
-a, b, r, x, y, t = (Symbol(name, real=True) for name in "abrxyt")
-
-
-def verdict(claim: Claim, **found: Finding) -> Verdict:
-    return judge(claim, found).verdict
-
-
-def claim(says: object, proof: object, given: tuple = (), **rest: object) -> Claim:
-    return Claim(label="planted", says=says, proof=proof, given=given, **rest)
-
-
-EVERYTHING = (roots, trigonometry, exponentials, inverses, differentiation)
 
 
 def root(function: object, slope: object, low: object, high: object, *given: object) -> Verdict:

@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
+from planted_claims import EVERYTHING, a, b, claim, t, verdict, x, y
 from sympy import (
     Gt,
     Integral,
     Rational,
-    Symbol,
     Tuple,
     atan,
     cos,
@@ -38,7 +38,6 @@ from tresym.ledger.reasons import (
     citing,
     differentiation,
     exponentials,
-    inverses,
     roots,
     substituting,
     trigonometry,
@@ -46,19 +45,6 @@ from tresym.ledger.reasons import (
 from tresym.ledger.refutations import seen_false
 from tresym.ledger.statements import ExactlyOne
 from tresym.reals.verdict import Verdict
-
-a, b, r, x, y, t = (Symbol(name, real=True) for name in "abrxyt")
-
-
-def verdict(claim: Claim, **found: Finding) -> Verdict:
-    return judge(claim, found).verdict
-
-
-def claim(says: object, proof: object, given: tuple = (), **rest: object) -> Claim:
-    return Claim(label="planted", says=says, proof=proof, given=given, **rest)
-
-
-EVERYTHING = (roots, trigonometry, exponentials, inverses, differentiation)
 
 FALSE = {
     "wrong sign": (equal(cos(x) ** 2 - sin(x) ** 2, 2 * sin(x) ** 2 - 1), ()),

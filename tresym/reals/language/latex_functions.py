@@ -185,32 +185,6 @@ class FunctionReader(CalculusReader):
     def base(self) -> Piece:
         """A bracket, a command with its arguments, a number or a name."""
 
-    @abstractmethod
-    def enclosed(self) -> Piece:
-        """What stands in a bracket, or in braces."""
-
-    @abstractmethod
-    def factor(self, base: Piece | None = None) -> Piece:
-        """A base, here or read already, with its powers, evaluation bars and values at a point."""
-
-    @abstractmethod
-    def operand(
-        self,
-        applied: Callable[[Piece], Piece],
-        first: Piece,
-        rule: Rule,
-        matters: Callable[[Piece], bool] = lambda _: True,
-    ) -> Piece:
-        """``applied`` to ``first`` and to what follows, as far as the rule for it goes."""
-
-    @abstractmethod
-    def script(self) -> Piece:
-        """An exponent or a limit: a group, or one token."""
-
-    @abstractmethod
-    def sum(self) -> Piece:
-        """Terms joined by + and −."""
-
 
 def natural(e: Expr) -> int | None:
     """The natural number that ``e`` is, or None."""

@@ -1,0 +1,22 @@
+"""Claims as tests write them down for the judge, and the verdict on one."""
+
+from __future__ import annotations
+
+from sympy import Symbol
+
+from tresym.ledger.claim import Claim
+from tresym.ledger.finding import Finding
+from tresym.ledger.judge import judge
+from tresym.ledger.reasons import differentiation, exponentials, inverses, roots, trigonometry
+from tresym.reals.verdict import Verdict
+
+a, b, r, x, y, t = (Symbol(name, real=True) for name in "abrxyt")
+EVERYTHING = (roots, trigonometry, exponentials, inverses, differentiation)
+
+
+def verdict(claim: Claim, **found: Finding) -> Verdict:
+    return judge(claim, found).verdict
+
+
+def claim(says: object, proof: object, given: tuple = (), **rest: object) -> Claim:
+    return Claim(label="planted", says=says, proof=proof, given=given, **rest)
