@@ -190,3 +190,7 @@ Proof.
   exists v; split; [| replace (1 / 2 * PI) with (PI / 2) by field; exact W].
   eapply is_RInt_ext; [| exact V]; intros t _; unfold u_plain; do 3 f_equal; f_equal; ring.
 Qed.
+(* An integral without parameters, to three digits. *)
+Ltac estimated := match goal with |- context [RInt ?f ?u ?v] =>
+  let H := fresh "M" in integral_intro (RInt f u v) with (i_prec 30, i_relwidth 10, i_degree 8) as H;
+  generalize dependent (RInt f u v); intros end.
