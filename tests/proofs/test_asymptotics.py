@@ -137,7 +137,6 @@ def test_the_charts_are_the_same_shape(a, b):
         star = stable.leading_term(k, r, balls)
         for shape in (
             charts.by_kappa(b_, 1 / k, balls),
-            charts.by_k(k, 1 / a_, balls),
             charts.by_root(b_, k, balls),
         ):
             assert abs(shape.leading / star - 1) < 1e-9
