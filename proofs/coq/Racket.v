@@ -2202,6 +2202,39 @@ Proof.
     rewrite Rpow_mult_distr, Q; assert (0 <= t ^ 2 <= 1 / 4) by nra; set (x := t ^ 2) in *; nra.
   - rewrite asin_0; lra.
 Qed.
+
+(* The chain rule along a curve for the equation of the flip defect. *)
+Lemma chain_of_G (m : R -> R) (l u dm : R) : is_derive m l dm -> 0 < l -> -1 < m l < 1 ->
+  exists v3 v4 : R,
+  is_derive (fun t : R => u + (-1) * asin (m t * cos (2 * sqrt ((-1) * m t ^ 2 + 1) * exp ((-1) * / t * (PI + u + asin (m t))))) + asin (m t)) l (dm * v3 + v4) /\
+  is_derive (fun mu : R => u + (-1) * asin (mu * cos (2 * sqrt ((-1) * mu ^ 2 + 1) * exp ((-1) * / l * (PI + u + asin mu)))) + asin mu) (m l) v3 /\
+  is_derive (fun t : R => u + (-1) * asin (m l * cos (2 * sqrt ((-1) * m l ^ 2 + 1) * exp ((-1) * / t * (PI + u + asin (m l))))) + asin (m l)) l v4.
+Proof.
+  intros D L M.
+  assert (0 < (-1) * m l ^ 2 + 1) by nra.
+  assert (C : forall x, -1 < m l * cos x < 1).
+  { intros x; pose proof (COS_bound x) as B; destruct (Rtotal_order (cos x) 0) as [Z|[Z|Z]]; [| rewrite Z; lra |]; split; nra. }
+  eexists; eexists; split; [| split].
+  2: { derive; cbv beta; match goal with |- context [cos ?x] => pose proof (C x) | _ => idtac end; lra. }
+  2: { derive; cbv beta; match goal with |- context [cos ?x] => pose proof (C x) | _ => idtac end; lra. }
+  eapply d_eq.
+  { let rec go := lazymatch goal with
+    | |- is_derive (fun _ : R => ?c) _ _ => apply d_const
+    | |- is_derive (fun t : R => t) _ _ => apply d_id
+    | |- is_derive (fun t : R => @?f t + @?g t) _ _ => eapply (d_plus f g); go
+    | |- is_derive (fun t : R => @?f t * @?g t) _ _ => eapply (d_mult f g); go
+    | |- is_derive (fun t : R => / @?f t) _ _ => eapply (d_inv f); [go |]
+    | |- is_derive (fun t : R => @?f t ^ ?n) _ _ => eapply (d_pow f); go
+    | |- is_derive (fun t : R => exp (@?f t)) _ _ => eapply (d_exp f); go
+    | |- is_derive (fun t : R => cos (@?f t)) _ _ => eapply (d_cos f); go
+    | |- is_derive (fun t : R => sqrt (@?f t)) _ _ => eapply (d_sqrt f); [go |]
+    | |- is_derive (fun t : R => asin (@?f t)) _ _ => eapply (d_asin f); [go | |]
+    | _ => exact D
+    end in go.
+    all: cbv beta; match goal with |- context [cos ?x] => pose proof (C x) | _ => idtac end; lra. }
+  tidy; ring.
+Qed.
+
 Lemma printed_above a e : a >= 100 -> e > 0 -> e < 1 / 2 * PI ->
   tanh (sqrt (a * 1) * (PI + asin (sqrt (1 * / (a + 1)) * cos e))) = / sqrt (1 * / a * sin e ^ 2 + 1) * cos e ->
   exp (- (PI * sqrt (a * 1))) ^ 2
