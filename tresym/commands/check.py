@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import os
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -18,7 +17,7 @@ from tresym.commands.parser import (
     json_line,
     parse_seconds,
 )
-from tresym.output import bold, colour_wanted, dim, writing
+from tresym.output import bold, colour_wanted, dim, show_progress, writing
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
@@ -139,7 +138,8 @@ def one(
     else:
         text = answer_text(answer, colour)
         text += "" if said is None else f"  {dim('coq        ', colour)}{said['says']}\n"
-    _show_all(text, target)
+    with _shown_by(target) as show:
+        show(text)
     return _STATUS.get(answer.verdict, 0)
 
 
@@ -186,7 +186,11 @@ def many(
     colour = colour_wanted() and target is None
     with _shown_by(target) as show:
         answers = _answers(tasks, seconds, scheduler)
-        for task, found in _suggested(answers) if suggest else answers:
+        if suggest:
+            from tresym.reals.repair import suggested
+
+            answers = suggested(answers)
+        for task, found in answers:
             if isinstance(found, InputError):
                 if task.claim.startswith("\\documentclass"):
                     raise InputError(f"{file}: {MANUSCRIPT}") from None
@@ -199,7 +203,7 @@ def many(
                 status = _worse(status, _STATUS.get(found.verdict, 0))
                 counts[found.verdict.value] += 1
                 show(json_line(found.as_json()) if as_json else answer_text(found, colour))
-            _progress(sum(counts.values()))
+            show_progress(f"{sum(counts.values())} claims")
     summary = ", ".join(f"{count} {name}" for name, count in counts.items() if count)
     print(f"{sum(counts.values())} claims: {summary}", file=sys.stderr)
     return status
@@ -216,12 +220,6 @@ def _answers(tasks: Iterator[Task], limit: float, scheduler: str | None) -> Answ
 
     with cluster(scheduler) as workers:
         yield from check_by(workers.in_order, tasks, limit)
-
-
-def _suggested(answers: Answers) -> Answers:
-    from tresym.reals.repair import suggested
-
-    return suggested(answers)
 
 
 def _worse(*statuses: int) -> int:
@@ -295,11 +293,6 @@ def _bad_line(task: Task, error: InputError) -> str:
     return json_line(value)
 
 
-def _show_all(text: str, target: str | None) -> None:
-    with _shown_by(target) as show:
-        show(text)
-
-
 @contextmanager
 def _shown_by(target: str | None) -> Iterator[Callable[[str], object]]:
     """Yield a function that prints a text, or writes it to the file ``target``."""
@@ -311,9 +304,3 @@ def _shown_by(target: str | None) -> Iterator[Callable[[str], object]]:
         open(aside, "w", encoding="utf-8", errors="backslashreplace", newline="") as file,
     ):
         yield file.write
-
-
-def _progress(done: int) -> None:
-    """Show a counter on standard error if that is a terminal."""
-    if sys.stderr is not None and sys.stderr.isatty() and not os.environ.get("NO_COLOR"):
-        print(f"\r{done} claims\r", end="", file=sys.stderr, flush=True)

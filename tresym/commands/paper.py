@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import argparse
 import json
-import os
 import sys
 import time
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
 from tresym.commands.parser import UNEXPECTED, Commands, add_output, deliver, parse_seconds
-from tresym.output import bold, colour_wanted, dim
+from tresym.output import bold, colour_wanted, dim, show_progress
 from tresym.reals.notebook import abbreviated
 from tresym.reals.numbers.exact import InputError
 
@@ -157,7 +156,7 @@ def _rows(args: argparse.Namespace, paper: Path, settings: Settings, limit: floa
         found = (e.name for e in events if isinstance(e, Missing) and e.outside == outside)
         if names := [name[:100] for name in found]:
             print(f"{why}; left out: {', '.join(names[:5])}", file=sys.stderr)
-    rows = decided(read_links(events), limit, progress=_Progress(), keep=True)
+    rows = decided(read_links(events), limit, progress=_counter(), keep=True)
     return proofread(rows) if args.suggest and not _interrupted(rows) else rows
 
 
@@ -319,17 +318,12 @@ def advice(rows: list[Row]) -> list[str]:
     return lines
 
 
-class _Progress:
-    """A counter with the remaining time, on standard error if that is a terminal."""
+def _counter() -> Callable[[int, int], None]:
+    """Return a function that shows how many links are done, and the remaining time."""
+    start = time.monotonic()
 
-    def __init__(self) -> None:
-        self.start = time.monotonic()
+    def show(done: int, total: int) -> None:
+        left = (time.monotonic() - start) / max(done, 1) * (total - done)
+        show_progress(f"{done} of {total} links, {left:.0f} s left")
 
-    def __call__(self, done: int, total: int) -> None:
-        """Show that ``done`` of ``total`` links are done."""
-        if sys.stderr is None or not sys.stderr.isatty() or os.environ.get("NO_COLOR"):
-            return
-        left = (time.monotonic() - self.start) / max(done, 1) * (total - done)
-        print(
-            f"\r{done} of {total} links, {left:.0f} s left \r", end="", file=sys.stderr, flush=True
-        )
+    return show
