@@ -21,11 +21,9 @@ def add(commands: Commands) -> None:
         "paper, and each line of its text with a formula or on the motion; compare them "
         "with its LaTeX.",
         epilog="Exit status: 1 unless all of the paper is covered, unaltered and copied correctly.",
-        allow_abbrev=False,
     )
     parser.add_argument("paper", metavar="PAPER.tex", help="the LaTeX source of the paper")
     add_output(parser)
-    parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:

@@ -11,12 +11,7 @@ from functools import partial
 from itertools import chain
 from typing import TYPE_CHECKING, TypeAlias
 
-from tresym.commands.parser import (
-    Commands,
-    add_output,
-    json_line,
-    parse_seconds,
-)
+from tresym.commands.parser import Commands, add_options, add_output, json_line, parse_seconds
 from tresym.output import bold, colour_wanted, dim, show_progress, writing
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
@@ -39,7 +34,6 @@ def add(commands: Commands) -> None:
         "~), 'f -> L', 'f > g' (eventually): PROVED, ENCLOSED, REFUTED or UNDECIDED, and why.",
         epilog="Exit status: 0 if it holds, 1 if refuted, 3 if undecided, 2 if it cannot be read; "
         "for many claims the first of 2, 1, 3 that occurs.",
-        allow_abbrev=False,
     )
     parser.add_argument("claim", nargs="?", metavar="CLAIM", help="text or LaTeX")
     parser.add_argument(
@@ -59,16 +53,15 @@ def add(commands: Commands) -> None:
         action="store_false",
         help="do not search for a true statement close to a refuted claim",
     )
-    parser.add_argument(
-        "--scheduler",
-        metavar="ADDRESS",
-        help="with -f: the workers of a Dask scheduler, as tcp://HOST:PORT (without it: all cores)",
-    )
-    parser.add_argument(
-        "--no-cache", action="store_true", help="with -f: do not use cached answers"
+    add_options(
+        parser,
+        (
+            "--scheduler ADDRESS",
+            "with -f: the workers of a Dask scheduler, as tcp://HOST:PORT (without it: all cores)",
+        ),
+        ("--no-cache", "with -f: do not use cached answers"),
     )
     add_output(parser)
-    parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:

@@ -10,7 +10,14 @@ from collections import Counter
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
-from tresym.commands.parser import UNEXPECTED, Commands, add_output, deliver, parse_seconds
+from tresym.commands.parser import (
+    UNEXPECTED,
+    Commands,
+    add_options,
+    add_output,
+    deliver,
+    parse_seconds,
+)
 from tresym.output import bold, colour_wanted, dim, show_progress
 from tresym.reals.notebook import abbreviated
 from tresym.reals.numbers.exact import InputError
@@ -32,7 +39,6 @@ def add(commands: Commands) -> None:
         "ASSUMED, EQUATION or UNREAD. Comments such as '% tresym: given a > 0' add information.",
         epilog="Exit status: 1 if something is REFUTED or SUSPECT, with --strict also if "
         "something is UNDECIDED or UNREAD; 2 if the file cannot be read.",
-        allow_abbrev=False,
     )
     parser.add_argument(
         "papers",
@@ -40,15 +46,12 @@ def add(commands: Commands) -> None:
         metavar="MANUSCRIPT.tex",
         help="LaTeX sources (default: the files named in tresym.toml)",
     )
-    parser.add_argument(
-        "--notes", metavar="FILE", help=("a file of directives, by display number and hash")
-    )
-    parser.add_argument("--html", metavar="DIR", help="write a page with every display as read")
-    parser.add_argument(
-        "--marks", metavar="FILE", help="write marks for the margin, and tresym.sty beside them"
-    )
-    parser.add_argument(
-        "--suspect-ok", action="store_true", help="do not count SUSPECT as a failure"
+    add_options(
+        parser,
+        ("--notes FILE", "a file of directives, by display number and hash"),
+        ("--html DIR", "write a page with every display as read"),
+        ("--marks FILE", "write marks for the margin, and tresym.sty beside them"),
+        ("--suspect-ok", "do not count SUSPECT as a failure"),
     )
     parser.add_argument(
         "--no-suggest",
@@ -67,16 +70,14 @@ def add(commands: Commands) -> None:
         default="text",
         help="the format of the report",
     )
-    parser.add_argument(
-        "--baseline", metavar="FILE", help="a file of known problems: report new ones only"
+    add_options(
+        parser,
+        ("--baseline FILE", "a file of known problems: report new ones only"),
+        ("--update-baseline", "write the current problems to FILE"),
+        ("--no-cache", "do not use cached answers"),
+        ("--clear-cache", "delete the cached answers"),
     )
-    parser.add_argument(
-        "--update-baseline", action="store_true", help="write the current problems to FILE"
-    )
-    parser.add_argument("--no-cache", action="store_true", help="do not use cached answers")
-    parser.add_argument("--clear-cache", action="store_true", help="delete the cached answers")
     add_output(parser)
-    parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from tresym.commands.parser import (
     UNEXPECTED,
     Commands,
+    add_options,
     add_output,
     deliver,
     in_a_checkout,
@@ -35,34 +36,17 @@ def add(commands: Commands) -> None:
         description="Give every statement of the paper a verdict: PROVED, ENCLOSED, REFUTED or "
         "UNDECIDED. Definitions are DEFINED, physical assumptions are ASSUMED.",
         epilog="Exit status: 1 if a verdict is not the expected one, or a false variant passes.",
-        allow_abbrev=False,
     )
     parser.add_argument("labels", nargs="*", metavar="LABEL", help="claims, such as eq_gamma")
-    parser.add_argument(
-        "--graph",
-        action="store_true",
-        help="print the dependencies of the claims as a Mermaid graph",
-    )
-    parser.add_argument(
-        "--mutants",
-        action="store_true",
-        help="judge false variants of the claims, none of which may pass",
-    )
-    parser.add_argument(
-        "--full",
-        action="store_true",
-        help="search for the stored box proofs again instead of checking them",
-    )
-    parser.add_argument(
-        "--save-certificates",
-        action="store_true",
-        help="with --full, store the box proofs that were found",
-    )
-    parser.add_argument(
-        "--workers", metavar="N", help="number of processes (default: one per core)"
+    add_options(
+        parser,
+        ("--graph", "print the dependencies of the claims as a Mermaid graph"),
+        ("--mutants", "judge false variants of the claims, none of which may pass"),
+        ("--full", "search for the stored box proofs again instead of checking them"),
+        ("--save-certificates", "with --full, store the box proofs that were found"),
+        ("--workers N", "number of processes (default: one per core)"),
     )
     add_output(parser)
-    parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:
