@@ -62,7 +62,7 @@ def run(args: argparse.Namespace) -> int:
 
 def _search(folder: Path, labels: Sequence[str]) -> dict[str, Any]:
     """Search for missing proofs, or those of the labels, and store each one found."""
-    from tresym.coq.candidate_search import version
+    from tresym.coq.coqtop import version
     from tresym.coq.export import entries, open_claims, save, stamped, stored
     from tresym.coq.ledger_proofs import (
         Memory,
@@ -108,7 +108,7 @@ def _search(folder: Path, labels: Sequence[str]) -> dict[str, Any]:
 
 def _check(folder: Path, store: dict[str, Any]) -> int:
     """Store that Coq has checked the proofs in the folder, and what they depend on."""
-    from tresym.coq.candidate_search import version
+    from tresym.coq.coqtop import version
     from tresym.coq.export import assumed, contents, save, stamped
     from tresym.coq.ledger_statements import name_of
 

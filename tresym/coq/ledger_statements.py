@@ -94,8 +94,13 @@ def name_of(label: str) -> str:
 
 
 def lemmas() -> str:
-    """Return ``Racket.v``: hand-written lemmas that the proofs of several claims use."""
-    return file_of("coq").joinpath("Racket.v").read_text(encoding="utf-8")
+    """Return the exported ``Racket.v``: hand-written lemmas that the proofs of several claims use.
+
+    It is the file of that name in ``proofs/coq`` followed by those in ``proofs/coq/lemmas``.
+    """
+    folder = file_of("coq")
+    files = [folder / "Racket.v", *sorted(folder.glob("lemmas/*.v"))]
+    return "\n".join(path.read_text(encoding="utf-8") for path in files)
 
 
 def theorem_of(claim: Claim) -> Exported:
