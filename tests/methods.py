@@ -10,7 +10,6 @@ from __future__ import annotations
 AREAS: dict[str, tuple[str, ...]] = {
     "reals.signs": (
         *("interior.by_signs_of_parts", "interior.sign_inside", "interior.strict_by_conditions"),
-        *("orthant_cones.sign_on_cones", "homogenisation.sign_by_homogeneity"),
         *("polynomials.sign_of_polynomial", "concavity.sign_by_concavity"),
         *("taylor.sign_by_taylor", "absolute_value_cases.by_cases"),
         *("transformations.by_equivalents", "transformations._logarithms"),
@@ -70,7 +69,7 @@ AREAS: dict[str, tuple[str, ...]] = {
         *("integer_variables.decide_whole", "integer_variables._by_divisors"),
         *("integer_variables._by_residues", "integer_variables._beyond"),
         *("equations.decide_under_equations", "equations._without_variables"),
-        *("equations._as_consequence", "equations._with_a_point", "equations._homogeneous"),
+        *("equations._as_consequence", "equations._with_a_point"),
         *("equations._by_elimination", "equations._split", "equations._by_cases"),
         *("equations._with_value", "equation_solutions.solved", "ideals.follows"),
         *("unknown_functions.decide_unknown", "unknown_functions._realised"),
