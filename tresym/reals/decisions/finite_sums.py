@@ -22,7 +22,7 @@ from tresym.reals.decisions.answer import Answer, Decide, worst
 from tresym.reals.decisions.asymptotics.limit_values import limit_of
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.known_values import known_value
-from tresym.reals.decisions.readable_witnesses import constants_hold, tidied
+from tresym.reals.decisions.readable_witnesses import decided_at, tidied
 from tresym.reals.decisions.statement import Comparison, Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.operation_domains import operations
@@ -265,19 +265,12 @@ def _looked_at(
     """Return a refutation at a small n, or UNDECIDED if no small n is proved; None otherwise."""
     seen = empty = False
     for value in range(least, least + FIRST):
-        try:
-            found = decided_at(_at(claim, n, number(value)), statement, n, value, decided)
-        except InputError:
-            break
-        if found is None:
-            continue
-        if found.verdict is Verdict.REFUTED:
-            if n not in statement.given.names and _has_no_term(claim, n, value):
-                empty = True
-                continue
-            witness = {n: str(value)} | dict(found.witness or {})
-            return replace(found, why=f"at {n} = {value}: {found.why}", witness=witness)
-        seen = seen or (bool(found) and not _has_no_term(claim, n, value))
+        no_term = _has_no_term(claim, n, value)
+        found, proved = decided_at([{n: number(value)}], claim, statement, decided)
+        if found is not None and not (n not in statement.given.names and no_term):
+            return found
+        empty = empty or found is not None
+        seen = seen or (proved and not no_term)
     if empty:
         why = f"it fails where a sum is empty: add a condition that says from which {n} on it holds"
         return Answer(Verdict.UNDECIDED, why)
@@ -293,18 +286,6 @@ def _has_no_term(claim: Comparison, n: str, value: int) -> bool:
     """Return whether a sum of the claim is empty at this n."""
     ends = (_end(node) for node in _nodes(claim))
     return any(end is not None and value + end[1] < end[2] for end in ends)
-
-
-def decided_at(
-    claim: Comparison, statement: Statement, n: str, value: int, decided: Decide
-) -> Answer | None:
-    """Decide the claim for one value of ``n``; None if the conditions exclude that value."""
-    there = statement.mapped(partial(substitute, mapping={n: number(value)}))
-    given = constants_hold(there.given.comparisons)
-    others = tuple(name for name in statement.integers if name != n)
-    if given is None:
-        return None
-    return decided(claim, replace(there, given=given, integers=others))
 
 
 def _induction(
