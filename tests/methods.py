@@ -58,7 +58,7 @@ AREAS: dict[str, tuple[str, ...]] = {
         *("integration_pieces.roots_of_squares", "known_values.known_value"),
         *("integral_identities.Antiderivatives.put_in", "antiderivatives.summed"),
         *("leibniz.decide_by_leibniz", "divergence.has_no_limit"),
-        *("finite_sums.decide_totals", "finite_sums._induction", "finite_sums._by_closed_forms"),
+        *("finite_sums.decide_totals", "finite_sums._induction"),
         *("finite_sums._looked_at", "finite_sums._tends", "hypergeometric.series_of"),
         *("hypergeometric.folded", "hypergeometric.summed", "known_values._from_one"),
         *("known_values._power_series", "known_values._matched"),
