@@ -21,7 +21,7 @@ from functools import partial
 from tresym.reals.decisions.answer import Answer, Decide, worst
 from tresym.reals.decisions.asymptotics.limit_values import limit_of
 from tresym.reals.decisions.identity import decide
-from tresym.reals.decisions.known_series import quoted_product
+from tresym.reals.decisions.known_values import known_value
 from tresym.reals.decisions.readable_witnesses import constants_hold, tidied
 from tresym.reals.decisions.statement import Comparison, Statement
 from tresym.reals.domain.conditions import Given
@@ -79,7 +79,11 @@ def decide_totals(claim: Comparison, statement: Statement, decided: Decide) -> A
     nodes = _nodes(claim)
     if not nodes:
         return decided(claim, statement)
-    known = {node: quoted_product(node, statement.given) for node in nodes}
+    parts = {node: opened(node, statement.given.names) for node in nodes}
+    known = {
+        node: known_value(node.op, body, k, node.args[1], node.args[2], statement.given)
+        for node, ((k,), body) in parts.items()
+    }
     values = {node: theorem.value for node, theorem in known.items() if theorem is not None}
     if values:
         answer = decided(claim.mapped(partial(replaced, known=values)), statement)

@@ -7,7 +7,7 @@ may be singular, and each piece is treated separately. If it is unknown which en
 cases are checked. Where F comes from does not matter for the proof: it may be given in the claim as
 ``at(F, x, b) - at(F, x, a)``, and otherwise SymPy suggests candidates.
 
-Some integrals are quoted from tables (:mod:`tresym.reals.decisions.known_integrals`). An integral
+Some integrals are quoted from tables (:mod:`tresym.reals.decisions.theorems`). An integral
 without a known antiderivative is enclosed by rigorous quadrature
 (:mod:`tresym.reals.domain.binder_values`), which can refute equations and prove bounds.
 """
@@ -33,7 +33,7 @@ from tresym.reals.decisions.integration_pieces import (
     roots_of_squares,
     without_corners,
 )
-from tresym.reals.decisions.known_integrals import standard
+from tresym.reals.decisions.known_values import known_value
 from tresym.reals.decisions.readable_witnesses import constants_hold, simple_points
 from tresym.reals.decisions.statement import Comparison, Statement, functions
 from tresym.reals.domain import binder_values
@@ -343,7 +343,7 @@ def _between(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Wor
     for root, size in roots_of_squares(f, inside):
         f = replaced(f, {root: size})
         work.notes.append(f"{root} = {size} on the interval")
-    known = standard(f, name, low, high, given)
+    known = known_value("integral", f, name, low, high, given)
     if known is not None:
         work.notes.append(f"the integral of {f} is {known.value} by {known.source}")
         return known.value
