@@ -521,8 +521,8 @@ def last_step(
 ) -> str:
     """Return the sign of the last derivative at another point."""
     if mode == 0:
-        sine = " | apply sin_gt_0; lra | apply sin_ge_0; lra"
-        return f"facts; first [positive | lra | nra{' | beside' * strict}{sine}]."
+        sine = f"pose proof pi_between; apply sin_g{'t' if strict else 'e'}_0; lra"
+        return f"facts; first [positive | lra | nra{' | beside' * strict} | {sine}]."
     theorem = replace(theorem, given=(*theorem.given, *between))
     moved = substitute(e if up else -e, {name: POINT})
     if mode == 3:

@@ -324,9 +324,9 @@ def by_cut(t: Theorem) -> Iterator[Reduction]:
         parts = [(x, "<=", c), (x, ">=", c)]
         if c.op != "number" or sign(x - c, given) is not None:
             continue
-        text = f"Rle_or_lt {term(x, 3)} {term(c, 3)}"
+        text, done = f"Rle_or_lt {term(x, 3)} {term(c, 3)}", "ltac:(lra)); lra"
         yield Reduction(
             tuple(replace(t, name=t.name + cut, given=(*t.given, part)) for part in parts),
-            f"destruct ({text}); [specialize (step_1 ltac:(lra)) | specialize (step_2 ltac:(lra))]; lra.",
+            f"destruct ({text}); [specialize (step_1 {done} | specialize (step_2 {done}].",
             only=(f"{term(x)} <= {term(c)}", f"{term(x)} >= {term(c)}"),
         )
