@@ -8,6 +8,7 @@ import os
 import pickle
 import shutil
 import signal
+import sys
 import time
 from collections.abc import Iterator
 from dataclasses import replace
@@ -34,6 +35,12 @@ settings.register_profile(
     "deep", max_examples=1000 if chunks.IN_CHUNKS else 10_000, print_blob=True, **_COMMON
 )
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "dev"))
+
+
+# Some environments forbid compiled files. Each of the many processes that the tests start would
+# compile the package again, which takes longer than most of what they do.
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+sys.dont_write_bytecode = False
 
 
 # In the background of a script SIGINT is ignored, under nohup SIGHUP, and a child process would

@@ -12,7 +12,7 @@ from tresym.ledger.paper import all_claims
 from tresym.ledger.paper import corrections as all_corrections
 from tresym.ledger.verification import Report, verify
 from tresym.reals.verdict import Verdict
-from tresym.report.pages.corrections import FAULTS, corrections, is_correction
+from tresym.report.pages.corrections import FAULTS, corrections
 from tresym.report.pages.documents import ledger, pages, stale
 from tresym.report.typesetting.markdown import sentence
 
@@ -83,9 +83,6 @@ HEDGED = (
 
 def test_stricter_readings_are_listed_apart_from_statements_of_the_paper() -> None:
     found = verify([*HEDGED, "d27", "zero_on_separatrix"])
-    rows = [row for row in found.rows if row.finding.verdict is Verdict.REFUTED]
-    said = {row.claim.label for row in rows if is_correction(row)}
-    assert said == {"d27", "zero_on_separatrix"}
     assert {c.label for c in all_claims() if c.paper_says} == set(HEDGED)
     page, apart = corrections(found).split("## Fails only if read more strictly")
     assert all(f" (`{label}`)\n" in apart and label not in page for label in HEDGED)

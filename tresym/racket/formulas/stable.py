@@ -87,11 +87,6 @@ def flip_at(phase: Any, k: Any, r: Any, m: Any) -> Any:
     return 2 * m.atan(m.sqrt(1 + r * r) * m.sinh(k * phase))
 
 
-def uniform_defect(k: Any, r: Any, m: Any) -> Any:
-    """Return one sweep of the phase map from P = π: ε₀ to 2.8 % for every shape, in one line."""
-    return defect_at(phase_map(m.pi, k, r, m), k, r, m)
-
-
 def leading_term(k: Any, r: Any, m: Any) -> Any:
     """Return ε* = 2√(a/(a+b)) e^{−√(ab)(π + arcsin √(b/(a+b)))}: ε₀ = ε*(1 + c₁ε*² + …)."""
     return 2 / m.sqrt(1 + r * r) * m.exp(-k * (m.pi + m.atan(r)))

@@ -89,11 +89,6 @@ def corrections(report: Report) -> str:
     return "\n".join([*parts, *([STRICTER, *map(_stricter, stricter)] if stricter else [])])
 
 
-def is_correction(row: Row) -> bool:
-    """Return whether a statement of the paper is refuted, not only a stricter reading of it."""
-    return _is_refuted(row) and row.claim.where is not None and not row.claim.paper_says
-
-
 def _is_refuted(row: Row) -> bool:
     return row.finding.verdict is Verdict.REFUTED
 

@@ -1,10 +1,10 @@
-"""What notebooks show: claims in LaTeX as one writes them."""
+"""Claims in LaTeX and MathML, as notebooks and pages show them."""
 
 import pytest
 
 from tresym.reals.decisions.claim_parsing import in_latex
-from tresym.reals.language.latex_output import typeset
 from tresym.reals.language.parsing import parse_claim
+from tresym.reals.language.typesetting import to_latex, to_mathml
 
 
 @pytest.mark.parametrize(
@@ -27,7 +27,7 @@ from tresym.reals.language.parsing import parse_claim
     ],
 )
 def test_how_a_claim_is_set(claim: str, latex: str) -> None:
-    assert typeset(parse_claim(claim)) == latex
+    assert to_latex(parse_claim(claim)) == latex
 
 
 @pytest.mark.parametrize(
@@ -42,3 +42,25 @@ def test_how_a_claim_is_set(claim: str, latex: str) -> None:
 )
 def test_conditions_and_paths_stand_behind(claim: str, latex: str) -> None:
     assert in_latex(claim) == latex
+
+
+@pytest.mark.parametrize(
+    ("claim", "mathml"),
+    [
+        ("1 - x < pi", "<mn>1</mn><mo>−</mo><mi>x</mi><mo>&lt;</mo><mi>π</mi>"),
+        ("x0 == 2", "<msub><mi>x</mi><mi>0</mi></msub><mo>=</mo><mn>2</mn>"),
+        (
+            "dx_dt == y_prime",
+            "<mfrac><mrow><mi>d</mi><mi>x</mi></mrow><mrow><mi>d</mi><mi>t</mi></mrow></mfrac>"
+            "<mo>=</mo><mi>y</mi><mo>′</mo>",
+        ),
+        (
+            "exp(x)**y == sqrt(2)",
+            "<msup><mrow><mrow><mo>(</mo><msup><mrow><mi>e</mi></mrow><mrow><mi>x</mi></mrow></msup>"
+            "<mo>)</mo></mrow></mrow><mrow><mi>y</mi></mrow></msup>"
+            "<mo>=</mo><msqrt><mrow><mn>2</mn></mrow></msqrt>",
+        ),
+    ],
+)
+def test_a_claim_in_mathml(claim: str, mathml: str) -> None:
+    assert to_mathml(parse_claim(claim), block=False) == f"<math>{mathml}</math>"
