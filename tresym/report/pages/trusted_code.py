@@ -110,7 +110,7 @@ RECHECKED = {
             "reals.language.solve",
             "reals.balls.simplest_constants.candidates",
         ),
-        *("reals.normal.to_expression.numerator", "reals.decisions.variable_reduction._lowest"),
+        *("reals.normal.to_expression.numerator",),
         *("reals.decisions.integration_pieces._cuts", "reals.decisions.integration_pieces._roots"),
         *("reals.decisions.integration_pieces._turns", "reals.signs.polynomials._least"),
         "reals.numbers.exact.Interval.simplest",
