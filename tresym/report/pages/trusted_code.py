@@ -140,7 +140,7 @@ RECHECKED = {
         *("reals.decisions.equations._with_value", "reals.decisions.algebraic_witnesses"),
         *(
             "reals.decisions.asymptotics.path_claims._fails_beside",
-            "reals.decisions.asymptotics.recurring_failures.periodic_failure",
+            "reals.decisions.asymptotics.recurring_failures.failure_where_waves_return",
         ),
         *(
             "reals.decisions.unknown_functions._realised",
