@@ -34,7 +34,7 @@ DECISIONS = (
     *("inverse_branches", "variable_reduction", "algebraic_witnesses", "integrals"),
     *("finite_sums", "integer_variables", "equations", "unknown_functions"),
     *("readable_witnesses", "variable_exponents", "ellipsis_series", "hypergeometric"),
-    *("power_series", "known_series", "known_integrals", "factorials", "nth_derivatives"),
+    *("power_series", "known_values", "factorials", "nth_derivatives"),
     *("infinite_sums", "derivative_domains", "point_check", "definedness_check", "asymptotics/*"),
 )
 CHECKERS = (

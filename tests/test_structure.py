@@ -122,7 +122,7 @@ def test_the_proofs_are_read_from_top_to_bottom() -> None:
 def test_a_file_of_reals_loads_nothing_but_python_flint() -> None:
     names = [".".join(("tresym", *name)) for name in MODULES if name[:1] == ("reals",)]
     code = f"import {', '.join(sorted(names))}"
-    assert loaded(code) & {"sympy", "numpy", "mpmath", "scipy", "rich"} == set()
+    assert loaded(code) & {"sympy", "numpy", "mpmath", "scipy"} == set()
     tresym = {n for n in loaded(code, "tresym.") if n.split(".")[1] != "reals"}
     assert tresym == set()
 
@@ -136,7 +136,7 @@ def test_a_file_of_reals_loads_nothing_but_python_flint() -> None:
     ],
 )
 def test_what_is_instant_loads_flint_alone(code: str) -> None:
-    heavy = {"sympy", "numpy", "mpmath", "scipy", "rich", "matplotlib"}
+    heavy = {"sympy", "numpy", "mpmath", "scipy", "matplotlib"}
     assert loaded(code) & (heavy | ({"flint"} if code == "import tresym" else set())) == set()
 
 

@@ -2202,6 +2202,369 @@ Proof.
     rewrite Rpow_mult_distr, Q; assert (0 <= t ^ 2 <= 1 / 4) by nra; set (x := t ^ 2) in *; nra.
   - rewrite asin_0; lra.
 Qed.
+
+(* The chain rule along a curve for the equation of the flip defect. *)
+Lemma chain_of_G (m : R -> R) (l u dm : R) : is_derive m l dm -> 0 < l -> -1 < m l < 1 ->
+  exists v3 v4 : R,
+  is_derive (fun t : R => u + (-1) * asin (m t * cos (2 * sqrt ((-1) * m t ^ 2 + 1) * exp ((-1) * / t * (PI + u + asin (m t))))) + asin (m t)) l (dm * v3 + v4) /\
+  is_derive (fun mu : R => u + (-1) * asin (mu * cos (2 * sqrt ((-1) * mu ^ 2 + 1) * exp ((-1) * / l * (PI + u + asin mu)))) + asin mu) (m l) v3 /\
+  is_derive (fun t : R => u + (-1) * asin (m l * cos (2 * sqrt ((-1) * m l ^ 2 + 1) * exp ((-1) * / t * (PI + u + asin (m l))))) + asin (m l)) l v4.
+Proof.
+  intros D L M.
+  assert (0 < (-1) * m l ^ 2 + 1) by nra.
+  assert (C : forall x, -1 < m l * cos x < 1).
+  { intros x; pose proof (COS_bound x) as B; destruct (Rtotal_order (cos x) 0) as [Z|[Z|Z]]; [| rewrite Z; lra |]; split; nra. }
+  eexists; eexists; split; [| split].
+  2: { derive; cbv beta; match goal with |- context [cos ?x] => pose proof (C x) | _ => idtac end; lra. }
+  2: { derive; cbv beta; match goal with |- context [cos ?x] => pose proof (C x) | _ => idtac end; lra. }
+  eapply d_eq.
+  { let rec go := lazymatch goal with
+    | |- is_derive (fun _ : R => ?c) _ _ => apply d_const
+    | |- is_derive (fun t : R => t) _ _ => apply d_id
+    | |- is_derive (fun t : R => @?f t + @?g t) _ _ => eapply (d_plus f g); go
+    | |- is_derive (fun t : R => @?f t * @?g t) _ _ => eapply (d_mult f g); go
+    | |- is_derive (fun t : R => / @?f t) _ _ => eapply (d_inv f); [go |]
+    | |- is_derive (fun t : R => @?f t ^ ?n) _ _ => eapply (d_pow f); go
+    | |- is_derive (fun t : R => exp (@?f t)) _ _ => eapply (d_exp f); go
+    | |- is_derive (fun t : R => cos (@?f t)) _ _ => eapply (d_cos f); go
+    | |- is_derive (fun t : R => sqrt (@?f t)) _ _ => eapply (d_sqrt f); [go |]
+    | |- is_derive (fun t : R => asin (@?f t)) _ _ => eapply (d_asin f); [go | |]
+    | _ => exact D
+    end in go.
+    all: cbv beta; match goal with |- context [cos ?x] => pose proof (C x) | _ => idtac end; lra. }
+  tidy; ring.
+Qed.
+
+(* The defect of a shape with ab >= 1/4 as ab grows: its product with 2 sqrt(ab) is at most the value at ab = 1/4. *)
+Lemma hyperbolic_sine_below x : 0 <= x -> sinh x <= x * cosh x.
+Proof.
+  intros X; enough (0 <= x * cosh x - sinh x) by lra.
+  apply (from_left_ge (fun t : R => t * cosh t - sinh t) (fun t : R => t * sinh t) 0 x); try assumption.
+  - intros t _; eapply d_eq; [derive |]; cbv beta; ring.
+  - intros t [[T|<-] _]; [pose proof (sinh_pos t T); nra | lra].
+  - unfold sinh; rewrite Ropp_0, exp_0; lra.
+Qed.
+Lemma hyperbolic_cosine_above x : sinh x <= cosh x.
+Proof. unfold sinh, cosh; pose proof (exp_pos (- x)); lra. Qed.
+Lemma sinh_stretched t x : 3 / 2 <= x -> 1 <= t -> t ^ 3 * sinh x <= sinh (t ^ 2 * x).
+Proof.
+  intros X T.
+  assert (Convex : forall s, 1 <= s -> s * sinh x <= sinh (s * x)).
+  { intros s S; enough (0 <= sinh (s * x) - s * sinh x) by lra.
+    apply (from_left_ge (fun t : R => sinh (t * x) - t * sinh x) (fun t : R => x * cosh (t * x) - sinh x) 1 s S).
+    - intros t' _; eapply d_eq; [derive |]; cbv beta; ring.
+    - intros t' T'; pose proof (hyperbolic_sine_below x ltac:(lra)).
+      assert (cosh x <= cosh (t' * x)) by (apply cosh_rises; nra); nra.
+    - rewrite Rmult_1_l; lra. }
+  enough (0 <= sinh (t ^ 2 * x) - t ^ 3 * sinh x) by lra.
+  apply (from_left_ge (fun t : R => sinh (t ^ 2 * x) - t ^ 3 * sinh x)
+    (fun t : R => 2 * t * x * cosh (t ^ 2 * x) - 3 * t ^ 2 * sinh x) 1 t T).
+  - intros s _; eapply d_eq; [derive |]; tidy; ring.
+  - intros s [S _]; pose proof (Convex (s ^ 2) ltac:(nra)) as C; pose proof (hyperbolic_cosine_above (s ^ 2 * x)).
+    pose proof (sinh_pos x ltac:(lra)); set (c := cosh (s ^ 2 * x)) in *.
+    assert (s * sinh x <= s ^ 2 * sinh x) by (apply Rmult_le_compat_r; nra).
+    assert (0 < s * sinh x <= c) by (split; [nra | lra]); assert (3 * s * (s * sinh x) <= 2 * s * x * c); [| nra].
+    replace (3 * s * (s * sinh x)) with (s * 3 * (s * sinh x)) by ring; replace (2 * s * x * c) with (s * (2 * x) * c) by ring; apply Rmult_le_compat; nra.
+  - rewrite pow1, Rmult_1_l, pow1; lra.
+Qed.
+Lemma atan_stretched t z : 1 <= t -> 0 <= z -> z <= 1 / 2 -> t ^ 2 * atan (z * / t ^ 3) <= atan z.
+Proof.
+  intros T Z Z1; enough (0 <= atan z - t ^ 2 * atan (z * / t ^ 3)) by lra.
+  apply (from_left_ge (fun t : R => atan z - t ^ 2 * atan (z * / t ^ 3))
+    (fun t : R => t * (3 * (z * / t ^ 3) * / (1 + (z * / t ^ 3) * (z * / t ^ 3)) - 2 * atan (z * / t ^ 3))) 1 t T).
+  - intros s [S _]; assert (s ^ 3 <> 0) by (apply pow_nonzero; lra).
+    eapply d_eq; [derive; assumption |]; tidy; assert (0 < s ^ 3) by (apply pow_lt; lra).
+    field; repeat split; try lra; apply Rgt_not_eq; nra.
+  - intros s [S _]; apply Rmult_le_pos; [lra |].
+    assert (S3 : 1 <= s ^ 3) by (rewrite <- (pow1 3); apply pow_incr; lra).
+    assert (I : 0 < / s ^ 3 <= 1) by (split; [positive | rewrite <- Rinv_1; apply Rinv_le_contravar; lra]).
+    set (y := z * / s ^ 3); assert (Y : 0 <= y <= 1 / 2) by (unfold y; nra); pose proof (atan_at_most y (proj1 Y)).
+    enough (2 * y <= 3 * y * / (1 + y * y)) by lra.
+    apply (Rmult_le_reg_r (1 + y * y)); [nra |]; rewrite (Rmult_assoc (3 * y)), Rinv_l by nra; nra.
+  - rewrite !pow1, Rinv_1, !Rmult_1_r; lra.
+Qed.
+Definition corner_tangent (m r : R) : R :=
+  / (sqrt (r + 1) * sinh ((PI + atan (sqrt r * (/ sqrt (r * sin m ^ 2 + 1) * cos m))) / 2)).
+Definition corner_defect (m r : R) : R := atan (corner_tangent m r).
+Section Corner.
+Variables a b e : R.
+Hypotheses (A : a > 0) (B : b > 0) (P : e > 0) (Q : e < 1 / 2 * PI).
+Hypothesis D : tanh (sqrt (a * b) * (PI + asin (sqrt (b * / (a + b)) * cos e)))
+  = / sqrt (b * / a * sin e ^ 2 + 1) * cos e.
+Hypotheses (B1 : b <= 1) (AB : a * b >= 1 / 4).
+Let r := b * / a.
+Let k := sqrt (a * b).
+Lemma corner_bound m : e <= m -> m <= PI / 2 -> 2 * k * e <= corner_defect m r /\ 0 < corner_defect m r.
+Proof.
+  intros M M1; destruct (defect_signs a b e A B P Q) as [S [C [R0 [K0 _]]]].
+  destruct (defect_shape a b A B B1 AB) as [K _]; pose proof (defect_angle a b e A B P Q D) as E; pose proof pi_between as PB.
+  fold r in R0, E; fold k in K0, K, E.
+  set (v := atan (sqrt r * (/ sqrt (r * sin m ^ 2 + 1) * cos m))).
+  assert (Sm : 0 <= sin e <= sin m) by (split; [lra | apply sin_incr_1; lra]).
+  assert (V : 0 <= v <= asin (sqrt (b * / (a + b)) * cos e)).
+  { rewrite (turn_of_share a b e A B); fold r; unfold v.
+    assert (0 <= cos m) by (apply cos_ge_0; lra); pose proof (sqrt_pos r).
+    assert (W : 0 < sqrt (r * sin e ^ 2 + 1)) by (apply sqrt_lt_R0; pose proof (pow2_ge_0 (sin e)); nra).
+    assert (sin e ^ 2 <= sin m ^ 2) by (apply pow_incr; lra).
+    assert (W1 : sqrt (r * sin e ^ 2 + 1) <= sqrt (r * sin m ^ 2 + 1)) by (apply sqrt_le_1_alt; nra).
+    assert (I : 0 < / sqrt (r * sin m ^ 2 + 1)) by (apply Rinv_0_lt_compat; lra).
+    assert (0 <= / sqrt (r * sin m ^ 2 + 1) * cos m) by nra.
+    split; [rewrite <- atan_0; apply arctangent_rises; nra | apply arctangent_rises].
+    apply Rmult_le_compat_l; [assumption |]; apply Rmult_le_compat; try lra.
+    - apply Rinv_le_contravar; lra.
+    - apply cos_decr_1; lra. }
+  set (z := corner_tangent m r); set (t := sqrt (2 * k)).
+  assert (T2 : t ^ 2 = 2 * k) by (apply pow2_sqrt; lra).
+  assert (T : 1 <= t) by (apply below_sqrt; lra).
+  assert (R1 : 1 <= sqrt (r + 1)) by (apply below_sqrt; lra).
+  assert (X : 3 / 2 <= (PI + v) / 2) by lra.
+  assert (Y0 : 0 < sinh ((PI + v) / 2)) by (apply sinh_pos; lra).
+  assert (Y2 : 2 <= sinh ((PI + v) / 2)).
+  { apply Rle_trans with (sinh (PI / 2)); [unfold sinh; interval | apply sinh_grows; lra]. }
+  assert (Z : 0 < z <= 1 / 2).
+  { unfold z, corner_tangent; fold v; split; [apply Rinv_0_lt_compat; nra |].
+    replace (1 / 2) with (/ 2) by field; apply Rinv_le_contravar; nra. }
+  assert (T3 : 1 <= t ^ 3) by (rewrite <- (pow1 3); apply pow_incr; lra).
+  assert (L : e <= atan (z * / t ^ 3)).
+  { rewrite E at 1; apply arctangent_rises; unfold z, corner_tangent; fold v; rewrite <- Rinv_mult.
+    apply Rinv_le_contravar; [apply Rmult_lt_0_compat; nra |].
+    rewrite Rmult_assoc; apply Rmult_le_compat_l; [lra |]; rewrite Rmult_comm.
+    eapply Rle_trans; [apply sinh_stretched; assumption |]; apply sinh_grows; rewrite T2; nra. }
+  pose proof (atan_stretched t z T (Rlt_le _ _ (proj1 Z)) (proj2 Z)) as G; rewrite T2 in G.
+  split; [unfold corner_defect; fold z; nra | unfold corner_defect; fold z; apply atan_above; lra].
+Qed.
+End Corner.
+
+(* The logarithm of the ratio of a defect to its leading term, with the shape in one factor. *)
+Section Flat.
+Variables b r k e : R.
+Hypotheses (B0 : 0 < b) (B1 : b <= 1) (R0 : 0 < r) (R4 : r <= 4) (K : 0 < k) (KR : k * sqrt r = b).
+Hypotheses (E0 : 0 < e) (E1 : e <= 42 / 100).
+Let u := e ^ 2.
+Let w := sqrt (r * sin e ^ 2 + 1).
+Let y := sqrt r * / (w + cos e) * sin e ^ 2.
+Lemma turn_by_shape_below : k * asin y <= b * (u * up_turn r u) /\ 0 <= up_turn r u.
+Proof.
+  pose proof (square_between e E0 E1) as U; destruct (sine_square_between e E0 E1) as [[A B] [C D]].
+  destruct (sum_between b r k e B0 B1 R0 R4 KR E0 E1) as [F [_ [G W]]]; fold u in U, A, B, F, G; fold w in F, W.
+  set (L := low_sum r u) in *.
+  assert (P : 0 < / (w + cos e) <= / L).
+  { split; [apply Rinv_0_lt_compat; lra | apply Rinv_le_contravar; lra]. }
+  assert (I : / L <= 10 / 18) by (replace (10 / 18) with (/ (18 / 10)) by field; apply Rinv_le_contravar; lra).
+  assert (Q : 0 < sqrt r) by (apply sqrt_lt_R0; lra); assert (Q2 : sqrt r ^ 2 = r) by (apply pow2_sqrt; lra).
+  assert (S : 0 < sin e ^ 2) by nra.
+  assert (V : 0 < / (w + cos e) * sin e ^ 2 <= 10 / 18 * u) by (fold u in C; nra).
+  assert (Y0 : 0 < y) by (unfold y; rewrite Rmult_assoc; nra).
+  assert (Y1 : y ^ 2 <= r * (10 / 18 * u) ^ 2).
+  { unfold y; rewrite Rmult_assoc, Rpow_mult_distr, Q2; apply Rmult_le_compat_l; [lra | nra]. }
+  assert (Y2 : y <= 3 / 10) by (assert (y ^ 2 <= 4 * (10 / 18 * (1764 / 10000)) ^ 2); nra).
+  pose proof (asin_near y ltac:(lra) Y2) as N.
+  assert (T0 : 0 <= up_time u * / L) by (unfold up_time; assert (0 < / L) by lra; nra).
+  assert (Z : k * y <= b * (u * (up_time u * / L))).
+  { unfold y; replace (k * (sqrt r * / (w + cos e) * sin e ^ 2))
+      with (b * (/ (w + cos e) * sin e ^ 2)) by (rewrite <- KR; ring).
+    apply Rmult_le_compat_l; [lra |]; assert (/ (w + cos e) * sin e ^ 2 <= / L * (u * up_time u)) by nra; nra. }
+  assert (u2 : 0 <= u ^ 2) by nra.
+  assert (X : 0 <= r * u ^ 2 / 15) by nra.
+  split; [| unfold up_turn; fold L; unfold Rdiv at 1; apply Rmult_le_pos; lra].
+  unfold up_turn; fold L; apply Rle_trans with (k * y * (1 + y ^ 2 / 5)); [nra |].
+  replace (b * (u * (up_time u / L * (1 + r * u ^ 2 / 15))))
+    with (b * (u * (up_time u * / L)) * (1 + r * u ^ 2 / 15)) by (unfold Rdiv; ring).
+  assert (0 < k * y) by nra; apply Rmult_le_compat; nra.
+Qed.
+Lemma exponent_by_shape : let q := k * asin y + ln (e * / sin e) + ln (1 / 2 * w + 1 / 2 * cos e) in
+  q <= b * (u * up_turn r u) + u * (up_sine u + up_root r u) /\ - (u * (1 / 10)) <= q.
+Proof.
+  intros q; pose proof (square_between e E0 E1) as U; destruct (sine_square_between e E0 E1) as [_ [_ S]].
+  destruct (sum_between b r k e B0 B1 R0 R4 KR E0 E1) as [F [G [L W]]]; destruct turn_by_shape_below as [T _].
+  pose proof (ratio_above b r k e B0 B1 R0 R4 K KR E0 E1) as Above.
+  fold u in U, F, G, L; fold w in F, G, L, W.
+  destruct (small_sine e) as [[A B] [C _]]; try lra; fold u in A, B, C.
+  assert (I : 0 < / sin e) by (apply Rinv_0_lt_compat; lra).
+  assert (V : ln (e * / sin e) <= u * up_sine u).
+  { apply Rle_trans with (e * / sin e - 1); [apply ln_below; positive |].
+    enough (e * / sin e <= 1 + u * up_sine u) by lra.
+    apply (Rmult_le_reg_r (sin e)); try lra; rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
+    unfold up_sine; apply Rle_trans with (e * (1 - u / 6) * (1 + u * (1 / 6 + u / 34))); [| nra].
+    assert (0 <= u ^ 2 * (1 / 34 - 1 / 36 - u / 204)) by (apply Rmult_le_pos; nra); nra. }
+  assert (X : ln (1 / 2 * w + 1 / 2 * cos e) <= u * up_root r u).
+  { apply Rle_trans with (1 / 2 * w + 1 / 2 * cos e - 1); [apply ln_below; lra | lra]. }
+  split; [unfold q; fold w in T; lra |].
+  fold w y u in Above; fold q in Above.
+  assert (Z : (1 + u / 6) * (1 - u / 4) <= exp q).
+  { eapply Rle_trans; [| exact Above]; rewrite Rmult_assoc.
+    assert (J : 0 < / (w + cos e)) by (apply Rinv_0_lt_compat; lra); assert (S2 : 0 <= sin e ^ 2) by nra.
+    assert (H1 : 0 <= b * sin e ^ 2 / (w + cos e)) by (unfold Rdiv; apply Rmult_le_pos; nra).
+    assert (H2 : (1 + u / 6) * (1 - u / 4) <= (1 + u / 6) * (1 / 2 * w + 1 / 2 * cos e)) by (apply Rmult_le_compat_l; lra).
+    assert (0 <= (1 + u / 6) * (1 - u / 4)) by nra; nra. }
+  set (x := (1 + u / 6) * (1 - u / 4)) in *; assert (X0 : 98 / 100 <= x) by (unfold x; nra).
+  apply Rle_trans with (ln x); [| rewrite <- (ln_exp q); apply ln_rises; lra].
+  pose proof (ln_below (/ x) ltac:(positive)) as N; rewrite ln_Rinv in N by lra.
+  enough (/ x <= 1 + u * (1 / 10)) by lra.
+  apply (Rmult_le_reg_r x); [lra |]; rewrite Rinv_l by lra; unfold x; nra.
+Qed.
+End Flat.
+Ltac corner_by := unfold corner_defect, corner_tangent, sinh, up_turn, low_sum, up_root, up_sine, up_time.
+
+(* It is small against the square root of ab. *)
+Section FlatExponent.
+Variables a b e : R.
+Hypotheses (A : a > 0) (B : b > 0) (P : e > 0) (Q : e < 1 / 2 * PI).
+Hypothesis D : tanh (sqrt (a * b) * (PI + asin (sqrt (b * / (a + b)) * cos e)))
+  = / sqrt (b * / a * sin e ^ 2 + 1) * cos e.
+Hypotheses (B1 : b <= 1) (AB : a * b >= 1 / 4).
+Let r := b * / a.
+Let k := sqrt (a * b).
+Let w := sqrt (r * sin e ^ 2 + 1).
+Lemma flat_exponent q : q = k * asin (sqrt r * / (w + cos e) * sin e ^ 2) + ln (e * / sin e) + ln (1 / 2 * w + 1 / 2 * cos e) ->
+  - (9 / 1000) <= k * q <= 9 / 1000.
+Proof.
+intros Dq.
+destruct (defect_signs a b e A B P Q) as [S [C [R0 [K0 [KR K2]]]]].
+destruct (defect_shape a b A B B1 AB) as [K [R4 RB]].
+pose proof (defect_boxes a b e A B P Q D B1 AB) as X; fold r k in R0, K0, KR, K2, K, R4, RB, X.
+assert (E42 : e <= 42 / 100) by (decompose [and or] X; lra); clear X.
+destruct (exponent_by_shape b r k e) as [V V']; try lra; cbv zeta in V, V'; fold w in V, V'; rewrite <- Dq in V, V'; clear Dq.
+pose proof (corner_bound a b e A B P Q D B1 AB (42 / 100) E42 ltac:(interval)) as [Z Z0]; fold r k in Z, Z0.
+set (h := e ^ 2) in *; assert (U0 : 0 < h) by (unfold h; nra).
+split.
+- assert (corner_defect (42 / 100) r <= 41 / 100) by (clear - R0 R4; corner_by; interval with (i_bisect r)).
+  assert (k * h <= (41 / 100) ^ 2 / 2) by (unfold h; nra); nra.
+- assert (B2 : k * (b * h) = (2 * k * e) ^ 2 / 4 * sqrt r) by (unfold h; rewrite <- KR; field).
+  pose proof (turn_by_shape_below b r k e B B1 R0 R4 K0 KR P E42) as [_ T]; fold h in T.
+  assert (Part : forall n, corner_defect n r <= n -> 2 * k * e <= corner_defect n r -> 0 < corner_defect n r ->
+    (forall v, 0 <= v <= n ^ 2 -> corner_defect n r ^ 2 / 4 * sqrt r * up_turn r v <= 9 / 1000
+      /\ corner_defect n r ^ 2 / 4 * sqrt r * up_turn r v + corner_defect n r ^ 2 / 2 * (up_sine v + up_root r v) <= 9 / 1000) ->
+    k * q <= 9 / 1000).
+  { intros n M F F0 G; set (c := corner_defect n r) in *; assert (e <= c) by nra.
+    destruct (G h ltac:(unfold h; nra)) as [G1 G2].
+    assert (J : (2 * k * e) ^ 2 <= c ^ 2) by (apply pow_incr; nra).
+    apply Rle_trans with (k * (b * h) * up_turn r h + k * h * (up_sine h + up_root r h)); [nra |].
+    rewrite B2; pose proof (sqrt_pos r).
+    assert ((2 * k * e) ^ 2 / 4 * sqrt r * up_turn r h <= c ^ 2 / 4 * sqrt r * up_turn r h)
+      by (repeat apply Rmult_le_compat_r; lra).
+    destruct (Rle_or_lt 0 (up_sine h + up_root r h)) as [S1|S1].
+    - assert (k * h <= c ^ 2 / 2) by (unfold h; nra).
+      assert (k * h * (up_sine h + up_root r h) <= c ^ 2 / 2 * (up_sine h + up_root r h)) by (apply Rmult_le_compat_r; lra); lra.
+    - assert (0 < k * h) by nra; nra. }
+  assert (Next : forall n n', e <= n -> n <= PI / 2 -> corner_defect n r <= n' -> e <= n').
+  { intros n n' M M1 M2; destruct (corner_bound a b e A B P Q D B1 AB n M M1) as [W W0]; fold r k in W, W0; nra. }
+  assert (Fine : forall n, e <= n -> n <= PI / 2 -> corner_defect n r <= n ->
+    (forall v, 0 <= v <= n ^ 2 -> corner_defect n r ^ 2 / 4 * sqrt r * up_turn r v <= 9 / 1000
+      /\ corner_defect n r ^ 2 / 4 * sqrt r * up_turn r v + corner_defect n r ^ 2 / 2 * (up_sine v + up_root r v) <= 9 / 1000) ->
+    k * q <= 9 / 1000).
+  { intros n M M1 M2 G; destruct (corner_bound a b e A B P Q D B1 AB n M M1) as [W W0]; fold r k in W, W0; now apply (Part n). }
+  clear - Next Fine R0 R4 E42.
+  destruct (Rle_or_lt r (4 / 10)) as [L1|L1].
+  { apply (Fine (42 / 100)); [lra | interval | corner_by; interval with (i_bisect r) |].
+    intros v V; split; corner_by; interval with (i_bisect r, i_bisect v). }
+  assert (E2 : e <= 3 / 10) by (apply (Next (42 / 100)); [lra | interval | corner_by; interval with (i_bisect r)]).
+  destruct (Rle_or_lt r 1) as [L2|L2].
+  { apply (Fine (3 / 10)); [lra | interval | corner_by; interval with (i_bisect r) |].
+    intros v V; split; corner_by; interval with (i_bisect r, i_bisect v, i_depth 30). }
+  assert (E3 : e <= 213 / 1000) by (apply (Next (3 / 10)); [lra | interval | corner_by; interval with (i_bisect r)]).
+  destruct (Rle_or_lt r (3 / 2)) as [L3|L3].
+  { apply (Fine (213 / 1000)); [lra | interval | corner_by; interval with (i_bisect r) |].
+    intros v V; split; corner_by; interval with (i_bisect r, i_bisect v, i_depth 30). }
+  assert (E4 : e <= 185 / 1000) by (apply (Next (213 / 1000)); [lra | interval | corner_by; interval with (i_bisect r)]).
+  apply (Fine (185 / 1000)); [lra | interval | corner_by; interval with (i_bisect r) |].
+  intros v V; split; corner_by; interval with (i_bisect r, i_bisect v, i_depth 30).
+Qed.
+End FlatExponent.
+
+(* The factors of the slope of the defect at the separatrix, by the square of the defect. *)
+Definition up_w (r u : R) : R := r * up_time u / 2 - r ^ 2 * u * up_time u ^ 2 / 8 + r ^ 3 * u ^ 2 * up_time u ^ 3 / 16.
+Definition sine_loss (u : R) : R := 1 / 6 - u / 120.
+Definition turn_slope (a b e : R) : R :=
+  (-1) / 4 * / sqrt (a * b) ^ 3 * (a + (-1) * b + (-2) * a * b) * ln (/ sin e * (sqrt (a + b * sin e ^ 2) + sqrt a * cos e))
+  + 1 / 4 * / sqrt (a * b) ^ 3 * (a + (-1) * b + (-2) * a * b) * ln (sqrt (a + b))
+  + (-1) / 4 * / a * / sqrt b ^ 3 * sqrt (a + b * sin e ^ 2) * / sin e ^ 2 * cos e.
+Section Slope.
+Variables a b e : R.
+Hypotheses (A : a > 0) (B : b > 0) (P : e > 0) (Q : e < 1 / 2 * PI).
+Hypothesis D : tanh (sqrt (a * b) * (PI + asin (sqrt (b * / (a + b)) * cos e)))
+  = / sqrt (b * / a * sin e ^ 2 + 1) * cos e.
+Let r := b * / a.
+Let k := sqrt (a * b).
+Let w := sqrt (r * sin e ^ 2 + 1).
+Let p := PI + asin (sqrt (b * / (a + b)) * cos e).
+Lemma roots_of_shape : sqrt a ^ 2 = a /\ sqrt b ^ 2 = b /\ 0 < sqrt a /\ 0 < sqrt b /\ k = sqrt a * sqrt b
+  /\ sqrt (a + b * sin e ^ 2) = sqrt a * w /\ sqrt (a + b) = sqrt a * sqrt (r + 1).
+Proof.
+  destruct (defect_signs a b e A B P Q) as [S [C [R0 _]]]; fold r in R0; pose proof (pow2_ge_0 (sin e)).
+  repeat split; try (apply pow2_sqrt; lra); try (apply sqrt_lt_R0; lra).
+  - unfold k; apply sqrt_mult; lra.
+  - unfold w; rewrite <- sqrt_mult by nra; f_equal; unfold r; field; lra.
+  - rewrite <- sqrt_mult by nra; f_equal; unfold r; field; lra.
+Qed.
+Lemma per_turn_is : sqrt b * / ((-1) * b * sin e ^ 2 + 1) * sqrt (a + b * sin e ^ 2) * sin e
+  = k * (w * sin e * / (1 - b * sin e ^ 2)).
+Proof.
+  destruct roots_of_shape as [_ [_ [_ [_ [K [E _]]]]]]; rewrite E, K.
+  replace ((-1) * b * sin e ^ 2 + 1) with (1 - b * sin e ^ 2) by ring; ring.
+Qed.
+Lemma turn_slope_is : turn_slope a b e = / (4 * b * k) * (- (w * cos e * / sin e ^ 2) + (2 * b + r - 1) * (k * p)).
+Proof.
+  destruct roots_of_shape as [A2 [B2 [A0 [B0 [K [E F]]]]]].
+  destruct (defect_signs a b e A B P Q) as [S [C [R0 [K0 [_ K2]]]]]; fold r in R0; fold k in K0, K2.
+  destruct (root_facts a b e A B) as [W [Q0 _]]; fold r in W, Q0; fold w in W.
+  pose proof (decay a b _ e A B S C D) as Y; fold r k p in Y; fold w in Y.
+  assert (L : ln (/ sin e * (sqrt (a + b * sin e ^ 2) + sqrt a * cos e)) - ln (sqrt (a + b)) = k * p).
+  { rewrite E, F; replace (/ sin e * (sqrt a * w + sqrt a * cos e)) with (sqrt a * ((w + cos e) * / sin e)) by ring.
+    rewrite !ln_mult by (first [positive | apply Rmult_lt_0_compat; [lra | positive]]).
+    assert (Z : k * p = - ln (sqrt (r + 1) * / (w + cos e) * sin e)) by (rewrite <- Y, ln_exp; ring).
+    rewrite Z; rewrite !ln_mult, !ln_Rinv by (first [lra | positive | apply Rinv_0_lt_compat; lra | apply Rmult_lt_0_compat; [lra | apply Rinv_0_lt_compat; lra]]); ring. }
+  unfold turn_slope; fold k; rewrite <- L, E.
+  set (l1 := ln _); set (l2 := ln _).
+  replace ((-1) / 4 * / a * / sqrt b ^ 3 * (sqrt a * w) * / sin e ^ 2 * cos e) with (/ (4 * b * k) * (- (w * cos e * / sin e ^ 2))).
+  - replace (/ k ^ 3) with (/ k * / (a * b)) by (rewrite <- K2; field; lra).
+    unfold r; field; repeat split; lra.
+  - rewrite K; replace (sqrt b ^ 3) with (sqrt b * b) by (rewrite <- B2 at 2; ring).
+    replace (/ a) with (/ (sqrt a * sqrt a)) by (f_equal; rewrite <- A2 at 3; ring); field; repeat split; lra.
+Qed.
+Hypotheses (B1 : b <= 1) (R4 : r <= 4) (E1 : e <= 42 / 100).
+Let u := e ^ 2.
+Lemma factors_between : 0 < u <= 1764 / 10000 /\ e * (1 - u / 6) <= sin e <= e * (1 - u * sine_loss u)
+  /\ u - u ^ 2 / 3 <= sin e ^ 2 <= u * up_time u /\ sin e ^ 2 <= u
+  /\ 1 <= w <= 1 + u * up_w r u /\ 1 - u / 2 <= cos e /\ 0 < sin e /\ 0 < cos e.
+Proof.
+  destruct (defect_signs a b e A B P Q) as [S [C [R0 [K0 [KR _]]]]]; fold r in R0, KR; fold k in K0, KR.
+  pose proof (square_between e P E1) as U; destruct (sine_square_between e P E1) as [[S1 S2] [S3 _]]; fold u in U, S1, S2, S3.
+  destruct (small_sine e) as [[S4 S5] [S6 _]]; try lra; fold u in S4, S5, S6.
+  replace (e ^ 4) with (u ^ 2) in S5 by (unfold u; ring).
+  destruct (sum_between b r k e B B1 R0 R4 KR P E1) as [_ [_ [_ W]]]; fold w in W.
+  assert (T : 0 <= up_time u <= 1) by (unfold up_time; nra).
+  repeat split; try lra; try (unfold sine_loss; nra); try assumption.
+  set (x := r * u * up_time u); assert (X : 0 <= x <= 1).
+  { unfold x; assert (0 <= r * u <= 1) by nra; nra. }
+  replace (1 + u * up_w r u) with (1 + x / 2 - x ^ 2 / 8 + x ^ 3 / 16) by (unfold x, up_w; field).
+  assert (0 <= x ^ 2 <= 1) by nra; assert (0 <= x ^ 3) by (apply pow_le; lra).
+  apply above_sqrt; [nra |]; apply Rle_trans with (1 + x); [unfold x; nra |].
+  enough (0 <= x ^ 4 * (5 / 64 - x / 64 + x ^ 2 / 256)) by nra.
+  apply Rmult_le_pos; [apply pow_le; lra | nra].
+Qed.
+Lemma per_turn_between : let t := w * sin e * / (1 - b * sin e ^ 2) in
+  e * (1 - u / 6) * (1 + b * (u - u ^ 2 / 3)) <= t
+  /\ t * (1 - b * (u * up_time u)) <= e * (1 - u * sine_loss u) * (1 + u * up_w r u) /\ 0 < t
+  /\ 0 < 1 - b * (u * up_time u).
+Proof.
+  intros t; destruct factors_between as [U [S [S2 [S3 [W [C [S0 C0]]]]]]].
+  assert (T : 0 <= up_time u <= 1) by (unfold up_time; nra).
+  assert (V : 0 < 1 - b * (u * up_time u) <= 1 - b * sin e ^ 2) by (assert (0 <= u * up_time u <= 1764 / 10000) by nra; nra).
+  assert (J : t * (1 - b * sin e ^ 2) = w * sin e) by (unfold t; field; lra).
+  assert (J1 : 0 < t) by (unfold t; apply Rmult_lt_0_compat; [nra | apply Rinv_0_lt_compat; lra]).
+  repeat split; try lra.
+  - apply Rle_trans with (sin e * (1 + b * sin e ^ 2)).
+    + assert (V2 : 0 <= u - u ^ 2 / 3) by nra; assert (V3 : 0 < e * (1 - u / 6)) by (apply Rmult_lt_0_compat; lra).
+      assert (0 <= b * (u - u ^ 2 / 3)) by (apply Rmult_le_pos; lra); apply Rmult_le_compat; try lra.
+      apply Rplus_le_compat_l, Rmult_le_compat_l; lra.
+    + assert (X : 0 <= b * sin e ^ 2) by nra; assert (Y : sin e <= t * (1 - b * sin e ^ 2)) by (rewrite J; nra).
+      set (x := b * sin e ^ 2) in *; clearbody x; apply (Rmult_le_compat_r (1 + x)) in Y; [| lra].
+      assert (0 <= t * x ^ 2) by (apply Rmult_le_pos; nra); nra.
+  - apply Rle_trans with (sin e * w); [nra |]; apply Rmult_le_compat; lra.
+Qed.
+End Slope.
+
 Lemma printed_above a e : a >= 100 -> e > 0 -> e < 1 / 2 * PI ->
   tanh (sqrt (a * 1) * (PI + asin (sqrt (1 * / (a + 1)) * cos e))) = / sqrt (1 * / a * sin e ^ 2 + 1) * cos e ->
   exp (- (PI * sqrt (a * 1))) ^ 2

@@ -41,6 +41,7 @@ def test_what_implies_it(claim: str, left: str) -> None:
         ("tanh(x) < x given x > 0", "from_left_gt"),
         ("exp(x) > 1 + x given x < 0", "from_right_gt"),
         ("exp(x) > x given x >= 0", "from_left_start_gt"),
+        ("sinh(x)/x > 1 given x > 0", "sig_2"),
     ],
 )
 def test_the_way_of_the_prover_of_signs(claim: str, words: str) -> None:
@@ -55,9 +56,15 @@ def test_the_way_of_the_prover_of_signs(claim: str, words: str) -> None:
         ("a**2*b + b**2*c + c**2*a >= 3*a*b*c given a > 0, b > 0, c > 0", True),
         ("log(x) >= 1 - 1/x", True),
         ("x/(1+x) < log(1+x) given x > 0", True),
+        ("sin(x) < x given x > 0", True),
+        ("x*exp(-x) <= 1/exp(1)", True),
+        ("sinh(x)/x > 1 given x > 0", True),
+        ("sinh(x) > x given x > -1", False),
+        ("sin(x) < x given x >= 0", False),
+        ("x*exp(-x) <= 9/25", False),
         ("x/(1+x) < log(1+x) given x > -1", False),
         ("exp(x) >= 1 + x + x**2/2 given x >= -1/100", False),
     ],
 )
 def test_coq_accepts_what_is_true_alone(claim: str, true: bool) -> None:
-    assert export(theorems(read(claim)), 60).accepted is true
+    assert export(theorems(read(claim)), 300).accepted is true

@@ -12,7 +12,7 @@ from contextlib import closing
 from pathlib import Path
 from typing import Any
 
-from tresym.commands.parser import Commands
+from tresym.commands.parser import Commands, add_options
 from tresym.reals.numbers.exact import InputError
 
 
@@ -23,21 +23,14 @@ def add(commands: Commands) -> None:
         help="export the ledger to Coq",
         description="Write each claim as a theorem of Coq with its proof: one file per part of the "
         "proofs, a Makefile that has Coq check them, and index.json.",
-        allow_abbrev=False,
     )
     parser.add_argument("labels", nargs="*", metavar="LABEL", help="claims, such as eq_gamma")
     parser.add_argument("--coq", required=True, metavar="DIR", help="the folder to write")
-    parser.add_argument(
-        "--search",
-        action="store_true",
-        help="search for missing proofs with coqtop, and store them",
+    add_options(
+        parser,
+        ("--search", "search for missing proofs with coqtop, and store them"),
+        ("--check", "store that Coq has checked the files there, whose make printed into said.txt"),
     )
-    parser.add_argument(
-        "--check",
-        action="store_true",
-        help="store that Coq has checked the files there, whose make printed into said.txt",
-    )
-    parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:

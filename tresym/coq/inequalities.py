@@ -487,7 +487,7 @@ def _about(theorem: Theorem, d: Expr, given: Given, name: str, c: Expr) -> list[
     inside = opened(Given(tuple(c for c in given.comparisons if c[1] != "!=")), name)
     sides = [1] * (beside not in ("-", "<=0")) + [-1] * (beside not in ("+", ">=0"))
     strict, apart = theorem.relation not in ("<=", ">="), beside in ("+", "-")
-    chain, start = [d], None
+    chain, start, weak = [d], None, list[str]()
     for k in range(MAX_ORDER + 1):
         fit = [UP if side > 0 or k % 2 == 0 else DOWN for side in sides]
         last = sign_inside(chain[k], inside)
@@ -495,16 +495,19 @@ def _about(theorem: Theorem, d: Expr, given: Given, name: str, c: Expr) -> list[
             if strict and start is None:
                 start = k if apart and all(last == signs[0] for signs in fit) else -1
             first = start if strict and start is not None else -1
-            return [_chain(theorem, chain, mode, name, c, sides, first) for mode in range(4)]
+            found = [_chain(theorem, chain, mode, name, c, sides, first) for mode in range(4)]
+            if first >= 0 or not (strict and apart):
+                return found
+            start, weak = None, weak or found  # a higher derivative may show that it is strict
         at = sign_inside(substitute(chain[k], {name: c}), inside)
         if not all(at in signs for signs in fit):
-            return []
+            return weak
         if start is None and (apart or not k) and all(at == signs[0] for signs in fit):
             start = k
         chain.append(differentiate(chain[k], name))
         if chain[-1].size > MAX_SIZE:
-            return []
-    return []
+            return weak
+    return weak
 
 
 def last_step(
@@ -518,7 +521,8 @@ def last_step(
 ) -> str:
     """Return the sign of the last derivative at another point."""
     if mode == 0:
-        return f"facts; first [positive | lra | nra{' | beside' * strict}]."
+        sine = f"pose proof pi_between; apply sin_g{'t' if strict else 'e'}_0; lra"
+        return f"facts; first [positive | lra | nra{' | beside' * strict} | {sine}]."
     theorem = replace(theorem, given=(*theorem.given, *between))
     moved = substitute(e if up else -e, {name: POINT})
     if mode == 3:
@@ -573,7 +577,7 @@ def _chain(
             lemma += ("_gt" if up else "_lt") if k <= start else "_ge" if up else "_le"
             block.append(
                 f"{{ intros v_point ?; apply ({lemma} fun_{k} fun_{k + 1} {base} v_point); "
-                f"[lra | | | unfold fun_{k}; base_value]; intros v_next ?; "
+                f"[lra | | | unfold fun_{k}; first [base_value | base_powers]]; intros v_next ?; "
                 f"[unfold fun_{k}, fun_{k + 1}; eapply d_eq; [derive; hard | tidy; slope] "
                 f"| apply sig_{k + 1}; lra]. }}"
             )

@@ -14,6 +14,7 @@ from tresym.coq.linear_dependence import expanded
 from tresym.coq.statement import Theorem, term
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.operation_domains import with_domain
+from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     ONE,
     PI,
@@ -28,6 +29,8 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.language.formula import Relation
+from tresym.reals.language.solve import solutions
+from tresym.reals.normal.to_expression import numerator
 from tresym.reals.signs.sign import directly, sign
 
 
@@ -79,7 +82,7 @@ def reductions(theorem: Theorem) -> Iterator[Reduction]:
     yield from found
     if found:
         return
-    for ways in (by_turns, by_logarithms, by_exponentials, by_clearing, by_squares):
+    for ways in (by_turns, by_logarithms, by_exponentials, by_clearing, by_squares, by_cut):
         for way in ways(t):
             if all(map(is_likely, way.steps)):
                 yield way
@@ -306,4 +309,24 @@ def by_squares(t: Theorem) -> Iterator[Reduction]:
         yield Reduction(
             (step, *extra),
             f"assert (way : {goal}) by ({proof}). {joined}first [lra | nra].",
+        )
+
+
+def by_cut(t: Theorem) -> Iterator[Reduction]:
+    """Cut the range of the only variable at a rational zero of the slope, or at 2."""
+    d, cut = t.right - t.left, " (cut)"
+    if t.name.endswith(cut) or len(symbols(d)) != 1:
+        return
+    (name,), given = symbols(d), known(t)
+    slope, x = differentiate(d, name), symbol(name)
+    zeros = (*solutions(slope, name), *solutions(numerator(slope, given), name))
+    for c in dict.fromkeys((*zeros, number(2))):
+        parts = [(x, "<=", c), (x, ">=", c)]
+        if c.op != "number" or sign(x - c, given) is not None:
+            continue
+        text, done = f"Rle_or_lt {term(x, 3)} {term(c, 3)}", "ltac:(lra)); lra"
+        yield Reduction(
+            tuple(replace(t, name=t.name + cut, given=(*t.given, part)) for part in parts),
+            f"destruct ({text}); [specialize (step_1 {done} | specialize (step_2 {done}].",
+            only=(f"{term(x)} <= {term(c)}", f"{term(x)} >= {term(c)}"),
         )

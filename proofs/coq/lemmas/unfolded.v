@@ -190,3 +190,58 @@ Proof.
   exists v; split; [| replace (1 / 2 * PI) with (PI / 2) by field; exact W].
   eapply is_RInt_ext; [| exact V]; intros t _; unfold u_plain; do 3 f_equal; f_equal; ring.
 Qed.
+(* An integral without parameters, to three digits. *)
+Ltac estimated := match goal with |- context [RInt ?f ?u ?v] =>
+  let H := fresh "M" in integral_intro (RInt f u v) with (i_prec 30, i_relwidth 10, i_degree 8) as H;
+  generalize dependent (RInt f u v); intros end.
+(* How long a turn from a start takes, by those from the ends of an interval on one level each. *)
+Section Starts.
+Variables a b : R.
+Hypotheses (A : 0 < a) (B : 0 < b) (B1 : b <= 1).
+Lemma u_plain_positive c t : 0 < c -> 0 <= u_plain a b c t.
+Proof.
+  intros C; pose proof (sine_square_at_most_one t); assert (P : 0 < a + b * sin t ^ 2) by nra.
+  assert (Q : 0 < c + b * sin t ^ 2) by nra; pose proof (sqrt_lt_R0 _ P); pose proof (sqrt_lt_R0 _ Q).
+  unfold u_plain; apply Rmult_le_pos; [left; positive | nra].
+Qed.
+Lemma u_plain_falls c d t : 0 < c -> c <= d -> u_plain a b d t <= u_plain a b c t.
+Proof.
+  intros C D; pose proof (sine_square_at_most_one t); assert (P : 0 < a + b * sin t ^ 2) by nra.
+  assert (Q : 0 < c + b * sin t ^ 2) by nra; pose proof (sqrt_lt_R0 _ P); pose proof (sqrt_lt_R0 _ Q).
+  unfold u_plain; apply Rmult_le_compat_r; [nra |]; apply Rmult_le_compat_l; [left; positive |].
+  apply Rinv_le_contravar; [assumption | apply sqrt_le_1_alt; lra].
+Qed.
+Lemma u_plain_on c p q : 0 < c -> continuous_on (u_plain a b c) p q.
+Proof. intros C t _; pose proof (pow2_ge_0 (sin t)); apply (u_plain_continuous a b (- b / 2)); nra. Qed.
+Lemma u_plain_wider c p x y q : 0 < c -> p <= x -> x <= y -> y <= q ->
+  RInt (u_plain a b c) x y <= RInt (u_plain a b c) p q.
+Proof.
+  intros C X Y Q; rewrite (integral_cut _ p x q), (integral_cut _ x y q) by now apply u_plain_on.
+  assert (K : forall l h, l <= h -> 0 <= RInt (u_plain a b c) l h).
+  { intros l h H; apply integral_nonnegative; [exact H | now apply u_plain_on |]; intros t _; now apply u_plain_positive. }
+  pose proof (K p x X); pose proof (K y q Q); lra.
+Qed.
+Lemma starts_below c d p x q y : 0 < c -> c <= d -> p <= x -> x <= q -> 0 <= y ->
+  RInt (u_plain a b d) x (x + y) <= RInt (u_plain a b c) p (q + y).
+Proof.
+  intros C D X Q Y; apply Rle_trans with (RInt (u_plain a b c) x (x + y)); [| apply u_plain_wider; lra].
+  apply integral_le; [lra | apply u_plain_on; lra | now apply u_plain_on |]; intros t _; now apply u_plain_falls.
+Qed.
+Lemma starts_above c d p x q y : 0 < c -> c <= d -> p <= x -> x <= q -> q <= p + y ->
+  RInt (u_plain a b d) q (p + y) <= RInt (u_plain a b c) x (x + y).
+Proof.
+  intros C D X Q Y; apply Rle_trans with (RInt (u_plain a b d) x (x + y)); [apply u_plain_wider; lra |].
+  apply integral_le; [lra | apply u_plain_on; lra | now apply u_plain_on |]; intros t _; now apply u_plain_falls.
+Qed.
+(* The level of a start. *)
+Definition start_level (x v : R) : R :=
+  (-1) * b * sin x ^ 2 + v ^ 2 * ((-1) * b * sin x ^ 2 + 1) ^ 2 * / (a + b * sin x ^ 2).
+Lemma start_turn x v y : 0 < start_level x v ->
+  is_RInt (fun t : R => / (sqrt (a + b * sin t ^ 2)) * / (sqrt (b * sin t ^ 2 + (-1) * b * sin x ^ 2
+    + v ^ 2 * ((-1) * b * sin x ^ 2 + 1) ^ 2 * / (a + b * sin x ^ 2))) * ((-1) * b * sin t ^ 2 + 1))
+    x (x + y) (RInt (u_plain a b (start_level x v)) x (x + y)).
+Proof.
+  intros C; eapply is_RInt_ext; [| apply integral_correct, u_plain_on, C].
+  intros t _; unfold u_plain, start_level; do 4 f_equal; ring.
+Qed.
+End Starts.

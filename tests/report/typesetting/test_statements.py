@@ -5,10 +5,11 @@ from __future__ import annotations
 import ast
 import json
 from collections.abc import Callable
+from contextlib import redirect_stdout
+from io import StringIO
 from pathlib import Path
 
 import pytest
-from rich.console import Console
 from sympy import Symbol
 
 import tresym
@@ -92,11 +93,9 @@ _records: list[pages.Record] = []
 
 
 def _at_the_terminal(report: Report, label: str) -> str:
-    console = Console(width=10_000, highlight=False, record=True, quiet=True)
-    with console.capture() as capture:
-        console.quiet = False
-        show_verification((label,), console)
-    return capture.get()
+    with redirect_stdout(StringIO()) as shown:
+        show_verification((label,), width=10_000)
+    return shown.getvalue()
 
 
 PLACES: dict[str, tuple[Callable[[Report, str], str], Callable[[Claim], str]]] = {

@@ -173,7 +173,7 @@ def _in_cells(difference: Expr, region: Given) -> Iterator[dict[str, fmpq]]:
     """Yield a point of each open cell in which the polynomial difference is negative."""
     with suppress(TooLargeError):
         found = cells(difference, region)
-        if found is not None and found.against is not None:
+        if found is not None and found.against:
             yield dict(found.against)
 
 

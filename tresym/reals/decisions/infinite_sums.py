@@ -11,12 +11,13 @@ from dataclasses import replace
 
 from tresym.reals.decisions.answer import Answer, Decide
 from tresym.reals.decisions.finite_sums import first_terms
-from tresym.reals.decisions.known_series import Quoted, quoted_total
+from tresym.reals.decisions.known_values import Known, known_value
 from tresym.reals.decisions.power_series import decide_power_series
 from tresym.reals.decisions.statement import Comparison, Statement
 from tresym.reals.language.binders import is_infinite, outermost
 from tresym.reals.language.expression import (
     Expr,
+    opened,
     replaced,
     symbols,
 )
@@ -43,10 +44,10 @@ def decide_infinite(claim: Comparison, statement: Statement, decided: Decide) ->
             found = decide_power_series(side, nodes[0], statement.given)
             if found or found.verdict is Verdict.REFUTED:
                 return _as_claimed(found, claim, nodes[0])
-    known: dict[Expr, Quoted] = {}
-    others = [claim.left, claim.right]
+    known: dict[Expr, Known] = {}
     for node in dict.fromkeys(nodes):
-        form = quoted_total(node, others, statement.given)
+        (k,), body = opened(node, statement.given.names)
+        form = known_value(node.op, body, k, node.args[1], node.args[2], statement.given)
         if form is None and limit:
             return Answer(Verdict.UNDECIDED, f"{node}: no known theorem gives its value")
         if form is None:
@@ -68,7 +69,7 @@ def _as_claimed(found: Answer, claim: Comparison, series: Expr) -> Answer:
 
 
 def with_values(
-    claim: Comparison, statement: Statement, known: dict[Expr, Quoted], decided: Decide
+    claim: Comparison, statement: Statement, known: dict[Expr, Known], decided: Decide
 ) -> Answer:
     """Decide the claim with the values of the series according to quoted theorems."""
     values = {node: form.value for node, form in known.items()}

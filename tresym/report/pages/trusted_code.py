@@ -92,7 +92,7 @@ RECHECKED = {
     ),
     "its result is checked: products multiplied out, subdivisions replayed, steps proved": (
         *("reals.normal.denesting", "reals.balls.branch_and_bound._found"),
-        *("reals.signs.transformations.equivalents", "reals.signs.homogenisation.ways"),
+        "reals.signs.transformations.equivalents",
         *("reals.signs.structural.Parts._ways", "reals.signs.structural.Parts._multiples"),
         *("reals.domain.binder_values._found", "reals.domain.binder_values._change"),
         "reals.decisions.antiderivatives",
@@ -116,10 +116,7 @@ RECHECKED = {
         "reals.numbers.exact.Interval.simplest",
     ),
     "it only skips a search that would fail, or estimates the cost of one": (
-        *(
-            "reals.normal.ranges.ProvingRing._changes_sign",
-            "reals.signs.orthant_cones._fails_at_vertex",
-        ),
+        "reals.normal.ranges.ProvingRing._changes_sign",
         *("reals.decisions.identity._generator_count", "reals.signs.taylor._seen"),
     ),
     "it can only refute": (

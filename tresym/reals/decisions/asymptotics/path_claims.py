@@ -35,7 +35,7 @@ from tresym.reals.decisions.integer_variables import (
     residue_of,
     with_integer_bounds,
 )
-from tresym.reals.decisions.readable_witnesses import simple_points
+from tresym.reals.decisions.readable_witnesses import decided_at, simple_points
 from tresym.reals.decisions.statement import Comparison, Path, Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate, stands
@@ -53,7 +53,6 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.exact import InputError
 from tresym.reals.signs.interior import PROVING
 from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
@@ -199,19 +198,11 @@ def _with_parameters(
             "no values of the parameters were found that satisfy the "
             "conditions; check the conditions",
         )
-    for at in (*simple_points(names, given, PARAMETERS), *_at_ends(claim, path, names, given)):
-        put_in = partial(substitute, mapping={name: number(v) for name, v in at.items()})
-        try:
-            fixed = replace(statement.mapped(put_in), given=Given())
-            found = decide_tending(claim.mapped(put_in), fixed, decided)
-        except InputError:  # a number on the way is too long
-            continue
-        if found.verdict is Verdict.REFUTED:
-            witness = {name: exact_text(value) for name, value in at.items()}
-            shown = ", ".join(f"{name} = {value}" for name, value in witness.items())
-            return replace(
-                found, why=f"at {shown}: {found.why}", witness=witness | dict(found.witness or {})
-            )
+    points = (*simple_points(names, given, PARAMETERS), *_at_ends(claim, path, names, given))
+    exact = ({name: number(value) for name, value in at.items()} for at in points)
+    found, _ = decided_at(exact, claim, statement, partial(decide_tending, decided=decided))
+    if found is not None:
+        return found
     inside, _ = where_real(given, claim.differentiated, claim.by)
     if claim.derivatives and inside != given:
         return Answer(Verdict.UNDECIDED, _OPEN)
