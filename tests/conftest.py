@@ -75,6 +75,20 @@ def no_suggestions(request: pytest.FixtureRequest) -> Iterator[None]:
         yield
 
 
+LONGEST = (
+    *("ledger/test_verification.py", "commands/test_hostile.py", "site/test_in_the_browser.py"),
+    *("site/test_explorer.py", "report/figures/test_figures.py", "sweep/test_sweep.py"),
+    *("test_packaging.py", "report/pages/test_documents_about.py", "dev/bench/test_bench.py"),
+    *("reals/decisions/test_dispatch.py", "dev/corpus/test_lists.py", "proofs/test_asymptotics.py"),
+)
+"""Begun first, so that no process is left with one of them while the others have nothing to do."""
+
+
+def _turn(item: pytest.Item) -> int:
+    inner = item.path.relative_to(TESTS).as_posix()
+    return LONGEST.index(inner) if inner in LONGEST else len(LONGEST)
+
+
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
     """Whether a folder need not be read: it has no quick tests, and no others are wanted."""
     if config.option.markexpr != "quick" or collection_path.parent != TESTS:
@@ -96,6 +110,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     if finished:
         config.hook.pytest_deselected(items=[item for item in items if item.nodeid in finished])
         items[:] = [item for item in items if item.nodeid not in finished]
+    items.sort(key=_turn)
 
 
 def pytest_runtest_logreport(report: pytest.TestReport) -> None:
