@@ -131,8 +131,7 @@ def test_what_is_not_spoken_of_is_not_decided(claim: str) -> None:
 def test_induction_needs_its_base_and_its_step(claim: str, least: int) -> None:
     statement = read(claim, "n integer")
     (comparison,) = statement.comparisons
-    ends = {comparison.left: _end(comparison.left)}
-    assert not _induction(comparison, statement, "n", least, ends, _bounded)
+    assert not _induction(comparison, statement, "n", least, _bounded)
 
 
 def test_terms_that_know_the_end_are_not_added_to_what_was() -> None:

@@ -22,7 +22,7 @@ from tresym.reals.decisions.answer import Answer, Decide, worst
 from tresym.reals.decisions.asymptotics.limit_values import limit_of
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.known_values import known_value
-from tresym.reals.decisions.readable_witnesses import constants_hold, tidied
+from tresym.reals.decisions.readable_witnesses import decided_at, tidied
 from tresym.reals.decisions.statement import Comparison, Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.operation_domains import operations
@@ -70,8 +70,9 @@ def decide_totals(claim: Comparison, statement: Statement, decided: Decide) -> A
     """
     if claim.derivatives or statement.path is not None:
         return Answer(Verdict.UNDECIDED, "derivatives and limits of sums are not supported")
-    long = _long_totals(claim, statement, decided)
-    claim = claim.mapped(partial(replaced, known=long))
+    long = [node for node in _nodes(claim) if _is_long(*map(integer, node.args[1:]))]
+    known = _closed_forms(long, claim, statement, decided)
+    claim = claim.mapped(partial(replaced, known=known))
     try:
         claim = replace(claim, left=written_out(claim.left), right=written_out(claim.right))
     except InputError as error:
@@ -80,55 +81,33 @@ def decide_totals(claim: Comparison, statement: Statement, decided: Decide) -> A
     if not nodes:
         return decided(claim, statement)
     parts = {node: opened(node, statement.given.names) for node in nodes}
-    known = {
+    theorems = {
         node: known_value(node.op, body, k, node.args[1], node.args[2], statement.given)
         for node, ((k,), body) in parts.items()
     }
-    values = {node: theorem.value for node, theorem in known.items() if theorem is not None}
-    if values:
-        answer = decided(claim.mapped(partial(replaced, known=values)), statement)
-        said = "; ".join(f"{node} = {value} by DLMF 4.21.35" for node, value in values.items())
-        return replace(answer, why=f"{said}; {answer.why}")
-    ends = {node: _end(node) for node in nodes}
-    names = {end[0] for end in ends.values() if end is not None}
-    if None in ends.values() or len(names) != 1:
+    known = {node: theorem.value for node, theorem in theorems.items() if theorem is not None}
+    if known:
+        return _with_values(known, "by DLMF 4.21.35", claim, statement, decided)
+    ends = list(map(_end, nodes))
+    names = {end[0] for end in ends if end is not None}
+    if None in ends or len(names) != 1:
         return Answer(
             Verdict.UNDECIDED,
             "sums are supported from an integer to n + c, with the same n in all sums and without "
             "nested sums",
         )
     (n,) = names
-    least = max(end[2] - 1 - end[1] for end in ends.values() if end is not None)
+    least = max(end[2] - 1 - end[1] for end in ends if end is not None)
     plain, least = from_on(statement, n, least)
     found = _looked_at(claim, statement, n, least, decided)
     if found is not None:
         return found
-    answer = _induction(claim, plain, n, least, ends, decided)
-    if answer:
+    answer = _induction(claim, plain, n, least, decided)
+    known = {} if answer else _closed_forms(nodes, claim, plain, decided)
+    if answer or len(known) < len({*nodes}):
         return answer
-    found = _by_closed_forms(claim, statement, plain, n, least, ends, decided)
-    return answer if found is None else found
-
-
-def _long_totals(claim: Comparison, statement: Statement, decided: Decide) -> dict[Expr, Expr]:
-    """Return the long sums with their values, by closed forms proved by induction."""
-    from tresym.reals.decisions.antiderivatives import summed
-
-    known: dict[Expr, Expr] = {}
-    n = fresh("n", symbols(claim.left) | symbols(claim.right) | statement.given.names)
-    for node in _nodes(claim):
-        low, high = (integer(end) for end in node.args[1:])
-        if low is None or high is None or high - low < TERMS:
-            continue
-        (k,), body = opened(node)
-        part = total(node.op, body, k, node.args[1], symbol(n))
-        whole = replace(statement, integers=(*statement.integers, n))
-        for form in summed(node.op, body, k, node.args[1], symbol(n)):
-            same = Comparison(part, "==", form)
-            if _induction(same, whole, n, low - 1, {part: _end(part)}, decided):
-                known[node] = substitute(form, {n: number(high)})
-                break
-    return known
+    given = statement.given & Given(((symbol(n), ">=", number(least)),))
+    return _with_values(known, "by induction", claim, replace(statement, given=given), decided)
 
 
 def first_terms(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
@@ -137,36 +116,45 @@ def first_terms(claim: Comparison, statement: Statement, decided: Decide) -> Ans
     Args:
         decided: the procedure for claims without series.
     """
+    nodes = _nodes(claim)
+    if any(node.args[2] != INFINITY or integer(node.args[1]) is None for node in nodes):
+        return Answer(Verdict.UNDECIDED, "a series must run from an integer to oo")
+    known = _closed_forms(nodes, claim, statement, decided)
+    if left := [node for node in nodes if node not in known]:
+        why = f"{left[0]}: no closed form of its partial sums could be proved"
+        return Answer(Verdict.UNDECIDED, why)
+    return _with_values(known, "the limit of the partial sums", claim, statement, decided)
+
+
+def _with_values(
+    known: dict[Expr, Expr], how: str, claim: Comparison, statement: Statement, decided: Decide
+) -> Answer:
+    found = decided(claim.mapped(partial(replaced, known=known)), statement)
+    values = ", ".join(f"{node} = {value}" for node, value in known.items())
+    return replace(found, why=f"{values}, {how}; {found.why}", region=None)
+
+
+def _closed_forms(
+    nodes: list[Expr], claim: Comparison, statement: Statement, decided: Decide
+) -> dict[Expr, Expr]:
+    """Return values of sums by closed forms from SymPy for any end m, proved by induction."""
     from tresym.reals.decisions.antiderivatives import summed
 
-    nodes = _nodes(claim)
     known: dict[Expr, Expr] = {}
-    taken = symbols(claim.left) | symbols(claim.right) | statement.given.names
-    n = fresh("n", taken)
-    for node in nodes:
-        (k,), body = opened(node)
-        low = integer(node.args[1])
-        if node.args[2] != INFINITY or low is None:
-            return Answer(Verdict.UNDECIDED, "a series must run from an integer to oo")
-        first = total(node.op, body, k, node.args[1], symbol(n))
-        for form in summed(node.op, body, k, node.args[1], symbol(n)):
-            whole = replace(statement, integers=(*statement.integers, n))
-            value = _tends(form, n, statement.given)
-            if (
-                value is not None
-                and decide_totals(Comparison(first, "==", form), whole, decided).verdict
-                is Verdict.PROVED
-            ):
+    m = fresh("m", symbols(claim.left) | symbols(claim.right) | statement.given.names)
+    whole = replace(statement, integers=(*statement.integers, m))
+    for node in dict.fromkeys(nodes):
+        (k,), body = opened(node, statement.given.names)
+        low, high, least = node.args[1], node.args[2], integer(node.args[1])
+        part = total(node.op, body, k, low, symbol(m))
+        for form in summed(node.op, body, k, low, symbol(m)) if least is not None else ():
+            infinite = high == INFINITY
+            value = _tends(form, m, statement.given) if infinite else substitute(form, {m: high})
+            same = Comparison(part, "==", form)
+            if value is not None and _induction(same, whole, m, (least or 0) - 1, decided):
                 known[node] = value
                 break
-        else:
-            return Answer(
-                Verdict.UNDECIDED, (f"{node}: no closed form of its partial sums could be proved")
-            )
-    left, right = (replaced(side, known) for side in (claim.left, claim.right))
-    found = decided(Comparison(left, claim.relation, right), statement)
-    values = ", ".join(f"{node} = {value}" for node, value in known.items())
-    return replace(found, why=f"{values}, the limit of the partial sums; {found.why}")
+    return known
 
 
 def _tends(form: Expr, n: str, given: Given) -> Expr | None:
@@ -192,6 +180,10 @@ def _tends(form: Expr, n: str, given: Given) -> Expr | None:
         return None
     value = limit_of(tidied(substitute(rest, {str(small): ZERO})), n, None, 1, given)
     return None if value in (INFINITY, -INFINITY) else value
+
+
+def _is_long(low: int | None, high: int | None) -> bool:
+    return low is not None and high is not None and high - low >= TERMS
 
 
 def _nodes(claim: Comparison) -> list[Expr]:
@@ -265,19 +257,12 @@ def _looked_at(
     """Return a refutation at a small n, or UNDECIDED if no small n is proved; None otherwise."""
     seen = empty = False
     for value in range(least, least + FIRST):
-        try:
-            found = decided_at(_at(claim, n, number(value)), statement, n, value, decided)
-        except InputError:
-            break
-        if found is None:
-            continue
-        if found.verdict is Verdict.REFUTED:
-            if n not in statement.given.names and _has_no_term(claim, n, value):
-                empty = True
-                continue
-            witness = {n: str(value)} | dict(found.witness or {})
-            return replace(found, why=f"at {n} = {value}: {found.why}", witness=witness)
-        seen = seen or (bool(found) and not _has_no_term(claim, n, value))
+        no_term = _has_no_term(claim, n, value)
+        found, proved = decided_at([{n: number(value)}], claim, statement, decided)
+        if found is not None and not (n not in statement.given.names and no_term):
+            return found
+        empty = empty or found is not None
+        seen = seen or (proved and not no_term)
     if empty:
         why = f"it fails where a sum is empty: add a condition that says from which {n} on it holds"
         return Answer(Verdict.UNDECIDED, why)
@@ -295,24 +280,11 @@ def _has_no_term(claim: Comparison, n: str, value: int) -> bool:
     return any(end is not None and value + end[1] < end[2] for end in ends)
 
 
-def decided_at(
-    claim: Comparison, statement: Statement, n: str, value: int, decided: Decide
-) -> Answer | None:
-    """Decide the claim for one value of ``n``; None if the conditions exclude that value."""
-    there = statement.mapped(partial(substitute, mapping={n: number(value)}))
-    given = constants_hold(there.given.comparisons)
-    others = tuple(name for name in statement.integers if name != n)
-    if given is None:
-        return None
-    return decided(claim, replace(there, given=given, integers=others))
-
-
 def _induction(
     claim: Comparison,
     statement: Statement,
     n: str,
     least: int,
-    ends: dict[Expr, tuple[str, int, int] | None],
     decided: Decide,
 ) -> Answer:
     fixed = replace(statement, integers=tuple(m for m in statement.integers if m != n))
@@ -324,12 +296,12 @@ def _induction(
     now: dict[Expr, Expr] = {}
     later: dict[Expr, Expr] = {}
     up = {n: symbol(n) + 1}
-    for node, end in ends.items():
+    for node in dict.fromkeys(_nodes(claim)):
         name = fresh("S", taken)
         taken.add(name)
         now[node] = symbol(name)
         (k,), body = opened(node)
-        term = substitute(body, {k: symbol(n) + number(1 + (end or ("", 0, 0))[1])})
+        term = substitute(body, {k: node.args[2] + 1})
         later[node] = symbol(name) + term if node.op == "sum" else symbol(name) * term
     left, right = (replaced(side, now) for side in (claim.left, claim.right))
     marks = {node: symbol(f"[{i}]") for i, node in enumerate(now)}
@@ -345,7 +317,7 @@ def _induction(
             f"defined at every {n} >= {least}"
         )
         return Answer(Verdict.UNDECIDED, why)
-    steps = _smaller_step(Comparison(left, claim.relation, right), after, ends)
+    steps = _smaller_step(Comparison(left, claim.relation, right), after, list(now))
     smaller = [decided(part, under) for part in steps]
     if claim.relation != "==":
         under = replace(under, given=beyond & Given(((left, claim.relation, right),)))
@@ -366,50 +338,16 @@ def _induction(
     return replace(weaker, why=why, region=None, constant=None)
 
 
-def _smaller_step(
-    now: Comparison, after: Comparison, ends: dict[Expr, tuple[str, int, int] | None]
-) -> list[Comparison]:
+def _smaller_step(now: Comparison, after: Comparison, nodes: list[Expr]) -> list[Comparison]:
     """Return a sufficient condition for the step of S <= g, by monotonicity in S, or nothing."""
     sides = (now.left, now.right) if now.left.op == "symbol" else (now.right, now.left)
     name, bound = str(sides[0]), sides[1]
-    is_alone = len(ends) == 1 and sides[0].op == "symbol" and name not in symbols(bound)
+    is_alone = len(nodes) == 1 and sides[0].op == "symbol" and name not in symbols(bound)
     if now.relation not in ("<", "<=", ">", ">=") or not is_alone:
         return []
-    (node,) = ends
+    (node,) = nodes
     step = after.mapped(partial(substitute, mapping={name: bound}))
     if node.op == "sum":
         return [replace(step, relation=now.relation[0] + "=")]
     later = after.left if now.left.op == "symbol" else after.right
     return [step, Comparison(differentiate(later, name), ">", ZERO)]
-
-
-def _by_closed_forms(
-    claim: Comparison,
-    statement: Statement,
-    plain: Statement,
-    n: str,
-    least: int,
-    ends: dict[Expr, tuple[str, int, int] | None],
-    decided: Decide,
-) -> Answer | None:
-    """Decide the claim by closed forms proved by induction; None if one is missing."""
-    from tresym.reals.decisions.antiderivatives import summed
-
-    known: dict[Expr, Expr] = {}
-    for node, end in ends.items():
-        (k,), body = opened(node)
-        _, c, low = end or ("", 0, 0)
-        for form in summed(node.op, body, k, node.args[1], node.args[2]):
-            same = Comparison(node, "==", form)
-            if (node, form) == (claim.left, claim.right):
-                continue
-            if _induction(same, plain, n, low - c - 1, {node: end}, decided):
-                known[node] = form
-                break
-        else:
-            return None
-    left, right = (replaced(side, known) for side in (claim.left, claim.right))
-    given = statement.given & Given(((symbol(n), ">=", number(least)),))
-    found = decided(Comparison(left, claim.relation, right), replace(statement, given=given))
-    forms = ", ".join(f"{node} = {form}" for node, form in known.items())
-    return replace(found, why=f"{forms} by induction; {found.why}", region=None)

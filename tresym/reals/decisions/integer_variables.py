@@ -20,7 +20,7 @@ from math import lcm, prod
 from flint import arb, fmpq
 
 from tresym.reals.decisions.answer import Answer, Decide, exactly, refuted, worst
-from tresym.reals.decisions.readable_witnesses import constants_hold
+from tresym.reals.decisions.readable_witnesses import constants_hold, decided_at
 from tresym.reals.decisions.statement import Comparison, Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
@@ -44,7 +44,7 @@ from tresym.reals.language.expression import (
 )
 from tresym.reals.normal.polynomials import Monomial, as_expression, polynomial
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.exact import InputError, Interval
+from tresym.reals.numbers.exact import Interval
 from tresym.reals.signs.interior import is_zero
 from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
@@ -73,25 +73,10 @@ def decide_whole(claim: Comparison, statement: Statement, decided: Decide) -> An
     plain = replace(statement, integers=())
     if not names:
         return decided(claim, plain)
-    seen = False
-    for at in _small(names, statement.given):
-        given = _given_at(plain.given, at)
-        if given is None:
-            continue
-        put_in = partial(substitute, mapping=at)
-        try:
-            moved, fixed = claim.mapped(put_in), plain.mapped(put_in)
-        except InputError:  # a number on the way is too long
-            continue
-        found = decided(moved, replace(fixed, given=given))
-        if found.verdict is Verdict.REFUTED:
-            where = {name: str(value) for name, value in at.items()}
-            shown = ", ".join(f"{name} = {value}" for name, value in where.items())
-            return replace(
-                found, why=f"at {shown}: {found.why}", witness=where | dict(found.witness or {})
-            )
-        seen = seen or bool(found)
-    if not seen:
+    found, proved = decided_at(_small(names, statement.given), claim, plain, decided)
+    if found is not None:
+        return found
+    if not proved:
         why = f"the claim could not be proved at any small integer {', '.join(names)}"
         return Answer(Verdict.UNDECIDED, why)
     exact = _by_divisors(claim, statement, names)

@@ -24,8 +24,8 @@ from flint import arb, fmpq
 
 from tresym.reals.decisions.answer import Answer, Decide, refuted
 from tresym.reals.decisions.asymptotics.limit_values import limit_of
-from tresym.reals.decisions.divergence import has_no_limit
-from tresym.reals.decisions.identity import decide, shown
+from tresym.reals.decisions.asymptotics.recurring_failures import has_no_limit
+from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.integral_identities import Antiderivatives
 from tresym.reals.decisions.integration_pieces import (
     MINUS_INFINITY,
@@ -34,7 +34,7 @@ from tresym.reals.decisions.integration_pieces import (
     without_corners,
 )
 from tresym.reals.decisions.known_values import known_value
-from tresym.reals.decisions.readable_witnesses import constants_hold, simple_points
+from tresym.reals.decisions.readable_witnesses import constants_hold, decided_at, simple_points
 from tresym.reals.decisions.statement import Comparison, Statement, functions
 from tresym.reals.domain import binder_values
 from tresym.reals.domain.conditions import Given
@@ -213,14 +213,10 @@ def _at_parameters(claim: Comparison, statement: Statement, decided: Decide) -> 
     names = _parameters(claim)
     if not names or claim.derivatives or claim.relation not in NEGATED:
         return None  # the variable of a path is no parameter
-    for at in simple_points(names, statement.given, PARAMETERS, statement.integers):
-        put_in = partial(substitute, mapping={name: number(value) for name, value in at.items()})
-        fixed = replace(statement.mapped(put_in), given=Given(), integers=())
-        found = decide_integrals(claim.mapped(put_in), fixed, decided)
-        if found.verdict is Verdict.REFUTED:
-            witness = refuted("", at).witness
-            return replace(found, why=f"at {shown(at)}: {found.why}", witness=witness)
-    return None
+    points = simple_points(names, statement.given, PARAMETERS, statement.integers)
+    at = ({name: number(value) for name, value in point.items()} for point in points)
+    inner = partial(decide_integrals, decided=decided)
+    return decided_at(at, claim, statement, inner)[0]
 
 
 def _parameters(claim: Comparison) -> list[str]:

@@ -10,8 +10,9 @@ from dataclasses import replace
 
 from tresym.reals.decisions.answer import Answer, Decide
 from tresym.reals.decisions.equations import is_whole
-from tresym.reals.decisions.finite_sums import decided_at, from_on
+from tresym.reals.decisions.finite_sums import from_on
 from tresym.reals.decisions.hypergeometric import folded
+from tresym.reals.decisions.readable_witnesses import decided_at
 from tresym.reals.decisions.statement import Comparison, Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.operation_domains import operations, singularities
@@ -68,10 +69,9 @@ def decide_repeated(claim: Comparison, statement: Statement, decided: Decide) ->
         if value is None:
             break
         same = Comparison(derivative, "==", value)
-        found = decided_at(same, statement, n, k, decided)
-        if found is not None and found.verdict is Verdict.REFUTED:
-            witness = {n: str(k)} | dict(found.witness or {})
-            return replace(found, why=f"at {n} = {k}: {found.why}", witness=witness)
+        found, _ = decided_at([{n: number(k)}], same, statement, decided)
+        if found is not None:
+            return found
         first = decided(same, plain) if k == least else first
     if not first:
         why = f"the base case of the induction, {n} = {least}, could not be proved: {first.why}"

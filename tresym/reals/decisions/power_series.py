@@ -18,7 +18,8 @@ Math. 32 (1990) 321.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import pairwise
+from functools import partial
+from itertools import chain, pairwise
 from math import factorial
 
 from flint import fmpq, fmpq_poly
@@ -29,7 +30,6 @@ from tresym.reals.decisions.hypergeometric import (
     K,
     OpenError,
     Series,
-    diverges,
     has_terms,
     out_of_range,
     radius_of,
@@ -38,6 +38,7 @@ from tresym.reals.decisions.hypergeometric import (
     whole_roots,
 )
 from tresym.reals.decisions.identity import decide
+from tresym.reals.decisions.readable_witnesses import constants_hold
 from tresym.reals.decisions.statement import functions
 from tresym.reals.domain.binder_values import jumps
 from tresym.reals.domain.conditions import Given
@@ -282,57 +283,47 @@ def _coefficient_is(g: Expr, y: str, m: int, s: Series, q: int, scale: Expr, giv
 def _at_points(side: Expr, s: Series, given: Given) -> Answer | None:
     """Return a refutation where the sides differ or the series diverges, or None."""
     names = symbols(side) | symbols(s.u) | symbols(s.head)
-    for at in given.points(names, POINTS):
+    inside = ({n: number(x) for n, x in at.items()} for at in given.points(names, POINTS))
+    spoken_of = not symbols(s.u) or bool(symbols(s.u) & given.names)  # else no range is said
+    for at in chain(inside, _beyond(s, given, names) if spoken_of else ()):
         with ball_precision(256):
-            value, total = evaluate(side, at), summed(s, at)
-        if total is not None and value.is_finite() and not value.overlaps(total):
-            return refuted(APART, at, value, total)
-        if value.is_finite() and diverges(s) and has_terms(s, at):
-            return refuted("the series diverges", at)
-    if symbols(s.u) & given.names:  # else its range is not said at all
-        radius = radius_of(s)
-        far = () if radius is None else ((apply("abs", s.u), ">", radius),)
-        for at in (given & Given(far)).points(names, POINTS) if far else ():
-            with ball_precision():
-                if evaluate(side, at).is_finite() and has_terms(s, at):
-                    return refuted(f"the series diverges where abs({s.u}) > {radius}", at)
-    return _at_ends(side, s, given)
-
-
-def _at_ends(side: Expr, s: Series, given: Given) -> Answer | None:
-    """Return a refutation at an end of the interval of convergence, or None."""
-    names = sorted(symbols(s.u))
-    if len(names) != 1 or not s.rate or symbols(side) - {*names}:
-        return None
-    (x,) = names
-    radius = radius_of(s)
-    if radius is None or x not in given.names:
-        return None
-    for sided in (1, -1):
-        even = sided > 0 or s.step % 2 == 0
-        if s.converges(bool(s.rate > 0) == even):
+            ball = {name: evaluate(value, {}) for name, value in at.items()}
+            value, total = evaluate(side, ball), summed(s, ball)
+        if not value.is_finite():
             continue
-        for point in solutions(s.u - sided * radius, x):
-            if symbols(point):
-                continue
-            at = {x: point}
-            with ball_precision():
-                ball = {x: evaluate(point, {})}
-                if not evaluate(side, ball).is_finite() or not has_terms(s, ball):
-                    continue
-            if equal_at(substitute(s.u, at), sided * radius, {}) and all(
-                _holds_at(c.expression, c.relation, at) for c in given.conditions
-            ):
-                return refuted(f"the series diverges where {s.u} is {sided * radius}", at)
+        if total is not None and not value.overlaps(total):
+            return refuted(APART, at, value, total)
+        where = _divergence(s, at) if spoken_of else ""
+        if where and has_terms(s, ball):
+            return refuted(f"the series diverges{where}", at)
     return None
 
 
-def _holds_at(e: Expr, relation: str, at: dict[str, Expr]) -> bool:
-    e = substitute(e, at)
-    if symbols(e):
-        return False
+def _beyond(s: Series, given: Given, names: frozenset[str]) -> Iterator[dict[str, Expr]]:
+    """Points outside the interval of convergence, and, in one variable, at its ends."""
+    radius = radius_of(s)
+    if radius is None or not symbols(s.u):
+        return
+    far = given & Given(((apply("abs", s.u), ">", radius),))
+    yield from ({n: number(x) for n, x in at.items()} for at in far.points(names, POINTS))
+    for end in (radius, -radius) if len(names) == 1 else ():
+        for point in solutions(s.u - end, *names):
+            at = dict.fromkeys(names, point)
+            links = given.mapped(partial(substitute, mapping=at)).comparisons
+            if not symbols(point) and constants_hold(links) is not None:
+                yield at
+
+
+def _divergence(s: Series, at: dict[str, Expr]) -> str:
+    """Return where the series is proved to diverge if all terms are not 0; empty if nowhere."""
+    radius, u = radius_of(s), substitute(s.u, at)
+    if radius is None:
+        return ""
     with ball_precision():
-        ball = evaluate(e, {})
-    if ball > 0 or (relation == "!=" and ball < 0):
-        return True
-    return relation == ">=" and equal_at(e, ZERO, {})
+        if abs(evaluate(u, {})) > evaluate(radius, {}):
+            return f", for abs({s.u}) > {radius}"
+    for side in (1, -1) if s.rate else ():
+        even = side > 0 or s.step % 2 == 0
+        if not s.converges(bool((s.rate or 0) > 0) == even) and equal_at(u, side * radius, {}):
+            return f" where {s.u} is {side * radius}"
+    return ""

@@ -20,10 +20,7 @@ from tresym.reals.decisions.answer import Answer, Decide, exact_text, worst
 from tresym.reals.decisions.asymptotics.leading_terms import leading_sign, sign_towards
 from tresym.reals.decisions.asymptotics.limit_values import limit_of, stays_bounded
 from tresym.reals.decisions.asymptotics.order_claims import decide_order, region
-from tresym.reals.decisions.asymptotics.recurring_failures import (
-    failure_where_waves_return,
-    periodic_failure,
-)
+from tresym.reals.decisions.asymptotics.recurring_failures import failure_where_waves_return
 from tresym.reals.decisions.claim_parsing import LIMIT
 from tresym.reals.decisions.derivative_domains import where_real
 from tresym.reals.decisions.identity import decide
@@ -35,7 +32,7 @@ from tresym.reals.decisions.integer_variables import (
     residue_of,
     with_integer_bounds,
 )
-from tresym.reals.decisions.readable_witnesses import simple_points
+from tresym.reals.decisions.readable_witnesses import decided_at, simple_points
 from tresym.reals.decisions.statement import Comparison, Path, Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate, stands
@@ -53,7 +50,6 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.exact import InputError
 from tresym.reals.signs.interior import PROVING
 from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
@@ -199,19 +195,11 @@ def _with_parameters(
             "no values of the parameters were found that satisfy the "
             "conditions; check the conditions",
         )
-    for at in (*simple_points(names, given, PARAMETERS), *_at_ends(claim, path, names, given)):
-        put_in = partial(substitute, mapping={name: number(v) for name, v in at.items()})
-        try:
-            fixed = replace(statement.mapped(put_in), given=Given())
-            found = decide_tending(claim.mapped(put_in), fixed, decided)
-        except InputError:  # a number on the way is too long
-            continue
-        if found.verdict is Verdict.REFUTED:
-            witness = {name: exact_text(value) for name, value in at.items()}
-            shown = ", ".join(f"{name} = {value}" for name, value in witness.items())
-            return replace(
-                found, why=f"at {shown}: {found.why}", witness=witness | dict(found.witness or {})
-            )
+    points = (*simple_points(names, given, PARAMETERS), *_at_ends(claim, path, names, given))
+    exact = ({name: number(value) for name, value in at.items()} for at in points)
+    found, _ = decided_at(exact, claim, statement, partial(decide_tending, decided=decided))
+    if found is not None:
+        return found
     inside, _ = where_real(given, claim.differentiated, claim.by)
     if claim.derivatives and inside != given:
         return Answer(Verdict.UNDECIDED, _OPEN)
@@ -446,10 +434,9 @@ def _from_somewhere_on(
         else:
             best = min(answers, key=lambda found: found.verdict is Verdict.PROVED)
             return replace(best, region=str(near[0]) if len(near) == 1 else None)
-    for fails in (periodic_failure, failure_where_waves_return):
-        found = fails(claim.left - claim.right, claim.relation, path)
-        if found is not None:
-            return found
+    found = failure_where_waves_return(claim.left - claim.right, claim.relation, path)
+    if found is not None:
+        return found
     why = (
         "the claim could not be proved on any of a few neighbourhoods of the end of the "
         "path, and no sequence of counterexamples was found"
