@@ -87,7 +87,8 @@ Proof.
   replace (e * k * (n * / b * (q - (b + r) * h ^ 2 + r * h ^ 2 * q * u) - T * w * h * (1 - r - 2 * b)))
     with (e * (k * (n * / b)) * (q - (b + r) * h ^ 2 + r * h ^ 2 * q * u) - k * T * w * (h * e) * (1 - r - 2 * b)) by ring.
   replace (h * e) with (sin e) by (unfold h; field; lra); rewrite k0, Rmult_1_r, W2.
-  enough (X : (1 - b * sin e ^ 2) * / e - (r * sin e ^ 2 + 1) * cos e * / sin e = e * (q - (b + r) * h ^ 2 + r * h ^ 2 * q * u)) by (rewrite X; ring).
+  enough (X : (1 - b * sin e ^ 2) * / e - (r * sin e ^ 2 + 1) * cos e * / sin e
+    = e * (q - (b + r) * h ^ 2 + r * h ^ 2 * q * u)) by (rewrite X; ring).
   unfold q, h, u; field; lra.
 Qed.
 Lemma slope_within : exists s v : R, 0 < v /\ slope_rest_of a b e * (4 * b * v) = e * sqrt (a * b) * s
@@ -115,7 +116,8 @@ Proof.
   - shares_within n b u (part (19974 / 10000) 2 (1089 / 10000)).
 Qed.
 Lemma defect_times g : 0 <= g -> g <= / w * cos e -> 0 < e * sqrt (a * b) <= sqrt (a * b)
-  * / (sqrt (b * / a + 1) * ((exp (sqrt (a * b) * (PI + atan (sqrt (b * / a) * g))) - exp (- (sqrt (a * b) * (PI + atan (sqrt (b * / a) * g))))) / 2)).
+  * / (sqrt (b * / a + 1) * ((exp (sqrt (a * b) * (PI + atan (sqrt (b * / a) * g)))
+    - exp (- (sqrt (a * b) * (PI + atan (sqrt (b * / a) * g))))) / 2)).
 Proof.
   intros g0 G; destruct (defect_signs a b e A B P Q) as [S [C [R0 [K0 [KR K2]]]]]; pose proof (defect_angle a b e A B P Q D) as E.
   cbv zeta in E; rewrite turn_of_share in E by lra; fold w in E; pose proof (sqrt_lt_R0 _ R0) as n0; pose proof PI_RGT_0 as J.
@@ -183,7 +185,8 @@ Proof.
     assert (J' : - (18 / 25) <= x * s * / v <= 18 / 25).
     { split; apply (Rmult_le_reg_r v); try assumption; rewrite (Rmult_assoc (x * s)), Rinv_l by lra; lra. }
     rewrite F, Rabs_mult, (Rabs_pos_eq (/ b)) by lra; apply Rmult_le_compat_r; [lra |]; apply Rabs_le; lra. }
-  assert (cn : c = n * / b) by reflexivity; clearbody c; unfold v, slope_share in fin; destruct (defect_boxes a b e A B P Q D B1 AB) as [[H M]|[[H M]|[[H M]|[[H M]|[[H M]|[[H M]|[H M]]]]]]].
+  assert (cn : c = n * / b) by reflexivity; clearbody c; unfold v, slope_share in fin;
+  destruct (defect_boxes a b e A B P Q D B1 AB) as [[H M]|[[H M]|[[H M]|[[H M]|[[H M]|[[H M]|[H M]]]]]]].
   - destruct (part 0 1 (42 / 100) (84 / 100)) as [? [? [? [? [? [? W]]]]]]; try lra; [interval |]; apply (fin _ W); rewrite bc.
     split; apply not_below; interval with (i_bisect n, i_bisect c, i_bisect u).
   - times_within n b u cn fin (part 1 (14143 / 10000) (213 / 1000) (93 / 100)).
