@@ -56,8 +56,8 @@ AREAS: dict[str, tuple[str, ...]] = {
         *("integrals._by_identity", "integrals._infinite", "integrals._by_quadrature"),
         *("integrals._at_parameters", "integrals._without_value", "integrals._of_waves"),
         *("integration_pieces.roots_of_squares", "known_values.known_value"),
-        *("integral_identities.Antiderivatives.put_in", "antiderivatives.summed"),
-        "leibniz.decide_by_leibniz",
+        *("integral_rules.Antiderivatives.put_in", "antiderivatives.summed"),
+        "integral_rules.decide_by_leibniz",
         *("induction.decide_totals", "induction._induction"),
         *("induction._looked_at", "induction._tends", "hypergeometric.series_of"),
         *("hypergeometric.folded", "hypergeometric.summed", "known_values._from_one"),
@@ -109,8 +109,8 @@ REASONS: dict[str, str] = {
     **dict.fromkeys(
         (
             *("reals.decisions.integrals", "reals.decisions.known_values"),
-            *("reals.decisions.integral_identities", "reals.decisions.integration_pieces"),
-            *("reals.decisions.antiderivatives", "reals.decisions.leibniz"),
+            *("reals.decisions.integral_rules", "reals.decisions.integration_pieces"),
+            "reals.decisions.antiderivatives",
             "reals.decisions.induction",
             "reals.decisions.hypergeometric",
             "reals.decisions.power_series",

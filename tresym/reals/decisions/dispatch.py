@@ -158,7 +158,7 @@ def _decide(comparison: Comparison, statement: Statement) -> Answer:
     left, relation, right = comparison.left, comparison.relation, comparison.right
     hiding = {node.op for node in outermost(*comparison.differentiated)} - {"unknown"}
     if hiding == {"integral"}:
-        from tresym.reals.decisions.leibniz import decide_by_leibniz
+        from tresym.reals.decisions.integral_rules import decide_by_leibniz
 
         return decide_by_leibniz(comparison, statement, _bounded)
     if hiding:
