@@ -2034,3 +2034,29 @@ Qed.
 Ltac base_powers :=
   apply Req_le; rewrite <- ?exp_Ropp;
   repeat match goal with |- context [exp ?u] => progress ring_simplify u end; ring.
+
+(* Why parts are defined: symmetric arguments of the sine, products of small numbers, small shares. *)
+Lemma less_times p q : -1 < p < 1 -> -1 <= q <= 1 -> 0 < (-1) * p * q + 1 /\ 0 < p * q + 1.
+Proof.
+  intros [P P'] [Q Q']; assert (A : Rabs (p * q) < 1).
+  { rewrite Rabs_mult; assert (Rabs p < 1) by (apply Rabs_def1; lra).
+    assert (Rabs q <= 1) by (apply Rabs_le; lra); pose proof (Rabs_pos p); pose proof (Rabs_pos q).
+    apply Rle_lt_trans with (Rabs p * 1); [apply Rmult_le_compat_l; assumption | lra]. }
+  apply Rabs_def2 in A; lra.
+Qed.
+Ltac by_symmetry := first [
+    match goal with |- context [sin ((-1) * ?u)] =>
+      replace ((-1) * u) with (- u) by ring; rewrite sin_neg end
+  | match goal with |- context [sin (PI + (-1) * ?u)] =>
+      replace (PI + (-1) * u) with (PI - u) by ring; rewrite sin_PI_x end
+  | match goal with |- context [sin (PI + ?u)] => rewrite (Rplus_comm PI u), neg_sin end ];
+  first [ assumption | lra | nra | definedness ].
+Ltac times_cosine :=
+  repeat match goal with |- context [?u + 0 * ?v] => replace (u + 0 * v) with u by ring end;
+  match goal with |- context [?p * cos ?u] =>
+    destruct (less_times p (cos u)) as [? ?]; [lra | apply COS_bound | lra] end.
+Ltac small_share := match goal with
+  | G : (-1) * ?x ^ 2 + ?b * / (?a + ?b) > 0 |- _ =>
+      assert (b * / (a + b) < 1)
+        by (apply (Rmult_lt_reg_r (a + b)); [lra | rewrite Rmult_assoc, Rinv_l; lra]); nra
+  end.

@@ -24,6 +24,9 @@ TACTICS = (
     "laws; definedness",
     "values; definedness",
     "values; collected; definedness",
+    "by_symmetry",
+    "times_cosine",
+    "small_share",
 )
 """What is tried on each premise, cheapest first."""
 SECONDS = 3
