@@ -62,6 +62,7 @@ def test_two_precisions_nest_and_the_digits_are_there(body, gamma):
             assert fine.rel_accuracy_bits() >= bits(60, 0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("body", "gamma"), routes.CASES)
 def test_rigorous_integration_and_quadrature_agree_to_fifty_digits(body, gamma):
     shape, level = named_body(body).shape, parse_number(gamma)
@@ -153,6 +154,7 @@ positive = st.fractions("1/100", 40)
 parts = st.fractions("-999/1000", "999/1000")
 
 
+@pytest.mark.slow
 @given(positive, st.fractions("1/100", 1), parts)
 @example(Fraction(2), Fraction(1), Fraction(-1, 2))
 def test_the_quick_route_never_disagrees_with_the_other(a, b, part):
@@ -179,6 +181,7 @@ def test_the_quick_route_folds_every_orbit_into_its_first_quarter(shape, part, d
             assert proves(ours, digits)
 
 
+@pytest.mark.slow
 @given(
     st.fractions("1/100", 100),
     st.fractions("1/100", 1),

@@ -127,6 +127,7 @@ def exactly(x: Any) -> arb:
     return arb((-int(mantissa) if sign else int(mantissa), int(exponent)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("formula", FORMULAS, ids=name_of)
 @settings(max_examples=6)
 @given(point=points())
@@ -249,6 +250,7 @@ def test_the_energy_form_of_gamma_loses_what_the_momentum_form_keeps() -> None:
     assert abs(by_momentum / float(truth) - 1) < 1e-14
 
 
+@pytest.mark.slow
 @given(point=points())
 def test_printed_and_stable_forms_are_the_same_quantity(point: dict[str, Fraction]) -> None:
     pairs = [

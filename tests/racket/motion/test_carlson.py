@@ -39,6 +39,7 @@ levels = st.fractions("1/1000", "999/1000")
 defects = st.fractions("1/100", "3/2")
 
 
+@pytest.mark.slow
 @given(shapes, levels, defects)
 @example((Fraction(1), Fraction(1)), Fraction(1, 2), Fraction(1))
 def test_both_routes_to_the_integrals_overlap_flint_s_rigorous_integration(shape, part, defect):

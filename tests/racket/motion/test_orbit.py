@@ -70,6 +70,7 @@ def test_it_solves_the_planar_system(shape: tuple[fmpq, fmpq], part: str, phi: s
         assert abs((angles[1] - angles[0]) / (2 * step) - rate - arb("1e-10")) > 1e-15
 
 
+@pytest.mark.slow
 @given(st.sampled_from(SHAPES[:2]), st.fractions("-99/100", "99/100"), st.fractions(-12, 12))
 def test_the_phase_inverts_and_is_odd(shape: tuple[fmpq, fmpq], part: Any, phi: Any) -> None:
     target = fmpq(*phi.as_integer_ratio())

@@ -182,6 +182,7 @@ rates = st.fractions(-2, 2)
 angles = st.fractions(-4, 4)
 
 
+@pytest.mark.slow
 @given(angles, rates)
 @example(Fraction(0), Fraction(-1, 2))
 @example(Fraction(1, 10**12), Fraction(0))

@@ -48,6 +48,7 @@ AROUND: list[Callable[[Expr], Expr]] = [
 POINT = {"x": fmpq(1, 2), "n": fmpq(2), "t": fmpq(1), "oo": fmpq(1)}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("node", NODES.values(), ids=NODES.keys())
 @pytest.mark.parametrize("around", range(len(AROUND)))
 def test_no_procedure_enters_what_binds(node: Expr, around: int) -> None:

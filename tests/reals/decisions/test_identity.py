@@ -246,6 +246,7 @@ VANISHING = [
 """Zero on a whole region, and not zero: a radicand with it says nothing of its other factors."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("factor", VANISHING)
 def test_a_factor_that_vanishes_on_a_region_implies_nothing(factor: str) -> None:
     roots = f"sqrt(({factor})*y) + sqrt(({factor})*z)"

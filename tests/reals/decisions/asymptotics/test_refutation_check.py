@@ -50,6 +50,7 @@ INTEGERS = [
 """True, each with values at which it fails, that the conditions exclude."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("claim", DEPENDENT_WAVES + NESTED + NOT_REAL)
 def test_what_is_true_is_refuted_by_neither_guard_alone(
     claim: str, monkeypatch: pytest.MonkeyPatch
