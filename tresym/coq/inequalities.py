@@ -30,7 +30,6 @@ from tresym.reals.language.expression import (
     ONE,
     ZERO,
     Expr,
-    add,
     multiply,
     number,
     power,
@@ -89,7 +88,6 @@ def expected(theorem: Theorem, d: Expr, strict: bool, given: Given) -> Iterator[
             yield by_polynomials(theorem, d, strict, hints=False)
         yield QUICK
         if not strict:
-            yield from homogeneous_proofs(theorem, d)
             yield from cone_proofs(theorem, d)
         if d.size < MAX_SIZE:
             yield by_polynomials(theorem, d, strict, hints=False)
@@ -238,53 +236,6 @@ def cone_proofs(theorem: Theorem, d: Expr) -> Iterator[str]:
         "lra.",
     ]
     yield "\n".join(lines)
-
-
-def homogeneous_proofs(theorem: Theorem, d: Expr) -> Iterator[str]:
-    """Yield proofs that use a condition q >= c or q <= c to make the constant term homogeneous."""
-    premises = known(theorem)
-    try:
-        terms = expanded(d)
-    except OverflowError:
-        return
-    constant = terms.get(frozenset(), Fraction(0))
-    degrees = {sum(n for _, n in m) for m in terms if m}
-    if not constant or len(degrees) != 1:
-        return
-    (degree,) = degrees
-    for x, relation, y in theorem.given:
-        e = x - y if relation in (">", ">=") else y - x
-        try:
-            parts = expanded(e) if relation != "!=" else {}
-        except OverflowError:
-            continue
-        c = parts.get(frozenset(), Fraction(0))
-        own = {sum(n for _, n in m) for m in parts if m}
-        # q − c >= 0 with a negative constant in the difference, or c − q >= 0 with a positive one
-        if c * constant <= 0 or len(own) != 1 or degree % (k := own.pop()):
-            continue
-        q = add(e, number(-c)) / number(-c)
-        bound = Expr("^", (q, number(degree // k)))
-        whole = as_expression(
-            expanded(d - number(constant) + number(constant) * q ** (degree // k))
-        )
-        spans = {symbol(v): Span(*_span(symbol(v), premises, {})) for v in symbols(d)}
-        tree = cone_lines(whole, spans)
-        law = "pow_R1_Rle" if c < 0 else "pow_below"
-        side = f"1 <= {term(bound)}" if c < 0 else f"{term(bound)} <= 1"
-        known_sign = "" if c < 0 else f"assert (0 <= {term(q)}) by (first [lra | positive | nra]). "
-        shown_ = "\n".join(tree) if tree else QUICK
-        yield "\n".join(
-            [
-                "intros; saturate.",
-                f"assert (main : 0 <= {term(whole)}).",
-                "{",
-                shown_,
-                "}",
-                f"{known_sign}assert (bound : {side}) by (apply {law}; first [lra | nra]).",
-                "first [lra | nra].",
-            ]
-        )
 
 
 FACTS = {

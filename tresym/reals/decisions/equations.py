@@ -2,9 +2,7 @@
 
 1. *Consequences.* A claimed equation, or its negation, may follow from the equations algebraically
    (ideals.py).
-2. *Homogenisation.* An equation between a form and a number makes a polynomial inequality
-   homogeneous: under x² + y² + z² = 1, xy + yz + zx ≤ 1 becomes xy + yz + zx ≤ x² + y² + z².
-3. *Elimination.* An equation is split at the factors of its numerator and solved for a variable
+2. *Elimination.* An equation is split at the factors of its numerator and solved for a variable
    (equation_solutions.py). Each case consists of a value of the variable and the conditions under
    which it is a solution; together the cases cover all points of the equation. The claim is decided
    in every case after substitution. Cases that are proved to be empty are left out. If all are

@@ -24,7 +24,7 @@ from flint import arb, fmpq
 
 from tresym.reals.decisions.answer import Answer, Decide, refuted
 from tresym.reals.decisions.asymptotics.limit_values import limit_of
-from tresym.reals.decisions.divergence import has_no_limit
+from tresym.reals.decisions.asymptotics.recurring_failures import has_no_limit
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.integral_identities import Antiderivatives
 from tresym.reals.decisions.integration_pieces import (

@@ -60,7 +60,7 @@ def _messages(path: Path) -> Iterator[str]:
             found.append((node.lineno, node.col_offset, node.value))
     for _, _, text in sorted(found):
         shown = " ".join(text.split())
-        if len(_WORD.findall(shown)) >= LEAST_WORDS and "`" not in shown:
+        if len(_WORD.findall(shown)) >= LEAST_WORDS and not re.search("`|</m", shown):
             yield shown
 
 

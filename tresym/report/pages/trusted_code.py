@@ -110,7 +110,7 @@ RECHECKED = {
             "reals.language.solve",
             "reals.balls.simplest_constants.candidates",
         ),
-        *("reals.normal.to_expression.numerator", "reals.decisions.variable_reduction._lowest"),
+        *("reals.normal.to_expression.numerator",),
         *("reals.decisions.integration_pieces._cuts", "reals.decisions.integration_pieces._roots"),
         *("reals.decisions.integration_pieces._turns", "reals.signs.polynomials._least"),
         "reals.numbers.exact.Interval.simplest",
@@ -140,7 +140,7 @@ RECHECKED = {
         *("reals.decisions.equations._with_value", "reals.decisions.algebraic_witnesses"),
         *(
             "reals.decisions.asymptotics.path_claims._fails_beside",
-            "reals.decisions.asymptotics.recurring_failures.periodic_failure",
+            "reals.decisions.asymptotics.recurring_failures.failure_where_waves_return",
         ),
         *(
             "reals.decisions.unknown_functions._realised",

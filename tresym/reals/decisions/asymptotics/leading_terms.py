@@ -302,19 +302,7 @@ def _fails_at_a_phase(kind: str, f: Expr, g: Expr, found: Rewritten) -> bool:
         with suppress(*_FAILS):
             if _truth(kind, x, y, found) is False:
                 return True
-            if _remains_beside_zero(x, y, name, found):
-                return True
     return False
-
-
-def _remains_beside_zero(f: Expr, g: Expr, fixed: str, found: Rewritten) -> bool:
-    """Whether g vanishes where a phase is fixed, and f does not where an independent one is 1."""
-    scale = found.scale
-    others = scale.phases(f)
-    if len(others) != 1 or frozenset((fixed, *others)) not in scale.independent:
-        return False
-    first = found.expansions.leading(substitute(f, {others[0]: ONE}))
-    return scale.is_zero(g) and first is not None and scale.sign(first.coefficient) != 0
 
 
 def _phases(turns: int) -> list[Expr]:

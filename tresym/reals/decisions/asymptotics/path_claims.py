@@ -20,10 +20,7 @@ from tresym.reals.decisions.answer import Answer, Decide, exact_text, worst
 from tresym.reals.decisions.asymptotics.leading_terms import leading_sign, sign_towards
 from tresym.reals.decisions.asymptotics.limit_values import limit_of, stays_bounded
 from tresym.reals.decisions.asymptotics.order_claims import decide_order, region
-from tresym.reals.decisions.asymptotics.recurring_failures import (
-    failure_where_waves_return,
-    periodic_failure,
-)
+from tresym.reals.decisions.asymptotics.recurring_failures import failure_where_waves_return
 from tresym.reals.decisions.claim_parsing import LIMIT
 from tresym.reals.decisions.derivative_domains import where_real
 from tresym.reals.decisions.identity import decide
@@ -437,10 +434,9 @@ def _from_somewhere_on(
         else:
             best = min(answers, key=lambda found: found.verdict is Verdict.PROVED)
             return replace(best, region=str(near[0]) if len(near) == 1 else None)
-    for fails in (periodic_failure, failure_where_waves_return):
-        found = fails(claim.left - claim.right, claim.relation, path)
-        if found is not None:
-            return found
+    found = failure_where_waves_return(claim.left - claim.right, claim.relation, path)
+    if found is not None:
+        return found
     why = (
         "the claim could not be proved on any of a few neighbourhoods of the end of the "
         "path, and no sequence of counterexamples was found"
