@@ -1,7 +1,5 @@
 """The ledger's claims as theorems: their definitions, their conditions, and what is said."""
 
-from __future__ import annotations
-
 import re
 from functools import cache
 

@@ -4,8 +4,6 @@ Each attacks one guard. `FALSE` are statements that do not hold, `UNFOUNDED` are
 statements that hold, or that their evidence does not touch.
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 import pytest

@@ -4,8 +4,6 @@ Where a processor has wider registers, numpy and OpenBLAS take other code for si
 and what comes out differs in the last bits. Here these bits are changed, by settings and by hand.
 """
 
-from __future__ import annotations
-
 import math
 import os
 import platform

@@ -3,8 +3,6 @@
 The kill tests are repeated 20 times where ``HYPOTHESIS_PROFILE`` is ``deep``.
 """
 
-from __future__ import annotations
-
 import csv
 import itertools
 import json

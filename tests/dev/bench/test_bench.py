@@ -1,7 +1,5 @@
 """The benchmark's machinery, its contenders' answers and its saved data; no test reads a clock."""
 
-from __future__ import annotations
-
 import json
 import math
 from importlib.util import find_spec

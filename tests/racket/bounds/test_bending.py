@@ -1,7 +1,5 @@
 """How the defect bends: the candidate by differences, its bounds by quadrature, H″ by mpmath."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import mpmath

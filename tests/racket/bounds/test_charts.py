@@ -1,7 +1,5 @@
 """The charts: each function is what it is called, at exact roots, over boxes, with its slopes."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from itertools import product
 from typing import Any, NamedTuple

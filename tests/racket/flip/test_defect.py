@@ -1,7 +1,5 @@
 """ε(γ) everywhere, its slopes, the levels at which it changes character, and the inverse."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 from itertools import pairwise
 

@@ -1,7 +1,5 @@
 """The ladder: the cheapest rung with the digits, rungs that agree, and rungs that do not answer."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import pytest

@@ -1,7 +1,5 @@
 """The fold into the first quarter: what unfolds again, and the quarter in float64."""
 
-from __future__ import annotations
-
 import math
 
 import mpmath

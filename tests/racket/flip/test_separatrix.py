@@ -1,7 +1,5 @@
 """The certified flip on the separatrix: balls, digits, routes, and what is refused."""
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 

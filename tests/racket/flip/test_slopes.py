@@ -1,7 +1,5 @@
 """dε/dγ and d²ε/dγ²: F(ε(γ), γ) = π differentiated under the integral sign, by mpmath alone."""
 
-from __future__ import annotations
-
 import mpmath
 import pytest
 from flint import arb, fmpq

@@ -1,7 +1,5 @@
 """Each formula, written once, in four arithmetics; and where the printed forms fail."""
 
-from __future__ import annotations
-
 import inspect
 import math
 from collections.abc import Callable

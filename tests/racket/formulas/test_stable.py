@@ -4,8 +4,6 @@ The failures are asserted as well: they are what the atlas shows. Then hunts for
 our own methods; what they found stands as explicit examples.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """F(ε, γ): Carlson's form, the Gauss transformation, and the routes by integration."""
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 

@@ -1,7 +1,5 @@
 """The orbit in balls: it solves the planar system, its phase is the integral of f, and inverts."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import pytest

@@ -1,7 +1,5 @@
 """Any start: the singular cases, relative accuracy, laws of the flow, independent integration."""
 
-from __future__ import annotations
-
 import json
 from fractions import Fraction
 

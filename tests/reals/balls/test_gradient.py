@@ -1,7 +1,5 @@
 """Slopes in balls: true derivatives over whole boxes, and nothing finite where there are none."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from fractions import Fraction
 from itertools import product

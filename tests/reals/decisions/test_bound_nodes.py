@@ -1,7 +1,5 @@
 """What binds a variable goes through every procedure of the core without an internal error."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import pytest

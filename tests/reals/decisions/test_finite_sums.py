@@ -1,7 +1,5 @@
 """Finite sums and products: induction needs its base, its step, and terms free of n."""
 
-from __future__ import annotations
-
 import pytest
 
 import tresym

@@ -1,7 +1,5 @@
 """Branches, domains and planted falsehoods: what must be proved, refuted, or neither."""
 
-from __future__ import annotations
-
 import pytest
 
 from tresym.reals.decisions.identity import decide, decide_continuous

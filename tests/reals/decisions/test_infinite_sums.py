@@ -1,7 +1,5 @@
 """Claims with sums and products to oo: what is asked of whom."""
 
-from __future__ import annotations
-
 from contextlib import suppress
 
 import pytest

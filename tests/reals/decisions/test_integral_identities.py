@@ -1,7 +1,5 @@
 """Identities of integrals whatever their values, and what only looks like one."""
 
-from __future__ import annotations
-
 import pytest
 
 import tresym

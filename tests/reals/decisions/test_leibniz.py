@@ -1,7 +1,5 @@
 """Derivatives of integrals: worked out where the integrand is smooth, and nowhere else."""
 
-from __future__ import annotations
-
 import pytest
 
 import tresym

@@ -1,7 +1,5 @@
 """Derivatives of order n: the base and the step of the induction are both needed."""
 
-from __future__ import annotations
-
 import pytest
 
 import tresym

@@ -5,8 +5,6 @@ evaluated in complex balls by environments. Integrals are enclosed by quadrature
 Cauchy's formula, so nothing of the trees is used there.
 """
 
-from __future__ import annotations
-
 import pickle
 from typing import Any
 

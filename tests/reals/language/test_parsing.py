@@ -1,7 +1,5 @@
 """Text to expressions: the grammar, exactness, and hostile input in one clear line."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 from functools import reduce
 

@@ -1,7 +1,5 @@
 """Balls under the array API's names, and precision that is restored."""
 
-from __future__ import annotations
-
 import math
 import threading
 from fractions import Fraction

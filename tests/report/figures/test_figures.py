@@ -1,7 +1,5 @@
 """The figures: what each caption says, on the plotted arrays; the same bytes on every build."""
 
-from __future__ import annotations
-
 import math
 import re
 import warnings

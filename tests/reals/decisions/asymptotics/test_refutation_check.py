@@ -1,7 +1,5 @@
 """Refutations of asymptotic claims: none leaves that the complete statement does not support."""
 
-from __future__ import annotations
-
 import pytest
 
 import tresym
