@@ -30,10 +30,10 @@ DECISIONS = (
     *("identity", "inequalities", "equalities", "inequalities_on_regions", "dispatch"),
     *("integration_pieces", "statement", "written_derivatives"),
     *("inverse_branches", "variable_reduction", "algebraic_witnesses", "integrals"),
-    *("finite_sums", "integer_variables", "equations", "unknown_functions"),
+    *("induction", "integer_variables", "equations", "unknown_functions"),
     *("readable_witnesses", "variable_exponents", "ellipsis_series", "hypergeometric"),
-    *("power_series", "known_values", "factorials", "nth_derivatives"),
-    *("infinite_sums", "derivative_domains", "point_check", "definedness_check", "asymptotics/*"),
+    *("power_series", "known_values", "factorials"),
+    *("derivative_domains", "point_check", "definedness_check", "asymptotics/*"),
 )
 CHECKERS = (
     *("ledger/judge*.py", "ledger/refutations.py", "ledger/sample_points.py"),

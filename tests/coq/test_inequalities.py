@@ -14,6 +14,7 @@ from tresym.reals.decisions.claim_parsing import read
     ("claim", "left"),
     [
         ("x**x >= exp(-1/E) given x > 0", "(-1) * / (exp 1) <= x * ln x"),
+        ("tanh(x) >= x/(1 + x) given x >= 0", "0 <= tanh x * (x + 1) + (-1) * x"),
         ("abs(sin(2*x)) <= 2*abs(sin(x))", "Rabs (sin (2 * x)) <= 2 * sin x"),
     ],
 )

@@ -41,6 +41,7 @@ from tresym.ledger.claim import (
     Root,
 )
 from tresym.ledger.conversion import conditions
+from tresym.ledger.evidence.box_bounds import Boxes
 from tresym.ledger.evidence.refutation import denied_part
 from tresym.ledger.paper import file_of
 from tresym.ledger.statements import Rounds
@@ -127,6 +128,8 @@ def _theorem_of(claim: Claim) -> Exported:
         raise NotExportedError(
             "an assumption has no theorem of its own; it is a premise of the theorems that use it"
         )
+    if isinstance(proof, Boxes) and proof.meant is not None:  # its statement alone may be false
+        raise NotExportedError("what its symbols mean on the boxes is not exported to Coq yet")
     if isinstance(proof, AllOf):
         parts = (p for p in proof.claims if not _assumed(p))
         if claim.expect is Verdict.REFUTED:  # since some of its parts are

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-from tresym.coq.equations import exchanged, nodes, primes
+from tresym.coq.equations import exchanged, nodes, primes, quotient, unfolded
 from tresym.coq.statement import Theorem, term
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.operation_domains import with_domain
@@ -79,7 +79,7 @@ def reductions(theorem: Theorem) -> Iterator[Reduction]:
     yield from found
     if found:
         return
-    for ways in (by_turns, by_logarithms, by_cut):
+    for ways in (by_turns, by_logarithms, by_clearing, by_cut):
         for way in ways(t):
             if all(map(is_likely, way.steps)):
                 yield way
@@ -215,6 +215,26 @@ def by_logarithms(t: Theorem) -> Iterator[Reduction]:
             f"{{ unfold Rpower in *; apply {law}; "
             "[first [positive | nra] | first [positive | nra] |]; "
             "log_parts; first [lra | nra]. } first [lra | unfold Rpower in *; lra].",
+        )
+
+
+def by_clearing(t: Theorem) -> Iterator[Reduction]:
+    """Multiply by a positive denominator."""
+    d = t.right - t.left
+    for e in dict.fromkeys((d, unfolded(d))):
+        top, bottom = quotient(e)
+        if bottom.op == "number":
+            continue
+        step = stated(t, ZERO, t.relation, top)
+        law = "from_quotient" if t.relation == "<=" else "Rdiv_lt_0_compat"
+        yield Reduction(
+            (step,),
+            f"assert (den : 0 < {term(bottom)}) by "
+            "(first [positive | facts; first [positive | nra]]). "
+            f"assert (0 {t.relation} {term(e)}). "
+            f"{{ replace ({term(e)}) with ({term(top, 3)} / {term(bottom, 3)}) by (field; side). "
+            f"now apply {law}. }} lra.",
+            "" if e == d else "laws.",
         )
 
 

@@ -26,7 +26,7 @@ from tresym.reals.decisions.answer import Answer, Decide, refuted
 from tresym.reals.decisions.asymptotics.limit_values import limit_of
 from tresym.reals.decisions.asymptotics.recurring_failures import has_no_limit
 from tresym.reals.decisions.identity import decide
-from tresym.reals.decisions.integral_identities import Antiderivatives
+from tresym.reals.decisions.integral_rules import Antiderivatives
 from tresym.reals.decisions.integration_pieces import (
     MINUS_INFINITY,
     pieces_of,

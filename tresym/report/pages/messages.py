@@ -23,7 +23,7 @@ def messages() -> str:
     """Write the page of messages in Markdown."""
     lines = [
         "The messages of tresym, by module: errors, reasons of verdicts, hints and help texts. A "
-        "gap … stands for a value. The list is extracted from the sources.",
+        "gap … stands for a value. The list is extracted from the sources."
     ]
     for path in _files():
         found = list(dict.fromkeys(_messages(path)))
