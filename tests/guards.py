@@ -44,7 +44,9 @@ CHECKERS = (
     *("reals/domain/binder_values.py", "reals/domain/integrands.py"),
     *("reals/balls/branch_and_bound.py", "reals/balls/simplest_constants.py"),
     *(f"reals/decisions/{name}.py" for name in DECISIONS),
+    *("reals/language/*.py", "manuscript/*.py"),
 )
+"""What issues verdicts, and what decides which sentence of a manuscript they are about."""
 RECORD, REACHED = ROOT / "build" / "guards.jsonl", ROOT / "build" / "guards-reached.json"
 EQUIVALENT = ROOT / "tests" / "data" / "equivalent.json"
 SAVED = ROOT / "docs" / "measurements" / "guards.json"
@@ -102,11 +104,12 @@ class Guards:
 
     def __init__(self, wanted: list[Mutant]) -> None:
         self.wanted = wanted
+        self.files = sorted({mutant.file for mutant in wanted})
 
     @pytest.hookimpl(tryfirst=True)
     def pytest_runtestloop(self, session: pytest.Session) -> bool:
         self.items = {item.nodeid: item for item in session.items}
-        state = [(ROOT / f).read_bytes() for f in files()]
+        state = [(ROOT / f).read_bytes() for f in self.files]
         state += [path.read_bytes() for path in sorted({item.path for item in session.items})]
         stamp = hashlib.sha1(b"".join(state)).hexdigest()
         saved = json.loads(REACHED.read_text()) if REACHED.exists() else {}
@@ -133,7 +136,7 @@ class Guards:
         """Seconds of each test that passes, and the lines of the checkers it goes through."""
         rooms = sorted({item.path for item in self.items.values()})
         part = {path: RECORD.with_name(f"guards-{n}.json") for n, path in enumerate(rooms)}
-        own = {str(ROOT / file): file for file in files()}
+        own = {str(ROOT / file): file for file in self.files}
         lines: dict[str, set[int]] = defaultdict(set)
 
         def line(frame: Any, event: str, _: Any) -> Any:
@@ -271,9 +274,10 @@ def main() -> int:
         phases=[Phase.explicit, Phase.generate],
     )
     os.environ["HYPOTHESIS_PROFILE"] = "guards"
-    words = ["-n", "0", "-q", "-s", "-m", "quick", "-p", "no:cacheprovider", "-o", "timeout=0"]
+    words = ["-n", "0", "-q", "-s", "-p", "no:cacheprovider", "-o", "timeout=0"]
+    words += ["-m", "not coq and not night and not slow"]
     words += ["-W", "ignore:Module already imported", "-o", "addopts=--import-mode=importlib"]
-    words += os.environ.get("TESTS", "tests/reals tests/ledger tests/dev").split()
+    words += os.environ.get("TESTS", "tests/reals tests/ledger tests/dev tests/manuscript").split()
     return int(pytest.main(words, plugins=[Guards(wanted)]))
 
 

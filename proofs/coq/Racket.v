@@ -2472,6 +2472,99 @@ split.
 Qed.
 End FlatExponent.
 
+(* The factors of the slope of the defect at the separatrix, by the square of the defect. *)
+Definition up_w (r u : R) : R := r * up_time u / 2 - r ^ 2 * u * up_time u ^ 2 / 8 + r ^ 3 * u ^ 2 * up_time u ^ 3 / 16.
+Definition sine_loss (u : R) : R := 1 / 6 - u / 120.
+Definition turn_slope (a b e : R) : R :=
+  (-1) / 4 * / sqrt (a * b) ^ 3 * (a + (-1) * b + (-2) * a * b) * ln (/ sin e * (sqrt (a + b * sin e ^ 2) + sqrt a * cos e))
+  + 1 / 4 * / sqrt (a * b) ^ 3 * (a + (-1) * b + (-2) * a * b) * ln (sqrt (a + b))
+  + (-1) / 4 * / a * / sqrt b ^ 3 * sqrt (a + b * sin e ^ 2) * / sin e ^ 2 * cos e.
+Section Slope.
+Variables a b e : R.
+Hypotheses (A : a > 0) (B : b > 0) (P : e > 0) (Q : e < 1 / 2 * PI).
+Hypothesis D : tanh (sqrt (a * b) * (PI + asin (sqrt (b * / (a + b)) * cos e)))
+  = / sqrt (b * / a * sin e ^ 2 + 1) * cos e.
+Let r := b * / a.
+Let k := sqrt (a * b).
+Let w := sqrt (r * sin e ^ 2 + 1).
+Let p := PI + asin (sqrt (b * / (a + b)) * cos e).
+Lemma roots_of_shape : sqrt a ^ 2 = a /\ sqrt b ^ 2 = b /\ 0 < sqrt a /\ 0 < sqrt b /\ k = sqrt a * sqrt b
+  /\ sqrt (a + b * sin e ^ 2) = sqrt a * w /\ sqrt (a + b) = sqrt a * sqrt (r + 1).
+Proof.
+  destruct (defect_signs a b e A B P Q) as [S [C [R0 _]]]; fold r in R0; pose proof (pow2_ge_0 (sin e)).
+  repeat split; try (apply pow2_sqrt; lra); try (apply sqrt_lt_R0; lra).
+  - unfold k; apply sqrt_mult; lra.
+  - unfold w; rewrite <- sqrt_mult by nra; f_equal; unfold r; field; lra.
+  - rewrite <- sqrt_mult by nra; f_equal; unfold r; field; lra.
+Qed.
+Lemma per_turn_is : sqrt b * / ((-1) * b * sin e ^ 2 + 1) * sqrt (a + b * sin e ^ 2) * sin e
+  = k * (w * sin e * / (1 - b * sin e ^ 2)).
+Proof.
+  destruct roots_of_shape as [_ [_ [_ [_ [K [E _]]]]]]; rewrite E, K.
+  replace ((-1) * b * sin e ^ 2 + 1) with (1 - b * sin e ^ 2) by ring; ring.
+Qed.
+Lemma turn_slope_is : turn_slope a b e = / (4 * b * k) * (- (w * cos e * / sin e ^ 2) + (2 * b + r - 1) * (k * p)).
+Proof.
+  destruct roots_of_shape as [A2 [B2 [A0 [B0 [K [E F]]]]]].
+  destruct (defect_signs a b e A B P Q) as [S [C [R0 [K0 [_ K2]]]]]; fold r in R0; fold k in K0, K2.
+  destruct (root_facts a b e A B) as [W [Q0 _]]; fold r in W, Q0; fold w in W.
+  pose proof (decay a b _ e A B S C D) as Y; fold r k p in Y; fold w in Y.
+  assert (L : ln (/ sin e * (sqrt (a + b * sin e ^ 2) + sqrt a * cos e)) - ln (sqrt (a + b)) = k * p).
+  { rewrite E, F; replace (/ sin e * (sqrt a * w + sqrt a * cos e)) with (sqrt a * ((w + cos e) * / sin e)) by ring.
+    rewrite !ln_mult by (first [positive | apply Rmult_lt_0_compat; [lra | positive]]).
+    assert (Z : k * p = - ln (sqrt (r + 1) * / (w + cos e) * sin e)) by (rewrite <- Y, ln_exp; ring).
+    rewrite Z; rewrite !ln_mult, !ln_Rinv by (first [lra | positive | apply Rinv_0_lt_compat; lra | apply Rmult_lt_0_compat; [lra | apply Rinv_0_lt_compat; lra]]); ring. }
+  unfold turn_slope; fold k; rewrite <- L, E.
+  set (l1 := ln _); set (l2 := ln _).
+  replace ((-1) / 4 * / a * / sqrt b ^ 3 * (sqrt a * w) * / sin e ^ 2 * cos e) with (/ (4 * b * k) * (- (w * cos e * / sin e ^ 2))).
+  - replace (/ k ^ 3) with (/ k * / (a * b)) by (rewrite <- K2; field; lra).
+    unfold r; field; repeat split; lra.
+  - rewrite K; replace (sqrt b ^ 3) with (sqrt b * b) by (rewrite <- B2 at 2; ring).
+    replace (/ a) with (/ (sqrt a * sqrt a)) by (f_equal; rewrite <- A2 at 3; ring); field; repeat split; lra.
+Qed.
+Hypotheses (B1 : b <= 1) (R4 : r <= 4) (E1 : e <= 42 / 100).
+Let u := e ^ 2.
+Lemma factors_between : 0 < u <= 1764 / 10000 /\ e * (1 - u / 6) <= sin e <= e * (1 - u * sine_loss u)
+  /\ u - u ^ 2 / 3 <= sin e ^ 2 <= u * up_time u /\ sin e ^ 2 <= u
+  /\ 1 <= w <= 1 + u * up_w r u /\ 1 - u / 2 <= cos e /\ 0 < sin e /\ 0 < cos e.
+Proof.
+  destruct (defect_signs a b e A B P Q) as [S [C [R0 [K0 [KR _]]]]]; fold r in R0, KR; fold k in K0, KR.
+  pose proof (square_between e P E1) as U; destruct (sine_square_between e P E1) as [[S1 S2] [S3 _]]; fold u in U, S1, S2, S3.
+  destruct (small_sine e) as [[S4 S5] [S6 _]]; try lra; fold u in S4, S5, S6.
+  replace (e ^ 4) with (u ^ 2) in S5 by (unfold u; ring).
+  destruct (sum_between b r k e B B1 R0 R4 KR P E1) as [_ [_ [_ W]]]; fold w in W.
+  assert (T : 0 <= up_time u <= 1) by (unfold up_time; nra).
+  repeat split; try lra; try (unfold sine_loss; nra); try assumption.
+  set (x := r * u * up_time u); assert (X : 0 <= x <= 1).
+  { unfold x; assert (0 <= r * u <= 1) by nra; nra. }
+  replace (1 + u * up_w r u) with (1 + x / 2 - x ^ 2 / 8 + x ^ 3 / 16) by (unfold x, up_w; field).
+  assert (0 <= x ^ 2 <= 1) by nra; assert (0 <= x ^ 3) by (apply pow_le; lra).
+  apply above_sqrt; [nra |]; apply Rle_trans with (1 + x); [unfold x; nra |].
+  enough (0 <= x ^ 4 * (5 / 64 - x / 64 + x ^ 2 / 256)) by nra.
+  apply Rmult_le_pos; [apply pow_le; lra | nra].
+Qed.
+Lemma per_turn_between : let t := w * sin e * / (1 - b * sin e ^ 2) in
+  e * (1 - u / 6) * (1 + b * (u - u ^ 2 / 3)) <= t
+  /\ t * (1 - b * (u * up_time u)) <= e * (1 - u * sine_loss u) * (1 + u * up_w r u) /\ 0 < t
+  /\ 0 < 1 - b * (u * up_time u).
+Proof.
+  intros t; destruct factors_between as [U [S [S2 [S3 [W [C [S0 C0]]]]]]].
+  assert (T : 0 <= up_time u <= 1) by (unfold up_time; nra).
+  assert (V : 0 < 1 - b * (u * up_time u) <= 1 - b * sin e ^ 2) by (assert (0 <= u * up_time u <= 1764 / 10000) by nra; nra).
+  assert (J : t * (1 - b * sin e ^ 2) = w * sin e) by (unfold t; field; lra).
+  assert (J1 : 0 < t) by (unfold t; apply Rmult_lt_0_compat; [nra | apply Rinv_0_lt_compat; lra]).
+  repeat split; try lra.
+  - apply Rle_trans with (sin e * (1 + b * sin e ^ 2)).
+    + assert (V2 : 0 <= u - u ^ 2 / 3) by nra; assert (V3 : 0 < e * (1 - u / 6)) by (apply Rmult_lt_0_compat; lra).
+      assert (0 <= b * (u - u ^ 2 / 3)) by (apply Rmult_le_pos; lra); apply Rmult_le_compat; try lra.
+      apply Rplus_le_compat_l, Rmult_le_compat_l; lra.
+    + assert (X : 0 <= b * sin e ^ 2) by nra; assert (Y : sin e <= t * (1 - b * sin e ^ 2)) by (rewrite J; nra).
+      set (x := b * sin e ^ 2) in *; clearbody x; apply (Rmult_le_compat_r (1 + x)) in Y; [| lra].
+      assert (0 <= t * x ^ 2) by (apply Rmult_le_pos; nra); nra.
+  - apply Rle_trans with (sin e * w); [nra |]; apply Rmult_le_compat; lra.
+Qed.
+End Slope.
+
 Lemma printed_above a e : a >= 100 -> e > 0 -> e < 1 / 2 * PI ->
   tanh (sqrt (a * 1) * (PI + asin (sqrt (1 * / (a + 1)) * cos e))) = / sqrt (1 * / a * sin e ^ 2 + 1) * cos e ->
   exp (- (PI * sqrt (a * 1))) ^ 2

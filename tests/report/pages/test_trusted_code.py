@@ -79,7 +79,6 @@ def test_the_ledger_does_without_the_deciders_of_other_claims() -> None:
     assert "reals.decisions.identity" in proved.lines  # the normal form
     assert not {"reals.normal.locally_constant", "reals.normal.constants"} & {*proved.lines}
     assert not {
-        "reals.signs.orthant_cones",
         "reals.signs.polynomials",
         "reals.domain.cylindrical_decomposition",
     } & {*proved.lines}

@@ -22,7 +22,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from tresym.reals.decisions.answer import Alternative, Answer, Root
+from tresym.reals.decisions.answer import Alternative, Answer
 from tresym.reals.decisions.time_limited import CACHES
 from tresym.reals.numbers.exact import Decimal, InputError
 from tresym.reals.verdict import Verdict
@@ -179,8 +179,6 @@ def _answer(key: bytes, value: Any, checksum: Any) -> Answer | None:
         if found["values"] is not None:
             one, other = found["values"]
             found["values"] = Decimal(**one), Decimal(**other)
-        if found["root"] is not None:
-            found["root"] = Root(**found["root"])
         found["instead"] = tuple(Alternative(**one) for one in found["instead"])
         return Answer(**found)
     except (ValueError, TypeError, KeyError):

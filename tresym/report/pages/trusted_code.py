@@ -92,7 +92,7 @@ RECHECKED = {
     ),
     "its result is checked: products multiplied out, subdivisions replayed, steps proved": (
         *("reals.normal.denesting", "reals.balls.branch_and_bound._found"),
-        *("reals.signs.transformations.equivalents", "reals.signs.homogenisation.ways"),
+        "reals.signs.transformations.equivalents",
         *("reals.signs.structural.Parts._ways", "reals.signs.structural.Parts._multiples"),
         *("reals.domain.binder_values._found", "reals.domain.binder_values._change"),
         "reals.decisions.antiderivatives",
@@ -110,16 +110,13 @@ RECHECKED = {
             "reals.language.solve",
             "reals.balls.simplest_constants.candidates",
         ),
-        *("reals.normal.to_expression.numerator", "reals.decisions.variable_reduction._lowest"),
+        *("reals.normal.to_expression.numerator",),
         *("reals.decisions.integration_pieces._cuts", "reals.decisions.integration_pieces._roots"),
         *("reals.decisions.integration_pieces._turns", "reals.signs.polynomials._least"),
         "reals.numbers.exact.Interval.simplest",
     ),
     "it only skips a search that would fail, or estimates the cost of one": (
-        *(
-            "reals.normal.ranges.ProvingRing._changes_sign",
-            "reals.signs.orthant_cones._fails_at_vertex",
-        ),
+        "reals.normal.ranges.ProvingRing._changes_sign",
         *("reals.decisions.identity._generator_count", "reals.signs.taylor._seen"),
     ),
     "it can only refute": (
