@@ -79,7 +79,7 @@ AREAS: dict[str, tuple[str, ...]] = {
         *("recurring_failures.has_no_limit", "recurring_failures.failure_where_waves_return"),
         *("integral_limits.decide_integral_limits", "integral_limits._by_derivatives"),
         *("limit_values.limit_of", "limit_values._squeezed", "limit_values._without_waves"),
-        *("leading_terms._leading_terms", "leading_terms._without"),
+        *("leading_terms._leading_terms", "leading_terms._reduced"),
         *("leading_terms._fails_at_a_phase", "numerical_evidence.fails"),
     ),
     "reals.balls": ("simplest_constants.candidates",),

@@ -45,7 +45,7 @@ Proof.
   - intros t _; apply Rmult_le_pos; [nra | left; apply Rinv_0_lt_compat; nra].
   - rewrite atan_0; lra.
 Qed.
-(* sinh (x + h) against sinh x *)
+(* The hyperbolic functions of x + h against those of x. *)
 Lemma sinh_ahead x h : 0 < x -> 0 <= h -> h <= 1 / 10 ->
   sinh (x + h) <= sinh x * (1 + 51 / 100 * h ^ 2) + cosh x * (h * (1 + 17 / 100 * h ^ 2))
   /\ cosh (x + h) <= cosh x * (1 + 51 / 100 * h ^ 2) + sinh x * (h * (1 + 17 / 100 * h ^ 2)).
@@ -257,7 +257,7 @@ Proof.
   - rewrite F; unfold tanh; field; repeat split; lra.
   - apply Rmult_lt_0_compat; [exact R0 | apply tanh_pos, Y].
 Qed.
-(* kC/S against C alone *)
+(* k coth x against cosh x alone. *)
 Lemma sweep_coth z : 0 <= z -> z * k * cosh x / sinh x <= z * (u + 2) / (3 * (PI + q) * u).
 Proof.
   destruct sweep_signs as [X [S [C [C2 [U [SQ [CQ [S2 E]]]]]]]]; intros Z; pose proof PI_RGT_0.

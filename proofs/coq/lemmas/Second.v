@@ -730,7 +730,7 @@ Lemma second_cell_2 a b e x y z c d P m K : 0 < x -> x <= a -> 0 < y -> y <= b -
   0 < c -> c < PI / 2 -> 0 < d -> d ^ 2 <= m -> 0 <= turn_short x y c -> m <= 17 / 100 -> 1 + z / x * m <= (1 + 2 * P) ^ 2 -> 0 <= P -> P <= 11 / 10 -> 37 / 100 <= K ->
   37 / 100 * exp (2 * ((1 / 2 * z + 1 / 4 * (z / x) - 1 / 12) * m)) <= K ->
   (forall b p v, y <= b <= z -> 0 <= p <= P -> 0 <= v <= m -> up_second_order b p v (z / x) <= K) ->
-  (forall t, d <= t <= c -> (ratio_at x z t - 1) * ratio_at x z t ^ 4 <= K * t ^ 4 /\ 37 / 100 * ratio_at x z t ^ 2 <= K) -> within_second K a b e.
+  (forall t, d <= t <= c -> 0 <= K * t ^ 4 - (ratio_at x z t - 1) * ratio_at x z t ^ 4 /\ 37 / 100 * ratio_at x z t ^ 2 <= K) -> within_second K a b e.
 Proof.
   intros X A Y B Z Z1 E0 E1 D C0 C1 D0 M T M1 PM P0 P1 K0 L H N.
   pose proof (defect_at_most a b x y c e X A Y B ltac:(lra) E0 E1 D C0 C1 T) as EC; assert (A0 : 0 < a) by lra.
@@ -745,7 +745,7 @@ Proof.
   - eapply Rle_trans; [| exact N2]; apply Rmult_le_compat_l; [lra |]; apply pow_incr; lra.
   - apply (second_by a b e u); [lra | lra | exact U |].
     assert (0 <= first_term a b * e ^ 2) by (apply Rmult_le_pos; [lra | nra]); assert (0 <= u ^ 2) by apply pow2_ge_0.
-    replace ((e ^ 2) ^ 2) with (e ^ 4) by ring; eapply Rle_trans; [| exact N1].
+    replace ((e ^ 2) ^ 2) with (e ^ 4) by ring; apply Rle_trans with ((u - 1) * u ^ 4); [| lra].
     replace ((u - 1) * u ^ 4) with ((u - 1) * u ^ 2 * u ^ 2) by ring; apply Rmult_le_compat_r; lra.
 Qed.
 Lemma second_flat a b e x z m M K : 0 < x -> x <= a -> 0 < b -> b <= z -> b <= 1 -> 0 < e -> e < PI / 2 -> e ^ 2 <= m ->
