@@ -5,6 +5,8 @@ off, it returns what it returns when it finds nothing: None, an undecided answer
 items.
 """
 
+from pathlib import Path
+
 AREAS: dict[str, tuple[str, ...]] = {
     "reals.signs": (
         *("interior.by_signs_of_parts", "interior.sign_inside", "interior.strict_by_conditions"),
@@ -98,24 +100,16 @@ AREAS: dict[str, tuple[str, ...]] = {
 METHODS = tuple(f"{area}.{name}" for area, names in AREAS.items() for name in names)
 """All methods, by their full names without the leading ``tresym.``."""
 
-TEXTBOOK = "textbook claims and manuscripts, of which the collections have few"
-REASONS: dict[str, str] = {
-    **dict.fromkeys(
-        (
-            *("reals.decisions.integrals", "reals.decisions.known_values"),
-            *("reals.decisions.integral_rules", "reals.decisions.integration_pieces"),
-            "reals.decisions.antiderivatives",
-            "reals.decisions.induction",
-            "reals.decisions.hypergeometric",
-            "reals.decisions.power_series",
-            "reals.decisions.ellipsis_series",
-            *("reals.decisions.factorials", "reals.decisions.integer_variables"),
-            *("reals.decisions.equation", "reals.decisions.ideals"),
-            "reals.decisions.unknown_functions",
-        ),
-        TEXTBOOK,
-    ),
-    "ledger": "claims of the ledger that have no other evidence",
-}
-"""Why a method is kept that decides fewer than five claims per hundred lines of its own, by the
-beginning of its name."""
+_ALONE = Path(__file__).parent / "data" / "alone.txt"
+ALONE = dict(
+    line.split(": ", 1)
+    for line in _ALONE.read_text(encoding="utf-8").splitlines()
+    if not line.startswith("#")
+)
+"""A claim, or the label of one of the ledger, that the method alone decides."""
+
+
+def reason(name: str) -> str:
+    """Why a method is kept that decides fewer than five claims per hundred lines of its own."""
+    claim = ALONE.get(name)
+    return f"it alone decides `{claim}`" if claim else "no claim is known that it alone decides"
