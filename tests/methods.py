@@ -5,8 +5,6 @@ off, it returns what it returns when it finds nothing: None, an undecided answer
 items.
 """
 
-from __future__ import annotations
-
 AREAS: dict[str, tuple[str, ...]] = {
     "reals.signs": (
         *("interior.by_signs_of_parts", "interior.sign_inside", "interior.strict_by_conditions"),
@@ -50,16 +48,16 @@ AREAS: dict[str, tuple[str, ...]] = {
         *("integrals._by_identity", "integrals._infinite", "integrals._by_quadrature"),
         *("integrals._at_parameters", "integrals._without_value", "integrals._of_waves"),
         *("integration_pieces.roots_of_squares", "known_values.known_value"),
-        *("integral_identities.Antiderivatives.put_in", "antiderivatives.summed"),
-        *("leibniz.decide_by_leibniz", "divergence.has_no_limit"),
-        *("finite_sums.decide_totals", "finite_sums._induction"),
-        *("finite_sums._looked_at", "finite_sums._tends", "hypergeometric.series_of"),
+        *("integral_rules.Antiderivatives.put_in", "antiderivatives.summed"),
+        "integral_rules.decide_by_leibniz",
+        *("induction.decide_totals", "induction._induction"),
+        *("induction._looked_at", "induction._tends", "hypergeometric.series_of"),
         *("hypergeometric.folded", "hypergeometric.summed", "known_values._from_one"),
         *("known_values._power_series", "known_values._matched"),
         *("known_values._on_both_sides", "power_series.decide_power_series"),
-        *("power_series._at_points", "infinite_sums.decide_infinite"),
+        *("power_series._at_points", "power_series.decide_infinite"),
         *("ellipsis_series.decide_dotted", "ellipsis_series._fitted"),
-        *("ellipsis_series._inside_circle", "nth_derivatives.decide_repeated"),
+        *("ellipsis_series._inside_circle", "induction.decide_repeated"),
         *("factorials.decide_factorials",),
         *("integer_variables.decide_whole", "integer_variables._by_divisors"),
         *("integer_variables._by_residues", "integer_variables._beyond"),
@@ -74,10 +72,10 @@ AREAS: dict[str, tuple[str, ...]] = {
         *("path_claims._limit", "path_claims._with_parameters", "path_claims._among_integers"),
         *("path_claims._by_residues", "path_claims._at_integers", "path_claims._by_exact_limit"),
         *("path_claims._by_signs", "path_claims._from_somewhere_on"),
-        *("recurring_failures.periodic_failure", "recurring_failures.failure_where_waves_return"),
+        *("recurring_failures.has_no_limit", "recurring_failures.failure_where_waves_return"),
         *("integral_limits.decide_integral_limits", "integral_limits._by_derivatives"),
         *("limit_values.limit_of", "limit_values._squeezed", "limit_values._without_waves"),
-        *("leading_terms._leading_terms", "leading_terms._without"),
+        *("leading_terms._leading_terms", "leading_terms._reduced"),
         *("leading_terms._fails_at_a_phase", "numerical_evidence.fails"),
     ),
     "reals.balls": ("simplest_constants.candidates",),
@@ -103,12 +101,12 @@ REASONS: dict[str, str] = {
     **dict.fromkeys(
         (
             *("reals.decisions.integrals", "reals.decisions.known_values"),
-            *("reals.decisions.integral_identities", "reals.decisions.integration_pieces"),
-            *("reals.decisions.antiderivatives", "reals.decisions.leibniz"),
-            *("reals.decisions.divergence", "reals.decisions.finite_sums"),
+            *("reals.decisions.integral_rules", "reals.decisions.integration_pieces"),
+            "reals.decisions.antiderivatives",
+            "reals.decisions.induction",
             "reals.decisions.hypergeometric",
-            *("reals.decisions.power_series", "reals.decisions.infinite_sums"),
-            *("reals.decisions.ellipsis_series", "reals.decisions.nth_derivatives"),
+            "reals.decisions.power_series",
+            "reals.decisions.ellipsis_series",
             *("reals.decisions.factorials", "reals.decisions.integer_variables"),
             *("reals.decisions.equation", "reals.decisions.ideals"),
             "reals.decisions.unknown_functions",

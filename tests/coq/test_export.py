@@ -1,7 +1,5 @@
 """The files of Coq: nothing is assumed in them, and every claim is in the index."""
 
-from __future__ import annotations
-
 import json
 import os
 import re
@@ -155,6 +153,17 @@ def test_what_the_theorems_rest_on_is_asked_once_for_each_kind(folder: Path) -> 
     }
     beyond = export.assumed(folder, "Axioms:\nmine : 0 = 1\n" + floats)
     assert any("mine" in text for text in beyond.values())
+
+
+def test_a_lemma_that_computes_with_floats_is_asked_about_with_the_others_that_do(
+    folder: Path,
+) -> None:
+    text = (folder / "Ledger.v").read_text(encoding="utf-8")
+    reals, floats = re.findall(r"Definition by_\w+ :=\s+\((.*)\)\.", text)
+    assert "interval" not in STORE["claims"]["d57"]["script"]  # its lemmas use it
+    assert "claim_d57" in floats.split(", ")
+    assert "claim_d57" not in reals.split(", ")
+    assert len(reals.split(", ")) > 400
 
 
 def test_conditions_are_shown_to_hold_somewhere() -> None:

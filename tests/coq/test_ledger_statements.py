@@ -1,7 +1,5 @@
 """The ledger's claims as theorems: their definitions, their conditions, and what is said."""
 
-from __future__ import annotations
-
 import re
 from functools import cache
 
@@ -53,6 +51,13 @@ def test_all_that_is_spoken_of_is_quantified() -> None:
     for _, t in single():
         spoken = set(re.findall(r"[A-Za-z_][\w']*", re.sub(r"\(\*.*?\*\)", "", t.body)))
         assert spoken.issuperset({"forall"} if t.variables and not t.exists else set()), t.name
+
+
+def test_a_bound_whose_symbols_have_their_meaning_on_boxes_is_not_exported() -> None:
+    """Its premises say nothing of ε, so that the theorem would be false."""
+    (claim,) = (claim for claim in all_claims() if claim.label == "eq_epsilon_gen")
+    with pytest.raises(NotExportedError, match="what its symbols mean on the boxes"):
+        theorem_of(claim)
 
 
 def test_what_is_refuted_is_that_there_is_a_counterexample() -> None:

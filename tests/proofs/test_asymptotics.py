@@ -57,7 +57,7 @@ PARTS = (asymptotics, constants, exponent, monotonicity, orders, rigid_bodies)
 CLAIMS = list(dict.fromkeys(claim for part in PARTS for claim in stated(part)))
 
 
-EVERY = 4
+EVERY = 8
 """Of so many claims one is searched for anew in every run, and all of them every night."""
 ANEW = [
     pytest.param(claim, id=claim.label, marks=pytest.mark.night if n % EVERY else ())

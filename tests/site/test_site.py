@@ -2,13 +2,14 @@
 
 import json
 import re
+from collections.abc import Callable
 from itertools import pairwise
 from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
 
-from tresym.ledger.verification import Report, verify
+from tresym.ledger.verification import Report
 from tresym.report.pages.numbers import numbers
 from tresym.report.pages.site_data import record
 from tresym.report.typesetting.finding_text import readable
@@ -35,8 +36,8 @@ SOME = (
 
 
 @pytest.fixture(scope="module")
-def report() -> Report:
-    return verify(SOME)
+def report(judged: Callable[..., Report]) -> Report:
+    return judged(*SOME)
 
 
 @pytest.fixture(scope="module")

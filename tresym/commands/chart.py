@@ -4,12 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from tresym.commands.parser import (
-    PICTURE_PATH,
-    Commands,
-    deliver,
-    deliver_picture,
-)
+from tresym.commands.parser import PICTURE_PATH, Commands, deliver, deliver_picture
 
 
 def add(commands: Commands) -> None:

@@ -57,13 +57,7 @@ def _search(folder: Path, labels: Sequence[str]) -> dict[str, Any]:
     """Search for missing proofs, or those of the labels, and store each one found."""
     from tresym.coq.coqtop import version
     from tresym.coq.export import entries, open_claims, save, stamped, stored
-    from tresym.coq.ledger_proofs import (
-        Memory,
-        premised_points,
-        search,
-        strengthened,
-        witnesses,
-    )
+    from tresym.coq.ledger_proofs import Memory, premised_points, search, strengthened, witnesses
     from tresym.coq.statement import Theorem
     from tresym.ledger.paper import all_claims
 

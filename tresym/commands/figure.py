@@ -67,14 +67,7 @@ def run(args: argparse.Namespace) -> int:
     dpi = round(_within(args.dpi, DOTS, "--dpi"))
 
     def draw(kind: str) -> bytes:
-        return figures.picture(
-            args.name,
-            kind,
-            floats(shape) if own else None,
-            gamma,
-            width,
-            dpi,
-        )
+        return figures.picture(args.name, kind, floats(shape) if own else None, gamma, width, dpi)
 
     deliver_picture(draw, args.path, args.format)
     return 0

@@ -5,12 +5,7 @@ from __future__ import annotations
 import argparse
 import functools
 
-from tresym.commands.parser import (
-    UNEXPECTED,
-    Commands,
-    deliver,
-    deliver_json,
-)
+from tresym.commands.parser import UNEXPECTED, Commands, deliver, deliver_json
 from tresym.reals.numbers.exact import InputError
 
 

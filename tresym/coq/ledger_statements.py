@@ -41,8 +41,8 @@ from tresym.ledger.claim import (
     Root,
 )
 from tresym.ledger.conversion import conditions
-from tresym.ledger.evidence.at_point import place_of
-from tresym.ledger.evidence.refutation import BITS, denied_at
+from tresym.ledger.evidence.box_bounds import Boxes
+from tresym.ledger.evidence.refutation import denied_part
 from tresym.ledger.paper import file_of
 from tresym.ledger.statements import Rounds
 from tresym.reals.language import sympy as sympy_reader
@@ -58,7 +58,6 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.language.formula import Conjunction, Equivalence, Relation
-from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError, printed
 from tresym.reals.verdict import Verdict
 
@@ -129,6 +128,8 @@ def _theorem_of(claim: Claim) -> Exported:
         raise NotExportedError(
             "an assumption has no theorem of its own; it is a premise of the theorems that use it"
         )
+    if isinstance(proof, Boxes) and proof.meant is not None:  # its statement alone may be false
+        raise NotExportedError("what its symbols mean on the boxes is not exported to Coq yet")
     if isinstance(proof, AllOf):
         parts = (p for p in proof.claims if not _assumed(p))
         if claim.expect is Verdict.REFUTED:  # since some of its parts are
@@ -151,8 +152,7 @@ def _theorem_of(claim: Claim) -> Exported:
         if claim.expect is Verdict.REFUTED:
             above: tuple[Basic, ...] = ()
             if isinstance(proof, Counterexample):
-                with ball_precision(BITS[0]):
-                    found = denied_at(statement, place_of(proof.point, ()))
+                found = denied_part(statement, proof.point)
                 above, says = (found[0], read(found[1])) if found else ((), says)
             return theorem(claim, denied(says), above, exists=True)
         return theorem(claim, says)

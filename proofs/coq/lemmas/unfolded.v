@@ -101,7 +101,8 @@ Proof.
     assert (0 < sin (u_angle a b g y)) by (apply sin_gt_0; lra).
     assert (sin (u_angle a b g y) <= sin t) by (apply sin_incr_1; lra).
     assert (sin (u_angle a b g y) ^ 2 <= sin t ^ 2) by (apply pow_incr; lra); specialize (C y ltac:(lra)); nra. }
-  assert (N : forall x, 0 <= x <= y -> continuous (fun x => u_rate a b g x * (sqrt (g + b * sin (u_angle a b g x) ^ 2) * / sqrt (c + b * sin (u_angle a b g x) ^ 2))) x).
+  assert (N : forall x, 0 <= x <= y -> continuous
+    (fun x => u_rate a b g x * (sqrt (g + b * sin (u_angle a b g x) ^ 2) * / sqrt (c + b * sin (u_angle a b g x) ^ 2))) x).
   { intros x X; specialize (C x X); pose proof (sqrt_lt_R0 _ C).
     pose proof (continuous_derive _ _ _ (u_angle_rate a b g x A B B1 L G)) as M.
     apply c_mult; [apply (u_rate_continuous a b A B g x G) |].

@@ -53,7 +53,7 @@ def test_inequalities_with_names_are_proved(claim: str) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("pair", SAMPLED, ids=lambda pair: pair.claim)
 def test_no_claim_of_the_lists_is_decided_wrongly(pair: Known) -> None:
-    answer = tresym.check(pair.claim, limit=20)
+    answer = tresym.check(pair.claim)
     assert answer.verdict in ((PROVED, ENCLOSED, UNDECIDED) if pair.truth else (REFUTED, UNDECIDED))
 
 

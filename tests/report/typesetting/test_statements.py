@@ -1,7 +1,5 @@
 """A claim is quoted with its conditions: in every place where it is quoted, and by nobody else."""
 
-from __future__ import annotations
-
 import ast
 import json
 from collections.abc import Callable
@@ -16,7 +14,7 @@ import tresym
 from tresym.commands.verify import show_verification
 from tresym.ledger.claim import AllOf, Claim, all_of, by, equal
 from tresym.ledger.paper import all_claims
-from tresym.ledger.verification import Report, verify
+from tresym.ledger.verification import Report
 from tresym.report.pages import fragments
 from tresym.report.pages.corrections import corrections
 from tresym.report.pages.derivation import in_dollars as dollars
@@ -46,9 +44,9 @@ QUOTED = ("each_eps0_one_a", "monotonicity", "eq_gamma", "d24", "printed_error",
 
 
 @pytest.fixture(scope="module")
-def report() -> Report:
+def report(judged: Callable[..., Report]) -> Report:
     claims = {claim.label: claim for claim in all_claims()}
-    return verify([*QUOTED, *(t.label for label in QUOTED for t in claims[label].amended_by)])
+    return judged(*QUOTED, *(t.label for label in QUOTED for t in claims[label].amended_by))
 
 
 def _in_markdown(claim: Claim) -> str:

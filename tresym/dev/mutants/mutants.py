@@ -275,9 +275,7 @@ def _said_spot(
 
 
 def _region_spot(
-    claim: Claim,
-    violated: Callable[[Claim], bool] = _is_violated,
-    tries: int = REGION_TRIES,
+    claim: Claim, violated: Callable[[Claim], bool] = _is_violated, tries: int = REGION_TRIES
 ) -> _Spot:
     """Change the conditions: drop one, reverse one, or change its constants."""
     given = claim.given

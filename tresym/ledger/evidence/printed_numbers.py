@@ -20,14 +20,7 @@ from flint import arb, ctx, fmpq
 from sympy import Basic, Eq, Symbol
 
 from tresym.ledger.claim import Claim, Root
-from tresym.ledger.conversion import (
-    DEFINING,
-    Conditions,
-    conditions,
-    defined,
-    known,
-    tree,
-)
+from tresym.ledger.conversion import DEFINING, Conditions, conditions, defined, known, tree
 from tresym.ledger.evidence.at_point import Place, Rule, Rules, roots_by, rules_by
 from tresym.ledger.finding import Finding
 from tresym.ledger.statements import Rounds

@@ -79,6 +79,12 @@ def not_denied(claim: Claim, exact: Point, bits: int = BITS[0]) -> str | None:
     return None
 
 
+def denied_part(says: Basic, exact: Point) -> tuple[tuple[Basic, ...], Relational] | None:
+    """Return what :func:`denied_at` finds at exact coordinates, without any definition."""
+    with ball_precision(BITS[0]):
+        return denied_at(says, place_of(exact, ()))
+
+
 def denied_at(says: Basic, point: Place) -> tuple[tuple[Basic, ...], Relational] | None:
     """Find a relation in ``says`` that balls exclude at ``point``.
 

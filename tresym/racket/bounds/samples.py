@@ -19,8 +19,6 @@ from tresym.reals.numbers.arithmetic import balls
 Values = dict[Basic, arb]
 Samples = Callable[[], Iterator[tuple[tuple[arb, ...], Values]]]
 
-RACKET = (fmpq(1517, 121), fmpq(55, 874))
-"""The standard racket."""
 SHAPES = tuple(
     (fmpq(*p), fmpq(*q))
     for p, q in (((9, 2), (1, 2)), ((12, 1), (1, 4)), ((5, 4), (7, 8)), ((40, 1), (9, 10)))

@@ -15,11 +15,7 @@ from typing import Any
 
 def euler_equations(M1: Any, M2: Any, M3: Any, I1: Any, I2: Any, I3: Any) -> tuple[Any, Any, Any]:
     """Return dM/dt in the body frame (eq_dMi)."""
-    return (
-        -(1 / I2 - 1 / I3) * M2 * M3,
-        (1 / I1 - 1 / I3) * M1 * M3,
-        -(1 / I1 - 1 / I2) * M1 * M2,
-    )
+    return (-(1 / I2 - 1 / I3) * M2 * M3, (1 / I1 - 1 / I3) * M1 * M3, -(1 / I1 - 1 / I2) * M1 * M2)
 
 
 def energy(M1: Any, M2: Any, M3: Any, I1: Any, I2: Any, I3: Any) -> Any:
@@ -39,11 +35,7 @@ def ellipsoid_radii(I1: Any, I2: Any, I3: Any, E: Any, m: Any) -> tuple[Any, Any
 
 def momentum(theta: Any, psi: Any, M: Any, m: Any) -> tuple[Any, Any, Any]:
     """Return (M₁, M₂, M₃) in terms of the Euler angles (eq_Mi)."""
-    return (
-        M * m.cos(theta),
-        -M * m.sin(theta) * m.cos(psi),
-        M * m.sin(theta) * m.sin(psi),
-    )
+    return (M * m.cos(theta), -M * m.sin(theta) * m.cos(psi), M * m.sin(theta) * m.sin(psi))
 
 
 # Sec. 4: the Euler angles

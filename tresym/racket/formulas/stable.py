@@ -97,12 +97,6 @@ def first_coefficient(k: Any, r: Any) -> Any:
     return (6 * k * r - 1 + 3 * r**2) / 12
 
 
-def integrand_slope(psi: Any, a: Any, b: Any, m: Any) -> Any:
-    """Return ∂f/∂γ at γ = 0 (S = +1)."""
-    sine = m.sin(psi)
-    return -(1 - b * sine**2) / (2 * m.sqrt(a + b * sine**2) * (m.sqrt(b) * sine) ** 3)
-
-
 def turn_slope(defect: Any, a: Any, b: Any, m: Any) -> Any:
     """Return ∂F/∂γ at γ = 0 (S = +1), the definite integral from ε to π/2."""
     sine, cosine = m.sin(defect), m.cos(defect)

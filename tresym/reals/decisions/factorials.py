@@ -8,7 +8,7 @@ are refuted at small integers.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
 from itertools import islice, product
 from math import factorial
@@ -99,25 +99,19 @@ def _value(e: Expr) -> Expr | None:
 
 
 def _by_least(
-    nodes: Iterable[Expr], given: Given
+    nodes: list[Expr], given: Given
 ) -> tuple[dict[Expr, Expr], list[tuple[Expr, str, Expr]]]:
     """Express each factorial by the smallest one whose argument differs by an integer."""
-    classes: list[dict[Expr, int]] = []
+    classes: dict[Expr, dict[Expr, int]] = {}
     for node in nodes:
-        for others in classes:
-            apart = _apart(node.args[1], next(iter(others)).args[1])
-            if apart is not None:
-                others[node] = apart
-                break
-        else:
-            classes.append({node: 0})
+        gaps = ((first, _apart(node.args[1], first)) for first in classes)
+        new = node.args[1], 0
+        first, apart = next(((e, gap) for e, gap in gaps if gap is not None), new)
+        classes.setdefault(first, {})[node] = apart
     known: dict[Expr, Expr] = {}
     positive: list[tuple[Expr, str, Expr]] = []
-    taken = {
-        *given.names,
-        *(name for others in classes for node in others for name in symbols(node)),
-    }
-    for others in classes:
+    taken = {*given.names, *(name for node in nodes for name in symbols(node))}
+    for others in classes.values():
         least = min(others.values())
         base = next(node.args[1] for node, apart in others.items() if apart == least)
         name = fresh("F", taken)

@@ -24,9 +24,9 @@ from flint import arb, fmpq
 
 from tresym.reals.decisions.answer import Answer, Decide, refuted
 from tresym.reals.decisions.asymptotics.limit_values import limit_of
-from tresym.reals.decisions.divergence import has_no_limit
+from tresym.reals.decisions.asymptotics.recurring_failures import has_no_limit
 from tresym.reals.decisions.identity import decide
-from tresym.reals.decisions.integral_identities import Antiderivatives
+from tresym.reals.decisions.integral_rules import Antiderivatives
 from tresym.reals.decisions.integration_pieces import (
     MINUS_INFINITY,
     pieces_of,
@@ -473,22 +473,12 @@ def _by_quadrature(claim: Comparison, statement: Statement) -> Answer | None:
         for bits in BITS:
             with ball_precision(bits):
                 balls = {name: arb(value) for name, value in at.items()}
-                left, right = (binder_values.value(e, balls, _never) for e in sides)
+                left, right = (binder_values.value(e, balls, lambda *_: False) for e in sides)
                 if not (left.is_finite() and right.is_finite()):
                     break
-                if _fails(left - right, claim.relation):
+                if stands(left - right, NEGATED[claim.relation]):
                     why = "rigorous numerical integration shows that the two sides differ"
                     return refuted(why, at, left, right)
                 if not names and claim.relation != "==" and stands(left - right, claim.relation):
                     return Answer(Verdict.ENCLOSED, "by rigorous numerical integration")
     return None
-
-
-def _never(*_: object) -> bool:
-    return False
-
-
-def _fails(difference: arb, relation: str) -> bool:
-    """Whether a ball shows that the relation does not hold."""
-    opposite = {">": "<=", ">=": "<", "<": ">=", "<=": ">", "==": "!="}
-    return relation in opposite and stands(difference, opposite[relation])

@@ -1,4 +1,7 @@
-"""Power series with hypergeometric terms, by their differential equations.
+"""Infinite sums and products: power series by differential equations, theorems, limits of sums.
+
+A claim with one series is first decided as one about a power series. If that is open, each series
+is replaced by its value by a theorem, or by the limit of a closed form of its partial sums.
 
 The terms f(k) y^(p k + q) with f(k + 1)/f(k) = P(k)/Q(k), P and Q polynomials, have a sum S(y) with
 Q(δ − 1) S − y^p P(δ) S = Q(−1) f(0) y^q, where δ = (θ − q)/p and θ = y d/dy. Let G be the function
@@ -18,13 +21,14 @@ Math. 32 (1990) 321.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import partial
 from itertools import chain, pairwise
 from math import factorial
 
 from flint import fmpq, fmpq_poly
 
-from tresym.reals.decisions.answer import Answer, exactly, refuted
+from tresym.reals.decisions.answer import Answer, Decide, exactly, refuted
 from tresym.reals.decisions.hypergeometric import (
     HIGHEST,
     K,
@@ -38,12 +42,14 @@ from tresym.reals.decisions.hypergeometric import (
     whole_roots,
 )
 from tresym.reals.decisions.identity import decide
+from tresym.reals.decisions.induction import first_terms, with_values
+from tresym.reals.decisions.known_values import Known, known_value
 from tresym.reals.decisions.readable_witnesses import constants_hold
-from tresym.reals.decisions.statement import functions
+from tresym.reals.decisions.statement import Comparison, Statement, functions
 from tresym.reals.domain.binder_values import jumps
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
-from tresym.reals.language.binders import elementary
+from tresym.reals.language.binders import elementary, is_infinite, outermost
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     LEAVES,
@@ -53,6 +59,7 @@ from tresym.reals.language.expression import (
     apply,
     fresh,
     number,
+    opened,
     rebuild,
     replaced,
     substitute,
@@ -72,6 +79,52 @@ POLES = 4
 """Up to which power of y is multiplied with, where a side has a singularity that is removable."""
 POINTS = 6
 APART = "partial sums with a bound on the remainder show that the two sides differ"
+
+
+def decide_infinite(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
+    """Decide a claim with infinite sums or products.
+
+    Args:
+        decided: the procedure for claims without them.
+    """
+    nodes = [node for node in outermost(claim.left, claim.right) if is_infinite(node)]
+    limit = statement.path is not None
+    if claim.derivatives or statement.equations or (limit and not is_infinite(claim.right)):
+        why = "a series together with derivatives, limits or conditions with == is not supported"
+        return Answer(Verdict.UNDECIDED, why)
+    if claim.relation not in ("==", "->") and any(symbols(node) - {"oo"} for node in nodes):
+        return Answer(Verdict.UNDECIDED, "for a series with variables only equations are supported")
+    found = None
+    if len(set(nodes)) == 1 and claim.relation == "==" and not statement.integers:
+        side = claim.solved(nodes[0])
+        if side is not None:
+            found = decide_power_series(side, nodes[0], statement.given)
+            if found or found.verdict is Verdict.REFUTED:
+                return _as_claimed(found, claim, nodes[0])
+    known: dict[Expr, Known] = {}
+    for node in dict.fromkeys(nodes):
+        (k,), body = opened(node, statement.given.names)
+        form = known_value(node.op, body, k, node.args[1], node.args[2], statement.given)
+        if form is None and limit:
+            return Answer(Verdict.UNDECIDED, f"{node}: no known theorem gives its value")
+        if form is None:
+            answer = first_terms(claim, statement, decided)
+            return answer if found is None or answer.verdict is not Verdict.UNDECIDED else found
+        known[node] = form
+    values = {node: form.value for node, form in known.items()}
+    said = "; ".join(f"{node} = {form.value} by {form.source}" for node, form in known.items())
+    answer = with_values(claim, statement, values, said, decided)
+    if answer.verdict is Verdict.UNDECIDED and not limit:  # 0/0 where a theorem leaves out a factor
+        other = first_terms(claim, statement, decided)
+        return answer if other.verdict is Verdict.UNDECIDED else other
+    return answer
+
+
+def _as_claimed(found: Answer, claim: Comparison, series: Expr) -> Answer:
+    """Values of an elementary side and of a series as those of the two sides of the claim."""
+    if found.values is None or claim.right == series:
+        return found
+    return replace(found, values=found.values[::-1] if claim.left == series else None)
 
 
 # The proof

@@ -41,9 +41,6 @@ from tresym.reals.verdict import Verdict
 Decide = Callable[[Expr, str, Expr, Given], Answer]
 DEGREES = tuple(fmpq(n, 2) for n in (0, 2, 4, -2, 6, 8, 1, -4, 3))
 Comparison = tuple[Expr, str, Expr]
-NEAR, TINY = fmpq(1, 2**24), fmpq(1, 2**28)
-MAX_LEAST = 4
-STARTS = 8
 
 
 def by_one_variable(

@@ -45,11 +45,7 @@ FAULTS: tuple[tuple[Fault, str, str], ...] = (
         "Statements",
         "These statements are false for some of the cases that they cover.",
     ),
-    (
-        Fault.REASON,
-        "Reasons",
-        "The conclusion is correct, but the reason given for it is not.",
-    ),
+    (Fault.REASON, "Reasons", "The conclusion is correct, but the reason given for it is not."),
     (
         Fault.ROUNDING,
         "Rounding, and approximations printed as equalities",

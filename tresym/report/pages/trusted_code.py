@@ -125,7 +125,7 @@ RECHECKED = {
         "reals.decisions.asymptotics.numerical_evidence",
         *(
             f"reals.decisions.asymptotics.leading_terms.{name}"
-            for name in ("_fails_at_a_phase", "_remains_beside_zero", "_phases")
+            for name in ("_fails_at_a_phase", "_phases")
         ),
         "reals.decisions.asymptotics.path_claims._at_integers",
         "reals.decisions.asymptotics.integral_limits._differs",
@@ -140,7 +140,7 @@ RECHECKED = {
         *("reals.decisions.equations._with_value", "reals.decisions.algebraic_witnesses"),
         *(
             "reals.decisions.asymptotics.path_claims._fails_beside",
-            "reals.decisions.asymptotics.recurring_failures.periodic_failure",
+            "reals.decisions.asymptotics.recurring_failures.failure_where_waves_return",
         ),
         *(
             "reals.decisions.unknown_functions._realised",

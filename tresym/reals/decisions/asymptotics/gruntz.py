@@ -8,7 +8,6 @@ of u. sin u and cos u become functions of a phase about which nothing is assumed
 from __future__ import annotations
 
 from functools import reduce
-from math import isqrt
 
 from flint import fmpq
 
@@ -57,18 +56,6 @@ BY_OTHERS = {
     "acos": "pi/2 - asin(u)",
 }
 """Functions by others."""
-
-
-def is_irrational(c: Expr) -> bool:
-    """Return whether a constant is a rational multiple of π or of an irrational square root."""
-    for e in (c / PI, c * PI):
-        if normal_form(e, Given()).op == "number":
-            return bool(normal_form(e, Given()) != ZERO)
-    square = normal_form(c**2, Given())
-    if square.op != "number" or square == ZERO:
-        return False
-    q = square.args[0]
-    return any(isqrt(int(part)) ** 2 != int(part) for part in (q.p, q.q))
 
 
 class _FinerPhaseError(Exception):
@@ -238,9 +225,6 @@ class Rewritten:
                 ratio = normal_form(ratio, Given())
             rest = plus(u, -ratio * other)
             if ratio.op != "number" or self.expansions.growth(rest) > 0:
-                if is_irrational(ratio) and self.expansions.growth(rest) <= 0:
-                    pair = {f"_u{k}", f"_u{len(self.scale.waves)}"}
-                    self.scale.independent.add(frozenset(pair))
                 continue
             if ratio.args[0].q != 1:
                 raise _FinerPhaseError(int(ratio.args[0].q))

@@ -1,4 +1,4 @@
-"""Finite sums and products: term by term between numbers, by induction in general.
+"""Sums, products and derivatives of order n: term by term for numbers, by induction in general.
 
 A sum from a to b runs over the integers from a to b. For b = a − 1 it is empty: the sum is 0, the
 product 1. For smaller b it is undefined. A claim about a sum with upper end n + c is a claim about
@@ -10,6 +10,9 @@ the integers n for which the sum is defined.
 3. *Closed forms.* If induction fails, a closed form suggested by SymPy is proved by induction and
    substituted. A series (a sum to ∞) is the limit of such a closed form.
 
+``d^n f/dx^n = g(n, x)`` holds for all n from n0 on if it holds for n0 and if the derivative of
+g(n, x) with respect to x is g(n + 1, x). It is refuted at small n by carrying out the derivatives.
+
 Limitations: nested sums and sums with several upper ends are undecided.
 """
 
@@ -20,13 +23,15 @@ from functools import partial
 
 from tresym.reals.decisions.answer import Answer, Decide, worst
 from tresym.reals.decisions.asymptotics.limit_values import limit_of
+from tresym.reals.decisions.equations import is_whole
+from tresym.reals.decisions.hypergeometric import folded
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.known_values import known_value
 from tresym.reals.decisions.readable_witnesses import decided_at, tidied
 from tresym.reals.decisions.statement import Comparison, Statement
 from tresym.reals.domain.conditions import Given
-from tresym.reals.domain.operation_domains import operations
-from tresym.reals.language.binders import outermost, total
+from tresym.reals.domain.operation_domains import operations, singularities
+from tresym.reals.language.binders import elementary, outermost, total
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
@@ -36,6 +41,7 @@ from tresym.reals.language.expression import (
     Expr,
     add,
     fresh,
+    instantiate,
     integer,
     multiply,
     number,
@@ -52,9 +58,11 @@ from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
 
 TERMS = 200
-FIRST = 8
-"""Values of n at which a claim is looked at."""
+FIRST, FIRST_ORDERS = 8, 4
+"""Values of n, and of orders of derivatives, at which a claim is looked at."""
 INSIDE = ("sum", "product")
+SMOOTH = frozenset(("+", "*", "^", "exp", "sin", "cos", "sinh", "cosh", "atan", "tanh"))
+"""Operations that have a derivative wherever they are defined; of powers it is asked apart."""
 
 
 def decide_totals(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
@@ -87,7 +95,7 @@ def decide_totals(claim: Comparison, statement: Statement, decided: Decide) -> A
     }
     known = {node: theorem.value for node, theorem in theorems.items() if theorem is not None}
     if known:
-        return _with_values(known, "by DLMF 4.21.35", claim, statement, decided)
+        return with_values(claim, statement, known, _said(known, "by DLMF 4.21.35"), decided)
     ends = list(map(_end, nodes))
     names = {end[0] for end in ends if end is not None}
     if None in ends or len(names) != 1:
@@ -107,7 +115,8 @@ def decide_totals(claim: Comparison, statement: Statement, decided: Decide) -> A
     if answer or len(known) < len({*nodes}):
         return answer
     given = statement.given & Given(((symbol(n), ">=", number(least)),))
-    return _with_values(known, "by induction", claim, replace(statement, given=given), decided)
+    said = _said(known, "by induction")
+    return with_values(claim, replace(statement, given=given), known, said, decided)
 
 
 def first_terms(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
@@ -123,15 +132,20 @@ def first_terms(claim: Comparison, statement: Statement, decided: Decide) -> Ans
     if left := [node for node in nodes if node not in known]:
         why = f"{left[0]}: no closed form of its partial sums could be proved"
         return Answer(Verdict.UNDECIDED, why)
-    return _with_values(known, "the limit of the partial sums", claim, statement, decided)
+    said = _said(known, "the limit of the partial sums")
+    return with_values(claim, statement, known, said, decided)
 
 
-def _with_values(
-    known: dict[Expr, Expr], how: str, claim: Comparison, statement: Statement, decided: Decide
+def _said(known: dict[Expr, Expr], how: str) -> str:
+    return ", ".join(f"{node} = {value}" for node, value in known.items()) + f", {how}"
+
+
+def with_values(
+    claim: Comparison, statement: Statement, known: dict[Expr, Expr], said: str, decided: Decide
 ) -> Answer:
+    """Decide the claim with the values of sums, which are shown as ``said``."""
     found = decided(claim.mapped(partial(replaced, known=known)), statement)
-    values = ", ".join(f"{node} = {value}" for node, value in known.items())
-    return replace(found, why=f"{values}, {how}; {found.why}", region=None)
+    return replace(found, why=f"{said}; {found.why}", region=None)
 
 
 def _closed_forms(
@@ -351,3 +365,76 @@ def _smaller_step(now: Comparison, after: Comparison, nodes: list[Expr]) -> list
         return [replace(step, relation=now.relation[0] + "=")]
     later = after.left if now.left.op == "symbol" else after.right
     return [step, Comparison(differentiate(later, name), ">", ZERO)]
+
+
+# Derivatives of order n
+
+
+def decide_repeated(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
+    """Decide a claim with a derivative of order n.
+
+    Args:
+        decided: the procedure for claims without such a derivative.
+    """
+    nodes = [n for n in outermost(claim.left, claim.right) if n.op == "nth"]
+    g = claim.solved(nodes[0]) if len(set(nodes)) == 1 else None
+    if g is None or claim.relation != "==" or claim.derivatives or statement.path is not None:
+        return Answer(
+            Verdict.UNDECIDED,
+            ("a derivative of order n is supported only in an equation that is linear in it"),
+        )
+    inner, place, order = nodes[0].args
+    f, x = instantiate(inner, (place,)), str(place)
+    if order.op != "symbol" or not elementary(f) or str(order) in symbols(f):
+        return Answer(
+            Verdict.UNDECIDED,
+            "the order of the derivative must be a variable that is not "
+            f"in the function, such as n; it is {order}",
+        )
+    n = str(order)
+    plain, least = from_on(statement, n, 0)
+    first = Answer(Verdict.UNDECIDED, f"no small value of {n} could be checked")
+    for k in range(least, least + FIRST_ORDERS):
+        value = folded(substitute(g, {n: number(k)}))
+        derivative = f
+        for _ in range(k):
+            derivative = differentiate(derivative, x)
+        if value is None:
+            break
+        same = Comparison(derivative, "==", value)
+        found, _ = decided_at([{n: number(k)}], same, statement, decided)
+        if found is not None:
+            return found
+        first = decided(same, plain) if k == least else first
+    if not first:
+        why = f"the base case of the induction, {n} = {least}, could not be proved: {first.why}"
+        return Answer(Verdict.UNDECIDED, why)
+    beyond = plain.given & Given(((order, ">=", number(least)),))
+    whole = tuple(dict.fromkeys((*statement.integers, n)))
+    if not is_lasting((g,), beyond, n) or not _is_smooth(g, f, x, beyond, whole):
+        why = (
+            "induction does not apply: the other side could not be shown "
+            f"to be smooth for every {n} >= {least}"
+        )
+        return Answer(Verdict.UNDECIDED, why)
+    later = substitute(g, {n: symbol(n) + 1})
+    step = decided(
+        Comparison(differentiate(g, x), "==", later),
+        replace(plain, given=beyond, integers=whole),
+    )
+    if not step:
+        why = f"the induction step from {n} to {n} + 1 could not be proved: {step.why}"
+        return Answer(Verdict.UNDECIDED, why)
+    why = f"by induction from {n} = {least}: {first.why}; step from {n} to {n} + 1: {step.why}"
+    return replace(step, why=why, region=None)
+
+
+def _is_smooth(g: Expr, f: Expr, x: str, given: Given, integers: tuple[str, ...]) -> bool:
+    """Whether ``g`` has a derivative by ``x`` wherever it is defined and ``f`` is smooth."""
+    there = ((e, ">" if positive else "!=", ZERO) for e, positive in singularities(f))
+    given = given & Given(tuple(there))
+    moving = [node for node in operations((g,)) if x in symbols(node)]
+    powers = [node.args for node in moving if node.op == "^"]
+    return {node.op for node in moving} <= SMOOTH and all(
+        is_whole(exponent, integers) or sign(base, given) == "+" for base, exponent in powers
+    )
