@@ -128,7 +128,7 @@ RECHECKED = {
             for name in ("_fails_at_a_phase", "_phases")
         ),
         "reals.decisions.asymptotics.path_claims._at_integers",
-        "reals.decisions.asymptotics.integral_limits._differs",
+        "reals.decisions.asymptotics.recurring_failures.differ",
         *("reals.decisions.identity._refutation", "reals.decisions.answer.refuted"),
         *("reals.signs.discontinuities.Case.point", "reals.decisions.dispatch._exact"),
         *("reals.decisions.inequalities._at_corners", "reals.decisions.inequalities._refuted_at"),
@@ -214,6 +214,8 @@ def reached(without: Collection[str], roots: Collection[str] = ROOTS) -> set[Pie
                 waiting += _named_in(*piece)
                 attributes |= _attributes(*piece)
         picking = {(file, name.rpartition(".")[0]) for file, name in found if _picks(file, name)}
+        owners = {owner for _, owner in picking}
+        picking |= {(file, name) for file, name in found if _bases(file, name) & owners}
         named = {m for m in _methods(found) if _is_meant(m[1], attributes)}
         waiting = [*({*_methods(picking), *named} - seen)]
     return found
@@ -236,6 +238,13 @@ def _attributes(file: str, name: str) -> frozenset[str]:
     """The names of attributes that a piece uses."""
     nodes = _nodes(_file(file).pieces[name])
     return frozenset(node.attr for node in nodes if isinstance(node, ast.Attribute))
+
+
+@cache
+def _bases(file: str, name: str) -> frozenset[str]:
+    """The names of the classes from which a piece derives, if it is a class."""
+    node = _file(file).pieces[name]
+    return frozenset(map(ast.unparse, node.bases if isinstance(node, ast.ClassDef) else ()))
 
 
 @cache
