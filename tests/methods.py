@@ -5,8 +5,6 @@ off, it returns what it returns when it finds nothing: None, an undecided answer
 items.
 """
 
-from __future__ import annotations
-
 AREAS: dict[str, tuple[str, ...]] = {
     "reals.signs": (
         *("interior.by_signs_of_parts", "interior.sign_inside", "interior.strict_by_conditions"),

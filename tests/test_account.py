@@ -1,7 +1,5 @@
 """The account of methods: each that it names is there, and can be switched off and observed."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 from pathlib import Path

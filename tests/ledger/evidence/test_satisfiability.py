@@ -1,7 +1,5 @@
 """Whether conditions and equations hold somewhere: what is found is shown, and nothing else is."""
 
-from __future__ import annotations
-
 import pytest
 import sympy
 from flint import fmpq

@@ -1,7 +1,5 @@
 """Slides, notebook and Markdown about the paper: complete, compiled, and with computed numbers."""
 
-from __future__ import annotations
-
 import json
 import re
 import shutil
