@@ -128,7 +128,7 @@ RECHECKED = {
             for name in ("_fails_at_a_phase", "_phases")
         ),
         "reals.decisions.asymptotics.path_claims._at_integers",
-        "reals.decisions.asymptotics.integral_limits._differs",
+        "reals.decisions.asymptotics.recurring_failures.differ",
         *("reals.decisions.identity._refutation", "reals.decisions.answer.refuted"),
         *("reals.signs.discontinuities.Case.point", "reals.decisions.dispatch._exact"),
         *("reals.decisions.inequalities._at_corners", "reals.decisions.inequalities._refuted_at"),
