@@ -12,8 +12,6 @@ The collections are the lists of :mod:`tresym.dev.corpus`, random identities, th
 ledger. A claim of the ledger is judged as if all others had the verdicts that are expected.
 """
 
-from __future__ import annotations
-
 import argparse
 import gc
 import signal
@@ -26,7 +24,7 @@ from pathlib import Path
 from random import Random
 from typing import Any, NamedTuple
 
-from methods import METHODS, REASONS
+from methods import METHODS, reason
 
 import tresym
 from tresym.dev.bench.workloads import json_text
@@ -293,11 +291,6 @@ def _row(name: str, lines: int, used: int, lost: list[Asked], every: int) -> dic
         "examples": [asked.claim for asked in lost[:5]],
         "why": reason(name) if per_hundred < FEW else "",
     }
-
-
-def reason(name: str) -> str:
-    """Why a method is kept that decides little; its own reason, or that of its module."""
-    return next((why for start, why in REASONS.items() if name.startswith(start)), "")
 
 
 @cache

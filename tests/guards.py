@@ -7,8 +7,6 @@ again, but for its survivors that no reason excuses. ``show`` prints these; ``sa
 docs/measurements/guards.json.
 """
 
-from __future__ import annotations
-
 import gc
 import hashlib
 import json

@@ -5,7 +5,7 @@ off, it returns what it returns when it finds nothing: None, an undecided answer
 items.
 """
 
-from __future__ import annotations
+from pathlib import Path
 
 AREAS: dict[str, tuple[str, ...]] = {
     "reals.signs": (
@@ -13,8 +13,7 @@ AREAS: dict[str, tuple[str, ...]] = {
         *("polynomials.sign_of_polynomial", "concavity.sign_by_concavity"),
         *("taylor.sign_by_taylor", "absolute_value_cases.by_cases"),
         *("transformations.by_equivalents", "transformations._logarithms"),
-        *("transformations._cleared", "transformations._exponentials"),
-        *("transformations._in_powers", "discontinuities.cases_at_jumps"),
+        *("transformations._cleared", "discontinuities.cases_at_jumps"),
         *("structural.Parts._stated", "structural.Parts._by_conditions"),
         *("structural.Parts._in_half_turn", "structural.Parts._algebraic"),
         *("structural.Parts._fraction", "structural.Parts._less", "structural.Parts._polynomial"),
@@ -47,7 +46,6 @@ AREAS: dict[str, tuple[str, ...]] = {
         *("inequalities_on_regions._Search._piece", "variable_reduction.by_one_variable"),
         *("variable_reduction._scaled", "variable_reduction._monotone"),
         *("algebraic_witnesses.equal_at_algebraic", "algebraic_witnesses.equal_at_simple"),
-        "algebraic_witnesses.equal_at_turns",
         *("readable_witnesses.exact_witness", "integrals.decide_integrals"),
         *("integrals._by_identity", "integrals._infinite", "integrals._by_quadrature"),
         *("integrals._at_parameters", "integrals._without_value", "integrals._of_waves"),
@@ -100,24 +98,16 @@ AREAS: dict[str, tuple[str, ...]] = {
 METHODS = tuple(f"{area}.{name}" for area, names in AREAS.items() for name in names)
 """All methods, by their full names without the leading ``tresym.``."""
 
-TEXTBOOK = "textbook claims and manuscripts, of which the collections have few"
-REASONS: dict[str, str] = {
-    **dict.fromkeys(
-        (
-            *("reals.decisions.integrals", "reals.decisions.known_values"),
-            *("reals.decisions.integral_rules", "reals.decisions.integration_pieces"),
-            "reals.decisions.antiderivatives",
-            "reals.decisions.induction",
-            "reals.decisions.hypergeometric",
-            "reals.decisions.power_series",
-            "reals.decisions.ellipsis_series",
-            *("reals.decisions.factorials", "reals.decisions.integer_variables"),
-            *("reals.decisions.equation", "reals.decisions.ideals"),
-            "reals.decisions.unknown_functions",
-        ),
-        TEXTBOOK,
-    ),
-    "ledger": "claims of the ledger that have no other evidence",
-}
-"""Why a method is kept that decides fewer than five claims per hundred lines of its own, by the
-beginning of its name."""
+_ALONE = Path(__file__).parent / "data" / "alone.txt"
+ALONE = dict(
+    line.split(": ", 1)
+    for line in _ALONE.read_text(encoding="utf-8").splitlines()
+    if not line.startswith("#")
+)
+"""A claim, or the label of one of the ledger, that the method alone decides."""
+
+
+def reason(name: str) -> str:
+    """Why a method is kept that decides fewer than five claims per hundred lines of its own."""
+    claim = ALONE.get(name)
+    return f"it alone decides `{claim}`" if claim else "no claim is known that it alone decides"

@@ -1,7 +1,5 @@
 """The architecture: layers of packages, what each may import and load, and the list of them."""
 
-from __future__ import annotations
-
 import ast
 import re
 import subprocess

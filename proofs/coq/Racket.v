@@ -2565,6 +2565,146 @@ Proof.
 Qed.
 End Slope.
 
+(* The derivative of the turn by the level, and the slope, by their leading terms. *)
+Section Level.
+Variables a b e : R.
+Hypotheses (A : a > 0) (B : b > 0) (P : e > 0) (Q : e < 1 / 2 * PI).
+Hypothesis D : tanh (sqrt (a * b) * (PI + asin (sqrt (b * / (a + b)) * cos e)))
+  = / sqrt (b * / a * sin e ^ 2 + 1) * cos e.
+Let r := b * / a.
+Let k := sqrt (a * b).
+Let w := sqrt (r * sin e ^ 2 + 1).
+Let p := PI + asin (sqrt (b * / (a + b)) * cos e).
+Let t := w * sin e * / (1 - b * sin e ^ 2).
+Let y := cos e * sin e * / (1 - b * sin e ^ 2).
+Let u := e ^ 2.
+Hypotheses (B1 : b <= 1) (R4 : r <= 4) (E1 : e <= 42 / 100).
+Lemma phase_between : PI <= p <= PI + atan (sqrt r).
+Proof.
+  destruct (defect_signs a b e A B P Q) as [S [C [R0 _]]]; fold r in R0; pose proof (COS_bound e) as C1.
+  unfold p; rewrite (turn_of_share a b e A B); fold r w.
+  destruct (root_facts a b e A B) as [W _]; fold r in W; fold w in W; pose proof (sqrt_pos r).
+  assert (I : 0 < / w <= 1) by (split; [apply Rinv_0_lt_compat; lra | rewrite <- Rinv_1; apply Rinv_le_contravar; lra]).
+  assert (J : 0 <= / w * cos e <= 1) by nra.
+  split; apply Rplus_le_compat_l || rewrite <- (Rplus_0_r PI) at 1; [| apply arctangent_rises; nra].
+  apply Rplus_le_compat_l; rewrite <- atan_0; apply arctangent_rises; nra.
+Qed.
+Lemma phase_below_log : k * p <= ln (2 * / (sqrt (r + 1) * e)) + u * (up_root r u + up_sine u).
+Proof.
+  destruct (defect_signs a b e A B P Q) as [S [C [R0 [K0 [KR _]]]]]; fold r in R0, KR; fold k in K0, KR.
+  destruct (root_facts a b e A B) as [W [Q0 _]]; fold r in W, Q0; fold w in W.
+  pose proof (decay a b _ e A B S C D) as Y; fold r k p in Y; fold w in Y.
+  destruct (sum_between b r k e B B1 R0 R4 KR P E1) as [_ [G _]]; fold u in G; fold w in G.
+  pose proof (square_between e P E1) as U; fold u in U.
+  destruct (small_sine e) as [[A1 _] _]; try lra; fold u in A1.
+  assert (I : 0 < / sin e) by (apply Rinv_0_lt_compat; lra).
+  assert (V : ln (e * / sin e) <= u * up_sine u).
+  { apply Rle_trans with (e * / sin e - 1); [apply ln_below; positive |].
+    enough (e * / sin e <= 1 + u * up_sine u) by lra.
+    apply (Rmult_le_reg_r (sin e)); try lra; rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
+    unfold up_sine; apply Rle_trans with (e * (1 - u / 6) * (1 + u * (1 / 6 + u / 34))); [| nra].
+    assert (0 <= u ^ 2 * (1 / 34 - 1 / 36 - u / 204)) by (apply Rmult_le_pos; nra); nra. }
+  assert (X : ln (1 / 2 * w + 1 / 2 * cos e) <= u * up_root r u).
+  { apply Rle_trans with (1 / 2 * w + 1 / 2 * cos e - 1); [apply ln_below; lra | lra]. }
+  assert (Z : k * p = - ln (sqrt (r + 1) * / (w + cos e) * sin e)) by (rewrite <- Y, ln_exp; ring).
+  assert (Z2 : sqrt (r + 1) * / (w + cos e) * sin e = / (2 * / (sqrt (r + 1) * e) * (1 / 2 * w + 1 / 2 * cos e) * (e * / sin e)))
+    by (field; repeat split; lra).
+  assert (P1 : 0 < 2 * / (sqrt (r + 1) * e)) by (apply Rmult_lt_0_compat; [lra | apply Rinv_0_lt_compat, Rmult_lt_0_compat; lra]).
+  assert (P3 : 0 < e * / sin e) by (apply Rmult_lt_0_compat; lra).
+  rewrite Z, Z2; set (x1 := 2 * / _) in *; set (x2 := 1 / 2 * w + _) in *; set (x3 := e * / _) in *.
+  assert (P2 : 0 < x2) by (unfold x2; lra); clearbody x1 x2 x3.
+  rewrite ln_Rinv, !ln_mult by (repeat first [assumption | apply Rmult_lt_0_compat]); lra.
+Qed.
+Lemma level_part_between : let h := / u - w * cos e * / sin e ^ 2 in
+  1 / 6 - r / 2 <= h /\ h <= 1 / 6 + u / 9 - r * (1 - u / 2) * / (2 + u * up_w r u).
+Proof.
+  intros h; destruct (factors_between a b e A B P Q B1 R4 E1) as [U [S [S2 [S3 [W [C [S0 C0]]]]]]].
+  fold r in W; fold w u in W; fold u in U, S, S2, S3, C.
+  destruct (small_sine e) as [_ [_ C1]]; try lra; fold u in C1; replace (e ^ 4) with (u ^ 2) in C1 by (unfold u; ring).
+  destruct (defect_signs a b e A B P Q) as [_ [_ [R0 _]]]; fold r in R0; pose proof (COS_bound e) as C2.
+  assert (J0 : 0 < sin e ^ 2) by (apply pow_lt; lra).
+  assert (W2 : w ^ 2 = r * sin e ^ 2 + 1) by (apply pow2_sqrt; apply Rplus_le_le_0_compat; [apply Rmult_le_pos |]; lra).
+  assert (H : h = / u - cos e * / sin e ^ 2 - r * cos e * / (w + 1)).
+  { unfold h; replace (w * cos e * / sin e ^ 2) with (cos e * / sin e ^ 2 + cos e * ((w - 1) * (w + 1)) * / (w + 1) * / sin e ^ 2)
+      by (field; split; lra).
+    replace ((w - 1) * (w + 1)) with (r * sin e ^ 2) by lra; field; repeat split; lra. }
+  assert (H1 : 1 / 6 <= / u - cos e * / sin e ^ 2 <= 1 / 6 + u / 9).
+  { assert (E : / u - cos e * / sin e ^ 2 = (sin e ^ 2 - u * cos e) * / (u * sin e ^ 2)) by (field; lra).
+    rewrite E; split; apply (Rmult_le_reg_r (u * sin e ^ 2)); try (apply Rmult_lt_0_compat; lra);
+      rewrite ?(Rmult_assoc _ (/ _)), Rinv_l, Rmult_1_r by (apply Rgt_not_eq, Rmult_lt_0_compat; lra).
+    - apply Rle_trans with (sin e ^ 2 - u * (1 - u / 2 + u ^ 2 / 24)); [| apply Rplus_le_compat_l, Ropp_le_contravar, Rmult_le_compat_l; lra].
+      enough (u * (1 - u / 2 + u ^ 2 / 24) <= sin e ^ 2 * (1 - u / 6)) by lra.
+      assert ((e * (1 - u / 6)) ^ 2 <= sin e ^ 2) by (apply pow_incr; split; [apply Rmult_le_pos; lra | lra]).
+      apply Rle_trans with ((e * (1 - u / 6)) ^ 2 * (1 - u / 6)); [| apply Rmult_le_compat_r; lra].
+      rewrite Rpow_mult_distr; fold u; rewrite Rmult_assoc; apply Rmult_le_compat_l; [lra |].
+      assert (0 <= u ^ 2 * (1 / 24 - u / 216)) by (apply Rmult_le_pos; nra); nra.
+    - apply Rle_trans with (sin e ^ 2 - u * (1 - u / 2)); [apply Rplus_le_compat_l, Ropp_le_contravar, Rmult_le_compat_l; lra |].
+      enough (sin e ^ 2 * (1 - u / 6 - u ^ 2 / 9) <= u * (1 - u / 2)) by lra.
+      apply Rle_trans with (u * up_time u * (1 - u / 6 - u ^ 2 / 9)); [apply Rmult_le_compat_r; nra |].
+      rewrite Rmult_assoc; apply Rmult_le_compat_l; [lra |]; unfold up_time; clear - U.
+      assert (0 <= u ^ 2 * (1 / 90 - 8 / 270 * u + 2 / 405 * u ^ 2)) by (apply Rmult_le_pos; nra); nra. }
+  rewrite H; assert (I : 0 < / (w + 1) <= 1 / 2).
+  { split; [apply Rinv_0_lt_compat; lra |]; replace (1 / 2) with (/ 2) by field; apply Rinv_le_contravar; lra. }
+  assert (I2 : / (2 + u * up_w r u) <= / (w + 1)) by (apply Rinv_le_contravar; lra).
+  assert (I3 : 0 < / (2 + u * up_w r u)) by (apply Rinv_0_lt_compat; lra).
+  assert (cos e * / (w + 1) <= 1 / 2) by nra.
+  assert ((1 - u / 2) * / (2 + u * up_w r u) <= cos e * / (w + 1)) by (apply Rmult_le_compat; lra).
+  rewrite !(Rmult_assoc r); split; nra.
+Qed.
+Lemma slope_is : / (4 * b * e) + k * t * turn_slope a b e
+  = / (4 * b) * (/ e - cos e * / sin e - (r + b) * y + (2 * b + r - 1) * (t * (k * p))).
+Proof.
+  rewrite (turn_slope_is a b e A B P Q D); fold r k p; fold w.
+  destruct (factors_between a b e A B P Q B1 R4 E1) as [U [_ [_ [S3 [_ [_ [S0 C0]]]]]]]; fold u in U, S3.
+  destruct (defect_signs a b e A B P Q) as [_ [_ [R0 [K0 _]]]]; fold r in R0; fold k in K0.
+  assert (V : 0 < 1 - b * sin e ^ 2) by nra.
+  assert (W2 : w ^ 2 = r * sin e ^ 2 + 1) by (apply pow2_sqrt; nra).
+  assert (T : t * (w * cos e * / sin e ^ 2) = cos e * / sin e + (r + b) * y).
+  { unfold t, y; replace (w * sin e * / (1 - b * sin e ^ 2) * (w * cos e * / sin e ^ 2))
+      with (w ^ 2 * cos e * / sin e * / (1 - b * sin e ^ 2)) by (field; lra).
+    rewrite W2; field; lra. }
+  transitivity (/ (4 * b) * (/ e - t * (w * cos e * / sin e ^ 2) + (2 * b + r - 1) * (t * (k * p)))); [field; lra |].
+  rewrite T; ring.
+Qed.
+Lemma slope_parts : e * (1 / 3) <= / e - cos e * / sin e <= e * (1 / 3 + u / 15)
+  /\ e * (1 - 2 / 3 * u) * (1 + b * (u - u ^ 2 / 3)) <= y /\ y * (1 - b * (u * up_time u)) <= e /\ 0 < y <= t.
+Proof.
+  destruct (factors_between a b e A B P Q B1 R4 E1) as [U [S [S2 [S3 [W [C [S0 C0]]]]]]].
+  fold r in W; fold w u in W; fold u in U, S, S2, S3, C.
+  destruct (small_sine e) as [_ [_ C1]]; try lra; fold u in C1; replace (e ^ 4) with (u ^ 2) in C1 by (unfold u; ring).
+  pose proof (COS_bound e) as C2; assert (T : 0 <= up_time u <= 1) by (unfold up_time; nra).
+  assert (q0 : 0 <= u * up_time u <= 1764 / 10000) by nra.
+  assert (V : 0 < 1 - b * (u * up_time u) <= 1 - b * sin e ^ 2) by nra.
+  assert (I : 0 < / (1 - b * sin e ^ 2)) by (apply Rinv_0_lt_compat; lra).
+  assert (Y : y * (1 - b * sin e ^ 2) = cos e * sin e) by (unfold y; field; lra).
+  assert (Y0 : 0 < y) by (unfold y; apply Rmult_lt_0_compat; nra).
+  assert (es : 0 < e * sin e) by nra.
+  repeat split; try assumption.
+  - apply (Rmult_le_reg_r (e * sin e)); [exact es |].
+    replace ((/ e - cos e * / sin e) * (e * sin e)) with (sin e - e * cos e) by (field; lra).
+    enough (e * cos e <= sin e * (1 - u / 3)) by (unfold u in *; lra).
+    apply Rle_trans with (e * (1 - u / 6) * (1 - u / 3)); [| apply Rmult_le_compat_r; lra].
+    rewrite Rmult_assoc; apply Rmult_le_compat_l; nra.
+  - apply (Rmult_le_reg_r (e * sin e)); [exact es |].
+    replace ((/ e - cos e * / sin e) * (e * sin e)) with (sin e - e * cos e) by (field; lra).
+    replace (e * (1 / 3 + u / 15) * (e * sin e)) with (sin e * (u * (1 / 3 + u / 15))) by (unfold u; ring).
+    enough (sin e * (1 - u * (1 / 3 + u / 15)) <= e * cos e) by lra.
+    apply Rle_trans with (e * (1 - u * sine_loss u) * (1 - u * (1 / 3 + u / 15))); [apply Rmult_le_compat_r; nra |].
+    rewrite Rmult_assoc; apply Rmult_le_compat_l; [lra |]; apply Rle_trans with (1 - u / 2); [| lra]; unfold sine_loss.
+    assert (0 <= u ^ 2 * (1 / 360 - u / 120 + u ^ 2 / 1800)) by (apply Rmult_le_pos; nra); nra.
+  - apply Rle_trans with (cos e * sin e * (1 + b * sin e ^ 2)).
+    + assert (0 <= u - u ^ 2 / 3) by nra; assert (0 < e * (1 - 2 / 3 * u)) by (apply Rmult_lt_0_compat; lra).
+      assert (0 <= b * (u - u ^ 2 / 3)) by (apply Rmult_le_pos; lra); apply Rmult_le_compat; try lra.
+      * apply Rle_trans with ((1 - u / 2) * (e * (1 - u / 6))); [nra |]; apply Rmult_le_compat; try lra; apply Rmult_le_pos; lra.
+      * apply Rplus_le_compat_l, Rmult_le_compat_l; lra.
+    + assert (X : 0 <= b * sin e ^ 2) by nra; rewrite <- Y; set (x := b * sin e ^ 2) in *; clearbody x.
+      assert (0 <= y * x ^ 2) by (apply Rmult_le_pos; nra); nra.
+  - apply Rle_trans with (cos e * sin e); [rewrite <- Y; apply Rmult_le_compat_l; lra |].
+    assert (sin e <= e) by (left; apply sin_lt_x; lra); nra.
+  - unfold y, t; apply Rmult_le_compat_r; [lra |]; apply Rmult_le_compat_r; lra.
+Qed.
+End Level.
+
 Lemma printed_above a e : a >= 100 -> e > 0 -> e < 1 / 2 * PI ->
   tanh (sqrt (a * 1) * (PI + asin (sqrt (1 * / (a + 1)) * cos e))) = / sqrt (1 * / a * sin e ^ 2 + 1) * cos e ->
   exp (- (PI * sqrt (a * 1))) ^ 2

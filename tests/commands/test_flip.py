@@ -1,7 +1,5 @@
 """``tresym flip`` as a user meets it: answers, files, bad input, start-up."""
 
-from __future__ import annotations
-
 import argparse
 import json
 import os

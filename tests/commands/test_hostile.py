@@ -5,8 +5,6 @@ inputs for each reader and 100 processes, others for each chunk (see ``tests/dee
 are 10⁵ and 10³.
 """
 
-from __future__ import annotations
-
 import json
 import os
 import random

@@ -1,7 +1,5 @@
 """What the tests of Coq share: the compiled lemmas, which take minutes."""
 
-from __future__ import annotations
-
 import pytest
 
 from tresym.coq import coqtop

@@ -1,7 +1,5 @@
 """The cache of compiled lemmas."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from subprocess import CompletedProcess
 from typing import Any

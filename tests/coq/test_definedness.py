@@ -1,7 +1,5 @@
 """Premises of definedness: proved where the conditions imply them, and stated where they stay."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

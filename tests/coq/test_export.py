@@ -1,7 +1,5 @@
 """The files of Coq: nothing is assumed in them, and every claim is in the index."""
 
-from __future__ import annotations
-
 import json
 import os
 import re

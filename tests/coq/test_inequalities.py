@@ -1,7 +1,5 @@
 """Proofs of inequalities: found by the ways of the prover of signs, and accepted by Coq."""
 
-from __future__ import annotations
-
 import pytest
 
 from tresym.coq.candidate_search import export

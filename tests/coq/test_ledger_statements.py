@@ -1,7 +1,5 @@
 """The ledger's claims as theorems: their definitions, their conditions, and what is said."""
 
-from __future__ import annotations
-
 import re
 from functools import cache
 
@@ -141,3 +139,5 @@ def test_an_order_is_a_bound_at_all_points_that_are_near() -> None:
     assert "exists v_bound : R, exists v_near" in said["eps0_smooth"]
     assert "~" in said["d24"]
     assert "epsilon0 < (1 / 2) * PI" in said["d24"]  # the defect is what it is defined to be
+    smooth = said["G_is_smooth"]  # the derivative exists there, and has the bound
+    assert re.search(r"exists (\w+) : R, is_derive .* \1 /\\ Rabs \1 <= v_bound \* Rabs 1", smooth)

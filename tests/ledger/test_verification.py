@@ -143,6 +143,7 @@ def test_refuted_claims_are_amended_by_claims_that_hold(ledger: Report) -> None:
                 assert ledger[amendment.label].finding.verdict.holds
 
 
+@pytest.mark.slow
 def test_a_label_loads_the_files_in_which_it_is_written_and_no_others() -> None:
     code = """if True:
         import sys

@@ -1,7 +1,5 @@
 """Levels of γ: what the ledger evaluates by integrals alone, against elliptic functions."""
 
-from __future__ import annotations
-
 import pytest
 from flint import fmpq
 from tresym.proofs.levels import flip_defect_on_level, one_time

@@ -1,7 +1,5 @@
 """Exact angles: what a text names, their sines in balls, and Niven's theorem."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 from math import gcd
 from typing import Any

@@ -46,7 +46,7 @@ from tresym.ledger.evidence.refutation import denied_part
 from tresym.ledger.paper import file_of
 from tresym.ledger.statements import Rounds
 from tresym.reals.language import sympy as sympy_reader
-from tresym.reals.language.binders import elementary, outermost
+from tresym.reals.language.binders import outermost
 from tresym.reals.language.expression import (
     ZERO,
     Expr,
@@ -339,14 +339,11 @@ def theorem(
 def tending(claim: Claim, says: Basic) -> Theorem:
     """Return an order as an ε–δ statement: a bound that holds at all sufficiently near points.
 
-    Raises:
-        NotExportedError: the order contains derivatives.
+    Where the order is of a derivative, the derivative exists there and has the bound.
     """
     equation, what, points, side = says.args
     left, right = sympy_reader.unworked(equation.lhs), sympy_reader.unworked(equation.rhs)
     (node,) = {e for e in outermost(right) if e.op in ("O", "o")}
-    if not elementary(left):
-        raise NotExportedError("orders of derivatives are not exported to Coq yet")
     k, d = symbol("bound"), symbol("near")
     without, whole = (replaced(right, {node: e}) for e in (ZERO, node.args[0]))
     small = Relation(abs(left - without), "<=", k * abs(whole - without))

@@ -1,7 +1,5 @@
 """Printed numbers: accepted with inputs that give them, refuted where none do."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import Any
 

@@ -1,7 +1,5 @@
 """How the defect bends: the candidate by differences, its bounds by quadrature, H″ by mpmath."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import mpmath
@@ -77,6 +75,7 @@ def test_the_candidate_is_what_it_says(shape: tuple[fmpq, fmpq], v: str, constan
             assert ball.rad() < 1e-14
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("shape", SHAPES, ids=str)
 @pytest.mark.parametrize("v", ["-0.9", "-0.3", "0.4", "1"])
 def test_the_curvature_holds_the_second_derivative(shape: tuple[fmpq, fmpq], v: str) -> None:

@@ -1,7 +1,5 @@
 """The points of a chart: what a symbol is there satisfies the equation that it stands for."""
 
-from __future__ import annotations
-
 from flint import arb
 
 from tresym.racket.bounds import samples as s

@@ -1,9 +1,7 @@
 """ε(γ) everywhere, its slopes, the levels at which it changes character, and the inverse."""
 
-from __future__ import annotations
-
 from fractions import Fraction
-from itertools import pairwise
+from itertools import pairwise, product
 
 import pytest
 from differences import defect_slope
@@ -48,20 +46,20 @@ CASES = [
 ]
 
 
-@pytest.mark.parametrize("gamma", CASES)
-@pytest.mark.parametrize("body", ["str", "racket-1"])
-def test_two_precisions_nest_and_the_digits_are_there(body, gamma):
-    shape, level = named_body(body).shape, parse_number(gamma)
-    if level > shape.a:
-        pytest.skip("beyond a")
-    few, many = solve(*shape, level, 30), inverted(*shape, level, 60)
-    with ball_precision(bits(80)):
-        for rough, fine in zip(few, many, strict=True):
-            assert rough.overlaps(fine)
-            assert rough.rel_accuracy_bits() >= bits(30, 0)
-            assert fine.rel_accuracy_bits() >= bits(60, 0)
+def test_two_precisions_nest_and_the_digits_are_there() -> None:
+    for gamma, body in product(CASES, ["str", "racket-1"]):
+        shape, level = named_body(body).shape, parse_number(gamma)
+        if level > shape.a:
+            pytest.skip("beyond a")
+        few, many = solve(*shape, level, 30), inverted(*shape, level, 60)
+        with ball_precision(bits(80)):
+            for rough, fine in zip(few, many, strict=True):
+                assert rough.overlaps(fine)
+                assert rough.rel_accuracy_bits() >= bits(30, 0)
+                assert fine.rel_accuracy_bits() >= bits(60, 0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("body", "gamma"), routes.CASES)
 def test_rigorous_integration_and_quadrature_agree_to_fifty_digits(body, gamma):
     shape, level = named_body(body).shape, parse_number(gamma)
@@ -126,33 +124,33 @@ def test_a_thousand_digits():
         assert answer.defect.overlaps(flip_defect(*STR, gamma, digits=60).defect)
 
 
-@pytest.mark.parametrize(
-    "shape",
-    [
-        ("1e-9", "1"),
-        ("1e-9", "1e-12"),
-        ("1e6", "1"),
-        ("1e6", "1e-12"),
-        ("3", "1"),
-        ("100", "1/102"),
-    ],
-)
-@pytest.mark.parametrize("part", ["1e-300", "0.5", "-0.5", "-1e-300", "-0.999999"])
-def test_extreme_shapes(shape, part):
-    a, b = map(parse_number, shape)
-    factor = parse_number(part)
-    gamma = factor * (a if factor > 0 else b)
-    found = inverted(a, b, gamma, 25)
-    assert found.defect.rel_accuracy_bits() >= bits(25, 0)
-    fast = quick(a, b, gamma, 25)
-    if fast is not None:
-        assert fast.defect.overlaps(found.defect)
+def test_extreme_shapes() -> None:
+    for shape, part in product(
+        [
+            ("1e-9", "1"),
+            ("1e-9", "1e-12"),
+            ("1e6", "1"),
+            ("1e6", "1e-12"),
+            ("3", "1"),
+            ("100", "1/102"),
+        ],
+        ["1e-300", "0.5", "-0.5", "-1e-300", "-0.999999"],
+    ):
+        a, b = map(parse_number, shape)
+        factor = parse_number(part)
+        gamma = factor * (a if factor > 0 else b)
+        found = inverted(a, b, gamma, 25)
+        assert found.defect.rel_accuracy_bits() >= bits(25, 0)
+        fast = quick(a, b, gamma, 25)
+        if fast is not None:
+            assert fast.defect.overlaps(found.defect)
 
 
 positive = st.fractions("1/100", 40)
 parts = st.fractions("-999/1000", "999/1000")
 
 
+@pytest.mark.slow
 @given(positive, st.fractions("1/100", 1), parts)
 @example(Fraction(2), Fraction(1), Fraction(-1, 2))
 def test_the_quick_route_never_disagrees_with_the_other(a, b, part):
@@ -164,21 +162,24 @@ def test_the_quick_route_never_disagrees_with_the_other(a, b, part):
         assert fast is None or fast.defect.overlaps(slow)
 
 
-@pytest.mark.parametrize("shape", [STR, RACKET, (fmpq(3), fmpq(1)), (fmpq(100), fmpq(1, 102))])
-@pytest.mark.parametrize("part", ["0.9", "0.1", "1e-3", "1e-20", "-1e-20", "-0.1", "-0.9", "-0.99"])
-@pytest.mark.parametrize("digits", [5, 50, 400])
-def test_the_quick_route_folds_every_orbit_into_its_first_quarter(shape, part, digits):
-    a, b = shape
-    factor = parse_number(part)
-    gamma = factor * (a if factor > 0 else b)
-    fast, slow = quick(a, b, gamma, digits), inverted(a, b, gamma, digits)
-    assert fast is not None
-    with ball_precision(bits(digits, 64)):
-        for ours, other in zip(fast, slow, strict=True):
-            assert ours.overlaps(other)
-            assert proves(ours, digits)
+def test_the_quick_route_folds_every_orbit_into_its_first_quarter() -> None:
+    for shape, part, digits in product(
+        [STR, RACKET, (fmpq(3), fmpq(1)), (fmpq(100), fmpq(1, 102))],
+        ["0.9", "0.1", "1e-3", "1e-20", "-1e-20", "-0.1", "-0.9", "-0.99"],
+        [5, 50, 400],
+    ):
+        a, b = shape
+        factor = parse_number(part)
+        gamma = factor * (a if factor > 0 else b)
+        fast, slow = quick(a, b, gamma, digits), inverted(a, b, gamma, digits)
+        assert fast is not None
+        with ball_precision(bits(digits, 64)):
+            for ours, other in zip(fast, slow, strict=True):
+                assert ours.overlaps(other)
+                assert proves(ours, digits)
 
 
+@pytest.mark.slow
 @given(
     st.fractions("1/100", 100),
     st.fractions("1/100", 1),

@@ -82,6 +82,7 @@ def test_values_above_a_right_angle_are_not_looked_for() -> None:
             level_of(*shape, parse_angle(value), 20)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("value", ["3/2", "1", "1/10", "0", "-1/10"])
 @pytest.mark.parametrize("shape", NOT_BODIES)
 def test_the_inverse_is_where_the_defect_falls(shape: tuple[fmpq, fmpq], value: str) -> None:

@@ -1,7 +1,5 @@
 """The ladder: the cheapest rung with the digits, rungs that agree, and rungs that do not answer."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import pytest
@@ -85,6 +83,7 @@ def test_the_first_rung_with_the_digits_answers(
 shapes = st.tuples(st.fractions("1/10", 40), st.fractions("1/20", 1))
 
 
+@pytest.mark.slow
 @given(shapes, st.fractions("-9/10", "9/10"), st.integers(1, 40))
 def test_the_rungs_that_answer_agree(given_: tuple[Any, Any], part: Any, digits: int) -> None:
     body = shape(*given_)

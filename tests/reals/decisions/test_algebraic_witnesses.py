@@ -7,7 +7,6 @@ import tresym
 from tresym.reals.decisions.algebraic_witnesses import (
     equal_at_algebraic,
     equal_at_simple,
-    equal_at_turns,
 )
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.parsing import parse
@@ -84,21 +83,3 @@ def test_a_zero_in_one_variable_is_confirmed(claim: str) -> None:
 def test_an_open_cell_shows_what_no_sample_does() -> None:
     answer = tresym.check("(x - 1000)**2*(x - 1001) >= 0", "x >= 1000.5, x <= 1001")
     assert answer.verdict is Verdict.REFUTED
-
-
-@pytest.mark.parametrize(
-    ("left", "given", "found"),
-    [
-        ("a**2 + b**2 + 2*a*b*cos(x)", "a > 0, b > 0", True),
-        ("a**2 + b**2 + 2*a*b*cos(x) + 1/10**40", "a > 0, b > 0", False),
-        ("a**2 + b**2 + 2*a*b*cos(x)", "a > 0, b > 0, x < 3", False),
-        ("a**2 + b**2 + 2*a*b*cos(x)", "a > 0, b > 0, z > 0", False),
-        ("a*(1 - sin(x))", "a > 0", True),
-        ("a*(1 - sin(x))/cos(x)", "a > 0", False),  # not defined there
-        ("a**2 + b**2 + 2*a*b", "a > 0, b < 0", False),  # no angle
-        ("1 - sin(x)", "", False),  # of one variable
-    ],
-)
-def test_quarter_turns(left: str, given: str, found: bool) -> None:
-    answer = equal_at_turns(parse(left), parse("0"), Given.parse(given))
-    assert (answer is not None) is found

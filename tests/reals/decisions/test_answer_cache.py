@@ -1,7 +1,5 @@
 """The cache of answers: found again, never trusted when damaged, shared by several runs."""
 
-from __future__ import annotations
-
 import json
 import sqlite3
 import threading

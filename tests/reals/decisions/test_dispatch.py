@@ -592,6 +592,7 @@ def test_a_claim_that_we_fail_at_does_not_end_the_others(monkeypatch: pytest.Mon
     assert "ZeroDivisionError" in getattr(found[0], "why", "")
 
 
+@pytest.mark.slow
 def test_a_sample_of_the_antiderivatives() -> None:
     real = [pair for pair in check_pairs.pairs() if "sqrt(-b**2)" not in pair.antiderivative]
     for pair in real[::9]:

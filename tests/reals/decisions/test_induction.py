@@ -1,7 +1,5 @@
 """Sums, products and derivatives of order n: induction needs its base and its step."""
 
-from __future__ import annotations
-
 import pytest
 
 import tresym

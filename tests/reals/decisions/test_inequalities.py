@@ -1,7 +1,5 @@
 """Inequalities called directly: each true claim stands beside a near falsehood."""
 
-from __future__ import annotations
-
 import pytest
 from flint import arb
 

@@ -1,7 +1,5 @@
 """Integer variables: angles and signs by residues, refuted at integers alone."""
 
-from __future__ import annotations
-
 import pytest
 
 import tresym

@@ -1,7 +1,5 @@
 """Rules for integrals: what they give of smooth integrands, and what only looks like it."""
 
-from __future__ import annotations
-
 import pytest
 
 import tresym

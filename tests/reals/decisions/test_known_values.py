@@ -1,7 +1,5 @@
 """Theorems that are quoted: what they give, and what is near to them and false."""
 
-from __future__ import annotations
-
 import pytest
 
 import tresym

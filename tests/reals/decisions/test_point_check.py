@@ -1,7 +1,5 @@
 """A refutation at a point leaves only if the point satisfies the complete statement."""
 
-from __future__ import annotations
-
 import pytest
 
 import tresym

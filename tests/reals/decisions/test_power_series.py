@@ -1,7 +1,5 @@
 """Power series: the equation, the coefficients that it leaves open, and the range are needed."""
 
-from __future__ import annotations
-
 from contextlib import suppress
 
 import pytest

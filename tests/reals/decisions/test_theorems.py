@@ -1,7 +1,5 @@
 """The tables of quoted theorems against quadrature, partial sums and differential equations."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import mpmath

@@ -1,7 +1,5 @@
 """The Möbius map: values keep their signs, and the ends of the range are 0 and infinity."""
 
-from __future__ import annotations
-
 import pytest
 from flint import Ordering, fmpq, fmpz_mpoly, fmpz_mpoly_ctx
 

@@ -1,7 +1,5 @@
 """A difference concave between two ends: what its values there settle, and what they do not."""
 
-from __future__ import annotations
-
 import pytest
 from falsehoods import is_false_at, proves
 

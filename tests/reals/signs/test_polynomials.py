@@ -1,7 +1,5 @@
 """Polynomials at a point of every open cell: what is proved, and what each projection is for."""
 
-from __future__ import annotations
-
 import pytest
 from falsehoods import is_false_at, proves
 from flint import fmpq

@@ -1,7 +1,5 @@
 """Inequalities equivalent to a given one: the same sign at every point, and none where not so."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import pytest
@@ -22,25 +20,18 @@ FOUND = {
     "exp(x)*y >= z given y > 0, z > 0": "logarithms",
     "x**y > y**x given x > 0, y > 0": "logarithms",
     "2**x >= 3*exp(x)*y**2 given y > 0": "logarithms",
-    "log(x) + log(y) >= 1 given x > 0, y > 0": "exponentials",
-    "2*log(x) - log(1 + x**2)/2 >= 0 given x > 0": "exponentials",
-    "log(x) < 3*log(y) + pi given x > 0, y > 0": "exponentials",
     "x*(y - 1) >= 0 given x > 0": "factors of known sign",
     "(y**2 - 1)/(1 + x**2) >= 0": "factors of known sign",
     "(1 - y)/x >= 0 given x < 0": "factors of known sign",
     "(x - y)**2*(x + y) >= 0": "factors of known sign",
-    "x**6 - 2*x**3 + 2 > 0 given x >= 0": "x**3",
-    "x**4 - 3*x**2*y + y >= 0": "x**2",
-    "x**4*y - x**2 >= 1 given x >= 2, y > 3": "x**2",
-    "exp(x**2) >= 1 + x**2": "x**2",
 }
 
 
-def _easier(inequality: Inequality) -> Iterator[tuple[Expr, Given, str]]:
+def _easier(inequality: Inequality) -> Iterator[tuple[Expr, str]]:
     left, relation, right, given = inequality
     for links in equivalents(left - right, relation, given):
-        if all(holds(link, relation) for link in links):
-            yield links[-1].easy, links[-1].where, "".join(link.words for link in links)
+        if all(holds(link, relation, given) for link in links):
+            yield links[-1].easy, "".join(link.words for link in links)
 
 
 def _points(inequality: Inequality) -> list[dict[str, arb]]:
@@ -59,21 +50,12 @@ def _sign(e: Expr, at: dict[str, arb]) -> int:
 @pytest.mark.parametrize("claim", FOUND)
 def test_what_is_easier_has_the_same_sign(claim: str) -> None:
     inequality = read(claim)
-    kinds = [
-        (difference, where, words)
-        for difference, where, words in _easier(inequality)
-        if FOUND[claim] in words
-    ]
+    kinds = [difference for difference, words in _easier(inequality) if FOUND[claim] in words]
     assert kinds
     with ball_precision(300):
-        for difference, where, words in kinds:
+        for difference in kinds:
             for point in _points(inequality):
-                moved = dict(point)
-                if "written for" in words:
-                    name, power = words.split("written for ")[1].rstrip(", ").split("**")
-                    moved[name] = point[name] ** int(power)
-                assert all(c.holds_exactly(moved) for c in where.conditions)
-                assert _sign(difference, moved) == _sign(inequality.difference, point)
+                assert _sign(difference, point) == _sign(inequality.difference, point)
 
 
 FALSE = {
@@ -81,14 +63,6 @@ FALSE = {
     "y*exp(x) >= 2*y given x >= 1": "x = 1, y = -1",
     "y*exp(x) >= 2*y given x >= 1, y >= -1/2": "x = 2, y = -1/2",
     "-exp(x) >= -exp(2*x)": "x = -1",
-    # x**3 for x: not where x may be negative, nor where another condition has x
-    "x**3 + 8 >= 0": "x = -3",
-    "x**3 >= 0 given x > -1": "x = -1/2",
-    "x**2 >= 1 given x >= -1": "x = 0",
-    "x**3 >= -1 given x >= -2, y > 0": "x = -3/2, y = 1",
-    "x**2 + y >= 5 given x >= 0, x + y >= 5": "x = 1/2, y = 9/2",
-    "x**2 >= 2 given x >= 0, x**2 + x >= 2": "x = 1",
-    "x**2 + y >= 2 given x + y >= 2": "x = 1/2, y = 3/2",
     # factors of one sign, of which the sign of none is forgotten
     "x*(y - 1)**3 >= 0 given x < 0, y > 1": "x = -1, y = 2",
     "(1 - x**2 - x**4)*y >= 0 given y > 0, x > 1": "x = 2, y = 1",
@@ -99,8 +73,8 @@ def _settles(claim: str) -> bool:
     """Whether the sign of an equivalent difference proves the claim."""
     inequality = read(claim)
     return any(
-        sign(difference, where) in PROVING[inequality.relation]
-        for difference, where, _ in _easier(inequality)
+        sign(difference, inequality.given) in PROVING[inequality.relation]
+        for difference, _ in _easier(inequality)
     )
 
 
@@ -110,19 +84,14 @@ def test_near_falsehoods_have_no_easier_form_that_is_true(claim: str) -> None:
     assert not _settles(claim)
 
 
-def _holds(hard: str, easy: str, scale: object, given: str = "", **more: str) -> bool:
+def _holds(hard: str, easy: str, scale: Expr | None, given: str = "", relation: str = ">") -> bool:
     """Whether ``hard > 0`` under ``given`` follows from ``easy > 0``, or as ``relation`` says."""
-    under = Given.parse(given)
-    where = Given.parse(more.get("where", given))
-    link = Link(parse(hard), under, parse(easy), where, scale, "")
-    return holds(link, more.get("relation", ">"))
+    return holds(Link(parse(hard), parse(easy), scale, ""), relation, Given.parse(given))
 
 
 def test_links_that_hold() -> None:
     assert _holds("exp(x) - 2", "x - log(2)", parse("2"))
-    assert _holds("log(x) + log(y)", "x*y - 1", ONE, "x > 0, y > 0")
     assert _holds("y*(x**2 + 1)", "y", None, relation=">=")
-    assert _holds("x**4 - 2", "x**2 - 2", {"x": parse("x**2")}, where="x >= 0")
 
 
 def test_a_link_that_does_not_hold_is_none() -> None:
@@ -136,17 +105,14 @@ def test_a_link_that_does_not_hold_is_none() -> None:
     # what is easier is not defined everywhere
     assert not _holds("exp(x) - 1", "sqrt(x)**2", ONE)
     assert not _holds("x", "sqrt(x)**2", None, relation=">=")
-    assert not _holds("x**2", "sqrt(x - 5)**2 + 5", {"x": parse("x**2")})
-    # a power does not meet the conditions, or makes another inequality
-    assert not _holds("x**3 + 8", "x + 8", {"x": parse("x**3")}, where="x >= 0")
-    assert not _holds("x**4 - 2", "x - 2", {"x": parse("x**2")}, where="x >= 0")
+    assert not _holds("log(x)", "x - 1", ONE, "x > 0")  # the other way round
 
 
 def test_an_easier_form_that_does_not_follow_proves_nothing(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    good = Link(parse("x*y"), Given.parse("y > 0"), parse("x"), Given.parse("y > 0"), None, "")
-    bad = Link(parse("x"), Given.parse("y > 0"), parse("x**2"), Given.parse("y > 0"), None, "")
+    good = Link(parse("x*y"), parse("x"), None, "")
+    bad = Link(parse("x"), parse("x**2"), None, "")
     for links, found in (((good,), "so it is"), ((bad,), None), ((good, bad), None)):
         monkeypatch.setattr(module, "equivalents", lambda *_, links=links: [links])
         proof = by_equivalents(parse("x*y"), ">=", Given.parse("y > 0"), lambda *_: "so it is")

@@ -1,7 +1,5 @@
 """The figures: what each caption says, on the plotted arrays; the same bytes on every build."""
 
-from __future__ import annotations
-
 import math
 import re
 import warnings
@@ -198,7 +196,14 @@ def test_a_strip_of_a_column_has_letters_of_a_caption():
 # For an article
 
 
-@pytest.mark.parametrize("name", figures.FIGURES)
+PRINTED = [
+    pytest.param(name, marks=pytest.mark.night if n % 2 else ())
+    for n, name in enumerate(figures.FIGURES)
+]
+"""Every second in each run, and all of them every night."""
+
+
+@pytest.mark.parametrize("name", PRINTED)
 def test_a_figure_for_an_article_has_the_fonts_of_latex_and_room_for_its_words(name, monkeypatch):
     style = pytest.importorskip("tresym.report.figures.style")
     pytest.importorskip("matplotlib")

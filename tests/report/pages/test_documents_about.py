@@ -1,7 +1,5 @@
 """Slides, notebook and Markdown about the paper: complete, compiled, and with computed numbers."""
 
-from __future__ import annotations
-
 import json
 import re
 import shutil
@@ -21,7 +19,8 @@ from tresym.report.pages import documents_about as documents
 from tresym.report.pages import fragments, ledger_document, templates
 from tresym.report.pages.article import article, without_figures
 
-ENGINES = ("pdflatex", "xelatex", "lualatex")
+NIGHT = pytest.mark.night
+ENGINES = ("pdflatex", *(pytest.param(name, marks=NIGHT) for name in ("xelatex", "lualatex")))
 
 
 @pytest.fixture(scope="module")

@@ -1,7 +1,5 @@
 """A claim is quoted with its conditions: in every place where it is quoted, and by nobody else."""
 
-from __future__ import annotations
-
 import ast
 import json
 from collections.abc import Callable

@@ -1,13 +1,12 @@
 """Counterexamples at algebraic points, where both sides of a strict inequality are equal.
 
 - A zero of an irreducible factor in one variable that changes sign between two rational numbers.
-- Multiples of π/2 for every angle, with 0 and ±1 for the other variables.
 - Simple constants, such as multiples of π, close to the lowest point found.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from itertools import islice, product
 
 from flint import arb, fmpq, fmpz_poly
@@ -17,7 +16,7 @@ from tresym.reals.decisions.answer import Answer, exactly, refuted
 from tresym.reals.decisions.inequalities_on_regions import is_isolated
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
-from tresym.reals.language.expression import LEAVES, PI, Expr, number, symbols
+from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.normal.at_point import equal_at, satisfies
 from tresym.reals.normal.field import Field
 from tresym.reals.normal.ring import UndefinedError
@@ -29,10 +28,6 @@ from tresym.reals.verdict import Verdict
 WIDTH = fmpq(1, 2**30)
 NEAR = fmpq(1, 2**24)
 SMALL = arb(2) ** -30
-TURNS = tuple(k * PI / 2 for k in (2, 0, 1, -1))
-UNITS = tuple(map(number, (1, -1, 0)))
-MAX_POINTS = 100
-"""Points of quarter turns, and of units for the other variables, that are tried."""
 MAX_EACH = 3
 """Simple constants tried for each variable, and points tried for the others."""
 
@@ -108,33 +103,8 @@ def equal_at_simple(
     choices = [
         list(islice(candidates(Interval(x - NEAR, x + NEAR)), MAX_EACH)) for x in near.values()
     ]
-    points = (dict(zip(near, values, strict=True)) for values in product(*choices))
-    return _equal_at_one(left, right, given, points)
-
-
-def equal_at_turns(left: Expr, right: Expr, given: Given) -> Answer | None:
-    """Refute a strict inequality where all angles are multiples of π/2, or return None."""
-    difference = left - right
-    names = sorted(symbols(difference))
-    angles = frozenset().union(*map(symbols, _angles(difference)))
-    if not angles or len(names) < 2 or given.names - {*names}:
-        return None
-    choices = [TURNS if name in angles else UNITS for name in names]
-    points = (dict(zip(names, values, strict=True)) for values in product(*choices))
-    return _equal_at_one(left, right, given, islice(points, MAX_POINTS))
-
-
-def _angles(e: Expr) -> Iterator[Expr]:
-    """Return the arguments of sines and cosines."""
-    for arg in () if e.op in LEAVES else e.args:
-        yield from (arg,) if e.op in ("sin", "cos") else _angles(arg)
-
-
-def _equal_at_one(
-    left: Expr, right: Expr, given: Given, points: Iterable[dict[str, Expr]]
-) -> Answer | None:
-    """Return a refutation at the first point at which both sides are equal, or None."""
-    for point in points:
+    for values in product(*choices):
+        point = dict(zip(near, values, strict=True))
         with ball_precision(2 * WORKING):
             at = {name: evaluate(value, {}) for name, value in point.items()}
             if not evaluate(left - right, at).contains(0):

@@ -17,7 +17,6 @@ from flint import arb, fmpq
 from tresym.reals.decisions.algebraic_witnesses import (
     equal_at_algebraic,
     equal_at_simple,
-    equal_at_turns,
 )
 from tresym.reals.decisions.answer import Answer, exactly, refuted
 from tresym.reals.decisions.derivative_domains import where_real
@@ -92,10 +91,9 @@ def decide_inequality(
     partly = found is not None and not is_regular(given)
     if found is not None and not partly:
         return Answer(Verdict.PROVED, exactly(f"{found}; both sides are defined", defined))
-    for zero_of in (equal_at_algebraic, equal_at_turns) if relation != ">=" else ():
-        zero = zero_of(left, right, inside)
-        if zero is not None:
-            return zero
+    zero = equal_at_algebraic(left, right, inside) if relation != ">=" else None
+    if zero is not None:
+        return zero
     if relation == "!=":
         answer = _shown_under(given, _apart(left, right, region, inside, defined))
         split = None if differentiated or answer.verdict is not Verdict.UNDECIDED else _sides(given)

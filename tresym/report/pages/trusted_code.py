@@ -2,9 +2,9 @@
 
 A *piece* is a function, method, class or constant. The roots are the functions that issue verdicts.
 A piece is reached if a reached piece names it. A method is also reached if its class is reached and
-a reached piece uses an attribute of that name, or if a method of its class looks up attributes of
-``self`` by computed names. Code that only searches, so that its results are checked by counted
-code, is left out by name, each with a reason (:data:`RECHECKED`).
+a reached piece uses an attribute of that name, or if a method of its class or of a base of it looks
+up attributes of ``self`` by computed names. Code that only searches, so that its results are
+checked by counted code, is left out by name, each with a reason (:data:`RECHECKED`).
 
 ``python -m tresym.report.pages.trusted_code`` prints the count.
 """
@@ -128,7 +128,7 @@ RECHECKED = {
             for name in ("_fails_at_a_phase", "_phases")
         ),
         "reals.decisions.asymptotics.path_claims._at_integers",
-        "reals.decisions.asymptotics.integral_limits._differs",
+        "reals.decisions.asymptotics.recurring_failures.differ",
         *("reals.decisions.identity._refutation", "reals.decisions.answer.refuted"),
         *("reals.signs.discontinuities.Case.point", "reals.decisions.dispatch._exact"),
         *("reals.decisions.inequalities._at_corners", "reals.decisions.inequalities._refuted_at"),
@@ -214,6 +214,7 @@ def reached(without: Collection[str], roots: Collection[str] = ROOTS) -> set[Pie
                 waiting += _named_in(*piece)
                 attributes |= _attributes(*piece)
         picking = {(file, name.rpartition(".")[0]) for file, name in found if _picks(file, name)}
+        picking |= {piece for piece in found if not picking.isdisjoint(_bases(*piece))}
         named = {m for m in _methods(found) if _is_meant(m[1], attributes)}
         waiting = [*({*_methods(picking), *named} - seen)]
     return found
@@ -229,6 +230,15 @@ def _methods(found: Collection[Piece]) -> Iterator[Piece]:
 def _methods_of(file: str, owner: str) -> tuple[Piece, ...]:
     """The methods of a piece, if it is a class."""
     return tuple((file, name) for name in _file(file).pieces if name.startswith(f"{owner}."))
+
+
+@cache
+def _bases(file: str, name: str) -> tuple[Piece, ...]:
+    """The classes from which a piece inherits, if it is a class."""
+    node = _file(file).pieces[name]
+    bases = node.bases if isinstance(node, ast.ClassDef) else []
+    found = (_piece(file, base.id) for base in bases if isinstance(base, ast.Name))
+    return tuple(piece for piece in found if piece is not None)
 
 
 @cache

@@ -1,7 +1,5 @@
 """What oscillates: failures that return again and again, and limits that do not exist."""
 
-from __future__ import annotations
-
 import pytest
 
 import tresym

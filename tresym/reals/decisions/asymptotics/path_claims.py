@@ -407,7 +407,7 @@ def _from_somewhere_on(
     if claim.relation not in (">", ">=", "<", "<=", "!="):
         return Answer(Verdict.UNDECIDED, _OPEN)
     for far in FAR:
-        near = [_neighbourhood(path, side, number(far)) for side in path.sides]
+        near = [neighbourhood(path, side, number(far)) for side in path.sides]
         answers = []
         for where in near:
             inside = replace(statement, path=None, given=statement.given & where)
@@ -427,7 +427,8 @@ def _from_somewhere_on(
     return Answer(Verdict.UNDECIDED, why)
 
 
-def _neighbourhood(path: Path, side: int, far: Expr) -> Given:
+def neighbourhood(path: Path, side: int, far: Expr) -> Given:
+    """Return the conditions x > far, or 0 < x − a < 1/far, for a side of the path."""
     x = symbol(path.name)
     if path.point is None:
         return Given(((x, ">", far),) if side == 1 else ((x, "<", -far),))

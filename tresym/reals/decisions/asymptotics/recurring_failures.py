@@ -77,10 +77,10 @@ def has_no_limit(e: Expr, name: str, side: int, given: Given) -> bool:
     fixed = (left for _, _, left in _with_fixed_waves(e, name, given))
     limits = (limit_of(left, name, None, 1, given) for left in fixed)
     found = [value for value in limits if value is not None]
-    return any(_differ(x, y, given) for x, y in pairwise(found))
+    return any(differ(x, y, given) for x, y in pairwise(found))
 
 
-def _differ(x: Expr, y: Expr, given: Given) -> bool:
+def differ(x: Expr, y: Expr, given: Given) -> bool:
     """Return whether two limits differ for all values of the parameters."""
     if x in (INFINITY, -INFINITY) or y in (INFINITY, -INFINITY):
         return x != y
