@@ -12,8 +12,6 @@ The collections are the lists of :mod:`tresym.dev.corpus`, random identities, th
 ledger. A claim of the ledger is judged as if all others had the verdicts that are expected.
 """
 
-from __future__ import annotations
-
 import argparse
 import gc
 import signal

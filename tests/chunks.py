@@ -5,8 +5,6 @@
 chunk is not run again. ``tests/deep.py`` goes through the chunks.
 """
 
-from __future__ import annotations
-
 import json
 import os
 from collections import Counter

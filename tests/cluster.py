@@ -1,7 +1,5 @@
 """A Dask cluster in a process of its own: it prints its address and ends with its input."""
 
-from __future__ import annotations
-
 import json
 import sys
 

@@ -8,8 +8,9 @@ import os
 import pickle
 import shutil
 import signal
+import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -29,11 +30,17 @@ _COMMON = {
     "suppress_health_check": [HealthCheck.too_slow, HealthCheck.filter_too_much],
 }
 settings.register_profile("dev", max_examples=50, **_COMMON)
-settings.register_profile("ci", max_examples=200, **_COMMON)
+settings.register_profile("ci", max_examples=100, **_COMMON)
 settings.register_profile(
     "deep", max_examples=1000 if chunks.IN_CHUNKS else 10_000, print_blob=True, **_COMMON
 )
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "dev"))
+
+
+# Some environments forbid compiled files. Each of the many processes that the tests start would
+# compile the package again, which takes longer than most of what they do.
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+sys.dont_write_bytecode = False
 
 
 # In the background of a script SIGINT is ignored, under nohup SIGHUP, and a child process would
@@ -68,6 +75,20 @@ def no_suggestions(request: pytest.FixtureRequest) -> Iterator[None]:
         yield
 
 
+LONGEST = (
+    *("ledger/test_verification.py", "commands/test_hostile.py", "site/test_in_the_browser.py"),
+    *("site/test_explorer.py", "report/figures/test_figures.py", "sweep/test_sweep.py"),
+    *("test_packaging.py", "report/pages/test_documents_about.py", "dev/bench/test_bench.py"),
+    *("reals/decisions/test_dispatch.py", "dev/corpus/test_lists.py", "proofs/test_asymptotics.py"),
+)
+"""Begun first, so that no process is left with one of them while the others have nothing to do."""
+
+
+def _turn(item: pytest.Item) -> int:
+    inner = item.path.relative_to(TESTS).as_posix()
+    return LONGEST.index(inner) if inner in LONGEST else len(LONGEST)
+
+
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
     """Whether a folder need not be read: it has no quick tests, and no others are wanted."""
     if config.option.markexpr != "quick" or collection_path.parent != TESTS:
@@ -89,6 +110,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     if finished:
         config.hook.pytest_deselected(items=[item for item in items if item.nodeid in finished])
         items[:] = [item for item in items if item.nodeid not in finished]
+    items.sort(key=_turn)
 
 
 def pytest_runtest_logreport(report: pytest.TestReport) -> None:
@@ -106,16 +128,31 @@ def pdflatex() -> str:
     return found
 
 
+def _kept(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Where the process that judges the ledger leaves it for the others."""
+    return tmp_path_factory.getbasetemp().parent / "ledger.pickle"
+
+
+def _read(kept: Path) -> "Report | None":
+    """The judged ledger; None if that failed."""
+    from tresym.ledger.paper import all_claims
+    from tresym.ledger.verification import Report, Row
+
+    data = kept.read_bytes()
+    found = pickle.loads(data) if data else {}
+    rows = (Row(c, replace(found[c.label], of=c)) for c in all_claims() if found)
+    return Report(tuple(rows)) if found else None
+
+
 @pytest.fixture(scope="session")
 def whole(tmp_path_factory: pytest.TempPathFactory) -> "Report":
     """The whole ledger, judged once in a run, however many processes share the tests."""
-    from tresym.ledger.paper import all_claims
-    from tresym.ledger.verification import Report, Row, verify
+    from tresym.ledger.verification import verify
     from tresym.reals.processes import cores
 
     if "PYTEST_XDIST_WORKER" not in os.environ:
         return verify(workers=cores())
-    kept = tmp_path_factory.getbasetemp().parent / "ledger.pickle"
+    kept = _kept(tmp_path_factory)
     try:
         kept.with_suffix(".mine").touch(exist_ok=False)
     except FileExistsError:
@@ -123,11 +160,7 @@ def whole(tmp_path_factory: pytest.TempPathFactory) -> "Report":
         while not kept.exists():
             time.sleep(0.1)
             assert time.monotonic() - started < HANGS
-        data = kept.read_bytes()
-        if not data:
-            return verify(workers=cores())
-        found = pickle.loads(data)
-        return Report(tuple(Row(c, replace(found[c.label], of=c)) for c in all_claims()))
+        return _read(kept) or verify(workers=cores())
     aside, data = kept.with_suffix(".aside"), b""
     try:
         report = verify(workers=cores())
@@ -137,3 +170,21 @@ def whole(tmp_path_factory: pytest.TempPathFactory) -> "Report":
         aside.write_bytes(data)
         aside.rename(kept)
     return report
+
+
+@pytest.fixture(scope="session")
+def judged(tmp_path_factory: pytest.TempPathFactory) -> "Callable[..., Report]":
+    """Return the report on some claims, from the whole ledger where it is judged already."""
+    from tresym.ledger.paper import all_claims
+    from tresym.ledger.verification import Report, _choose, verify
+
+    def some(*labels: str) -> Report:
+        kept = _kept(tmp_path_factory)
+        found = _read(kept) if "PYTEST_XDIST_WORKER" in os.environ and kept.exists() else None
+        if found is None:
+            return verify(labels)
+        chosen, requested = _choose(all_claims(labels), labels)
+        rows = (found[claim.label] for claim in chosen)
+        return Report(tuple(replace(row, requested=row.claim.label in requested) for row in rows))
+
+    return some

@@ -1,7 +1,5 @@
 """A reader of the terms of Coq that shares nothing with the printer of statements."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable
 

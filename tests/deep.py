@@ -7,8 +7,6 @@ is started again. A failure stays in the record, its output in ``build/deep-HUNT
 into docs/measurements/hunts.json, where rows of tests that were not run again stay as they are.
 """
 
-from __future__ import annotations
-
 import json
 import os
 import subprocess

@@ -1,7 +1,5 @@
 """Claims as text, for tests of one method at a time, and the exact points that make them false."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import NamedTuple
 

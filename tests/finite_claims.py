@@ -6,8 +6,6 @@ truth, decides them and prints every wrong verdict; the counts come at the end. 
 wherever both sides are defined, or is made true or false by the very conditions beside it.
 """
 
-from __future__ import annotations
-
 import random
 import sys
 from collections.abc import Callable

@@ -7,8 +7,6 @@ again, but for its survivors that no reason excuses. ``show`` prints these; ``sa
 docs/measurements/guards.json.
 """
 
-from __future__ import annotations
-
 import gc
 import hashlib
 import json
@@ -32,10 +30,10 @@ DECISIONS = (
     *("identity", "inequalities", "equalities", "inequalities_on_regions", "dispatch"),
     *("integration_pieces", "statement", "written_derivatives"),
     *("inverse_branches", "variable_reduction", "algebraic_witnesses", "integrals"),
-    *("finite_sums", "integer_variables", "equations", "unknown_functions"),
+    *("induction", "integer_variables", "equations", "unknown_functions"),
     *("readable_witnesses", "variable_exponents", "ellipsis_series", "hypergeometric"),
-    *("power_series", "known_series", "known_integrals", "factorials", "nth_derivatives"),
-    *("infinite_sums", "derivative_domains", "point_check", "definedness_check", "asymptotics/*"),
+    *("power_series", "known_values", "factorials"),
+    *("derivative_domains", "point_check", "definedness_check", "asymptotics/*"),
 )
 CHECKERS = (
     *("ledger/judge*.py", "ledger/refutations.py", "ledger/sample_points.py"),
@@ -44,7 +42,9 @@ CHECKERS = (
     *("reals/domain/binder_values.py", "reals/domain/integrands.py"),
     *("reals/balls/branch_and_bound.py", "reals/balls/simplest_constants.py"),
     *(f"reals/decisions/{name}.py" for name in DECISIONS),
+    *("reals/language/*.py", "manuscript/*.py"),
 )
+"""What issues verdicts, and what decides which sentence of a manuscript they are about."""
 RECORD, REACHED = ROOT / "build" / "guards.jsonl", ROOT / "build" / "guards-reached.json"
 EQUIVALENT = ROOT / "tests" / "data" / "equivalent.json"
 SAVED = ROOT / "docs" / "measurements" / "guards.json"
@@ -102,11 +102,12 @@ class Guards:
 
     def __init__(self, wanted: list[Mutant]) -> None:
         self.wanted = wanted
+        self.files = sorted({mutant.file for mutant in wanted})
 
     @pytest.hookimpl(tryfirst=True)
     def pytest_runtestloop(self, session: pytest.Session) -> bool:
         self.items = {item.nodeid: item for item in session.items}
-        state = [(ROOT / f).read_bytes() for f in files()]
+        state = [(ROOT / f).read_bytes() for f in self.files]
         state += [path.read_bytes() for path in sorted({item.path for item in session.items})]
         stamp = hashlib.sha1(b"".join(state)).hexdigest()
         saved = json.loads(REACHED.read_text()) if REACHED.exists() else {}
@@ -133,7 +134,7 @@ class Guards:
         """Seconds of each test that passes, and the lines of the checkers it goes through."""
         rooms = sorted({item.path for item in self.items.values()})
         part = {path: RECORD.with_name(f"guards-{n}.json") for n, path in enumerate(rooms)}
-        own = {str(ROOT / file): file for file in files()}
+        own = {str(ROOT / file): file for file in self.files}
         lines: dict[str, set[int]] = defaultdict(set)
 
         def line(frame: Any, event: str, _: Any) -> Any:
@@ -271,9 +272,10 @@ def main() -> int:
         phases=[Phase.explicit, Phase.generate],
     )
     os.environ["HYPOTHESIS_PROFILE"] = "guards"
-    words = ["-n", "0", "-q", "-s", "-m", "quick", "-p", "no:cacheprovider", "-o", "timeout=0"]
+    words = ["-n", "0", "-q", "-s", "-p", "no:cacheprovider", "-o", "timeout=0"]
+    words += ["-m", "not coq and not night and not slow"]
     words += ["-W", "ignore:Module already imported", "-o", "addopts=--import-mode=importlib"]
-    words += os.environ.get("TESTS", "tests/reals tests/ledger tests/dev").split()
+    words += os.environ.get("TESTS", "tests/reals tests/ledger tests/dev tests/manuscript").split()
     return int(pytest.main(words, plugins=[Guards(wanted)]))
 
 

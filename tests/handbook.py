@@ -5,8 +5,6 @@ copy that is held is printed, to be looked at: a constant C may have either sign
 docs/measurements/papers.json.
 """
 
-from __future__ import annotations
-
 import random
 import re
 import tempfile

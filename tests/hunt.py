@@ -5,8 +5,6 @@ verdict that is wrong is printed. The counts of verdicts, by kind and truth, com
 hunt of ``deep.py`` the chunk, of 500 claims, gives the seed.
 """
 
-from __future__ import annotations
-
 import random
 import sys
 import time

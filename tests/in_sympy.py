@@ -1,7 +1,5 @@
 """Trees as SymPy expressions, to compare the one with the other."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from tresym.reals.language.expression import ORDERS, UNWORKED, Expr, opened

@@ -10,8 +10,6 @@ All of a chunk are decided in one process, each within a second of its time; a v
 truth is printed and counts as a failure. ``deep.py`` goes through the chunks.
 """
 
-from __future__ import annotations
-
 import random
 import resource
 import signal

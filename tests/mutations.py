@@ -6,8 +6,6 @@ has two ways, it is made the way that lets more pass. A mutant is applied to the
 memory; no file is touched.
 """
 
-from __future__ import annotations
-
 import ast
 import hashlib
 import sys

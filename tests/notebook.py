@@ -4,8 +4,6 @@ A cell is run as a notebook runs it: its statements, and what its last expressio
 text, HTML and LaTeX. Anything that runs notebooks opens the file.
 """
 
-from __future__ import annotations
-
 import ast
 import json
 import sys

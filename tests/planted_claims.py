@@ -1,7 +1,5 @@
 """Claims as tests write them down for the judge, and the verdict on one."""
 
-from __future__ import annotations
-
 from sympy import Symbol
 
 from tresym.ledger.claim import Claim

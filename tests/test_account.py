@@ -1,7 +1,5 @@
 """The account of methods: each that it names is there, and can be switched off and observed."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 from pathlib import Path
@@ -15,7 +13,7 @@ SWITCHED_OFF = """
 import account
 from tresym.reals.decisions.dispatch import decide_claim
 
-account.replaced("reals.decisions.leibniz.decide_by_leibniz", account.off)
+account.replaced("reals.decisions.integral_rules.decide_by_leibniz", account.off)
 account.replaced("reals.signs.concavity.sign_by_concavity", account.off)
 used = set()
 for name in ("reals.signs.taylor.sign_by_taylor", "reals.decisions.identity._prove"):

@@ -1,7 +1,5 @@
 """The hunt for wrong limits and orders: what it takes for true is true, and a sample of it."""
 
-from __future__ import annotations
-
 import random
 from fractions import Fraction
 

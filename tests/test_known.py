@@ -1,7 +1,5 @@
 """The hunt for wrong verdicts: what it takes for true is true, and a wrong one is noticed."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 import known

@@ -1,7 +1,5 @@
 """The notebook of the documents shows what its cells show when they are run."""
 
-from __future__ import annotations
-
 import json
 import sys
 from importlib.util import find_spec

@@ -1,7 +1,5 @@
 """What a user of the package has at hand: names, bodies, and values that show themselves."""
 
-from __future__ import annotations
-
 import doctest
 import html.parser
 import importlib

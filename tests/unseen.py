@@ -6,8 +6,6 @@ milliseconds of processor time that an answer takes; what is open, and what is w
 ``python tests/unseen.py save`` keeps the counts for the page on deciding.
 """
 
-from __future__ import annotations
-
 import json
 import sys
 import time

@@ -1,7 +1,5 @@
 """Stand-ins for the search for true claims near refuted ones, which other processes can find."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 
 

@@ -1,7 +1,5 @@
 """What a user's editor sees of tresym: read by mypy alone, which refuses an ignore that is idle."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 import numpy as np

@@ -6,12 +6,8 @@ import os
 import sys
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, suppress
-from typing import TYPE_CHECKING
 
 from tresym.reals.numbers.exact import InputError
-
-if TYPE_CHECKING:
-    from rich.console import Console
 
 RECORDED = 20_000
 """The number of checksums of written files that are kept; each takes 65 bytes."""
@@ -173,30 +169,27 @@ def _is_alive(process: int) -> bool:
     return True
 
 
-def terminal() -> Console:
-    """Return a rich console that raises BrokenPipeError, as print does, when the reader leaves.
-
-    rich itself would end the command with exit status 1, which stands for a refuted statement.
-    """
-    from rich.console import Console
-
-    class Terminal(Console):
-        def on_broken_pipe(self) -> None:
-            raise BrokenPipeError
-
-    return Terminal(highlight=False)
-
-
 def colour_wanted() -> bool:
     """Return whether standard output is a terminal and the user has not set ``NO_COLOR``."""
     return sys.stdout is not None and sys.stdout.isatty() and not os.environ.get("NO_COLOR")
 
 
+def styled(text: str, style: str, colour: bool = True) -> str:
+    """Return ``text`` in a style of terminals if ``colour``: ``"1;31"`` is bold red."""
+    return f"\x1b[{style}m{text}\x1b[0m" if colour else text
+
+
 def bold(text: str, colour: bool) -> str:
     """Return ``text`` in bold if ``colour``, else unchanged."""
-    return f"\x1b[1m{text}\x1b[0m" if colour else text
+    return styled(text, "1", colour)
 
 
 def dim(text: str, colour: bool) -> str:
     """Return ``text`` dimmed if ``colour``, else unchanged."""
-    return f"\x1b[2m{text}\x1b[0m" if colour else text
+    return styled(text, "2", colour)
+
+
+def show_progress(text: str) -> None:
+    """Show a counter on standard error over the one before, if that is a terminal; "" clears it."""
+    if sys.stderr is not None and sys.stderr.isatty() and not os.environ.get("NO_COLOR"):
+        print(f"\r{text}\x1b[K\r", end="", file=sys.stderr, flush=True)

@@ -1,7 +1,5 @@
 """``tresym flip`` as a user meets it: answers, files, bad input, start-up."""
 
-from __future__ import annotations
-
 import argparse
 import json
 import os
@@ -215,7 +213,7 @@ def test_flip_loads_flint_and_nothing_heavy() -> None:
     code = (
         "import sys; from tresym.commands import main; "
         "main(['flip', '--shape', '12.5372', '0.0629']); "
-        "print([m for m in ('numpy', 'sympy', 'mpmath', 'scipy', 'matplotlib', 'rich', "
+        "print([m for m in ('numpy', 'sympy', 'mpmath', 'scipy', 'matplotlib', "
         "'dataclasses', 'json') if m in sys.modules])"
     )
     done = run_python("-c", code)

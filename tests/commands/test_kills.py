@@ -4,8 +4,6 @@ One kill of each command in every run; twenty where ``HYPOTHESIS_PROFILE`` is ``
 moments in each chunk (see ``tests/deep.py``).
 """
 
-from __future__ import annotations
-
 import os
 import random
 import signal

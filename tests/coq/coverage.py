@@ -5,8 +5,6 @@ antiderivatives, and rewritings whose sides are not the same text. For each kind
 many Coq accepts; coverage.json beside this file holds what the last run counted, and what failed.
 """
 
-from __future__ import annotations
-
 import json
 import sys
 import time

@@ -1,7 +1,5 @@
 """Claims about integrals, sums and limits in Coq: what they say, and that no false one holds."""
 
-from __future__ import annotations
-
 import time
 from pathlib import Path
 

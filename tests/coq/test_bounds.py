@@ -1,7 +1,5 @@
 """Bounds on regions that Coq proves, and sharper false ones, which the same proofs do not reach."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import pytest

@@ -1,7 +1,5 @@
 """Proofs that Coq accepts, and falsehoods of which it accepts none."""
 
-from __future__ import annotations
-
 import json
 import re
 from pathlib import Path

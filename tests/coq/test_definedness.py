@@ -1,7 +1,5 @@
 """Premises of definedness: proved where the conditions imply them, and stated where they stay."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 
@@ -15,10 +13,9 @@ from tresym.coq.ledger_statements import Joint, stem
 from tresym.coq.statement import Theorem
 from tresym.reals.language.expression import ZERO, apply, symbol
 from tresym.reals.language.formula import Relation
+from tresym.report.pages import coq_page
 
 STORE = export.stored()
-ENTRIES = export.entries(STORE)
-STRONGER = {label: e for label, e in ENTRIES.items() if e.stronger is not None}
 X, A = symbol("x"), symbol("a")
 NEEDS = Theorem(
     "claim_needs",
@@ -30,9 +27,13 @@ NEEDS = Theorem(
 )
 
 
+def stronger() -> dict[str, export.Entry]:
+    return {label: e for label, e in coq_page.found().items() if e.stronger is not None}
+
+
 def test_a_stronger_theorem_states_exactly_the_premises_that_stay() -> None:
-    assert len(STRONGER) > 100
-    for entry in STRONGER.values():
+    assert len(stronger()) > 100
+    for entry in stronger().values():
         assert entry.stronger
         assert entry.left is not None
         assert entry.stronger.body.count("(* defined *)") == len(entry.left)
@@ -42,7 +43,7 @@ def test_a_stronger_theorem_states_exactly_the_premises_that_stay() -> None:
 
 
 def test_a_premise_that_was_dropped_by_hand_is_not_proved() -> None:
-    label = next(label for label, entry in STRONGER.items() if entry.left)
+    label = next(label for label, entry in stronger().items() if entry.left)
     row = STORE["claims"][label]
     dropped = row | {"defined": row["defined"] | {"left": []}}
     store = {**STORE, "claims": {**STORE["claims"], label: dropped}}
@@ -52,10 +53,10 @@ def test_a_premise_that_was_dropped_by_hand_is_not_proved() -> None:
 def test_the_theorem_of_a_claim_is_the_stronger_one(tmp_path: Path) -> None:
     joint = next(
         label
-        for label, e in ENTRIES.items()
-        if isinstance(e.theorem, Joint) and export.strengthened(label, ENTRIES)
+        for label, e in coq_page.found().items()
+        if isinstance(e.theorem, Joint) and export.strengthened(label, coq_page.found())
     )
-    label = next(label for label, e in STRONGER.items() if e.status == "proved")
+    label = next(label for label, e in stronger().items() if e.status == "proved")
     export.write(tmp_path, [label, joint], STORE)
     said = (tmp_path / "Statements.v").read_text(encoding="utf-8")
     closed = (tmp_path / "Ledger.v").read_text(encoding="utf-8")
@@ -67,7 +68,9 @@ def test_the_theorem_of_a_claim_is_the_stronger_one(tmp_path: Path) -> None:
 
 def test_definitions_conditions_and_premises_hold_together_somewhere() -> None:
     bodies = {row["body"] for row in STORE["possible"].values()}
-    wholes = {label: e.stronger or e.theorem for label, e in ENTRIES.items() if e.undefined}
+    wholes = {
+        label: e.stronger or e.theorem for label, e in coq_page.found().items() if e.undefined
+    }
     left = [
         label
         for label, whole in wholes.items()

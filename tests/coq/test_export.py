@@ -1,7 +1,5 @@
 """The files of Coq: nothing is assumed in them, and every claim is in the index."""
 
-from __future__ import annotations
-
 import json
 import os
 import re
@@ -30,27 +28,29 @@ from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.language.formula import Relation
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
+from tresym.report.pages import coq_page
 
 BEYOND = re.compile(r"\b(Admitted|Axiom|Axioms|Parameter|Parameters|Conjecture|admit|Abort)\b")
 STORE = export.stored()
-ENTRIES = export.entries(STORE)
 
 
 def proved() -> list[str]:
-    return [label for label, entry in ENTRIES.items() if entry.status == "proved"]
+    return [label for label, entry in coq_page.found().items() if entry.status == "proved"]
 
 
 def test_a_statement_that_changed_has_no_proof() -> None:
     label = proved()[0]
     changed = {**STORE["claims"][label], "statement": "0" * 16}
     store = {**STORE, "claims": {**STORE["claims"], label: changed}}
-    assert export.entries(store)[label].status == "none"
+    assert export.entries(store, [label])[label].status == "none"
 
 
 def test_coq_has_checked_every_stored_proof_as_it_stands() -> None:
     """By hashes alone; if this fails, ``make`` and ``tresym export --coq DIR --check`` are due."""
     exported = export.entries(STORE, unchecked=True)
-    assert not [n for n, entry in exported.items() if entry.script and not ENTRIES[n].checked]
+    assert not [
+        n for n, entry in exported.items() if entry.script and not coq_page.found()[n].checked
+    ]
     found = export.library_text()
     assert all(checked(row, (), found) for row in STORE["possible"].values())
 
@@ -69,7 +69,7 @@ def changed_row(label: str, **changes: str) -> dict[str, Any]:
 def test_a_replaced_script_or_lemma_is_not_proved(change: dict[str, str]) -> None:
     label = next(label for label in proved() if "intros" in STORE["claims"][label]["script"])
     store = changed_row(label, **change)
-    entry = export.entries(store)[label]
+    entry = export.entries(store, [label])[label]
     assert (entry.status, entry.checked) == ("none", "")
     assert "has not checked" in entry.why
     assert export.entries(store, [label], unchecked=True)[label].status == "proved"
@@ -87,12 +87,10 @@ def test_another_version_of_coq_or_another_day_is_not_what_checked_it() -> None:
 def test_a_changed_statement_of_a_theorem_it_applies_is_noticed() -> None:
     label = next(label for label in proved() if STORE["claims"][label]["uses"])
     used = STORE["claims"][label]["uses"][0]
-    assert export.entries(changed_row(used, statement="0" * 16))[label].status != "proved"
-    assert not checked(
-        STORE["claims"][label],
-        export.applied(STORE["claims"][label], changed_row(used, statement="0" * 16)),
-        export.library_text(),
-    )
+    store = changed_row(used, statement="0" * 16)
+    assert export.entries(store, [label])[label].status != "proved"
+    row = STORE["claims"][label]
+    assert not checked(row, export.applied(row, store), export.library_text())
 
 
 def test_a_changed_lemma_of_the_library_is_noticed_by_what_uses_it_alone() -> None:
@@ -118,38 +116,54 @@ def test_a_theorem_whose_premise_has_no_proof_is_proved_in_part() -> None:
     label = next(label for label in proved() if STORE["claims"][label]["uses"])
     used = STORE["claims"][label]["uses"][0]
     rest = {k: row for k, row in STORE["claims"].items() if k != used}
-    found = export.entries({**STORE, "claims": rest})[label]
+    found = export.entries({**STORE, "claims": rest}, [label])[label]
     assert found.status in ("partial", "none")
     assert found.status == "none" or used in found.premises
 
 
-def test_the_files_assume_nothing_and_the_index_names_every_claim(tmp_path: Path) -> None:
-    index = export.write(tmp_path, (), STORE)
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    found = tmp_path_factory.mktemp("exported")
+    export.write(found, (), STORE)
+    return found
+
+
+def test_the_files_assume_nothing_and_the_index_names_every_claim(folder: Path) -> None:
+    index = json.loads((folder / "index.json").read_text(encoding="utf-8"))
     assert index.keys() == {claim.label for claim in all_claims()}
-    assert json.loads((tmp_path / "index.json").read_text(encoding="utf-8")) == index
-    project = (tmp_path / "_CoqProject").read_text().split()
-    assert {path.name for path in tmp_path.glob("*.v")} == {n for n in project if n.endswith(".v")}
-    for path in tmp_path.glob("*.v"):
+    project = (folder / "_CoqProject").read_text().split()
+    assert {path.name for path in folder.glob("*.v")} == {n for n in project if n.endswith(".v")}
+    for path in folder.glob("*.v"):
         assert not BEYOND.search(path.read_text(encoding="utf-8")), path.name
-    said = (tmp_path / "Statements.v").read_text(encoding="utf-8")
+    said = (folder / "Statements.v").read_text(encoding="utf-8")
     assert said.count("Definition says_") == sum(
         row["theorem"] is not None for row in index.values()
     )
     assert len(proved()) > 500
 
 
-def test_what_the_theorems_rest_on_is_asked_once_for_each_kind(tmp_path: Path) -> None:
-    export.write(tmp_path, (), STORE)
-    asked = (tmp_path / "Ledger.v").read_text(encoding="utf-8").count("Print Assumptions")
+def test_what_the_theorems_rest_on_is_asked_once_for_each_kind(folder: Path) -> None:
+    asked = (folder / "Ledger.v").read_text(encoding="utf-8").count("Print Assumptions")
     assert asked == 2
     reals, floats = "Axioms:\nClassical_Prop.classic : P\n", "Axioms:\nPrimFloat.add : float\n"
-    found = export.assumed(tmp_path, reals + floats)
+    found = export.assumed(folder, reals + floats)
     assert set(found.values()) == {
         "it rests on the classical reals alone",
         "it rests on the classical reals and at most on Coq's machine integers and floats",
     }
-    beyond = export.assumed(tmp_path, "Axioms:\nmine : 0 = 1\n" + floats)
+    beyond = export.assumed(folder, "Axioms:\nmine : 0 = 1\n" + floats)
     assert any("mine" in text for text in beyond.values())
+
+
+def test_a_lemma_that_computes_with_floats_is_asked_about_with_the_others_that_do(
+    folder: Path,
+) -> None:
+    text = (folder / "Ledger.v").read_text(encoding="utf-8")
+    reals, floats = re.findall(r"Definition by_\w+ :=\s+\((.*)\)\.", text)
+    assert "interval" not in STORE["claims"]["d57"]["script"]  # its lemmas use it
+    assert "claim_d57" in floats.split(", ")
+    assert "claim_d57" not in reals.split(", ")
+    assert len(reals.split(", ")) > 400
 
 
 def test_conditions_are_shown_to_hold_somewhere() -> None:

@@ -1,7 +1,5 @@
 """A search: what is stored is not asked again, and what takes too long is given up."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path

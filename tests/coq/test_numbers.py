@@ -1,7 +1,5 @@
 """Numbers.v: the digits are those of the racket's own ladder, and Coq proves them."""
 
-from __future__ import annotations
-
 import re
 
 import pytest

@@ -1,7 +1,5 @@
 """Trees of orders: found for polynomials without negative values, and for no others."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 import pytest

@@ -1,7 +1,5 @@
 """Rational functions of names that are bound by one equation each."""
 
-from __future__ import annotations
-
 import pytest
 
 from tresym.coq.rational_functions import Quotients

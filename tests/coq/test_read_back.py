@@ -6,8 +6,6 @@ function under an integral or a derivative is its value at the value of its vari
 to be the same, connective by connective, and number by number.
 """
 
-from __future__ import annotations
-
 import re
 from functools import reduce
 from hashlib import sha256

@@ -1,7 +1,5 @@
 """The printed statements, read back by a reader that shares nothing with the printer."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Equations step by step: what Coq is asked, and that falsehoods are not proved."""
 
-from __future__ import annotations
-
 import time
 
 import pytest

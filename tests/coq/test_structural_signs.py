@@ -1,7 +1,5 @@
 """Signs that are seen: what is written of sums with a premise, and of sines and cosines."""
 
-from __future__ import annotations
-
 from tresym.coq.equations import fewest_terms
 from tresym.coq.linear_dependence import expanded
 from tresym.coq.statement import Theorem, term

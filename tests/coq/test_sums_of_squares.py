@@ -1,7 +1,5 @@
 """Polynomials as sums of squares: what is found adds up, and falsehoods have no certificate."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 import pytest

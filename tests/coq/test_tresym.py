@@ -1,7 +1,5 @@
 """The rules of Tresym.v in use: an integral, Leibniz's rule, one root, and what each refuses."""
 
-from __future__ import annotations
-
 import pytest
 
 from tresym.coq.candidate_search import prelude, run

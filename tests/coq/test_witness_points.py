@@ -1,7 +1,5 @@
 """Points of which Coq is told: all variables have values, the defect lies between decimals."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 from flint import fmpq

@@ -4,8 +4,6 @@ A point is a dictionary of numbers of the arithmetic ``m``: θ, ψ, a, b, M, I�
 and a sign S. What the law says is in its docstring.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from types import SimpleNamespace
 from typing import Any

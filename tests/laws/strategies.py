@@ -1,7 +1,5 @@
 """What the laws are tried on: shapes, levels and starts, exact, with the hard places among them."""
 
-from __future__ import annotations
-
 import functools
 import math
 from collections.abc import Callable

@@ -1,7 +1,5 @@
 """Laws of the defect ε: where it lies, how it falls, and that every route comes to the ball."""
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 from typing import Any

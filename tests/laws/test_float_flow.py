@@ -1,7 +1,5 @@
 """Laws of the flow in float64, many starts at once; and its errors are what they are said to be."""
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 

@@ -1,7 +1,5 @@
 """Laws of the flow ψ(φ), θ(φ) from any start, in balls: symmetries, conservation, bounds, group."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 from flint import arb, fmpq

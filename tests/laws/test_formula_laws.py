@@ -1,7 +1,5 @@
 """The laws of the formulas: proved on symbols, and true in balls, mpmath and float64."""
 
-from __future__ import annotations
-
 import random
 from collections.abc import Sequence
 from fractions import Fraction

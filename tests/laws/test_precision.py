@@ -1,7 +1,5 @@
 """Precision never leaks, and numbers survive text: laws of the border."""
 
-from __future__ import annotations
-
 from contextlib import suppress
 from fractions import Fraction
 

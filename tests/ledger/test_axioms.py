@@ -1,7 +1,5 @@
 """Quoted theorems: a claim lists its own and those of all that it rests on, each once."""
 
-from __future__ import annotations
-
 from sympy import Symbol
 
 from tresym.ledger.axioms import RULES, Axiom

@@ -1,7 +1,5 @@
 """Values apart from the engine, by balls that walk over SymPy expressions."""
 
-from __future__ import annotations
-
 import mpmath
 import pytest
 from flint import acb, arb, fmpq

@@ -1,7 +1,5 @@
 """Stored box proofs: read by label, written over, and only in a checkout."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterator
 from pathlib import Path

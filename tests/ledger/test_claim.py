@@ -1,7 +1,5 @@
 """Claims: frozen, equal by label, and what they rest on read off their evidence."""
 
-from __future__ import annotations
-
 from dataclasses import FrozenInstanceError
 
 import pytest

@@ -1,7 +1,5 @@
 """From what claims say to what is decided: trees made once, and definitions put in."""
 
-from __future__ import annotations
-
 import pytest
 from sympy import (
     Basic,

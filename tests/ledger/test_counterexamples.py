@@ -1,7 +1,5 @@
 """Violations: found where a claim fails, and none where it holds."""
 
-from __future__ import annotations
-
 import pytest
 from flint import arb
 from sympy import (

@@ -476,6 +476,7 @@ def _said_by_premises(claim: Claim) -> bool:
     return all(shape in put_in for shape in _shapes(claim))
 
 
+@pytest.mark.slow
 def test_no_claim_says_what_was_put_in() -> None:
     total = new("total", equal(x, y + t * z))
     moved = Claim("moved", equal(x - y, t * z), by(substituting(total)))

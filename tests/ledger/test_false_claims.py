@@ -4,8 +4,7 @@ Each attacks one guard. `FALSE` are statements that do not hold, `UNFOUNDED` are
 statements that hold, or that their evidence does not touch.
 """
 
-from __future__ import annotations
-
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -225,7 +224,7 @@ def remainder_boxes(low: str, high: str, coordinate: Any = x, tends: Any = x) ->
         lambda s, m: 1 - (s - m.sin(s)) / s**4,
         lambda s, m: 1 + (s - m.sin(s)) / s**4,
     )
-    bounds = tuple(Bound(margin, box((low, high))) for margin in margins)
+    bounds = tuple(Bound(margin, box((low, high)), sufficient=True) for margin in margins)
 
     def samples() -> Any:
         s = (arb(low) + arb(high)) / 2
@@ -234,6 +233,18 @@ def remainder_boxes(low: str, high: str, coordinate: Any = x, tends: Any = x) ->
     meant = Meant(samples, x**4, (coordinate,), Remainder(tends))
     return Boxes(bounds, ("x",), "everywhere", constant=fmpq(1), meant=meant)
 
+
+fifth_power = Boxes(
+    tuple(
+        Bound(margin, box(("-1/2", "1/2")), sufficient=True)
+        for margin in (lambda s, m: 1 - s, lambda s, m: 1 + s)
+    ),
+    ("x",),
+    "near 0",
+    constant=fmpq(1),
+    meant=Meant(lambda: [((arb(1) / 8,), {x: arb(1) / 8})], x**4, (x,), Remainder(x)),
+)
+"""x⁵ is at most x⁴ in size near 0."""
 
 small_sine = equal(sin(x), x + O(x**4))
 
@@ -425,6 +436,20 @@ FALSE: dict[str, Claim] = {
     ),
     "boxes-smaller-than-the-region": Claim(
         "f", small_sine, remainder_boxes("1/2", "1"), kind="order", given=(x >= -1, x <= 1)
+    ),
+    "boxes-on-one-side": Claim(
+        "f",
+        equal(x - x**2, x + O(x**4)),
+        replace(
+            fifth_power,
+            bounds=(Bound(lambda s, m: 1 + s**2, box(("-1/2", "1/2")), sufficient=True),),
+            constant=fmpq(100),
+        ),
+        kind="order",
+        given=(x >= -HALF / 2, x <= HALF / 2),
+    ),
+    "boxes-without-an-order": Claim(
+        "f", equal(x + x**5, x), fifth_power, kind="order", given=(x >= -HALF / 2, x <= HALF / 2)
     ),
     "boxes-without-a-region": Claim("f", small_sine, remainder_boxes("1/2", "1"), kind="order"),
     "boxes-of-other-coordinates": Claim(
@@ -707,6 +732,7 @@ BY_NOTHING = (judging, "refute", lambda says, claim: None)
         ("bound-of-another-difference", remainders, "_equal", lambda *asked: True),
         ("conjunction-with-a-formula", admissible, "DECIDING", (object,)),
         ("boxes-away-from-the-point", admissible, "_elsewhere", lambda *asked: None),
+        ("boxes-without-an-order", admissible, "_gauge_gap", lambda *asked: None),
         ("boxes-where-something-else-tends", admissible, "unfit_to_tend", lambda *asked: None),
     ],
 )

@@ -1,7 +1,5 @@
 """False claims of every kind that the judge has once let pass: none of them holds."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import pytest

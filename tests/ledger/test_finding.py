@@ -1,7 +1,5 @@
 """Findings: values with nothing in them that was not found."""
 
-from __future__ import annotations
-
 from dataclasses import FrozenInstanceError
 
 import pytest

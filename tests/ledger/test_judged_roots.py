@@ -1,7 +1,5 @@
 """Claims about roots: what has one, none or several, and slopes of implicit functions."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import Any
 

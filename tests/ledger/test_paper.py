@@ -1,7 +1,5 @@
 """The paper's claims in order, and the files beside them."""
 
-from __future__ import annotations
-
 from tresym.ledger.paper import all_claims, display_lines, file_of, index, sections
 
 

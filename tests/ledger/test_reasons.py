@@ -1,7 +1,5 @@
 """Reasons: each opens the theory it is called by, and carries what it is given."""
 
-from __future__ import annotations
-
 import pytest
 from sympy import Symbol
 

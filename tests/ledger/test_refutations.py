@@ -1,7 +1,5 @@
 """Counterexamples to claims, and conditions that no point satisfies."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import pytest

@@ -1,7 +1,5 @@
 """Points at which claims are tried, and where there is none."""
 
-from __future__ import annotations
-
 from sympy import (
     Symbol,
     log,

@@ -1,7 +1,5 @@
 """Statements with heads of their own: what is free in them, what is bound, and how they read."""
 
-from __future__ import annotations
-
 import pytest
 from sympy import Function, Gt, Symbol, Tuple, cos
 

@@ -1,7 +1,5 @@
 """The words of a proof: each is used, none stands for two things."""
 
-from __future__ import annotations
-
 import re
 from importlib import import_module
 from pathlib import Path

@@ -87,6 +87,7 @@ def test_elsewhere_the_same_is_false(text: str, tmp_path: Path) -> None:
 CONDITION_MISSING = {
     r"\[ z = ac + r\sqrt{1 - a^2/r^2} = ac + \sqrt{r^2 - a^2} \]": "it holds at",
     r"\[ p = |r|\cos t = r\cos t \]": "it holds at",
+    r"\[ p = |r|\cos t = -r\cos t \]": "it holds at r = -",  # not at the first point
     "Let $n$ be an integer.\n\n\\[ b = \\frac{1 - (-1)^n}{n} = \\frac{2}{n} \\]": "it holds at n",
     r"\[ y = \int_0^\infty e^{-st}\,dt = \frac1s \]": "",
     r"\[ y = f(x) + g(x) = f(x) - g(x) \]": "",
@@ -95,6 +96,7 @@ CONDITION_MISSING = {
     r"\[ \lim_{n\to\infty} \sin(\pi n) = 0 \]": "the limit may be that of a sequence",
     r"\[ I_1 + I_2 \ge I_3, \quad I_2 + I_3 \ge I_1, \quad I_3 + I_1 \ge I_2 \]": "",
     r"\[ y = 10\times 0.0164 = 0.8^4\cdot 0.4 \]": "the numbers may be rounded",
+    r"\[ 1.1 + 2.2 + 3.3 = 6.8 \]": "the numbers may be rounded",  # each of the four is
     r"\[ y = \frac{67968}{22} = 3089 \]": "the numbers may be rounded",
     r"\[ \frac{32}{3} \approx 10.66 + 0.01 \]": "",
     r"We reach \[ 0 = 12 \]": "a contradiction may be meant",

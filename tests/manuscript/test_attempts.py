@@ -1,7 +1,5 @@
 """A short look at everything first; Ctrl-C keeps what is done."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Manuscripts in CI: formats, baselines, settings, the hook for pre-commit."""
 
-from __future__ import annotations
-
 import json
 import re
 import xml.etree.ElementTree as ElementTree

@@ -260,3 +260,11 @@ def test_what_words_call_complex_holds_from_their_section_on(tmp_path: Path) -> 
     claim = claim.replace("a", "z")
     found = [row.status for row in read(tmp_path, claim + (words % claim).replace("$a$", "$z$"))]
     assert found == ["UNREAD", "UNREAD"]
+
+
+@pytest.mark.parametrize("text", [r"A^2 + 1 = A^2 + 2 = 7", r"x A = A = x A + 1"])
+def test_no_link_of_a_chain_with_a_matrix_is_read_as_one_of_numbers(
+    text: str, tmp_path: Path
+) -> None:
+    found = links_of(tmp_path, rf"Let $A$ be a matrix. For all real $x$ \[ {text} \]")
+    assert [link.status for link in found] == ["UNREAD", "UNREAD"]

@@ -1,7 +1,5 @@
 """`tresym lsp` with a client of the protocol: diagnostics, hover, quick fixes."""
 
-from __future__ import annotations
-
 import asyncio
 import sys
 from collections.abc import Awaitable, Callable

@@ -71,6 +71,12 @@ EQUATIONS = (
     r"The disc \[ x^2 + y^2 \le 1 \]",
     r"Therefore \[ x + 2 = 3x - 4. \]",
     "% tresym: solve\n" r"\[ \cos 2x = 2\cos^2 x + 1 \]",
+    r"Solve \[ \sin 2x = 2\sin x. \] Solve \[ 2\sin x = \sin 2x. \]",  # two displays, no chain
+    r"One has \[ \sqrt{a^2} = a. \]",  # a letter that is mostly positive
+    r"The radius of it is $x$. One has \[ \sqrt{x^2} = x. \]",
+    # Not the same variables on both sides, beside identities
+    r"\begin{align} \sin^2 x + \cos^2 x &= 1 \\ x + \tan^5 y - 7 &= \sin x\cos x \\"
+    r"\cosh^2 x - \sinh^2 x &= 1 \end{align}",
 )
 
 
@@ -98,6 +104,11 @@ def test_in_a_block_of_identities_what_fails_is_suspect_without_a_repair(tmp_pat
 def test_a_symbol_defined_twice(words: str, status: str, tmp_path: Path) -> None:
     text = rf"The energy is \[ E = m c^2. \] {words} \[ E = m c^3. \]"
     assert statuses(tmp_path, text) == ["DEFINED", status]
+
+
+def test_each_misprint_of_several_is_suspect(tmp_path: Path) -> None:
+    text = r"We have \[ \cos 2x = 2\cos^2 x + 1. \] We have \[ \cosh^2 x + \sinh^2 x = 1. \]"
+    assert statuses(tmp_path, text) == ["SUSPECT", "SUSPECT"]
 
 
 def test_a_section_of_its_own_may_define_anew(tmp_path: Path) -> None:

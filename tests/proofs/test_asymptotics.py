@@ -57,7 +57,7 @@ PARTS = (asymptotics, constants, exponent, monotonicity, orders, rigid_bodies)
 CLAIMS = list(dict.fromkeys(claim for part in PARTS for claim in stated(part)))
 
 
-EVERY = 4
+EVERY = 8
 """Of so many claims one is searched for anew in every run, and all of them every night."""
 ANEW = [
     pytest.param(claim, id=claim.label, marks=pytest.mark.night if n % EVERY else ())
@@ -133,11 +133,10 @@ def test_the_exponent_rate_is_that_of_the_exact_root(a, b):
 @pytest.mark.parametrize(("a", "b"), SHAPES)
 def test_the_charts_are_the_same_shape(a, b):
     with ball_precision(256):
-        a_, b_, k, r, _ = balls_of(a, b)
+        _, b_, k, r, _ = balls_of(a, b)
         star = stable.leading_term(k, r, balls)
         for shape in (
             charts.by_kappa(b_, 1 / k, balls),
-            charts.by_k(k, 1 / a_, balls),
             charts.by_root(b_, k, balls),
         ):
             assert abs(shape.leading / star - 1) < 1e-9

@@ -5,8 +5,6 @@ mutants. What is said is changed and the evidence left as it is; of some bounds 
 changed along, and searched anew.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import Any
 

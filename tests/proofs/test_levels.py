@@ -1,16 +1,13 @@
 """Levels of γ: what the ledger evaluates by integrals alone, against elliptic functions."""
 
-from __future__ import annotations
-
 import pytest
 from flint import fmpq
 from tresym.proofs.levels import flip_defect_on_level, one_time
 
 from tresym.ledger.conversion import tree
-from tresym.ledger.evidence.at_point import unique_by
+from tresym.ledger.evidence.at_point import place_of
 from tresym.racket.flip.defect import defect_on
 from tresym.racket.motion.orbit import exact_level
-from tresym.reals.domain.binder_values import value
 from tresym.reals.numbers.arithmetic import ball_precision
 
 LONG = fmpq(10), fmpq(1, 2)
@@ -23,6 +20,6 @@ def test_a_motion_that_turns_several_times(level: str) -> None:
     at = {"a": LONG[0], "b": LONG[1], "gamma": gamma}
     with ball_precision(128):
         found = defect_on(*LONG, exact_level(*LONG, gamma))
-        shown = value(tree(flip_defect_on_level), at, unique_by((one_time,)))
+        shown = place_of(at, (one_time,)).value(tree(flip_defect_on_level))
         assert shown.is_finite()
         assert abs(shown - found) < 1e-18

@@ -1,7 +1,5 @@
 """A part reads like its section: each display of the paper is named at the top of its file."""
 
-from __future__ import annotations
-
 from importlib import import_module
 
 import pytest

@@ -1,7 +1,5 @@
 """What is quoted is named: no docstring and no note leans on a theorem that no claim lists."""
 
-from __future__ import annotations
-
 import ast
 import re
 from collections.abc import Iterator

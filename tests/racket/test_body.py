@@ -1,7 +1,5 @@
 """Shapes and bodies: a and b exactly from moments, the realizable ones, and what is no body."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 from typing import Any
 

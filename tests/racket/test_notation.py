@@ -1,7 +1,5 @@
 """The paper's symbols: one name each, real and nothing more, and one way to write each."""
 
-from __future__ import annotations
-
 import pytest
 from sympy import Symbol, latex
 

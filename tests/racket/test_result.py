@@ -1,7 +1,5 @@
 """The answer as a value: its decimal ball holds the ball, and says whether digits are proved."""
 
-from __future__ import annotations
-
 import json
 from fractions import Fraction
 

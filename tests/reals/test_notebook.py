@@ -1,7 +1,5 @@
 """Values in one line, and as tables for notebooks."""
 
-from __future__ import annotations
-
 from tresym.reals.notebook import LONGEST, html_table, in_one_line
 
 

@@ -1,7 +1,5 @@
 """Four verdicts, of which two hold."""
 
-from __future__ import annotations
-
 import pytest
 
 from tresym.reals.verdict import Verdict

@@ -4,13 +4,12 @@ Where a processor has wider registers, numpy and OpenBLAS take other code for si
 and what comes out differs in the last bits. Here these bits are changed, by settings and by hand.
 """
 
-from __future__ import annotations
-
 import math
 import os
 import platform
 import subprocess
 import sys
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
@@ -77,27 +76,33 @@ def shaken(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> N
     monkeypatch.setattr(flipmap, "_compiled", lambda: None)
 
 
+def by_turns(names: Iterable[str]) -> list[Any]:
+    """Every second in each run, and all of them every night."""
+    night = pytest.mark.night
+    return [pytest.param(name, marks=night if n % 2 else ()) for n, name in enumerate(names)]
+
+
 def saved(path: str) -> str:
     return shown((documents.folder() / path).read_text(encoding="utf-8"))
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("shaken", [1, 2] if DEEP else [1], indirect=True)
-@pytest.mark.parametrize("name", figures.FIGURES)
+@pytest.mark.parametrize("name", by_turns(figures.FIGURES))
 def test_a_figure_is_the_saved_one_whatever_the_last_bits(shaken: None, name: str) -> None:
     assert shown(figures.svg(name)) == saved(f"figures/{name}.svg")
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("shaken", [3], indirect=True)
-@pytest.mark.parametrize("name", charts.CHARTS)
+@pytest.mark.parametrize("name", by_turns(charts.CHARTS))
 def test_a_chart_is_the_saved_one_whatever_the_last_bits(shaken: None, name: str) -> None:
     assert shown(charts.svg(name)) == saved(f"charts/{name}.svg")
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("shaken", [4], indirect=True)
-@pytest.mark.parametrize("name", TABLES)
+@pytest.mark.parametrize("name", by_turns(TABLES))
 def test_a_table_is_the_saved_one_whatever_the_last_bits(shaken: None, name: str) -> None:
     found = table(name)
     assert written(found, "markdown") == saved(f"tables/{name}.md")

@@ -16,7 +16,7 @@ import pytest
 from flint import fmpq
 from hangs import HANGS
 
-from tresym.racket.angle import FULL_TURN, Angle
+from tresym.racket.angle import Angle, parse_angle
 from tresym.racket.body import NAMED_BODIES, Body, shape
 from tresym.racket.flip import defect
 from tresym.racket.flip.levels import turning_level
@@ -269,7 +269,7 @@ def test_throws_from_a_start_agree_with_the_certified_flip(open_page: Open) -> N
     for start in THROWS:
         throw(page, start)
         a, b, psi, rate = (fmpq(x.numerator, x.denominator) for x in map(Fraction, start))
-        true = travel(shape(a, b), Start(Angle(fmpq(0), psi), rate=rate), FULL_TURN, 20)
+        true = travel(shape(a, b), Start(Angle(fmpq(0), psi), rate=rate), parse_angle("2*pi"), 20)
         found = page.evaluate("poseAt(shown.motion, 1).psi - poseAt(shown.motion, 0).psi")
         assert found == pytest.approx(float(true.turn), abs=1e-11), start
         assert page.evaluate("poseAt(shown.motion, 1).theta") == pytest.approx(

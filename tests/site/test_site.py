@@ -2,13 +2,14 @@
 
 import json
 import re
+from collections.abc import Callable
 from itertools import pairwise
 from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
 
-from tresym.ledger.verification import Report, verify
+from tresym.ledger.verification import Report
 from tresym.report.pages.numbers import numbers
 from tresym.report.pages.site_data import record
 from tresym.report.typesetting.finding_text import readable
@@ -35,8 +36,8 @@ SOME = (
 
 
 @pytest.fixture(scope="module")
-def report() -> Report:
-    return verify(SOME)
+def report(judged: Callable[..., Report]) -> Report:
+    return judged(*SOME)
 
 
 @pytest.fixture(scope="module")
@@ -173,9 +174,6 @@ def test_sentences_read_the_same_in_markdown(text: str, shown: str) -> None:
 def test_what_was_found_in_letters() -> None:
     assert readable("violated at psi1 = -1/2, I3 = 4") == "violated at ψ₁ = −1/2, I₃ = 4"
     assert readable("12*lambda**(-2)*exp(-2/lambda)") == "12 · λ^{−2} · exp(−2/λ)"
-    assert readable("1.00000 * t^(-2) * exp(3.5/t^1)") == "1t^{−2} · exp(3.5/t)"
-    about = "about -exp(-1)*t**2*exp(pi*pi*sqrt(t**(-2))/(-pi))/5, it says"
-    assert readable(about) == "about −t^{2} e^{−π/t}/(5e), it says"
     assert finding("t -> 0+, 2 * t^(10)") == r"$t \to 0^{+}$, $2 t^{10}$"
     assert readable("Eq(b, 55/874), gamma >= -1/500") == "b = 55/874, γ ≥ −1/500"
 

@@ -3,8 +3,6 @@
 The kill tests are repeated 20 times where ``HYPOTHESIS_PROFILE`` is ``deep``.
 """
 
-from __future__ import annotations
-
 import csv
 import itertools
 import json
@@ -19,7 +17,7 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from concurrent.futures import BrokenExecutor, Executor, Future, ThreadPoolExecutor
-from contextlib import closing, contextmanager, suppress
+from contextlib import AbstractContextManager, closing, contextmanager, suppress
 from fractions import Fraction
 from importlib.util import find_spec
 from pathlib import Path
@@ -61,9 +59,44 @@ def float_rows_of(path: Path | str) -> list[SweepRow]:
     return [SweepRow(*values[:radius], None, *values[radius:]) for values in rows_of(path)]
 
 
-@contextmanager
-def serial() -> Iterator[Workers]:
-    yield Workers(Here(), 1)
+def lent(*arguments: Any) -> Callable[[], AbstractContextManager[Workers]]:
+    """Workers of an executor, as a sweep asks for them."""
+
+    @contextmanager
+    def workers() -> Iterator[Workers]:
+        yield Workers(*arguments)
+
+    return workers
+
+
+serial = lent(Here(), 1)
+
+
+class Answering(Executor):
+    """Gives the answers of a function of their number, from 1 on, and of the computation."""
+
+    def __init__(self, answer: Callable[[int, Callable[[], Any]], Any]) -> None:
+        self.answer, self.asked = answer, 0
+
+    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
+        future: Future[Any] = Future()
+        self.asked += 1
+        try:
+            future.set_result(self.answer(self.asked, lambda: fn(*args, **kwargs)))
+        except Exception as error:
+            future.set_exception(error)
+        return future
+
+
+class Silent(Executor):
+    """Never answers."""
+
+    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
+        return Future()
+
+
+def nobody() -> None:
+    raise InputError("nobody is left")
 
 
 @pytest.fixture(scope="module")
@@ -258,66 +291,43 @@ def test_an_empty_file_of_bodies_makes_an_empty_table(tmp_path: Path) -> None:
 # The table
 
 
-class Failing(Executor):
-    """Computes a few batches and then breaks, as a pool does whose workers die."""
-
-    def __init__(self, batches: int) -> None:
-        self.left = batches
-
-    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
-        future: Future[Any] = Future()
-        self.left -= 1
-        if self.left < 0:
-            future.set_exception(BrokenExecutor("all workers have died"))
-        else:
-            future.set_result(fn(*args, **kwargs))
-        return future
-
-
 def test_what_landed_before_the_workers_died_is_kept(
     tmp_path: Path, expected: list[tuple[Any, ...]]
 ) -> None:
-    @contextmanager
-    def failing() -> Iterator[Workers]:
-        yield Workers(Failing(3), 1)
+    def three(n: int, compute: Callable[[], Any]) -> Any:
+        if n > 3:  # as a pool does whose workers die
+            raise BrokenExecutor("all workers have died")
+        return compute()
 
     with pytest.raises(InputError, match="all workers have died"):
-        sweep(GRID, str(tmp_path / "t"), 20, failing)
+        sweep(GRID, str(tmp_path / "t"), 20, lent(Answering(three), 1))
     assert rows_of(tmp_path / "t") == expected[:15]
     assert sweep(GRID, str(tmp_path / "t"), 20, serial).computed == 81 - 15
     assert rows_of(tmp_path / "t") == expected
 
 
-class Losing(Executor):
+def losing(answers: int) -> Answering:
     """Loses the first answers on their way, as Dask does when a worker dies after its answer."""
 
-    def __init__(self, answers: int) -> None:
-        self.left = answers
+    def later(n: int, compute: Callable[[], Any]) -> Any:
+        if n <= answers:
+            raise ValueError("too many values to unpack (expected 3)")
+        return compute()
 
-    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
-        future: Future[Any] = Future()
-        self.left -= 1
-        if self.left >= 0:
-            future.set_exception(ValueError("too many values to unpack (expected 3)"))
-        else:
-            future.set_result(fn(*args, **kwargs))
-        return future
+    return Answering(later)
 
 
 @pytest.mark.parametrize(("answers", "ends"), [(1, True), (3, True), (4, False)])
 def test_a_lost_answer_is_asked_for_again_but_not_for_ever(
     answers: int, ends: bool, tmp_path: Path, expected: list[tuple[Any, ...]]
 ) -> None:
-    @contextmanager
-    def losing() -> Iterator[Workers]:
-        yield Workers(Losing(answers), 1)
-
+    workers = lent(losing(answers), 1)
     if ends:
-        assert sweep(GRID, str(tmp_path / "t"), 20, losing).computed == 81
+        assert sweep(GRID, str(tmp_path / "t"), 20, workers).computed == 81
         assert rows_of(tmp_path / "t") == expected
     else:
         with pytest.raises(ValueError, match="too many values"):
-            sweep(GRID, str(tmp_path / "t"), 20, losing)
+            sweep(GRID, str(tmp_path / "t"), 20, workers)
 
 
 @pytest.mark.parametrize(("answers", "ends"), [(1, True), (3, True), (4, False)])
@@ -325,7 +335,7 @@ def test_a_lost_answer_is_asked_for_again_in_order_too(answers: int, ends: bool)
     """As ``tresym check -f --scheduler`` asks."""
     asked = [b"%d" % n for n in range(9)]
     for window in (1, 20):
-        found = Workers(Losing(answers), window).in_order(bytes.strip, iter(asked))
+        found = Workers(losing(answers), window).in_order(bytes.strip, iter(asked))
         if ends or window > 1:
             assert list(found) == asked
         else:
@@ -339,18 +349,8 @@ def test_a_lost_answer_is_asked_for_again_in_order_too(answers: int, ends: bool)
 def test_a_batch_that_is_none_does_not_land(
     tmp_path: Path, batch: bytes, expected: list[tuple[Any, ...]]
 ) -> None:
-    class Liar(Executor):
-        def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
-            future: Future[Any] = Future()
-            future.set_result(batch)
-            return future
-
-    @contextmanager
-    def liar() -> Iterator[Workers]:
-        yield Workers(Liar(), 1)
-
     with pytest.raises(InputError, match="/t: "):
-        sweep(GRID, str(tmp_path / "t"), 20, liar)
+        sweep(GRID, str(tmp_path / "t"), 20, lent(Answering(lambda *_: batch), 1))
     assert sweep(GRID, str(tmp_path / "t"), 20, serial).computed == 81
     assert rows_of(tmp_path / "t") == expected
 
@@ -892,16 +892,9 @@ def test_answers_come_in_order_and_few_are_under_way() -> None:
 
 
 def test_answers_that_nobody_works_at_are_not_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:
-    class Idle(Here):
-        def submit(self, fn: Any, /, *args: Any, **kwargs: Any) -> Future[Any]:
-            return Future()
-
-    def nobody() -> None:
-        raise InputError("nobody is left")
-
     monkeypatch.setattr("tresym.sweep.workers.PATIENCE", 0.01)
     with pytest.raises(InputError, match="nobody is left"):
-        next(Workers(Idle(), 3, nobody).in_order(bytes, iter([b""])))
+        next(Workers(Silent(), 3, nobody).in_order(bytes, iter([b""])))
 
 
 @pytest.mark.slow
@@ -976,21 +969,9 @@ def test_workers_that_are_gone_end_the_wait(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """An executor that never answers is asked whether anybody is left."""
-
-    class Silent(Executor):
-        def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
-            return Future()
-
-    def gone() -> None:
-        raise InputError("nobody is left")
-
-    @contextmanager
-    def silent() -> Iterator[Workers]:
-        yield Workers(Silent(), 2, gone)
-
     monkeypatch.setattr("tresym.sweep.workers.PATIENCE", 0.01)
     with pytest.raises(InputError, match="nobody is left"):
-        sweep(GRID, str(tmp_path / "t"), 20, silent)
+        sweep(GRID, str(tmp_path / "t"), 20, lent(Silent(), 2, nobody))
 
 
 IMPATIENT = (

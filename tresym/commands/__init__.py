@@ -67,12 +67,13 @@ def build_parser(chosen: str | None = None) -> Parser:
     parser = Parser(
         prog="tresym",
         description="The tennis racket effect, verified: proofs, certified numbers, figures.",
-        allow_abbrev=False,
     )
     parser.add_argument("--version", action="version", version=f"tresym {tresym.__version__}")
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
     for name in (chosen,) if chosen in COMMANDS else COMMANDS:
-        import_module(f"tresym.commands.{name}").add(commands)
+        module = import_module(f"tresym.commands.{name}")
+        module.add(commands)
+        commands.choices[name].set_defaults(run=module.run)
     for command in commands.choices.values():
         written = {action.dest for action in command._actions} & {*OUTPUTS, "html"}
         if written and command.prog.split()[-1] != "sweep":

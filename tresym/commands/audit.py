@@ -5,16 +5,8 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING
 
-from rich.console import Console
-from rich.table import Table
-from rich.text import Text
-
-from tresym.commands.parser import (
-    UNEXPECTED,
-    Commands,
-    add_output,
-    deliver,
-)
+from tresym.commands.parser import UNEXPECTED, Commands, add_output, deliver
+from tresym.output import bold, colour_wanted, styled
 
 if TYPE_CHECKING:
     from tresym.ledger.audit.coverage import Audit, PieceRow
@@ -29,11 +21,9 @@ def add(commands: Commands) -> None:
         "paper, and each line of its text with a formula or on the motion; compare them "
         "with its LaTeX.",
         epilog="Exit status: 1 unless all of the paper is covered, unaltered and copied correctly.",
-        allow_abbrev=False,
     )
     parser.add_argument("paper", metavar="PAPER.tex", help="the LaTeX source of the paper")
     add_output(parser)
-    parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:
@@ -54,51 +44,49 @@ def run(args: argparse.Namespace) -> int:
 
         deliver(json.dumps(found.as_json(), ensure_ascii=False, indent=1) + "\n", args.path)
     else:
-        from tresym.output import terminal
-
-        show_audit(found, terminal())
+        show_audit(found)
     return 0 if found.complete else UNEXPECTED
 
 
 SHOWN_CLAIMS = 3
+GOOD, NOTED, BAD = "32", "33", "1;31"
+"""Green, yellow and bold red."""
 
 
-def show_audit(audit: Audit, console: Console) -> None:
+def show_audit(audit: Audit) -> None:
     """Print every row, and how many of each kind are covered."""
     from tresym.ledger.audit.coverage import Transcription
 
-    table = Table(box=None, pad_edge=False, header_style="bold")
-    for heading in ("piece", "label", "line"):
-        table.add_column(heading, no_wrap=True)
-    table.add_column("answered by", overflow="fold")
-    table.add_column("its LaTeX", no_wrap=True)
-    for row in audit.rows:
-        table.add_row(*_cells(row))
-    console.print(table)
+    colour = colour_wanted()
+    rows = [("piece", "label", "line", "its LaTeX", "answered by"), *map(_cells, audit.rows)]
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    for n, cells in enumerate(rows):
+        *plain, state, names = (f"{c:<{w}}" for c, w in zip(cells, widths, strict=True))
+        style = "1" if n == 0 else GOOD if audit.rows[n - 1].good else BAD
+        heading = bold("  ".join(plain), colour and n == 0)
+        print(heading, styled(state, style, colour), names.rstrip(), sep="  ")
     for row in audit.rows:
         if row.note and (not row.good or row.transcription is Transcription.AS_READ):
-            style = "yellow" if row.good else "red"
-            console.print(Text(f"{_piece(row)} ({row.label}): {row.note}", style=style))
-    console.print(_summary(audit))
+            note = f"{_piece(row)} ({row.label}): {row.note}"
+            print(styled(note, NOTED if row.good else BAD, colour))
+    print(styled(_summary(audit), GOOD if audit.complete else BAD, colour))
 
 
-def _cells(row: PieceRow) -> tuple[Text | str, ...]:
-    from tresym.ledger.audit.coverage import Text as Found
+def _cells(row: PieceRow) -> tuple[str, ...]:
+    from tresym.ledger.audit.coverage import Text
 
     names = ", ".join(row.claims[:SHOWN_CLAIMS])
     more = len(row.claims) - SHOWN_CLAIMS
     names += f" and {more} more" if more > 0 else ""
-    state = row.transcription.value if row.text is Found.SAME else row.text.value
-    style = "green" if row.good else "bold red"
-    found = Text(state or "same", style=style)
-    return _piece(row), row.label, str(row.line or "—"), names or "—", found
+    state = row.transcription.value if row.text is Text.SAME else row.text.value
+    return _piece(row), row.label, str(row.line or "—"), state or "same", names or "—"
 
 
 def _piece(row: PieceRow) -> str:
     return f"display {row.number}" if row.number is not None else row.kind
 
 
-def _summary(audit: Audit) -> Text:
+def _summary(audit: Audit) -> str:
     good, total = audit.count()
     parts = [f"{good} of {total} displays", f"{audit.read} of them read from the LaTeX"]
     if audit.read_otherwise:
@@ -106,5 +94,4 @@ def _summary(audit: Audit) -> Text:
     for kind in audit.kinds:
         good, total = audit.count(kind)
         parts.append(f"{kind} {good}/{total}")
-    style = "green" if audit.complete else "bold red"
-    return Text("; ".join(parts), style=style)
+    return "; ".join(parts)

@@ -33,12 +33,10 @@ def add(commands: Commands) -> None:
             + ["", "Interrupted with Ctrl-C, it shows (and with --save keeps) what it has."]
         ),
         formatter_class=argparse.RawDescriptionHelpFormatter,
-        allow_abbrev=False,
     )
     parser.add_argument("workloads", nargs="*", metavar="WORKLOAD", help="see below")
     parser.add_argument("--save", action="store_true", help="store the result in docs/measurements")
     add_output(parser)
-    parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:

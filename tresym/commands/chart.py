@@ -4,12 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from tresym.commands.parser import (
-    PICTURE_PATH,
-    Commands,
-    deliver,
-    deliver_picture,
-)
+from tresym.commands.parser import PICTURE_PATH, Commands, deliver, deliver_picture
 
 
 def add(commands: Commands) -> None:
@@ -19,14 +14,12 @@ def add(commands: Commands) -> None:
         help="a chart of saved measurements",
         description="Draw one chart of what tresym bench --save kept; without a name, list them.",
         epilog="Needs matplotlib: pip install -e '.[docs]'.",
-        allow_abbrev=False,
     )
     parser.add_argument("name", nargs="?", metavar="NAME", help="a chart, such as work-precision")
     parser.add_argument(
         "--from", dest="source", metavar="FILE", help="a saved measurement (default: the one here)"
     )
     parser.add_argument("-o", dest="path", metavar="PATH", help=PICTURE_PATH)
-    parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:

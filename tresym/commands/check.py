@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import os
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -12,13 +11,8 @@ from functools import partial
 from itertools import chain
 from typing import TYPE_CHECKING, TypeAlias
 
-from tresym.commands.parser import (
-    Commands,
-    add_output,
-    json_line,
-    parse_seconds,
-)
-from tresym.output import bold, colour_wanted, dim, writing
+from tresym.commands.parser import Commands, add_options, add_output, json_line, parse_seconds
+from tresym.output import bold, colour_wanted, dim, show_progress, writing
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
@@ -40,7 +34,6 @@ def add(commands: Commands) -> None:
         "~), 'f -> L', 'f > g' (eventually): PROVED, ENCLOSED, REFUTED or UNDECIDED, and why.",
         epilog="Exit status: 0 if it holds, 1 if refuted, 3 if undecided, 2 if it cannot be read; "
         "for many claims the first of 2, 1, 3 that occurs.",
-        allow_abbrev=False,
     )
     parser.add_argument("claim", nargs="?", metavar="CLAIM", help="text or LaTeX")
     parser.add_argument(
@@ -60,16 +53,15 @@ def add(commands: Commands) -> None:
         action="store_false",
         help="do not search for a true statement close to a refuted claim",
     )
-    parser.add_argument(
-        "--scheduler",
-        metavar="ADDRESS",
-        help="with -f: the workers of a Dask scheduler, as tcp://HOST:PORT (without it: all cores)",
-    )
-    parser.add_argument(
-        "--no-cache", action="store_true", help="with -f: do not use cached answers"
+    add_options(
+        parser,
+        (
+            "--scheduler ADDRESS",
+            "with -f: the workers of a Dask scheduler, as tcp://HOST:PORT (without it: all cores)",
+        ),
+        ("--no-cache", "with -f: do not use cached answers"),
     )
     add_output(parser)
-    parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:
@@ -139,7 +131,8 @@ def one(
     else:
         text = answer_text(answer, colour)
         text += "" if said is None else f"  {dim('coq        ', colour)}{said['says']}\n"
-    _show_all(text, target)
+    with _shown_by(target) as show:
+        show(text)
     return _STATUS.get(answer.verdict, 0)
 
 
@@ -186,7 +179,11 @@ def many(
     colour = colour_wanted() and target is None
     with _shown_by(target) as show:
         answers = _answers(tasks, seconds, scheduler)
-        for task, found in _suggested(answers) if suggest else answers:
+        if suggest:
+            from tresym.reals.repair import suggested
+
+            answers = suggested(answers)
+        for task, found in answers:
             if isinstance(found, InputError):
                 if task.claim.startswith("\\documentclass"):
                     raise InputError(f"{file}: {MANUSCRIPT}") from None
@@ -199,7 +196,7 @@ def many(
                 status = _worse(status, _STATUS.get(found.verdict, 0))
                 counts[found.verdict.value] += 1
                 show(json_line(found.as_json()) if as_json else answer_text(found, colour))
-            _progress(sum(counts.values()))
+            show_progress(f"{sum(counts.values())} claims")
     summary = ", ".join(f"{count} {name}" for name, count in counts.items() if count)
     print(f"{sum(counts.values())} claims: {summary}", file=sys.stderr)
     return status
@@ -216,12 +213,6 @@ def _answers(tasks: Iterator[Task], limit: float, scheduler: str | None) -> Answ
 
     with cluster(scheduler) as workers:
         yield from check_by(workers.in_order, tasks, limit)
-
-
-def _suggested(answers: Answers) -> Answers:
-    from tresym.reals.repair import suggested
-
-    return suggested(answers)
 
 
 def _worse(*statuses: int) -> int:
@@ -295,11 +286,6 @@ def _bad_line(task: Task, error: InputError) -> str:
     return json_line(value)
 
 
-def _show_all(text: str, target: str | None) -> None:
-    with _shown_by(target) as show:
-        show(text)
-
-
 @contextmanager
 def _shown_by(target: str | None) -> Iterator[Callable[[str], object]]:
     """Yield a function that prints a text, or writes it to the file ``target``."""
@@ -311,9 +297,3 @@ def _shown_by(target: str | None) -> Iterator[Callable[[str], object]]:
         open(aside, "w", encoding="utf-8", errors="backslashreplace", newline="") as file,
     ):
         yield file.write
-
-
-def _progress(done: int) -> None:
-    """Show a counter on standard error if that is a terminal."""
-    if sys.stderr is not None and sys.stderr.isatty() and not os.environ.get("NO_COLOR"):
-        print(f"\r{done} claims\r", end="", file=sys.stderr, flush=True)

@@ -35,10 +35,8 @@ def add(commands: Commands) -> None:
         help="print a completion script for bash or zsh",
         description="Print a script that completes commands, options, labels and names.",
         epilog="For bash: tresym completion bash >> ~/.bashrc",
-        allow_abbrev=False,
     )
     parser.add_argument("shell", choices=("bash", "zsh"), help="the shell that is to read it")
-    parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:

@@ -11,7 +11,7 @@ from contextlib import contextmanager
 from importlib.util import find_spec
 from typing import TYPE_CHECKING
 
-from tresym.commands.parser import UNEXPECTED, Commands, deliver
+from tresym.commands.parser import UNEXPECTED, Commands, add_options, deliver
 from tresym.output import check_replaceable, make_folder, write_bytes
 from tresym.reals.numbers.exact import InputError
 
@@ -33,7 +33,6 @@ def add(commands: Commands) -> None:
         epilog="With -o article.tex the figures are written to the folder article-figures. They "
         "need matplotlib: pip install -e '.[docs]'. "
         "Exit status: 1, without output, if a requested claim is refuted.",
-        allow_abbrev=False,
     )
     parser.add_argument("labels", nargs="*", metavar="LABEL", help="claims, such as eq_gamma")
     parser.add_argument(
@@ -49,20 +48,16 @@ def add(commands: Commands) -> None:
         help="include the figures, as files beside PATH (default: if PATH is given)",
     )
     where = parser.add_mutually_exclusive_group()
-    where.add_argument(
-        "--ledger",
-        action="store_true",
-        help="also write every claim with its proof, to PATH-ledger.tex",
-    )
-    where.add_argument(
-        "--appendix", action="store_true", help="the same as an appendix of the article"
+    add_options(
+        where,
+        ("--ledger", "also write every claim with its proof, to PATH-ledger.tex"),
+        ("--appendix", "the same as an appendix of the article"),
     )
     parser.add_argument(
         "--refuted",
         action="store_true",
         help="also print refuted claims, marked as such, with the correct statement",
     )
-    parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:

@@ -4,10 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from tresym.commands.parser import (
-    UNEXPECTED,
-    Commands,
-)
+from tresym.commands.parser import UNEXPECTED, Commands, add_options
 
 
 def add(commands: Commands) -> None:
@@ -16,14 +13,8 @@ def add(commands: Commands) -> None:
         "docs",
         help="build the generated documents, or check that they are up to date",
         description="Write docs/generated from the ledger and the tables.",
-        allow_abbrev=False,
     )
-    parser.add_argument(
-        "--check",
-        action="store_true",
-        help="write nothing; exit status 1 if a document is out of date",
-    )
-    parser.set_defaults(run=run)
+    add_options(parser, ("--check", "write nothing; exit status 1 if a document is out of date"))
 
 
 def run(args: argparse.Namespace) -> int:

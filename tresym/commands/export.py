@@ -12,7 +12,7 @@ from contextlib import closing
 from pathlib import Path
 from typing import Any
 
-from tresym.commands.parser import Commands
+from tresym.commands.parser import Commands, add_options
 from tresym.reals.numbers.exact import InputError
 
 
@@ -23,21 +23,14 @@ def add(commands: Commands) -> None:
         help="export the ledger to Coq",
         description="Write each claim as a theorem of Coq with its proof: one file per part of the "
         "proofs, a Makefile that has Coq check them, and index.json.",
-        allow_abbrev=False,
     )
     parser.add_argument("labels", nargs="*", metavar="LABEL", help="claims, such as eq_gamma")
     parser.add_argument("--coq", required=True, metavar="DIR", help="the folder to write")
-    parser.add_argument(
-        "--search",
-        action="store_true",
-        help="search for missing proofs with coqtop, and store them",
+    add_options(
+        parser,
+        ("--search", "search for missing proofs with coqtop, and store them"),
+        ("--check", "store that Coq has checked the files there, whose make printed into said.txt"),
     )
-    parser.add_argument(
-        "--check",
-        action="store_true",
-        help="store that Coq has checked the files there, whose make printed into said.txt",
-    )
-    parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:
@@ -62,15 +55,9 @@ def run(args: argparse.Namespace) -> int:
 
 def _search(folder: Path, labels: Sequence[str]) -> dict[str, Any]:
     """Search for missing proofs, or those of the labels, and store each one found."""
-    from tresym.coq.candidate_search import version
+    from tresym.coq.coqtop import version
     from tresym.coq.export import entries, open_claims, save, stamped, stored
-    from tresym.coq.ledger_proofs import (
-        Memory,
-        premised_points,
-        search,
-        strengthened,
-        witnesses,
-    )
+    from tresym.coq.ledger_proofs import Memory, premised_points, search, strengthened, witnesses
     from tresym.coq.statement import Theorem
     from tresym.ledger.paper import all_claims
 
@@ -108,7 +95,7 @@ def _search(folder: Path, labels: Sequence[str]) -> dict[str, Any]:
 
 def _check(folder: Path, store: dict[str, Any]) -> int:
     """Store that Coq has checked the proofs in the folder, and what they depend on."""
-    from tresym.coq.candidate_search import version
+    from tresym.coq.coqtop import version
     from tresym.coq.export import assumed, contents, save, stamped
     from tresym.coq.ledger_statements import name_of
 

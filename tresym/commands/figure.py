@@ -9,6 +9,7 @@ from tresym.commands.parser import (
     PICTURE_PATH,
     Commands,
     add_body,
+    add_options,
     body_of,
     deliver,
     deliver_picture,
@@ -32,17 +33,14 @@ def add(commands: Commands) -> None:
         "flip-curves and racket-flip can be drawn for any body.",
         epilog="Needs matplotlib: pip install -e '.[docs]'; for an MP4 imageio-ffmpeg: "
         "pip install -e '.[docs,video]'.",
-        allow_abbrev=False,
     )
     parser.add_argument("name", nargs="?", metavar="NAME", help="a figure, such as flip-map")
     add_body(parser, required=False)
-    parser.add_argument("--gamma", metavar="G", help="for flip-curves: draw only this level")
-    parser.add_argument("--width", metavar="MM", help="width of the picture in millimetres")
-    parser.add_argument(
-        "--dpi",
-        metavar="N",
-        default="200",
-        help="resolution in dots per inch of a PNG, or of a GIF or MP4 with --width",
+    add_options(
+        parser,
+        ("--gamma G", "for flip-curves: draw only this level"),
+        ("--width MM", "width of the picture in millimetres"),
+        ("--dpi N=200", "resolution in dots per inch of a PNG, or of a GIF or MP4 with --width"),
     )
     parser.add_argument(
         "--format", choices=KINDS, help="file format (default: from the ending of PATH, or svg)"
@@ -50,7 +48,6 @@ def add(commands: Commands) -> None:
     parser.add_argument(
         "-o", dest="path", metavar="PATH", help=f"{PICTURE_PATH}; racket-flip .gif or .mp4"
     )
-    parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:
@@ -70,14 +67,7 @@ def run(args: argparse.Namespace) -> int:
     dpi = round(_within(args.dpi, DOTS, "--dpi"))
 
     def draw(kind: str) -> bytes:
-        return figures.picture(
-            args.name,
-            kind,
-            floats(shape) if own else None,
-            gamma,
-            width,
-            dpi,
-        )
+        return figures.picture(args.name, kind, floats(shape) if own else None, gamma, width, dpi)
 
     deliver_picture(draw, args.path, args.format)
     return 0

@@ -15,6 +15,7 @@ from tresym.commands.parser import (
     UNEXPECTED,
     Commands,
     add_body,
+    add_options,
     add_output,
     body_of,
     deliver,
@@ -39,7 +40,6 @@ def add(commands: Commands) -> None:
         help="compute the flip of one body, certified",
         description="How far one full turn of a freely rotating body is from a perfect flip.",
         epilog="Numbers are exact: 0.0629, 1e-4 or 16380/1210; angles also pi/2 or -3*pi/4.",
-        allow_abbrev=False,
     )
     add_body(parser, required=True)
     parser.add_argument("--digits", default="50", metavar="N", help="1 to 10000 (default: 50)")
@@ -47,30 +47,24 @@ def add(commands: Commands) -> None:
         "--rung", metavar="NAME", help="use this model instead of the cheapest sufficient one"
     )
     where = parser.add_mutually_exclusive_group()
-    where.add_argument(
-        "--gamma",
-        metavar="G",
-        help="distance from the separatrix, -b to a (default: 0); on a rigid body a larger one "
-        "always flips further",
-    )
-    where.add_argument(
-        "--psi0",
-        metavar="P",
-        help="start at this psi, in radians, instead of on the symmetric motion",
+    add_options(
+        where,
+        (
+            "--gamma G",
+            "distance from the separatrix, -b to a (default: 0); on a rigid body a larger one "
+            "always flips further",
+        ),
+        ("--psi0 P", "start at this psi, in radians, instead of on the symmetric motion"),
     )
     how = parser.add_mutually_exclusive_group()
     how.add_argument("--rate", metavar="V", help="with --psi0: dpsi/dphi at the start")
     how.add_argument("--theta0", metavar="T", help="with --psi0: theta at the start, in radians")
-    parser.add_argument(
-        "--precession", metavar="ANGLE", help="with --psi0: how far phi goes (default: 2*pi)"
-    )
-    parser.add_argument(
-        "--limit",
-        metavar="SECONDS",
-        help="time after which the digits known so far are printed (60)",
+    add_options(
+        parser,
+        ("--precession ANGLE", "with --psi0: how far phi goes (default: 2*pi)"),
+        ("--limit SECONDS", "time after which the digits known so far are printed (60)"),
     )
     add_output(parser)
-    parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:

@@ -15,13 +15,11 @@ def add(commands: Commands) -> None:
         help="a language server for editors: diagnostics as you type",
         description="A server of the Language Server Protocol on standard input and output, to "
         "be started by an editor for LaTeX files; it needs the extra tresym[editor].",
-        allow_abbrev=False,
     )
     parser.add_argument("--limit", default="2", metavar="SECONDS", help="for each claim (2)")
     parser.add_argument(
         "--stdio", action="store_true", help=("accepted because editors pass it; it is always on")
     )
-    parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:

@@ -4,15 +4,21 @@ from __future__ import annotations
 
 import argparse
 import json
-import os
 import sys
 import time
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
-from tresym.commands.parser import UNEXPECTED, Commands, add_output, deliver, parse_seconds
-from tresym.output import bold, colour_wanted, dim
+from tresym.commands.parser import (
+    UNEXPECTED,
+    Commands,
+    add_options,
+    add_output,
+    deliver,
+    parse_seconds,
+)
+from tresym.output import bold, colour_wanted, dim, show_progress
 from tresym.reals.notebook import abbreviated
 from tresym.reals.numbers.exact import InputError
 
@@ -33,7 +39,6 @@ def add(commands: Commands) -> None:
         "ASSUMED, EQUATION or UNREAD. Comments such as '% tresym: given a > 0' add information.",
         epilog="Exit status: 1 if something is REFUTED or SUSPECT, with --strict also if "
         "something is UNDECIDED or UNREAD; 2 if the file cannot be read.",
-        allow_abbrev=False,
     )
     parser.add_argument(
         "papers",
@@ -41,15 +46,12 @@ def add(commands: Commands) -> None:
         metavar="MANUSCRIPT.tex",
         help="LaTeX sources (default: the files named in tresym.toml)",
     )
-    parser.add_argument(
-        "--notes", metavar="FILE", help=("a file of directives, by display number and hash")
-    )
-    parser.add_argument("--html", metavar="DIR", help="write a page with every display as read")
-    parser.add_argument(
-        "--marks", metavar="FILE", help="write marks for the margin, and tresym.sty beside them"
-    )
-    parser.add_argument(
-        "--suspect-ok", action="store_true", help="do not count SUSPECT as a failure"
+    add_options(
+        parser,
+        ("--notes FILE", "a file of directives, by display number and hash"),
+        ("--html DIR", "write a page with every display as read"),
+        ("--marks FILE", "write marks for the margin, and tresym.sty beside them"),
+        ("--suspect-ok", "do not count SUSPECT as a failure"),
     )
     parser.add_argument(
         "--no-suggest",
@@ -68,16 +70,14 @@ def add(commands: Commands) -> None:
         default="text",
         help="the format of the report",
     )
-    parser.add_argument(
-        "--baseline", metavar="FILE", help="a file of known problems: report new ones only"
+    add_options(
+        parser,
+        ("--baseline FILE", "a file of known problems: report new ones only"),
+        ("--update-baseline", "write the current problems to FILE"),
+        ("--no-cache", "do not use cached answers"),
+        ("--clear-cache", "delete the cached answers"),
     )
-    parser.add_argument(
-        "--update-baseline", action="store_true", help="write the current problems to FILE"
-    )
-    parser.add_argument("--no-cache", action="store_true", help="do not use cached answers")
-    parser.add_argument("--clear-cache", action="store_true", help="delete the cached answers")
     add_output(parser)
-    parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:
@@ -157,7 +157,7 @@ def _rows(args: argparse.Namespace, paper: Path, settings: Settings, limit: floa
         found = (e.name for e in events if isinstance(e, Missing) and e.outside == outside)
         if names := [name[:100] for name in found]:
             print(f"{why}; left out: {', '.join(names[:5])}", file=sys.stderr)
-    rows = decided(read_links(events), limit, progress=_Progress(), keep=True)
+    rows = decided(read_links(events), limit, progress=_counter(), keep=True)
     return proofread(rows) if args.suggest and not _interrupted(rows) else rows
 
 
@@ -319,17 +319,12 @@ def advice(rows: list[Row]) -> list[str]:
     return lines
 
 
-class _Progress:
-    """A counter with the remaining time, on standard error if that is a terminal."""
+def _counter() -> Callable[[int, int], None]:
+    """Return a function that shows how many links are done, and the remaining time."""
+    start = time.monotonic()
 
-    def __init__(self) -> None:
-        self.start = time.monotonic()
+    def show(done: int, total: int) -> None:
+        left = (time.monotonic() - start) / max(done, 1) * (total - done)
+        show_progress(f"{done} of {total} links, {left:.0f} s left")
 
-    def __call__(self, done: int, total: int) -> None:
-        """Show that ``done`` of ``total`` links are done."""
-        if sys.stderr is None or not sys.stderr.isatty() or os.environ.get("NO_COLOR"):
-            return
-        left = (time.monotonic() - self.start) / max(done, 1) * (total - done)
-        print(
-            f"\r{done} of {total} links, {left:.0f} s left \r", end="", file=sys.stderr, flush=True
-        )
+    return show

@@ -24,7 +24,10 @@ PICTURE_PATH = "write to a file instead: .svg, .pdf or .png"
 
 
 class Parser(argparse.ArgumentParser):
-    """An argument parser that raises InputError with a one-line message."""
+    """An argument parser that raises InputError with a one-line message; no abbreviations."""
+
+    def __init__(self, **options: Any) -> None:
+        super().__init__(allow_abbrev=False, **options)
 
     def error(self, message: str) -> NoReturn:
         """Raise the message as InputError; quoted input may be long, or not printable."""
@@ -55,9 +58,20 @@ def in_a_checkout(what: str) -> Iterator[None]:
         ) from None
 
 
+def add_options(
+    parser: argparse.ArgumentParser | argparse._ArgumentGroup, *options: tuple[str, str]
+) -> None:
+    """Add options with their help: ``--full``, ``--coq DIR`` or, with a default, ``--dpi N=9``."""
+    for spec, says in options:
+        name, _, value = spec.partition(" ")
+        metavar, _, default = value.partition("=")
+        more: dict[str, Any] = {"metavar": metavar, "default": default or None}
+        parser.add_argument(name, help=says, **(more if value else {"action": "store_true"}))
+
+
 def add_output(parser: argparse.ArgumentParser) -> None:
     """Add --json and -o."""
-    parser.add_argument("--json", action="store_true", help="print JSON")
+    add_options(parser, ("--json", "print JSON"))
     parser.add_argument("-o", dest="path", metavar="PATH", help="write to a file instead")
 
 

@@ -5,12 +5,7 @@ from __future__ import annotations
 import argparse
 import functools
 
-from tresym.commands.parser import (
-    UNEXPECTED,
-    Commands,
-    deliver,
-    deliver_json,
-)
+from tresym.commands.parser import UNEXPECTED, Commands, deliver, deliver_json
 from tresym.reals.numbers.exact import InputError
 
 
@@ -24,7 +19,6 @@ def add(commands: Commands) -> None:
         "sweep that was interrupted.",
         epilog="VALUES: 0.1,1/3 or LOW:HIGH:COUNT, with log after it for equal ratios. Exit status "
         "1 if some rows have a problem; line and reason are in the table.",
-        allow_abbrev=False,
     )
     parser.add_argument("-o", dest="path", metavar="TABLE", required=True, help="the SQLite file")
     parser.add_argument("--csv", metavar="FILE", help="columns a, b or I1, I2, I3 or body; gamma")
@@ -45,7 +39,6 @@ def add(commands: Commands) -> None:
         "--export", metavar="PATH", help="also export the rows to a .csv or .parquet file"
     )
     parser.add_argument("--json", action="store_true", help="print JSON")
-    parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:

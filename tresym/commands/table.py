@@ -15,14 +15,12 @@ def add(commands: Commands) -> None:
         "table",
         help=f"certified tables: {TABLES}",
         description="A table of certified numbers, for the terminal, in Markdown or in LaTeX.",
-        allow_abbrev=False,
     )
     parser.add_argument("name", metavar="NAME", help=TABLES)
     parser.add_argument(
         "--format", choices=("text", "markdown", "latex"), default="text", help="default: text"
     )
     add_output(parser)
-    parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:

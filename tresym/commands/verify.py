@@ -3,23 +3,22 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from itertools import count
+from shutil import get_terminal_size
 from typing import TYPE_CHECKING
-
-from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
-from rich.table import Table
-from rich.text import Text
 
 from tresym.commands.parser import (
     UNEXPECTED,
     Commands,
+    add_options,
     add_output,
     deliver,
     in_a_checkout,
     worker_count,
 )
 from tresym.ledger.finding import RULINGS, Premise, Ruling
+from tresym.output import bold, colour_wanted, dim, show_progress, styled
 from tresym.reals.numbers.exact import InputError, fraction_text
 from tresym.reals.verdict import Verdict
 
@@ -37,34 +36,17 @@ def add(commands: Commands) -> None:
         description="Give every statement of the paper a verdict: PROVED, ENCLOSED, REFUTED or "
         "UNDECIDED. Definitions are DEFINED, physical assumptions are ASSUMED.",
         epilog="Exit status: 1 if a verdict is not the expected one, or a false variant passes.",
-        allow_abbrev=False,
     )
     parser.add_argument("labels", nargs="*", metavar="LABEL", help="claims, such as eq_gamma")
-    parser.add_argument(
-        "--graph",
-        action="store_true",
-        help="print the dependencies of the claims as a Mermaid graph",
-    )
-    parser.add_argument(
-        "--mutants",
-        action="store_true",
-        help="judge false variants of the claims, none of which may pass",
-    )
-    parser.add_argument(
-        "--full",
-        action="store_true",
-        help="search for the stored box proofs again instead of checking them",
-    )
-    parser.add_argument(
-        "--save-certificates",
-        action="store_true",
-        help="with --full, store the box proofs that were found",
-    )
-    parser.add_argument(
-        "--workers", metavar="N", help="number of processes (default: one per core)"
+    add_options(
+        parser,
+        ("--graph", "print the dependencies of the claims as a Mermaid graph"),
+        ("--mutants", "judge false variants of the claims, none of which may pass"),
+        ("--full", "search for the stored box proofs again instead of checking them"),
+        ("--save-certificates", "with --full, store the box proofs that were found"),
+        ("--workers N", "number of processes (default: one per core)"),
     )
     add_output(parser)
-    parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:
@@ -101,9 +83,7 @@ def _verify_claims(args: argparse.Namespace) -> int:
         report = verification.verify(labels, workers=workers)
         deliver(json.dumps(report_json(report), ensure_ascii=False, indent=1) + "\n", args.path)
     else:
-        from tresym.output import terminal
-
-        report = show_verification(labels, terminal(), workers)
+        report = show_verification(labels, workers)
     if args.save_certificates:
         verification.save_certificates(report)
     return 0 if report.as_expected else UNEXPECTED
@@ -118,71 +98,68 @@ def _verify_mutants(labels: tuple[str, ...], args: argparse.Namespace, workers: 
         report = verify_mutants(labels, workers=workers)
         deliver(json.dumps(report.as_json(), ensure_ascii=False, indent=1) + "\n", args.path)
     else:
-        from tresym.output import terminal
-
-        report = show_mutants(labels, terminal(), workers)
+        report = show_mutants(labels, workers)
     return UNEXPECTED if report.survivors or report.stopped else 0
 
 
 STYLES: dict[Ruling, str] = {
-    Verdict.PROVED: "green",
-    Verdict.ENCLOSED: "cyan",
-    Verdict.REFUTED: "magenta",
-    Verdict.UNDECIDED: "bold yellow",
-    Premise.DEFINED: "blue",
-    Premise.ASSUMED: "bright_blue",
+    Verdict.PROVED: "32",
+    Verdict.ENCLOSED: "36",
+    Verdict.REFUTED: "35",
+    Verdict.UNDECIDED: "1;33",
+    Premise.DEFINED: "34",
+    Premise.ASSUMED: "94",
 }
+"""The colours of terminals: green, cyan, magenta, bold yellow, and two blues."""
+GOOD, BAD = "32", "1;31"
+LABEL_WIDTH, PLACE_WIDTH = 30, 24
 
 
-LABEL_WIDTH = 30
+def show_verification(labels: tuple[str, ...], workers: int = 1, width: int = 0) -> Report:
+    """Verify claims, print each row as it is found, then the count by verdict.
 
-
-PLACE_WIDTH = 24
-
-
-def show_verification(labels: tuple[str, ...], console: Console, workers: int = 1) -> Report:
-    """Verify claims, print each row as it is found, then the count by verdict."""
+    Args:
+        labels: labels of claims; all if empty.
+        workers: the number of processes.
+        width: the columns of a line; 0 for those of the terminal.
+    """
     from tresym.ledger.verification import choose, verify
 
     # An unknown label is refused here, before anything is printed.
-    total = len(choose(labels))
-    progress = _progress("verifying", console)
-    console.print(_headings())
-    with progress:
-        task = progress.add_task("claims", total=total)
+    advance = _counter(len(choose(labels)))
+    columns = width or get_terminal_size().columns
+    colour = colour_wanted()
+    print(bold(_columns("claim", "in the paper", "verdict", "time", ""), colour))
 
-        def show(row: Row) -> None:
-            for line in _row_lines(row, bool(labels), console.width):
-                console.print(line, soft_wrap=True)
-            progress.advance(task)
+    def show(row: Row) -> None:
+        print("\n".join(_row_lines(row, bool(labels), columns, colour)))
+        advance()
 
-        report = verify(labels, on_row=show, workers=workers)
-    console.print(_summary(report))
+    report = verify(labels, on_row=show, workers=workers)
+    show_progress("")
+    print(_summary(report, colour))
     return report
 
 
-def show_mutants(labels: tuple[str, ...], console: Console, workers: int = 1) -> MutantReport:
+def show_mutants(labels: tuple[str, ...], workers: int = 1) -> MutantReport:
     """Judge false variants, print those that pass as they are found, then the score."""
     from tresym.dev.mutants.report import verify_mutants
     from tresym.ledger.verification import MUTANTS, choose
 
     total = len(choose(labels))
-    progress = _progress("judging mutants", console)
-    with progress:
-        task = progress.add_task("claims", total=len(labels) or total)
+    advance, colour = _counter(len(labels) or total), colour_wanted()
 
-        def show(row: MutantRow) -> None:
-            for slip in (*row.survivors, *row.stopped):
-                by = " (stopped only by the independent check)" if slip in row.stopped else ""
-                text = f"{slip.label}, {slip.place}: {slip.change}{by}"
-                console.print(Text(text, style="bold red"), soft_wrap=True)
-            progress.advance(task)
+    def show(row: MutantRow) -> None:
+        for slip in (*row.survivors, *row.stopped):
+            by = " (stopped only by the independent check)" if slip in row.stopped else ""
+            print(styled(f"{slip.label}, {slip.place}: {slip.change}{by}", BAD, colour))
+        advance()
 
-        report = verify_mutants(labels, on_row=show, workers=workers)
+    report = verify_mutants(labels, on_row=show, workers=workers)
+    show_progress("")
     refuted, total = report.counts[Verdict.REFUTED.value], sum(report.counts.values())
     of = sum(row.total > 0 for row in report.rows)
-    console.print(f"{total} false variants of {of} claims:")
-    console.print(_counts(report.counts))
+    print(f"{total} false variants of {of} claims:\n{_counts(report.counts, colour)}")
     share = (
         f"{100 * refuted / total:.1f} % refuted with a witness" if total else "no false variants"
     )
@@ -191,56 +168,42 @@ def show_mutants(labels: tuple[str, ...], console: Console, workers: int = 1) ->
         f" ({len(report.stopped)} stopped only by the independent check)" if report.stopped else ""
     )
     outcome = "none passed" if not held else f"{held} passed{stopped}: the verifier is wrong"
-    console.print(Text(f"{share}; {outcome}", style="green" if not held else "bold red"))
+    print(styled(f"{share}; {outcome}", BAD if held else GOOD, colour))
     for row in report.few:
-        text = f"{row.label}: {row.changes} of {MUTANTS}, {row.why_few}"
-        console.print(Text(text, style="dim"), soft_wrap=True)
+        print(dim(f"{row.label}: {row.changes} of {MUTANTS}, {row.why_few}", colour))
     return report
 
 
-def _progress(doing: str, console: Console) -> Progress:
-    return Progress(
-        TextColumn(doing),
-        BarColumn(bar_width=None),
-        MofNCompleteColumn(),
-        TimeElapsedColumn(),
-        console=console,
-        transient=True,
-        disable=not console.is_terminal,
+def _counter(total: int) -> Callable[[], None]:
+    """Return a function that shows how many claims are done, one more at each call."""
+    done = count(1)
+    return lambda: show_progress(f"{next(done)} of {total} claims")
+
+
+def _counts(counts: dict[str, int], colour: bool) -> str:
+    return "\n".join(
+        f"{styled(f'{v.value:<9}', STYLES[v], colour)}  {counts[v.value]}" for v in RULINGS
     )
 
 
-def _counts(counts: dict[str, int]) -> Table:
-    table = Table(show_header=False, box=None, pad_edge=False)
-    for verdict in RULINGS:
-        table.add_row(Text(verdict.value, style=STYLES[verdict]), str(counts[verdict.value]))
-    return table
+def _columns(label: str, place: str, verdict: str, time: str, style: str) -> str:
+    shown = styled(f"{verdict:<10}", style, bool(style))
+    return f"{label:<{LABEL_WIDTH}}  {place:<{PLACE_WIDTH}}  {shown}{time:>9}"
 
 
-def _columns(label: str, place: str, verdict: Text, time: str) -> Text:
-    text = Text(f"{label:<{LABEL_WIDTH}}  {place:<{PLACE_WIDTH}}  ", no_wrap=True)
-    return text + verdict + Text(" " * (10 - len(verdict)) + f"{time:>9}")
-
-
-def _headings() -> Text:
-    line = _columns("claim", "in the paper", Text("verdict"), "time")
-    line.stylize("bold")
-    return line
-
-
-def _row_lines(row: Row, named: bool, width: int) -> list[Text]:
+def _row_lines(row: Row, named: bool, width: int, colour: bool) -> list[str]:
     from tresym.report.pages import coq_page
     from tresym.report.typesetting.paper_location import place_text
     from tresym.report.typesetting.plain_text import in_lines
     from tresym.report.typesetting.statements import in_letters
 
     claim, finding = row.claim, row.finding
-    verdict = Text(finding.verdict.value, style=STYLES[finding.verdict])
-    time = f"{1000 * finding.seconds:.1f} ms"
-    lines = [_columns(claim.label, place_text(claim), verdict, time)]
+    time, style = f"{1000 * finding.seconds:.1f} ms", STYLES[finding.verdict] if colour else ""
+    lines = [_columns(claim.label, place_text(claim), finding.verdict.value, time, style)]
 
     def say(text: str, style: str = "") -> None:
-        lines.extend(Text(line, style=style) for line in in_lines(text, " " * 4, " " * 6, width))
+        found = in_lines(text, " " * 4, " " * 6, width)
+        lines.extend(styled(line, style, colour and bool(style)) for line in found)
 
     if row.requested and named:
         for stated in _stated(claim):
@@ -248,15 +211,15 @@ def _row_lines(row: Row, named: bool, width: int) -> list[Text]:
         if proved := coq_page.sentence(claim):
             say(proved)
     if not row.as_expected:
-        say(f"expected {claim.expect.value}: {finding.why}", "bold red")
+        say(f"expected {claim.expect.value}: {finding.why}", BAD)
     elif finding.verdict is Verdict.REFUTED:
-        say(in_letters(finding.why), "dim")
+        say(in_letters(finding.why), "2")
         if finding.witness:
             point = ", ".join(f"{n} = {fraction_text(v)}" for n, v in finding.witness.items())
-            say(f"witness: {in_letters(point)}", "dim")
+            say(f"witness: {in_letters(point)}", "2")
         if claim.amended_by:
             names = ", ".join(c.label for c in claim.amended_by)
-            say(f"true instead: {names}", "dim")
+            say(f"true instead: {names}", "2")
     return lines
 
 
@@ -270,25 +233,20 @@ def _stated(claim: Claim) -> Iterator[str]:
     yield from (f"decided as {plain(formula)}" for formula in found.means)
 
 
-def _summary(report: Report) -> Table:
-    table = _counts(report.counts)
+def _summary(report: Report, colour: bool) -> str:
+    lines = [_counts(report.counts, colour)]
     kinds = report.refuted
     if any(kinds.values()):
-        table.add_row(
-            "",
+        lines.append(
             f"refuted: {kinds['paper']} statements of the paper, {kinds['stricter']} readings "
-            f"stricter than its words, {kinds['sharpness']} checks that a bound of ours is sharp",
+            f"stricter than its words, {kinds['sharpness']} checks that a bound of ours is sharp"
         )
     unexpected = sum(not row.as_expected for row in report.rows)
     outcome = "every verdict is as expected" if not unexpected else f"{unexpected} not as expected"
-    table.add_row("", Text(outcome, style="green" if not unexpected else "bold red"))
-    resting = sum(bool(row.claim.axioms) for row in report.rows)
+    lines.append(styled(outcome, BAD if unexpected else GOOD, colour))
+    resting, theorems = sum(bool(row.claim.axioms) for row in report.rows), len(report.axioms)
     if resting:
         claims = "1 claim rests" if resting == 1 else f"{resting} claims rest"
-        theorems = (
-            "1 quoted theorem"
-            if len(report.axioms) == 1
-            else (f"{len(report.axioms)} quoted theorems")
-        )
-        table.add_row("", f"{claims} on {theorems}")
-    return table
+        quoted = "1 quoted theorem" if theorems == 1 else f"{theorems} quoted theorems"
+        lines.append(f"{claims} on {quoted}")
+    return "\n".join(lines)

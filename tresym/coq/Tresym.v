@@ -2029,3 +2029,8 @@ Proof.
     intros p [B1 [B2 B3]]; rewrite Z'; apply Eq; [exact B2 | exact B3 |].
     apply G3; [rewrite Aw; exact B1 | reflexivity].
 Qed.
+
+(* The value of a difference at a point, where powers of e cancel. *)
+Ltac base_powers :=
+  apply Req_le; rewrite <- ?exp_Ropp;
+  repeat match goal with |- context [exp ?u] => progress ring_simplify u end; ring.

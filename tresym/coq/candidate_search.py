@@ -14,13 +14,12 @@ import tempfile
 import time
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cache
 from importlib.resources import files
 from pathlib import Path
 
 from tresym.coq.bound_proofs import Prove, bound_proofs
 from tresym.coq.bound_statements import BoundTheorem
-from tresym.coq.coqtop import HEAD, TEXT_SECONDS, Dialogue, prelude
+from tresym.coq.coqtop import HEAD, TEXT_SECONDS, Dialogue, prelude, version
 from tresym.coq.equations import equation_proofs
 from tresym.coq.inequalities import inequality_proofs
 from tresym.coq.statement import Theorem
@@ -173,14 +172,6 @@ def run(text: str, seconds: float) -> tuple[bool, str, float]:
         return True, done.stdout, took
     lines = done.stderr.split("Error:")[-1].split()
     return False, " ".join(lines)[:200], took
-
-
-@cache
-def version() -> str:
-    """Return the version of the installed Coq."""
-    done = subprocess.run(["coqc", "--version"], capture_output=True, text=True, check=True)
-    match = re.search(r"version (\S+)", done.stdout)
-    return match[1] if match else "?"
 
 
 def assumptions(output: str) -> str:

@@ -11,8 +11,12 @@ import tempfile
 import time
 from collections.abc import Sequence
 from functools import cache
+from hashlib import sha256
 from importlib.resources import files
 from pathlib import Path
+from shutil import rmtree
+
+from tresym.reals.decisions.answer_cache import cache_folder
 
 SENTENCE_SECONDS = 4
 TEXT_SECONDS = 20.0
@@ -33,14 +37,50 @@ def prelude() -> str:
 
 
 @cache
-def library(lemmas: str = "") -> tempfile.TemporaryDirectory[str]:
-    """Compile ``Tresym.v`` and ``lemmas`` (as ``Racket.v``) into a temporary folder."""
-    folder = tempfile.TemporaryDirectory()
+def library(lemmas: str = "") -> tuple[str, ...]:
+    """Return the options with which Coq finds ``Tresym.v`` and ``lemmas`` (as ``Racket.v``)."""
+    found: tuple[str, ...] = ()
     for name, text in (("Tresym.v", prelude()), ("Racket.v", lemmas)):
-        (Path(folder.name) / name).write_text(text, encoding="utf-8")
-        command = ["coqc", "-q", "-Q", ".", "", name]
-        subprocess.run(command, cwd=folder.name, capture_output=True, check=True, timeout=600)
+        found = (*found, "-Q", str(_compiled(name, text, found)), "")
+    return found
+
+
+_KEPT: list[tempfile.TemporaryDirectory[str]] = []
+"""Folders of this process, for where there is no cache."""
+
+
+def _compiled(name: str, text: str, options: tuple[str, ...]) -> Path:
+    """Return the folder with a compiled file, which the user's cache keeps: it takes long."""
+    key = sha256("\0".join((version(), *options, text)).encode()).hexdigest()[:20]
+    try:
+        kept = Path(cache_folder() or os.devnull, "coq", key)
+        kept.parent.mkdir(parents=True, exist_ok=True)
+        made = None if kept.is_dir() else Path(tempfile.mkdtemp(dir=kept.parent))
+    except OSError:
+        _KEPT.append(tempfile.TemporaryDirectory())
+        return _compile(name, text, options, Path(_KEPT[-1].name))
+    if made is not None:
+        _compile(name, text, options, made)
+        try:
+            made.rename(kept)
+        except OSError:  # another process was quicker
+            rmtree(made)
+    return kept
+
+
+def _compile(name: str, text: str, options: tuple[str, ...], folder: Path) -> Path:
+    (folder / name).write_text(text, encoding="utf-8")
+    command = ["coqc", "-q", *options, "-Q", ".", "", name]
+    subprocess.run(command, cwd=folder, capture_output=True, check=True, timeout=1800)
     return folder
+
+
+@cache
+def version() -> str:
+    """Return the version of the installed Coq."""
+    done = subprocess.run(["coqc", "--version"], capture_output=True, text=True, check=True)
+    match = re.search(r"version (\S+)", done.stdout)
+    return match[1] if match else "?"
 
 
 class Dialogue:
@@ -70,7 +110,7 @@ class Dialogue:
         """Start the process if it is not running."""
         if self.process is None:
             self.process = subprocess.Popen(
-                ["coqtop", "-q", "-Q", library(self.lemmas).name, ""],
+                ["coqtop", "-q", *library(self.lemmas)],
                 cwd=self.folder.name,
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,

@@ -31,7 +31,7 @@ from tresym.output import check_replaceable, make_folder, write_text
 from tresym.reals.numbers.exact import InputError
 
 STORE = "coq.json"
-_MACHINE = re.compile(r"\b(interval|numeric|base_value|measured|integrated|one_defect)\b")
+_MACHINE = re.compile(r"\b(interval|integral_intro)\b")
 MAKEFILE = """all: Makefile.coq
 \t$(MAKE) -f Makefile.coq
 
@@ -355,7 +355,7 @@ def closed(chosen: Mapping[str, Entry], parts: Iterable[str], store: Mapping[str
         uses = store["claims"][label]["uses"]
         if not entry.premises:
             lines += _closed(label, uses, chosen)
-        if _MACHINE.search(f"{entry.lemmas} {entry.script} {entry.without}") or machine & {*uses}:
+        if _by_machine(entry) or machine & {*uses}:
             machine.add(label)
         groups["by_machine" if label in machine else "by_reals"].append(_theorem(label, entry))
     for name, theorems in groups.items():
@@ -363,6 +363,13 @@ def closed(chosen: Mapping[str, Entry], parts: Iterable[str], store: Mapping[str
             lines.append(f"Definition {name} :=\n  ({', '.join(theorems)}).")
             lines.append(f"Print Assumptions {name}.")
     return "\n".join(lines) + "\n"
+
+
+def _by_machine(entry: Entry) -> bool:
+    """Whether a proof, or a lemma or tactic behind it, may use Coq's machine arithmetic."""
+    text = f"{entry.lemmas}\n{entry.script}\n{entry.without}"
+    behind = stamps.library(library_text()).behind(text)
+    return any(map(_MACHINE.search, (text, *behind.values())))
 
 
 def _closed(label: str, uses: Iterable[str], chosen: Mapping[str, Entry]) -> Iterator[str]:

@@ -30,7 +30,6 @@ from tresym.reals.language.expression import (
     ONE,
     ZERO,
     Expr,
-    add,
     multiply,
     number,
     power,
@@ -89,7 +88,6 @@ def expected(theorem: Theorem, d: Expr, strict: bool, given: Given) -> Iterator[
             yield by_polynomials(theorem, d, strict, hints=False)
         yield QUICK
         if not strict:
-            yield from homogeneous_proofs(theorem, d)
             yield from cone_proofs(theorem, d)
         if d.size < MAX_SIZE:
             yield by_polynomials(theorem, d, strict, hints=False)
@@ -238,53 +236,6 @@ def cone_proofs(theorem: Theorem, d: Expr) -> Iterator[str]:
         "lra.",
     ]
     yield "\n".join(lines)
-
-
-def homogeneous_proofs(theorem: Theorem, d: Expr) -> Iterator[str]:
-    """Yield proofs that use a condition q >= c or q <= c to make the constant term homogeneous."""
-    premises = known(theorem)
-    try:
-        terms = expanded(d)
-    except OverflowError:
-        return
-    constant = terms.get(frozenset(), Fraction(0))
-    degrees = {sum(n for _, n in m) for m in terms if m}
-    if not constant or len(degrees) != 1:
-        return
-    (degree,) = degrees
-    for x, relation, y in theorem.given:
-        e = x - y if relation in (">", ">=") else y - x
-        try:
-            parts = expanded(e) if relation != "!=" else {}
-        except OverflowError:
-            continue
-        c = parts.get(frozenset(), Fraction(0))
-        own = {sum(n for _, n in m) for m in parts if m}
-        # q − c >= 0 with a negative constant in the difference, or c − q >= 0 with a positive one
-        if c * constant <= 0 or len(own) != 1 or degree % (k := own.pop()):
-            continue
-        q = add(e, number(-c)) / number(-c)
-        bound = Expr("^", (q, number(degree // k)))
-        whole = as_expression(
-            expanded(d - number(constant) + number(constant) * q ** (degree // k))
-        )
-        spans = {symbol(v): Span(*_span(symbol(v), premises, {})) for v in symbols(d)}
-        tree = cone_lines(whole, spans)
-        law = "pow_R1_Rle" if c < 0 else "pow_below"
-        side = f"1 <= {term(bound)}" if c < 0 else f"{term(bound)} <= 1"
-        known_sign = "" if c < 0 else f"assert (0 <= {term(q)}) by (first [lra | positive | nra]). "
-        shown_ = "\n".join(tree) if tree else QUICK
-        yield "\n".join(
-            [
-                "intros; saturate.",
-                f"assert (main : 0 <= {term(whole)}).",
-                "{",
-                shown_,
-                "}",
-                f"{known_sign}assert (bound : {side}) by (apply {law}; first [lra | nra]).",
-                "first [lra | nra].",
-            ]
-        )
 
 
 FACTS = {
@@ -487,7 +438,7 @@ def _about(theorem: Theorem, d: Expr, given: Given, name: str, c: Expr) -> list[
     inside = opened(Given(tuple(c for c in given.comparisons if c[1] != "!=")), name)
     sides = [1] * (beside not in ("-", "<=0")) + [-1] * (beside not in ("+", ">=0"))
     strict, apart = theorem.relation not in ("<=", ">="), beside in ("+", "-")
-    chain, start = [d], None
+    chain, start, weak = [d], None, list[str]()
     for k in range(MAX_ORDER + 1):
         fit = [UP if side > 0 or k % 2 == 0 else DOWN for side in sides]
         last = sign_inside(chain[k], inside)
@@ -495,16 +446,19 @@ def _about(theorem: Theorem, d: Expr, given: Given, name: str, c: Expr) -> list[
             if strict and start is None:
                 start = k if apart and all(last == signs[0] for signs in fit) else -1
             first = start if strict and start is not None else -1
-            return [_chain(theorem, chain, mode, name, c, sides, first) for mode in range(4)]
+            found = [_chain(theorem, chain, mode, name, c, sides, first) for mode in range(4)]
+            if first >= 0 or not (strict and apart):
+                return found
+            start, weak = None, weak or found  # a higher derivative may show that it is strict
         at = sign_inside(substitute(chain[k], {name: c}), inside)
         if not all(at in signs for signs in fit):
-            return []
+            return weak
         if start is None and (apart or not k) and all(at == signs[0] for signs in fit):
             start = k
         chain.append(differentiate(chain[k], name))
         if chain[-1].size > MAX_SIZE:
-            return []
-    return []
+            return weak
+    return weak
 
 
 def last_step(
@@ -518,7 +472,8 @@ def last_step(
 ) -> str:
     """Return the sign of the last derivative at another point."""
     if mode == 0:
-        return f"facts; first [positive | lra | nra{' | beside' * strict}]."
+        sine = f"pose proof pi_between; apply sin_g{'t' if strict else 'e'}_0; lra"
+        return f"facts; first [positive | lra | nra{' | beside' * strict} | {sine}]."
     theorem = replace(theorem, given=(*theorem.given, *between))
     moved = substitute(e if up else -e, {name: POINT})
     if mode == 3:
@@ -573,7 +528,7 @@ def _chain(
             lemma += ("_gt" if up else "_lt") if k <= start else "_ge" if up else "_le"
             block.append(
                 f"{{ intros v_point ?; apply ({lemma} fun_{k} fun_{k + 1} {base} v_point); "
-                f"[lra | | | unfold fun_{k}; base_value]; intros v_next ?; "
+                f"[lra | | | unfold fun_{k}; first [base_value | base_powers]]; intros v_next ?; "
                 f"[unfold fun_{k}, fun_{k + 1}; eapply d_eq; [derive; hard | tidy; slope] "
                 f"| apply sig_{k + 1}; lra]. }}"
             )

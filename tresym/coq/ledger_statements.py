@@ -41,11 +41,12 @@ from tresym.ledger.claim import (
     Root,
 )
 from tresym.ledger.conversion import conditions
-from tresym.ledger.evidence.refutation import denied_at
+from tresym.ledger.evidence.box_bounds import Boxes
+from tresym.ledger.evidence.refutation import denied_part
 from tresym.ledger.paper import file_of
 from tresym.ledger.statements import Rounds
 from tresym.reals.language import sympy as sympy_reader
-from tresym.reals.language.binders import elementary, outermost
+from tresym.reals.language.binders import outermost
 from tresym.reals.language.expression import (
     ZERO,
     Expr,
@@ -94,8 +95,13 @@ def name_of(label: str) -> str:
 
 
 def lemmas() -> str:
-    """Return ``Racket.v``: hand-written lemmas that the proofs of several claims use."""
-    return file_of("coq").joinpath("Racket.v").read_text(encoding="utf-8")
+    """Return the exported ``Racket.v``: hand-written lemmas that the proofs of several claims use.
+
+    It is the file of that name in ``proofs/coq`` followed by those in ``proofs/coq/lemmas``.
+    """
+    folder = file_of("coq")
+    files = [folder / "Racket.v", *sorted(folder.glob("lemmas/*.v"))]
+    return "\n".join(path.read_text(encoding="utf-8") for path in files)
 
 
 def theorem_of(claim: Claim) -> Exported:
@@ -122,6 +128,8 @@ def _theorem_of(claim: Claim) -> Exported:
         raise NotExportedError(
             "an assumption has no theorem of its own; it is a premise of the theorems that use it"
         )
+    if isinstance(proof, Boxes) and proof.meant is not None:  # its statement alone may be false
+        raise NotExportedError("what its symbols mean on the boxes is not exported to Coq yet")
     if isinstance(proof, AllOf):
         parts = (p for p in proof.claims if not _assumed(p))
         if claim.expect is Verdict.REFUTED:  # since some of its parts are
@@ -144,7 +152,7 @@ def _theorem_of(claim: Claim) -> Exported:
         if claim.expect is Verdict.REFUTED:
             above: tuple[Basic, ...] = ()
             if isinstance(proof, Counterexample):
-                found = denied_at(statement, proof.point)
+                found = denied_part(statement, proof.point)
                 above, says = (found[0], read(found[1])) if found else ((), says)
             return theorem(claim, denied(says), above, exists=True)
         return theorem(claim, says)
@@ -331,14 +339,11 @@ def theorem(
 def tending(claim: Claim, says: Basic) -> Theorem:
     """Return an order as an ε–δ statement: a bound that holds at all sufficiently near points.
 
-    Raises:
-        NotExportedError: the order contains derivatives.
+    Where the order is of a derivative, the derivative exists there and has the bound.
     """
     equation, what, points, side = says.args
     left, right = sympy_reader.unworked(equation.lhs), sympy_reader.unworked(equation.rhs)
     (node,) = {e for e in outermost(right) if e.op in ("O", "o")}
-    if not elementary(left):
-        raise NotExportedError("orders of derivatives are not exported to Coq yet")
     k, d = symbol("bound"), symbol("near")
     without, whole = (replaced(right, {node: e}) for e in (ZERO, node.args[0]))
     small = Relation(abs(left - without), "<=", k * abs(whole - without))

@@ -7,13 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from math import lcm
 
 from tresym.coq.equations import exchanged, nodes, primes, quotient, unfolded
-from tresym.coq.linear_dependence import expanded
 from tresym.coq.statement import Theorem, term
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.operation_domains import with_domain
+from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     ONE,
     PI,
@@ -23,11 +22,12 @@ from tresym.reals.language.expression import (
     apply,
     multiply,
     number,
-    power,
     symbol,
     symbols,
 )
 from tresym.reals.language.formula import Relation
+from tresym.reals.language.solve import solutions
+from tresym.reals.normal.to_expression import numerator
 from tresym.reals.signs.sign import directly, sign
 
 
@@ -79,7 +79,7 @@ def reductions(theorem: Theorem) -> Iterator[Reduction]:
     yield from found
     if found:
         return
-    for ways in (by_turns, by_logarithms, by_exponentials, by_clearing, by_squares):
+    for ways in (by_turns, by_logarithms, by_clearing, by_cut):
         for way in ways(t):
             if all(map(is_likely, way.steps)):
                 yield way
@@ -218,37 +218,6 @@ def by_logarithms(t: Theorem) -> Iterator[Reduction]:
         )
 
 
-def by_exponentials(t: Theorem) -> Iterator[Reduction]:
-    """Take exponentials of both sides, if they are sums of logarithms."""
-    sides: list[list[Expr]] = [[], []]
-    try:
-        parts = expanded(t.right - t.left)
-    except OverflowError:
-        return
-    scale, logs = 1, []
-    for monomial, c in parts.items():
-        ((part, n), *others) = monomial or ((ONE, 0),)
-        if others or n != 1 or part.op != "log" or abs(c.numerator) > 20 or c.denominator > 20:
-            return
-        scale = lcm(scale, c.denominator)
-        logs.append((c, part.args[0]))
-    for c, u in logs:
-        n = int(c * scale)
-        if abs(n) > 24:
-            return
-        sides[n < 0].append(power(u, number(abs(n))))
-    great, small = multiply(*sides[0]), multiply(*sides[1])
-    step = stated(t, small, "<=", great)
-    if t.relation != "<=":
-        return
-    yield Reduction(
-        (step,),
-        f"assert (way : ln ({term(small)}) <= ln ({term(great)})). "
-        "{ apply ln_rises; [positive | exact step_1]. } "
-        "revert way; log_parts; intros; lra.",
-    )
-
-
 def by_clearing(t: Theorem) -> Iterator[Reduction]:
     """Multiply by a positive denominator."""
     d = t.right - t.left
@@ -269,41 +238,21 @@ def by_clearing(t: Theorem) -> Iterator[Reduction]:
         )
 
 
-def by_squares(t: Theorem) -> Iterator[Reduction]:
-    """Square both sides, if one of them is a root."""
-    if t.relation != "<=":
+def by_cut(t: Theorem) -> Iterator[Reduction]:
+    """Cut the range of the only variable at a rational zero of the slope, or at 2."""
+    d, cut = t.right - t.left, " (cut)"
+    if t.name.endswith(cut) or len(symbols(d)) != 1:
         return
-    half = number(1) / number(2)
-    d = t.right - t.left
-    terms = d.args if d.op == "+" else (d,)
-    for n, part in enumerate(terms):
-        factors = _factors(part)
-        roots = [f for f in factors if f.op == "^" and f.args[1] == half]
-        others = multiply(*(f for f in factors if f not in roots))
-        if not roots or others.op != "number":
+    (name,), given = symbols(d), known(t)
+    slope, x = differentiate(d, name), symbol(name)
+    zeros = (*solutions(slope, name), *solutions(numerator(slope, given), name))
+    for c in dict.fromkeys((*zeros, number(2))):
+        parts = [(x, "<=", c), (x, ">=", c)]
+        if c.op != "number" or sign(x - c, given) is not None:
             continue
-        c = number(abs(others.args[0]))
-        rest = add(*(other for k, other in enumerate(terms) if k != n)) / c
-        radicand = multiply(*(f.args[0] for f in roots))
-        text = " * ".join(term(f, 2) for f in roots)
-        if others.args[0] > 0:  # −rest ≤ √u
-            step = stated(t, rest**2, "<=", radicand)
-            laws, side = "below_sqrt", f"{term(-rest, 3)}"
-            goal = f"{side} <= sqrt {term(radicand, 3)}"
-            extra: tuple[Theorem, ...] = ()
-            proof = f"apply {laws}; first [lra | nra]"
-        else:  # √u ≤ rest
-            step = stated(t, radicand, "<=", rest**2)
-            extra = (stated(t, ZERO, "<=", rest),)
-            goal = f"sqrt {term(radicand, 3)} <= {term(rest, 3)}"
-            proof = "apply above_sqrt; [exact step_2 | first [lra | nra]]"
-        joined = (
-            ""
-            if len(roots) == 1
-            else f"assert (same : {text} = sqrt {term(radicand, 3)}) by "
-            "(rewrite <- !sqrt_mult by (first [positive | nra]); f_equal; ring). "
-        )
+        text, done = f"Rle_or_lt {term(x, 3)} {term(c, 3)}", "ltac:(lra)); lra"
         yield Reduction(
-            (step, *extra),
-            f"assert (way : {goal}) by ({proof}). {joined}first [lra | nra].",
+            tuple(replace(t, name=t.name + cut, given=(*t.given, part)) for part in parts),
+            f"destruct ({text}); [specialize (step_1 {done} | specialize (step_2 {done}].",
+            only=(f"{term(x)} <= {term(c)}", f"{term(x)} >= {term(c)}"),
         )

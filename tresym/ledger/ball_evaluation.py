@@ -171,8 +171,7 @@ def _power(base: _Node, exponent: Basic) -> _Node:
     if not isinstance(exponent, Rational):
         power = _node(exponent)
         return _Node(
-            base.names | power.names,
-            lambda at: _general_power(base(at), power(at), at.analytic),
+            base.names | power.names, lambda at: _general_power(base(at), power(at), at.analytic)
         )
     p, q = int(exponent.p), int(exponent.q)
     return _Node(base.names, lambda at: _rational_power(base(at), p, q, at.analytic))

@@ -18,14 +18,7 @@ from tresym.ledger.claim import Claim, Definition, ImplicitFunction, Root
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language import sympy as sympy_reader
 from tresym.reals.language.binders import elementary, ordered
-from tresym.reals.language.expression import (
-    BINDERS,
-    LEAVES,
-    Expr,
-    replaced,
-    substitute,
-    symbols,
-)
+from tresym.reals.language.expression import BINDERS, LEAVES, Expr, replaced, substitute, symbols
 from tresym.reals.language.formula import Conjunction, Formula, Relation, relations
 from tresym.reals.numbers.exact import InputError
 

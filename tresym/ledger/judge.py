@@ -52,33 +52,14 @@ from tresym.ledger.conversion import (
     put_in,
     put_into,
 )
-from tresym.ledger.counterexamples import (
-    contradiction,
-    scalars,
-)
-from tresym.ledger.definitions import (
-    captured,
-    conflict,
-    confused,
-    judge_definition,
-    table,
-)
+from tresym.ledger.counterexamples import contradiction, scalars
+from tresym.ledger.definitions import captured, conflict, confused, judge_definition, table
 from tresym.ledger.evidence.admissible import unfit
-from tresym.ledger.evidence.asymptotics import (
-    Asymptotics,
-    Squeezed,
-    failing_order,
-    judge_squeezed,
-)
+from tresym.ledger.evidence.asymptotics import Asymptotics, Squeezed, failing_order, judge_squeezed
 from tresym.ledger.evidence.box_bounds import Boxes
 from tresym.ledger.evidence.chain import check_chain, instantiated
 from tresym.ledger.evidence.chart_bounds import Charted, judge_charted
-from tresym.ledger.evidence.integrals import (
-    NotShownError,
-    need,
-    need_integrals,
-    with_bounds,
-)
+from tresym.ledger.evidence.integrals import NotShownError, need, need_integrals, with_bounds
 from tresym.ledger.evidence.interval_evaluation import Evaluated, judge_evaluated
 from tresym.ledger.evidence.local_facts import by_facts, facts_of
 from tresym.ledger.evidence.printed_numbers import judge_printed

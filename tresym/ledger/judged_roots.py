@@ -6,44 +6,16 @@ from dataclasses import replace
 
 from sympy import Basic, Derivative, Eq, Subs
 
-from tresym.ledger.claim import (
-    Chain,
-    Claim,
-    ImplicitFunction,
-    Monotone,
-    UniqueRoot,
-    by,
-    equal,
-)
-from tresym.ledger.conversion import (
-    Conditions,
-    conditions,
-    definitions,
-    formula,
-    tree,
-)
-from tresym.ledger.counterexamples import (
-    rootless,
-)
+from tresym.ledger.claim import Chain, Claim, ImplicitFunction, Monotone, UniqueRoot, by, equal
+from tresym.ledger.conversion import Conditions, conditions, definitions, formula, tree
+from tresym.ledger.counterexamples import rootless
 from tresym.ledger.evidence.chain import check_chain, unmet_condition
-from tresym.ledger.evidence.integrals import (
-    NotShownError,
-    need,
-    need_smooth,
-    under_binder,
-)
+from tresym.ledger.evidence.integrals import NotShownError, need, need_smooth, under_binder
 from tresym.ledger.evidence.satisfiability import satisfiable
 from tresym.ledger.evidence.sign_prover import continuous_on, manifest_sign
 from tresym.ledger.finding import Finding, StepFinding
 from tresym.ledger.reasons import substituting
-from tresym.ledger.refutations import (
-    PROVED,
-    REFUTED,
-    UNDECIDED,
-    need_all,
-    need_possible,
-    refute,
-)
+from tresym.ledger.refutations import PROVED, REFUTED, UNDECIDED, need_all, need_possible, refute
 from tresym.ledger.statements import AtMostOne, ExactlyOne
 from tresym.reals.language.binders import derivative
 from tresym.reals.language.derivatives import differentiate
@@ -156,10 +128,7 @@ def judge_implicit_function(claim: Claim, proof: ImplicitFunction) -> Finding:
     u, p, at = proof.unknown.name, proof.parameter.name, tree(proof.at)
     left, right = equation.left, equation.right
     fixed = u != p and not {u, p} & (symbols(right) | symbols(at))
-    need(
-        fixed,
-        "the right side of the equation must not depend on the unknown or on the parameter",
-    )
+    need(fixed, "the right side of the equation must not depend on the unknown or on the parameter")
     new = says.left.op == "symbol" and says.left not in definitions(claim.rests_on)
     need(new and not symbols(says.left) & symbols(left), f"{says.left} is not a new symbol")
     outside = without(p, conditions(claim.given))

@@ -5,31 +5,12 @@ from __future__ import annotations
 from sympy import Basic
 from sympy.core.relational import Relational
 
-from tresym.ledger.claim import (
-    Claim,
-    Definition,
-    ImplicitFunction,
-    Root,
-    parts_of,
-)
-from tresym.ledger.conversion import (
-    CircularError,
-    conditions,
-    known,
-    put_into,
-)
-from tresym.ledger.counterexamples import (
-    violation,
-)
-from tresym.ledger.definitions import (
-    restrictions,
-    table,
-)
+from tresym.ledger.claim import Claim, Definition, ImplicitFunction, Root, parts_of
+from tresym.ledger.conversion import CircularError, conditions, known, put_into
+from tresym.ledger.counterexamples import violation
+from tresym.ledger.definitions import restrictions, table
 from tresym.ledger.evidence.chart_bounds import Charted
-from tresym.ledger.evidence.integrals import (
-    need,
-    with_bounds,
-)
+from tresym.ledger.evidence.integrals import need, with_bounds
 from tresym.ledger.evidence.refutation import denied_somewhere
 from tresym.ledger.evidence.satisfiability import satisfiable
 from tresym.ledger.finding import Finding, StepFinding

@@ -9,14 +9,7 @@ from itertools import islice, pairwise
 from typing import Any
 
 from flint import arb, fmpq
-from sympy import (
-    Basic,
-    Derivative,
-    Integral,
-    Subs,
-    Symbol,
-    false,
-)
+from sympy import Basic, Derivative, Integral, Subs, Symbol, false
 
 from tresym.ledger.ball_evaluation import At, value
 from tresym.ledger.conversion import CircularError

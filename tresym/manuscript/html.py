@@ -9,10 +9,10 @@ from itertools import groupby
 
 from tresym.manuscript.deciding import STATUSES, Row
 from tresym.manuscript.kinds_in_prose import REAL
-from tresym.manuscript.mathml import relation
 from tresym.manuscript.source import DISPLAYS
 from tresym.manuscript.suspects import attention, printed
 from tresym.reals.language.parsing import parse_claim
+from tresym.reals.language.typesetting import to_mathml
 from tresym.reals.numbers.exact import InputError
 
 _WORST = (
@@ -133,14 +133,14 @@ def _findings(row: Row) -> str:
 def _formula(claim: str) -> str:
     """Return a claim in the grammar of ``tresym check``, typeset inline."""
     try:
-        return ", ".join(relation(link, block=False) for link in parse_claim(claim))
+        return to_mathml(parse_claim(claim), block=False)
     except InputError:
         return f"<code>{escape(claim)}</code>"
 
 
 def _link(row: Row) -> str:
     link = row.link
-    formula = relation(link.sides) if link.sides else f"<p><code>{escape(link.shown)}</code></p>"
+    formula = to_mathml([link.sides]) if link.sides else f"<p><code>{escape(link.shown)}</code></p>"
     text = f'<p><span class="status">{row.status}</span>'
     if link.read_as:
         text += f" <code>{escape(link.read_as)}</code>"

@@ -44,9 +44,6 @@ _NO_DOMAIN = frozenset((*_ARROWS, *RELATIONS, "\\}", "\\lim", "\\sup", "\\inf"))
 """What ends the domain behind the colon of ``f : [a, b] \\to \\mathbb{R}``; a relation says that
 the colon was that of a set, as in ``\\{ x_k : k \\ge n \\}``."""
 _FUNCTIONS = frozenset(("f", "g", "h", "phi", "psi", "varphi"))
-_GREEK_CAPITALS = frozenset(
-    ("Gamma", "Theta", "Lambda", "Xi", "Sigma", "Upsilon", "Phi", "Psi", "Omega")
-)
 
 
 def noted(

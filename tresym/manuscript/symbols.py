@@ -14,7 +14,6 @@ _ACCENTS = (
     *("bar", "hat", "tilde", "check", "breve", "widehat", "widetilde", "overline"),
     *("mathcal", "mathscr", "mathfrak", "star"),
 )
-_ACCENTED = re.compile(rf"(.*?)({'|'.join(_ACCENTS)})")
 STYLES = frozenset(
     ("\\mathbf", "\\boldsymbol", "\\bm", "\\vec", "\\mathbb", "\\pmb", "\\mathsf", "\\underline")
 )

@@ -77,10 +77,6 @@ class Angle(NamedTuple):
         return f"{top}pi" + ("" if self.halves.q == 1 else f"/{self.halves.q}")
 
 
-FULL_TURN = Angle(fmpq(2), fmpq(0))
-"""Δφ = 2π: one full turn of the handle."""
-
-
 def parse_angle(text: str, what: str = "angle") -> Angle:
     """Parse an exact angle such as ``0.1``, ``1/3``, ``pi/2`` or ``-3*pi/4``.
 

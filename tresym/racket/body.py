@@ -251,10 +251,7 @@ NAMED_BODIES: Mapping[str, NamedBody] = {
         ("1210", "16380", "17480"),
     ),
     "t2000-printed": NamedBody(
-        "Wilson T-2000",
-        "a and b as the bibliography rounds them",
-        shape,
-        ("12.5372", "0.0629"),
+        "Wilson T-2000", "a and b as the bibliography rounds them", shape, ("12.5372", "0.0629")
     ),
     "racket-1": NamedBody(
         "racket 1", "moments of Table 1", shape_of_moments, ("886", "16336", "18270")

@@ -1,7 +1,5 @@
 """The benchmark's machinery, its contenders' answers and its saved data; no test reads a clock."""
 
-from __future__ import annotations
-
 import json
 import math
 from importlib.util import find_spec
@@ -375,6 +373,7 @@ def test_identities_of_the_ledger_and_their_false_variants() -> None:
     assert identities._judge(false, "sympy simplify", False).outcome == "right"
 
 
+@pytest.mark.night
 def test_a_claim_beyond_the_truth_is_seen_in_the_honesty_data() -> None:
     points = {p["where"]: p for p in honesty._quadratures() if p["method"] == "scipy quad"}
     assert all(p["claims"] <= p["digits"] + 0.5 for p in points.values())

@@ -1,7 +1,5 @@
 """Random identities: true by construction, and the same with a defect. Never a wrong verdict."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from fractions import Fraction
 from random import Random

@@ -37,9 +37,8 @@ pytestmark = pytest.mark.slow
 x, y, t = (Symbol(name, real=True) for name in "xyt")
 
 
-SAMPLE = ("eq_euler_angle", "eq_Euler", "eq_gamma", "range_of_gamma", "d12", "unique_root")
-SAMPLE += ("contraction", "d54", "table_str_order", "table_str_a", "table_book_flip")
-SAMPLE += ("sign_of_tilt", "d11", "flat_from_above", "implicit_defect")
+SAMPLE = ("eq_gamma", "range_of_gamma", "d12", "unique_root", "contraction", "d54")
+SAMPLE += ("table_str_order", "d11", "flat_from_above", "implicit_defect")
 
 
 def check(score: MutantReport, share: float = 0.98) -> None:
@@ -54,17 +53,17 @@ def test_no_mutant_of_a_few_claims_holds() -> None:
     check(score)
 
 
-PARTS = [0, *(pytest.param(part, marks=pytest.mark.night) for part in (1, 2, 3))]
+PARTS = [0, *(pytest.param(part, marks=pytest.mark.night) for part in range(1, 8))]
 
 
 @pytest.mark.filterwarnings("default::pytest.PytestUnraisableExceptionWarning")  # see time_limit
 @pytest.mark.parametrize("part", PARTS)
 def test_no_mutant_holds(part: int) -> None:
-    """Every sixth claim, in four parts; `tresym verify --mutants` takes them all.
+    """Every sixth claim, in eight parts; `tresym verify --mutants` takes them all.
 
     Of changed definitions by an integral not all are shown violated; they are UNDECIDED.
     """
-    labels = [claim.label for claim in all_claims()][part * 6 :: 24]
+    labels = [claim.label for claim in all_claims()][part * 6 :: 48]
     check(verify_mutants(labels, wanted=1), 0.95)
 
 

@@ -1,7 +1,5 @@
 """One change at a time: each differs from what it was made of, and keeps its kind."""
 
-from __future__ import annotations
-
 import pytest
 from sympy import (
     Basic,

@@ -1,7 +1,5 @@
 """Changed numbers, bounds and orders: seen to be false where they are, and only there."""
 
-from __future__ import annotations
-
 import pytest
 from flint import arb, fmpq
 from sympy import Expr, Function, Symbol, sin, sqrt

@@ -1,7 +1,5 @@
 """The score against mutants: counts add up, and what is believed is named."""
 
-from __future__ import annotations
-
 import json
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """Planted falsehoods: each is false, rests on what holds, and is refused by its guard alone."""
 
-from __future__ import annotations
-
 import pytest
 from sympy import Basic
 

@@ -3,11 +3,9 @@
 import json
 import re
 from dataclasses import replace
-from io import StringIO
 from pathlib import Path
 
 import pytest
-from rich.console import Console
 from sympy import Derivative, Function, Integer, Integral, Subs, Symbol, Tuple, cos, sin, sqrt
 
 from tresym.commands import main
@@ -231,7 +229,7 @@ def reading_of(label: str, reads: dict[str, str]) -> tuple[Entry, ...]:
     )
 
 
-def test_what_is_read_otherwise_than_printed_is_told() -> None:
+def test_what_is_read_otherwise_than_printed_is_told(capsys: pytest.CaptureFixture[str]) -> None:
     energy = equal(h, dq_dt**2 / 2)
     other = [replace(c, says=energy) if c.label == "energy" else c for c in claims()]
     assert bad(audit(PENDULUM, other, index_of())) == {"eq_energy": Transcription.DIFFERS}
@@ -242,9 +240,8 @@ def test_what_is_read_otherwise_than_printed_is_told() -> None:
     assert result.complete
     assert (result.read, result.read_otherwise) == (DISPLAYS - 1, 1)
     assert result.as_json()["read_otherwise"] == 1
-    console = Console(width=100, record=True, file=StringIO())
-    show_audit(result, console)
-    text = console.export_text()
+    show_audit(result)
+    text = capsys.readouterr().out
     assert "display 1 (eq_energy): w read as 0" in text
     assert "1 of these with something read otherwise than printed" in " ".join(text.split())
 
@@ -444,14 +441,13 @@ def test_missing_files_and_folders(tmp_path: Path) -> None:
         read_source(tmp_path)
 
 
-def test_json_and_table(tmp_path: Path) -> None:
+def test_json_and_table(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     result = audit(altered(tmp_path, "\\frac{T}{4}", "\\frac{T}{2}"), claims(), index_of())
     data = json.loads(json.dumps(result.as_json()))
     assert data["complete"] is False
     assert {row["label"]: row["text"] for row in data["rows"]}["eq_period"] == "altered"
-    console = Console(width=100, record=True, file=StringIO())
-    show_audit(result, console)
-    text = console.export_text()
+    show_audit(result)
+    text = capsys.readouterr().out
     assert "display 6 (eq_period): its text is not the one" in text
     assert "8 of 9 displays" in text
 

@@ -1,7 +1,5 @@
 """A LaTeX source taken apart, or refused in one line that names the place."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

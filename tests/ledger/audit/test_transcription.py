@@ -1,7 +1,5 @@
 """Every link of a display must be said by a claim: met where it is, left over where it is not."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import pytest

@@ -1,7 +1,5 @@
 """Whether two trees say the same: a display and a claim, and different where one errs."""
 
-from __future__ import annotations
-
 import pytest
 from sympy import Basic, Derivative, Function, Integral, Subs, Symbol, cos, sin, sqrt
 

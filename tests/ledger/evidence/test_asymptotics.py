@@ -1,7 +1,5 @@
 """Orders decided from their formulas, and what a path must show before it refutes one."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any

@@ -1,7 +1,5 @@
 """Bounds on boxes and orders as evidence, stored proofs looked at and falsehoods refused."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import pytest

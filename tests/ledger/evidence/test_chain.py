@@ -1,7 +1,5 @@
 """Chains: a step is PROVED by the reasons it names and no others, falsehoods by none."""
 
-from __future__ import annotations
-
 import pytest
 from sympy import (
     Abs,

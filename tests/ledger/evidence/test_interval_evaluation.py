@@ -1,7 +1,5 @@
 """Bounds that are decided as they stand, over the box that the conditions are."""
 
-from __future__ import annotations
-
 import pytest
 from flint import fmpq
 from sympy import (

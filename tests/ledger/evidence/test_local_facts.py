@@ -1,7 +1,5 @@
 """Local facts: shown in order, under the conditions of the claim, and known nowhere else."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import pytest

@@ -1,7 +1,5 @@
 """Printed numbers: accepted with inputs that give them, refuted where none do."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import Any
 
@@ -293,7 +291,7 @@ def test_without_the_guard_a_root_that_is_not_the_one_passes(
     two = TheRoot(y, ZERO, 4, equal((y - 1) * (y - 3), 0))
     said = number(two, "1.0")
     monkeypatch.setattr(checker.Place, "_is_one", lambda *at: True)
-    monkeypatch.setattr(checker, "_roots", lambda claim: _Anything())
+    monkeypatch.setattr(checker, "roots_by", lambda claims: _Anything())
     assert judge_printed(said).verdict is not UNDECIDED
 
 

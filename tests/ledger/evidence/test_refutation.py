@@ -4,6 +4,7 @@ from flint import fmpq
 from sympy import Equivalent, Symbol, Tuple, sqrt
 
 from tresym.ledger.claim import Claim, by, equal
+from tresym.ledger.evidence.at_point import place_of
 from tresym.ledger.evidence.refutation import Denied, denied_at, denied_somewhere, not_denied
 from tresym.ledger.judge import judge
 from tresym.ledger.reasons import roots
@@ -12,6 +13,7 @@ from tresym.reals.verdict import Verdict
 
 x, y = (Symbol(name, real=True) for name in "xy")
 CASE = {"x": fmpq(1)}
+HERE = place_of(CASE, ())
 RIGHT = Claim("right", equal(sqrt(x**2), x), by(roots), given=(x > 0,))
 WRONG = Claim("wrong", equal(sqrt(x**2), x), by(roots))
 
@@ -38,12 +40,12 @@ def test_a_denial_needs_a_claim_and_a_case() -> None:
 
 def test_a_point_denies_the_part_that_fails_after_what_holds_there() -> None:
     over = Under(x > 3, Tuple(equal(x, 1)))
-    assert denied_at(over, CASE) == ((equal(x, 1),), x > 3)
-    assert denied_at(Tuple(x > 0, over), CASE) == ((equal(x, 1),), x > 3)
-    assert denied_at(Equivalent(x > 0, x > 3), CASE) == ((x > 0,), x > 3)
-    assert denied_at(Equivalent(x > 3, x > 0), CASE) == ((x > 0,), x > 3)
+    assert denied_at(over, HERE) == ((equal(x, 1),), x > 3)
+    assert denied_at(Tuple(x > 0, over), HERE) == ((equal(x, 1),), x > 3)
+    assert denied_at(Equivalent(x > 0, x > 3), HERE) == ((x > 0,), x > 3)
+    assert denied_at(Equivalent(x > 3, x > 0), HERE) == ((x > 0,), x > 3)
     for held in (x > 0, Under(x > 3, Tuple(x > 2)), Equivalent(x > 3, x > 4), Tuple()):
-        assert denied_at(held, CASE) is None
+        assert denied_at(held, HERE) is None
 
 
 def test_what_is_denied_is_a_formula_where_all_its_conditions_hold() -> None:
@@ -58,7 +60,7 @@ def test_what_is_denied_is_a_formula_where_all_its_conditions_hold() -> None:
     words = Claim("words", "It is more than three.", by())
     assert not_denied(words, CASE) == "the claim has no formula, so a point cannot contradict it"
     for given in ((x > 0, x > 2), (x > 2, x > 0)):
-        assert denied_at(Under(x > 3, Tuple(*given)), CASE) is None
+        assert denied_at(Under(x > 3, Tuple(*given)), HERE) is None
 
 
 def test_a_point_is_looked_for_that_denies() -> None:
@@ -72,5 +74,5 @@ def test_a_point_is_looked_for_that_denies() -> None:
 
 def test_a_point_denies_nothing_of_other_symbols_nor_of_what_has_no_value() -> None:
     for says in (y > 2, Tuple(x > 0, y > x), Under(x > 3, Tuple(y > 0)), sqrt(-x) > 5):
-        assert denied_at(says, CASE) is None
-    assert denied_at(ExactlyOne(x, 0, 1, equal(x, 2)), CASE) is None
+        assert denied_at(says, HERE) is None
+    assert denied_at(ExactlyOne(x, 0, 1, equal(x, 2)), HERE) is None

@@ -1,7 +1,5 @@
 """Printed orders beside the bounds that are decided; false ones are among `test_false_claims`."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import pytest

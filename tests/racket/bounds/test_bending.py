@@ -1,11 +1,10 @@
 """How the defect bends: the candidate by differences, its bounds by quadrature, H″ by mpmath."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import mpmath
 import pytest
+from differences import defect_slope
 from flint import arb, fmpq
 
 from tresym.racket.bounds.bending import (
@@ -16,7 +15,6 @@ from tresym.racket.bounds.bending import (
     second_order_rest,
 )
 from tresym.racket.flip.separatrix import solve
-from tresym.racket.flip.slopes import slopes
 from tresym.reals.numbers.arithmetic import ball_precision, balls, mp_precision, to_mp
 
 SHAPES = [
@@ -35,7 +33,7 @@ def number(x: arb) -> Any:
 
 def line(a: fmpq, b: fmpq, v: str, constant: str) -> tuple[Candidate, Any, Any, Any]:
     """The candidate in balls; ε₀, λ and the candidate as a function of v in mpmath."""
-    exact, first = solve(a, b, 75).defect, slopes(a, b, fmpq(0), 75).first
+    exact, first = solve(a, b, 75).defect, defect_slope(a, b)
     k = arb(a * b).sqrt()
     lam = k * exact**2
     # e′(0) = bε₀² dε/dγ = ε₀(pλ − 1/4).
@@ -77,6 +75,7 @@ def test_the_candidate_is_what_it_says(shape: tuple[fmpq, fmpq], v: str, constan
             assert ball.rad() < 1e-14
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("shape", SHAPES, ids=str)
 @pytest.mark.parametrize("v", ["-0.9", "-0.3", "0.4", "1"])
 def test_the_curvature_holds_the_second_derivative(shape: tuple[fmpq, fmpq], v: str) -> None:

@@ -1,8 +1,5 @@
 """The points of a chart: what a symbol is there satisfies the equation that it stands for."""
 
-from __future__ import annotations
-
-import pytest
 from flint import arb
 
 from tresym.racket.bounds import samples as s
@@ -11,17 +8,12 @@ from tresym.racket.motion.quadrature import rigorous
 from tresym.racket.notation import a, b, epsilon, epsilon0, gamma, lam, mu
 from tresym.reals.numbers.arithmetic import ball_precision, balls
 
-CHARTS = {
-    "shapes": s.in_chart(("a", "b", "kappa", "R", "epsilon0")),
-    "tangent": s.beside_tangent(),
-    "bend": s.in_bent_chart(),
-}
+BENT = s.in_bent_chart()
 
 
-@pytest.mark.parametrize("name", CHARTS)
-def test_a_root_is_a_root_at_every_sample(name: str) -> None:
+def test_a_root_is_a_root_at_every_sample() -> None:
     with ball_precision(200):
-        found = list(CHARTS[name]())
+        found = list(BENT())
         assert found
         for _, known in found:
             residual = rigorous(known[epsilon0], known[a], known[b], arb(0)) - arb.pi()
@@ -31,18 +23,10 @@ def test_a_root_is_a_root_at_every_sample(name: str) -> None:
             assert (known[mu] ** 2 * (known[a] + known[b]) - known[b]).contains(0)
 
 
-def test_the_coordinates_are_those_that_the_chart_names() -> None:
-    for (p, q, kappa, ratio, defect), known in CHARTS["shapes"]():
-        assert (p, q, defect) == (known[a], known[b], known[epsilon0])
-        assert (kappa - known[lam]).contains(0)
-        assert (ratio * p - q).contains(0)
-
-
-@pytest.mark.parametrize("name", ["tangent", "bend"])
-def test_a_level_beside_the_separatrix_has_its_defect(name: str) -> None:
+def test_a_level_beside_the_separatrix_has_its_defect() -> None:
     """Not that of the tangent, and not that of the separatrix."""
     with ball_precision(400):
-        for _, known in CHARTS[name]():
+        for _, known in BENT():
             place = known[a], known[b], known[gamma]
             assert (rigorous(known[epsilon], *place) - arb.pi()).contains(0)
             tangent = known[epsilon0] + s.slope_at_separatrix(known) * known[gamma]
@@ -52,7 +36,7 @@ def test_a_level_beside_the_separatrix_has_its_defect(name: str) -> None:
 
 def test_the_defect_falls_with_the_level() -> None:
     with ball_precision(200):
-        for _, known in CHARTS["shapes"]():
+        for _, known in BENT():
             turn = stable.turn_slope(known[epsilon0], known[a], known[b], balls)
             found = s.slope_at_separatrix(known)
             assert found < 0

@@ -1,7 +1,5 @@
 """The constants K and K₂: no shape goes beyond them, the corners come within one per cent."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 from itertools import pairwise
 

@@ -1,7 +1,5 @@
 """Operations are counted as they are done, and what counts gives the same answers."""
 
-from __future__ import annotations
-
 from flint import arb, fmpq
 
 from tresym.racket.comparison.operation_counts import Counted, Counting, map_operations, turn_calls

@@ -1,7 +1,5 @@
 """Six routes to ε(γ): each on its own, where they meet, and the counting of digits."""
 
-from __future__ import annotations
-
 import mpmath
 import pytest
 from flint import arb, fmpq

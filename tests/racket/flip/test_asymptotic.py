@@ -1,7 +1,5 @@
 """The closed formula's proved bound: both sides of it at shapes, and balls that hold the root."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 import mpmath

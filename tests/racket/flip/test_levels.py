@@ -3,12 +3,12 @@
 from itertools import pairwise
 
 import pytest
+from differences import defect_slope
 from flint import arb, fmpq
 
 from tresym.racket.angle import parse_angle
 from tresym.racket.flip.defect import defect_on, inverted
 from tresym.racket.flip.levels import _bracket, _enclosed, level_of, turning_level
-from tresym.racket.flip.slopes import slopes
 from tresym.racket.motion.orbit import exact_level
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError, parse_number
@@ -69,7 +69,7 @@ def test_the_defect_rises_at_the_second_turning_level(shape: tuple[fmpq, fmpq]) 
         gamma = rational(level)
         with ball_precision(256):
             steep = sign / (2 * (-arb(gamma) * arb(gamma + b)).sqrt())
-            assert abs(slopes(a, b, gamma, 30).first / steep - 1) < arb("1e-25")
+            assert abs(defect_slope(a, b, gamma) / steep - 1) < arb("1e-25")
 
 
 def test_values_above_a_right_angle_are_not_looked_for() -> None:
@@ -82,6 +82,7 @@ def test_values_above_a_right_angle_are_not_looked_for() -> None:
             level_of(*shape, parse_angle(value), 20)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("value", ["3/2", "1", "1/10", "0", "-1/10"])
 @pytest.mark.parametrize("shape", NOT_BODIES)
 def test_the_inverse_is_where_the_defect_falls(shape: tuple[fmpq, fmpq], value: str) -> None:

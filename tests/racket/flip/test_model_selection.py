@@ -1,7 +1,5 @@
 """The ladder: the cheapest rung with the digits, rungs that agree, and rungs that do not answer."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import pytest
@@ -9,7 +7,7 @@ from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tresym.racket.angle import FULL_TURN, Angle, parse_angle
+from tresym.racket.angle import Angle, parse_angle
 from tresym.racket.body import Shape, named_body, shape
 from tresym.racket.flip import asymptotic, defect, flip_defect, flip_defects, model_selection
 from tresym.racket.flip.model_selection import RUNGS, checked_digits, climb, follow, parse_digits
@@ -45,7 +43,7 @@ def test_only_a_whole_number_of_digits_is_one(digits: Any) -> None:
     with pytest.raises(InputError, match="from 1 to 10000"):
         climb(STR, 0, digits)
     with pytest.raises(InputError, match="from 1 to 10000"):
-        follow(STR, Start(Angle(fmpq(0), fmpq(1)), fmpq(0)), FULL_TURN, digits)
+        follow(STR, Start(Angle(fmpq(0), fmpq(1)), fmpq(0)), parse_angle("2*pi"), digits)
 
 
 PLACES = [
@@ -85,6 +83,7 @@ def test_the_first_rung_with_the_digits_answers(
 shapes = st.tuples(st.fractions("1/10", 40), st.fractions("1/20", 1))
 
 
+@pytest.mark.slow
 @given(shapes, st.fractions("-9/10", "9/10"), st.integers(1, 40))
 def test_the_rungs_that_answer_agree(given_: tuple[Any, Any], part: Any, digits: int) -> None:
     body = shape(*given_)
@@ -146,13 +145,13 @@ def test_where_the_quick_route_says_nothing_the_last_rung_answers(
 
 def test_starts_are_followed_by_the_last_rung_only() -> None:
     start = Start(parse_angle("pi/2"), fmpq(1, 10))
-    journey = follow(STR, start, FULL_TURN, 25)
+    journey = follow(STR, start, parse_angle("2*pi"), 25)
     assert journey.rung == "planar"
     assert proves(journey.turn, 25)
-    assert follow(STR, start, FULL_TURN, 25, "planar").turn.overlaps(journey.turn)
+    assert follow(STR, start, parse_angle("2*pi"), 25, "planar").turn.overlaps(journey.turn)
     for rung in (*RUNGS[:3], "fast"):
         with pytest.raises(InputError, match="rung: "):
-            follow(STR, start, FULL_TURN, 25, rung)
+            follow(STR, start, parse_angle("2*pi"), 25, rung)
 
 
 def test_the_symmetric_start_is_the_flip() -> None:

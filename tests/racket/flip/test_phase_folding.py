@@ -1,7 +1,5 @@
 """The fold into the first quarter: what unfolds again, and the quarter in float64."""
 
-from __future__ import annotations
-
 import math
 
 import mpmath
@@ -34,33 +32,31 @@ def truth(a: float, b: float, gamma: float) -> float:
         return float(defect_on(exact(a), exact(b), exact_level(exact(a), exact(b), exact(gamma))))
 
 
-@pytest.mark.parametrize("place", PLACES, ids=str)
-def test_the_folded_angle_unfolds_to_the_defect(place: tuple[float, float, float]) -> None:
-    found = folded(*place)
-    assert found is not None
-    fold, angle = found
-    sign, turns = fold.unfolding
-    assert fold.rotating is (place[2] >= 0)
-    assert 0 < angle < math.pi / 2
-    right = truth(*place)
-    assert sign * angle + turns * math.pi == pytest.approx(right, rel=1e-9, abs=1e-9)
-    for other in (fold._replace(back=not fold.back), fold._replace(halves=fold.halves + 1)):
-        sign, turns = other.unfolding
-        same = (sign, turns) == fold.unfolding
-        assert same or abs(sign * angle + turns * math.pi - right) > 1e-6
+def test_the_folded_angle_unfolds_to_the_defect() -> None:
+    for place in PLACES:
+        found = folded(*place)
+        assert found is not None
+        fold, angle = found
+        sign, turns = fold.unfolding
+        assert fold.rotating is (place[2] >= 0)
+        assert 0 < angle < math.pi / 2
+        right = truth(*place)
+        assert sign * angle + turns * math.pi == pytest.approx(right, rel=1e-9, abs=1e-9)
+        for other in (fold._replace(back=not fold.back), fold._replace(halves=fold.halves + 1)):
+            sign, turns = other.unfolding
+            same = (sign, turns) == fold.unfolding
+            assert same or abs(sign * angle + turns * math.pi - right) > 1e-6
 
 
-@pytest.mark.parametrize("place", PLACES, ids=str)
-def test_the_phase_of_the_folded_angle_is_the_folded_half_turn(
-    place: tuple[float, float, float],
-) -> None:
-    fold, angle = folded(*place)
-    quarter = Quarter(*place)
-    tangent, rest, _ = quarter.at(quarter.time(angle))
-    phase, whole = quarter.turn(tangent, rest), quarter.whole()
-    phase = 2 * whole - phase if fold.back else phase
-    wanted = fold.phase(arb.pi(), lambda: arb(whole))
-    assert phase == pytest.approx(float(wanted), rel=1e-9, abs=1e-9 * max(1, math.pi / whole))
+def test_the_phase_of_the_folded_angle_is_the_folded_half_turn() -> None:
+    for place in PLACES:
+        fold, angle = folded(*place)
+        quarter = Quarter(*place)
+        tangent, rest, _ = quarter.at(quarter.time(angle))
+        phase, whole = quarter.turn(tangent, rest), quarter.whole()
+        phase = 2 * whole - phase if fold.back else phase
+        wanted = fold.phase(arb.pi(), lambda whole=whole: arb(whole))
+        assert phase == pytest.approx(float(wanted), rel=1e-9, abs=1e-9 * max(1, math.pi / whole))
 
 
 quarters = st.builds(

@@ -1,7 +1,5 @@
 """The explicit formulas for every shape: their definitions, and the errors that are promised."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 import pytest

@@ -1,7 +1,5 @@
 """The compiled map: every function it calls is compiled or given its meaning for numbers."""
 
-from __future__ import annotations
-
 import inspect
 from types import FunctionType
 

@@ -1,7 +1,5 @@
 """The float64 map against balls, with every case the prototypes failed at."""
 
-from __future__ import annotations
-
 import math
 import sys
 

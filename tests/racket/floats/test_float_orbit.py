@@ -1,7 +1,5 @@
 """One start's orbit in float64: places and phases by quadrature, and the flow against balls."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

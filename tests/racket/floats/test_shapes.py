@@ -1,7 +1,5 @@
 """ε₀ of arrays of shapes: against balls, with what is promised, and what is no shape."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,15 +1,13 @@
 """Each formula, written once, in four arithmetics; and where the printed forms fail."""
 
-from __future__ import annotations
-
 import inspect
 import math
 from collections.abc import Callable
 from fractions import Fraction
+from itertools import product
 from types import ModuleType
 from typing import Any
 
-import mpmath
 import numpy as np
 import pytest
 import sympy
@@ -128,6 +126,7 @@ def exactly(x: Any) -> arb:
     return arb((-int(mantissa) if sign else int(mantissa), int(exponent)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("formula", FORMULAS, ids=name_of)
 @settings(max_examples=6)
 @given(point=points())
@@ -158,20 +157,20 @@ def allowed_error(rough: arb) -> arb:
     return abs(rough).upper() * arb((1, -53)) + rough.rad()
 
 
-@pytest.mark.parametrize("formula", FORMULAS, ids=name_of)
-def test_formulas_take_arrays(formula: Formula) -> None:
-    point = {
-        "a": "1", "b": "1/2", "theta": "1", "psi": "1", "defect": "1", "phase": "4", "k": "1",
-        "r": "1", "lam": "1", "mu": "1/2", "u": "1/4", "M": "1", "E": "1", "I1": "1", "I2": "2",
-        "I3": "3", "S": "1", "S2": "1", "M1": "1", "M2": "1", "M3": "1", "psi_min": "1/2",
-        "gamma": "1/10", "x": "1/4",
-        "s": "1", "Omega1": "1", "Omega2": "1", "Omega3": "1",
-    }  # fmt: skip
-    at = arguments(formula, {name: Fraction(text) for name, text in point.items()})
-    single = in_floats(formula, at)
-    many = call(formula, [np.full(3, float(x)) for x in at], np)
-    for one, array in zip(single, many, strict=True):
-        np.testing.assert_allclose(array, np.full(3, one), rtol=1e-14)
+def test_formulas_take_arrays() -> None:
+    for formula in FORMULAS:
+        point = {
+            "a": "1", "b": "1/2", "theta": "1", "psi": "1", "defect": "1", "phase": "4", "k": "1",
+            "r": "1", "lam": "1", "mu": "1/2", "u": "1/4", "M": "1", "E": "1", "I1": "1", "I2": "2",
+            "I3": "3", "S": "1", "S2": "1", "M1": "1", "M2": "1", "M3": "1", "psi_min": "1/2",
+            "gamma": "1/10", "x": "1/4",
+            "s": "1", "Omega1": "1", "Omega2": "1", "Omega3": "1",
+        }  # fmt: skip
+        at = arguments(formula, {name: Fraction(text) for name, text in point.items()})
+        single = in_floats(formula, at)
+        many = call(formula, [np.full(3, float(x)) for x in at], np)
+        for one, array in zip(single, many, strict=True):
+            np.testing.assert_allclose(array, np.full(3, one), rtol=1e-14)
 
 
 # Where the printed forms lose their digits
@@ -250,6 +249,7 @@ def test_the_energy_form_of_gamma_loses_what_the_momentum_form_keeps() -> None:
     assert abs(by_momentum / float(truth) - 1) < 1e-14
 
 
+@pytest.mark.slow
 @given(point=points())
 def test_printed_and_stable_forms_are_the_same_quantity(point: dict[str, Fraction]) -> None:
     pairs = [
@@ -266,9 +266,6 @@ def test_printed_and_stable_forms_are_the_same_quantity(point: dict[str, Fractio
         a, b, psi, defect = (arb(rational[name]) for name in ("a", "b", "psi", "defect"))
         slope = printed.turn_slope(defect, a, b, 1, balls)
         assert slope.overlaps(stable.turn_slope(defect, a, b, balls))
-        assert printed.integrand_slope(psi, a, b, 1, balls).overlaps(
-            stable.integrand_slope(psi, a, b, balls)
-        )
         k, r = (a * b).sqrt(), (b / a).sqrt()
         phase = stable.phase(defect, a, b, balls)
         assert stable.separatrix_map(defect, a, b, balls).overlaps(
@@ -280,19 +277,11 @@ def test_printed_and_stable_forms_are_the_same_quantity(point: dict[str, Fractio
         )
 
 
-def test_the_uniform_formula_holds_where_the_printed_one_is_off() -> None:
-    """A spot check at a shape with ab = 1/1000; the bound on all shapes is a claim of its own."""
-    a, b = 1e-2, 1e-1
-    root = mpmath.findroot(lambda e: stable.separatrix_map(e, a, b, mpmath.mp) - e, 1.2)
-    k, r = math.sqrt(a * b), math.sqrt(b / a)
-    assert abs(stable.uniform_defect(k, r, np) / root - 1) < 0.028
-    assert abs(printed.asymptotic_defect(a, b, np) / root - 1) > 0.3
-
-
-@pytest.mark.parametrize("name", [n for n in vars(Balls) if not n.startswith("_") and n != "pi"])
-@pytest.mark.parametrize("other", [3, 0.5, "x", None])
-def test_balls_are_made_of_balls_only(name: str, other: object) -> None:
+def test_balls_are_made_of_balls_only() -> None:
     """python-flint's unbound methods read the memory of any object as if it were an ``arb``."""
-    operands = (other, arb(1)) if name == "atan2" else (other,)
-    with pytest.raises((AttributeError, TypeError)):
-        getattr(balls, name)(*operands)
+    for name, other in product(
+        [n for n in vars(Balls) if not n.startswith("_") and n != "pi"], [3, 0.5, "x", None]
+    ):
+        operands = (other, arb(1)) if name == "atan2" else (other,)
+        with pytest.raises((AttributeError, TypeError)):
+            getattr(balls, name)(*operands)

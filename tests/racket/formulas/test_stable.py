@@ -4,8 +4,6 @@ The failures are asserted as well: they are what the atlas shows. Then hunts for
 our own methods; what they found stands as explicit examples.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np
@@ -122,6 +120,7 @@ def exact(x: float) -> fmpq:
     return fmpq(*x.as_integer_ratio())
 
 
+@pytest.mark.slow
 @given(n=logs, m=logs, p=st.integers(0, 4095), q=st.integers(-4095, 4095))
 def test_the_flip_map_is_as_good_as_it_says(n: int, m: int, p: int, q: int) -> None:
     a, b = power(n, -2, 2), power(m, -3, -0.02)
@@ -150,6 +149,7 @@ def test_every_rung_that_answers_has_the_digits(n: int, m: int, g: int, digits: 
         assert true_digits(found, truth) >= digits - 0.5
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", [ROOT, LEFT, MOMENTS, RADICAND, THETA])
 @given(i=logs, j=logs)
 def test_stable_forms_have_no_cliff_anywhere_on_their_plane(name: str, i: int, j: int) -> None:

@@ -1,7 +1,5 @@
 """The attitude in space: the momentum stays, and the spin is the one it asks for."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """F by Gauss's transformation: the integral itself, its elementary limits, and where it ends."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

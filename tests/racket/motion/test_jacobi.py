@@ -1,7 +1,5 @@
 """Jacobi's functions: mpmath's, their laws, the elementary ends, and what the series leaves out."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import mpmath

@@ -1,7 +1,5 @@
 """F(ε, γ) by integration: five integrals of one f, and where F is elementary."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import mpmath

@@ -1,7 +1,5 @@
 """Any start: the singular cases, relative accuracy, laws of the flow, independent integration."""
 
-from __future__ import annotations
-
 import json
 from fractions import Fraction
 
@@ -182,6 +180,7 @@ rates = st.fractions(-2, 2)
 angles = st.fractions(-4, 4)
 
 
+@pytest.mark.slow
 @given(angles, rates)
 @example(Fraction(0), Fraction(-1, 2))
 @example(Fraction(1, 10**12), Fraction(0))

@@ -1,7 +1,5 @@
 """Signs and orders at a point of contact, by the first derivative that is not exactly zero."""
 
-from __future__ import annotations
-
 import pytest
 from flint import arb, fmpq
 

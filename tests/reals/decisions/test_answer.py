@@ -1,7 +1,5 @@
 """Answers: what holds counts as true, what is shown is apart, and JSON has every key."""
 
-from __future__ import annotations
-
 import json
 from dataclasses import fields
 

@@ -1,7 +1,5 @@
 """What SymPy suggests, as trees, within a time."""
 
-from __future__ import annotations
-
 import pytest
 
 from tresym.reals.decisions import antiderivatives

@@ -1,7 +1,5 @@
 """What binds a variable goes through every procedure of the core without an internal error."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import pytest
@@ -48,6 +46,7 @@ AROUND: list[Callable[[Expr], Expr]] = [
 POINT = {"x": fmpq(1, 2), "n": fmpq(2), "t": fmpq(1), "oo": fmpq(1)}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("node", NODES.values(), ids=NODES.keys())
 @pytest.mark.parametrize("around", range(len(AROUND)))
 def test_no_procedure_enters_what_binds(node: Expr, around: int) -> None:

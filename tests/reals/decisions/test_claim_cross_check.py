@@ -1,7 +1,5 @@
 """The advocate before a user's claim: what is false and called proved is contradicted."""
 
-from __future__ import annotations
-
 import pytest
 
 import tresym

@@ -1,7 +1,5 @@
 """Claims read from text, LaTeX and SymPy: the same statement, or one clear line."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import pytest

@@ -1,7 +1,5 @@
 """What passes speaks of a point, and the terms of its sums are defined at every index."""
 
-from __future__ import annotations
-
 import pytest
 
 import tresym

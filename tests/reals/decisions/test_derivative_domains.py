@@ -1,7 +1,5 @@
 """Where what is differentiated is real: open ends to refute at, closed ones to prove on."""
 
-from __future__ import annotations
-
 import pytest
 from flint import arb, fmpq
 

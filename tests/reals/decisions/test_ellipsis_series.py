@@ -1,7 +1,5 @@
 """Series with dots: every coefficient, and how far it converges."""
 
-from __future__ import annotations
-
 import pytest
 
 import tresym

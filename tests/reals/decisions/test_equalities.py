@@ -1,7 +1,5 @@
 """Equalities with derivatives: judged where what is differentiated is real, and there alone."""
 
-from __future__ import annotations
-
 import pytest
 from flint import fmpq
 

@@ -1,7 +1,5 @@
 """Solutions of an equation for a variable: all of them, each under its conditions."""
 
-from __future__ import annotations
-
 import pytest
 
 from tresym.reals.decisions.claim_parsing import read

@@ -1,7 +1,5 @@
 """Equations as conditions: every case of the variable counts, and none that has no point."""
 
-from __future__ import annotations
-
 import pytest
 
 import tresym

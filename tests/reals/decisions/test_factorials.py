@@ -1,7 +1,5 @@
 """Factorials by the least of them: what holds of integers, and what does not."""
 
-from __future__ import annotations
-
 import pytest
 
 import tresym

@@ -1,7 +1,5 @@
 """Hypergeometric series: which sums are such, and where they converge."""
 
-from __future__ import annotations
-
 import pytest
 
 from tresym.reals.decisions.claim_parsing import read

@@ -1,7 +1,5 @@
 """Consequences of polynomial equations: each relation of a function is used, none too many."""
 
-from __future__ import annotations
-
 import pytest
 
 from tresym.reals.decisions.ideals import follows, numerator_factors

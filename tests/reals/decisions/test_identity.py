@@ -1,7 +1,5 @@
 """Branches, domains and planted falsehoods: what must be proved, refuted, or neither."""
 
-from __future__ import annotations
-
 import pytest
 
 from tresym.reals.decisions.identity import decide, decide_continuous
@@ -246,6 +244,7 @@ VANISHING = [
 """Zero on a whole region, and not zero: a radicand with it says nothing of its other factors."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("factor", VANISHING)
 def test_a_factor_that_vanishes_on_a_region_implies_nothing(factor: str) -> None:
     roots = f"sqrt(({factor})*y) + sqrt(({factor})*z)"

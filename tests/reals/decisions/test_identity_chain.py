@@ -4,8 +4,6 @@ Transcribed from the paper's displays with the conditions they are stated under;
 integrand dφ/dψ, ``T`` the auxiliary of the stable form of the exact equation for ε₀.
 """
 
-from __future__ import annotations
-
 import pytest
 
 from tresym.reals.decisions.identity import decide

@@ -1,7 +1,5 @@
 """Inequalities called directly: each true claim stands beside a near falsehood."""
 
-from __future__ import annotations
-
 import pytest
 from flint import arb
 
@@ -24,7 +22,7 @@ def decided(claim: str, under: str = "") -> Answer:
     return decide_inequality(left, relation, right, Given.parse(under))
 
 
-# by signs; cones; homogeneity; concavity; Taylor; equivalents; cases; boxes and germs; constants
+# by signs; cells; concavity; Taylor; equivalents; cases; boxes and germs; constants
 PAIRS = [
     ("x**2 + x + 1 > 0", "x**2 + 2*x + 1 > 0", ""),
     ("a*b >= 1", "a*b > 1", "a >= 1, b >= 1"),

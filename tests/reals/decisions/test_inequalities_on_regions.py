@@ -1,7 +1,5 @@
 """Branch and bound with contacts apart: regions closed in balls, and falsehoods that stay open."""
 
-from __future__ import annotations
-
 import pytest
 from flint import arb
 

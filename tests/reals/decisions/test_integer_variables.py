@@ -1,10 +1,11 @@
 """Integer variables: angles and signs by residues, refuted at integers alone."""
 
-from __future__ import annotations
-
 import pytest
 
 import tresym
+from tresym.reals.decisions.claim_parsing import read
+from tresym.reals.decisions.integer_variables import residues
+from tresym.reals.domain.conditions import Given
 from tresym.reals.verdict import Verdict
 
 HOLD = [
@@ -94,3 +95,12 @@ def test_without_the_condition_a_variable_is_real() -> None:
 )
 def test_polynomials_in_integers(claim: str, verdict: str) -> None:
     assert tresym.check(claim).verdict.value == verdict
+
+
+@pytest.mark.parametrize(("angle", "count"), [("6", 42), ("8", None)])
+def test_a_claim_is_split_into_all_residue_classes_or_into_none(
+    angle: str, count: int | None
+) -> None:
+    statement = read(f"cos(2*pi*n/7)*cos(2*pi*m/{angle}) == 1 given n integer, m integer")
+    cases = residues(statement.comparisons[0], statement, ("n", "m"), Given())
+    assert (cases and len(cases)) == count

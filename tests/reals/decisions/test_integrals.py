@@ -1,7 +1,5 @@
 """Definite integrals: values that are proved, bounds, and what each guard keeps out."""
 
-from __future__ import annotations
-
 import pytest
 
 import tresym

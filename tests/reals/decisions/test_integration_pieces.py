@@ -1,7 +1,5 @@
 """Where an interval of integration is cut: zeros, turns of angles, and roots of squares."""
 
-from __future__ import annotations
-
 import pytest
 from flint import fmpq
 

@@ -1,7 +1,5 @@
 """Points with small numbers in conditions."""
 
-from __future__ import annotations
-
 from flint import fmpq
 
 from tresym.reals.decisions.readable_witnesses import constants_hold, simple_points

@@ -1,7 +1,5 @@
 """Statements: what comparisons and conditions keep, and which variables must be integers."""
 
-from __future__ import annotations
-
 import pytest
 
 from tresym.reals.decisions.claim_parsing import read

@@ -1,7 +1,5 @@
 """Functions left unknown: what holds of every smooth function, and a function where it fails."""
 
-from __future__ import annotations
-
 import pytest
 
 import tresym

@@ -1,7 +1,5 @@
 """Powers with a variable as exponent, where their bases are not positive."""
 
-from __future__ import annotations
-
 import pytest
 
 import tresym

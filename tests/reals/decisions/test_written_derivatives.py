@@ -1,7 +1,5 @@
 """Derivatives and integrals as they are written in a claim."""
 
-from __future__ import annotations
-
 import sympy as sp
 
 from tresym.reals.decisions.claim_parsing import read

@@ -1,7 +1,5 @@
 """Integrals and roots in balls: every choice inside the balls that are given is enclosed."""
 
-from __future__ import annotations
-
 import pytest
 from flint import arb, fmpq
 from hypothesis import given

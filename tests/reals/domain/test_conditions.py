@@ -1,7 +1,5 @@
 """Conditions, points, proven signs, denominators, and what each theory is worth."""
 
-from __future__ import annotations
-
 import pytest
 from flint import arb, fmpq
 

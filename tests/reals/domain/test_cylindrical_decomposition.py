@@ -1,7 +1,5 @@
 """Every region that polynomials cut out of space gets a rational point."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 from itertools import product
 

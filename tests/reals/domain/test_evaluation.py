@@ -1,7 +1,5 @@
 """Values in balls that contain the truth, and NaN wherever none is shown."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 import mpmath

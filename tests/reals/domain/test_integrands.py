@@ -1,7 +1,5 @@
 """Integrands: in complex balls the same functions as in real ones, and nothing where undefined."""
 
-from __future__ import annotations
-
 import pytest
 from flint import acb, arb, fmpq
 

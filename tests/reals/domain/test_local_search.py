@@ -1,7 +1,5 @@
 """Points downhill: they find what samples miss, and none outside the conditions is the end."""
 
-from __future__ import annotations
-
 import pytest
 from flint import arb, fmpq
 

@@ -1,7 +1,5 @@
 """Points on conditions that hold far away or on narrow sets, where samples miss them."""
 
-from __future__ import annotations
-
 from itertools import islice
 
 import pytest

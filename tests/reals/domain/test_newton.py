@@ -1,7 +1,5 @@
 """Points on equations: every ball holds one, and none is found where there is none."""
 
-from __future__ import annotations
-
 import pytest
 
 from tresym.reals.domain.conditions import Given

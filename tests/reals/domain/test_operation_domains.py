@@ -1,7 +1,5 @@
 """Conditions of a domain: every point where an expression is defined satisfies them."""
 
-from __future__ import annotations
-
 import pytest
 from flint import arb, fmpq
 

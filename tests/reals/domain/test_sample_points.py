@@ -1,7 +1,5 @@
 """Sample points lie inside their ranges, and corners at their closed ends."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 import pytest

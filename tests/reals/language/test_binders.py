@@ -5,8 +5,6 @@ evaluated in complex balls by environments. Integrals are enclosed by quadrature
 Cauchy's formula, so nothing of the trees is used there.
 """
 
-from __future__ import annotations
-
 import pickle
 from typing import Any
 
@@ -353,3 +351,10 @@ def test_a_body_is_closed_by_its_names_alone() -> None:
     assert opened(integral(x + y, "x", number(0), number(1)), avoid=("x",))[0] == ("x_1",)
     with pytest.raises(InputError, match="order"):
         order("Omega", x)
+
+
+def test_trees_are_elementary_if_each_is() -> None:
+    area = integral(symbol("t"), "t", number(0), symbol("x"))
+    assert elementary(symbol("x"), number(2))
+    assert not elementary(symbol("x"), area)
+    assert not elementary(area, symbol("x"))

@@ -1,7 +1,5 @@
 """Functions by their names: aliases, what is folded, and the errors for other names."""
 
-from __future__ import annotations
-
 import pytest
 
 from tresym.reals.language.calls import call

@@ -1,7 +1,5 @@
 """Derivatives: the slope of each function, and the rules, against values."""
 
-from __future__ import annotations
-
 import mpmath
 import pytest
 from flint import arb, fmpq

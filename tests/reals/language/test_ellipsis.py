@@ -1,7 +1,5 @@
 """Dots in sums: what they stand for is seen, or the sum is refused."""
 
-from __future__ import annotations
-
 import pytest
 
 from tresym.reals.decisions.claim_parsing import read_as

@@ -1,7 +1,5 @@
 """Trees: what was written and no more, derivatives that are derivatives, bounds that hold."""
 
-from __future__ import annotations
-
 import pickle
 from fractions import Fraction
 from typing import Any

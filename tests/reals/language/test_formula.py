@@ -1,7 +1,5 @@
 """Relations, and what is made of them."""
 
-from __future__ import annotations
-
 from itertools import product
 
 import pytest

@@ -25,8 +25,8 @@ from tresym.reals.language.expression import (
 )
 from tresym.reals.language.latex import read_expression, read_latex
 from tresym.reals.language.latex_cursor import Author
-from tresym.reals.language.latex_output import typeset
 from tresym.reals.language.parsing import as_written
+from tresym.reals.language.typesetting import to_latex
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 
@@ -689,7 +689,7 @@ EXPRESSION_TREES = st.recursive(PLAIN | NUMBERS, _larger, max_leaves=12)
 
 @given(EXPRESSION_TREES)
 def test_what_is_typeset_is_read_back(tree: Expr) -> None:
-    ((_, _, read),) = read_latex(typeset([(PI, "==", tree)]))[0].links
+    ((_, _, read),) = read_latex(to_latex([(PI, "==", tree)]))[0].links
     _same_values(tree, read)
 
 

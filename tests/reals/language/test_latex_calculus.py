@@ -1,7 +1,5 @@
 """Sums, integrals, limits and derivatives in LaTeX, and what is refused of them."""
 
-from __future__ import annotations
-
 import pytest
 
 from tresym.reals.language.latex import read_latex

@@ -1,7 +1,5 @@
 """A place among tokens: what comes next, what it is called, and one line where it is not read."""
 
-from __future__ import annotations
-
 import pytest
 
 from tresym.reals.language.expression import symbol

@@ -1,7 +1,5 @@
 """Functions with their arguments in LaTeX: where an argument ends, and roots and binomials."""
 
-from __future__ import annotations
-
 import pytest
 
 from tresym.reals.language.latex import read_latex

@@ -1,7 +1,5 @@
 """Recursive descent: each production gives text of the same value as a hand-written one."""
 
-from __future__ import annotations
-
 import pytest
 from flint import arb, fmpq
 

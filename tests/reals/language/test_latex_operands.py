@@ -1,7 +1,5 @@
 """How far an operand goes: sure where books agree, in doubt where they differ."""
 
-from __future__ import annotations
-
 import pytest
 
 from tresym.reals.language.latex_operands import (

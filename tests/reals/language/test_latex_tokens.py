@@ -1,7 +1,5 @@
 """Tokens: what does not print is dropped, what prints stays, in order."""
 
-from __future__ import annotations
-
 import pytest
 
 from tresym.reals.language.latex_tokens import (

@@ -1,7 +1,5 @@
 """Like terms as one, and numbers apart."""
 
-from __future__ import annotations
-
 import pytest
 from flint import fmpq
 

@@ -1,7 +1,5 @@
 """Text to expressions: the grammar, exactness, and hostile input in one clear line."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 from functools import reduce
 
@@ -25,7 +23,7 @@ from tresym.reals.language.expression import (
     symbol,
     trees,
 )
-from tresym.reals.language.parsing import as_written, parse
+from tresym.reals.language.parsing import as_written, parse, parse_given
 from tresym.reals.language.sympy import from_sympy
 from tresym.reals.numbers.exact import InputError
 
@@ -249,3 +247,20 @@ def _larger(inner: st.SearchStrategy[Expr]) -> st.SearchStrategy[Expr]:
 @given(st.recursive(LEAVES, _larger, max_leaves=10))
 def test_what_is_printed_is_read_back(tree: Expr) -> None:
     assert as_written(str(tree)) == tree
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("2*n integer", "write n integer"),
+        ("n == ZZ", "write n integer"),
+        ("n > ZZ", "write n integer"),
+        ("x > 0, 2*n integer", "write n integer"),
+        ("f(x) + integral(t, t, 0, x) > 0", "cannot contain a derivative"),
+        ("f(integral(t, t, 0, x)) > 0", "cannot contain a derivative"),
+        ("x < oo", "oo"),
+    ],
+)
+def test_what_is_no_condition_on_numbers_is_refused(text: str, says: str) -> None:
+    with pytest.raises(InputError, match=says):
+        parse_given(text)

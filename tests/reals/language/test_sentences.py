@@ -1,7 +1,5 @@
 """What newcomers type: read and shown in the grammar, or refused with what to write instead."""
 
-from __future__ import annotations
-
 import pytest
 
 import tresym

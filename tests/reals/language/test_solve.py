@@ -1,7 +1,5 @@
 """Zeros found by inverting functions: candidates that are zeros where they are real."""
 
-from __future__ import annotations
-
 import pytest
 from flint import arb, fmpq
 

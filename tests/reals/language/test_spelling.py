@@ -1,7 +1,5 @@
 """Expressions as people type them: products, functions, powers; two readings are refused."""
 
-from __future__ import annotations
-
 import contextlib
 
 import pytest

@@ -1,7 +1,5 @@
 """Derivatives, integrals, sums and limits as they are typed."""
 
-from __future__ import annotations
-
 import pytest
 
 from tresym.reals.language.parsing import as_written

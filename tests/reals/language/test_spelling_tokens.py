@@ -1,7 +1,5 @@
 """Tokens of typed mathematics: what begins and ends them, and bounds on the text."""
 
-from __future__ import annotations
-
 import pytest
 
 from tresym.reals.language.spelling_tokens import MAX_NESTING, MAX_TEXT, SUB, tokens

@@ -1,7 +1,5 @@
 """Advice names what was meant, and is silent where nothing is wrong."""
 
-from __future__ import annotations
-
 import pytest
 
 from tresym.reals.language.expression import FUNCTIONS

@@ -1,7 +1,5 @@
 """The door to SymPy: the same expressions on both sides, everything else refused."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import pytest

@@ -1,7 +1,5 @@
 """Sines and cosines: exact at multiples of π, free of the half angle's poles elsewhere."""
 
-from __future__ import annotations
-
 import pytest
 from flint import arb, fmpq, fmpz_poly
 from hypothesis import given

@@ -1,7 +1,5 @@
 """At an exact point, equal constants are found equal, and nothing else is."""
 
-from __future__ import annotations
-
 import pytest
 from flint import arb, fmpq
 

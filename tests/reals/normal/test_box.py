@@ -1,7 +1,5 @@
 """Polynomials on boxes: strict only where no closed corner is a zero."""
 
-from __future__ import annotations
-
 import pytest
 from flint import Ordering, fmpq, fmpz_mpoly_ctx
 

@@ -1,7 +1,5 @@
 """A constant is zero where its norm says so: however small, no other one is."""
 
-from __future__ import annotations
-
 import pytest
 from flint import arb, fmpq
 

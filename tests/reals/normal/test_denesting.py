@@ -1,7 +1,5 @@
 """Proposals for factors: the known ones are right, and no wrong one is believed."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any
 

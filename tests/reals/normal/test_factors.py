@@ -1,7 +1,5 @@
 """Canonical factors multiply to what they are factors of, and the same one has always one form."""
 
-from __future__ import annotations
-
 import pytest
 from flint import arb, fmpq
 from hypothesis import given

@@ -1,7 +1,5 @@
 """Normal forms of equal expressions are equal, and have the value of the expression."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import pytest

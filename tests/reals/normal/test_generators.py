@@ -1,7 +1,5 @@
 """Generators have the value, the symbols and the name of the function that they stand for."""
 
-from __future__ import annotations
-
 import pytest
 from flint import arb, fmpq
 

@@ -1,7 +1,5 @@
 """Constants on regions: walls that a normal form hides, and claims with a near falsehood each."""
 
-from __future__ import annotations
-
 import pytest
 from flint import Ordering, arb, fmpq, fmpz_mpoly_ctx
 

@@ -1,11 +1,9 @@
 """The Möbius map: values keep their signs, and the ends of the range are 0 and infinity."""
 
-from __future__ import annotations
-
 import pytest
 from flint import Ordering, fmpq, fmpz_mpoly, fmpz_mpoly_ctx
 
-from tresym.reals.normal.moebius import MAX_DEGREE, on_orthant
+from tresym.reals.normal.box import MAX_DEGREE, on_orthant
 from tresym.reals.numbers.factoring import TooLargeError
 
 CONTEXT = fmpz_mpoly_ctx.get(["x", "y"], Ordering.lex)

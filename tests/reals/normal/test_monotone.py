@@ -1,7 +1,5 @@
 """What stands for an inverse function has its sign at every point, or there is none."""
 
-from __future__ import annotations
-
 import pytest
 from flint import arb, fmpq
 

@@ -1,7 +1,5 @@
 """Polynomials in symbols are read off the normal form, exactly or not at all."""
 
-from __future__ import annotations
-
 import pytest
 from flint import fmpq
 from hypothesis import given

@@ -1,7 +1,5 @@
 """Roots, exponentials and logarithms obey their laws on the domain, and no others."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import pytest

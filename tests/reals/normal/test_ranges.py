@@ -1,7 +1,5 @@
 """Signs proved by ranges, facts, discriminants, conjugates and cases hold at every point."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import pytest

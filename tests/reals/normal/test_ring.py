@@ -1,7 +1,5 @@
 """Fractions in generators are added, multiplied and reduced as the numbers they stand for."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from operator import add, mul, sub, truediv
 from typing import Any

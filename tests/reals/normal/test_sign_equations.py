@@ -1,7 +1,5 @@
 """Equations between signs tell what follows, and nothing where a part may vanish on a region."""
 
-from __future__ import annotations
-
 from itertools import product
 from math import prod
 

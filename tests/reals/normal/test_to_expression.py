@@ -1,7 +1,5 @@
 """Normal forms written as expressions keep their values, and numerators the zeros."""
 
-from __future__ import annotations
-
 import pytest
 from flint import arb, fmpq
 

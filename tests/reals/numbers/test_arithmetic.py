@@ -1,7 +1,5 @@
 """Balls under the array API's names, and precision that is restored."""
 
-from __future__ import annotations
-
 import math
 import threading
 from fractions import Fraction
@@ -41,12 +39,12 @@ def _points() -> list[tuple[str, Fraction]]:
     return [*found, ("acosh", Fraction(4, 3)), ("acosh", 1 / near_one)]
 
 
-@pytest.mark.parametrize(("name", "x"), _points(), ids=str)
-def test_functions_agree_with_mpmath(name: str, x: Fraction) -> None:
-    with mp_precision(60) as m, ball_precision(bits(60)) as b:
-        value = getattr(b, name)(ball(fmpq(x.numerator, x.denominator)))
-        expected = getattr(m, name)(m.mpf(x.numerator) / x.denominator)
-        assert _agree(value, expected)
+def test_functions_agree_with_mpmath() -> None:
+    for name, x in _points():
+        with mp_precision(60) as m, ball_precision(bits(60)) as b:
+            value = getattr(b, name)(ball(fmpq(x.numerator, x.denominator)))
+            expected = getattr(m, name)(m.mpf(x.numerator) / x.denominator)
+            assert _agree(value, expected)
 
 
 @pytest.mark.parametrize(("name", "x"), [("expm1", 10**-30), ("log1p", 10**-30)])

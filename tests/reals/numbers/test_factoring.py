@@ -1,7 +1,5 @@
 """Factors multiply to what they are factors of, or there is the one error."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import pytest

@@ -1,7 +1,5 @@
 """Whether values of a changed claim agree with those of the original."""
 
-from __future__ import annotations
-
 from tresym.reals.language.parsing import as_written, parse
 from tresym.reals.repair.agreement import without_integrals
 

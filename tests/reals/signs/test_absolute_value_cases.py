@@ -1,7 +1,5 @@
 """Absolute values by cases: both must hold, and each is asked on its own side."""
 
-from __future__ import annotations
-
 import pytest
 from falsehoods import is_false_at, read
 

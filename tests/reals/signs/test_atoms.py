@@ -1,7 +1,5 @@
 """Algebra in atoms: what is equal is so at every single point."""
 
-from __future__ import annotations
-
 import pytest
 
 from tresym.reals.language.parsing import parse

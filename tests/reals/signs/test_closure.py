@@ -1,7 +1,5 @@
 """Whether conditions hold at no point but limits of inner ones: each way to show it, each guard."""
 
-from __future__ import annotations
-
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st

@@ -1,7 +1,5 @@
 """A difference concave between two ends: what its values there settle, and what they do not."""
 
-from __future__ import annotations
-
 import pytest
 from falsehoods import is_false_at, proves
 
@@ -22,6 +20,10 @@ TRUE = [
     "x*log(x) <= 2*log(2)*(x - 1) given 1 <= x <= 2",
     # the ends may lie outside: any bounds will do
     "x*(3 - x) >= 0 given 0 <= x, x <= 3, x < 2",
+    # the other variables are parameters
+    "exp(x*y) <= 1 + 1.72*x*y given 0 <= x <= 1, 0 <= y <= 1",
+    "y*sin(x) >= 2*x*y/pi given 0 <= x <= pi/2, y >= 0",
+    "(x - x**2)*exp(y) + y**2 > 0 given 0 < x < 1",
 ]
 
 FALSE = {
@@ -50,6 +52,12 @@ FALSE = {
     "sqrt(abs(x)) >= 1 given -1 <= x <= 1": "x = 1/4",
     "x*sign(x) >= 1 given -1 <= x <= 1": "x = 1/2",
     # more than one variable
+    "exp(x*y) <= 1 + 1.72*x*y given 0 <= x <= 1, 0 <= y <= 2": "x = 1, y = 2",
+    "y*sin(x) >= 2*x*y/pi given 0 <= x <= pi/2, y >= -1": "x = 1, y = -1",
+    "(x - x**2)*exp(y) + y**2 > 0 given 0 <= x < 1": "x = 0, y = 0",
+    "y*log(x) - x + 2 >= 0 given 0 <= x <= 1, y > 0": "x = 1/1000, y = 1",
+    "3 - y/x - x >= 0 given 0 <= x <= 1, y > 0": "x = 1/1000, y = 1",
+    "x*(1 - x) + y >= 0 given 0 <= x <= 1, x + y >= 0": "x = 1, y = -1/2",
     "x*(1 - x) + y >= 0 given 0 <= x <= 1": "x = 1/2, y = -1",
     "x*(y - x) >= 0 given 0 <= x, x <= 1": "x = 1, y = 0",
 }

@@ -1,7 +1,5 @@
 """Where expressions are defined, or smooth, at every point: what is shown, and what is not."""
 
-from __future__ import annotations
-
 import pytest
 
 import tresym

@@ -1,7 +1,5 @@
 """sign(0) is 0 and atan2 is total but at the origin: what a proof at almost all points omits."""
 
-from __future__ import annotations
-
 from itertools import product
 
 import pytest

@@ -1,7 +1,5 @@
 """Signs inside the conditions: by the normal form, and by continuity at limits from there."""
 
-from __future__ import annotations
-
 import pytest
 from flint import arb, fmpq
 

@@ -1,7 +1,5 @@
 """Proven signs: they hold at every point, on closed ends too, and stop where a guard says so."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 from itertools import product
 

@@ -1,7 +1,5 @@
 """Ranges of constants and of absolute values, and the signs that follow from them."""
 
-from __future__ import annotations
-
 import pytest
 from flint import fmpq
 

@@ -1,7 +1,5 @@
 """Signs at every single point, and what is false at one and must not be proved."""
 
-from __future__ import annotations
-
 import pytest
 from falsehoods import is_false_at, read
 from flint import arb

@@ -1,7 +1,5 @@
 """Taylor's theorem about one point with proved signs: what it settles, and what it does not."""
 
-from __future__ import annotations
-
 import pytest
 from falsehoods import is_false_at, proves
 

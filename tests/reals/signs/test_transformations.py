@@ -1,7 +1,5 @@
 """Inequalities equivalent to a given one: the same sign at every point, and none where not so."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import pytest

@@ -1,7 +1,5 @@
 """Charts: pure functions of one saved file, the same bytes each time, readable without colour."""
 
-from __future__ import annotations
-
 import json
 import shutil
 from contextlib import suppress

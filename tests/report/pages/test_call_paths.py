@@ -1,7 +1,5 @@
 """The call paths of the page are those of the sources, and enter no package a third time."""
 
-from __future__ import annotations
-
 import ast
 from importlib import import_module
 from pathlib import Path

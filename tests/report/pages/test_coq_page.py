@@ -14,14 +14,13 @@ from tresym.reals.verdict import Verdict
 from tresym.report.pages import coq_page
 from tresym.report.pages.trusted_code import trusted
 
-KNOWN = coq_page.found()
 BOUND = re.compile(r"\b(?:forall|exists !|exists|fun) ([^:]*) : R\b")
 
 
 def test_every_function_in_a_statement_is_explained() -> None:
     defined = set(re.findall(r"\(\* .*? \*\)\nDefinition (\w+)", prelude()))
     words, variables = set(), set()
-    for entry in KNOWN.values():
+    for entry in coq_page.found().values():
         if isinstance(entry.theorem, Theorem):
             text = re.sub(r"\(\*.*?\*\)", "", entry.theorem.body)
             words |= set(re.findall(r"[A-Za-z_][\w']*", text))
@@ -32,27 +31,29 @@ def test_every_function_in_a_statement_is_explained() -> None:
 
 def test_the_page_says_what_is_proved_and_which_premises_stay() -> None:
     page = coq_page.page()
-    proved = sum(entry.status == "proved" for entry in KNOWN.values())
-    assert f"Coq proves {proved} of the {len(KNOWN)} claims (checked with " in page
+    proved = sum(entry.status == "proved" for entry in coq_page.found().values())
+    assert f"Coq proves {proved} of the {len(coq_page.found())} claims (checked with " in page
     assert f"{trusted(coq_page.STATEMENTS)[0].total:,} lines of Python turn a claim" in page
-    label, entry = next((n, e) for n, e in KNOWN.items() if e.undefined and e.status == "proved")
+    label, entry = next(
+        (n, e) for n, e in coq_page.found().items() if e.undefined and e.status == "proved"
+    )
     assert f"| `{label}` | `{entry.undefined[0]}`" in page
     assert "Definition is_root" in page
     assert "Definition cot " not in page  # since no statement uses it
 
 
 def test_the_theorem_of_a_claim_is_shown_without_the_premises_that_are_proved() -> None:
-    label = next(n for n, e in KNOWN.items() if e.left == () and e.status == "proved")
-    found = coq_page.shown(label, KNOWN)
+    label = next(n for n, e in coq_page.found().items() if e.left == () and e.status == "proved")
+    found = coq_page.shown(label, coq_page.found())
     assert found
     assert "(* defined *)" not in found["text"]
     assert found["undefined"] == []
     joint = next(
         n
-        for n, e in KNOWN.items()
-        if isinstance(e.theorem, Joint) and export.strengthened(n, KNOWN)
+        for n, e in coq_page.found().items()
+        if isinstance(e.theorem, Joint) and export.strengthened(n, coq_page.found())
     )
-    found = coq_page.shown(joint, KNOWN)
+    found = coq_page.shown(joint, coq_page.found())
     assert found
     assert "stronger_" in found["text"]
 
@@ -61,7 +62,7 @@ def test_verify_says_what_coq_proved(capsys: pytest.CaptureFixture[str]) -> None
     refuted = next(
         claim.label
         for claim in all_claims()
-        if claim.expect is Verdict.REFUTED and KNOWN[claim.label].status == "proved"
+        if claim.expect is Verdict.REFUTED and coq_page.found()[claim.label].status == "proved"
     )
     assert main(["verify", "eq_gamma", refuted]) == 0
     said = capsys.readouterr().out

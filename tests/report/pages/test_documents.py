@@ -1,6 +1,7 @@
 """Generated documents: pure functions of the ledger, honest about what they show."""
 
 import re
+from collections.abc import Callable
 from fractions import Fraction
 from pathlib import Path
 
@@ -12,14 +13,14 @@ from tresym.ledger.paper import all_claims
 from tresym.ledger.paper import corrections as all_corrections
 from tresym.ledger.verification import Report, verify
 from tresym.reals.verdict import Verdict
-from tresym.report.pages.corrections import FAULTS, corrections, is_correction
+from tresym.report.pages.corrections import FAULTS, corrections
 from tresym.report.pages.documents import ledger, pages, stale
 from tresym.report.typesetting.markdown import sentence
 
 
 @pytest.fixture(scope="module")
-def report() -> Report:
-    return verify(["table_racket_3_b", "table_racket_3_a", "eq_gamma", "table_str_a"])
+def report(judged: Callable[..., Report]) -> Report:
+    return judged("table_racket_3_b", "table_racket_3_a", "eq_gamma", "table_str_a")
 
 
 def test_the_corrections_are_the_refuted_statements_of_the_paper(report: Report) -> None:
@@ -59,8 +60,8 @@ def test_a_correction_quotes_the_paper_and_says_what_is_true_and_why() -> None:
         assert correction.why or leading.note
 
 
-def test_the_page_opens_with_the_four_that_matter_most(report: Report) -> None:
-    page = corrections(verify([c.labels[0] for c in all_corrections()[:5]]))
+def test_the_page_opens_with_the_four_that_matter_most(judged: Callable[..., Report]) -> None:
+    page = corrections(judged(*(c.labels[0] for c in all_corrections()[:5])))
     opening = page[: page.index("\n## ")]
     for number, correction in enumerate(all_corrections()[:4], 1):
         assert f"{number}. **{sentence(correction.title)}**" in opening
@@ -81,11 +82,10 @@ HEDGED = (
 """The paper qualifies these or prints no number; what is refuted is a stricter reading of ours."""
 
 
-def test_stricter_readings_are_listed_apart_from_statements_of_the_paper() -> None:
-    found = verify([*HEDGED, "d27", "zero_on_separatrix"])
-    rows = [row for row in found.rows if row.finding.verdict is Verdict.REFUTED]
-    said = {row.claim.label for row in rows if is_correction(row)}
-    assert said == {"d27", "zero_on_separatrix"}
+def test_stricter_readings_are_listed_apart_from_statements_of_the_paper(
+    judged: Callable[..., Report],
+) -> None:
+    found = judged(*HEDGED, "d27", "zero_on_separatrix")
     assert {c.label for c in all_claims() if c.paper_says} == set(HEDGED)
     page, apart = corrections(found).split("## Fails only if read more strictly")
     assert all(f" (`{label}`)\n" in apart and label not in page for label in HEDGED)

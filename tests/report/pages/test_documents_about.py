@@ -1,18 +1,17 @@
 """Slides, notebook and Markdown about the paper: complete, compiled, and with computed numbers."""
 
-from __future__ import annotations
-
 import json
 import re
 import shutil
 import subprocess
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 from notebook import run
 
 from tresym.commands import main
-from tresym.ledger.verification import Report, verify
+from tresym.ledger.verification import Report
 from tresym.output import check_replaceable
 from tresym.reals.numbers.exact import InputError
 from tresym.report import figures
@@ -151,8 +150,8 @@ PIECES = ["eq_gamma", "d37", "eq_Euler", "d08", "repaired", "printed_leading_ter
 
 
 @pytest.fixture(scope="module")
-def pieces() -> Report:
-    return verify(PIECES)
+def pieces(judged: Callable[..., Report]) -> Report:
+    return judged(*PIECES)
 
 
 def test_a_fragment_refers_only_to_equations_that_it_has(pieces: Report) -> None:

@@ -1,6 +1,7 @@
 """The page of symbols: a line for each, and nothing assumed that is not named."""
 
 import re
+from collections.abc import Callable
 
 import pytest
 from sympy import Symbol
@@ -9,15 +10,15 @@ from tresym.ledger.claim import Claim, by, equal
 from tresym.ledger.definitions import table
 from tresym.ledger.finding import Premise
 from tresym.ledger.paper import all_claims
-from tresym.ledger.verification import verify
+from tresym.ledger.verification import Report
 from tresym.racket.notation import WORDS, WORDS_OF_PROOFS
 from tresym.report.pages.ledger_document import ledger_document
 from tresym.report.pages.symbols import anchor, as_used, rows, symbols, used
 from tresym.site.claims import page
 
 
-def test_every_definition_and_every_assumption_has_its_line() -> None:
-    report = verify(["d24", "eq_gamma", "unturned_decrease"])
+def test_every_definition_and_every_assumption_has_its_line(judged: Callable[..., Report]) -> None:
+    report = judged("d24", "eq_gamma", "unturned_decrease")
     defined, assumed = symbols(report).split("## Physical assumptions")
     for row in report.rows:
         entries = table((row.claim,))
@@ -34,8 +35,10 @@ def test_every_definition_and_every_assumption_has_its_line() -> None:
     assert r"\mathtt" not in defined + assumed
 
 
-def test_every_symbol_with_words_has_a_line_and_is_not_defined_in_other_words() -> None:
-    page = symbols(verify(["eq_gamma"]))
+def test_every_symbol_with_words_has_a_line_and_is_not_defined_in_other_words(
+    judged: Callable[..., Report],
+) -> None:
+    page = symbols(judged("eq_gamma"))
     for name, words in WORDS.items():
         assert words
         assert f'<span id="{anchor(name)}"></span>' in page or any(
@@ -83,19 +86,19 @@ def test_letters_are_told_apart() -> None:
     assert used(Claim("one", equal(x, x), by())) == ["x"]
 
 
-def test_the_page_of_a_claim_links_its_symbols() -> None:
+def test_the_page_of_a_claim_links_its_symbols(judged: Callable[..., Report]) -> None:
     claims = {claim.label: claim for claim in all_claims()}
     found = as_used(claims["repaired"])
     assert all(re.fullmatch(r"symbol-[\w-]+", symbol["anchor"]) for symbol in found)
     from tresym.report.pages.site_data import record
 
-    ledger = record(verify(["eq_gamma"]))
+    ledger = record(judged("eq_gamma"))
     text = page("eq_gamma", ledger, None, None)
     assert '<a href="../pages/symbols.html#symbol-gamma">γ</a>' in text
     assert "[Symbols](/pages/symbols.md): " in text
 
 
-def test_the_ledger_begins_with_the_symbols() -> None:
-    text = ledger_document(verify(["eq_gamma"]))
+def test_the_ledger_begins_with_the_symbols(judged: Callable[..., Report]) -> None:
+    text = ledger_document(judged("eq_gamma"))
     assert text.index(r"\section{Notation}") < text.index(r"\label{claim:eq_gamma}")
     assert r"$\gamma$ & level of the motion" in text

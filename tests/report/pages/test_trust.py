@@ -1,6 +1,8 @@
 """The page on trust says what was counted, and what the tests of the tests found."""
 
-from tresym.ledger.verification import verify
+from collections.abc import Callable
+
+from tresym.ledger.verification import Report
 from tresym.report.pages.coq_page import STATEMENTS
 from tresym.report.pages.trust import trust, trust_details
 from tresym.report.pages.trusted_code import CHECK, LEDGER, trusted
@@ -17,8 +19,8 @@ GUARDS = {
 }
 
 
-def test_the_page_opens_with_the_answer() -> None:
-    page = trust(verify(["eq_gamma"]), GUARDS)
+def test_the_page_opens_with_the_answer(judged: Callable[..., Report]) -> None:
+    page = trust(judged("eq_gamma"), GUARDS)
     proved, enclosed = trusted(LEDGER)
     answer = page.splitlines()[0]
     assert f"{proved.total:,} lines of tresym for the verdict PROVED" in answer
@@ -45,19 +47,19 @@ MUTANTS = {
 }
 
 
-def test_the_page_says_what_became_of_false_variants() -> None:
-    page = trust(verify(["eq_gamma"]), None, mutants=MUTANTS)
+def test_the_page_says_what_became_of_false_variants(judged: Callable[..., Report]) -> None:
+    page = trust(judged("eq_gamma"), None, mutants=MUTANTS)
     assert "100 statements made false" in page
     assert "99 are refuted with a counterexample (99.0 %), none passed" in page
     assert "- `chart`, 0: it is not used." in trust_details(None, mutants=MUTANTS)
     slipped = [{"label": "eq_gamma", "place": "statement", "change": "a"}]
     assert ", 1 passed" in trust(
-        verify(["eq_gamma"]), None, mutants={**MUTANTS, "survivors": slipped}
+        judged("eq_gamma"), None, mutants={**MUTANTS, "survivors": slipped}
     )
 
 
-def test_the_page_does_without_what_was_never_measured() -> None:
-    assert "Tests of the tests" not in trust(verify(["eq_gamma"]), None)
+def test_the_page_does_without_what_was_never_measured(judged: Callable[..., Report]) -> None:
+    assert "Tests of the tests" not in trust(judged("eq_gamma"), None)
 
 
 def test_the_page_tells_of_the_long_hunts() -> None:

@@ -1,7 +1,5 @@
 """Formulas within sentences: what is one, what is not, and how each is written."""
 
-from __future__ import annotations
-
 import pytest
 
 from tresym.ledger.paper import all_claims

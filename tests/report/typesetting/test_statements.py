@@ -1,21 +1,20 @@
 """A claim is quoted with its conditions: in every place where it is quoted, and by nobody else."""
 
-from __future__ import annotations
-
 import ast
 import json
 from collections.abc import Callable
+from contextlib import redirect_stdout
+from io import StringIO
 from pathlib import Path
 
 import pytest
-from rich.console import Console
 from sympy import Symbol
 
 import tresym
 from tresym.commands.verify import show_verification
 from tresym.ledger.claim import AllOf, Claim, all_of, by, equal
 from tresym.ledger.paper import all_claims
-from tresym.ledger.verification import Report, verify
+from tresym.ledger.verification import Report
 from tresym.report.pages import fragments
 from tresym.report.pages.corrections import corrections
 from tresym.report.pages.derivation import in_dollars as dollars
@@ -45,9 +44,9 @@ QUOTED = ("each_eps0_one_a", "monotonicity", "eq_gamma", "d24", "printed_error",
 
 
 @pytest.fixture(scope="module")
-def report() -> Report:
+def report(judged: Callable[..., Report]) -> Report:
     claims = {claim.label: claim for claim in all_claims()}
-    return verify([*QUOTED, *(t.label for label in QUOTED for t in claims[label].amended_by)])
+    return judged(*QUOTED, *(t.label for label in QUOTED for t in claims[label].amended_by))
 
 
 def _in_markdown(claim: Claim) -> str:
@@ -92,11 +91,9 @@ _records: list[pages.Record] = []
 
 
 def _at_the_terminal(report: Report, label: str) -> str:
-    console = Console(width=10_000, highlight=False, record=True, quiet=True)
-    with console.capture() as capture:
-        console.quiet = False
-        show_verification((label,), console)
-    return capture.get()
+    with redirect_stdout(StringIO()) as shown:
+        show_verification((label,), width=10_000)
+    return shown.getvalue()
 
 
 PLACES: dict[str, tuple[Callable[[Report, str], str], Callable[[Claim], str]]] = {

@@ -246,11 +246,7 @@ PAIRS = (
     ),
     Pair(r"$\gamma$ by the momentum", "levels", _energy, _momentum),
     Pair(
-        r"$F(\psi, \gamma)$, $\gamma > 0$",
-        "levels",
-        _rotating_printed,
-        _rotating_stable,
-        stride=2,
+        r"$F(\psi, \gamma)$, $\gamma > 0$", "levels", _rotating_printed, _rotating_stable, stride=2
     ),
     Pair(
         r"$\gamma + b\,\sin^2\psi$",

@@ -86,10 +86,7 @@ def notes(timings: list[Timing], _: Any) -> dict[str, Any]:
             claims = [claim for is_true, claim in known(name) if is_true is truth]
             found[f"{key} {name}"] = decided(claims)
     found["peers"] = tally(timings, OURS, PACE.limit, "pairs")
-    found["trial"] = {
-        "true": trial(true_identity, TRIALS),
-        "false": trial(false_identity, TRIALS),
-    }
+    found["trial"] = {"true": trial(true_identity, TRIALS), "false": trial(false_identity, TRIALS)}
     return found
 
 

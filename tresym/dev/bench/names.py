@@ -10,7 +10,6 @@ WORKLOADS = {
     "flipmap": "the flip of one start among very many: scipy's and heyoka's solvers, and tresym",
     "identities": "deciding identities and false variants: simplify, equals, trigsimp, and tresym",
     "check": "`tresym check` on antiderivatives, false variants and random identities, and SymPy",
-    "waiting": "command latency: wall time of complete commands",
     "precision": "correct digits against time, 10 to 1000 digits and float64, in six scenes",
     "honesty": "the error that each method claims, and its true error",
     "atlas": "digits lost by each printed formula and by its stable form",
@@ -20,7 +19,5 @@ WORKLOADS = {
 }
 """What each workload measures, by name."""
 
-MODULES = {name: f"tresym.dev.bench.{name}" for name in WORKLOADS} | {
-    "waiting": "tresym.dev.bench.latency"
-}
+MODULES = {name: f"tresym.dev.bench.{name}" for name in WORKLOADS}
 """The module of each workload; it has a ``WORKLOAD`` of :mod:`tresym.dev.bench.run`."""

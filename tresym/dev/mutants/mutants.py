@@ -213,10 +213,13 @@ def _spots(claim: Claim, dependents: tuple[Claim, ...]) -> Iterator[_Spot]:
         case UniqueRoot() if isinstance(claim.statement, ExactlyOne):
             yield from _root_spots(claim, claim.proof, claim.statement)
         case Charted():
-            yield _charted_spot(claim)
-            yield _region_spot(claim, lambda c: denied_somewhere(c) is not None, CHARTED_TRIES)
+            yield _said_spot(claim, "statement", _mutated(claim), _is_denied)
+            yield _region_spot(claim, _is_denied, CHARTED_TRIES)
         case Evaluated():
-            yield _evaluated_spot(claim)
+            says = claim.statement
+            pairs = () if says is None else zip_longest(of_relations(says), _mutations(says))
+            either = (changed for pair in pairs for changed in pair if changed is not None)
+            yield _said_spot(claim, "statement", either, fails_at_once, EVALUATED_TRIES)
             yield _region_spot(claim, fails_at_once)
         case Monotone(slope=chain) if isinstance(claim.statement, AtMostOne):
             yield from _slope_spots(claim, chain, claim.statement)
@@ -225,10 +228,12 @@ def _spots(claim: Claim, dependents: tuple[Claim, ...]) -> Iterator[_Spot]:
             for n, condition in enumerate(claim.given, 1):
                 yield _condition_spot(claim, n, condition)
         case Formally() if isinstance(claim.statement, ForSome):
-            yield _nowhere_spot(claim, claim.statement)
+            (some,) = claim.statement.args
+            nowhere = (e.negated for e in _mutations(some) if isinstance(e, Relational))
+            yield _said_spot(claim, "denial", nowhere)
         case Formally() | Instance():
             for n, relation in enumerate(claim.parts, 1):
-                yield _formal_spot(claim, relation, f"relation {n}")
+                yield _said_spot(claim, f"relation {n}", _mutations(relation))
             yield _region_spot(claim)
         case Together() | tuple() if claim.statement is not None:
             parts = chains_of(claim.statement, claim.proof) or ()
@@ -250,20 +255,27 @@ def _is_refuted(claim: Claim) -> bool:
     return found is not None and found.verdict is Verdict.REFUTED
 
 
-def _nowhere_spot(claim: Claim, says: ForSome) -> _Spot:
-    """Change a statement "for some values" that is refuted because its relation holds nowhere."""
+def _is_denied(claim: Claim) -> bool:
+    return denied_somewhere(claim) is not None
 
-    def claims(changed: Variant) -> tuple[Claim, ...]:
-        return (saying(claim, changed.negated),)
 
-    variants = (e for e in _mutations(says.args[0]) if isinstance(e, Relational))
-    return _Spot("denial", variants, claims, _is_violated)
+def _mutated(claim: Claim) -> Iterable[Basic]:
+    return () if claim.statement is None else _mutations(claim.statement)
+
+
+def _said_spot(
+    claim: Claim,
+    name: str,
+    variants: Iterable[Basic],
+    violated: Callable[[Claim], bool] = _is_violated,
+    tries: int = TRIES,
+) -> _Spot:
+    """Change the statement, so that it fails by the test ``violated``."""
+    return _Spot(name, variants, _one(lambda changed: saying(claim, changed)), violated, tries)
 
 
 def _region_spot(
-    claim: Claim,
-    violated: Callable[[Claim], bool] = _is_violated,
-    tries: int = REGION_TRIES,
+    claim: Claim, violated: Callable[[Claim], bool] = _is_violated, tries: int = REGION_TRIES
 ) -> _Spot:
     """Change the conditions: drop one, reverse one, or change its constants."""
     given = claim.given
@@ -276,41 +288,8 @@ def _region_spot(
                 if changed.free_symbols <= condition.free_symbols:
                     yield Named(f"{changed} for {condition}", (*rest, changed))
 
-    def claims(other: Named) -> tuple[Claim, ...]:
-        return (replace(claim, given=other.changed),)
-
-    return _Spot("region", scattered(variants()), claims, violated, tries)
-
-
-def _formal_spot(claim: Claim, relation: Basic, name: str) -> _Spot:
-    def claims(changed: Variant) -> tuple[Claim, ...]:
-        return (saying(claim, changed),)
-
-    return _Spot(name, _mutations(relation), claims, _is_violated)
-
-
-def _charted_spot(claim: Claim) -> _Spot:
-    """Change a bound on a region so that it fails at an exact point."""
-
-    def claims(changed: Variant) -> tuple[Claim, ...]:
-        return (saying(claim, changed),)
-
-    variants = () if claim.statement is None else _mutations(claim.statement)
-    return _Spot(
-        "statement", variants, claims, lambda mutated: denied_somewhere(mutated) is not None
-    )
-
-
-def _evaluated_spot(claim: Claim) -> _Spot:
-    """Change a statement on a box so that balls refute it on the same box."""
-
-    def claims(changed: Variant) -> tuple[Claim, ...]:
-        return (saying(claim, changed),)
-
-    says = claim.statement
-    pairs = () if says is None else zip_longest(of_relations(says), _mutations(says))
-    variants = (changed for pair in pairs for changed in pair if changed is not None)
-    return _Spot("statement", variants, claims, fails_at_once, EVALUATED_TRIES)
+    changed_to = _one(lambda other: replace(claim, given=other.changed))
+    return _Spot("region", scattered(variants()), changed_to, violated, tries)
 
 
 def _counterexample_spot(claim: Claim) -> _Spot:
@@ -323,26 +302,18 @@ def _counterexample_spot(claim: Claim) -> _Spot:
             return (at_point,)
         return at_point, replace(at_point, proof=formally())
 
-    def violated(mutated: Claim) -> bool:
-        return _is_refuted(mutated)
-
-    variants = () if claim.statement is None else _mutations(claim.statement)
-    return _Spot("statement", variants, claims, violated)
+    return _Spot("statement", _mutated(claim), claims, _is_refuted)
 
 
 def _condition_spot(claim: Claim, n: int, condition: Basic) -> _Spot:
     """Change one condition of a refuted sentence; still false if the point satisfies it."""
 
-    def claims(changed: Variant) -> tuple[Claim, ...]:
-        given = (*claim.given[: n - 1], changed, *claim.given[n:])
-        return (replace(claim, given=given),)
-
-    def violated(mutated: Claim) -> bool:
-        return _is_refuted(mutated)
+    def changed_to(changed: Variant) -> Claim:
+        return replace(claim, given=(*claim.given[: n - 1], changed, *claim.given[n:]))
 
     known = condition.free_symbols
     same = (changed for changed in _mutations(condition) if changed.free_symbols <= known)
-    return _Spot(f"condition {n}", same, claims, violated)
+    return _Spot(f"condition {n}", same, _one(changed_to), _is_refuted)
 
 
 # Chains

@@ -161,10 +161,7 @@ def rows_of(labels: tuple[str, ...], wanted: int) -> list[MutantRow]:
 
 
 def _row(
-    claim: Claim,
-    wanted: int,
-    using: dict[Claim, tuple[Claim, ...]],
-    found: dict[str, Finding],
+    claim: Claim, wanted: int, using: dict[Claim, tuple[Claim, ...]], found: dict[str, Finding]
 ) -> MutantRow:
     judged = [
         (Slip(claim.label, mutant.place, mutant.change), mutant, _judge_mutant(mutant, found))

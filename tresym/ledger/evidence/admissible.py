@@ -37,7 +37,6 @@ from tresym.ledger.evidence.chart_bounds import Charted
 from tresym.ledger.evidence.interval_evaluation import Evaluated
 from tresym.ledger.evidence.refutation import Denied
 from tresym.ledger.evidence.remainders import (
-    HOT,
     Remainder,
     as_printed,
     is_open,
@@ -51,11 +50,9 @@ from tresym.reals.domain.binder_values import enclosed
 from tresym.reals.domain.evaluation import stands
 from tresym.reals.language.expression import ZERO, number, substitute, symbols
 from tresym.reals.language.formula import Relation
-from tresym.reals.numbers.arithmetic import ball_precision, balls
+from tresym.reals.numbers.arithmetic import ball_precision
 
 BITS = 400
-CLOSE = arb("1e-6")
-"""Tolerance for the agreement of the formula's remainder with the quantity that a margin bounds."""
 IN_WORDS = (AllOf, Denied)
 """Evidence for sentences in words; it proves no formula."""
 WITHOUT_CONDITIONS = (AllOf, Denied)
@@ -181,9 +178,9 @@ def _other_meaning(claim: Claim, proof: Boxes) -> str | None:
     gap = gap or _elsewhere(claim, proof, meant)
     if gap is not None:
         return gap
-    plain = rest.xreplace({**dict.fromkeys(orders, Integer(0)), HOT: Integer(0)})
-    if not _is_of_kind(proof, orders, HOT in says.free_symbols):
-        return "the number of bounds does not fit the kind of order in the formula"
+    plain = rest.xreplace(dict.fromkeys(orders, Integer(0)))
+    if len(proof.bounds) != 2:
+        return "an order needs two bounds, from above and from below"
     with ball_precision(BITS):
         samples = list(meant.samples())
     for at, known in samples:
@@ -245,26 +242,14 @@ def _gauge_gap(says: Basic, orders: set[Basic], gauge: Basic) -> str | None:
 
     The factor may depend on symbols that do not occur in the order; they are fixed in the limit.
     """
-    if len(orders) > 1 or any(str(node.func) not in ("O", "o") for node in orders):
-        return "the formula must contain exactly one order, O(…) or o(…)"
-    for node in orders:
-        stand_in = Symbol("[order]", real=True)
-        named = node.args[0] * (says.args[0] - says.args[1]).xreplace({node: stand_in}).diff(
-            stand_in
-        )
-        if (gauge / named).free_symbols & node.args[0].free_symbols:
-            return "the gauge of the evidence is not a multiple of the order in the formula"
+    if [str(node.func) for node in orders] != ["O"]:
+        return "bounds on boxes show an equation with exactly one order, O(…)"
+    (node,) = orders
+    stand_in = Symbol("[order]", real=True)
+    rest = (says.args[0] - says.args[1]).xreplace({node: stand_in})
+    if (gauge / (node.args[0] * rest.diff(stand_in))).free_symbols & node.args[0].free_symbols:
+        return "the gauge of the evidence is not a multiple of the order in the formula"
     return None
-
-
-def _is_of_kind(proof: Boxes, orders: set[Basic], hot: bool) -> bool:
-    """Return whether the number of bounds fits the order.
-
-    Two bounds enclose the remainder and show O(…) or higher-order terms; one bound shows that a
-    remainder is not zero. No bound with a constant shows o(…).
-    """
-    names = {str(node.func) for node in orders}
-    return len(proof.bounds) == (2 if hot or orders else 1) and "o" not in names
 
 
 def _met(condition: Basic, point: Mapping[Symbol, arb]) -> bool:
@@ -280,29 +265,14 @@ def _at(e: Basic, point: Mapping[Symbol, arb]) -> arb:
 
 
 def _is_bounded(proof: Boxes, at: tuple[arb, ...], remainder: arb) -> bool:
-    """Return whether the margins at a point belong to this remainder e, up to its sign.
+    """Return whether a point lies in the boxes and the remainder there is within the constant.
 
-    Two margins C − e and C + e bound e; one margin −|e| shows that e is not 0. If the margins are
-    only sufficient for the bound, |e| ≤ C is checked instead.
+    The margins must be sufficient for the bound, as `Bound` says; no others are compared with it.
     """
     inside = (
         side.low <= x.upper() and x.lower() <= side.high
         for bound in proof.bounds
         for x, side in zip(at, bound.box, strict=True)
     )
-    if not all(inside):
-        return False
-    if any(bound.sufficient for bound in proof.bounds):
-        return proof.constant is not None and bool(abs(remainder) <= arb(proof.constant))
-    margins = [bound.margin(*at, balls) for bound in proof.bounds]
-    if len(margins) == 1:
-        return _same(margins[0], remainder) and bool(margins[0] < 0)
-    half = (margins[0] + margins[1]) / 2
-    same = len(margins) == 2 and _same((margins[1] - margins[0]) / 2, remainder)
-    return same and proof.constant is not None and bool(abs(half - arb(proof.constant)) < CLOSE)
-
-
-def _same(x: arb, y: arb) -> bool:
-    """Return whether two narrow balls overlap up to the sign."""
-    sharp = all(ball.is_finite() and ball.rad() < CLOSE * (1 + abs(ball)) for ball in (x, y))
-    return bool(sharp and abs(x).overlaps(abs(y)))
+    fit = all(inside) and all(bound.sufficient for bound in proof.bounds)
+    return fit and proof.constant is not None and bool(abs(remainder) <= arb(proof.constant))

@@ -1,69 +1,116 @@
-"""The values of a claim's symbols at an exact point, and what is defined there."""
+"""The values of a claim's symbols at a point, by the definitions of the claims that it uses."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import partial
 from typing import cast
 
-from flint import arb, ctx, fmpq
+from flint import arb, fmpq
 from sympy import Basic
 
 from tresym.ledger.claim import Claim, Root
-from tresym.ledger.conversion import Conditions, conditions, tree
-from tresym.ledger.definitions import Entry, table
+from tresym.ledger.conversion import DEFINING, Conditions, conditions, definitions, tree
 from tresym.ledger.statements import AtMostOne, ExactlyOne, TheRoot
-from tresym.reals.domain.binder_values import At, Unique, bracket, value
-from tresym.reals.domain.evaluation import UndefinedError, evaluate, stands
+from tresym.reals.domain.binder_values import At, Enclosing, bracketed, shown, value
+from tresym.reals.domain.evaluation import UndefinedError, stands
 from tresym.reals.language.binders import ordered
-from tresym.reals.language.expression import Expr, symbols
+from tresym.reals.language.expression import Expr
 from tresym.reals.language.formula import names
-from tresym.reals.numbers.arithmetic import side
-
-Values = Mapping[str, fmpq | arb]
 
 
-def values_at(point: Mapping[str, fmpq], claims: Iterable[Claim]) -> dict[str, arb]:
-    """Return balls for the coordinates and for the symbols that the claims define from them.
+@dataclass(frozen=True)
+class Rule:
+    """The meaning of a symbol, or of a unique root, valid where the conditions hold.
 
-    A defined symbol is computed from its definition, even if ``point`` gives it a value. It is left
-    out if balls do not confirm the conditions of its definition.
-
-    Args:
-        point: exact coordinates by symbol name.
-        claims: the claims whose definitions are used.
+    Attributes:
+        meaning: the defining expression.
+        given: the conditions.
+        claim: the claim that states the rule; None for an equation among the conditions.
     """
-    waiting = [e for e in table(claims) if e.symbol.op == "symbol"]
-    defined = {str(e.symbol.args[0]) for e in waiting}
-    known = {name: arb(x) for name, x in point.items() if name not in defined}
-    while waiting:
-        ready = [e for e in waiting if _asked(e) <= {*known}]
-        if not ready:
-            break
-        for entry in ready:
-            given = conditions(entry.claim.given)
-            if all(stands(evaluate(c.left - c.right, known), c.sign) for c in given):
-                name = str(entry.symbol.args[0])
-                value = _root(entry, known) if not entry.explicit else None
-                known[name] = evaluate(entry.meaning, known) if value is None else value
-        waiting = [e for e in waiting if e not in ready]
-    return known
+
+    meaning: Expr
+    given: Conditions
+    claim: Claim | None
 
 
-def _asked(entry: Entry) -> frozenset[str]:
-    """Return the symbols that must have values before the entry can be evaluated."""
-    own = {f"[{entry.symbol.args[0]}]"}
-    asked = (symbols(side) for c in conditions(entry.claim.given) for side in (c.left, c.right))
-    return (symbols(entry.meaning) - own).union(*asked)
+Rules = Mapping[str, tuple[Rule, ...]]
+"""The meanings of each symbol; of several, the one whose conditions hold is used."""
 
 
-def _root(entry: Entry, known: Values) -> arb:
-    """Return a ball around the unique root of the entry, located by a change of sign."""
-    assert isinstance(entry.claim.proof, Root)
-    one = entry.claim.proof.unique.statement
-    assert isinstance(one, ExactlyOne)
-    name = f"[{entry.symbol.args[0]}]"
-    low, high = (evaluate(tree(end), known) for end in (one.low, one.high))
-    return changing_sign(low, high, lambda x: evaluate(entry.meaning, {**known, name: x}))
+class Place(dict[str, arb]):
+    """Balls for the symbols at given inputs; defined symbols are computed on first use."""
+
+    def __init__(
+        self,
+        inputs: Mapping[str, arb],
+        rules: Rules,
+        roots: Mapping[Expr, Rule],
+        constant: Place | None = None,
+    ) -> None:
+        """Store the inputs, the rules for symbols and roots, and the values without inputs."""
+        super().__init__(inputs)
+        self.rules, self.roots, self.constant = rules, roots, constant
+        self._walker = Enclosing(self, partial(bracketed, self._is_one))
+
+    def __missing__(self, name: str) -> arb:
+        if self.constant is not None and name in self.rules and self.constant[name].is_finite():
+            return self.constant[name]
+        if name not in self.rules:
+            raise UndefinedError
+        self[name] = arb.nan()  # a circular definition gives NaN instead of endless recursion
+        for rule in self.rules[name]:
+            if self.meets(rule.given):
+                self[name] = self.value(rule.meaning)
+        return self[name]
+
+    def value(self, e: Expr) -> arb:
+        """Return a ball for ``e``; NaN if it is not shown to be defined."""
+        return shown(e, self._walker)
+
+    def meets(self, given: Conditions) -> bool:
+        """Return whether balls confirm the conditions."""
+        return all(stands(self.value(c.left - c.right), c.sign) for c in given)
+
+    def _is_one(self, node: Expr, at: At) -> bool:
+        """Return whether a claim guarantees that the root is unique at the values ``at``."""
+        rule = self.roots.get(ordered(node))
+        differences = ((c.left - c.right, c.sign) for c in rule.given) if rule else ()
+        return rule is not None and all(
+            stands(value(e, at, self._is_one), sign) for e, sign in differences
+        )
+
+
+def place_of(point: Mapping[str, fmpq], claims: Iterable[Claim]) -> Place:
+    """Return the values at exact coordinates and of the symbols that the claims define from them.
+
+    A defined symbol is computed from its definition, even if ``point`` gives it a value. It has no
+    value if balls do not confirm the conditions of its definition.
+    """
+    claims = tuple(claims)
+    rules = rules_by(c for c in claims if isinstance(c.proof, (*DEFINING, Root)))
+    given = {name: arb(x) for name, x in point.items() if name not in rules}
+    return Place(given, rules, roots_by(claims))
+
+
+def rules_by(claims: Iterable[Claim]) -> Rules:
+    """Return the equations of the claims for symbols, and their roots, as rules."""
+    rules: dict[str, tuple[Rule, ...]] = {}
+    for claim in claims:
+        meanings = definitions((claim,))
+        if isinstance(claim.proof, Root):
+            meanings = {tree(claim.proof.symbol): one_root(claim.proof.unique)}
+        for left, right in meanings.items():
+            if left.op == "symbol":
+                rule = Rule(right, conditions(claim.given), claim)
+                rules[left.args[0]] = (*rules.get(left.args[0], ()), rule)
+    return rules
+
+
+def roots_by(claims: Iterable[Claim]) -> dict[Expr, Rule]:
+    """Return rules for the roots that the claims prove to be unique."""
+    return {ordered(node): Rule(node, given, used) for node, given, used in roots_of(claims)}
 
 
 def one_root(unique: Claim) -> Expr:
@@ -79,43 +126,3 @@ def roots_of(claims: Iterable[Claim]) -> Iterator[tuple[Expr, Conditions, Claim]
             bound = says.variable.name
             given = tuple(c for c in conditions(claim.given) if bound not in names(c))
             yield one_root(claim), given, claim
-
-
-def unique_by(claims: Iterable[Claim]) -> Unique:
-    """Return a test whether one of the claims guarantees that a root is unique at given values."""
-    known = {ordered(node): given for node, given, _ in roots_of(claims)}
-
-    def unique(node: Expr, at: At) -> bool:
-        given = known.get(ordered(node))
-        return given is not None and all(
-            stands(value(c.left - c.right, at, unique), c.sign) for c in given
-        )
-
-    return unique
-
-
-def changing_sign(low: arb, high: arb, function: Callable[[arb], arb]) -> arb:
-    """Return a ball around the sign change of a function between two ends.
-
-    Uses the secant method, and bisection if that fails. The ball is not finite if the values at
-    the ends do not have opposite signs.
-
-    Args:
-        low: the lower end.
-        high: the upper end.
-        function: a function from balls to balls.
-    """
-    first = side(function(low))
-    if {first, side(function(high))} != {1, -1}:
-        return arb.nan()
-    try:
-        return bracket(function, function, low, high)
-    except UndefinedError:
-        pass
-    for _ in range(2 * ctx.prec):
-        middle = ((low + high) / 2).mid()
-        found = side(function(middle))
-        if found is None or not low < middle < high:
-            break
-        low, high = (middle, high) if found == first else (low, middle)
-    return low.union(high)

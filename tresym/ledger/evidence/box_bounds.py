@@ -44,9 +44,7 @@ def searching_anew() -> bool:
 
 
 def decisions_of(
-    bounds: tuple[Bound, ...],
-    stored: Callable[[], tuple[BoxProof, ...] | None] | None,
-    budget: int,
+    bounds: tuple[Bound, ...], stored: Callable[[], tuple[BoxProof, ...] | None] | None, budget: int
 ) -> tuple[BoxProof | Counterexample | Open, ...]:
     """Return the result for each bound, checking its stored proof if there is one.
 

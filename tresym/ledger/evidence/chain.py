@@ -155,11 +155,7 @@ def _compared(says: Relation, reasons: tuple[Reason, ...], given: Conditions) ->
 
 
 def _arrives(
-    says: Formula,
-    last: Stage,
-    goal: Stage | None,
-    reasons: tuple[Reason, ...],
-    given: Conditions,
+    says: Formula, last: Stage, goal: Stage | None, reasons: tuple[Reason, ...], given: Conditions
 ) -> None:
     """Require that the chain ends at the right side, or at an expression of the required sign."""
     if goal is not None:

@@ -14,28 +14,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from functools import partial
 from itertools import product
 
 from flint import arb, ctx, fmpq
 from sympy import Basic, Eq, Symbol
 
 from tresym.ledger.claim import Claim, Root
-from tresym.ledger.conversion import (
-    DEFINING,
-    Conditions,
-    conditions,
-    defined,
-    definitions,
-    known,
-    tree,
-)
-from tresym.ledger.evidence.at_point import one_root, roots_of
+from tresym.ledger.conversion import DEFINING, Conditions, conditions, defined, known, tree
+from tresym.ledger.evidence.at_point import Place, Rule, Rules, roots_by, rules_by
 from tresym.ledger.finding import Finding
 from tresym.ledger.statements import Rounds
 from tresym.reals.balls.branch_and_bound import halves
-from tresym.reals.domain.binder_values import At, Enclosing, bracketed, shown, value
-from tresym.reals.domain.evaluation import UndefinedError, stands
 from tresym.reals.language import expression
 from tresym.reals.language.binders import ordered, outermost
 from tresym.reals.language.expression import Expr, symbol, symbols
@@ -59,27 +48,12 @@ Point = tuple[fmpq, ...]
 
 
 @dataclass(frozen=True)
-class Rule:
-    """The meaning of a symbol, or of a unique root, valid where the conditions hold.
-
-    Attributes:
-        meaning: the defining expression.
-        given: the conditions.
-        claim: the claim that states the rule; None for an equation among the conditions.
-    """
-
-    meaning: Expr
-    given: Conditions
-    claim: Claim | None
-
-
-@dataclass(frozen=True)
 class Term:
     """A term, the intervals of its inputs, and rules for its other symbols and roots."""
 
     term: Expr
     inputs: Mapping[str, Interval]
-    rules: Mapping[str, Rule]
+    rules: Rules
     roots: Mapping[Expr, Rule]
     given: Conditions
     others: Mapping[str, fmpq] = field(default_factory=dict)
@@ -92,7 +66,7 @@ class Term:
         """Return a ball for the term at the inputs; NaN if it or a condition is not confirmed."""
         inputs = dict(zip(self.inputs, sides, strict=True))
         others = {name: arb(x) for name, x in self.others.items()}
-        fixed = {name: rule for name, rule in self.rules.items() if name not in inputs}
+        fixed = {name: cases for name, cases in self.rules.items() if name not in inputs}
         constant = self.constants.setdefault(ctx.prec, Place(others, fixed, self.roots))
         place = (
             Place({**inputs, **others}, self.rules, self.roots, constant) if inputs else constant
@@ -117,49 +91,6 @@ class Number:
     def value(self, sides: tuple[arb, ...]) -> arb:
         """Return a ball for the term at the inputs."""
         return self.of.value(sides)
-
-
-class Place(dict[str, arb]):
-    """Balls for the symbols at given inputs; defined symbols are computed on first use."""
-
-    def __init__(
-        self,
-        inputs: Mapping[str, arb],
-        rules: Mapping[str, Rule],
-        roots: Mapping[Expr, Rule],
-        constant: Place | None = None,
-    ) -> None:
-        """Store the inputs, the rules for symbols and roots, and the values without inputs."""
-        super().__init__(inputs)
-        self.rules, self.roots, self.constant = rules, roots, constant
-        self._walker = Enclosing(self, partial(bracketed, self._is_one))
-
-    def __missing__(self, name: str) -> arb:
-        if self.constant is not None and name in self.rules and self.constant[name].is_finite():
-            return self.constant[name]
-        rule = self.rules.get(name)
-        if rule is None:
-            raise UndefinedError
-        self[name] = arb.nan()  # a circular definition gives NaN instead of endless recursion
-        if self.meets(rule.given):
-            self[name] = self.value(rule.meaning)
-        return self[name]
-
-    def value(self, e: Expr) -> arb:
-        """Return a ball for ``e``; NaN if it is not shown to be defined."""
-        return shown(e, self._walker)
-
-    def meets(self, given: Conditions) -> bool:
-        """Return whether balls confirm the conditions."""
-        return all(stands(self.value(c.left - c.right), c.sign) for c in given)
-
-    def _is_one(self, node: Expr, at: At) -> bool:
-        """Return whether a claim guarantees that the root is unique at the values ``at``."""
-        rule = self.roots.get(ordered(node))
-        differences = ((c.left - c.right, c.sign) for c in rule.given) if rule else ()
-        return rule is not None and all(
-            stands(value(e, at, self._is_one), sign) for e, sign in differences
-        )
 
 
 def number_of(claim: Claim) -> Number:
@@ -191,14 +122,14 @@ def term_of(claim: Claim, term: Expr, box: Mapping[str, Interval] | None = None)
     if twice:
         raise InputError(f"{min(twice)} is given two values; remove one of the conditions")
     inputs |= box or {}
-    known, roots = {**_rules(claim), **rules}, _roots(claim)
+    known, roots = {**_rules(claim), **rules}, roots_by(claim.rests_on)
     return _grounded(Term(term, inputs, known, roots, conditions(tuple(plain))))
 
 
-def _inputs(given: tuple[Basic, ...]) -> tuple[dict[str, Interval], dict[str, Rule], list[Basic]]:
+def _inputs(given: tuple[Basic, ...]) -> tuple[dict[str, Interval], Rules, list[Basic]]:
     """Split the conditions into printed inputs, equations for symbols, and other conditions."""
     inputs: dict[str, Interval] = {}
-    rules: dict[str, Rule] = {}
+    rules: dict[str, tuple[Rule, ...]] = {}
     plain: list[Basic] = []
     for part in given:
         name = part.args[0]
@@ -210,7 +141,7 @@ def _inputs(given: tuple[Basic, ...]) -> tuple[dict[str, Interval], dict[str, Ru
         if isinstance(part, Rounds):
             inputs[name.name] = _target(part)
         else:
-            rules[name.name] = Rule(tree(part.args[1]), (), None)
+            rules[name.name] = (Rule(tree(part.args[1]), (), None),)
     return inputs, rules, plain
 
 
@@ -226,25 +157,11 @@ def _target(says: Rounds) -> Interval:
     return Interval(interval.middle - half, interval.middle + half)
 
 
-def _rules(claim: Claim) -> dict[str, Rule]:
-    """Return rules for symbols, from the claims used and the definitions they depend on."""
+def _rules(claim: Claim) -> Rules:
+    """Return the first rule for each symbol, from the claims used and the definitions behind."""
     behind = (c for c in claim.rests_on if isinstance(c.proof, (*DEFINING, Root)))
-    rules: dict[str, Rule] = {}
-    for used in dict.fromkeys((*claim.uses, *behind)):
-        meanings = definitions((used,))
-        if isinstance(used.proof, Root):
-            meanings = {tree(used.proof.symbol): one_root(used.proof.unique)}
-        for left, right in meanings.items():
-            if left.op == "symbol":
-                rule = Rule(right, conditions(used.given), used)
-                rules.setdefault(left.args[0], rule)
-    return rules
-
-
-def _roots(claim: Claim) -> dict[Expr, Rule]:
-    """Return rules for the roots that the claims used prove to be unique."""
-    found = roots_of(claim.rests_on)
-    return {ordered(node): Rule(node, given, used) for node, given, used in found}
+    rules = rules_by(dict.fromkeys((*claim.uses, *behind)))
+    return {name: cases[:1] for name, cases in rules.items()}
 
 
 def _grounded(number: Term) -> Term:
@@ -257,7 +174,7 @@ def _grounded(number: Term) -> Term:
         InputError: a symbol has no value or two values, a root is not proved to be unique, or an
             input is unused.
     """
-    pinned = {*number.inputs, *(n for n, rule in number.rules.items() if rule.claim is None)}
+    pinned = {*number.inputs, *(n for n, (rule, *_) in number.rules.items() if rule.claim is None)}
     pending = [number.term, *_sides(number.given)]
     used, asked = set[str](), list(number.given)
 
@@ -282,7 +199,7 @@ def _grounded(number: Term) -> Term:
             if name not in number.inputs:
                 if name not in number.rules:
                     raise InputError(f"{name} has no value: give it as an input or define it")
-                follow(number.rules[name])
+                follow(number.rules[name][0])
     idle = {*number.inputs} - used
     if idle:
         raise InputError(f"{min(idle)} is given, but the number does not depend on it")

@@ -14,10 +14,9 @@ from sympy.core.relational import Relational
 from tresym.ledger.claim import Claim, Counterexample
 from tresym.ledger.conversion import conditions, defined, known, tree
 from tresym.ledger.counterexamples import excluded, scalars
-from tresym.ledger.evidence.at_point import Values, unique_by, values_at
+from tresym.ledger.evidence.at_point import Place, place_of
 from tresym.ledger.finding import Finding, Ruling
 from tresym.ledger.statements import Under
-from tresym.reals.domain.binder_values import Unique, value
 from tresym.reals.domain.evaluation import stands
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import fraction_text
@@ -71,66 +70,67 @@ def not_denied(claim: Claim, exact: Point, bits: int = BITS[0]) -> str | None:
     if claim.statement is None:
         return "the claim has no formula, so a point cannot contradict it"
     with ball_precision(bits):
-        point, unique = values_at(exact, claim.rests_on), unique_by(claim.rests_on)
+        point = place_of(exact, claim.rests_on)
         for condition in claim.given:
-            if not _holds_at(condition, point, unique):
+            if not _holds_at(condition, point):
                 return f"could not confirm the condition {condition} at the point"
-        if denied_at(claim.statement, point, unique) is None:
+        if denied_at(claim.statement, point) is None:
             return "could not show that the statement fails at the point"
     return None
 
 
-def denied_at(
-    says: Basic, point: Values, unique: Unique = lambda node, at: False
-) -> tuple[tuple[Basic, ...], Relational] | None:
+def denied_part(says: Basic, exact: Point) -> tuple[tuple[Basic, ...], Relational] | None:
+    """Return what :func:`denied_at` finds at exact coordinates, without any definition."""
+    with ball_precision(BITS[0]):
+        return denied_at(says, place_of(exact, ()))
+
+
+def denied_at(says: Basic, point: Place) -> tuple[tuple[Basic, ...], Relational] | None:
     """Find a relation in ``says`` that balls exclude at ``point``.
 
     Args:
         says: a relation, a `Tuple` of them, an `Under` or an `Equivalent`.
-        point: balls by symbol name.
-        unique: decides whether a root is known to be unique.
+        point: the values of the symbols.
 
     Returns:
         The conditions that hold at the point and the relation that fails, or None.
     """
     match says:
         case Tuple():
-            return next((d for part in says.args if (d := denied_at(part, point, unique))), None)
+            return next((d for part in says.args if (d := denied_at(part, point))), None)
         case Under(args=(inner, given)):
-            holds = _all_hold(given.args, point, unique)
-            denied = denied_at(inner, point, unique) if holds else None
+            holds = _all_hold(given.args, point)
+            denied = denied_at(inner, point) if holds else None
             return denied and ((*given.args, *denied[0]), denied[1])
         case Equivalent(args=(first, second)):
             for one, other in ((first, second), (second, first)):
-                holds = _all_hold((one,), point, unique)
-                denied = denied_at(other, point, unique) if holds else None
+                holds = _all_hold((one,), point)
+                denied = denied_at(other, point) if holds else None
                 if denied is not None:
                     return (one, *denied[0]), denied[1]
         case Relational():
             for entry in scalars(says):
-                if excluded(_difference_at(entry, point, unique), entry.rel_op):
+                if excluded(_difference_at(entry, point), entry.rel_op):
                     return (), entry
     return None
 
 
-def _all_hold(conditions: tuple[Basic, ...], point: Values, unique: Unique) -> bool:
+def _all_hold(conditions: tuple[Basic, ...], point: Place) -> bool:
     """Return whether balls confirm all relations at ``point``."""
-    return all(_holds_at(entry, point, unique) for part in conditions for entry in scalars(part))
+    return all(_holds_at(entry, point) for part in conditions for entry in scalars(part))
 
 
-def _holds_at(relation: Basic, point: Values, unique: Unique) -> bool:
+def _holds_at(relation: Basic, point: Place) -> bool:
     """Return whether balls confirm a relation; an equation only if the ball is exactly 0."""
     return isinstance(relation, Relational) and stands(
-        _difference_at(relation, point, unique), relation.rel_op
+        _difference_at(relation, point), relation.rel_op
     )
 
 
-def _difference_at(relation: Basic, point: Values, unique: Unique) -> arb:
+def _difference_at(relation: Basic, point: Place) -> arb:
     """Return a ball for left minus right side; NaN if a symbol or a side has no value."""
-    if not {symbol.name for symbol in relation.free_symbols} <= {*point}:
-        return arb.nan()
     left, right = map(tree, relation.args)
-    return value(left - right, point, unique)
+    return point.value(left - right)
 
 
 @dataclass(frozen=True)

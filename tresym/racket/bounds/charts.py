@@ -132,12 +132,6 @@ def by_kappa(b: Any, kappa: Any, m: Any) -> Shape:
     return Shape(2 / m.sqrt(1 + r * r) * small, b, r)
 
 
-def by_k(k: Any, alpha: Any, m: Any) -> Shape:
-    """Return the shape in the chart (k, α) with α = 1/a: b = αk²; a → ∞ and ab → 0 are edges."""
-    r = alpha * k
-    return Shape(2 / m.sqrt(1 + r * r) * m.exp(-k * (m.pi + m.atan(r))), alpha * k * k, r)
-
-
 def by_root(b: Any, k: Any, m: Any) -> Shape:
     """Return the shape in the chart (b, k) away from k = 0: a = k²/b."""
     r = b / k

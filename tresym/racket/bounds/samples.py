@@ -5,8 +5,7 @@ At these samples, the bounds of margins and orders are compared with the true re
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from typing import Any
+from collections.abc import Callable, Iterator
 
 from flint import arb, fmpq
 from sympy import Basic, Subs, Symbol
@@ -20,15 +19,11 @@ from tresym.reals.numbers.arithmetic import balls
 Values = dict[Basic, arb]
 Samples = Callable[[], Iterator[tuple[tuple[arb, ...], Values]]]
 
-RACKET = (fmpq(1517, 121), fmpq(55, 874))
-"""The standard racket."""
 SHAPES = tuple(
     (fmpq(*p), fmpq(*q))
     for p, q in (((9, 2), (1, 2)), ((12, 1), (1, 4)), ((5, 4), (7, 8)), ((40, 1), (9, 10)))
 )
 """Shapes with ab ≥ 1/4 and b ≤ 4a, strictly inside every box."""
-NEAR = (fmpq(1, 2**40),)
-"""A γ so small that the first order dominates the remainder of a line that is not a tangent."""
 TURN = Symbol("f", real=True)
 """−∂F/∂ε at a level, which converts F − π to a distance in ε."""
 
@@ -39,41 +34,6 @@ def at_shape(p: fmpq | arb, q: fmpq | arb) -> Values:
     point[epsilon0] = defect_over(point[a], point[b])
     point[lam], point[mu] = printed.small_parameters(point[a], point[b], balls)
     return point
-
-
-def in_chart(
-    names: tuple[str, ...],
-    left: Mapping[Basic, Callable[..., Any]] | None = None,
-    shapes: tuple[tuple[fmpq, fmpq], ...] = SHAPES,
-) -> Samples:
-    """Return samples of shapes in a chart of b, κ = 1/√(ab), R = b/a, a and ε₀.
-
-    Args:
-        names: the coordinates.
-        left: values at γ = 0 that the formula names by a symbol, as functions of (ε₀, a, b, S, m).
-        shapes: the shapes.
-    """
-
-    def samples() -> Iterator[tuple[tuple[arb, ...], Values]]:
-        for p, q in shapes:
-            known = at_shape(p, q)
-            for node, function in (left or {}).items():
-                known[node] = function(known[epsilon0], known[a], known[b], 1, balls)
-            chart = {
-                "a": known[a],
-                "b": known[b],
-                "kappa": known[lam],
-                "R": known[b] / known[a],
-                "epsilon0": known[epsilon0],
-            }
-            yield tuple(chart[name] for name in names), known
-
-    return samples
-
-
-def beside_tangent(levels: tuple[fmpq, ...] = NEAR) -> Samples:
-    """Return samples of the standard racket at these levels γ."""
-    return lambda: (((arb(level),), _at_level(*RACKET, arb(level))) for level in levels)
 
 
 def in_bent_chart() -> Samples:

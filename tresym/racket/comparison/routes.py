@@ -163,10 +163,7 @@ def _system(a: Any, b: Any, m: Any) -> Callable[[Any], list[Any]]:
     def slopes(y: Any) -> list[Any]:
         sine, cosine = m.sin(y[0]), m.cos(y[0])
         clock = 1 - b * sine * sine
-        return [
-            (a + b * sine * sine) * y[1] / clock,
-            b * (1 - y[1] * y[1]) * sine * cosine / clock,
-        ]
+        return [(a + b * sine * sine) * y[1] / clock, b * (1 - y[1] * y[1]) * sine * cosine / clock]
 
     return slopes
 

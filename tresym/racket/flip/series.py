@@ -7,19 +7,10 @@ With R = b/a the exact separatrix equation is log(ε₀/ε*) = Q(ε₀²), where
 so ε₀² is the root w of w = y exp 2Q(w), y = ε*². Lagrange inversion gives the coefficients
 c_n = [wⁿ] exp((2n+1) Q(w)) / (2n+1), polynomials of degree n in b and R.
 
-*Truncation error.* Every Taylor coefficient of 1 − 2wQ′ is bounded in absolute value by that of
-(1 + bS)(√w/sin √w)(1 − RS)^(−1/2) with S = sinh²√w. Hence those of Q are bounded by those of a
-function M with M(ρ) = q = ½[(1 + bS)(√ρ/sin √ρ)(1 − RS)^(−1/2) − 1] and S = sinh²√ρ, if RS < 1 and
-ρ ≤ 1, and |c_n| ≤ e^q (e^{2q}/ρ)ⁿ / (2n+1). If τ = y e^{2q}/ρ < 1, the iterates of y exp 2M from 0
-stay below ρ, and so does the sum of the absolute values of the series for w. Hence this series may
-be substituted into that of Q; its value is real and positive, and therefore ε₀², the only root in
-(0, (π/2)²). So the remainder after c_N is at most e^q τ^{N+1} / ((2N+3)(1 − τ)), relative to ε*.
-
-*Radius of convergence.* dy/dw = 0 where b sin²e = 1; there |y| = 4a/(a+b) · exp(−2√(ab) arcsin
-√(b/(a+b))), which is ε*² e^{2π√(ab)}. That this is the radius of convergence is observed for all
-shapes that were tried, not proved: the coefficients grow accordingly, and the terms decay like
-e^{−2πn√(ab)}. It is proved only that the radius is at least ρ e^{−2q} for each ρ as above, by the
-bound on |c_n| (:func:`least_radius`).
+*Size of the coefficients.* Every Taylor coefficient of 1 − 2wQ′ is bounded in absolute value by
+that of (1 + bS)(√w/sin √w)(1 − RS)^(−1/2) with S = sinh²√w. Hence those of Q are bounded by those
+of a function M with M(ρ) = q = ½[(1 + bS)(√ρ/sin √ρ)(1 − RS)^(−1/2) − 1] and S = sinh²√ρ, if RS < 1
+and ρ ≤ 1 (:func:`majorant`).
 """
 
 from __future__ import annotations
@@ -31,7 +22,7 @@ from typing import TYPE_CHECKING, Any
 from flint import arb, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from tresym.racket.formulas import stable
-from tresym.reals.numbers.arithmetic import balls, to_mp
+from tresym.reals.numbers.arithmetic import to_mp
 
 if TYPE_CHECKING:
     from sympy.polys.rings import PolyElement
@@ -174,58 +165,3 @@ def majorant(rho: Any, b: Any, R: Any, m: Any) -> Any:
     root = m.sqrt(rho)
     square = m.sinh(root) ** 2
     return ((1 + b * square) * (root / m.sin(root)) / m.sqrt(1 - R * square) - 1) / 2
-
-
-def tail(order: int, y: Any, b: Any, R: Any, rho: Any, m: Any, divided: int = 0) -> Any:
-    """Bound |Σ_{n>order} c_n yⁿ|, which is |ε₀/ε* − Σ_{n≤order} c_n yⁿ| at y = ε*².
-
-    The bound is divided by y^``divided``, so that bounds relative to a power of y hold at y = 0
-    too.
-
-    Returns:
-        Not a number unless R sinh²√ρ < 1 and τ < 1, the conditions of the bound.
-    """
-    q = majorant(rho, b, R, m)
-    growth = m.exp(2 * q) / rho
-    height = m.exp(q - m.log(1 - y * growth)) / (2 * order + 3)
-    return height * growth ** (order + 1) * y ** (order + 1 - divided)
-
-
-def truncation_bound(order: int, a: fmpq, b: fmpq) -> arb | None:
-    """Return an upper bound of |ε₀/ε* − Σ_{n≤order} c_n ε*^{2n}|, or None if none is known.
-
-    It is the best for sixteen radii ρ; on {ab ≥ 1/4, 0 < b ≤ 1} one always applies.
-    """
-    p, q = arb(a), arb(b)
-    R = q / p
-    y = stable.leading_term((p * q).sqrt(), R.sqrt(), balls) ** 2
-    bounds = [tail(order, y, q, R, rho, balls) for rho in _radii(R)]
-    finite = [bound.upper() for bound in bounds if bound.is_finite()]
-    return min(finite, key=float) if finite else None
-
-
-def _radii(R: arb) -> list[arb]:
-    """Sixteen ρ for which the bound applies: R sinh²√ρ < 1 and ρ < 1."""
-    largest = (1 / R.sqrt()).asinh() ** 2
-    largest = arb(1) if largest > 1 else largest.lower()
-    return [largest * fmpq(j, 17) for j in range(1, 17)]
-
-
-def least_radius(a: fmpq, b: fmpq) -> arb:
-    """Return a certified lower bound of the radius of convergence in y: the best ρ e^{−2q}."""
-    q, R = arb(b), arb(b / a)
-    bounds = [rho * (-2 * majorant(rho, q, R, balls)).exp() for rho in _radii(R)]
-    return max((bound.lower() for bound in bounds if bound.is_finite()), key=float)
-
-
-def convergence_radius(a: Any, b: Any, m: Any) -> Any:
-    """Return |y| where dy/dw = 0: ε*² exp(2π√(ab)), the observed radius in y = ε*²."""
-    k, r = m.sqrt(a * b), m.sqrt(b / a)
-    return 4 / (1 + r**2) * m.exp(-2 * k * m.atan(r))
-
-
-def observed_radius(order: int, a: fmpq, b: fmpq) -> float:
-    """Estimate the radius from c_n n^{3/2}, order/2 < n ≤ order (a square-root singularity)."""
-    values = coefficient_values(order, arb(b), arb(b / a), balls)
-    half = range(order // 2 + 1, order + 1)
-    return float(min((1 / abs(values[n]) / arb(n) ** arb(1.5)) ** (arb(1) / n) for n in half))

@@ -13,20 +13,9 @@ from typing import Any
 # Sec. 2 and 3: the angular momentum in the body frame
 
 
-def momentum_of_velocity(
-    Omega1: Any, Omega2: Any, Omega3: Any, I1: Any, I2: Any, I3: Any
-) -> tuple[Any, Any, Any]:
-    """Return (M₁, M₂, M₃) in terms of the angular velocity (eq_omega)."""
-    return I1 * Omega1, I2 * Omega2, I3 * Omega3
-
-
 def euler_equations(M1: Any, M2: Any, M3: Any, I1: Any, I2: Any, I3: Any) -> tuple[Any, Any, Any]:
     """Return dM/dt in the body frame (eq_dMi)."""
-    return (
-        -(1 / I2 - 1 / I3) * M2 * M3,
-        (1 / I1 - 1 / I3) * M1 * M3,
-        -(1 / I1 - 1 / I2) * M1 * M2,
-    )
+    return (-(1 / I2 - 1 / I3) * M2 * M3, (1 / I1 - 1 / I3) * M1 * M3, -(1 / I1 - 1 / I2) * M1 * M2)
 
 
 def energy(M1: Any, M2: Any, M3: Any, I1: Any, I2: Any, I3: Any) -> Any:
@@ -46,11 +35,7 @@ def ellipsoid_radii(I1: Any, I2: Any, I3: Any, E: Any, m: Any) -> tuple[Any, Any
 
 def momentum(theta: Any, psi: Any, M: Any, m: Any) -> tuple[Any, Any, Any]:
     """Return (M₁, M₂, M₃) in terms of the Euler angles (eq_Mi)."""
-    return (
-        M * m.cos(theta),
-        -M * m.sin(theta) * m.cos(psi),
-        M * m.sin(theta) * m.sin(psi),
-    )
+    return (M * m.cos(theta), -M * m.sin(theta) * m.cos(psi), M * m.sin(theta) * m.sin(psi))
 
 
 # Sec. 4: the Euler angles
@@ -201,16 +186,6 @@ def arctanh_left(x: Any, a: Any, b: Any, m: Any) -> Any:
     return m.atanh(m.sqrt(a / b) * x / m.sqrt(1 - x**2)) - m.sqrt(a * b) * m.asin(x)
 
 
-def arctanh_by_logarithm(u: Any, m: Any) -> Any:
-    """Return the logarithm that replaces arctanh u (appendix)."""
-    return m.log((1 + u) / (1 - u)) / 2
-
-
-def quadratic_left(defect: Any, a: Any, b: Any) -> Any:
-    """Return the leading term of ``separatrix_left`` for a small defect (appendix)."""
-    return (1 + b / a) * defect**2 / 4
-
-
 def implicit_right(defect: Any, a: Any, b: Any, m: Any) -> Any:
     """Return the right-hand side of the equation after the square root (eqnew)."""
     arc = m.asin(m.sqrt(b / (a + b)) * m.cos(defect))
@@ -241,11 +216,6 @@ def flat_function(s: Any, m: Any) -> Any:
 def defect_of_u(u: Any, lam: Any, mu: Any, m: Any) -> Any:
     """Return ε₀ in the form of the ansatz (u)."""
     return 2 * m.sqrt(1 - mu**2) * m.exp(-1 / lam * (m.pi + m.asin(mu) + u))
-
-
-def defect_of_u_flat(u: Any, lam: Any, mu: Any, m: Any) -> Any:
-    """Return ε₀ by the ansatz in terms of the flat function (u)."""
-    return 2 * m.sqrt(1 - mu**2) * flat_function(lam / (m.pi + m.asin(mu) + u), m)
 
 
 def implicit_function(u: Any, lam: Any, mu: Any, m: Any) -> Any:

@@ -87,11 +87,6 @@ def flip_at(phase: Any, k: Any, r: Any, m: Any) -> Any:
     return 2 * m.atan(m.sqrt(1 + r * r) * m.sinh(k * phase))
 
 
-def uniform_defect(k: Any, r: Any, m: Any) -> Any:
-    """Return one sweep of the phase map from P = π: ε₀ to 2.8 % for every shape, in one line."""
-    return defect_at(phase_map(m.pi, k, r, m), k, r, m)
-
-
 def leading_term(k: Any, r: Any, m: Any) -> Any:
     """Return ε* = 2√(a/(a+b)) e^{−√(ab)(π + arcsin √(b/(a+b)))}: ε₀ = ε*(1 + c₁ε*² + …)."""
     return 2 / m.sqrt(1 + r * r) * m.exp(-k * (m.pi + m.atan(r)))
@@ -100,12 +95,6 @@ def leading_term(k: Any, r: Any, m: Any) -> Any:
 def first_coefficient(k: Any, r: Any) -> Any:
     """Return c₁ = (6b − 1 + 3b/a)/12 of the expansion of ε₀ in powers of ε*²."""
     return (6 * k * r - 1 + 3 * r**2) / 12
-
-
-def integrand_slope(psi: Any, a: Any, b: Any, m: Any) -> Any:
-    """Return ∂f/∂γ at γ = 0 (S = +1)."""
-    sine = m.sin(psi)
-    return -(1 - b * sine**2) / (2 * m.sqrt(a + b * sine**2) * (m.sqrt(b) * sine) ** 3)
 
 
 def turn_slope(defect: Any, a: Any, b: Any, m: Any) -> Any:

@@ -29,15 +29,6 @@ DIGITS = (12, 40, 220, 1250)
 _WORST = (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED, Verdict.PROVED)
 
 
-class Root(NamedTuple):
-    """The root of a polynomial in t between two numbers, and coordinates that are polynomials."""
-
-    polynomial: str
-    low: str
-    high: str
-    at: Mapping[str, str]
-
-
 class Alternative(NamedTuple):
     """What is true instead of a claim that is refuted.
 
@@ -97,7 +88,6 @@ class Answer:
     seconds: float = field(default=0.0, compare=False)
     line: int | None = None
     read_as: str = ""
-    root: Root | None = field(default=None, repr=False, compare=False)
     instead: tuple[Alternative, ...] = field(default=(), compare=False)
 
     def __bool__(self) -> bool:
@@ -168,7 +158,6 @@ class Answer:
             'x/2 + x/2 == x'
         """
         value = asdict(self) | {"verdict": self.verdict.value}
-        value["root"] = None if self.root is None else self.root._asdict()
         value["witness"] = None if self.witness is None else dict(self.witness)
         value["constant"] = None if self.constant is None else self.constant._asdict()
         value["values"] = None if self.values is None else [ball._asdict() for ball in self.values]

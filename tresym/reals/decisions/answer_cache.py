@@ -13,6 +13,7 @@ from __future__ import annotations
 import hashlib
 import json
 import os
+import shutil
 import sqlite3
 import sys
 from collections.abc import Iterator
@@ -21,7 +22,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from tresym.reals.decisions.answer import Alternative, Answer, Root
+from tresym.reals.decisions.answer import Alternative, Answer
 from tresym.reals.decisions.time_limited import CACHES
 from tresym.reals.numbers.exact import Decimal, InputError
 from tresym.reals.verdict import Verdict
@@ -37,13 +38,18 @@ _TABLE = (
 _NO_CACHE = ("", "off")
 
 
-def cache_file() -> Path | None:
-    """The file: in ``TRESYM_CACHE``, else in the user's cache folder; None for ``off``."""
+def cache_folder() -> Path | None:
+    """``TRESYM_CACHE``, else the user's cache folder; None for ``off``."""
     folder = os.environ.get("TRESYM_CACHE")
     if folder is not None:
-        return None if folder in _NO_CACHE else Path(folder) / "answers.sqlite"
-    home = os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")
-    return Path(home) / "tresym" / "answers.sqlite"
+        return None if folder in _NO_CACHE else Path(folder)
+    return Path(os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")) / "tresym"
+
+
+def cache_file() -> Path | None:
+    """The file of answers in the cache folder."""
+    folder = cache_folder()
+    return folder and folder / "answers.sqlite"
 
 
 @cache
@@ -173,8 +179,6 @@ def _answer(key: bytes, value: Any, checksum: Any) -> Answer | None:
         if found["values"] is not None:
             one, other = found["values"]
             found["values"] = Decimal(**one), Decimal(**other)
-        if found["root"] is not None:
-            found["root"] = Root(**found["root"])
         found["instead"] = tuple(Alternative(**one) for one in found["instead"])
         return Answer(**found)
     except (ValueError, TypeError, KeyError):
@@ -198,7 +202,7 @@ def cached_answers(wanted: bool = True) -> Iterator[AnswerCache | None]:
 
 
 def clear_cache() -> str:
-    """Remove the file and what SQLite keeps beside it; returns a line that says so.
+    """Remove the file, what SQLite keeps beside it, and compiled lemmas; return a line about it.
 
     Raises:
         InputError: it cannot be removed.
@@ -209,6 +213,8 @@ def clear_cache() -> str:
     try:
         for end in ("", "-wal", "-shm"):
             path.with_name(path.name + end).unlink(missing_ok=True)
+        if (compiled := path.with_name("coq")).is_dir():
+            shutil.rmtree(compiled)
     except OSError as error:
         raise InputError(f"{path}: cannot be removed ({error.strerror})") from None
     return f"{path}: cleared"

@@ -33,10 +33,10 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.latex_output import typeset
 from tresym.reals.language.parsing import Compared, parse, parse_claim, parse_given
 from tresym.reals.language.sentences import spelled, spelled_conditions
 from tresym.reals.language.sympy import RELATIONS, atoms, unworked
+from tresym.reals.language.typesetting import to_latex
 from tresym.reals.language.unicode_input import plain
 from tresym.reals.numbers.exact import InputError
 
@@ -84,13 +84,13 @@ def in_latex(text: str) -> str:
         comparisons, given, path = _written(text, "", None)
     except InputError:
         return ""
-    shown = typeset(comparisons)
-    shown += rf" \quad ({typeset(given)})" if given else ""
+    shown = to_latex(comparisons)
+    shown += rf" \quad ({to_latex(given)})" if given else ""
     if path is None:
         return shown
     point = multiply(number(path.sides[0]), INFINITY) if path.point is None else path.point
     side = "" if path.point is None or len(path.sides) > 1 else "^+" if path.sides[0] > 0 else "^-"
-    return rf"{shown} \quad ({typeset([(symbol(path.name), '->', point)])}{side})"
+    return rf"{shown} \quad ({to_latex([(symbol(path.name), '->', point)])}{side})"
 
 
 def read(claim: Any, given: Any = "", path: str | None = None) -> Statement:

@@ -158,7 +158,7 @@ def _decide(comparison: Comparison, statement: Statement) -> Answer:
     left, relation, right = comparison.left, comparison.relation, comparison.right
     hiding = {node.op for node in outermost(*comparison.differentiated)} - {"unknown"}
     if hiding == {"integral"}:
-        from tresym.reals.decisions.leibniz import decide_by_leibniz
+        from tresym.reals.decisions.integral_rules import decide_by_leibniz
 
         return decide_by_leibniz(comparison, statement, _bounded)
     if hiding:
@@ -234,19 +234,19 @@ def _ellipses(*claim: Any) -> Answer:
 
 
 def _infinite_sums(*claim: Any) -> Answer:
-    from tresym.reals.decisions.infinite_sums import decide_infinite
+    from tresym.reals.decisions.power_series import decide_infinite
 
     return decide_infinite(*claim)
 
 
 def _nth_derivatives(*claim: Any) -> Answer:
-    from tresym.reals.decisions.nth_derivatives import decide_repeated
+    from tresym.reals.decisions.induction import decide_repeated
 
     return decide_repeated(*claim)
 
 
 def _finite_sums(*claim: Any) -> Answer:
-    from tresym.reals.decisions.finite_sums import decide_totals
+    from tresym.reals.decisions.induction import decide_totals
 
     return decide_totals(*claim)
 

@@ -264,19 +264,11 @@ def _fitted(germ: Germ, u: Expr) -> Series | None:
         for k, (one, other) in enumerate(pairwise(values)):
             powers = [fmpq(k) ** i for i in range(degree + 1)]
             rows.append([*(one * power for power in powers), *(-other * power for power in powers)])
-        reduced, rank = fmpq_mat(rows).rref()
-        size = 2 * degree + 2
-        if rank != size - 1:
+        solutions, count = fmpq_mat(rows).numer_denom()[0].nullspace()
+        if count != 1:
             continue
-        pivots = [next(j for j in range(size) if reduced[i, j]) for i in range(rank)]
-        (free,) = set(range(size)) - {*pivots}
-        solution = [fmpq(0)] * size
-        solution[free] = fmpq(1)
-        for i, j in enumerate(pivots):
-            solution[j] = -reduced[i, free]
-        above, below = (
-            fmpq_poly(part) for part in (solution[: degree + 1], solution[degree + 1 :])
-        )
+        solution = [solutions[i, 0] for i in range(2 * degree + 2)]
+        above, below = fmpq_poly(solution[: degree + 1]), fmpq_poly(solution[degree + 1 :])
         if above == 0 or below == 0 or any(k >= 0 for p in (above, below) for k in whole_roots(p)):
             return None
         first = number(values[0])

@@ -2,9 +2,7 @@
 
 1. *Consequences.* A claimed equation, or its negation, may follow from the equations algebraically
    (ideals.py).
-2. *Homogenisation.* An equation between a form and a number makes a polynomial inequality
-   homogeneous: under x² + y² + z² = 1, xy + yz + zx ≤ 1 becomes xy + yz + zx ≤ x² + y² + z².
-3. *Elimination.* An equation is split at the factors of its numerator and solved for a variable
+2. *Elimination.* An equation is split at the factors of its numerator and solved for a variable
    (equation_solutions.py). Each case consists of a value of the variable and the conditions under
    which it is a solution; together the cases cover all points of the equation. The claim is decided
    in every case after substitution. Cases that are proved to be empty are left out. If all are
@@ -35,8 +33,6 @@ from tresym.reals.language.expression import (
     Expr,
     add,
     integer,
-    number,
-    power,
     substitute,
     symbols,
 )
@@ -45,7 +41,6 @@ from tresym.reals.language.parsing import Compared
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.signs.definedness import undefined
-from tresym.reals.signs.homogenisation import ways
 from tresym.reals.signs.interior import PROVING, is_zero
 from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
@@ -73,8 +68,7 @@ def decide_under_equations(claim: Comparison, statement: Statement, decided: Dec
     if is_contradictory(statement):
         return NO_POINT
     statement = _speaking(claim, statement)
-    found = _as_consequence(claim, statement, decided) or _homogeneous(claim, statement, decided)
-    return found or _by_elimination(claim, statement, decided)
+    return _as_consequence(claim, statement, decided) or _by_elimination(claim, statement, decided)
 
 
 def _without_variables(
@@ -165,33 +159,6 @@ def _with_a_point(
         if same
         else None
     )
-
-
-def _homogeneous(claim: Comparison, statement: Statement, decided: Decide) -> Answer | None:
-    """A proof of the inequality that an equation between a form and a number makes homogeneous."""
-    difference = claim.left - claim.right
-    if claim.relation in ("==", "!=") or statement.path is not None or difference.hidden:
-        return None
-    for pair in statement.equations:
-        equal, negated = (((pair[0] - pair[1]) * side, ">=", ZERO) for side in (1, -1))
-        for way in ways(difference, Given((equal, negated))):
-            made = sum((part * power(way.form, number(n)) for part, n in way.parts), ZERO)
-            free = _without(statement, pair)
-            is_root = any(n.q != 1 for _, n in way.parts)
-            if (
-                any(n < 0 for _, n in way.parts)
-                or (is_root and sign(way.form, statement.given) not in PROVING[">"])
-                or not is_zero(sum((part for part, _ in way.parts), -difference), Given())
-            ):
-                continue
-            found = decided(Comparison(made, claim.relation, ZERO), free)
-            if found:
-                why = f"made homogeneous with the condition {pair[0]} == {pair[1]}: {found.why}"
-                return _with_a_point(
-                    replace(found, why=why, region=None), claim, statement, decided
-                )
-            break
-    return None
 
 
 # Elimination

@@ -8,14 +8,14 @@ are refuted at small integers.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
 from itertools import islice, product
 from math import factorial
 
 from tresym.reals.decisions.answer import Answer, Decide
 from tresym.reals.decisions.identity import decide
-from tresym.reals.decisions.readable_witnesses import constants_hold
+from tresym.reals.decisions.readable_witnesses import decided_at
 from tresym.reals.decisions.statement import Comparison, Statement, functions
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import outermost
@@ -63,9 +63,16 @@ def decide_factorials(claim: Comparison, statement: Statement, decided: Decide) 
             "factorials are not supported together with sums, derivatives, limits or in conditions"
         )
         return Answer(Verdict.UNDECIDED, why)
-    found = _looked_at(claim, statement, list(nodes), decided)
+    names = sorted({name for node in nodes for name in symbols(node)})
+    points = islice(_small(names), MOST)
+    near = (
+        at for at in points if None not in (_value(substitute(node.args[1], at)) for node in nodes)
+    )
+    found, proved = decided_at(near, claim, statement, decided)
     if found is not None:
         return found
+    if not proved:
+        return Answer(Verdict.UNDECIDED, "the claim could not be proved at any small integers")
     known, positive = _by_least(list(nodes), statement.given)
     left, right = (replaced(side, known) for side in sides)
     given = statement.given & Given(tuple(positive))
@@ -80,39 +87,6 @@ def decide_factorials(claim: Comparison, statement: Statement, decided: Decide) 
     return found
 
 
-def _looked_at(
-    claim: Comparison, statement: Statement, nodes: list[Expr], decided: Decide
-) -> Answer | None:
-    """Return a refutation at small integers, or UNDECIDED if none is proved; None otherwise."""
-    names = sorted({name for node in nodes for name in symbols(node)})
-    seen = False
-    for at in islice(_small(names), MOST):
-        numbers = {node: _value(substitute(node.args[1], at)) for node in nodes}
-        given = constants_hold(
-            (substitute(x, at), relation, substitute(y, at))
-            for x, relation, y in statement.given.comparisons
-        )
-        if given is None or None in numbers.values():
-            continue
-        put = {node: value for node, value in numbers.items() if value is not None}
-        left, right = (substitute(replaced(e, put), at) for e in (claim.left, claim.right))
-        others = tuple(name for name in statement.integers if name not in at)
-        equations = tuple((substitute(x, at), substitute(y, at)) for x, y in statement.equations)
-        plain = replace(statement, given=given, integers=others, equations=equations)
-        found = decided(Comparison(left, claim.relation, right), plain)
-        if found.verdict is Verdict.REFUTED:
-            where = {name: str(value) for name, value in at.items()}
-            shown = ", ".join(f"{name} = {value}" for name, value in where.items())
-            witness = where | dict(found.witness or {})
-            return replace(found, why=f"at {shown}: {found.why}", witness=witness)
-        seen = seen or bool(found)
-    return (
-        None
-        if seen
-        else Answer(Verdict.UNDECIDED, "the claim could not be proved at any small integers")
-    )
-
-
 def _small(names: list[str]) -> Iterator[dict[str, Expr]]:
     values = sorted(product(range(LOOKED_AT), repeat=len(names)), key=sum)
     return (dict(zip(names, map(number, point), strict=True)) for point in values)
@@ -125,25 +99,19 @@ def _value(e: Expr) -> Expr | None:
 
 
 def _by_least(
-    nodes: Iterable[Expr], given: Given
+    nodes: list[Expr], given: Given
 ) -> tuple[dict[Expr, Expr], list[tuple[Expr, str, Expr]]]:
     """Express each factorial by the smallest one whose argument differs by an integer."""
-    classes: list[dict[Expr, int]] = []
+    classes: dict[Expr, dict[Expr, int]] = {}
     for node in nodes:
-        for others in classes:
-            apart = _apart(node.args[1], next(iter(others)).args[1])
-            if apart is not None:
-                others[node] = apart
-                break
-        else:
-            classes.append({node: 0})
+        gaps = ((first, _apart(node.args[1], first)) for first in classes)
+        new = node.args[1], 0
+        first, apart = next(((e, gap) for e, gap in gaps if gap is not None), new)
+        classes.setdefault(first, {})[node] = apart
     known: dict[Expr, Expr] = {}
     positive: list[tuple[Expr, str, Expr]] = []
-    taken = {
-        *given.names,
-        *(name for others in classes for node in others for name in symbols(node)),
-    }
-    for others in classes:
+    taken = {*given.names, *(name for node in nodes for name in symbols(node))}
+    for others in classes.values():
         least = min(others.values())
         base = next(node.args[1] for node, apart in others.items() if apart == least)
         name = fresh("F", taken)

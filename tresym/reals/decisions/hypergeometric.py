@@ -288,12 +288,7 @@ def out_of_range(s: Series, given: Given) -> str:
     return ""
 
 
-def diverges(s: Series) -> bool:
-    """Return whether a series of numbers is proved to diverge, unless all terms are 0."""
-    return not symbols(s.u) | symbols(s.head) and out_of_range(s, Given()) == "the series diverges"
-
-
-def has_terms(s: Series, at: dict[str, fmpq]) -> bool:
+def has_terms(s: Series, at: dict[str, arb]) -> bool:
     """Return whether the common factor of the terms is proved to be nonzero."""
     with ball_precision():
         head = evaluate(s.head, at)
@@ -317,7 +312,7 @@ def _sign(e: Expr, given: Given) -> str | None:
     return "+" if ball > 0 else "0" if equal_at(e, ZERO, {}) else "-"
 
 
-def summed(s: Series, at: dict[str, fmpq]) -> arb | None:
+def summed(s: Series, at: dict[str, arb]) -> arb | None:
     """Return a ball around the sum, or None if it converges too slowly."""
     u = evaluate(s.u, at) ** s.step
     term = evaluate(s.first, at)

@@ -16,7 +16,6 @@ from flint import arb, fmpq
 
 from tresym.reals.decisions.algebraic_witnesses import (
     equal_at_algebraic,
-    equal_at_lowest,
     equal_at_simple,
     equal_at_turns,
 )
@@ -48,7 +47,6 @@ HALVINGS = 40
 MAX_PAIRS = 8
 GRID, GRID_STEPS = range(-80, 81), 5
 MAX_STARTS = 24
-ZEROS = (equal_at_simple, equal_at_lowest)
 PERIODS = (2 * PI, number(2))
 NO_POINT_FOUND = (
     "no point was found that satisfies the conditions and where both sides {}are defined, "
@@ -124,9 +122,8 @@ def _refuted_at_lowest(
     starts = inside.points(names, MAX_STARTS)
     for point in chain(_in_cells(left - right, region), low_points(left - right, inside, starts)):
         refutation = _refuted_at(point, left, relation, right, inside)
-        for zero_near in ZEROS if relation == ">" and len(names) > 1 else ():
-            if refutation is None:
-                refutation = zero_near(left, right, inside, point)
+        if refutation is None and relation == ">" and len(names) > 1:
+            refutation = equal_at_simple(left, right, inside, point)
         if refutation is not None:
             return refutation
     return None
@@ -173,7 +170,7 @@ def _in_cells(difference: Expr, region: Given) -> Iterator[dict[str, fmpq]]:
     """Yield a point of each open cell in which the polynomial difference is negative."""
     with suppress(TooLargeError):
         found = cells(difference, region)
-        if found is not None and found.against is not None:
+        if found is not None and found.against:
             yield dict(found.against)
 
 

@@ -20,12 +20,13 @@ from math import lcm, prod
 from flint import arb, fmpq
 
 from tresym.reals.decisions.answer import Answer, Decide, exactly, refuted, worst
-from tresym.reals.decisions.readable_witnesses import constants_hold
+from tresym.reals.decisions.readable_witnesses import constants_hold, decided_at
 from tresym.reals.decisions.statement import Comparison, Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.operation_domains import operations
 from tresym.reals.language.binders import outermost
+from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     LEAVES,
@@ -44,7 +45,7 @@ from tresym.reals.language.expression import (
 )
 from tresym.reals.normal.polynomials import Monomial, as_expression, polynomial
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.exact import InputError, Interval
+from tresym.reals.numbers.exact import Interval
 from tresym.reals.signs.interior import is_zero
 from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
@@ -73,25 +74,10 @@ def decide_whole(claim: Comparison, statement: Statement, decided: Decide) -> An
     plain = replace(statement, integers=())
     if not names:
         return decided(claim, plain)
-    seen = False
-    for at in _small(names, statement.given):
-        given = _given_at(plain.given, at)
-        if given is None:
-            continue
-        put_in = partial(substitute, mapping=at)
-        try:
-            moved, fixed = claim.mapped(put_in), plain.mapped(put_in)
-        except InputError:  # a number on the way is too long
-            continue
-        found = decided(moved, replace(fixed, given=given))
-        if found.verdict is Verdict.REFUTED:
-            where = {name: str(value) for name, value in at.items()}
-            shown = ", ".join(f"{name} = {value}" for name, value in where.items())
-            return replace(
-                found, why=f"at {shown}: {found.why}", witness=where | dict(found.witness or {})
-            )
-        seen = seen or bool(found)
-    if not seen:
+    found, proved = decided_at(_small(names, statement.given), claim, plain, decided)
+    if found is not None:
+        return found
+    if not proved:
         why = f"the claim could not be proved at any small integer {', '.join(names)}"
         return Answer(Verdict.UNDECIDED, why)
     exact = _by_divisors(claim, statement, names)
@@ -192,35 +178,43 @@ def _by_residues(
     claim: Comparison, statement: Statement, names: list[str], decided: Decide
 ) -> Answer:
     """The claim for every residue of every integer, for real values of what remains."""
-    trees = (claim.left, claim.right, *claim.differentiated, *statement.said)
-    periods = [period_of(trees, name, statement.given) for name in names]
-    if None in periods:
-        return Answer(
-            Verdict.UNDECIDED,
-            "the claim could not be reduced to finitely many residue classes of the integers",
-        )
-    whole = [period for period in periods if period is not None]
-    residues = list(islice(product(*map(range, whole)), MOST_RESIDUES + 1))
-    if len(residues) > MOST_RESIDUES:
-        return Answer(
-            Verdict.UNDECIDED,
-            f"the claim needs more than {MOST_RESIDUES} residue classes of the integers",
-        )
-    answers = []
+    cases = residues(claim, statement, names, statement.given)
+    if cases is None:
+        why = f"the integers could not be split into at most {MOST_RESIDUES} residue classes"
+        return Answer(Verdict.UNDECIDED, f"{why} in which the claim simplifies")
     nodes = outermost(claim.left, claim.right)
-    holds_integrals = any(node.op != "unknown" for node in nodes)
-    for rest in residues:
-        at = {
-            name: number(period) * symbol(name) + number(r) if period > 1 else symbol(name)
-            for name, period, r in zip(names, whole, rest, strict=True)
-        }
-        given = statement.given.mapped(partial(substitute, mapping=at))
-        change = partial(residue_of, at=at, names=names, given=given)
-        inside = replace(statement.mapped(change), integers=tuple(names) if holds_integrals else ())
-        answers.append(decided(claim.mapped(change), inside))
+    integers = tuple(names) if any(node.op != "unknown" for node in nodes) else ()
+    answers = []
+    for case, inside in cases:
+        answers.append(decided(case, replace(inside, integers=integers)))
         if not answers[-1]:
             break
     return worst(answers)
+
+
+def residues(
+    claim: Comparison, statement: Statement, names: Sequence[str], given: Given
+) -> list[tuple[Comparison, Statement]] | None:
+    """Return the claim and its conditions in each residue class, or None if they are too many.
+
+    Args:
+        names: the integers, n = M m + r, whose names then stand for the numbers m.
+        given: what is known of them.
+    """
+    ends = (INFINITY, -INFINITY)
+    trees = [e for e in (claim.left, claim.right) if e not in ends]
+    trees += [*claim.differentiated, *statement.said]
+    periods = [period_of(trees, name, given) or MOST_RESIDUES + 1 for name in names]
+    if prod(periods) > MOST_RESIDUES:
+        return None
+    found = []
+    for rest in product(*map(range, periods)):
+        parts = zip(names, periods, rest, strict=True)
+        at = {n: number(p) * symbol(n) + number(r) if p > 1 else symbol(n) for n, p, r in parts}
+        moved = given.mapped(partial(substitute, mapping=at))
+        change = partial(residue_of, at=at, names=names, given=moved)
+        found.append((claim.mapped(change), statement.mapped(change)))
+    return found
 
 
 def residue_of(e: Expr, at: dict[str, Expr], names: Sequence[str], given: Given) -> Expr:

@@ -7,7 +7,7 @@ may be singular, and each piece is treated separately. If it is unknown which en
 cases are checked. Where F comes from does not matter for the proof: it may be given in the claim as
 ``at(F, x, b) - at(F, x, a)``, and otherwise SymPy suggests candidates.
 
-Some integrals are quoted from tables (:mod:`tresym.reals.decisions.known_integrals`). An integral
+Some integrals are quoted from tables (:mod:`tresym.reals.decisions.theorems`). An integral
 without a known antiderivative is enclosed by rigorous quadrature
 (:mod:`tresym.reals.domain.binder_values`), which can refute equations and prove bounds.
 """
@@ -24,17 +24,17 @@ from flint import arb, fmpq
 
 from tresym.reals.decisions.answer import Answer, Decide, refuted
 from tresym.reals.decisions.asymptotics.limit_values import limit_of
-from tresym.reals.decisions.divergence import has_no_limit
-from tresym.reals.decisions.identity import decide, shown
-from tresym.reals.decisions.integral_identities import Antiderivatives
+from tresym.reals.decisions.asymptotics.recurring_failures import has_no_limit
+from tresym.reals.decisions.identity import decide
+from tresym.reals.decisions.integral_rules import Antiderivatives
 from tresym.reals.decisions.integration_pieces import (
     MINUS_INFINITY,
     pieces_of,
     roots_of_squares,
     without_corners,
 )
-from tresym.reals.decisions.known_integrals import standard
-from tresym.reals.decisions.readable_witnesses import constants_hold, simple_points
+from tresym.reals.decisions.known_values import known_value
+from tresym.reals.decisions.readable_witnesses import constants_hold, decided_at, simple_points
 from tresym.reals.decisions.statement import Comparison, Statement, functions
 from tresym.reals.domain import binder_values
 from tresym.reals.domain.conditions import Given
@@ -213,14 +213,10 @@ def _at_parameters(claim: Comparison, statement: Statement, decided: Decide) -> 
     names = _parameters(claim)
     if not names or claim.derivatives or claim.relation not in NEGATED:
         return None  # the variable of a path is no parameter
-    for at in simple_points(names, statement.given, PARAMETERS, statement.integers):
-        put_in = partial(substitute, mapping={name: number(value) for name, value in at.items()})
-        fixed = replace(statement.mapped(put_in), given=Given(), integers=())
-        found = decide_integrals(claim.mapped(put_in), fixed, decided)
-        if found.verdict is Verdict.REFUTED:
-            witness = refuted("", at).witness
-            return replace(found, why=f"at {shown(at)}: {found.why}", witness=witness)
-    return None
+    points = simple_points(names, statement.given, PARAMETERS, statement.integers)
+    at = ({name: number(value) for name, value in point.items()} for point in points)
+    inner = partial(decide_integrals, decided=decided)
+    return decided_at(at, claim, statement, inner)[0]
 
 
 def _parameters(claim: Comparison) -> list[str]:
@@ -343,7 +339,7 @@ def _between(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Wor
     for root, size in roots_of_squares(f, inside):
         f = replaced(f, {root: size})
         work.notes.append(f"{root} = {size} on the interval")
-    known = standard(f, name, low, high, given)
+    known = known_value("integral", f, name, low, high, given)
     if known is not None:
         work.notes.append(f"the integral of {f} is {known.value} by {known.source}")
         return known.value
@@ -477,22 +473,12 @@ def _by_quadrature(claim: Comparison, statement: Statement) -> Answer | None:
         for bits in BITS:
             with ball_precision(bits):
                 balls = {name: arb(value) for name, value in at.items()}
-                left, right = (binder_values.value(e, balls, _never) for e in sides)
+                left, right = (binder_values.value(e, balls, lambda *_: False) for e in sides)
                 if not (left.is_finite() and right.is_finite()):
                     break
-                if _fails(left - right, claim.relation):
+                if stands(left - right, NEGATED[claim.relation]):
                     why = "rigorous numerical integration shows that the two sides differ"
                     return refuted(why, at, left, right)
                 if not names and claim.relation != "==" and stands(left - right, claim.relation):
                     return Answer(Verdict.ENCLOSED, "by rigorous numerical integration")
     return None
-
-
-def _never(*_: object) -> bool:
-    return False
-
-
-def _fails(difference: arb, relation: str) -> bool:
-    """Whether a ball shows that the relation does not hold."""
-    opposite = {">": "<=", ">=": "<", "<": ">=", "<=": ">", "==": "!="}
-    return relation in opposite and stands(difference, opposite[relation])

@@ -23,7 +23,7 @@ from itertools import pairwise, product
 from flint import arb, fmpq, fmpq_poly
 
 from tresym.reals.cross_check import FALSE, program
-from tresym.reals.decisions.answer import Answer, Root
+from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.claim_cross_check import with_orders
 from tresym.reals.decisions.readable_witnesses import constants_hold, simple_points
 from tresym.reals.decisions.statement import Comparison, Statement, functions
@@ -71,9 +71,7 @@ def confirmed(answer: Answer, claim: Comparison, statement: Statement) -> Answer
     if any(DOTS.args[0] in symbols(side) for side in sides):
         return answer  # by a coefficient, which is no point
     try:
-        if answer.root is not None:
-            _at_root(answer.root, claim, statement)
-        elif any(text.startswith("[") for text in (answer.witness or {}).values()):
+        if any(text.startswith("[") for text in (answer.witness or {}).values()):
             _in_box(answer.witness or {}, claim, statement)
         else:
             _at_point(answer, claim, statement)
@@ -331,11 +329,13 @@ def _in_box(witness: Mapping[str, str], claim: Comparison, statement: Statement)
 
 
 def _vanishes_in(difference: Expr, box: Mapping[str, tuple[fmpq, fmpq]]) -> bool:
-    """Whether a rational function of one variable has a zero there, perhaps a double one."""
-    if len(box) != 1:
+    """Whether a rational function has a zero, perhaps a double one, as one variable moves."""
+    moving = [name for name, (low, high) in box.items() if low < high]
+    if len(moving) != 1:
         return False
-    ((name, (low, high)),) = box.items()
-    found = _quotient(difference, {name: fmpq_poly([0, 1])})
+    low, high = box[moving[0]]
+    at = {name: fmpq_poly([end]) for name, (end, _) in box.items()}
+    found = _quotient(difference, at | {moving[0]: fmpq_poly([0, 1])})
     if found is None:
         return False
     zeros = found[0] // found[0].gcd(found[0].derivative())
@@ -363,49 +363,3 @@ def _quotient(e: Expr, at: Mapping[str, fmpq_poly]) -> tuple[fmpq_poly, fmpq_pol
         top = top * part[1] + part[0] * bottom if e.op == "+" else top * part[0]
         bottom = bottom * part[1]
     return top, bottom
-
-
-# A root of a polynomial
-
-
-def _at_root(root: Root, claim: Comparison, statement: Statement) -> None:
-    """Confirm that the sides of a strict inequality are equal at algebraic numbers."""
-    t = fmpq_poly([0, 1])
-    found = _quotient(parse(root.polynomial), {"t": t})
-    low, high = (parse(end).args[0] for end in (root.low, root.high))
-    coordinates = {name: _quotient(parse(text), {"t": t}) for name, text in root.at.items()}
-    if (
-        found is None
-        or None in coordinates.values()
-        or claim.relation not in (">", "<", "!=")
-        or statement.equations
-        or coordinates.keys() & {*statement.integers}
-        or not found[0](low) * found[0](high) < 0
-    ):
-        raise _UnsupportedError("its algebraic numbers do not fit the claim and its conditions")
-    at = {name: part[0] for name, part in coordinates.items() if part is not None}
-    gap = _quotient(claim.left - claim.right, at)
-    if gap is None or gap[0] % found[0] != fmpq_poly([0]):
-        raise _UnsupportedError("the sides could not be shown to be equal at its algebraic numbers")
-    names = sorted(at)
-    with ball_precision(PRECISIONS[1]):
-        x = arb(low).union(arb(high))
-        places = {name: arb_value(at[name], x) for name in names}
-        trees = [e for a, _, b in statement.given.comparisons for e in (a, b)]
-        value = program([claim.left, claim.right, *trees], names)(list(places.values()))
-        relations = [relation for _, relation, _ in statement.given.comparisons]
-        if value is None or not all(
-            FALSE[NEGATED[r]](a, b)
-            for r, a, b in zip(relations, value[2::2], value[3::2], strict=True)
-        ):
-            raise _UnsupportedError(
-                "the conditions could not be shown to hold at its algebraic numbers"
-            )
-
-
-def arb_value(p: fmpq_poly, x: arb) -> arb:
-    """The value of a polynomial in a ball."""
-    total = arb(0)
-    for c in reversed(p.coeffs()):
-        total = total * x + arb(c)
-    return total

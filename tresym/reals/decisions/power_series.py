@@ -1,4 +1,7 @@
-"""Power series with hypergeometric terms, by their differential equations.
+"""Infinite sums and products: power series by differential equations, theorems, limits of sums.
+
+A claim with one series is first decided as one about a power series. If that is open, each series
+is replaced by its value by a theorem, or by the limit of a closed form of its partial sums.
 
 The terms f(k) y^(p k + q) with f(k + 1)/f(k) = P(k)/Q(k), P and Q polynomials, have a sum S(y) with
 Q(δ − 1) S − y^p P(δ) S = Q(−1) f(0) y^q, where δ = (θ − q)/p and θ = y d/dy. Let G be the function
@@ -18,18 +21,19 @@ Math. 32 (1990) 321.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import pairwise
+from dataclasses import replace
+from functools import partial
+from itertools import chain, pairwise
 from math import factorial
 
 from flint import fmpq, fmpq_poly
 
-from tresym.reals.decisions.answer import Answer, exactly, refuted
+from tresym.reals.decisions.answer import Answer, Decide, exactly, refuted
 from tresym.reals.decisions.hypergeometric import (
     HIGHEST,
     K,
     OpenError,
     Series,
-    diverges,
     has_terms,
     out_of_range,
     radius_of,
@@ -38,11 +42,14 @@ from tresym.reals.decisions.hypergeometric import (
     whole_roots,
 )
 from tresym.reals.decisions.identity import decide
-from tresym.reals.decisions.statement import functions
+from tresym.reals.decisions.induction import first_terms, with_values
+from tresym.reals.decisions.known_values import Known, known_value
+from tresym.reals.decisions.readable_witnesses import constants_hold
+from tresym.reals.decisions.statement import Comparison, Statement, functions
 from tresym.reals.domain.binder_values import jumps
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
-from tresym.reals.language.binders import elementary
+from tresym.reals.language.binders import elementary, is_infinite, outermost
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     LEAVES,
@@ -52,6 +59,7 @@ from tresym.reals.language.expression import (
     apply,
     fresh,
     number,
+    opened,
     rebuild,
     replaced,
     substitute,
@@ -71,6 +79,52 @@ POLES = 4
 """Up to which power of y is multiplied with, where a side has a singularity that is removable."""
 POINTS = 6
 APART = "partial sums with a bound on the remainder show that the two sides differ"
+
+
+def decide_infinite(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
+    """Decide a claim with infinite sums or products.
+
+    Args:
+        decided: the procedure for claims without them.
+    """
+    nodes = [node for node in outermost(claim.left, claim.right) if is_infinite(node)]
+    limit = statement.path is not None
+    if claim.derivatives or statement.equations or (limit and not is_infinite(claim.right)):
+        why = "a series together with derivatives, limits or conditions with == is not supported"
+        return Answer(Verdict.UNDECIDED, why)
+    if claim.relation not in ("==", "->") and any(symbols(node) - {"oo"} for node in nodes):
+        return Answer(Verdict.UNDECIDED, "for a series with variables only equations are supported")
+    found = None
+    if len(set(nodes)) == 1 and claim.relation == "==" and not statement.integers:
+        side = claim.solved(nodes[0])
+        if side is not None:
+            found = decide_power_series(side, nodes[0], statement.given)
+            if found or found.verdict is Verdict.REFUTED:
+                return _as_claimed(found, claim, nodes[0])
+    known: dict[Expr, Known] = {}
+    for node in dict.fromkeys(nodes):
+        (k,), body = opened(node, statement.given.names)
+        form = known_value(node.op, body, k, node.args[1], node.args[2], statement.given)
+        if form is None and limit:
+            return Answer(Verdict.UNDECIDED, f"{node}: no known theorem gives its value")
+        if form is None:
+            answer = first_terms(claim, statement, decided)
+            return answer if found is None or answer.verdict is not Verdict.UNDECIDED else found
+        known[node] = form
+    values = {node: form.value for node, form in known.items()}
+    said = "; ".join(f"{node} = {form.value} by {form.source}" for node, form in known.items())
+    answer = with_values(claim, statement, values, said, decided)
+    if answer.verdict is Verdict.UNDECIDED and not limit:  # 0/0 where a theorem leaves out a factor
+        other = first_terms(claim, statement, decided)
+        return answer if other.verdict is Verdict.UNDECIDED else other
+    return answer
+
+
+def _as_claimed(found: Answer, claim: Comparison, series: Expr) -> Answer:
+    """Values of an elementary side and of a series as those of the two sides of the claim."""
+    if found.values is None or claim.right == series:
+        return found
+    return replace(found, values=found.values[::-1] if claim.left == series else None)
 
 
 # The proof
@@ -282,57 +336,47 @@ def _coefficient_is(g: Expr, y: str, m: int, s: Series, q: int, scale: Expr, giv
 def _at_points(side: Expr, s: Series, given: Given) -> Answer | None:
     """Return a refutation where the sides differ or the series diverges, or None."""
     names = symbols(side) | symbols(s.u) | symbols(s.head)
-    for at in given.points(names, POINTS):
+    inside = ({n: number(x) for n, x in at.items()} for at in given.points(names, POINTS))
+    spoken_of = not symbols(s.u) or bool(symbols(s.u) & given.names)  # else no range is said
+    for at in chain(inside, _beyond(s, given, names) if spoken_of else ()):
         with ball_precision(256):
-            value, total = evaluate(side, at), summed(s, at)
-        if total is not None and value.is_finite() and not value.overlaps(total):
-            return refuted(APART, at, value, total)
-        if value.is_finite() and diverges(s) and has_terms(s, at):
-            return refuted("the series diverges", at)
-    if symbols(s.u) & given.names:  # else its range is not said at all
-        radius = radius_of(s)
-        far = () if radius is None else ((apply("abs", s.u), ">", radius),)
-        for at in (given & Given(far)).points(names, POINTS) if far else ():
-            with ball_precision():
-                if evaluate(side, at).is_finite() and has_terms(s, at):
-                    return refuted(f"the series diverges where abs({s.u}) > {radius}", at)
-    return _at_ends(side, s, given)
-
-
-def _at_ends(side: Expr, s: Series, given: Given) -> Answer | None:
-    """Return a refutation at an end of the interval of convergence, or None."""
-    names = sorted(symbols(s.u))
-    if len(names) != 1 or not s.rate or symbols(side) - {*names}:
-        return None
-    (x,) = names
-    radius = radius_of(s)
-    if radius is None or x not in given.names:
-        return None
-    for sided in (1, -1):
-        even = sided > 0 or s.step % 2 == 0
-        if s.converges(bool(s.rate > 0) == even):
+            ball = {name: evaluate(value, {}) for name, value in at.items()}
+            value, total = evaluate(side, ball), summed(s, ball)
+        if not value.is_finite():
             continue
-        for point in solutions(s.u - sided * radius, x):
-            if symbols(point):
-                continue
-            at = {x: point}
-            with ball_precision():
-                ball = {x: evaluate(point, {})}
-                if not evaluate(side, ball).is_finite() or not has_terms(s, ball):
-                    continue
-            if equal_at(substitute(s.u, at), sided * radius, {}) and all(
-                _holds_at(c.expression, c.relation, at) for c in given.conditions
-            ):
-                return refuted(f"the series diverges where {s.u} is {sided * radius}", at)
+        if total is not None and not value.overlaps(total):
+            return refuted(APART, at, value, total)
+        where = _divergence(s, at) if spoken_of else ""
+        if where and has_terms(s, ball):
+            return refuted(f"the series diverges{where}", at)
     return None
 
 
-def _holds_at(e: Expr, relation: str, at: dict[str, Expr]) -> bool:
-    e = substitute(e, at)
-    if symbols(e):
-        return False
+def _beyond(s: Series, given: Given, names: frozenset[str]) -> Iterator[dict[str, Expr]]:
+    """Points outside the interval of convergence, and, in one variable, at its ends."""
+    radius = radius_of(s)
+    if radius is None or not symbols(s.u):
+        return
+    far = given & Given(((apply("abs", s.u), ">", radius),))
+    yield from ({n: number(x) for n, x in at.items()} for at in far.points(names, POINTS))
+    for end in (radius, -radius) if len(names) == 1 else ():
+        for point in solutions(s.u - end, *names):
+            at = dict.fromkeys(names, point)
+            links = given.mapped(partial(substitute, mapping=at)).comparisons
+            if not symbols(point) and constants_hold(links) is not None:
+                yield at
+
+
+def _divergence(s: Series, at: dict[str, Expr]) -> str:
+    """Return where the series is proved to diverge if all terms are not 0; empty if nowhere."""
+    radius, u = radius_of(s), substitute(s.u, at)
+    if radius is None:
+        return ""
     with ball_precision():
-        ball = evaluate(e, {})
-    if ball > 0 or (relation == "!=" and ball < 0):
-        return True
-    return relation == ">=" and equal_at(e, ZERO, {})
+        if abs(evaluate(u, {})) > evaluate(radius, {}):
+            return f", for abs({s.u}) > {radius}"
+    for side in (1, -1) if s.rate else ():
+        even = side > 0 or s.step % 2 == 0
+        if not s.converges(bool((s.rate or 0) > 0) == even) and equal_at(u, side * radius, {}):
+            return f" where {s.u} is {side * radius}"
+    return ""

@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
+from functools import partial
 from itertools import islice, product
 
 from flint import fmpq
 
-from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.answer import Answer, Decide, exact_text
+from tresym.reals.decisions.statement import Comparison, Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate, stands
 from tresym.reals.domain.operation_domains import needs
-from tresym.reals.language.expression import LEAVES, ZERO, Expr, rebuild, symbols
+from tresym.reals.language.expression import LEAVES, ZERO, Expr, rebuild, substitute, symbols
 from tresym.reals.language.parsing import Compared, parse
 from tresym.reals.normal.at_point import equal_at
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
+from tresym.reals.verdict import Verdict
 
 SIMPLE = (*map(fmpq, (2, -1, 3, -2, 1, 5)), fmpq(1, 2), fmpq(-3, 2), fmpq(1, 3))
 MOST_TRIED = 500
@@ -79,3 +83,34 @@ def _holds(left: Expr, relation: str, right: Expr) -> bool:
         if stands(difference, relation):
             return True
     return relation in (">=", "<=") and difference.contains(0) and equal_at(left, right, {})
+
+
+def decided_at(
+    points: Iterable[Mapping[str, Expr]], claim: Comparison, statement: Statement, decided: Decide
+) -> tuple[Answer | None, bool]:
+    """Decide a claim at values of some of its variables, one point after another.
+
+    Points at which a condition fails, or may fail, are left out.
+
+    Returns:
+        The first refutation, with all of its point, or None; and whether a point had a proof.
+    """
+    proved = False
+    for at in points:
+        put_in = partial(substitute, mapping=at)
+        try:
+            fixed, there = claim.mapped(put_in), statement.mapped(put_in)
+        except InputError:  # a number on the way is too long
+            continue
+        given = constants_hold(there.given.comparisons)
+        if given is None:
+            continue
+        integers = tuple(name for name in statement.integers if name not in at)
+        found = decided(fixed, replace(there, given=given, integers=integers))
+        if found.verdict is Verdict.REFUTED:
+            point = {name: exact_text(value) for name, value in at.items()}
+            shown = ", ".join(f"{name} = {value}" for name, value in point.items())
+            witness = point | dict(found.witness or {})
+            return replace(found, why=f"at {shown}: {found.why}", witness=witness), proved
+        proved = proved or bool(found)
+    return None, proved

@@ -15,7 +15,7 @@ from flint import fmpq
 
 from tresym.reals.decisions.answer import Answer, Decide
 from tresym.reals.decisions.identity import decide
-from tresym.reals.decisions.integral_identities import Antiderivatives
+from tresym.reals.decisions.integral_rules import Antiderivatives
 from tresym.reals.decisions.readable_witnesses import exact_witness
 from tresym.reals.decisions.statement import Comparison, Statement, functions
 from tresym.reals.domain.conditions import Given

@@ -3,32 +3,30 @@
 ``x**a`` means ``exp(a log(x))``, so a claim with it is first decided for positive ``x``. For some
 numbers ``a``, such as ``a = 1``, the power has a value elsewhere too, and a claim that fails there
 is false: ``x**a >= 0``, ``(x**2)**a == x**(2*a)``. A negative base requires an integer exponent, so
-the remaining claim is one about integers and is decided as such. Sample points are tried first;
-they can only refute.
+the remaining claim is one about integers and is decided as such. Where it is open, simple
+exponents are tried.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
-from functools import cache, partial
+from functools import partial
 from itertools import chain, islice, product
-from math import prod
 
-from flint import arb, fmpq
-
-from tresym.reals.decisions.answer import Answer, Decide, exactly, refuted
+from tresym.reals.decisions.answer import Answer, Decide, exact_text
 from tresym.reals.decisions.equations import is_empty
+from tresym.reals.decisions.point_check import confirmed
+from tresym.reals.decisions.readable_witnesses import decided_at
 from tresym.reals.decisions.statement import Comparison, Statement
 from tresym.reals.domain.binder_values import jumps
 from tresym.reals.domain.conditions import Given
-from tresym.reals.domain.evaluation import Tape, rational_power, stands
 from tresym.reals.domain.operation_domains import bound, needs
 from tresym.reals.language.binders import elementary, generalised
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
+    HALF,
     LEAVES,
-    MAX_POWER,
     ONE,
     ZERO,
     Expr,
@@ -40,17 +38,13 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.formula import NEGATED
-from tresym.reals.normal.at_point import equal_at
-from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.language.parsing import parse
 from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
 
-EXPONENTS = (*map(fmpq, (1, 2, 3, -1)), fmpq(1, 2), *map(fmpq, (-2, 0)), fmpq(1, 3))
-ELSEWHERE = (*map(fmpq, (-1, 0, 2, -2)), fmpq(-1, 2), *map(fmpq, (1, -4)), fmpq(1, 2))
-MOST, STRIDE = 512, 317811
-"""Points that are tried; of more there are those that come at this stride, in no pattern."""
 MOST_BASES = 3
+EXPONENTS, MOST = (number(2), HALF, ONE), 9
+"""Values of the variables in exponents, and how many points, at which the claim is looked at."""
 OPEN = (
     "undecided where the base of a power ({1}) is not positive: "
     "{2}; add the condition that it is positive (for positive bases: {0})"
@@ -87,23 +81,24 @@ def beyond_positive_bases(
                 doubtful[base] = sign_of
     if not doubtful:
         return answer
-    if elementary(*trees):
-        with ball_precision():
-            found = next(_against(claim, statement, doubtful, asked), None)
-        if found is not None:
-            return found
     bases = ", ".join(sorted(map(str, doubtful)))
     if len(doubtful) > MOST_BASES:
         return Answer(Verdict.UNDECIDED, OPEN.format(answer.why, bases, "too many bases"))
     given = statement.given & Given(tuple(bound(*part) for part in asked))
-    statement = replace(statement, given=given)
-    for case, inside in chain(
-        _at_negative_bases(claim, statement, doubtful), _at_zero(claim, statement, doubtful)
+    whole = replace(statement, given=given)
+    for case, inside, put in chain(
+        _at_negative_bases(claim, whole, doubtful), _at_zero(claim, whole, doubtful)
     ):
         if not is_empty(inside.given):
             found = decided(case, inside)
+            if found.verdict is Verdict.REFUTED:
+                found = _of_claim(found, put, claim, statement)
+            if found.verdict is Verdict.REFUTED:
+                return found
             if not found:
-                return Answer(Verdict.UNDECIDED, OPEN.format(answer.why, bases, found.why))
+                why = OPEN.format(answer.why, bases, found.why)
+                other = _at_simple_exponents(claim, statement, decided)
+                return Answer(Verdict.UNDECIDED, why) if other is None else other
     note = (
         f"; proved first where the bases of powers are positive ({bases}), then where they are not"
     )
@@ -117,10 +112,31 @@ def _sign(e: Expr, given: Given) -> str | None:
     return sign(e, Given(tuple((x, link[1], y) for link, x, y in pairs)), dear=False)
 
 
+def _of_claim(
+    found: Answer, put: Mapping[str, Expr], claim: Comparison, statement: Statement
+) -> Answer:
+    """A refutation of a case, with its point in the variables of the claim, where it is checked."""
+    point = {name: parse(text) for name, text in (found.witness or {}).items()}
+    moved = {name: exact_text(substitute(e, point)) for name, e in put.items() if name in point}
+    return confirmed(replace(found, witness=dict(found.witness or {}) | moved), claim, statement)
+
+
+def _at_simple_exponents(claim: Comparison, statement: Statement, decided: Decide) -> Answer | None:
+    """A refutation where exponents have simple values, or None."""
+    raised = _powers((claim.left, claim.right, *statement.said))
+    names = sorted(frozenset().union(*(symbols(e) for _, e in raised)))
+    points = islice(product(EXPONENTS, repeat=len(names)), MOST)
+    at = (dict(zip(names, values, strict=True)) for values in points)
+    return decided_at(at, claim, statement, decided)[0]
+
+
 def _at_negative_bases(
     claim: Comparison, statement: Statement, doubtful: Mapping[Expr, str | None]
-) -> Iterator[tuple[Comparison, Statement]]:
-    """The claim where some bases are negative, so that their exponents are integers."""
+) -> Iterator[tuple[Comparison, Statement, dict[str, Expr]]]:
+    """The claim where some bases are negative, so that their exponents are integers.
+
+    The third item gives the variables that are replaced: the new ones are the exponents.
+    """
     trees = (claim.left, claim.right, *statement.said)
     for signs in islice(product((">", "<"), repeat=len(doubtful)), 1, None):
         chosen = dict(zip(doubtful, signs, strict=True))
@@ -138,12 +154,12 @@ def _at_negative_bases(
         there = Given(tuple((base, relation, ZERO) for base, relation in chosen.items()))
         inside = replace(statement, given=statement.given & there, integers=tuple(integers))
         change = partial(substitute, mapping=put)
-        yield claim.mapped(change), inside.mapped(change)
+        yield claim.mapped(change), inside.mapped(change), put
 
 
 def _at_zero(
     claim: Comparison, statement: Statement, doubtful: Iterable[Expr]
-) -> Iterator[tuple[Comparison, Statement]]:
+) -> Iterator[tuple[Comparison, Statement, dict[str, Expr]]]:
     """The claim where a base is 0, but where it holds there by continuity.
 
     With its exponent fixed, such a power has its limit as the base falls to 0.
@@ -163,7 +179,7 @@ def _at_zero(
                 equations=(*statement.equations, *equations),
             )
             change = partial(replaced, known=put)
-            yield claim.mapped(change), replace(inside, given=inside.given & positive)
+            yield claim.mapped(change), replace(inside, given=inside.given & positive), {}
 
 
 def holds_powers(e: Expr) -> bool:
@@ -197,66 +213,3 @@ def _needs(claim: Comparison) -> list[tuple[Expr, str]]:
 def _said_of(base: Expr, asked: Iterable[tuple[Expr, str]]) -> Given:
     """What is asked of the variables of the base alone."""
     return Given(tuple(bound(*part) for part in asked if symbols(part[0]) <= symbols(base)))
-
-
-def _against(
-    claim: Comparison,
-    statement: Statement,
-    doubtful: Iterable[Expr],
-    asked: Iterable[tuple[Expr, str]],
-) -> Iterator[Answer]:
-    """Refutations at points where a base in doubt is not positive."""
-    sides = (claim.left, claim.right, *statement.said)
-    raised = {name for _, exponent in _powers(sides) for name in symbols(exponent)}
-    names = sorted(set().union(*map(symbols, sides)), key=lambda name: (name in raised, name))
-    tried = [
-        [(x, arb(x)) for x in (EXPONENTS if name in raised else ELSEWHERE)]
-        for name in reversed(names)
-    ]
-    count = prod(map(len, tried))
-    some = (k * STRIDE % count for k in range(MOST)) if count > MOST else range(count)
-    links = [(e, relation) for e, relation in asked]
-    links += [(x - y, relation) for x, relation, y in statement.given.comparisons]
-    links += [(x - y, "==") for x, y in statement.equations]
-    at = cache(partial(_AtNumbers, names=names))
-    for k in some:
-        digits = []
-        for values in tried:
-            k, n = divmod(k, len(values))
-            digits.append(values[n])
-        exact, near = zip(*reversed(digits), strict=True)
-        point = dict(zip(names, exact, strict=True))
-        if any(point[name].q != 1 for name in statement.integers if name in point):
-            continue
-        if all(at(base)(near) > 0 for base in doubtful):
-            continue
-        failing = next(
-            (link for link in links if not _holds(at(link[0])(near), *link, point)), None
-        )
-        if failing is None:
-            x, y = at(claim.left)(near), at(claim.right)(near)
-            if stands(x - y, NEGATED[claim.relation]):
-                why = exactly("it fails", point) + ", where the base of a power is not positive"
-                yield refuted(why, point, x, y)
-        else:
-            links.sort(key=lambda link: link is not failing)  # it may fail at the next point, too
-
-
-def _holds(difference: arb, e: Expr, relation: str, point: Mapping[str, fmpq]) -> bool:
-    """Whether ``e``, of which this is the ball at the point, is shown to stand so to zero."""
-    if stands(difference, relation) or not difference.contains(0):
-        return stands(difference, relation)
-    if relation not in (">=", "<="):
-        return False
-    return equal_at(substitute(e, {name: number(x) for name, x in point.items()}), ZERO, {})
-
-
-class _AtNumbers(Tape):
-    """Values in balls, where a power whose exponent is a number is that of the number."""
-
-    @staticmethod
-    def _power(x: arb, y: arb) -> arb:
-        r = y.fmpq() if y.is_exact() and abs(y) < MAX_POWER else None
-        if r is None or r.q > MAX_POWER:
-            return Tape._power(x, y)
-        return rational_power(x, r)

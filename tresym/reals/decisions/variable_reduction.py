@@ -3,12 +3,6 @@
 - *Homogeneity.* If d(ty, y) = yᵏ d(t, 1) for y > 0, and the conditions and the domain are
   homogeneous as well, the claim at (x, y) is the claim at (x/y, 1).
 - *Monotonicity.* g(x) ≥ g(y) for x < y holds if g′ ≤ 0 on an interval that contains both.
-- *Dependence on one combination.* If d(x, y) = f(u) for u = x + y, x − y or x y, the claim is one
-  about f on all values that u takes.
-- *Sums.* Σ gᵢ(xᵢ) ≥ 0 holds if gᵢ ≥ gᵢ(pᵢ) at points with Σ gᵢ(pᵢ) ≥ 0.
-- *Products.* Π gᵢ(xᵢ) ≥ 1 holds if gᵢ ≥ cᵢ for numbers with Π cᵢ ≥ 1 and all factors are positive;
-  g(x)/g(y) ≥ 1 is g(x) ≥ g(y).
-- *Absolute values.* Π gᵢ(xᵢ) ≥ Π hᵢ(xᵢ) with left side ≥ 0 holds if gᵢ² ≥ hᵢ² for all i.
 
 The remaining claims in one variable go to the procedure for one variable.
 """
@@ -18,17 +12,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from functools import partial
-from itertools import islice, product
-from math import prod
 
 from flint import arb, fmpq
 
-from tresym.reals.balls.simplest_constants import candidates
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
-from tresym.reals.domain.local_search import low_points
-from tresym.reals.domain.operation_domains import needs, with_domain
+from tresym.reals.domain.operation_domains import needs
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     LEAVES,
@@ -36,15 +26,14 @@ from tresym.reals.language.expression import (
     ZERO,
     Expr,
     add,
+    multiply,
     number,
     substitute,
     symbol,
     symbols,
 )
 from tresym.reals.language.like_terms import collected
-from tresym.reals.normal.at_point import equal_at
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.exact import Interval, rational_ends
 from tresym.reals.signs.interior import PROVING, is_zero
 from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
@@ -52,9 +41,6 @@ from tresym.reals.verdict import Verdict
 Decide = Callable[[Expr, str, Expr, Given], Answer]
 DEGREES = tuple(fmpq(n, 2) for n in (0, 2, 4, -2, 6, 8, 1, -4, 3))
 Comparison = tuple[Expr, str, Expr]
-NEAR, TINY = fmpq(1, 2**24), fmpq(1, 2**28)
-MAX_LEAST = 4
-STARTS = 8
 
 
 def by_one_variable(
@@ -66,7 +52,7 @@ def by_one_variable(
     """
     if _jumps((left, right, *(c.expression for c in given.conditions))):
         return None
-    for method in (_scaled, _of_one_part, _monotone, _separated, _multiplied, _by_sizes):
+    for method in (_scaled, _monotone):
         found = method(left, relation, right, given, decide)
         if found is not None:
             return found
@@ -125,78 +111,6 @@ def _is_homogeneous(e: Expr, x: str, y: str, given: Given) -> bool:
     return False
 
 
-# -- sums and products of two -------------------------------------------------------------------
-
-
-def _of_one_part(
-    left: Expr, relation: str, right: Expr, given: Given, ask: Decide
-) -> Answer | None:
-    difference = left - right
-    names = sorted(symbols(difference))
-    if len(names) != 2:
-        return None
-    x, y = map(symbol, names)
-    region = with_domain(given, left, right)
-    ends = [given.box.get(name, Interval()) for name in names]
-    for part, neutral, values in (
-        (x + y, ZERO, _sum(*ends)),
-        (x - y, ZERO, _sum(ends[0], _opposite(ends[1]))),
-        (x * y, ONE, _product(*ends)),
-    ):
-        f = substitute(difference, {names[1]: neutral})
-        there = substitute(f, {names[0]: part})
-        if _differ(difference, there, given) or not is_zero(difference - there, region):
-            continue
-        if not all(sign(e, region, r) in PROVING[r] for e, r in needs((there,))):
-            continue  # the difference may be real where the function of the part is not
-        found = ask(f, relation, ZERO, Given(tuple(_within(x, values))))
-        if found:
-            return replace(
-                found, why=f"the difference depends only on {part}: {found.why}", region=None
-            )
-    return None
-
-
-def _differ(e: Expr, other: Expr, given: Given) -> bool:
-    """Return whether two expressions differ at one of a few sample points."""
-    with ball_precision():
-        for point in given.points(sorted(symbols(e)), STARTS):
-            at = {name: arb(value) for name, value in point.items()}
-            wrong = evaluate(e, at) - evaluate(other, at)
-            if wrong.is_finite():
-                return not wrong.contains(0)
-    return False
-
-
-def _opposite(where: Interval) -> Interval:
-    low, high = (None if end is None else -end for end in (where.high, where.low))
-    return Interval(low, high, where.high_open, where.low_open)
-
-
-def _sum(one: Interval, other: Interval) -> Interval:
-    low = None if one.low is None or other.low is None else one.low + other.low
-    high = None if one.high is None or other.high is None else one.high + other.high
-    return Interval(low, high, one.low_open or other.low_open, one.high_open or other.high_open)
-
-
-def _product(one: Interval, other: Interval) -> Interval:
-    """An interval of the products, which are known to be bounded where neither is negative."""
-    if one.low is None or other.low is None or one.low < 0 or other.low < 0:
-        return Interval()
-    low = one.low * other.low
-    opens = [where.low_open for where in (one, other) if low > 0 or where.low == 0]
-    high = None if one.high is None or other.high is None else one.high * other.high
-    closed = low == 0 and not all(opens)
-    return Interval(low, high, any(opens) and not closed, False)
-
-
-def _within(x: Expr, where: Interval) -> Iterator[Comparison]:
-    if where.low is not None:
-        yield x, ">" if where.low_open else ">=", number(where.low)
-    if where.high is not None:
-        yield x, "<" if where.high_open else "<=", number(where.high)
-
-
 # -- one function at two places -----------------------------------------------------------------
 
 
@@ -205,10 +119,8 @@ def _monotone(left: Expr, relation: str, right: Expr, given: Given, ask: Decide)
     if len(names) != 2:
         return None
     x, y = names
-    difference = collected(left - right)
-    terms = difference.args if difference.op == "+" else (difference,)
-    g = add(*(term for term in terms if symbols(term) == {x}))
-    if not is_zero(difference - g + substitute(g, {x: symbol(y)}), Given()):
+    g = _at_two_points(collected(left - right), x, y, given)
+    if g is None:
         return None
     order = sign(symbol(y) - symbol(x), given)
     if order not in ("+", "-"):
@@ -229,6 +141,23 @@ def _monotone(left: Expr, relation: str, right: Expr, given: Given, ask: Decide)
     return replace(found, why=why, region=None)
 
 
+def _at_two_points(difference: Expr, x: str, y: str, given: Given) -> Expr | None:
+    """Return g if the difference is g(x) − g(y), or one of two terms with quotient g(x)/g(y)."""
+    terms = difference.args if difference.op == "+" else (difference,)
+    g, other = add(*(term for term in terms if symbols(term) == {x})), {x: symbol(y)}
+    if is_zero(difference - g + substitute(g, other), Given()):
+        return g
+    for up, down in (terms, terms[::-1]) if len(terms) == 2 else ():
+        if sign(up, given) == sign(-down, given) == "+":
+            over, under = (e.args if e.op == "*" else (e,) for e in (up, -down))
+            factors = (*over, *(1 / factor for factor in under))
+            g = multiply(*(factor for factor in factors if symbols(factor) == {x}))
+            there = substitute(g, other)
+            if sign(there, given) == "+" and is_zero(up / -down - g / there, given):
+                return g
+    return None
+
+
 def _bounds(name: str, side: int, x: str, given: Given) -> Iterator[Comparison]:
     """The bounds of a variable from below (``side`` 1) or above, as such of ``x``."""
     for condition in given.conditions:
@@ -239,183 +168,3 @@ def _bounds(name: str, side: int, x: str, given: Given) -> Iterator[Comparison]:
                 bound = collected(substitute(e, {name: ZERO}) / -slope)
                 relation = condition.relation if side > 0 else condition.relation.replace(">", "<")
                 yield symbol(x), relation, bound
-
-
-# -- sums ---------------------------------------------------------------------------------------
-
-
-def _separated(left: Expr, relation: str, right: Expr, given: Given, ask: Decide) -> Answer | None:
-    difference = collected(left - right)
-    terms = difference.args if difference.op == "+" else (difference,)
-    names = sorted(symbols(difference))
-    parts = {name: add(*(t for t in terms if symbols(t) == {name})) for name in names}
-    alone = all(len(symbols(t)) <= 1 for t in terms)
-    if len(names) < 2 or not alone:
-        return None
-    constant = add(*(t for t in terms if not symbols(t)))
-    least: dict[str, Expr] = {}
-    own = {}
-    for name, part in parts.items():
-        own[name] = Given(tuple(dict.fromkeys(_alone(name, given))))
-        lowest = next(_lowest(part, name, own[name]), None)
-        if lowest is None:
-            return None
-        least[name] = substitute(part, {name: lowest})
-    total = constant + add(*least.values())
-    if not (equal_at(total, ZERO, {}) and relation == ">=") and sign(total, Given()) != "+":
-        return None
-    answers = [ask(parts[name], ">=", least[name], own[name]) for name in names]
-    if not all(answers):
-        return None
-    return _weakest(answers, "proved for each variable separately")
-
-
-def _weakest(answers: list[Answer], what: str) -> Answer:
-    """Combine several answers that hold into one."""
-    weakest = next((a for a in answers if a.verdict is Verdict.ENCLOSED), answers[0])
-    return replace(weakest, why=f"{what}: {weakest.why}", region=None)
-
-
-# -- products -----------------------------------------------------------------------------------
-
-
-def _multiplied(left: Expr, relation: str, right: Expr, given: Given, ask: Decide) -> Answer | None:
-    difference = collected(left - right)
-    names = sorted(symbols(difference))
-    parts = _quotient(difference, given)
-    if parts is None or len(names) < 2 or relation == "!=":
-        return None
-    rest = parts.pop("", ONE)
-    if len(names) == 2:
-        x, y = names
-        if is_zero(rest * parts[y] * substitute(parts[x], {x: symbol(y)}) - 1, given):
-            other = substitute(parts[x], {x: symbol(y)})
-            found = _monotone(parts[x], relation, other, given, ask)
-            if found is not None:
-                return found
-    parts[names[-1]] = rest * parts[names[-1]]
-    own = {name: Given(tuple(dict.fromkeys(_alone(name, given)))) for name in names}
-    for least in product(*(list(_least(parts[name], name, own[name])) for name in names)):
-        total = prod(least, start=ONE)
-        beyond = sign(total - 1, Given()) == "+"
-        if not (beyond or equal_at(total, ONE, {})):
-            continue
-        relations = [">=" if beyond else relation, *(">=" for _ in names[1:])]
-        answers = [
-            ask(parts[name], r, c, own[name])
-            for name, r, c in zip(names, relations, least, strict=True)
-        ]
-        if all(answers):
-            return _weakest(answers, "proved for each factor separately")
-    return None
-
-
-def _by_sizes(left: Expr, relation: str, right: Expr, given: Given, ask: Decide) -> Answer | None:
-    difference = collected(left - right)
-    if difference.op != "+" or len(difference.args) != 2:
-        return None
-    for above, below in (difference.args, difference.args[::-1]):
-        pairs = [_by_variable(*_factors(above, 1)), _by_variable(*_factors(below, 1))]
-        names = sorted({*(pairs[0] or ()), *(pairs[1] or ())} - {""})
-        if None in pairs or len(names) < 2 or sign(above, given, ">=") not in PROVING[">="]:
-            continue
-        answers = []
-        for n, name in enumerate(names):
-            sides = [
-                (part.get(name, ONE) * (ONE if n else part.get("", ONE))) ** 2
-                for part in pairs
-                if part is not None
-            ]
-            own = Given(tuple(dict.fromkeys(_alone(name, given))))
-            answers.append(ask(sides[0], relation, sides[1], own))
-            if not answers[-1]:
-                break
-        if all(answers):
-            return _weakest(answers, "proved for the absolute value of each factor separately")
-    return None
-
-
-def _by_variable(*factors: Expr) -> dict[str, Expr] | None:
-    """The factors, multiplied by variable, what has none under ""; None where one has several."""
-    parts: dict[str, Expr] = {}
-    for factor in factors:
-        names = symbols(factor)
-        if len(names) > 1:
-            return None
-        name = next(iter(names), "")
-        parts[name] = parts.get(name, ONE) * factor
-    return parts
-
-
-def _quotient(difference: Expr, given: Given) -> dict[str, Expr] | None:
-    """Two positive products divided, by variable: the difference is not negative where it is ≥ 1.
-
-    None where the difference is not one of such products.
-    """
-    if difference.op != "+" or len(difference.args) != 2:
-        return None
-    signs = [sign(term, given) for term in difference.args]
-    if sorted(map(str, signs)) != ["+", "-"]:
-        return None
-    above, below = difference.args if signs[0] == "+" else difference.args[::-1]
-    parts = _by_variable(*_factors(above, 1), *_factors(-below, -1))
-    if parts is None or any(sign(part, given) != "+" for part in parts.values()):
-        return None
-    return parts
-
-
-def _factors(e: Expr, power: int) -> Iterator[Expr]:
-    """The factors of a product to a power, 1 or −1."""
-    if e.op == "*":
-        for factor in e.args:
-            yield from _factors(factor, power)
-    elif e.op == "^" and e.args[1] == -ONE:
-        yield from _factors(e.args[0], -power)
-    else:
-        yield e if power > 0 else 1 / e
-
-
-def _alone(name: str, given: Given) -> Iterator[Comparison]:
-    """What the conditions say of one variable: its own, and ends of others that bound it too."""
-    for comparison, condition in zip(given.comparisons, given.conditions, strict=True):
-        e = condition.expression
-        if symbols(e) == {name}:
-            yield comparison
-        elif len(symbols(e)) == 1:
-            (other,) = symbols(e)
-            for side in (1, -1):
-                for _, relation, end in _bounds(other, side, name, given):
-                    if (
-                        sign(side * (symbol(name) - end), given)
-                        in PROVING[relation.replace("<", ">")]
-                    ):
-                        yield symbol(name), relation, end
-
-
-def _least(part: Expr, name: str, given: Given) -> Iterator[Expr]:
-    """Numbers that may be the greatest below ``part``, whether or not it takes them."""
-    beside = [fmpq(0)]
-    with ball_precision():
-        for end in (side for link in given.comparisons for side in link[::2] if not symbols(side)):
-            low = rational_ends(evaluate(end, {})).low
-            beside += [] if low is None else [low + side * TINY for side in (1, -1)]
-        found = []
-        for x in (*beside, *(p[name] for p in given.points([name], STARTS))):
-            at = {name: arb(x)}
-            value = evaluate(part, at)
-            if value.is_finite() and all(c.holds(at) for c in given.conditions):
-                found.append(rational_ends(value).low)
-    low = min((x for x in found if x is not None), default=None)
-    if low is not None:
-        yield from islice(candidates(Interval(low - NEAR, low + NEAR)), MAX_LEAST)
-
-
-# -- the lowest points of one variable ----------------------------------------------------------
-
-
-def _lowest(part: Expr, name: str, given: Given) -> Iterator[Expr]:
-    """Points that may be the lowest, as far as descent and simple constants find them."""
-    points = list(low_points(part, given, given.points([name], STARTS)))
-    for point in points[-1:]:
-        x = point[name]
-        yield from candidates(Interval(x - NEAR, x + NEAR))

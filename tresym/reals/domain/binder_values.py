@@ -32,8 +32,8 @@ JUMPS = frozenset(("sign", "atan2"))
 """Operations whose balls remain finite at jumps."""
 ROUGH = 64
 """The precision in bits of the first search for a root."""
-ENDS = 24
-"""The search for a change of sign approaches the ends up to 2^−ENDS of the width."""
+ENDS = (*range(2, 25), 32, 48, 72, 108, 162, 243, 364)
+"""The search for a change of sign looks 2^−n of the width from each end, for these n."""
 STEPS = 60
 EVALUATIONS = 20_000
 """The maximal number of evaluations for one integral."""
@@ -173,7 +173,10 @@ def bracket(near: Callable[[arb], arb], over: Callable[[arb], arb], low: arb, hi
     Raises:
         UndefinedError: no bracket is found.
     """
-    x, slope = _found(near, low.mid(), high.mid())
+    try:
+        x, slope = _found(near, low.mid(), high.mid(), ROUGH)
+    except UndefinedError:
+        x, slope = _found(near, low.mid(), high.mid(), ctx.prec)
     width = (over(x) / slope).abs_upper() * arb("1.25") + abs(x) * arb((1, 8 - ctx.prec))
     for _ in range(WIDER):
         first, last = (x - width).mid(), (x + width).mid()
@@ -201,16 +204,16 @@ def _along(name: str, body: Expr, at: At, root: Root) -> Callable[[arb], arb]:
     return function
 
 
-def _found(f: Callable[[arb], arb], low: arb, high: arb) -> tuple[arb, arb]:
+def _found(f: Callable[[arb], arb], low: arb, high: arb, rough: int) -> tuple[arb, arb]:
     """Return a point near a root between the ends, and the slope there.
 
     The method is regula falsi with halved weights (the Illinois algorithm), followed by the secant
-    method at working precision.
+    method at working precision. The first search has ``rough`` bits.
 
     Raises:
         UndefinedError: no change of sign is found.
     """
-    with ball_precision(ROUGH):
+    with ball_precision(rough):
         one, two = _change(f, low, high)
         (x, at_x), (y, at_y) = one, two
         for _ in range(STEPS):
@@ -241,7 +244,7 @@ def _change(
     """Return two points with values of opposite signs, searching from the middle outward."""
     middle = ((low + high) / 2).mid()
     last = [(middle, f(middle))] * 2
-    for n in range(2, ENDS + 1):
+    for n in ENDS:
         step = (high - low) * arb((1, -n))
         for end, x in enumerate((low + step, high - step)):
             here = x.mid(), f(x.mid())

@@ -20,8 +20,8 @@ def sign_by_concavity(
 
     Decides ``sin(x) >= 2*x/pi given 0 <= x <= pi/2``.
 
-    Limits: the claim must have one variable between two constant bounds, and the sign of the
-    second derivative must be provable.
+    Limits: a variable must lie between two constant bounds, and the sign of the second derivative
+    must be provable.
 
     Args:
         difference: the expression that is compared with zero.
@@ -32,23 +32,35 @@ def sign_by_concavity(
     Returns:
         A sentence that states the proof, or None.
     """
-    names = symbols(difference)
-    if len(names) != 1:
-        return None
-    (name,) = names
+    found = (_in(name, difference, relation, region) for name in sorted(symbols(difference)))
+    return next((sentence for sentence in found if sentence is not None), None)
+
+
+def _in(name: str, difference: Expr, relation: str, region: Given) -> str | None:
+    """Prove the relation by concavity in one variable; the others are parameters."""
     ends = [_end(region, name, (">", ">=")), _end(region, name, ("<", "<="))]
     if ends[0] is None or ends[1] is None:
         return None
+    others = Given(
+        tuple(c for c in region.comparisons if name not in symbols(c[0]) | symbols(c[2]))
+    )
+    (low, _), (high, _) = ends[0], ends[1]
+    x = symbol(name)
+    inside, closed = (
+        others & Given(((x, above, low), (x, below, high)))
+        for above, below in ((">", "<"), (">=", "<="))
+    )
     for end, is_open in (ends[0], ends[1]):
         value = substitute(difference, {name: end})
-        with ball_precision():
-            if not evaluate(value, {}).is_finite():
-                return None
-        found = sign(value, Given())
+        if symbols(value):
+            inside = closed  # where nothing can be evaluated, the ends are to be proved regular too
+            weak = bool(sign_by_concavity(value, ">=", others))
+            found = sign(value, others) or (">=0" if weak else None)
+        else:
+            with ball_precision():
+                found = sign(value, Given()) if evaluate(value, {}).is_finite() else None
         if found not in ("+", ">=0", "0") or (relation != ">=" and found != "+" and not is_open):
             return None
-    (low, _), (high, _) = ends[0], ends[1]
-    inside = Given(((symbol(name), ">", low), (symbol(name), "<", high)))
     if any(sign(part, inside) not in ("+", "-") for part, _ in singularities(difference)):
         return None
     curvature = sign(differentiate(differentiate(difference, name), name), inside)

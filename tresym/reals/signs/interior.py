@@ -133,15 +133,16 @@ def _open_sign(e: Expr, given: Given) -> str | None:
     return {1: ">=0", -1: "<=0", 0: None}[found]
 
 
-def without_powers(field: Field, p: Poly) -> Poly:
-    """Replace each positive symbol whose root occurs in ``p`` by a power of that root."""
+def without_powers(field: Field, p: Poly, other: Poly | None = None) -> Poly:
+    """Replace each positive symbol whose root occurs in ``p``, or in ``other``, by its power."""
+    degrees = (p if other is None else other).degrees()
     for position, order, _ in field.relations:
         generator = field.at(position)
         base = generator.data[0] if generator.kind == "root" else None
         if base is None or len(base) != 1 or base.total_degree() != 1 or field.sign(base) <= 0:
             continue
         (inner,) = field.used(base)
-        if p.degrees()[inner] > 0 and p.degrees()[position] > 0:
+        if p.degrees()[inner] > 0 and degrees[position] > 0:
             power = field.variables[position] ** order
             parts = field.split(p, inner)
             p = sum((part * power**k for k, part in parts.items()), field.zero_poly)

@@ -25,7 +25,6 @@ from tresym.reals.language.expression import Expr
 from tresym.reals.signs.absolute_value_cases import MAX_CASES, by_cases
 from tresym.reals.signs.closure import has_inside, is_regular
 from tresym.reals.signs.concavity import sign_by_concavity
-from tresym.reals.signs.homogenisation import sign_by_homogeneity
 from tresym.reals.signs.interior import (
     PROVING,
     REMEMBERED,
@@ -34,7 +33,6 @@ from tresym.reals.signs.interior import (
     sign_inside,
     strict_by_conditions,
 )
-from tresym.reals.signs.orthant_cones import sign_on_cones
 from tresym.reals.signs.polynomials import sign_of_polynomial
 from tresym.reals.signs.structural import FLIP, Parts
 from tresym.reals.signs.taylor import sign_by_taylor
@@ -42,8 +40,6 @@ from tresym.reals.signs.transformations import by_equivalents
 
 METHODS: tuple[Callable[..., str | None], ...] = (
     by_signs_of_parts,
-    sign_on_cones,
-    sign_by_homogeneity,
     sign_of_polynomial,
     sign_by_concavity,
     sign_by_taylor,
@@ -51,7 +47,7 @@ METHODS: tuple[Callable[..., str | None], ...] = (
     by_equivalents,
 )
 """Every method, cheapest first. Each docstring states the method, an example and its limits."""
-DIRECT = METHODS[:6]
+DIRECT = METHODS[:4]
 """The methods that work on a difference without splitting cases or transforming it."""
 FEW = (by_signs_of_parts, sign_by_concavity, sign_by_taylor)
 """The direct methods that claims of the ledger need."""

@@ -126,7 +126,6 @@ def _expansion(
     sides = [1] * (beside not in ("-", "<=0")) + [-1] * (beside not in ("+", ">=0"))
     apart = sign((symbol(name) - c) ** 2, region) == "+"
     at = {name: c}
-    on_edge = c in (number(end) for end in region.box.get(name, Range())[:2] if end is not None)
     terms: list[str | None] = []
     assumed: list[Expr] = []
     derivative = difference
@@ -135,7 +134,7 @@ def _expansion(
         seen, ways = _seen(term, inside), {side ** (order - 1) for side in sides}
         found = None if len(seen) > 1 else sign(term, inside)
         if found is None:
-            if not on_edge or len(seen | ways) > 1:
+            if len(seen | ways) > 1:
                 return None
             (way,) = ways
             assumed.append(way * term)
@@ -148,7 +147,7 @@ def _expansion(
         if last is None:
             continue
         if all(_has_sign([*terms, last], side, relation, apart) for side in sides):
-            # the signs assumed on an edge may be proved by another expansion
+            # the signs assumed may be proved by another expansion
             if not all(sign_by_taylor(e, ">=", inside) for e in assumed):
                 return None
             return (

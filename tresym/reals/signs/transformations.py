@@ -34,9 +34,8 @@ from tresym.reals.normal.ring import UndefinedError
 from tresym.reals.normal.to_expression import written
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.numbers.factoring import TooLargeError
-from tresym.reals.signs.interior import PROVING, Ask, is_zero
+from tresym.reals.signs.interior import PROVING, Ask, is_zero, without_powers
 from tresym.reals.signs.interior import sign_inside as sign
-from tresym.reals.signs.orthant_cones import open_factors
 
 MAX_EXPONENT = 100
 
@@ -192,7 +191,14 @@ def _cleared(difference: Expr, region: Given) -> Expr | None:
     try:
         field = Field(region)
         (value,) = field.normal(difference)
-        known, rest = open_factors(field, (value.num, value.den), strict=False)
+        known, rest = 1, field.one_poly
+        for content, parts in (
+            field.factor(without_powers(field, p)) for p in (value.num, value.den)
+        ):
+            known *= 1 if content > 0 else -1
+            for part in (part for part, multiplicity in parts if multiplicity % 2):
+                sign_ = field.sign(part)
+                known, rest = known * (sign_ or 1), rest if sign_ else rest * part
         factors = written(field, rest)
     except (TooLargeError, UndefinedError, InputError):
         return None

@@ -5,8 +5,6 @@ from __future__ import annotations
 import textwrap
 from typing import Any, NamedTuple
 
-INK = "0.15"
-
 
 class Mark(NamedTuple):
     """The style of a method: colour, marker and line; markers of other libraries are open."""

@@ -35,11 +35,7 @@ MOST = 2
 
 
 _FILL = re.compile(r"\{\{ (\w+) \}\}")
-LEDGER = {
-    "": "",
-    "document": r"\ledgertrue",
-    "appendix": r"\ledgertrue",
-}
+LEDGER = {"": "", "document": r"\ledgertrue", "appendix": r"\ledgertrue"}
 """Where the ledger is, with the setting of the frame: not there, beside the article, or in it."""
 _APPENDIX = r"""\clearpage\appendix\newgeometry{margin=25mm}\small
 \setlength{\parindent}{0pt}\setlength{\parskip}{4pt plus 2pt}"""

@@ -19,10 +19,7 @@ KINDS = {
         "interval and Taylor-model inequalities, tight polynomial approximations",
         "coq-interval, PVS, dReal",
     ),
-    "orders": (
-        "limits and orders, nested exponentials, mixed bases",
-        "Real_Asymp, SymPy's gruntz",
-    ),
+    "orders": ("limits and orders, nested exponentials, mixed bases", "Real_Asymp, SymPy's gruntz"),
     "angles": (
         "trigonometric identities of school and olympiad kind, angles kπ/n",
         "Lean benchmarks",

@@ -19,11 +19,7 @@ from tresym.ledger.paper import sections
 from tresym.reals.verdict import Verdict
 from tresym.report.pages.trusted_code import trusted
 
-STATEMENTS = (
-    "coq.export.statements",
-    "coq.export.possible",
-    "coq.ledger_statements.theorem_of",
-)
+STATEMENTS = ("coq.export.statements", "coq.export.possible", "coq.ledger_statements.theorem_of")
 """The functions that write the statements which Coq proves."""
 _LINES = re.DOTALL | re.MULTILINE
 LIBRARY = {

@@ -45,11 +45,7 @@ FAULTS: tuple[tuple[Fault, str, str], ...] = (
         "Statements",
         "These statements are false for some of the cases that they cover.",
     ),
-    (
-        Fault.REASON,
-        "Reasons",
-        "The conclusion is correct, but the reason given for it is not.",
-    ),
+    (Fault.REASON, "Reasons", "The conclusion is correct, but the reason given for it is not."),
     (
         Fault.ROUNDING,
         "Rounding, and approximations printed as equalities",
@@ -87,11 +83,6 @@ def corrections(report: Report) -> str:
         if of_it:
             parts += [f"## {title}", "", meaning, "", *(_entry(c, rows) for c in of_it)]
     return "\n".join([*parts, *([STRICTER, *map(_stricter, stricter)] if stricter else [])])
-
-
-def is_correction(row: Row) -> bool:
-    """Return whether a statement of the paper is refuted, not only a stricter reading of it."""
-    return _is_refuted(row) and row.claim.where is not None and not row.claim.paper_says
 
 
 def _is_refuted(row: Row) -> bool:

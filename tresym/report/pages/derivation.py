@@ -202,17 +202,6 @@ def set_displays(claim: Claim, share: float = 1) -> list[str]:
     return [_aligned(display, share) for display in displays(claim)]
 
 
-def in_one(claim: Claim) -> str | None:
-    """Return all parts of a claim in one display if each follows in one step, else None.
-
-    Such a display is the statement itself, which then need not be repeated above its reasons.
-    """
-    shown = displays(claim)
-    if claim.knowing or not shown or any(len(d) > 1 or not d[0].reasons for d in shown):
-        return None
-    return _aligned(tuple(line for display in shown for line in display), 1)
-
-
 def chosen_lines(claim: Claim, items: Iterable[tuple[str, str]], share: float) -> str:
     """Return some lines of a derivation, aligned, with reasons in words that the caller gives.
 

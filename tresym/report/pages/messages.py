@@ -23,7 +23,7 @@ def messages() -> str:
     """Write the page of messages in Markdown."""
     lines = [
         "The messages of tresym, by module: errors, reasons of verdicts, hints and help texts. A "
-        "gap … stands for a value. The list is extracted from the sources.",
+        "gap … stands for a value. The list is extracted from the sources."
     ]
     for path in _files():
         found = list(dict.fromkeys(_messages(path)))
@@ -60,7 +60,7 @@ def _messages(path: Path) -> Iterator[str]:
             found.append((node.lineno, node.col_offset, node.value))
     for _, _, text in sorted(found):
         shown = " ".join(text.split())
-        if len(_WORD.findall(shown)) >= LEAST_WORDS and "`" not in shown:
+        if len(_WORD.findall(shown)) >= LEAST_WORDS and not re.search("`|</m", shown):
             yield shown
 
 

@@ -50,9 +50,7 @@ def table(name: str) -> Table:
 
 
 def figure(
-    name: str,
-    path: str | os.PathLike[str] | None = None,
-    body: Body | NamedBody | None = None,
+    name: str, path: str | os.PathLike[str] | None = None, body: Body | NamedBody | None = None
 ) -> Picture:
     """Draw a figure of the paper.
 

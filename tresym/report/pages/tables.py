@@ -20,7 +20,6 @@ from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError, as_rational, fraction_text, quoted
 from tresym.report.typesetting.markdown import escaped
 
-FORMATS = ("text", "markdown", "latex")
 LONGEST = 22
 """Characters of a number in LaTeX; a longer one is cut off and ends in dots."""
 TERMINAL = 80

@@ -25,14 +25,7 @@ from tresym.ledger.finding import Premise
 from tresym.ledger.paper import file_of
 from tresym.ledger.verification import Row
 from tresym.reals.numbers.exact import InputError, fraction_text
-from tresym.report.pages.derivation import (
-    LINE,
-    aligned_rows,
-    alone,
-    chosen_lines,
-    continued,
-    prose,
-)
+from tresym.report.pages.derivation import LINE, aligned_rows, alone, chosen_lines, continued, prose
 from tresym.report.typesetting.formula_width import width
 from tresym.report.typesetting.latex import expression_latex, says_latex
 from tresym.report.typesetting.line_breaking import broken

@@ -83,7 +83,7 @@ def _answer(report: Report) -> list[str]:
         f"{len(labels) - checked}** you have to trust Python, the libraries named below, and "
         f"{proved.total:,} lines of tresym for the verdict PROVED, or {enclosed.total:,} more for "
         "ENCLOSED. **For all of them** you have to agree that the formula shown beside a sentence "
-        "of the paper says what the sentence says.",
+        "of the paper says what the sentence says."
     ]
 
 

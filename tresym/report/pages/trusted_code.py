@@ -92,7 +92,7 @@ RECHECKED = {
     ),
     "its result is checked: products multiplied out, subdivisions replayed, steps proved": (
         *("reals.normal.denesting", "reals.balls.branch_and_bound._found"),
-        *("reals.signs.transformations.equivalents", "reals.signs.homogenisation.ways"),
+        "reals.signs.transformations.equivalents",
         *("reals.signs.structural.Parts._ways", "reals.signs.structural.Parts._multiples"),
         *("reals.domain.binder_values._found", "reals.domain.binder_values._change"),
         "reals.decisions.antiderivatives",
@@ -110,16 +110,13 @@ RECHECKED = {
             "reals.language.solve",
             "reals.balls.simplest_constants.candidates",
         ),
-        *("reals.normal.to_expression.numerator", "reals.decisions.variable_reduction._lowest"),
+        *("reals.normal.to_expression.numerator",),
         *("reals.decisions.integration_pieces._cuts", "reals.decisions.integration_pieces._roots"),
         *("reals.decisions.integration_pieces._turns", "reals.signs.polynomials._least"),
         "reals.numbers.exact.Interval.simplest",
     ),
     "it only skips a search that would fail, or estimates the cost of one": (
-        *(
-            "reals.normal.ranges.ProvingRing._changes_sign",
-            "reals.signs.orthant_cones._fails_at_vertex",
-        ),
+        "reals.normal.ranges.ProvingRing._changes_sign",
         *("reals.decisions.identity._generator_count", "reals.signs.taylor._seen"),
     ),
     "it can only refute": (
@@ -128,7 +125,7 @@ RECHECKED = {
         "reals.decisions.asymptotics.numerical_evidence",
         *(
             f"reals.decisions.asymptotics.leading_terms.{name}"
-            for name in ("_fails_at_a_phase", "_remains_beside_zero", "_phases")
+            for name in ("_fails_at_a_phase", "_phases")
         ),
         "reals.decisions.asymptotics.path_claims._at_integers",
         "reals.decisions.asymptotics.integral_limits._differs",
@@ -143,7 +140,7 @@ RECHECKED = {
         *("reals.decisions.equations._with_value", "reals.decisions.algebraic_witnesses"),
         *(
             "reals.decisions.asymptotics.path_claims._fails_beside",
-            "reals.decisions.asymptotics.recurring_failures.periodic_failure",
+            "reals.decisions.asymptotics.recurring_failures.failure_where_waves_return",
         ),
         *(
             "reals.decisions.unknown_functions._realised",

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import re
 
-from tresym.report.typesetting.leading_terms import size
-
 _GREEK = {
     "alpha": "α", "gamma": "γ", "epsilon": "ε", "theta": "θ", "lambda": "λ", "mu": "μ",
     "kappa": "κ", "tau": "τ", "pi": "π", "phi": "φ", "chi": "χ", "psi": "ψ", "Psi": "Ψ",
@@ -20,10 +18,6 @@ _RATE = re.compile(rf"\bd({_NAMES})_dt\b")
 _LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
 
-_SIZE = re.compile(r"(?<=about )(?=-?[\w(])[^,;]*")
-"""A leading term, which follows the word "about"."""
-
-
 def readable(text: str) -> str:
     """Return a finding with Greek letters, indices and mathematical signs; powers keep their ``^``.
 
@@ -33,15 +27,12 @@ def readable(text: str) -> str:
     """
     text = re.sub(r"\[([^\s\[]+) \+/- ([^\s\]]+)\]", r"\1 ± \2", text)
     text = re.sub(r"\bEq\((\w+), ([^()]+)\)", r"\1 = \2", text)
-    text = _SIZE.sub(lambda m: size(m[0]), text)
     text = re.sub(r"(?:\^|\*\*)\((-?[\d/]+)\)|\*\*(\d+)", lambda m: f"^{{{m[1] or m[2]}}}", text)
     text = re.sub(r"\bsqrt\(", "√(", text)
     text = re.sub(r" \* |(?<=[\w)}])\*(?=[\w(√-])", " · ", text)
     named = rf"(?!(?:{_NAMES})\b)"
     text = re.sub(rf"(?:(?<=[\d)])|(?<=\bpi)) · (?={named}[A-Za-z(√])", "", text)
     text = re.sub(r"(?<=\b[a-z]) · (?=[a-z]\b|\()", "", text)
-    text = re.sub(r"\^(?:\{1\}|1\b(?!/))", "", text)
-    text = re.sub(r"(?<=\d)\.0{4,}(?!\d)", "", text)
     text = re.sub(r"(?<![\w)])-(?=[\w.(√])|(?<=[\w)]) - (?=[\w(√])", _minus, text)
     text = re.sub(r"-> (0|oo)([+-]?)", lambda m: f"-> {m[1]}{_SIDES[m[2]]}", text)
     text = re.sub(r"\boo\b", "∞", text)

@@ -146,9 +146,6 @@ class _Reader:
         place = self.place + n
         return self.tokens[place] if 0 <= place < len(self.tokens) else _Token("end", " ")
 
-    def _past_space(self, n: int = 0) -> _Token:
-        return self._at(n + 1) if self._at(n).kind == "space" else self._at(n)
-
     def may_begin(self) -> bool:
         """Whether a formula may begin here, and not in the middle of words."""
         before = self._at(-1)

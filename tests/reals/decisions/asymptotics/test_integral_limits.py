@@ -1,7 +1,5 @@
 """Limits and orders of what holds integrals."""
 
-from __future__ import annotations
-
 import pytest
 
 import tresym

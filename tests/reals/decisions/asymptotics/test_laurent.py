@@ -1,7 +1,5 @@
 """Laurent expansions: against functions that are known, and what has none."""
 
-from __future__ import annotations
-
 import pytest
 from flint import arb, fmpq
 

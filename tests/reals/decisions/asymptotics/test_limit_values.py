@@ -1,7 +1,5 @@
 """Exact limits with parameters: the rules, and what each of their guards keeps out."""
 
-from __future__ import annotations
-
 import pytest
 
 from tresym.reals.decisions.asymptotics.limit_values import _is_bounded, limit_of

@@ -1,7 +1,5 @@
 """What numbers along a path show: failing, holding, or neither."""
 
-from __future__ import annotations
-
 import pytest
 from flint import arb
 

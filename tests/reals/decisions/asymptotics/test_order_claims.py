@@ -1,7 +1,5 @@
 """Orders from each side of a path: constants that bound, ranges that hold, and near falsehoods."""
 
-from __future__ import annotations
-
 import pytest
 from flint import arb, fmpq
 

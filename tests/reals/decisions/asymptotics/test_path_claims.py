@@ -1,7 +1,5 @@
 """Claims along a path: true ones hold, false ones are refuted, and none is proved of nothing."""
 
-from __future__ import annotations
-
 import pytest
 
 import tresym

@@ -1,7 +1,5 @@
 """Refutations of asymptotic claims: none leaves that the complete statement does not support."""
 
-from __future__ import annotations
-
 import pytest
 
 import tresym
@@ -50,6 +48,7 @@ INTEGERS = [
 """True, each with values at which it fails, that the conditions exclude."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("claim", DEPENDENT_WAVES + NESTED + NOT_REAL)
 def test_what_is_true_is_refuted_by_neither_guard_alone(
     claim: str, monkeypatch: pytest.MonkeyPatch

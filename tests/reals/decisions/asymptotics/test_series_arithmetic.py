@@ -1,7 +1,5 @@
 """Largest values and sizes of remainders along the range of an expansion."""
 
-from __future__ import annotations
-
 from itertools import pairwise
 
 import pytest

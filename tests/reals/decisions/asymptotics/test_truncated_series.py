@@ -1,7 +1,5 @@
 """Sums and products of coefficients, joined in their shortest form."""
 
-from __future__ import annotations
-
 import pytest
 from flint import fmpq
 

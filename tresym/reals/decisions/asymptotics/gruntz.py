@@ -8,7 +8,6 @@ of u. sin u and cos u become functions of a phase about which nothing is assumed
 from __future__ import annotations
 
 from functools import reduce
-from math import isqrt
 
 from flint import fmpq
 
@@ -28,28 +27,35 @@ from tresym.reals.language.expression import (
     power,
     rebuild,
     sqrt,
+    substitute,
     symbol,
     symbols,
 )
 from tresym.reals.language.like_terms import collected
+from tresym.reals.language.parsing import parse
 from tresym.reals.normal.to_expression import normal_form
 
 MAX_ROUNDS = 8
 MAX_TURNS = 60
 CUBE_ROOT = number(fmpq(1, 3))
-HALF = fmpq(1, 2)
-
-
-def is_irrational(c: Expr) -> bool:
-    """Return whether a constant is a rational multiple of π or of an irrational square root."""
-    for e in (c / PI, c * PI):
-        if normal_form(e, Given()).op == "number":
-            return bool(normal_form(e, Given()) != ZERO)
-    square = normal_form(c**2, Given())
-    if square.op != "number" or square == ZERO:
-        return False
-    q = square.args[0]
-    return any(isqrt(int(part)) ** 2 != int(part) for part in (q.p, q.q))
+BY_OTHERS = {
+    "tan": "sin(u)/cos(u)",
+    "cot": "cos(u)/sin(u)",
+    "sec": "1/cos(u)",
+    "csc": "1/sin(u)",
+    "sinh": "exp(u)/2 - exp(-u)/2",
+    "cosh": "exp(u)/2 + exp(-u)/2",
+    "tanh": "(exp(2*u) - 1)/(exp(2*u) + 1)",
+    "coth": "1/tanh(u)",
+    "sech": "1/cosh(u)",
+    "csch": "1/sinh(u)",
+    "asinh": "log(u + sqrt(u**2 + 1))",
+    "acosh": "log(u + sqrt(u**2 - 1))",
+    "atanh": "log((1 + u)/(1 - u))/2",
+    "asin": "atan(u/sqrt(1 - u**2))",
+    "acos": "pi/2 - asin(u)",
+}
+"""Functions by others."""
 
 
 class _FinerPhaseError(Exception):
@@ -107,6 +113,8 @@ class Rewritten:
             y, x = map(self.of, e.args)
             self._way(sqrt(x**2 + y**2) + x)
             return self.of(off_the_cut(e))
+        if e.op in BY_OTHERS:
+            return self.of(substitute(parse(BY_OTHERS[e.op]), {"u": e.args[0]}))
         args = tuple(map(self.of, e.args))
         if e.op == "+":
             return collected(rebuild(e, args))
@@ -139,9 +147,6 @@ class Rewritten:
                 if (way == 0 and r <= 0) or (way < 0 and r.q != 1):
                     raise UnresolvedError("a power that is not a real number")
         return ONE if r == 0 else power(base, number(r))
-
-    def _over(self, above: Expr, below: Expr) -> Expr:
-        return times(above, self._power(below, fmpq(-1)))
 
     def _is_bounded(self, u: Expr) -> bool:
         """Whether u does not tend to ±∞; its leading coefficient may be a parameter."""
@@ -220,16 +225,13 @@ class Rewritten:
                 ratio = normal_form(ratio, Given())
             rest = plus(u, -ratio * other)
             if ratio.op != "number" or self.expansions.growth(rest) > 0:
-                if is_irrational(ratio) and self.expansions.growth(rest) <= 0:
-                    pair = {f"_u{k}", f"_u{len(self.scale.waves)}"}
-                    self.scale.independent.add(frozenset(pair))
                 continue
             if ratio.args[0].q != 1:
                 raise _FinerPhaseError(int(ratio.args[0].q))
             return ratio * symbol(f"_u{k}") + (ZERO if self.scale.is_zero(rest) else rest)
         return self.turns * self.scale.wave(u / self.turns)
 
-    # -- functions by others ----------------------------------------------------------------
+    # -- functions -----------------------------------------------------------------------------
 
     def _sin(self, u: Expr) -> Expr:
         return apply("sin", self._wave(u))
@@ -237,55 +239,10 @@ class Rewritten:
     def _cos(self, u: Expr) -> Expr:
         return apply("cos", self._wave(u))
 
-    def _tan(self, u: Expr) -> Expr:
-        return self._over(self._sin(u), self._cos(u))
-
-    def _cot(self, u: Expr) -> Expr:
-        return self._over(self._cos(u), self._sin(u))
-
-    def _sec(self, u: Expr) -> Expr:
-        return self._over(ONE, self._cos(u))
-
-    def _csc(self, u: Expr) -> Expr:
-        return self._over(ONE, self._sin(u))
-
-    def _sinh(self, u: Expr) -> Expr:
-        return self._exp(u) / 2 - self._exp(-u) / 2
-
-    def _cosh(self, u: Expr) -> Expr:
-        return self._exp(u) / 2 + self._exp(-u) / 2
-
-    def _tanh(self, u: Expr) -> Expr:
-        return self._over(self._exp(2 * u) - 1, self._exp(2 * u) + 1)
-
-    def _coth(self, u: Expr) -> Expr:
-        return self._over(ONE, self._tanh(u))
-
-    def _sech(self, u: Expr) -> Expr:
-        return self._over(ONE, self._cosh(u))
-
-    def _csch(self, u: Expr) -> Expr:
-        return self._over(ONE, self._sinh(u))
-
-    def _asinh(self, u: Expr) -> Expr:
-        return self._log(u + sqrt(u**2 + 1))
-
-    def _acosh(self, u: Expr) -> Expr:
-        return self._log(u + self._power(u**2 - 1, HALF))
-
-    def _atanh(self, u: Expr) -> Expr:
-        return self._log(self._over(1 + u, 1 - u)) / 2
-
     def _atan(self, u: Expr) -> Expr:
         if self._is_bounded(u):
             return apply("atan", u)
         return self._way(u) * PI / 2 - apply("atan", 1 / u)
-
-    def _asin(self, u: Expr) -> Expr:
-        return self._atan(times(u, self._power(1 - u**2, -HALF)))
-
-    def _acos(self, u: Expr) -> Expr:
-        return PI / 2 - self._asin(u)
 
     def _abs(self, u: Expr) -> Expr:
         try:

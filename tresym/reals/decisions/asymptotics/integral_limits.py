@@ -12,13 +12,13 @@ from dataclasses import replace
 from tresym.reals.decisions.answer import Answer, Decide, exact_text, worst
 from tresym.reals.decisions.asymptotics.leading_terms import leading_sign
 from tresym.reals.decisions.asymptotics.limit_values import limit_of
-from tresym.reals.decisions.asymptotics.path_claims import allows, compared_of
+from tresym.reals.decisions.asymptotics.path_claims import allows, compared_of, neighbourhood
+from tresym.reals.decisions.asymptotics.recurring_failures import differ
 from tresym.reals.decisions.claim_parsing import LIMIT
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.integrals import without_integrals
 from tresym.reals.decisions.statement import Comparison, Path, Statement
 from tresym.reals.domain.conditions import Given
-from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.derivatives import differentiate
@@ -33,7 +33,6 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.signs.definedness import continuous_on
 from tresym.reals.verdict import Verdict
 
@@ -61,7 +60,7 @@ def decide_integral_limits(claim: Comparison, statement: Statement, decided: Dec
 def _one_side(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
     path = statement.path
     assert path is not None
-    given = statement.given & _beside(path)
+    given = statement.given & neighbourhood(path, path.sides[0], FAR)
     infinite = [side for side in (claim.left, claim.right) if side in (INFINITY, -INFINITY)]
     sides = [side for side in (claim.left, claim.right) if side not in infinite]
     found = without_integrals(sides, given, claim.primitives)
@@ -74,32 +73,11 @@ def _one_side(claim: Comparison, statement: Statement, decided: Decide) -> Answe
         return Answer(
             Verdict.PROVED, (f"by l'Hôpital's rule: the ratio of the derivatives tends to {value}")
         )
-    if value is not None and claim.relation == LIMIT and _differs(value, claim.right):
+    if value is not None and claim.relation == LIMIT and differ(value, claim.right, Given()):
         at = (path.point or ZERO) + number(path.sides[0]) * NEAR
         why = f"by l'Hôpital's rule: the ratio of the derivatives tends to {value}"
         return Answer(Verdict.REFUTED, why, witness={path.name: exact_text(at)})
     return Answer(Verdict.UNDECIDED, _OPEN)
-
-
-def _differs(value: Expr, end: Expr) -> bool:
-    """Return whether two constants, which may be infinite, are proved to differ."""
-    infinite = (INFINITY, -INFINITY)
-    if value in infinite or end in infinite:
-        return value != end
-    if symbols(value) | symbols(end):
-        return False
-    with ball_precision():
-        return bool(evaluate(value - end, {}) != 0)
-
-
-def _beside(path: Path) -> Given:
-    """Return the conditions for values of the variable near the end of a one-sided path."""
-    x, (side,) = symbol(path.name), path.sides
-    if path.point is None:
-        return Given(((x, ">", FAR),) if side > 0 else ((x, "<", -FAR),))
-    end = path.point + side * NEAR
-    low, high = (path.point, end) if side > 0 else (end, path.point)
-    return Given(((low, "<", x), (x, "<", high)))
 
 
 def _by_derivatives(claim: Comparison, path: Path, given: Given) -> Expr | None:

@@ -29,15 +29,15 @@ from tresym.reals.language.expression import (
     PI,
     ZERO,
     Expr,
-    add,
     apply,
     multiply,
     number,
     power,
+    replaced,
     substitute,
     symbol,
 )
-from tresym.reals.normal.to_expression import normal_form
+from tresym.reals.normal.to_expression import in_lowest_terms, normal_form
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
@@ -231,26 +231,24 @@ def _reduced(
 
 
 def _polynomials_in_waves(e: Expr, found: Rewritten) -> tuple[Expr, Expr]:
-    """Numerator and denominator of the normal form, less denominators that vanish at no phase.
+    """Numerator and denominator of the normal form, as polynomials in sines and cosines.
 
     In the normal form sine and cosine of an angle are rational functions of the tangent of its
-    half. P(tan u)/(1 + tan² u)^k is a polynomial in sin u, cos u if P has at most the degree 2k.
+    half. In lowest terms as a function of s/c, a numerator and a denominator are homogeneous in s
+    and c, so that they have no zero in common; (s² + c²)^k is 1.
     """
     scale = found.scale
     given = scale.given & Given(tuple((symbol(w), ">", ZERO) for w in scale.elements(e)))
-    above, below = _over(normal_form(e, given))
-    for tangent in [node for node in _nodes(below, "tan") if scale.phases(node)]:
-        degree = _degree(below, tangent)
-        cleared = normal_form(below * apply("cos", tangent.args[0]) ** degree, given)
-        terms = [_without(term, tangent, degree) for term in _terms(above)]
-        if scale.phases(cleared) or None in terms:
-            break
-        above, below = add(*(term for term in terms if term is not None)), cleared
-    return above, below
-
-
-def _terms(e: Expr) -> tuple[Expr, ...]:
-    return e.args if e.op == "+" else (e,)
+    form = normal_form(e, given)
+    tangents = [node for node in _nodes(form, "tan") if scale.phases(node)]
+    pairs = {node: (symbol(f"[s{k}]"), symbol(f"[c{k}]")) for k, node in enumerate(tangents)}
+    ratio = in_lowest_terms(replaced(form, {node: s / c for node, (s, c) in pairs.items()}))
+    back: dict[str, Expr] = {}
+    for node, (s, c) in pairs.items():
+        back |= {str(s): apply("sin", node.args[0]), str(c): apply("cos", node.args[0])}
+    above, below = (substitute(part, back) for part in _over(ratio))
+    whole = normal_form(below, given)
+    return above, below if scale.phases(whole) else whole
 
 
 def _nodes(e: Expr, op: str) -> list[Expr]:
@@ -259,34 +257,6 @@ def _nodes(e: Expr, op: str) -> list[Expr]:
         return []
     inner = [node for arg in e.args for node in _nodes(arg, op)]
     return list(dict.fromkeys([*([e] if e.op == op else []), *inner]))
-
-
-def _degree(e: Expr, node: Expr) -> int:
-    """The highest power of ``node`` among the terms, which are products of powers."""
-    powers = [power_of for term in _terms(e) for power_of in [_power_of(term, node)]]
-    return max(n for n, _ in powers)
-
-
-def _power_of(term: Expr, node: Expr) -> tuple[int, Expr]:
-    """The power of ``node`` among the factors of a term, and the rest of it."""
-    n, rest = 0, []
-    for part in term.args if term.op == "*" else (term,):
-        if part == node:
-            n += 1
-        elif part.op == "^" and part.args[0] == node and part.args[1].op == "number":
-            n += int(part.args[1].args[0].p)
-        else:
-            rest.append(part)
-    return n, multiply(*rest)
-
-
-def _without(term: Expr, tangent: Expr, degree: int) -> Expr | None:
-    """A term times cos^degree, its tangents written as sines and cosines."""
-    n, rest = _power_of(term, tangent)
-    if n > degree or tangent in _nodes(rest, "tan"):
-        return None
-    sine, cosine = (apply(name, tangent.args[0]) for name in ("sin", "cos"))
-    return multiply(rest, sine**n, cosine ** (degree - n))
 
 
 def _fails_at_a_phase(kind: str, f: Expr, g: Expr, found: Rewritten) -> bool:
@@ -302,19 +272,7 @@ def _fails_at_a_phase(kind: str, f: Expr, g: Expr, found: Rewritten) -> bool:
         with suppress(*_FAILS):
             if _truth(kind, x, y, found) is False:
                 return True
-            if _remains_beside_zero(x, y, name, found):
-                return True
     return False
-
-
-def _remains_beside_zero(f: Expr, g: Expr, fixed: str, found: Rewritten) -> bool:
-    """Whether g vanishes where a phase is fixed, and f does not where an independent one is 1."""
-    scale = found.scale
-    others = scale.phases(f)
-    if len(others) != 1 or frozenset((fixed, *others)) not in scale.independent:
-        return False
-    first = found.expansions.leading(substitute(f, {others[0]: ONE}))
-    return scale.is_zero(g) and first is not None and scale.sign(first.coefficient) != 0
 
 
 def _phases(turns: int) -> list[Expr]:

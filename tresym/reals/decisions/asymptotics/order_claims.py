@@ -202,14 +202,11 @@ def _shown(path: Path, side: int) -> tuple[Expr, Expr]:
 
 
 def _small(path: Path, side: int) -> str:
-    """The small parameter in words of the variable."""
-    if path.point is None:
-        return f"(1/{path.name})" if side > 0 else f"(-1/{path.name})"
-    if path.point == number(0):
-        return path.name if side > 0 else f"(-{path.name})"
-    if side > 0:
-        return f"({path.name} - {path.point})"
-    return f"({path.point} - {path.name})"
+    """The small parameter at a point, in words of the variable."""
+    x, a = path.name, path.point
+    if a == number(0):
+        return x if side > 0 else f"-{x}"
+    return f"{x} - {a}" if side > 0 else f"{a} - {x}"
 
 
 def _witness(path: Path, side: int, t: fmpq) -> tuple[str, fmpq]:
@@ -218,12 +215,7 @@ def _witness(path: Path, side: int, t: fmpq) -> tuple[str, fmpq]:
         return path.name, side / t
     if path.point.op == "number":
         return path.name, path.point.args[0] + side * t
-    return _bare(path, side), t
-
-
-def _bare(path: Path, side: int) -> str:
-    """The small parameter where it needs no parentheses."""
-    return _small(path, side).removeprefix("(").removesuffix(")")
+    return _small(path, side), t
 
 
 def region(path: Path, reach: fmpq) -> str:
@@ -234,6 +226,5 @@ def region(path: Path, reach: fmpq) -> str:
         far = fraction_text(1 / reach)
         return f"{name} >= {far}" if path.sides == (1,) else f"{name} <= -{far}"
     if path.sides == (1, -1):
-        size = f"|{name}|" if path.point == number(0) else f"|{name} - {path.point}|"
-        return f"0 < {size} <= {shown}"
-    return f"0 < {_bare(path, path.sides[0])} <= {shown}"
+        return f"0 < |{_small(path, 1)}| <= {shown}"
+    return f"0 < {_small(path, path.sides[0])} <= {shown}"

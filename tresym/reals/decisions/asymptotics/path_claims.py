@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
-from itertools import islice, product
+from itertools import islice
 
 from flint import arb, fmpq
 
@@ -20,10 +20,7 @@ from tresym.reals.decisions.answer import Answer, Decide, exact_text, worst
 from tresym.reals.decisions.asymptotics.leading_terms import leading_sign, sign_towards
 from tresym.reals.decisions.asymptotics.limit_values import limit_of, stays_bounded
 from tresym.reals.decisions.asymptotics.order_claims import decide_order, region
-from tresym.reals.decisions.asymptotics.recurring_failures import (
-    failure_where_waves_return,
-    periodic_failure,
-)
+from tresym.reals.decisions.asymptotics.recurring_failures import failure_where_waves_return
 from tresym.reals.decisions.claim_parsing import LIMIT
 from tresym.reals.decisions.derivative_domains import where_real
 from tresym.reals.decisions.identity import decide
@@ -31,11 +28,10 @@ from tresym.reals.decisions.inequalities_on_regions import is_isolated
 from tresym.reals.decisions.integer_variables import (
     PERIODIC,
     decide_whole,
-    period_of,
-    residue_of,
+    residues,
     with_integer_bounds,
 )
-from tresym.reals.decisions.readable_witnesses import simple_points
+from tresym.reals.decisions.readable_witnesses import decided_at, simple_points
 from tresym.reals.decisions.statement import Comparison, Path, Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate, stands
@@ -53,7 +49,6 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.exact import InputError
 from tresym.reals.signs.interior import PROVING
 from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
@@ -199,19 +194,11 @@ def _with_parameters(
             "no values of the parameters were found that satisfy the "
             "conditions; check the conditions",
         )
-    for at in (*simple_points(names, given, PARAMETERS), *_at_ends(claim, path, names, given)):
-        put_in = partial(substitute, mapping={name: number(v) for name, v in at.items()})
-        try:
-            fixed = replace(statement.mapped(put_in), given=Given())
-            found = decide_tending(claim.mapped(put_in), fixed, decided)
-        except InputError:  # a number on the way is too long
-            continue
-        if found.verdict is Verdict.REFUTED:
-            witness = {name: exact_text(value) for name, value in at.items()}
-            shown = ", ".join(f"{name} = {value}" for name, value in witness.items())
-            return replace(
-                found, why=f"at {shown}: {found.why}", witness=witness | dict(found.witness or {})
-            )
+    points = (*simple_points(names, given, PARAMETERS), *_at_ends(claim, path, names, given))
+    exact = ({name: number(value) for name, value in at.items()} for at in points)
+    found, _ = decided_at(exact, claim, statement, partial(decide_tending, decided=decided))
+    if found is not None:
+        return found
     inside, _ = where_real(given, claim.differentiated, claim.by)
     if claim.derivatives and inside != given:
         return Answer(Verdict.UNDECIDED, _OPEN)
@@ -241,26 +228,16 @@ def _among_integers(claim: Comparison, path: Path, statement: Statement, decided
 
 def _by_residues(claim: Comparison, statement: Statement, decided: Decide) -> Answer | None:
     """The claim by exact limits, for every residue of the parameters that are integers."""
-    trees = [e for e in (claim.left, claim.right) if e not in (INFINITY, -INFINITY)]
-    trees += [*claim.differentiated, *statement.said]
+    trees = [claim.left, claim.right, *claim.differentiated, *statement.said]
     names = [n for n in statement.integers if any(n in symbols(e) for e in trees)]
-    periods = [period_of(trees, name, statement.given) for name in names]
-    if None in periods:
-        return None
-    whole = [period for period in periods if period is not None]
     found = None
-    for rest in islice(product(*map(range, whole)), MOST_ENDS + 1):
-        parts = zip(names, whole, rest, strict=True)
-        at = {n: number(p) * symbol(n) + number(r) for n, p, r in parts if p > 1}
-        given = statement.given.mapped(partial(substitute, mapping=at))
-        change = partial(residue_of, at=at, names=names, given=given)
-        inside = replace(statement.mapped(change), given=given)
+    for case, inside in residues(claim, statement, names, statement.given) or ():
         assert inside.path is not None
 
         def same(left: Expr, right: Expr, there: Statement = inside) -> bool:
             return bool(decided(Comparison(left, "==", right), replace(there, path=None)))
 
-        found = _by_exact_limit(claim.mapped(change), inside.path, given, same)
+        found = _by_exact_limit(case, inside.path, inside.given, same)
         if found is None:
             return None
     return found
@@ -274,24 +251,18 @@ def _through_integers(
     A refutation for real values is one for integers if it is by leading terms, without waves.
     """
     name, plain = path.name, tuple(n for n in statement.integers if n != path.name)
-    trees = (claim.left, claim.right, *claim.differentiated, *statement.said)
-    trees = tuple(e for e in trees if e not in (INFINITY, -INFINITY))
-    n, side = symbol(name), path.sides[0]
-    far = statement.given & Given(((side * n, ">=", ONE),))
-    period = period_of(trees, name, far)
-    if period is None:
+    far = statement.given & Given(((path.sides[0] * symbol(name), ">=", ONE),))
+    cases = residues(claim, statement, (name,), far)
+    if cases is None:
         return Answer(
             Verdict.UNDECIDED,
             "the claim could not be reduced to finitely many residue classes of the integers",
         )
     answers = []
-    for rest in range(period):
-        at = {name: number(period) * n + number(rest) if period > 1 else n}
-        change = partial(residue_of, at=at, names=(name,), given=far)
-        moved = claim.mapped(change)
+    for rest, (moved, _) in enumerate(cases):
         found = decided(moved, replace(statement, integers=plain))
         if found.verdict is Verdict.REFUTED:
-            found = _at_integers(found, moved, path, period, rest)
+            found = _at_integers(found, moved, path, len(cases), rest)
         found = replace(found, why=f"for integers {name}: {found.why}", region=None, constant=None)
         answers.append(found)
         if not found:
@@ -436,7 +407,7 @@ def _from_somewhere_on(
     if claim.relation not in (">", ">=", "<", "<=", "!="):
         return Answer(Verdict.UNDECIDED, _OPEN)
     for far in FAR:
-        near = [_neighbourhood(path, side, number(far)) for side in path.sides]
+        near = [neighbourhood(path, side, number(far)) for side in path.sides]
         answers = []
         for where in near:
             inside = replace(statement, path=None, given=statement.given & where)
@@ -446,10 +417,9 @@ def _from_somewhere_on(
         else:
             best = min(answers, key=lambda found: found.verdict is Verdict.PROVED)
             return replace(best, region=str(near[0]) if len(near) == 1 else None)
-    for fails in (periodic_failure, failure_where_waves_return):
-        found = fails(claim.left - claim.right, claim.relation, path)
-        if found is not None:
-            return found
+    found = failure_where_waves_return(claim.left - claim.right, claim.relation, path)
+    if found is not None:
+        return found
     why = (
         "the claim could not be proved on any of a few neighbourhoods of the end of the "
         "path, and no sequence of counterexamples was found"
@@ -457,7 +427,8 @@ def _from_somewhere_on(
     return Answer(Verdict.UNDECIDED, why)
 
 
-def _neighbourhood(path: Path, side: int, far: Expr) -> Given:
+def neighbourhood(path: Path, side: int, far: Expr) -> Given:
+    """Return the conditions x > far, or 0 < x − a < 1/far, for a side of the path."""
     x = symbol(path.name)
     if path.point is None:
         return Given(((x, ">", far),) if side == 1 else ((x, "<", -far),))

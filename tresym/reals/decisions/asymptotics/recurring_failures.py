@@ -1,21 +1,31 @@
-"""Failures of a claim that return again and again as a variable tends to infinity."""
+"""What oscillating functions do again and again as a variable tends to infinity.
+
+If the arguments of all sines and cosines are of the first degree, with slopes of rational ratios,
+they have a common period P. At c + nP each has the value that it has at c, and what is left does
+not oscillate. A claim that fails there from some n on is false on every neighbourhood of the end,
+and a function with different limits for two values of c has none.
+"""
 
 from __future__ import annotations
 
-from itertools import product
+from collections.abc import Iterator
+from itertools import pairwise
 from math import lcm
 
 from flint import arb, fmpq
 
 from tresym.reals.decisions.answer import Answer, exact_text
 from tresym.reals.decisions.asymptotics.leading_terms import sign_towards
+from tresym.reals.decisions.asymptotics.limit_values import limit_of
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.statement import Path
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate, stands
+from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     LEAVES,
+    ONE,
     PI,
     Expr,
     number,
@@ -24,79 +34,82 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.formula import NEGATED
-from tresym.reals.normal.to_expression import normal_form
+from tresym.reals.language.like_terms import scaled
+from tresym.reals.normal.to_expression import in_lowest_terms, normal_form
 from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.signs.interior import PROVING
+from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
 
-PERIOD_POINTS = 12
-PATH_BITS = 256
+EIGHTHS = (6, 2, 7, 5, 3, 1, 4, 0)
+"""Parts of a period at which waves are held fixed, those where a sine is 0 last."""
+WAVES = ("sin", "cos", "tan", "cot", "sec", "csc")
 
 
-# What comes again and again
-
-
-def periodic_failure(difference: Expr, relation: str, path: Path) -> Answer | None:
-    """A refutation where a difference has the period 2π, in u or in 1/u, and fails at a point."""
+def failure_where_waves_return(difference: Expr, relation: str, path: Path) -> Answer | None:
+    """Return a refutation at points to which the waves of a difference return, or None."""
     u = symbol("_u")
     if path.point is not None and symbols(path.point):
         return None
     for side in path.sides:
         along = side * u if path.point is None else path.point + side / u
         e = substitute(difference, {path.name: along})
-        if not symbols(e) <= {"_u"}:
+        if symbols(e) != {"_u"}:
             return None
-        if decide(e, substitute(e, {"_u": u + 2 * PI})).verdict is not Verdict.PROVED:
-            continue
-        for at in (fmpq(2 * n + 1, 4) for n in range(PERIOD_POINTS)):
-            with ball_precision(PATH_BITS):
-                value = evaluate(e, {"_u": at})
-                if value.is_finite() and stands(value, NEGATED[relation]):
-                    where = substitute(along, {"_u": number(at)})
-                    why = (
-                        "the difference is periodic and the claim fails at "
-                        f"{path.name} = {where}, so it "
-                        "fails again and again towards the end of the path"
-                    )
-                    return Answer(Verdict.REFUTED, why, witness={path.name: exact_text(where)})
+        for c, period, fixed in _with_fixed_waves(e, "_u", Given()):
+            found = sign_towards(fixed, "_u", None, 1)
+            if found is None or stands(arb(found[0]), relation):
+                continue
+            with ball_precision():
+                n = (1 / found[1] / evaluate(period, {})).upper().fmpq().ceil() + 1
+            where = exact_text(substitute(along, {"_u": c + number(n) * period}))
+            why = (
+                f"it fails at {path.name} = {where} and again and again towards the end of the "
+                "path, where the sines and cosines have the same values"
+            )
+            return Answer(Verdict.REFUTED, why, witness={path.name: where})
     return None
 
 
-def failure_where_waves_return(difference: Expr, relation: str, path: Path) -> Answer | None:
-    """A refutation at points c + 2 π N n, at which every sine and cosine has its value at c.
+def has_no_limit(e: Expr, name: str, side: int, given: Given) -> bool:
+    """Return whether ``e`` provably has no limit, finite or infinite, at side · ∞."""
+    e = substitute(e, {name: side * symbol(name)})
+    fixed = (left for _, _, left in _with_fixed_waves(e, name, given))
+    limits = (limit_of(left, name, None, 1, given) for left in fixed)
+    found = [value for value in limits if value is not None]
+    return any(differ(x, y, given) for x, y in pairwise(found))
 
-    Their arguments are of the first degree with rational slopes, and N is a multiple of the
-    denominators. What is left without them has a sign from somewhere on.
-    """
-    name = path.name
-    waves = {node: differentiate(node.args[0], name) for node in _waves(difference, name)}
-    slopes = [slope.args[0] for slope in waves.values() if slope.op == "number"]
-    if path.point is not None or not slopes or len(slopes) < len(waves):
-        return None
-    if symbols(difference) != {name}:
-        return None
-    turns = lcm(*(int(slope.q) for slope in slopes))
-    for side, quarter in product(path.sides, range(4)):
-        c = turns * quarter * PI / 2
-        there = {wave: substitute(wave, {name: c}) for wave in waves}
-        if not all(evaluate(value, {}).is_finite() for value in there.values()):
-            continue
-        left = replaced(difference, {w: normal_form(e, Given()) for w, e in there.items()})
-        found = sign_towards(left, name, path.point, side)
-        if found is None or stands(arb(found[0]), relation):
-            continue
-        n = int((1 / found[1] / (6 * turns)).ceil()) + 1
-        where = exact_text(side * 2 * turns * n * PI + c)
-        why = (
-            f"it fails at {name} = {where} and at all later points where "
-            "the sines and cosines have the same values"
-        )
-        return Answer(Verdict.REFUTED, why, witness={name: where})
-    return None
+
+def differ(x: Expr, y: Expr, given: Given) -> bool:
+    """Return whether two limits differ for all values of the parameters."""
+    if x in (INFINITY, -INFINITY) or y in (INFINITY, -INFINITY):
+        return x != y
+    apart = decide(x, y, given).verdict is Verdict.REFUTED
+    return apart and not symbols(x) | symbols(y)
+
+
+def _with_fixed_waves(e: Expr, name: str, given: Given) -> Iterator[tuple[Expr, Expr, Expr]]:
+    """Yield c, the period P, and ``e`` with the values that its waves have at c + nP."""
+    waves, slopes = _waves(e, name), []
+    for slope in (in_lowest_terms(differentiate(node.args[0], name)) for node in waves):
+        if name in symbols(slope):
+            return
+        slopes.append((slope.args[0], ONE) if slope.op == "number" else scaled(slope))
+    units = {unit for _, unit in slopes}
+    if len(units) != 1 or sign(units.pop(), given, "!=") not in PROVING["!="]:
+        return
+    period = 2 * PI * number(lcm(*(int(s.q) for s, _ in slopes))) / slopes[0][1]
+    for part in EIGHTHS:
+        c = period * number(fmpq(part, 8))
+        there = {wave: normal_form(substitute(wave, {name: c}), Given()) for wave in waves}
+        with ball_precision():
+            known = all(symbols(x) or evaluate(x, {}).is_finite() for x in there.values())
+        if known:
+            yield c, period, replaced(e, there)
 
 
 def _waves(e: Expr, name: str) -> set[Expr]:
     """The sines and cosines in which the variable occurs, but those inside of others."""
     if e.op in LEAVES or name not in symbols(e):
         return set()
-    return {e} if e.op in ("sin", "cos") else set().union(*(_waves(arg, name) for arg in e.args))
+    return {e} if e.op in WAVES else set().union(*(_waves(arg, name) for arg in e.args))

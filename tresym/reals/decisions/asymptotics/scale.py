@@ -78,9 +78,6 @@ class Scale:
         self.steepness = {w: Leading(ONE, {v: number(-1)}) for w, v in pairwise(CHAIN)}
         self.waves: list[Expr] = []
         """The arguments of waves: the phase ``_u0`` stands for the first modulo 2π."""
-        self.independent: set[frozenset[str]] = set()
-        """Two phases whose ratio tends to an irrational number: where one has a value modulo 2π,
-        the other comes near every value (L. Kronecker)."""
         self.leading: dict[Expr, Leading | None] = {}
         self._signs: dict[Expr, int] = {}
         self._zeros: dict[Expr, bool] = {}

@@ -1,0 +1,281 @@
+"""Write formulas in LaTeX and MathML: one walk over the tree, with a table of templates for each.
+
+The walk decides what is a fraction, a root or a product, and where brackets are needed; a template
+says how it is written.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from html import unescape
+
+from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.expression import (
+    DOTS,
+    HALF,
+    ONE,
+    Expr,
+    instantiate,
+    number,
+    opened,
+    power,
+    symbols,
+)
+from tresym.reals.language.latex_tokens import GREEK
+from tresym.reals.language.parsing import Compared
+
+SUM, PRODUCT, POWER, ATOM = range(4)
+"""How strongly a part binds; it needs brackets where the context binds more strongly."""
+
+LATEX: Mapping[str, str] = {
+    "==": "=", "!=": r"\ne", "<=": r"\le", ">=": r"\ge", "->": r"\to", "~": r"\sim",
+    "<": "<", ">": ">", "relation": "{} {} {}", "and": r",\ ", "integer": r"{} \in \mathbb{{Z}}",
+    "sum": r"\sum_{{{x}={low}}}^{{{high}}} {body}",
+    "product": r"\prod_{{{x}={low}}}^{{{high}}} {body}",
+    "integral": r"\int_{{{low}}}^{{{high}}} {body} \, d{x}",
+    "antiderivative": r"\int {body} \, d{x}", "limit": r"\lim_{{{x} \to {low}{side}}} {body}",
+    "above": "^+", "below": "^-", "of": "{} {}", "at": r"\left.{body}\right|_{{{place}}}",
+    "pair": "{}={}", "oo": r"\infty", "...": r"\dots", "pi": r"\pi", "e": "e", "d": "d",
+    "number": "{}", "word": r"\mathrm{{{}}}", "foot": "{}", "index": "{}_{{{}}}", "prime": "'",
+    "plus": " + ", "minus": " - ", "negative": "-", "times": r" \, ", "dot": r" \cdot ",
+    "fraction": r"\frac{{{}}}{{{}}}", "power": "{}^{{{}}}", "sqrt": r"\sqrt{{{}}}",
+    "cbrt": r"\sqrt[3]{{{}}}", "abs": r"\left|{}\right|", "function": r"\operatorname{{{}}}",
+    "brackets": "({})", "tall": r"\left({}\right)", "comma": ", ", "partial": r"\partial ",
+    **{name: rf"\{name}" for name in ("sin", "cos", "tan", "cot", "sec", "csc")},
+    **{name: rf"\{name}" for name in ("sinh", "cosh", "tanh", "coth")},
+    "log": r"\ln", "asin": r"\arcsin", "acos": r"\arccos", "atan": r"\arctan", "O": "O", "o": "o",
+}  # fmt: skip
+
+_ROW = "<mrow>{}</mrow>"
+MATHML: Mapping[str, str] = {
+    "==": "=", "!=": "≠", "<=": "≤", ">=": "≥", "->": "→", "~": "∼", "<": "&lt;", ">": "&gt;",
+    "relation": "{}<mo>{}</mo>{}", "and": "<mo>,</mo>", "integer": "{}<mo>∈</mo><mi>ℤ</mi>",
+    **{
+        name: f"<munderover><mo>{sign}</mo><mrow>{{x}}<mo>=</mo>{{low}}</mrow>"
+        "<mrow>{high}</mrow></munderover>{body}"
+        for name, sign in (("sum", "∑"), ("product", "∏"))
+    },
+    "integral": "<msubsup><mo>∫</mo><mrow>{low}</mrow><mrow>{high}</mrow></msubsup>{body}"
+    "<mi>d</mi>{x}",
+    "antiderivative": "<mo>∫</mo>{body}<mi>d</mi>{x}",
+    "limit": "<munder><mo>lim</mo><mrow>{x}<mo>→</mo>{low}{side}</mrow></munder>{body}",
+    "above": "<mo>+</mo>", "below": "<mo>−</mo>", "of": "{}{}",
+    "at": "<msub><mrow><mo>[</mo>{body}<mo>]</mo></mrow><mrow>{place}</mrow></msub>",
+    "pair": "{}<mo>=</mo>{}", "oo": "<mi>∞</mi>", "...": "<mo>⋯</mo>", "pi": "<mi>π</mi>",
+    "e": "<mi>e</mi>", "d": "<mi>d</mi>", "number": "<mn>{}</mn>", "word": "<mi>{}</mi>",
+    "foot": "<mi>{}</mi>", "index": "<msub>{}{}</msub>", "prime": "<mo>′</mo>",
+    "plus": "<mo>+</mo>", "minus": "<mo>−</mo>", "negative": "<mo>−</mo>",
+    "times": "<mo>&#x2062;</mo>", "dot": "<mo>·</mo>", "fraction": f"<mfrac>{_ROW}{_ROW}</mfrac>",
+    "power": f"<msup>{_ROW}{_ROW}</msup>", "sqrt": f"<msqrt>{_ROW}</msqrt>",
+    "cbrt": f"<mroot>{_ROW}<mn>3</mn></mroot>", "abs": "<mrow><mo>|</mo>{}<mo>|</mo></mrow>",
+    "function": "<mi>{}</mi>", "brackets": "<mrow><mo>(</mo>{}<mo>)</mo></mrow>",
+    "comma": "<mo>,</mo>", "partial": "<mi>∂</mi>",
+    **{name: f"<mi>{name}</mi>" for name in ("sin", "cos", "tan", "cot", "sec", "csc")},
+    **{name: f"<mi>{name}</mi>" for name in ("sinh", "cosh", "tanh", "coth")},
+    "log": "<mi>ln</mi>", **{f"a{f}": f"<mi>arc{f}</mi>" for f in ("sin", "cos", "tan")},
+    "O": "<mi>O</mi>", "o": "<mi>o</mi>",
+}  # fmt: skip
+
+_RAISED = frozenset(["sin", "cos", "tan", "cot", "sec", "csc", "sinh", "cosh", "tanh", "coth"])
+"""Functions whose exponent stands at the name: sin²(x)."""
+_SLOPE = re.compile(r"(d|partial)(\d?)([A-Za-z]\w*?)_(?:d|partial)([A-Za-z]\w*?)\2")
+_PRIMED = re.compile(r"(\w+?)_prime(\d?)")
+_DIGIT = re.compile(r"(?:<m(?:row|sup|n)>)*\d")
+"""The start of a text that begins with a digit, which a dot separates from a number before it."""
+
+
+def to_latex(comparisons: Iterable[Compared]) -> str:
+    r"""Return comparisons in LaTeX, ``0 < x \le 1`` for two with a side in common."""
+    return _Printer(LATEX).chain(comparisons)
+
+
+def to_mathml(comparisons: Iterable[Compared], block: bool = True) -> str:
+    """Return comparisons in MathML, as a formula of its own or in the line."""
+    start = '<math display="block">' if block else "<math>"
+    return f"{start}{_Printer(MATHML).chain(comparisons)}</math>"
+
+
+class _Printer:
+    """The walk over a tree with the templates of one language."""
+
+    def __init__(self, templates: Mapping[str, str]) -> None:
+        self.templates = templates
+
+    def put(self, template: str, *args: str, **named: str) -> str:
+        return self.templates[template].format(*args, **named)
+
+    def chain(self, comparisons: Iterable[Compared]) -> str:
+        text = ""
+        last: tuple[Expr | None, str] = (None, "")
+        for left, relation, right in comparisons:
+            goes_on = left is last[0] and relation[0] == last[1][0]
+            if not goes_on:
+                text += (self.put("and") if text else "") + self.shown(left)
+            if relation == "in":
+                text = self.put("integer", text)
+            else:
+                sign = self.templates[relation]
+                text = self.put("relation", text, sign, self.shown(right))
+            last = right, relation
+        return text
+
+    def shown(self, e: Expr, around: int = SUM) -> str:
+        """The formula, in brackets if what stands around it binds more strongly."""
+        text, strength = self.written(e)
+        return text if strength >= around else self.bracketed(text)
+
+    def bracketed(self, text: str) -> str:
+        tall = "tall" in self.templates and (r"\frac" in text or r"\int" in text)
+        return self.put("tall" if tall else "brackets", text)
+
+    def written(self, e: Expr) -> tuple[str, int]:
+        """The formula, and how strongly it binds."""
+        match e.op:
+            case "number":
+                r = e.args[0]
+                size, q = self.put("number", str(abs(int(r.p)))), self.put("number", str(r.q))
+                text = size if r.q == 1 else self.put("fraction", size, q)
+                whole = ATOM if r.q == 1 and r >= 0 else PRODUCT
+                return (self.put("negative") + text if r < 0 else text), whole
+            case "symbol":
+                name = e.args[0]
+                return (self.put(name) if e in (INFINITY, DOTS) else self.name(name)), ATOM
+            case "pi":
+                return self.put("pi"), ATOM
+            case "+":
+                return self.sum(e), SUM
+            case "*":
+                return self.product(e), PRODUCT
+            case "^":
+                return self.raised(*e.args)
+            case "exp" if e.args[0] == ONE:
+                return self.put("e"), ATOM
+            case "exp":
+                return self.put("power", self.put("e"), self.shown(e.args[0])), POWER
+            case "abs" | "cbrt":
+                return self.put(e.op, self.shown(e.args[0])), ATOM
+        return (self.binder(e), SUM) if e.names else (self.applied(e), ATOM)
+
+    def sum(self, e: Expr) -> str:
+        """Terms with their signs; a positive one comes first: 1 − x."""
+        terms = sorted(e.args, key=_is_negative) if _is_negative(e.args[0]) else e.args
+        text = self.shown(terms[0])
+        for term in terms[1:]:
+            sign, shown = ("minus", -term) if _is_negative(term) else ("plus", term)
+            text += self.put(sign) + self.shown(shown, PRODUCT if sign == "minus" else SUM)
+        return text
+
+    def product(self, e: Expr) -> str:
+        """Factors above and below one bar, with a sign before it."""
+        if _is_negative(e):
+            return self.put("negative") + self.shown(-e, PRODUCT)
+        above: list[Expr] = []
+        below: list[Expr] = []
+        for f in e.args:
+            if f.op == "number":
+                p, q = (number(int(x)) for x in (f.args[0].p, f.args[0].q))
+                above += [p] if p != ONE else []
+                below += [q] if q != ONE else []
+            elif f.op == "^" and f.args[1].op == "number" and f.args[1].args[0] < 0:
+                below.append(power(f.args[0], -f.args[1]))
+            else:
+                above.append(f)
+        if not below:
+            return self.factors(above)
+        return self.put("fraction", self.factors(above), self.factors(below))
+
+    def factors(self, factors: list[Expr]) -> str:
+        if len(factors) < 2:
+            return self.shown(factors[0] if factors else ONE)
+        text = self.shown(factors[0], PRODUCT)
+        for factor in factors[1:]:
+            part = self.shown(factor, PRODUCT)
+            text += self.put("dot" if _DIGIT.match(part) else "times") + part
+        return text
+
+    def raised(self, base: Expr, exponent: Expr) -> tuple[str, int]:
+        if exponent.op == "number" and exponent.args[0] < 0:
+            below = self.shown(power(base, -exponent))
+            return self.put("fraction", self.put("number", "1"), below), PRODUCT
+        if exponent == HALF:
+            return self.put("sqrt", self.shown(base)), ATOM
+        shown = self.shown(exponent)
+        if base.op in _RAISED:
+            name, argument = self.put(base.op), self.shown(base.args[0])
+            return self.put("power", name, shown) + self.bracketed(argument), POWER
+        return self.put("power", self.shown(base, ATOM), shown), POWER
+
+    def applied(self, e: Expr) -> str:
+        args = e.args
+        if e.op == "unknown":
+            (name, orders), args = e.args[0].args, e.args[1:]
+            head = self.name(name) + self.put("prime") * sum(orders)
+        else:
+            head = self.put(e.op) if e.op in self.templates else self.put("function", e.op)
+        return head + self.bracketed(self.put("comma").join(map(self.shown, args)))
+
+    def binder(self, e: Expr) -> str:
+        """Integrals, sums, products, limits, derivatives and values at a place."""
+        if e.op == "antiderivative":
+            shown = self.shown(instantiate(e.args[0], e.args[1:2]), PRODUCT)
+            return self.put(e.op, body=shown, x=self.shown(e.args[1]))
+        if e.op in ("derivative", "nth"):
+            return self.derivative(e)
+        names, body = opened(e)
+        inner, ends = self.shown(body, PRODUCT), [self.shown(arg) for arg in e.args[1:]]
+        if e.op == "at":
+            return self.at(inner, names, ends)
+        side = {"1": self.put("above"), "-1": self.put("below")}.get(str(e.args[-1]), "")
+        named = {"low": ends[0], "high": ends[-1], "side": side, "body": inner}
+        return self.put(e.op, x=self.name(names[0]), **named)
+
+    def at(self, body: str, names: Iterable[str], ends: Iterable[str]) -> str:
+        pairs = (self.put("pair", self.name(x), y) for x, y in zip(names, ends, strict=True))
+        return self.put("at", body=body, place=self.put("comma").join(pairs))
+
+    def derivative(self, e: Expr) -> str:
+        """Repeated where it is taken at the variable itself; elsewhere its value at the place."""
+        place, times, body = e.args[1], 0, e
+        while body.op == e.op and body.args[1] == place and place.op == "symbol":
+            if not symbols(body.args[0]).isdisjoint(symbols(place)) or (times and e.op == "nth"):
+                break
+            times, body = times + 1, instantiate(body.args[0], (place,))
+        order = self.put("number", str(times)) if times > 1 else ""
+        order = self.shown(e.args[2]) if e.op == "nth" else order
+        (name,), inside = opened(e)
+        slope = self.slope(
+            self.put("d"), "", self.shown(place) if times else self.name(name), order
+        )
+        shown = self.put("of", slope, self.shown(body if times else inside, PRODUCT))
+        return shown if times else self.at(shown, (name,), (self.shown(place),))
+
+    def slope(self, d: str, above: str, below: str, order: str) -> str:
+        """A derivative as a fraction of differentials."""
+        first, last = (self.put("power", x, order) if order else x for x in (d, below))
+        return self.put("fraction", first + above, d + last)
+
+    def name(self, name: str) -> str:
+        """``psi0`` with its index, ``lambda_`` by its letter, ``dx_dt`` as a fraction."""
+        if slope := _SLOPE.fullmatch(name):
+            sign, times, above, below = slope.groups()
+            order = self.put("number", times) if times else ""
+            return self.slope(self.put(sign), self.name(above), self.name(below), order)
+        if primed := _PRIMED.fullmatch(name):
+            return self.name(primed[1]) + self.put("prime") * int(primed[2] or 1)
+        head, _, foot = name.rstrip("_").partition("_")
+        stem = head.rstrip("0123456789") or head
+        foot = head[len(stem) :] + foot
+        shown = self.letter(stem, "word" if len(stem) > 1 else "foot")
+        return self.put("index", shown, self.letter(foot, "foot")) if foot else shown
+
+    def letter(self, name: str, template: str) -> str:
+        """A Greek letter by its name, and any other name as it is."""
+        if name not in GREEK:
+            return self.put(template, name)
+        return rf"\{name}" if self.templates is LATEX else self.put(template, unescape(f"&{name};"))
+
+
+def _is_negative(e: Expr) -> bool:
+    first = e.args[0] if e.op == "*" else e
+    return bool(first.op == "number" and first.args[0] < 0)
