@@ -2651,58 +2651,6 @@ Proof.
   assert ((1 - u / 2) * / (2 + u * up_w r u) <= cos e * / (w + 1)) by (apply Rmult_le_compat; lra).
   rewrite !(Rmult_assoc r); split; nra.
 Qed.
-Lemma slope_is : / (4 * b * e) + k * t * turn_slope a b e
-  = / (4 * b) * (/ e - cos e * / sin e - (r + b) * y + (2 * b + r - 1) * (t * (k * p))).
-Proof.
-  rewrite (turn_slope_is a b e A B P Q D); fold r k p; fold w.
-  destruct (factors_between a b e A B P Q B1 R4 E1) as [U [_ [_ [S3 [_ [_ [S0 C0]]]]]]]; fold u in U, S3.
-  destruct (defect_signs a b e A B P Q) as [_ [_ [R0 [K0 _]]]]; fold r in R0; fold k in K0.
-  assert (V : 0 < 1 - b * sin e ^ 2) by nra.
-  assert (W2 : w ^ 2 = r * sin e ^ 2 + 1) by (apply pow2_sqrt; nra).
-  assert (T : t * (w * cos e * / sin e ^ 2) = cos e * / sin e + (r + b) * y).
-  { unfold t, y; replace (w * sin e * / (1 - b * sin e ^ 2) * (w * cos e * / sin e ^ 2))
-      with (w ^ 2 * cos e * / sin e * / (1 - b * sin e ^ 2)) by (field; lra).
-    rewrite W2; field; lra. }
-  transitivity (/ (4 * b) * (/ e - t * (w * cos e * / sin e ^ 2) + (2 * b + r - 1) * (t * (k * p)))); [field; lra |].
-  rewrite T; ring.
-Qed.
-Lemma slope_parts : e * (1 / 3) <= / e - cos e * / sin e <= e * (1 / 3 + u / 15)
-  /\ e * (1 - 2 / 3 * u) * (1 + b * (u - u ^ 2 / 3)) <= y /\ y * (1 - b * (u * up_time u)) <= e /\ 0 < y <= t.
-Proof.
-  destruct (factors_between a b e A B P Q B1 R4 E1) as [U [S [S2 [S3 [W [C [S0 C0]]]]]]].
-  fold r in W; fold w u in W; fold u in U, S, S2, S3, C.
-  destruct (small_sine e) as [_ [_ C1]]; try lra; fold u in C1; replace (e ^ 4) with (u ^ 2) in C1 by (unfold u; ring).
-  pose proof (COS_bound e) as C2; assert (T : 0 <= up_time u <= 1) by (unfold up_time; nra).
-  assert (q0 : 0 <= u * up_time u <= 1764 / 10000) by nra.
-  assert (V : 0 < 1 - b * (u * up_time u) <= 1 - b * sin e ^ 2) by nra.
-  assert (I : 0 < / (1 - b * sin e ^ 2)) by (apply Rinv_0_lt_compat; lra).
-  assert (Y : y * (1 - b * sin e ^ 2) = cos e * sin e) by (unfold y; field; lra).
-  assert (Y0 : 0 < y) by (unfold y; apply Rmult_lt_0_compat; nra).
-  assert (es : 0 < e * sin e) by nra.
-  repeat split; try assumption.
-  - apply (Rmult_le_reg_r (e * sin e)); [exact es |].
-    replace ((/ e - cos e * / sin e) * (e * sin e)) with (sin e - e * cos e) by (field; lra).
-    enough (e * cos e <= sin e * (1 - u / 3)) by (unfold u in *; lra).
-    apply Rle_trans with (e * (1 - u / 6) * (1 - u / 3)); [| apply Rmult_le_compat_r; lra].
-    rewrite Rmult_assoc; apply Rmult_le_compat_l; nra.
-  - apply (Rmult_le_reg_r (e * sin e)); [exact es |].
-    replace ((/ e - cos e * / sin e) * (e * sin e)) with (sin e - e * cos e) by (field; lra).
-    replace (e * (1 / 3 + u / 15) * (e * sin e)) with (sin e * (u * (1 / 3 + u / 15))) by (unfold u; ring).
-    enough (sin e * (1 - u * (1 / 3 + u / 15)) <= e * cos e) by lra.
-    apply Rle_trans with (e * (1 - u * sine_loss u) * (1 - u * (1 / 3 + u / 15))); [apply Rmult_le_compat_r; nra |].
-    rewrite Rmult_assoc; apply Rmult_le_compat_l; [lra |]; apply Rle_trans with (1 - u / 2); [| lra]; unfold sine_loss.
-    assert (0 <= u ^ 2 * (1 / 360 - u / 120 + u ^ 2 / 1800)) by (apply Rmult_le_pos; nra); nra.
-  - apply Rle_trans with (cos e * sin e * (1 + b * sin e ^ 2)).
-    + assert (0 <= u - u ^ 2 / 3) by nra; assert (0 < e * (1 - 2 / 3 * u)) by (apply Rmult_lt_0_compat; lra).
-      assert (0 <= b * (u - u ^ 2 / 3)) by (apply Rmult_le_pos; lra); apply Rmult_le_compat; try lra.
-      * apply Rle_trans with ((1 - u / 2) * (e * (1 - u / 6))); [nra |]; apply Rmult_le_compat; try lra; apply Rmult_le_pos; lra.
-      * apply Rplus_le_compat_l, Rmult_le_compat_l; lra.
-    + assert (X : 0 <= b * sin e ^ 2) by nra; rewrite <- Y; set (x := b * sin e ^ 2) in *; clearbody x.
-      assert (0 <= y * x ^ 2) by (apply Rmult_le_pos; nra); nra.
-  - apply Rle_trans with (cos e * sin e); [rewrite <- Y; apply Rmult_le_compat_l; lra |].
-    assert (sin e <= e) by (left; apply sin_lt_x; lra); nra.
-  - unfold y, t; apply Rmult_le_compat_r; [lra |]; apply Rmult_le_compat_r; lra.
-Qed.
 End Level.
 
 Lemma printed_above a e : a >= 100 -> e > 0 -> e < 1 / 2 * PI ->
