@@ -45,6 +45,7 @@ AREAS: dict[str, tuple[str, ...]] = {
         *("inequalities_on_regions.search", "inequalities_on_regions._Search._contact"),
         *("inequalities_on_regions._Search._piece", "variable_reduction.by_one_variable"),
         *("variable_reduction._scaled", "variable_reduction._monotone"),
+        *("variable_reduction._of_one_part", "variable_reduction._by_sizes"),
         *("algebraic_witnesses.equal_at_algebraic", "algebraic_witnesses.equal_at_simple"),
         *("readable_witnesses.exact_witness", "integrals.decide_integrals"),
         *("integrals._by_identity", "integrals._infinite", "integrals._by_quadrature"),

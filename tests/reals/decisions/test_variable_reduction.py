@@ -9,8 +9,10 @@ from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.decisions.inequalities import decide_inequality
 from tresym.reals.decisions.variable_reduction import (
+    _by_sizes,
     _is_homogeneous,
     _monotone,
+    _of_one_part,
     _scaled,
     by_one_variable,
 )
@@ -27,6 +29,8 @@ HOLD = [
     ("x**3 <= y**3 given x < y, -2*x <= 3, 2*y < 7", "at two points"),
     ("tan(x)/tan(y) < x/y given 0 < x, x < y, y < pi/2", "at two points"),
     ("log(1 + x)/log(1 + y) > x/y given 0 < x, x < y", "at two points"),
+    ("sin(x)*sin(y) <= x*y given x >= 0, y >= 0", "absolute value of each factor"),
+    ("2*tanh(x)*atan(y) >= -2*x*y given x >= 0, y >= 0", "absolute value of each factor"),
 ]
 FAIL = [
     "(x - y)/(log(x) - log(y)) <= (x + y)/2.0001 given 0 < x, x < y",
@@ -67,7 +71,7 @@ TRUE = [
     "x**2*y**2 >= x*y - 1/4",
     "x + y >= 1 given x**2 + y**2 == 1, x >= 0, y >= 0",
 ]
-METHODS = (_scaled, _monotone)
+METHODS = (_scaled, _of_one_part, _monotone, _by_sizes)
 
 
 def asked(claim: str) -> tuple[Any, ...]:
@@ -114,6 +118,14 @@ def test_what_holds_is_not_refuted_by_what_is_stronger(claim: str) -> None:
 def test_nothing_is_shown_by_what_is_not(claim: str, verdict: Verdict) -> None:
     for method in METHODS:
         assert not method(*asked(claim), lambda *_: Answer(verdict, ""))
+
+
+def test_several_are_as_sure_as_the_least_sure() -> None:
+    claim = "sin(x)*sin(y) <= x*y given x >= 0, y >= 0"
+    for last, verdict in ((Verdict.ENCLOSED, Verdict.ENCLOSED), (Verdict.UNDECIDED, None)):
+        told = iter([Answer(Verdict.PROVED, ""), Answer(last, "")])
+        found = _by_sizes(*asked(claim), lambda *_, told=told: next(told))
+        assert (found and found.verdict) is verdict
 
 
 @pytest.mark.parametrize(
@@ -187,6 +199,7 @@ def test_a_pole_between_two_places_is_not_passed_over(under: str) -> None:
 
 
 OF_ONE_PART = [
+    "log(x + y) <= x + y - 1 given x > 0, y > 0",
     "exp(x*y) <= 1 + 1.72*x*y given 0 <= x <= 1, 0 <= y <= 1",
     "atan(x - y) <= x - y given x > 0, y < 0",
     "log(1 + x*y) < x*y given x > 0, y > 0",
