@@ -303,10 +303,11 @@ def _guards(guards: Mapping[str, Any]) -> Iterator[str]:
     )
     yield ""
     rows = [
-        (f"`{name}`", c.total(), _died(c), c["survived"] + c["not reached"], c["equivalent"])
+        (f"`{name}`", _tried(c), _died(c), _tried(c) - _died(c), c["equivalent"], c["not tried"])
         for name, c in sorted(packages.items())
     ]
-    yield from _table(("package", "places", "noticed", "not noticed", "equivalent"), rows, 1)
+    heads = ("package", "tried", "noticed", "not noticed", "equivalent", "not tried")
+    yield from _table(heads, rows, 1)
     reasons: dict[str, list[str]] = {}
     for mutant in guards["alive"]:
         if mutant["why"]:
