@@ -231,5 +231,5 @@ def test_what_the_bounds_of_a_symbol_show_is_not_said_again() -> None:
 
 
 def test_what_was_found_is_set_in_letters_for_a_terminal() -> None:
-    found = "along a = t**(-2) the left side is about -exp(-1)*t**2*exp(pi/t)/3"
-    assert in_letters(found) == "along a = t⁻² the left side is about −t² e^(π/t)/(3e)"
+    found = "along a = t**(-2) the left side behaves like -t**2*exp(pi/t)/3"
+    assert in_letters(found) == "along a = t⁻² the left side behaves like −t² · exp(π/t)/3"
