@@ -129,5 +129,5 @@ def _check(folder: Path, store: dict[str, Any]) -> int:
     save(store)
     for name, text in beyond.items():
         print(f"{name}: {text}")
-    print(f"{len(found)} theorems, {len(beyond)} on more than the reals; {changed} rest on others")
+    print(f"{len(found)} theorems, {len(beyond)} on more than the reals; of {changed} this is new")
     return 1 if beyond or changed else 0
