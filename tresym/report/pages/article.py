@@ -152,7 +152,6 @@ def _counts() -> dict[str, str]:
         "corrections": len(corrections()),
         "displays": len(index()["displays"]),
         "coq": in_coq_by["proved"],
-        "coq_partial": in_coq_by["partial"],
         "resting": sum(bool(claim.axioms) for claim in claims),
     }
     return {name: str(count) for name, count in counts.items()}

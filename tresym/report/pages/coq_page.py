@@ -121,10 +121,14 @@ def _counted(known: dict[str, Entry], store: Mapping[str, Any]) -> Iterator[str]
         if label in known and known[label].status == "proved"
     )
     days = sorted({entry.checked for entry in known.values() if entry.checked})
+    partial = (
+        f"It proves {counts['partial']} more (marked *partial*) from premises that are not proved "
+        "in Coq. "
+    )
     yield (
-        f"Coq proves {counts['proved']} of the {len(known)} claims ({'; '.join(days)}). It proves "
-        f"{counts['partial']} more (marked *partial*) from premises that are not proved in Coq. "
-        "The tables below give the reason wherever a proof is missing or partial. A claim counts "
+        f"Coq proves {counts['proved']} of the {len(known)} claims ({'; '.join(days)}). "
+        f"{partial if counts['partial'] else ''}"
+        "The tables below give the reason wherever a proof is missing. A claim counts "
         "only while its statement, its proof, the lemmas it uses and Coq's version are those of "
         "that check; `tresym verify` compares their hashes."
     )
