@@ -54,3 +54,17 @@ def test_without_a_cache_they_are_compiled_for_this_process(
 ) -> None:
     monkeypatch.setattr(coqtop, "cache_folder", lambda: folder)
     assert Path(compiled("one")[1], "Tresym.v").is_file()
+
+
+def test_what_is_not_compiled_to_its_end_is_not_kept(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    def interrupted(*_: Any, **__: Any) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(coqtop, "cache_folder", lambda: tmp_path)
+    monkeypatch.setattr(coqtop, "version", lambda: "8.16.1")
+    monkeypatch.setattr(coqtop.subprocess, "run", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        compiled("one")
+    assert not [*(tmp_path / "coq").iterdir()]

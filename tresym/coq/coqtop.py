@@ -10,6 +10,7 @@ import subprocess
 import tempfile
 import time
 from collections.abc import Sequence
+from contextlib import suppress
 from functools import cache
 from hashlib import sha256
 from importlib.resources import files
@@ -60,11 +61,12 @@ def _compiled(name: str, text: str, options: tuple[str, ...]) -> Path:
         _KEPT.append(tempfile.TemporaryDirectory())
         return _compile(name, text, options, Path(_KEPT[-1].name))
     if made is not None:
-        _compile(name, text, options, made)
         try:
-            made.rename(kept)
-        except OSError:  # another process was quicker
-            rmtree(made)
+            _compile(name, text, options, made)
+            with suppress(OSError):  # another process was quicker
+                made.rename(kept)
+        finally:
+            rmtree(made, ignore_errors=True)
     return kept
 
 
