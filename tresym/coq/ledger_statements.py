@@ -13,6 +13,7 @@ import re
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from functools import cache
 from hashlib import sha256
 from typing import TypeAlias
 
@@ -94,6 +95,7 @@ def name_of(label: str) -> str:
     return "claim_" + stem(label)
 
 
+@cache
 def lemmas() -> str:
     """Return the exported ``Racket.v``: hand-written lemmas that the proofs of several claims use.
 
