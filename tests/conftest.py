@@ -59,7 +59,7 @@ def state_folder(tmp_path_factory: pytest.TempPathFactory) -> None:
 
 
 TESTS = Path(__file__).parent
-SUGGESTING = ("reals/repair/", "reals/decisions/test_answer_cache.py")
+SUGGESTING = ("repair/", "checking/test_answer_cache.py")
 """Tests of the core that read the true claims which are suggested in place of a refuted one."""
 CORE = ("reals/", "racket/", "ledger/", "dev/corpus/", "dev/mutants/")
 
@@ -70,8 +70,8 @@ def no_suggestions(request: pytest.FixtureRequest) -> Iterator[None]:
     inner = request.path.relative_to(TESTS).as_posix()
     with pytest.MonkeyPatch.context() as patch:
         if inner.startswith(CORE) and not inner.startswith(SUGGESTING):
-            patch.setattr("tresym.reals.repair.alternatives", unsuggested.alternatives)
-            patch.setattr("tresym.reals.repair.suggestions", unsuggested.suggestions)
+            patch.setattr("tresym.repair.alternatives", unsuggested.alternatives)
+            patch.setattr("tresym.repair.suggestions", unsuggested.suggestions)
         yield
 
 
@@ -79,7 +79,7 @@ LONGEST = (
     *("ledger/test_verification.py", "commands/test_hostile.py", "site/test_in_the_browser.py"),
     *("site/test_explorer.py", "report/figures/test_figures.py", "sweep/test_sweep.py"),
     *("test_packaging.py", "report/pages/test_documents_about.py", "dev/bench/test_bench.py"),
-    *("reals/decisions/test_dispatch.py", "dev/corpus/test_lists.py", "proofs/test_asymptotics.py"),
+    *("checking/test_dispatch.py", "dev/corpus/test_lists.py", "proofs/test_asymptotics.py"),
 )
 """Begun first, so that no process is left with one of them while the others have nothing to do."""
 

@@ -13,7 +13,7 @@ from collections.abc import Callable
 
 import chunks
 
-from tresym.reals.decisions.time_limited import Task, check_all
+from tresym.checking.time_limited import Task, check_all
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import substitute
 from tresym.reals.language.parsing import parse

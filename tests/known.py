@@ -26,7 +26,7 @@ from typing import Any, NamedTuple
 
 import chunks
 
-from tresym.reals.decisions.dispatch import decide_claim
+from tresym.checking.dispatch import decide_claim
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.processes import Processes
 

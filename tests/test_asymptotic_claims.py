@@ -7,7 +7,7 @@ import asymptotic_claims
 import pytest
 from asymptotic_claims import Wave
 
-from tresym.reals.decisions.dispatch import decide_claim
+from tresym.checking.dispatch import decide_claim
 from tresym.reals.verdict import Verdict
 
 

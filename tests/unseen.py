@@ -13,8 +13,8 @@ from pathlib import Path
 from statistics import median, quantiles
 from typing import Any
 
+from tresym.checking.dispatch import decide_claim
 from tresym.reals.decisions.answer import Answer
-from tresym.reals.decisions.dispatch import decide_claim
 from tresym.reals.processes import Processes
 
 HOME = Path(__file__).parent

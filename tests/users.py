@@ -9,7 +9,7 @@ import tresym
 from tresym.ledger.verification import Report
 from tresym.racket.body import NamedBody
 from tresym.racket.result import Flip, Journey
-from tresym.reals.decisions import Answer
+from tresym.reals.decisions.answer import Answer
 
 flip: Flip = tresym.flip_defect("12.5372", "0.0629", "1/100", digits=30)
 same: Flip = tresym.flip_defect(tresym.Body(1210, 16380, 17480))

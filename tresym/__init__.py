@@ -27,8 +27,8 @@ if TYPE_CHECKING:  # for editors and type checkers, which would accept any name 
     from tresym.racket.flip import flip_angle, flip_defect, flip_defects
     from tresym.racket.floats.flipmap import flip_map
     from tresym.reals.numbers.exact import InputError
-    from tresym.reals.repair import check
     from tresym.reals.verdict import Verdict
+    from tresym.repair import check
     from tresym.report.pages.python_api import derive, figure, paper, table
 
 __version__ = "0.1.0"
@@ -38,7 +38,7 @@ _HOMES = {
     "InputError": "tresym.reals.numbers.exact",
     "Verdict": "tresym.reals.verdict",
     "bodies": "tresym.racket.body",
-    "check": "tresym.reals.repair",
+    "check": "tresym.repair",
     "derive": "tresym.report.pages.python_api",
     "figure": "tresym.report.pages.python_api",
     "flip_angle": "tresym.racket.flip",

@@ -45,6 +45,6 @@ def in_this_process(request: pytest.FixtureRequest) -> Iterator[None]:
     """A process for each display takes longer than most decisions."""
     with pytest.MonkeyPatch.context() as patch:
         if request.path.name not in OWN_PROCESSES:
-            patch.setattr("tresym.reals.decisions.time_limited.Processes", Here)
-            patch.setattr("tresym.reals.repair.Processes", Here)
+            patch.setattr("tresym.checking.time_limited.Processes", Here)
+            patch.setattr("tresym.repair.Processes", Here)
         yield

@@ -5,13 +5,13 @@ from pathlib import Path
 
 import pytest
 
+from tresym.checking.time_limited import Task
 from tresym.commands import main
 from tresym.manuscript import attempts
 from tresym.manuscript.attempts import INTERRUPTED, answers_to
 from tresym.manuscript.classification import Attempt, Link
 from tresym.manuscript.source import Display
 from tresym.reals.decisions.answer import Answer
-from tresym.reals.decisions.time_limited import Task
 from tresym.reals.verdict import Verdict
 
 DISPLAY = Display(1, "brackets", (), "", 1, "")

@@ -14,6 +14,7 @@ from flint import arb
 from sympy import Derivative, Eq, Equivalent, Ge, Gt, Integral, Symbol, Tuple, cos, sin
 
 import tresym
+from tresym.checking.claim_cross_check import attack
 from tresym.commands import main
 from tresym.dev.corpus.lists import known, pairs
 from tresym.ledger.claim import Claim, Definition, by, equal, formally, together
@@ -21,7 +22,6 @@ from tresym.ledger.finding import StepFinding
 from tresym.ledger.reasons import substituting
 from tresym.reals import cross_check
 from tresym.reals.decisions.answer import Answer
-from tresym.reals.decisions.claim_cross_check import attack
 from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language import derivatives
@@ -33,10 +33,10 @@ from tresym.reals.numbers.exact import Decimal
 from tresym.reals.verdict import Verdict
 
 # The modules: their packages export functions of the same name.
-check_judge: Any = importlib.import_module("tresym.reals.decisions.dispatch")
+check_judge: Any = importlib.import_module("tresym.checking.dispatch")
 claims_judge: Any = importlib.import_module("tresym.ledger.judge")
 inequalities: Any = importlib.import_module("tresym.reals.decisions.inequalities")
-orders: Any = importlib.import_module("tresym.reals.decisions.asymptotics.order_claims")
+orders: Any = importlib.import_module("tresym.asymptotics.order_claims")
 
 PROVED, UNDECIDED = Verdict.PROVED, Verdict.UNDECIDED
 x, y, t = (Symbol(name, real=True) for name in "xyt")

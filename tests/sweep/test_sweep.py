@@ -30,9 +30,9 @@ from flint import arb, ctx, fmpq
 from hangs import HANGS
 
 from tresym import flip_defect
+from tresym.checking.time_limited import BATCH
 from tresym.commands import main
 from tresym.racket.formulas import printed
-from tresym.reals.decisions.time_limited import BATCH
 from tresym.reals.numbers.arithmetic import ball_precision, balls, mp_precision
 from tresym.reals.numbers.exact import InputError, parse_number
 from tresym.sweep import CsvFile, Grid, cluster, processes, sweep, to_frame

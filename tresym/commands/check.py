@@ -17,8 +17,8 @@ from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
 if TYPE_CHECKING:
+    from tresym.checking.time_limited import Task
     from tresym.reals.decisions.answer import Answer
-    from tresym.reals.decisions.time_limited import Task
 
     Answers: TypeAlias = Iterator[tuple[Task, Answer | InputError]]
 
@@ -77,7 +77,7 @@ def run(args: argparse.Namespace) -> int:
         return one(*asked, args.json, args.path, args.coq, args.suggest)
     if args.coq is not None:
         raise InputError("check: --coq writes one claim; give it without -f")
-    from tresym.reals.decisions.answer_cache import cached_answers
+    from tresym.checking.answer_cache import cached_answers
 
     asked = args.file, args.given, args.tends, args.limit
     with cached_answers(not args.no_cache):
@@ -116,11 +116,11 @@ def one(
         coq: the file for statement and proof in Coq; None for none.
         suggest: whether to search for a true statement close to a refuted claim.
     """
-    from tresym.reals.decisions.time_limited import Task, check_within
+    from tresym.checking.time_limited import Task, check_within
 
     answer = check_within(Task(claim.strip(), given, path), parse_seconds(limit))
     if suggest and answer.verdict is Verdict.REFUTED:
-        from tresym.reals.repair import suggestions
+        from tresym.repair import suggestions
 
         answer = replace(answer, instead=next(suggestions([(answer.read_as, (), False, True)], 1)))
     colour = colour_wanted() and target is None
@@ -180,7 +180,7 @@ def many(
     with _shown_by(target) as show:
         answers = _answers(tasks, seconds, scheduler)
         if suggest:
-            from tresym.reals.repair import suggested
+            from tresym.repair import suggested
 
             answers = suggested(answers)
         for task, found in answers:
@@ -204,7 +204,7 @@ def many(
 
 def _answers(tasks: Iterator[Task], limit: float, scheduler: str | None) -> Answers:
     """Yield every task with its answer, decided on all cores or by a scheduler's workers."""
-    from tresym.reals.decisions.time_limited import check_all, check_by
+    from tresym.checking.time_limited import check_all, check_by
 
     if scheduler is None:
         yield from check_all(tasks, limit)
@@ -230,7 +230,7 @@ def read_tasks(file: str, given: str, path: str | None) -> Iterator[Task]:
     Raises:
         InputError: the file cannot be read, or contains no claim.
     """
-    from tresym.reals.decisions.time_limited import Task
+    from tresym.checking.time_limited import Task
 
     tasks = (
         Task(claim, given, path, number)

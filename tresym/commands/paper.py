@@ -84,9 +84,9 @@ def run(args: argparse.Namespace) -> int:
     """Run the command and return its exit status."""
     from pathlib import Path
 
+    from tresym.checking.answer_cache import cached_answers, clear_cache
     from tresym.manuscript.reports import baseline_text, new_since, problems, read_baseline
     from tresym.output import write_text
-    from tresym.reals.decisions.answer_cache import cached_answers, clear_cache
 
     if args.clear_cache:
         print(clear_cache(), file=sys.stderr)

@@ -11,9 +11,9 @@ from fractions import Fraction
 
 from tresym.coq.bound_statements import MINUS_INFINITY, extended
 from tresym.coq.statement import ATOM, term
-from tresym.reals.decisions.asymptotics.limit_values import limit_of
 from tresym.reals.decisions.statement import Path
 from tresym.reals.domain.conditions import Given
+from tresym.reals.expansions.limit_values import limit_of
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (

@@ -10,9 +10,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from typing import TypeAlias
 
+from tresym.checking.time_limited import Task, check_all
 from tresym.manuscript.classification import Link
 from tresym.reals.decisions.answer import Answer
-from tresym.reals.decisions.time_limited import Task, check_all
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 

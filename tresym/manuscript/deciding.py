@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+from tresym.checking.time_limited import Task, check_all, check_within
 from tresym.manuscript import accusations
 from tresym.manuscript.attempts import answers_to
 from tresym.manuscript.classification import EQUATION, UNREAD, Attempt, Link
@@ -14,7 +15,6 @@ from tresym.manuscript.instances import instances
 from tresym.manuscript.mentions import names_in
 from tresym.reals.decisions.answer import Alternative, Answer
 from tresym.reals.decisions.statement import chained
-from tresym.reals.decisions.time_limited import Task, check_all, check_within
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.expression import ONE, ZERO, Expr, symbols
 from tresym.reals.numbers.exact import InputError

@@ -12,12 +12,12 @@ import sys
 from pathlib import Path
 from typing import Any
 
+from tresym.checking.answer_cache import cached_answers
 from tresym.manuscript.deciding import Row, decided
 from tresym.manuscript.links import read_links
 from tresym.manuscript.settings import settings_for, with_settings
 from tresym.manuscript.source import read_manuscript
 from tresym.manuscript.suspects import proofread
-from tresym.reals.decisions.answer_cache import cached_answers
 from tresym.reals.decisions.claim_parsing import in_latex
 from tresym.reals.language.expression import symbols
 from tresym.reals.numbers.exact import InputError

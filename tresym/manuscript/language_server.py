@@ -22,7 +22,7 @@ from pygls import uris
 from pygls.lsp.server import LanguageServer
 
 import tresym
-from tresym.reals.decisions.answer_cache import cache_file
+from tresym.checking.answer_cache import cache_file
 
 PAUSE = 0.4
 """Seconds without a change after which the text is checked."""

@@ -20,19 +20,19 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from itertools import groupby, pairwise
 
+from tresym.checking.time_limited import Task, check_all
 from tresym.manuscript import prose
 from tresym.manuscript.classification import CONSTANTS, DEFINED, EQUATION, UNREAD, Link
 from tresym.manuscript.deciding import Row
 from tresym.manuscript.terms import base_of
 from tresym.reals.decisions.answer import Alternative, Answer
-from tresym.reals.decisions.time_limited import Task, check_all
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import Expr, symbols
-from tresym.reals.repair import suggestions
-from tresym.reals.repair.agreement import Definitions
-from tresym.reals.repair.edits import is_one_edit
-from tresym.reals.repair.search import GIVEN, SECONDS
+from tresym.repair import suggestions
+from tresym.repair.agreement import Definitions
+from tresym.repair.edits import is_one_edit
+from tresym.repair.search import GIVEN, SECONDS
 
 SUSPECT = "SUSPECT"
 

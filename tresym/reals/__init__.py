@@ -4,7 +4,7 @@ A claim is text, LaTeX or a SymPy relation. It is an identity (``==``), an inequ
 ``<=``, ``>``, ``>=``, ``!=``), or an asymptotic statement (``O``, ``o``, ``~``) along a path to a
 point. Its expressions consist of rational numbers, π, variables, powers, roots and the elementary
 functions; its conditions are relations of the same kind. The function
-:func:`tresym.reals.decisions.check` answers with one of four verdicts and a sentence that gives the
+:func:`tresym.checking.check` answers with one of four verdicts and a sentence that gives the
 reason:
 
 - ``PROVED``: an exact procedure proves the claim, without floating-point arithmetic.
@@ -32,13 +32,12 @@ Packages. Each imports only from those above it in this list:
   signs. Two expressions with the same normal form are equal.
 - ``signs``: the sign of an expression under conditions, by several exact methods.
 - ``balls``: branch and bound on boxes in ball arithmetic.
-- ``decisions``: a claim is parsed (``claim_parsing.py``), each comparison is passed to the
-  procedure of its kind (``dispatch.py``), and the result is described (``answer.py``). Begin at
-  ``identity.py``, which explains the guarantee for equalities. ``asymptotics`` contains expansions
-  with certified remainders.
-- ``repair``: true statements close to a refuted claim: one edit away, under conditions, or with
-  other values.
-- ``corpus``: true and false claims with known answers, for tests and measurements.
+- ``expansions``: expansions of explicit functions with certified remainders, and limits.
+- ``decisions``: a claim is parsed (``claim_parsing.py``) and decided by the procedure of its kind.
+  Begin at ``identity.py``, which explains the guarantee for equalities.
+
+Above this package, ``tresym.asymptotics`` decides limits and orders, ``tresym.checking`` dispatches
+any claim to its decider, and ``tresym.repair`` looks for true statements close to a false one.
 
 ``cross_check.py`` shares only the expression trees with the provers. Before a claim is accepted, it
 tries to falsify the claim in ball arithmetic at points of its own choice. ``verdict.py`` defines

@@ -5,12 +5,12 @@ from collections.abc import Callable
 import pytest
 from flint import fmpq
 
-from tresym.reals.decisions.asymptotics.limit_values import limit_of
 from tresym.reals.decisions.ideals import follows, numerator_factors
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.inequalities import decide_inequality
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
+from tresym.reals.expansions.limit_values import limit_of
 from tresym.reals.language import binders
 from tresym.reals.language.expression import HALF, ZERO, Expr, apply, number, symbol, unknown
 from tresym.reals.normal.at_point import equal_at

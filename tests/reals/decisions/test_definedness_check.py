@@ -3,7 +3,8 @@
 import pytest
 
 import tresym
-from tresym.reals.decisions import definedness_check, dispatch
+from tresym.checking import dispatch
+from tresym.reals.decisions import definedness_check
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.verdict import Verdict
 

@@ -3,8 +3,8 @@
 import pytest
 
 import tresym
+from tresym.checking.dispatch import _bounded
 from tresym.reals.decisions.claim_parsing import read
-from tresym.reals.decisions.dispatch import _bounded
 from tresym.reals.decisions.induction import _end, _induction, _tends
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.parsing import parse

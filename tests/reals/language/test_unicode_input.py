@@ -11,10 +11,10 @@ from hypothesis import strategies as st
 from sympy import Derivative, Eq, Symbol, log, sqrt
 
 import tresym
+from tresym.checking.time_limited import Task, check_within
 from tresym.commands import main
 from tresym.reals.decisions import claim_parsing as statement
 from tresym.reals.decisions.claim_parsing import read, read_path
-from tresym.reals.decisions.time_limited import Task, check_within
 from tresym.reals.language.expression import number
 from tresym.reals.language.unicode_input import plain
 from tresym.reals.numbers.exact import InputError

@@ -7,7 +7,7 @@ from flint import Ordering, fmpz, fmpz_mpoly, fmpz_mpoly_ctx
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tresym.reals.decisions.dispatch import decide_claim
+from tresym.checking.dispatch import decide_claim
 from tresym.reals.numbers.factoring import TooLargeError, factors_of, primes_of
 from tresym.reals.verdict import Verdict
 

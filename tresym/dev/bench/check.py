@@ -19,6 +19,9 @@ from typing import Any
 import sympy
 from sympy.core.cache import clear_cache
 
+from tresym.checking import check
+from tresym.checking.dispatch import decide_claim
+from tresym.checking.time_limited import Task, check_all
 from tresym.dev.bench.run import (
     FAILED,
     RIGHT,
@@ -39,10 +42,7 @@ from tresym.dev.corpus.rewriting import (
     real_value,
     true_identity,
 )
-from tresym.reals.decisions import check
 from tresym.reals.decisions.claim_parsing import read
-from tresym.reals.decisions.dispatch import decide_claim
-from tresym.reals.decisions.time_limited import Task, check_all
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.language.parsing import parse

@@ -16,6 +16,7 @@ from typing import Any, NamedTuple
 
 import sympy
 
+from tresym.checking import check
 from tresym.dev.bench.run import (
     FAILED,
     RIGHT,
@@ -34,7 +35,6 @@ from tresym.ledger.conversion import conditions, known, tree
 from tresym.ledger.counterexamples import put_in, rules_of
 from tresym.ledger.evidence.sign_prover import manifest_sign
 from tresym.ledger.paper import all_claims
-from tresym.reals.decisions import check
 from tresym.reals.decisions.identity import decide
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict

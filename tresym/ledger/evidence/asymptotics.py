@@ -22,15 +22,15 @@ from sympy import Basic, Eq, Expr, Rational, Symbol, Tuple, oo
 from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 
+from tresym.asymptotics.order_claims import decide_order
 from tresym.ledger.claim import Claim, Root
 from tresym.ledger.conversion import conditions, defined, definitions, tree
 from tresym.ledger.evidence.integrals import NotShownError, need
 from tresym.ledger.evidence.sign_prover import is_manifest, undefined
 from tresym.ledger.finding import Finding, Ruling
 from tresym.ledger.statements import As, ExactlyOne
-from tresym.reals.decisions.asymptotics.leading_terms import sign_towards
-from tresym.reals.decisions.asymptotics.order_claims import decide_order
 from tresym.reals.decisions.statement import Comparison, Path
+from tresym.reals.expansions.leading_terms import sign_towards
 from tresym.reals.language.binders import elementary, worked_out
 from tresym.reals.language.expression import ONE, ZERO, substitute, symbols
 from tresym.reals.language.expression import Expr as Tree

@@ -1,66 +1,7 @@
-"""Decide a user's claims: one decision method for each kind of statement.
+"""Decide claims at points: one decision method for each kind of statement.
 
-:func:`check` decides one claim in this process; :mod:`tresym.reals.decisions.time_limited`
-many, each within a limit of time.
+A claim is parsed (`claim_parsing`) into a `statement`; `identity` explains the guarantee for
+equalities, `inequalities` that for inequalities. Sums, integrals, integers, equations and unknown
+functions each have a module that reduces a claim to simpler ones. `tresym.checking.dispatch` knows
+the order in which they are asked.
 """
-
-from __future__ import annotations
-
-from numbers import Real
-from typing import Any
-
-from tresym.reals.decisions.answer import Answer
-from tresym.reals.decisions.claim_parsing import read
-from tresym.reals.decisions.dispatch import decide_claim
-from tresym.reals.numbers.exact import InputError
-
-MAX_SECONDS = 86_400
-
-__all__ = ["Answer", "check"]
-
-
-def check(
-    claim: Any, given: Any = "", path: str | None = None, limit: float | None = None
-) -> Answer:
-    """Decide a claim about real elementary expressions.
-
-    Args:
-        claim: text such as ``"diff(F, x) == f"``, ``"exp(x) >= 1 + x"`` or
-            ``"sin(x) == x + O(x**3)"``; LaTeX of the same; or a SymPy relation such as
-            ``Eq(f, g)``, whose symbols are taken as real.
-        given: conditions: text such as ``"a > 0, 0 < b <= 1"``, LaTeX, or SymPy relations.
-        path: for an order claim, such as ``"x -> 0+"``.
-        limit: seconds after which the answer is UNDECIDED; the work is then done in a process of
-            its own. Without it the claim is decided here.
-
-    Raises:
-        InputError: the claim is not read, or the limit is no number of seconds; one line says why.
-
-    Example:
-        >>> import tresym
-        >>> tresym.check("sqrt(x**2) == x", given="x > 0").verdict.value
-        'PROVED'
-        >>> tresym.check("sqrt(x**2) == x").verdict.value
-        'REFUTED'
-    """
-    if not (path is None or isinstance(path, str)):
-        raise InputError("path: give text such as x -> 0+")
-    if not (limit is None or _is_limit(limit)):
-        raise InputError(f"limit: give a number of seconds above 0 and at most {MAX_SECONDS}")
-    if not (isinstance(claim, str) and isinstance(given, str)):
-        claim, given, path = read(claim, given, path), "", None  # SymPy evaluates what it copies
-    if limit is None:
-        return decide_claim(claim, given, path)
-    from tresym.reals.decisions.time_limited import Task, check_within
-
-    return check_within(Task(claim, given, path), float(limit))
-
-
-def _is_limit(limit: object) -> bool:
-    """Whether it is a number of seconds, of numpy's smallest kinds as well."""
-    if not isinstance(limit, Real) or isinstance(limit, bool):
-        return False
-    try:
-        return 0 < float(limit) <= MAX_SECONDS
-    except OverflowError:
-        return False

@@ -18,7 +18,6 @@ from math import factorial
 from flint import fmpq, fmpq_mat, fmpq_poly
 
 from tresym.reals.decisions.answer import Answer, Decide
-from tresym.reals.decisions.asymptotics.laurent import Germ, germ_of
 from tresym.reals.decisions.hypergeometric import (
     HIGHEST,
     OpenError,
@@ -33,6 +32,7 @@ from tresym.reals.decisions.power_series import by_equation, functions_of, need_
 from tresym.reals.decisions.statement import Comparison, Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
+from tresym.reals.expansions.laurent import Germ, germ_of
 from tresym.reals.language.binders import elementary, is_infinite
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (

@@ -11,10 +11,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import factorial, gcd
 
-from flint import arb, fmpq, fmpq_poly, fmpz, fmpz_poly
+from flint import arb, fmpq, fmpq_poly, fmpz_poly
 
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
+from tresym.reals.expansions.laurent import OpenError, root
 from tresym.reals.language.calls import FACTORIAL, INFINITY
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
@@ -43,10 +44,6 @@ LATEST = 12
 """Up to where a first term that is not 0 is looked for."""
 TERMS = 400
 K = fmpq_poly([0, 1])
-
-
-class OpenError(Exception):
-    """A series is not of this kind, or a proof failed; the text is the reason."""
 
 
 @dataclass(frozen=True)
@@ -257,13 +254,6 @@ def radius_of(s: Series) -> Expr | None:
     if rate is None:
         return ZERO
     return None if rate == 0 else root(1 / abs(rate), s.step)
-
-
-def root(value: fmpq, n: int) -> Expr:
-    """Return the n-th root of a positive number, as a rational number if it is one."""
-    p, q = (fmpz(k).root(n) for k in (value.p, value.q))
-    exact = p**n == value.p and q**n == value.q
-    return number(fmpq(p, q)) if exact else number(value) ** number(fmpq(1, n))
 
 
 def out_of_range(s: Series, given: Given) -> str:

@@ -22,7 +22,6 @@ from dataclasses import replace
 from functools import partial
 
 from tresym.reals.decisions.answer import Answer, Decide, worst
-from tresym.reals.decisions.asymptotics.limit_values import limit_of
 from tresym.reals.decisions.equations import is_whole
 from tresym.reals.decisions.hypergeometric import folded
 from tresym.reals.decisions.identity import decide
@@ -31,6 +30,7 @@ from tresym.reals.decisions.readable_witnesses import decided_at, tidied
 from tresym.reals.decisions.statement import Comparison, Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.operation_domains import operations, singularities
+from tresym.reals.expansions.limit_values import limit_of
 from tresym.reals.language.binders import elementary, outermost, total
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.derivatives import differentiate

@@ -19,10 +19,10 @@ from tresym.reals.balls.branch_and_bound import Bound, Box, BoxProof, Counterexa
 from tresym.reals.balls.simplest_constants import candidates, enclosure
 from tresym.reals.balls.taylor import taylor_value
 from tresym.reals.decisions.answer import Answer, exactly, refuted
-from tresym.reals.decisions.asymptotics.leading_terms import sign_towards
 from tresym.reals.domain.conditions import Condition, Given
 from tresym.reals.domain.evaluation import Tape, evaluate, stands
 from tresym.reals.domain.sample_points import Range
+from tresym.reals.expansions.leading_terms import sign_towards
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import LEAVES, ZERO, Expr, symbols
 from tresym.reals.language.solve import solutions

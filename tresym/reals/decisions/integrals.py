@@ -23,8 +23,6 @@ from typing import NamedTuple
 from flint import arb, fmpq
 
 from tresym.reals.decisions.answer import Answer, Decide, refuted
-from tresym.reals.decisions.asymptotics.limit_values import limit_of
-from tresym.reals.decisions.asymptotics.recurring_failures import has_no_limit
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.integral_rules import Antiderivatives
 from tresym.reals.decisions.integration_pieces import (
@@ -36,10 +34,12 @@ from tresym.reals.decisions.integration_pieces import (
 from tresym.reals.decisions.known_values import known_value
 from tresym.reals.decisions.readable_witnesses import constants_hold, decided_at, simple_points
 from tresym.reals.decisions.statement import Comparison, Statement, functions
+from tresym.reals.decisions.waves import has_no_limit
 from tresym.reals.domain import binder_values
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate, stands
 from tresym.reals.domain.operation_domains import bound, needs
+from tresym.reals.expansions.limit_values import limit_of
 from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.derivatives import differentiate

@@ -118,38 +118,6 @@ def by_source(data: Mapping[str, Any]) -> str:
     )
 
 
-FEW, SHORT = 5, 10
-"""Claims that a method should decide per hundred lines, and lines that are not looked at."""
-
-
-def by_method(data: Mapping[str, Any]) -> str:
-    """Return a table of the methods that decide little for their length.
-
-    Args:
-        data: what ``python tests/account.py --save`` wrote.
-    """
-    rows = [row for row in data["rows"] if row["lines"] >= SHORT]
-    every = data["every"]
-    weak = [row for row in rows if 100 * every * row["lost"] < FEW * row["lines"]]
-    claims = sum(sum(counts.values()) for counts in data["collections"].values())
-    sample = f", one in {every} of the collections" if every > 1 else ""
-    warning = " So small a sample cannot show that a method is not needed." if every > 1 else ""
-    lines = [
-        f"Each of {len(data['rows'])} methods was switched off in turn, on {claims:,} "
-        f"claims{sample}: lists, random identities, manuscripts and the ledger. "
-        f"{len(rows)} methods have {SHORT} "
-        f"lines of code or more that nothing else uses. Without one of the following {len(weak)}, "
-        f"fewer than {FEW} claims are lost for each hundred of its lines.{warning}",
-        "",
-        "| method | lines | finds something for | lost without it | why it is kept |",
-        "|---|--:|--:|--:|---|",
-    ]
-    for row in sorted(weak, key=lambda row: (row["lost"] / row["lines"], -row["lines"])):
-        counts = _cells((row["lines"], row["used"], row["lost"]))
-        lines.append(f"| `{row['method']}` | {counts} | {row['why']} |")
-    return "\n".join(lines) + "\n"
-
-
 def _times(notes: Mapping[str, Any]) -> list[str]:
     """A sentence on the times for inequalities and orders, if they were measured."""
     found = [(name, notes[name]) for name in _LISTS if name in notes]

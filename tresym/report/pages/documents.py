@@ -23,8 +23,7 @@ from tresym.report.charts import saved
 from tresym.report.figures.grid import shown
 from tresym.report.pages import coq_page
 from tresym.report.pages.article import article, passages
-from tresym.report.pages.call_paths import call_paths
-from tresym.report.pages.check_tables import by_kind, by_method, by_source, measured
+from tresym.report.pages.check_tables import by_kind, by_source, measured
 from tresym.report.pages.corrections import corrections
 from tresym.report.pages.ledger_document import ledger_document
 from tresym.report.pages.messages import messages
@@ -57,7 +56,6 @@ def pages(report: Report) -> Iterator[tuple[str, str]]:
     yield "symbols.md", symbols(report)
     yield "methods.md", methods()
     yield "coq_proofs.md", coq_page.page()
-    yield "call_paths.md", call_paths()
     yield "messages.md", messages()
     measured_tests = [*map(saved.load, ("guards", "hunts", "mutants"))]
     yield "trust.md", trust(report, *measured_tests)
@@ -65,7 +63,6 @@ def pages(report: Report) -> Iterator[tuple[str, str]]:
     yield "tables/deciding.md", measured(saved.load("check"))
     yield "tables/kinds.md", by_kind(saved.load("kinds"))
     yield "tables/papers.md", by_source(saved.load("papers"))
-    yield "tables/account.md", by_method(saved.load("account"))
 
 
 def drawn() -> Iterator[tuple[str, str]]:

@@ -1,6 +1,6 @@
 """Search for repairs of refuted claims of the ledger, to compare them with the corrections.
 
-The search is :func:`tresym.reals.repair.search.alternatives`: statements that differ by one edit,
+The search is :func:`tresym.repair.search.alternatives`: statements that differ by one edit,
 or that have a natural condition added. It is tried only for a single comparison of elementary
 expressions of moderate size. The time limit is generous, so that slow machines find the same.
 """
@@ -14,7 +14,7 @@ from tresym.reals.decisions.answer import Alternative
 from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.decisions.statement import Statement
 from tresym.reals.numbers.exact import InputError
-from tresym.reals.repair.search import alternatives
+from tresym.repair.search import alternatives
 
 SECONDS = 60.0
 """Time limit for one claim."""

@@ -24,40 +24,40 @@ import tresym
 
 LEDGER = ("ledger.judge.judge", "ledger.judge.judge_evidence")
 """The functions that issue verdicts on claims of the ledger."""
-CHECK = ("reals.decisions.dispatch.decide_claim",)
+CHECK = ("checking.dispatch.decide_claim",)
 """The functions that issue verdicts on a user's claim."""
 ROOTS = (*LEDGER, *CHECK)
 
 ENCLOSING = (
     "reals.balls",
     "reals.decisions.inequalities_on_regions",
-    "reals.decisions.asymptotics.order_claims",
-    "reals.decisions.asymptotics.leading_terms",
+    "asymptotics.order_claims",
+    "reals.expansions.leading_terms",
     *(
-        "reals.decisions.asymptotics.truncated_series.Enclosure",
-        "reals.decisions.asymptotics.truncated_series.Size",
+        "reals.expansions.truncated_series.Enclosure",
+        "reals.expansions.truncated_series.Size",
     ),
-    "reals.decisions.asymptotics.scale.Scale.written",
+    "reals.expansions.scale.Scale.written",
     *(
-        f"reals.decisions.asymptotics.series_arithmetic.SeriesArithmetic.{name}"
+        f"reals.expansions.series_arithmetic.SeriesArithmetic.{name}"
         for name in ("enclosure", "_enclosed", "largest")
     ),
     *(
-        f"reals.decisions.asymptotics.series_arithmetic.SeriesArithmetic._{name}"
+        f"reals.expansions.series_arithmetic.SeriesArithmetic._{name}"
         for name in ("height", "along_chain", "element")
     ),
     *(
-        f"reals.decisions.asymptotics.series_arithmetic.SeriesArithmetic.{name}"
+        f"reals.expansions.series_arithmetic.SeriesArithmetic.{name}"
         for name in ("size", "_size", "_raised")
     ),
     *(
-        f"reals.decisions.asymptotics.series_arithmetic.SeriesArithmetic._{name}"
+        f"reals.expansions.series_arithmetic.SeriesArithmetic._{name}"
         for name in ("times", "total", "term", "whole")
     ),
-    "reals.decisions.asymptotics.series_arithmetic.SeriesArithmetic._bounded",
+    "reals.expansions.series_arithmetic.SeriesArithmetic._bounded",
     *("reals.decisions.inequalities._apart", "reals.decisions.inequalities._one_period"),
     "reals.decisions.inequalities._shown_under",
-    *("reals.decisions.integrals._by_quadrature", "reals.decisions.asymptotics.path_claims._theta"),
+    *("reals.decisions.integrals._by_quadrature", "asymptotics.path_claims._theta"),
     *(
         "ledger.evidence.box_bounds",
         "ledger.evidence.chart_bounds",
@@ -78,7 +78,7 @@ RECHECKED = {
         "reals.language.expression.Expr.__repr__",
     ),
     "the independent numerical check can withdraw a verdict but never gives one": (
-        *("reals.decisions.claim_cross_check", "reals.cross_check", "ledger.judge._attacked"),
+        *("checking.claim_cross_check", "reals.cross_check", "ledger.judge._attacked"),
         "reals.decisions.definedness_check",
     ),
     "it proposes sample points; a point counts only after its conditions are verified there": (
@@ -120,17 +120,14 @@ RECHECKED = {
         *("reals.decisions.identity._generator_count", "reals.signs.taylor._seen"),
     ),
     "it can only refute": (
-        "reals.decisions.point_check",
-        "reals.decisions.asymptotics.refutation_check",
-        "reals.decisions.asymptotics.numerical_evidence",
-        *(
-            f"reals.decisions.asymptotics.leading_terms.{name}"
-            for name in ("_fails_at_a_phase", "_phases")
-        ),
-        "reals.decisions.asymptotics.path_claims._at_integers",
-        "reals.decisions.asymptotics.recurring_failures.differ",
+        "checking.point_check",
+        "asymptotics.refutation_check",
+        "asymptotics.numerical_evidence",
+        *(f"reals.expansions.leading_terms.{name}" for name in ("_fails_at_a_phase", "_phases")),
+        "asymptotics.path_claims._at_integers",
+        "reals.decisions.waves.differ",
         *("reals.decisions.identity._refutation", "reals.decisions.answer.refuted"),
-        *("reals.signs.discontinuities.Case.point", "reals.decisions.dispatch._exact"),
+        *("reals.signs.discontinuities.Case.point", "checking.dispatch._exact"),
         *("reals.decisions.inequalities._at_corners", "reals.decisions.inequalities._refuted_at"),
         *("reals.decisions.inequalities._in_cells", "reals.decisions.algebraic_witnesses"),
         *("reals.decisions.inequalities._zero_between", "ledger.refutations.refute"),
@@ -139,8 +136,8 @@ RECHECKED = {
         "ledger.judged_roots._refuted_slope",
         *("reals.decisions.equations._with_value", "reals.decisions.algebraic_witnesses"),
         *(
-            "reals.decisions.asymptotics.path_claims._fails_beside",
-            "reals.decisions.asymptotics.recurring_failures.failure_where_waves_return",
+            "asymptotics.path_claims._fails_beside",
+            "asymptotics.recurring_failures.failure_where_waves_return",
         ),
         *(
             "reals.decisions.unknown_functions._realised",
@@ -159,7 +156,7 @@ RECHECKED = {
     "it writes error messages": (
         "ledger.definitions._where",
         *("reals.language.suggestions", "reals.decisions.identity.no_point"),
-        *("reals.decisions.identity._obstacle", "reals.decisions.dispatch._mistaken"),
+        *("reals.decisions.identity._obstacle", "checking.dispatch._mistaken"),
     ),
 }
 """Packages, modules and pieces that are left out of the count, by the reason."""

@@ -1,0 +1,94 @@
+"""What numbers along a path show: failing, holding, or neither."""
+
+import pytest
+from flint import arb
+
+from tresym.asymptotics.numerical_evidence import Ray, fails, oscillating
+from tresym.reals.decisions.claim_parsing import read
+
+
+def ray(claim: str, side: int = 1, **at: int) -> Ray:
+    statement = read(claim)
+    assert statement.path is not None
+    values = {name: arb(value) for name, value in at.items()}
+    return Ray(statement.comparisons[0], statement.path, side, values, statement.integers)
+
+
+FAILS = [
+    "sin(x) == O(sin(x)**2) as x -> oo",
+    "sin(x) == O(sin(2*x)) as x -> oo",
+    "log(log(x)) == O(1) as x -> oo",
+    "log(log(log(x))) == O(1) as x -> oo",
+    "exp(exp(x)) -> 0 as x -> oo",
+    "sin(x)/x -> 1 + 1/10**9 as x -> 0",
+    "sin(log(x)) -> 0 as x -> oo",
+    "sin(exp(x)) -> 0 as x -> oo",
+    "tan(x)/x -> 0 as x -> oo",
+    "x*sin(x) -> oo as x -> oo",
+    "sin(1/x) > 0 as x -> 0+",
+    "sin(x) ~ sin(2*x) as x -> oo",
+    "sin(n) -> 0 as n -> oo given n integer",
+    "(-1)**n*n == o(n) as n -> oo given n integer",
+    "(-1)**n*n > 0 as n -> oo given n integer",
+    "x*sin(x) == Theta(x) as x -> oo",
+    "x == omega(x*sin(x)) as x -> oo",
+]
+HOLDS = [
+    "sin(2*x) == O(sin(x)) as x -> oo",
+    "sin(2*x) ~ 2*sin(x)*cos(x) as x -> oo",
+    "sqrt(sin(x) - 1/2) == O(sin(x)) as x -> oo",
+    "exp(-exp(x)) -> 0 as x -> oo",
+    "x*sin(1/x) -> 0 as x -> 0+",
+    "sin(exp(x))/x -> 0 as x -> oo",
+    "sin(x)*sin(x**2) == O(sin(x)) as x -> oo",
+    "x + sin(x) > 1 as x -> oo",
+    "exp(x)/x**100 -> oo as x -> oo",
+    "sin(n*pi) -> 0 as n -> oo given n integer",
+    "cos(2*n*pi) == O(1) as n -> oo given n integer",
+    "x*(2 + sin(x)) == Theta(x) as x -> oo",
+    "x*(2 + sin(x)) == omega(log(x)) as x -> oo",
+]
+OPEN = [
+    "sqrt(x) -> 0 as x -> 0-",  # not real there
+    "f(x) -> 0 as x -> 0",
+    "integral(f(t), t, 0, x) -> 0 as x -> 0",
+    "log(-1 - x**2) == O(1) as x -> 0",
+]
+
+
+@pytest.mark.parametrize(
+    ("claim", "expected"),
+    [
+        *((claim, True) for claim in FAILS),
+        *((claim, False) for claim in HOLDS),
+        *((claim, None) for claim in OPEN),
+    ],
+)
+def test_what_numbers_show(claim: str, expected: bool | None) -> None:
+    side = -1 if claim.endswith("-") else 1
+    assert fails(ray(claim, side)) is expected
+
+
+def test_slow_limits_are_not_taken_to_fail() -> None:
+    for claim in ("1/log(x) -> 0", "1/log(log(x)) -> 0", "log(x)**9/x -> 0", "sin(x)/log(x) -> 0"):
+        assert fails(ray(f"{claim} as x -> oo")) is not True
+    assert fails(ray("x**100 == o(exp(x/10**6)) as x -> oo")) is not True
+
+
+def test_parameters_and_sides() -> None:
+    assert fails(ray("sin(n*x) -> 0 as x -> pi", n=2)) is False
+    assert fails(ray("cos(n*x) -> 1 as x -> pi", n=3)) is True
+    assert fails(ray("abs(x)/x -> 1 as x -> 0", 1)) is False
+    assert fails(ray("abs(x)/x -> 1 as x -> 0", -1)) is True
+    assert fails(ray("1/(x - a) -> oo as x -> a", -1, a=3)) is True
+
+
+def test_waves_are_those_of_arguments_that_grow() -> None:
+    for claim, count in (
+        ("sin(x)*cos(x**2) == O(1) as x -> oo", 2),
+        ("sin(1/x)*cos(x) == O(1) as x -> oo", 1),
+        ("sin(x) == O(x) as x -> 0", 0),
+        ("sin(exp(x)) == O(1) as x -> oo", 1),
+        ("sin(exp(-x)) == O(1) as x -> oo", 0),
+    ):
+        assert len(oscillating(ray(claim))) == count, claim

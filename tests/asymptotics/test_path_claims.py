@@ -1,0 +1,216 @@
+"""Claims along a path: true ones hold, false ones are refuted, and none is proved of nothing."""
+
+import pytest
+
+import tresym
+from tresym.asymptotics.path_claims import (
+    _by_exact_limit,
+    _by_signs,
+    _from_somewhere_on,
+    allows,
+)
+from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.claim_parsing import LIMIT, read
+from tresym.reals.decisions.statement import Comparison, Path, Statement
+from tresym.reals.domain.conditions import Given
+from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.expression import ZERO
+from tresym.reals.language.parsing import parse
+from tresym.reals.verdict import Verdict
+
+HOLD = [
+    "limit(sin(x)/x, x, 0) == 1",
+    "1 == limit(sin(x)/x, x, 0)",
+    "sin(a*x)/x -> a as x -> 0",
+    "(1 + a/x)**x -> exp(a) as x -> oo",
+    "1/x -> oo as x -> 0+",
+    "1/x -> -oo as x -> 0-",
+    "1/x**2 -> oo as x -> 0",
+    "-x**3 -> -oo as x -> oo",
+    "abs(x)/x -> 1 as x -> 0+",
+    "limit(tan(x), x, pi/2, -1) == oo",
+    "limit((x**2 - a**2)/(x - a), x, a) == 2*a",
+    "exp(-a*x) -> 0 given a > 0 as x -> oo",
+    "x**2 > 100*x as x -> oo",
+    "sin(x) < 2 as x -> oo",
+    "a*x > b given a > 0 as x -> oo",
+    "x == Theta(2*x + 1) as x -> oo",
+    "x**2 == omega(x) as x -> oo",
+    "a*x == O(x) given a > 0 as x -> 0",
+    "x**a == o(1) given a > 0 as x -> 0+",
+    "log(x) -> -oo as x -> 0+",
+    "x**a*log(x) -> 0 given a > 0 as x -> 0+",  # the end is not allowed
+    "sin(a*x)/sin(b*x) -> a/b given b != 0 as x -> 0",  # by the signs of both
+    "(a*x + 1)/(a*x + 2) -> 1 given a != 0 as x -> oo",
+    "atan(a*x) -> pi/2*sign(a) as x -> oo",
+    "x*(2 + sin(1/x)) > 0 as x -> 0+",
+    "x*(2 + sin(1/x)) < 0 as x -> 0-",
+    "x*(2 + sin(x)) > 500 as x -> oo",  # not from the first place on
+    "x*(2 + sin(x)) < -500 as x -> -oo",
+    "x*(2 + cos(1/x)) < 1/50 as x -> 0+",
+    "sqrt(x) -> 0 as x -> 0",  # from below it is not real
+    "x*log(x) -> 0 as x -> 0",
+    "log(1 - x) -> -oo as x -> 1",
+    "sqrt(a*x) -> 0 given a < 0 as x -> 0",
+    "x*sqrt(x) == o(x) as x -> 0",
+    "log(x) < 0 as x -> 0",
+]
+FAIL = [
+    "limit(sin(x)/x, x, 0) == 2",
+    "sin(a*x)/x -> 2*a as x -> 0",
+    "limit(x**2, x, a) == a**3",
+    "1/x -> oo as x -> 0",  # from below it is -oo
+    "abs(x)/x -> 1 as x -> 0",
+    "x**3 -> -oo as x -> oo",
+    "limit(tan(x), x, pi/2) == oo",
+    "exp(-a*x) -> 0 as x -> oo",  # not of a < 0
+    "sin(x) -> 0 as x -> oo",
+    "cos(x) -> 1/2 as x -> oo",
+    "cos(1/x) -> 1/2 as x -> 0+",
+    "tan(x) -> oo as x -> oo",
+    "x*sin(x) -> 0 as x -> oo",
+    "sin(x) > 0 as x -> oo",
+    "x > 100*x as x -> oo",
+    "1/x > 0 as x -> 0",
+    "x > x as x -> oo",
+    "x == Theta(x**2) as x -> oo",
+    "x**2 == Theta(x) as x -> oo",
+    "x == omega(x) as x -> oo",
+    "a*x == o(x) given a > 0 as x -> 0",
+    "a*atan(1/x) -> a*pi/2 given a > 0 as x -> 0",  # from above alone
+    "sin(x) + 1/2 > 0 as x -> oo",
+    "sin(1/x) > -1/2 as x -> 0+",
+    "cos(1/(x - 1))**2 < 9/10 as x -> 1-",
+    "x**a*log(x) -> 0 given a >= 0 as x -> 0+",  # at the end alone
+    "sin(a*x)/sin(b*x) -> -abs(a)/b given b != 0 as x -> 0",  # not of a > 0
+    "log(x)**a == o(x**b) given b >= 0 as x -> oo",
+    "sqrt(x) -> 1 as x -> 0",
+    "sqrt(x) > x**2 + 1/10 as x -> 0",
+    "x**a/x -> oo given 0 <= a <= 1 as x -> 0+",
+]
+OPEN = [
+    "a**2*x + sqrt(a**2*(a - 2)) -> oo given a >= 0 as x -> oo",  # a = 0 is alone
+    "log(-1 - x**2) -> 0 as x -> 0",
+    "a*x -> 0 given a > 1, a < 0 as x -> 0",  # no such parameter
+    "a*x == O(x) given a > 1, a < 0 as x -> 0",
+    "sqrt(-1 - a**2)*x -> 0 as x -> 0",
+    "diff(log(-x), x) > 0 as x -> oo",  # not real on the way
+    "log(-x) < 0 as x -> 0+",
+    "(a*x + 1)/(a*x + 2) -> 1 as x -> oo",  # not of a = 0, where it is 1/2
+    "sin(a*x)/sin(b*x) -> abs(a)/b given a != 0, b != 0 as x -> 0",  # not of a < 0
+]
+
+
+@pytest.mark.parametrize("claim", HOLD)
+def test_what_holds_along_a_path(claim: str) -> None:
+    assert tresym.check(claim).verdict in (Verdict.PROVED, Verdict.ENCLOSED)
+
+
+@pytest.mark.parametrize("claim", FAIL)
+def test_what_fails_along_a_path_is_refuted_with_a_witness(claim: str) -> None:
+    answer = tresym.check(claim)
+    assert answer.verdict is Verdict.REFUTED
+    assert answer.witness
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        "x*(2 + sin(1/x)) > 0 as x -> 0",  # from above alone
+        "x*(2 + sin(1/x)) < 0 as x -> 0",
+        "a*atan(1/x) -> -a*pi/2 as x -> 0",
+        "sin(1/x)*(abs(x) + x) - x > 0 as x -> 0",  # from below alone
+    ],
+)
+def test_what_holds_on_one_side_does_not_on_both(claim: str) -> None:
+    assert not tresym.check(claim)
+
+
+@pytest.mark.parametrize(
+    ("relation", "value", "allowed", "forbidden"),
+    [
+        ("->", "3", (), ("oo", "-oo", "2", "a")),
+        ("o", "", ("0", "a - a"), ("1", "a", "oo", "-oo")),
+        ("omega", "", ("0",), ("1", "a", "oo")),
+        ("~", "", ("1", "a/a"), ("0", "a", "-1", "oo")),
+        ("O", "", ("0", "7", "-a"), ("oo", "-oo")),
+        ("Theta", "", ("7", "-a"), ("0", "a - 1", "oo", "-oo")),
+        ("<", "", ("-1", "-oo", "-a"), ("0", "1", "oo", "a - 1")),
+        ("<=", "", ("-1", "-oo"), ("0", "1", "oo")),
+        (">", "", ("1", "oo", "a"), ("0", "-1", "-oo", "1 - a")),
+        (">=", "", ("1", "oo"), ("0", "-1", "-oo")),
+        ("!=", "", ("1", "-a", "oo", "-oo"), ("0", "a - 1")),
+    ],
+)
+def test_what_a_limit_allows(
+    relation: str, value: str, allowed: tuple[str, ...], forbidden: tuple[str, ...]
+) -> None:
+    """A limit of 0 shows no inequality, and an infinite one no order."""
+    given, right = Given.parse("a > 0"), parse(value or "1")
+    for text, expected in [*((e, True) for e in allowed), *((e, False) for e in forbidden)]:
+        limit = {"oo": INFINITY, "-oo": -INFINITY}.get(text) or parse(text)
+        assert allows(LIMIT if value else relation, limit, right, given) is expected, text
+
+
+SIDES = {"oo": Path("x", None, (1,)), "-oo": Path("x", None, (-1,)), "0": Path("x", ZERO, (1, -1))}
+
+
+def test_an_exact_limit_is_one_from_each_side() -> None:
+    for says, end, holds in (
+        ("a*atan(1/x) -> a*pi/2", "0+", True),
+        ("a*atan(1/x) -> a*pi/2", "0", False),
+        ("a*atan(1/x) -> -a*pi/2", "0", False),
+        ("a*sin(x)/x -> a", "0", True),
+    ):
+        statement = read(says, "", f"x -> {end}")
+        assert statement.path is not None
+        (claim,) = statement.comparisons
+        found = _by_exact_limit(claim, statement.path, statement.given)
+        assert (found is not None) is holds
+        assert found is None or "left side" in found.why
+    ratio = read("a*x == O(x)", "a > 0", "x -> 0+")
+    assert ratio.path is not None
+    found = _by_exact_limit(ratio.comparisons[0], ratio.path, ratio.given)
+    assert found is not None
+    assert "ratio" in found.why
+
+
+@pytest.mark.parametrize(
+    ("end", "failing", "verdict"),
+    [
+        ("oo", (), Verdict.PROVED),
+        ("oo", (1, 10), Verdict.PROVED),  # from a later place on
+        ("oo", (1, 10, 1000), Verdict.UNDECIDED),
+        ("0", (), Verdict.PROVED),
+        ("0", (1, 10, 1000), Verdict.UNDECIDED),
+        ("0", (-1, -10, -1000), Verdict.UNDECIDED),  # on one of the two sides
+        ("0", (1, -10), Verdict.PROVED),
+    ],
+)
+def test_what_holds_from_somewhere_on_is_asked_on_each_side(
+    end: str, failing: tuple[int, ...], verdict: Verdict
+) -> None:
+    statement = read("x**2*(2 + sin(exp(1/x))) > a**2*0", "", f"x -> {end}")
+    claim, path = statement.comparisons[0], SIDES[end]
+
+    def decided(_: Comparison, inside: Statement) -> Answer:
+        assert inside.path is None
+        low, high = inside.given.box["x"].low, inside.given.box["x"].high
+        place = low if path.point is None else 1 / high if low == 0 else 1 / low
+        return Answer(Verdict.REFUTED if place in failing else Verdict.PROVED, "")
+
+    assert _from_somewhere_on(claim, path, statement, decided).verdict is verdict
+
+
+@pytest.mark.parametrize("claim", OPEN)
+def test_what_says_nothing_is_not_decided(claim: str) -> None:
+    assert tresym.check(claim).verdict is Verdict.UNDECIDED
+
+
+def test_each_sign_of_a_parameter_counts() -> None:
+    """False for one sign alone, where points that are tried before would have told."""
+    for says, holds in (("a", True), ("abs(a)", False), ("-abs(a)", False), ("a + 0/a", False)):
+        statement = read(f"sin(a*x)/sin(b*x) -> ({says})/b", "b != 0", "x -> 0")
+        assert statement.path is not None
+        (claim,) = statement.comparisons
+        assert (_by_signs(claim, statement.path, statement.given) is not None) is holds

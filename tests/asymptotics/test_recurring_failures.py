@@ -1,0 +1,130 @@
+"""What oscillates: failures that return again and again, and limits that do not exist."""
+
+import pytest
+
+import tresym
+from tresym.asymptotics.recurring_failures import failure_where_waves_return
+from tresym.reals.decisions.statement import Path
+from tresym.reals.decisions.waves import has_no_limit
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import evaluate
+from tresym.reals.language.expression import ZERO
+from tresym.reals.language.parsing import parse
+from tresym.reals.verdict import Verdict
+
+SIDES = {"oo": Path("x", None, (1,)), "-oo": Path("x", None, (-1,)), "0": Path("x", ZERO, (1, -1))}
+FAIL = [
+    "x*sin(x) > 1 as x -> oo",
+    "x*sin(x/3) + log(x) > 0 as x -> oo",
+    "exp(x)*cos(x) > -x as x -> oo",
+    "x*sin(x + 1) > 3 as x -> oo",
+    "-x - x**2*cos(2*x) > 0 as x -> -oo",
+]
+TOUCH = ["cos(x) < 1 as x -> oo", "x*sin(x) != 0 as x -> oo"]
+TRUE = [  # the last three would be refuted where waves are taken to return together
+    "x + sin(x) > 5 as x -> oo",
+    "2*x > x*sin(x) as x -> oo",
+    "x*(2 + cos(x)) > sqrt(x) as x -> oo",
+    "x*cos(x) + x*cos(sqrt(2)*x) < 2*x as x -> oo",
+    "x*(cos(x) + cos(pi*x)) < 2*x as x -> oo",
+    "x*(sin(x) + sin(sqrt(3)*x)) != 2*x as x -> oo",
+]
+OSCILLATES = [
+    "sin(x)",
+    "x*sin(x)",
+    "exp(x)*sin(x)**2",
+    "sin(pi*x) + 1/x",
+    "sin(3*x)/3 - cos(2*x)/2",
+    "atan(x*sin(x))",
+]
+DOES_NOT = [
+    "sin(x)/x",
+    "exp(-x)*sin(x)",
+    "x + sin(x)",  # it goes to infinity
+    "sin(x)**2 + cos(x)**2",
+    "cos(2*x) - 2*cos(x)**2",
+    "sin(x) - sin(x + 2*pi)",
+    "sin(1/x)",
+    "a*sin(x)",  # a may be 0
+    "sin(a*x)",
+]
+VALUES = [
+    ("integral(1/x, x, -1, 1) == 0", "REFUTED"),
+    ("2*integral(1/x, x, -1, 2) == 2*log(2)", "REFUTED"),
+    ("integral(a/x, x, -1, 1) == 0 given a > 0", "REFUTED"),
+    ("integral(a/x, x, -1, 1) == 0", "REFUTED"),  # at a = 2, though not at a = 0
+    ("integral(x/(1 + x**2), x, -oo, oo) == 0", "REFUTED"),
+    ("integral(x/(1 + x**4), x, -oo, oo) == 0", "PROVED"),
+    ("integral(x, x, -oo, oo) == oo", "REFUTED"),
+    ("integral(x**3, x, -oo, oo) == 0", "REFUTED"),
+    ("integral(cos(x), x, 0, oo) == 0", "REFUTED"),
+    ("integral(exp(-x)*cos(x), x, 0, oo) == 1/2", "PROVED"),
+    ("integral(1/x, x, -1, 1) == integral(1/x, x, -1, 1)", "UNDECIDED"),  # of no number
+    ("integral(1/x, x, -1, 1) == log(-1)", "UNDECIDED"),
+    ("integral(1/sqrt(abs(x)), x, -1, 1) == 4", "PROVED"),
+]
+
+
+@pytest.mark.parametrize(
+    ("difference", "end", "fails"),
+    [
+        ("sin(x)", "oo", True),
+        ("sin(x) + sin(2*x) + 1/2", "-oo", True),
+        ("sin(1/x) + 1/2", "0", True),
+        ("2 + sin(x)", "oo", False),
+        ("sin(x/2) + 1/2", "oo", True),
+        ("x*sin(x)", "oo", True),
+        ("tan(x) + 1/2", "oo", True),
+        ("1 - x*sin(1/x)", "0", False),
+        ("sin(x) + a", "oo", False),
+        ("sqrt(sin(x)) - 2", "-oo", True),  # where it is real
+    ],
+)
+def test_what_has_a_period_fails_again_and_again(difference: str, end: str, fails: bool) -> None:
+    found = failure_where_waves_return(parse(difference), ">", SIDES[end])
+    assert (found is not None) is fails
+    if found is not None:
+        assert found.verdict is Verdict.REFUTED
+        assert found.witness is not None
+        at = evaluate(parse(found.witness["x"]), {})
+        assert evaluate(parse(difference), {"x": at}) <= 0
+
+
+def test_a_period_towards_a_point_that_is_open_is_not_looked_for() -> None:
+    path = Path("x", parse("a"), (1,))
+    assert failure_where_waves_return(parse("sin(1/(x - a))"), ">", path) is None
+
+
+@pytest.mark.parametrize("claim", FAIL)
+def test_it_fails_at_the_point_that_is_named(claim: str) -> None:
+    answer = tresym.check(claim)
+    assert answer.verdict is Verdict.REFUTED
+    assert answer.witness is not None
+    left, right = map(parse, claim.split(" as ")[0].split(">"))
+    at = evaluate(parse(answer.witness["x"]), {})
+    assert evaluate(left - right, {"x": at}) < 0
+
+
+@pytest.mark.parametrize("claim", TOUCH)
+def test_where_it_touches_it_fails(claim: str) -> None:
+    assert tresym.check(claim).verdict is Verdict.REFUTED
+
+
+@pytest.mark.parametrize("claim", TRUE)
+def test_what_is_true_is_not_refuted(claim: str) -> None:
+    assert tresym.check(claim).verdict is not Verdict.REFUTED
+
+
+@pytest.mark.parametrize("e", OSCILLATES)
+def test_what_oscillates_has_no_limit(e: str) -> None:
+    assert has_no_limit(parse(e), "x", 1, Given())
+
+
+@pytest.mark.parametrize("e", DOES_NOT)
+def test_what_has_a_limit_or_may_have_one(e: str) -> None:
+    assert not has_no_limit(parse(e), "x", 1, Given())
+
+
+@pytest.mark.parametrize(("claim", "verdict"), VALUES)
+def test_an_integral_without_a_value_equals_no_number(claim: str, verdict: str) -> None:
+    assert tresym.check(claim).verdict.value == verdict

@@ -1,0 +1,93 @@
+"""What is true instead: each suggestion holds, and the likeliest comes first."""
+
+import pytest
+
+import tresym
+from tresym.reals.language.parsing import parse
+from tresym.repair import check, suggestions
+from tresym.repair.search import alternatives
+
+LONG = 20.0
+
+
+def first(claim: str) -> str:
+    found = alternatives(claim, LONG)
+    return f"{found[0].claim} given {found[0].given}".removesuffix(" given ") if found else ""
+
+
+@pytest.mark.parametrize(
+    ("claim", "right"),
+    [
+        ("cos(2*x) == 2*cos(x)**2 + 1", "cos(2*x) == 2*cos(x)**2 - 1"),
+        ("sin(2*x) == 2*sin(x)*tan(x)", "sin(2*x) == 2*sin(x)*cos(x)"),
+        ("cosh(x)**2 + sinh(x)**2 == 1", "cosh(x)**2 - sinh(x)**2 == 1"),
+        ("exp(x + y) == exp(x) + exp(y)", "exp(x + y) == exp(x)*exp(y)"),
+        ("diff(x*sin(x), x) == sin(x) - x*cos(x)", "diff(x*sin(x), x) == sin(x) + x*cos(x)"),
+        (
+            "integral(x*exp(x), x) == x*exp(x) + exp(x)",
+            "integral(x*exp(x), x) == x*exp(x) - exp(x)",
+        ),
+        ("sqrt(x**2) == x", "sqrt(x**2) == x given x >= 0"),
+        ("atan(x) + atan(1/x) == pi/2", "atan(x) + atan(1/x) == pi/2 given x >= 0"),
+        ("limit(sin(x)/x, x, 0) == 2", "limit(sin(x)/x, x, 0) == 1"),
+        ("sum(1/k**2, k, 1, oo) == pi**2/5", "sum(k**(-2), k, 1, oo) == pi**2/6"),
+        ("integral(x**2, x, 0, 3) == 5", "integral(x**2, x, 0, 3) == 9"),
+        ("sin(x) == x + O(x**4) as x -> 0", "sin(x) == x + O(x**3)"),
+        ("exp(x) >= 1 + 2*x", "exp(x) >= x + 1"),
+        ("log(x) <= x - 2", "log(x) <= x - 1"),
+        ("x**2 + y**2 >= 3*x*y", "x**2 + y**2 >= 2*x*y"),
+        ("f(x)**2 - 1 == (f(x) - 1)*(f(x) - 1)", "f(x)**2 - 1 == (f(x) + 1)*(f(x) - 1)"),
+    ],
+)
+def test_the_first_suggestion_is_the_right_one(claim: str, right: str) -> None:
+    assert first(claim) == right
+
+
+def test_every_suggestion_is_decided_like_any_claim() -> None:
+    for found in alternatives("sin(3*x) == 3*sin(x) + 4*sin(x)**3", LONG):
+        again = check(found.claim, found.given, suggest=False)
+        assert again.verdict.value == found.verdict
+
+
+@pytest.mark.parametrize(
+    "equation",
+    [
+        *("x**2 - 5*x + 6 == 0", "tan(x) == x", "sin(2*x) == sin(x)", "cos(2*x) == cos(x)"),
+        *("x**2 + y**2 == 1", "p*V == n*R*T", "exp(x) == 3*x", "x == cos(x)", "x**2 == 2*x"),
+        *("sqrt(x + 1) == x - 1", "a**2 + b**2 == c**2", "1/x + 1/(x + 1) == 1", "x**2 == x"),
+        *("abs(x - 1) == 2", "x*exp(x) == 1", "x + 1/x == 3"),
+    ],
+)
+def test_an_equation_to_be_solved_has_no_repair(equation: str) -> None:
+    assert alternatives(equation, LONG) == ()
+
+
+def test_no_condition_empties_a_sum_or_repeats_the_claim() -> None:
+    assert not any("n" in f.given for f in alternatives("sum(c*x, k, 1, n) == 0", LONG))
+    assert not any(f.given == "x >= 1" for f in alternatives("x >= 1", LONG))
+
+
+def test_symbols_that_stand_for_something_are_kept() -> None:
+    put = (("r", parse("sqrt(a**2 + b**2)")),)
+    found = alternatives("r**2 == a**2 - b**2", LONG, put=put)
+    assert found[0].claim == "r**2 == a**2 + b**2"
+
+
+def test_caution_finds_nothing_beside_what_may_hold() -> None:
+    assert alternatives("x**2 + y**2 <= 1", LONG, cautious=True) == ()
+    assert alternatives("sin(x)**2 + cos(x)**2 == 1", LONG, cautious=True) == ()
+
+
+def test_suggestions_come_in_order_and_none_where_nothing_is_read() -> None:
+    asked = [("sqrt(x**2) == x", (), False, True), ("what is this", (), False, True)]
+    one, none = suggestions(asked, 1, LONG)
+    assert one[0].given == "x >= 0"
+    assert none == ()
+
+
+def test_check_suggests_unless_told_not_to() -> None:
+    assert tresym.check("sqrt(x**2) == x").instead[0].given == "x >= 0"
+    assert tresym.check("sqrt(x**2) == x", suggest=False).instead == ()
+    assert tresym.check("sqrt(x**2) == abs(x)").instead == ()
+    json = tresym.check("sqrt(x**2) == x").as_json()["instead"][0]
+    assert sorted(json) == ["claim", "edit", "given", "verdict"]

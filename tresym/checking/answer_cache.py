@@ -1,0 +1,220 @@
+"""Answers that were found before, in a file of the user's cache folder.
+
+An answer is found again by the text of its claim, conditions and path, and by the version of the
+code that decides: a hash of all of :mod:`tresym.reals`. What was decided is good for any limit of
+time; UNDECIDED only for the same one. The file is a SQLite database in write-ahead mode, so several
+runs may share it and a run that is killed loses nothing that was written. Rows are JSON, never
+pickles, and each carries a checksum over its key, its value and the version: what was truncated or
+changed is not used. A cache that cannot be read or written is not used either; one line says so.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import shutil
+import sqlite3
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from tresym.checking.time_limited import CACHES
+from tresym.reals.decisions.answer import Alternative, Answer
+from tresym.reals.numbers.exact import Decimal, InputError
+from tresym.reals.verdict import Verdict
+
+MAX_BYTES = 100_000_000
+"""Size of the file at most when a run ends; what was written longest ago is dropped first."""
+MOST_HALVINGS = 20
+_PRAGMAS = ("journal_mode=WAL", "synchronous=NORMAL")
+_TABLE = (
+    "CREATE TABLE IF NOT EXISTS answers "
+    "(key BLOB PRIMARY KEY, value TEXT, sum BLOB, written INTEGER) WITHOUT ROWID"
+)
+_NO_CACHE = ("", "off")
+
+
+def cache_folder() -> Path | None:
+    """``TRESYM_CACHE``, else the user's cache folder; None for ``off``."""
+    folder = os.environ.get("TRESYM_CACHE")
+    if folder is not None:
+        return None if folder in _NO_CACHE else Path(folder)
+    return Path(os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")) / "tresym"
+
+
+def cache_file() -> Path | None:
+    """The file of answers in the cache folder."""
+    folder = cache_folder()
+    return folder and folder / "answers.sqlite"
+
+
+@cache
+def version() -> bytes:
+    """A hash of the code that decides, and of the libraries under it."""
+    import flint
+
+    found = hashlib.sha256(f"{flint.__version__} {sys.version_info[:2]}".encode())
+    root = Path(__file__).parents[1]
+    for path in sorted(root.rglob("*.py")):
+        found.update(str(path.relative_to(root)).encode() + b"\0" + path.read_bytes())
+    return found.digest()
+
+
+class AnswerCache:
+    """The answers in a file; every failure of the file is answered by doing without."""
+
+    def __init__(self, path: Path) -> None:
+        """Open the file, which is made where it is missing."""
+        self.path = path
+        self._database: sqlite3.Connection | None = None
+        self.found = 0
+        """How many answers were taken from it."""
+        try:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            self._database = sqlite3.connect(
+                path, timeout=2, isolation_level=None, check_same_thread=False
+            )
+            for pragma in _PRAGMAS:
+                self._database.execute(f"PRAGMA {pragma}")
+            self._database.execute(_TABLE)
+        except (sqlite3.Error, OSError) as error:
+            self._give_up(error)
+
+    def get(self, claim: Any, given: Any, path: str | None, limit: float) -> Answer | None:
+        """The answer to a claim, or nothing; or InputError, raised, where it was not read."""
+        if self._database is None or not (isinstance(claim, str) and isinstance(given, str)):
+            return None
+        for key in _keys(claim, given, path, limit):
+            try:
+                row = self._database.execute(
+                    "SELECT value, sum FROM answers WHERE key = ?", (key,)
+                ).fetchone()
+            except sqlite3.Error as error:
+                self._give_up(error)
+                return None
+            found = _answer(key, *row) if row is not None else None
+            if found is not None:
+                self.found += 1
+                return found
+        return None
+
+    def put(self, claim: Any, given: Any, path: str | None, limit: float, answer: Answer) -> None:
+        """Keep an answer."""
+        if self._database is None or not (isinstance(claim, str) and isinstance(given, str)):
+            return
+        always, within = _keys(claim, given, path, limit)
+        key = within if answer.verdict is Verdict.UNDECIDED else always
+        value = json.dumps(answer.as_json() | {"line": None})
+        try:
+            self._database.execute(
+                "INSERT OR REPLACE INTO answers VALUES (?, ?, ?, unixepoch())",
+                (key, value, _sum(key, value)),
+            )
+        except sqlite3.Error as error:
+            self._give_up(error)
+
+    def close(self) -> None:
+        """Drop what is too much, and close the file."""
+        if self._database is None:
+            return
+        with suppress(sqlite3.Error):
+            before = self._bytes()
+            for _ in range(MOST_HALVINGS):
+                if self._bytes() <= MAX_BYTES:
+                    break
+                self._database.execute(
+                    "DELETE FROM answers WHERE key IN (SELECT key FROM answers ORDER BY written "
+                    "LIMIT (SELECT (count(*) + 1) / 2 FROM answers))"
+                )
+            if self._bytes() < before:
+                self._database.execute("VACUUM")
+        with suppress(sqlite3.Error):
+            self._database.close()
+        self._database = None
+
+    def _bytes(self) -> int:
+        """The size of what is in use."""
+        assert self._database is not None
+        pages, size, free = (
+            int(self._database.execute(f"PRAGMA {name}").fetchone()[0])
+            for name in ("page_count", "page_size", "freelist_count")
+        )
+        return (pages - free) * size
+
+    def _give_up(self, error: Exception) -> None:
+        if self._database is not None:
+            with suppress(sqlite3.Error):
+                self._database.close()
+        self._database = None
+        if sys.stderr is not None:
+            print(f"tresym: continuing without the cache {self.path}: {error}", file=sys.stderr)
+
+
+def _keys(claim: str, given: str, path: str | None, limit: float) -> tuple[bytes, bytes]:
+    """The keys of what holds for any limit, and of what holds for this one."""
+    asked = json.dumps([claim, given, path]).encode()
+    always = hashlib.sha256(version() + asked)
+    within = always.copy()
+    within.update(repr(float(limit)).encode())
+    return always.digest(), within.digest()
+
+
+def _sum(key: bytes, value: str) -> bytes:
+    return hashlib.sha256(version() + key + value.encode()).digest()
+
+
+def _answer(key: bytes, value: Any, checksum: Any) -> Answer | None:
+    """The answer of a row, if the row is as it was written."""
+    if not isinstance(value, str) or checksum != _sum(key, value):
+        return None
+    try:
+        found = json.loads(value)
+        found["verdict"] = Verdict(found["verdict"])
+        if found["constant"] is not None:
+            found["constant"] = Decimal(**found["constant"])
+        if found["values"] is not None:
+            one, other = found["values"]
+            found["values"] = Decimal(**one), Decimal(**other)
+        found["instead"] = tuple(Alternative(**one) for one in found["instead"])
+        return Answer(**found)
+    except (ValueError, TypeError, KeyError):
+        return None
+
+
+@contextmanager
+def cached_answers(wanted: bool = True) -> Iterator[AnswerCache | None]:
+    """Inside, answers are looked up in the user's cache and kept there."""
+    path = cache_file() if wanted else None
+    if path is None:
+        yield None
+        return
+    opened = AnswerCache(path)
+    CACHES.append(opened)
+    try:
+        yield opened
+    finally:
+        CACHES.remove(opened)
+        opened.close()
+
+
+def clear_cache() -> str:
+    """Remove the file, what SQLite keeps beside it, and compiled lemmas; return a line about it.
+
+    Raises:
+        InputError: it cannot be removed.
+    """
+    path = cache_file()
+    if path is None:
+        return "there is no cache"
+    try:
+        for end in ("", "-wal", "-shm"):
+            path.with_name(path.name + end).unlink(missing_ok=True)
+        if (compiled := path.with_name("coq")).is_dir():
+            shutil.rmtree(compiled)
+    except OSError as error:
+        raise InputError(f"{path}: cannot be removed ({error.strerror})") from None
+    return f"{path}: cleared"

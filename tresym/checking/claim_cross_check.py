@@ -1,0 +1,191 @@
+"""Run the independent check on a user's claim before it passes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from itertools import islice
+
+from flint import arb
+
+from tresym.asymptotics.numerical_evidence import Ray, fails
+from tresym.asymptotics.refutation_check import parameters
+from tresym.reals.cross_check import conditions, contradiction, program, said, where
+from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.readable_witnesses import tidied
+from tresym.reals.decisions.statement import Comparison, Path, Statement, implied_integers
+from tresym.reals.language.binders import is_infinite, outermost
+from tresym.reals.language.derivatives import differentiate
+from tresym.reals.language.expression import (
+    DOTS,
+    ZERO,
+    Expr,
+    instantiate,
+    integer,
+    number,
+    replaced,
+    substitute,
+    symbols,
+)
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import parse_number
+
+BITS, NEAR_BITS = 512, 12_000
+ORDERS_TRIED = 4
+ASSIGNMENTS, TRIES = 5, 60
+"""Values of the parameters that are attacked, and tried for that."""
+VALUES = (*map(arb, (1, -2, 0, 2, 3, -1)), arb(1) / 2, arb(5) / 3, arb(-3) / 4, arb(7))
+HALVINGS = (0, 1, 2, 3, 5, 8, 13, 21, 34, 55)
+"""How often the range of an order is halved on the way to its end."""
+
+
+def attack(
+    comparison: Comparison,
+    statement: Statement,
+    answer: Answer,
+    spent: float,
+    anywhere: bool = False,
+) -> str | None:
+    """Return a numerical contradiction to a proved comparison, in words, or None.
+
+    Args:
+        spent: seconds that its decision took.
+        anywhere: whether bases of powers need not be positive where an exponent is a variable.
+    """
+    functions, derivatives = comparison.differentiated, comparison.derivatives
+    if any(map(is_infinite, outermost(comparison.left, comparison.right))):
+        return None  # what was put in for it was attacked itself
+    if statement.path is not None:
+        against = _attack_order(comparison, statement, answer)
+        return against or _attack_path(comparison, statement, statement.path)
+    claim = (comparison.left, comparison.relation, comparison.right)
+    if any(DOTS.args[0] in symbols(e) for e in claim[::2]):
+        return None  # its cases were attacked themselves
+    if any(node.op == "derivative" for node in outermost(*claim[::2])):
+        return None  # what Leibniz's rule makes of it was attacked itself
+    equations = tuple((x, "==", y) for x, y in statement.equations)
+    given = (*statement.given.comparisons, *equations)
+    trees = (*claim[::2], *statement.said)
+    integers = implied_integers(trees, statement.integers)
+    orders = {
+        node.args[2] for node in outermost(comparison.left, comparison.right) if node.op == "nth"
+    }
+    if not orders:
+        return contradiction(claim, given, functions, derivatives, spent, integers, anywhere)
+    for k in range(ORDERS_TRIED):
+        put = {str(order): number(k) for order in orders}
+        left, right = (with_orders(e, put) for e in claim[::2])
+        there = [(substitute(x, put), r, substitute(y, put)) for x, r, y in given]
+        against = contradiction((left, claim[1], right), there, spent=spent, integers=integers)
+        if against is not None:
+            return f"{against}, where {', '.join(put)} = {k}"
+    return None
+
+
+def with_orders(e: Expr, put: Mapping[str, Expr]) -> Expr:
+    """Return ``e`` with ``put`` substituted and derivatives of fixed order carried out."""
+    e = substitute(e, put)
+    known = {}
+    for node in outermost(e):
+        order = integer(node.args[2]) if node.op == "nth" else None
+        if order is not None:
+            known[node] = instantiate(node.args[0], (node.args[1],))
+            for _ in range(order):
+                known[node] = differentiate(known[node], str(node.args[1]))
+    return replaced(e, known)
+
+
+def _attack_order(claim: Comparison, statement: Statement, answer: Answer) -> str | None:
+    """Where the ratio exceeds the constant of an O that is certified on the region, in words."""
+    path = statement.path
+    if path is None or answer.constant is None or answer.region is None:
+        return None
+    at = next(_assignments(claim, statement), None)
+    if at is None:
+        return None
+    with ball_precision(BITS):
+        constant = arb(parse_number(answer.constant.mid)) + arb(parse_number(answer.constant.rad))
+        value = program((claim.left, claim.right, *claim.differentiated), [*at, path.name])
+        for x in _along(path, arb(parse_number(answer.region.split()[-1]))):
+            found = value([*at.values(), x])
+            if found is not None and abs(found[0]) > constant * abs(found[1]):
+                sides = f"{said(found[0])} and {said(found[1])}"
+                return (
+                    f"at {where([path.name], [x])} its sides are {sides}, which "
+                    "violates the bound with the constant C"
+                )
+    return None
+
+
+def _attack_path(claim: Comparison, statement: Statement, path: Path) -> str | None:
+    """Where numbers along the path show the claim to fail, in words.
+
+    The parameters have a few values that satisfy everything that is said of them.
+    """
+    for at in islice(_assignments(claim, statement), ASSIGNMENTS):
+        for side in path.sides:
+            if fails(Ray(claim, path, side, at, statement.integers)):
+                given = f" for {where([*at], [*at.values()])}" if at else ""
+                return f"numerical values near the end of the path contradict it{given}"
+    return None
+
+
+def _assignments(claim: Comparison, statement: Statement) -> Iterator[dict[str, arb]]:
+    """Values of the parameters at which all conditions are shown, small integers among them."""
+    names = parameters(claim, statement)
+    solved = _solved(statement)
+    if solved is None:
+        return  # the cases of its equations were attacked themselves
+    free = [name for name in names if name not in solved]
+    found_at: list[dict[str, arb]] = []
+    with ball_precision(NEAR_BITS):
+        links = statement.given.comparisons
+        holds = conditions(names, links, statement.integers)
+        values = program([*solved.values()], free, statement.integers)
+        for k in range(TRIES if free else 1):
+            chosen = {
+                name: VALUES[(k + k // 5 * j + 2 * j) % len(VALUES)] for j, name in enumerate(free)
+            }
+            if any(
+                chosen[name].unique_fmpz() is None for name in statement.integers if name in chosen
+            ):
+                continue
+            found = values([*chosen.values()])
+            if found is None:
+                continue
+            at = chosen | dict(zip(solved, found, strict=True))
+            whole = all(at[n].unique_fmpz() is not None for n in statement.integers if n in at)
+            if whole and holds([at[name] for name in names]):
+                found_at.append({name: at[name] for name in names})
+            if len(found_at) == ASSIGNMENTS:
+                break
+    yield from found_at
+
+
+def _solved(statement: Statement) -> dict[str, Expr] | None:
+    """The variables that the equations give in terms of others; None where that is not seen."""
+    found: dict[str, Expr] = {}
+    for left, right in statement.equations:
+        e = substitute(left - right, found)
+        for name in sorted(symbols(e)):
+            slope = tidied(differentiate(e, name))
+            rest = substitute(e, {name: ZERO})
+            if slope.op == "number" and slope != ZERO:
+                put_in = {name: -rest / slope}
+                found = {n: substitute(value, put_in) for n, value in found.items()} | put_in
+                break
+        else:
+            return None
+    return found
+
+
+def _along(path: Path, reach: arb) -> Iterator[arb]:
+    """Points of the region that ends at ``reach``, on each side of the path."""
+    end = None if path.point is None else program([path.point], [])([])
+    for side in path.sides:
+        for halvings in HALVINGS:
+            for more in (0, 3, 5):
+                part = arb(8 - more) / 8 / 2**halvings
+                if path.point is None:
+                    yield abs(reach) / part * side
+                elif end is not None:
+                    yield end[0] + reach * part * side

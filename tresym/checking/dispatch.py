@@ -1,0 +1,369 @@
+"""Dispatch: decide every comparison of a statement by the method for its kind."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from typing import Any, NamedTuple
+
+from tresym.checking.claim_cross_check import attack
+from tresym.checking.variable_exponents import beyond_positive_bases, holds_powers
+from tresym.reals.cross_check import STOPPED
+from tresym.reals.decisions.answer import Answer, Decide, exact_text, refuted, worst
+from tresym.reals.decisions.claim_parsing import read
+from tresym.reals.decisions.equalities import decide_equality
+from tresym.reals.decisions.equations import among_integers, decide_under_equations
+from tresym.reals.decisions.identity import JUMP
+from tresym.reals.decisions.statement import Comparison, Statement, functions, implied_integers
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import evaluate
+from tresym.reals.domain.operation_domains import bound, needs
+from tresym.reals.language.binders import is_infinite, outermost
+from tresym.reals.language.calls import FACTORIAL
+from tresym.reals.language.expression import DOTS, ZERO, Expr, symbols
+from tresym.reals.language.parsing import parse
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.resource_limits import collecting_seldom
+from tresym.reals.signs.discontinuities import cases_at_jumps, jumps, zeros
+from tresym.reals.verdict import Verdict
+
+SELDOM = 20_000
+"""New objects, a few megabytes of them, after which memory is searched for circles."""
+LOOKED_AT = 40
+"""Points of the conditions at which it is seen where a claim is defined."""
+_LOOK_ALIKE = {
+    "e": "not the number 2.718…, which is E",
+    "Pi": "not the number pi",
+    "PI": "not the number pi",
+    "i": "not the imaginary unit; all variables are real",
+    "j": "not the imaginary unit; all variables are real",
+}
+
+
+def decide_claim(claim: Any, given: Any = "", path: str | None = None) -> Answer:
+    """Decide a claim, after reading it if necessary.
+
+    Args:
+        claim: text, LaTeX, a SymPy relation, or a :class:`Statement` that is read already.
+        given: conditions, as for :func:`tresym.reals.decisions.claim_parsing.read`.
+        path: the path of an order claim, such as ``"x -> 0+"``; None for other claims.
+
+    Returns:
+        The verdict with its reason. A chain has the weakest verdict of its comparisons.
+
+    Raises:
+        InputError: the claim cannot be read.
+    """
+    start = time.perf_counter()
+    with collecting_seldom(SELDOM):
+        statement = claim if isinstance(claim, Statement) else read(claim, given, path)
+        answers = [_everywhere(comparison, statement) for comparison in statement.comparisons]
+    answer = worst(answers)
+    if len(answers) > 1:
+        broken = statement.comparisons[answers.index(answer)]
+        which = f"{broken.left} {broken.relation} {broken.right}: "
+        answer = replace(answer, why=which + answer.why)
+    if not answer:
+        answer = replace(answer, why=answer.why + _mistaken(statement))
+    elif answer.region is None and statement.path is None:
+        answer = replace(answer, region=_part_spoken_of(statement))
+    return replace(
+        answer,
+        statement=_short(statement.text),
+        given=_short(statement.under),
+        read_as=statement.read_as,
+        seconds=time.perf_counter() - start,
+    )
+
+
+def _part_spoken_of(statement: Statement) -> str | None:
+    """Return where both sides are defined, if that is not everywhere under the conditions."""
+    sides = [side for c in statement.comparisons for side in (c.left, c.right)]
+    given = statement.given
+    if not given.comparisons or any(e.hidden for e in (*sides, *statement.said)):
+        return None
+    names = sorted(frozenset().union(*map(symbols, sides)))
+    missing: list[tuple[Expr, str]] = []
+    with ball_precision():
+        points = list(given.points(names, LOOKED_AT))
+        for e, relation in needs(sides):
+            values = (evaluate(e, point) for point in points) if symbols(e) else ()
+            if any(value < 0 if relation != "!=" else value.is_zero() for value in values):
+                missing.append((e, relation))
+    links = (bound(*part) for part in missing)
+    shown = ", ".join(sorted(f"{left} {relation} {right}" for left, relation, right in links))
+    return f"where both sides are defined: {shown}" if missing else None
+
+
+def _everywhere(comparison: Comparison, statement: Statement) -> Answer:
+    statement = _with_integers(comparison, statement)
+    start = time.perf_counter()
+    answer = _bounded(comparison, statement)
+    if answer:
+        answer = beyond_positive_bases(answer, comparison, statement, _bounded)
+    if answer:
+        from tresym.reals.decisions.definedness_check import unspoken
+
+        missing = unspoken(comparison, statement)
+        if missing is not None:
+            why = f"{missing}, so there may be nothing to prove ({answer.why})"
+            return Answer(Verdict.UNDECIDED, why)
+    if answer and any(holds_powers(e) for e in (comparison.left, comparison.right)):
+        spent = time.perf_counter() - start
+        return _attacked(answer, comparison, statement, spent, anywhere=True)
+    return answer
+
+
+def _attacked(
+    answer: Answer, comparison: Comparison, statement: Statement, spent: float, anywhere: bool
+) -> Answer:
+    """Return the answer, or UNDECIDED if the independent numerical check contradicts it."""
+    against = attack(comparison, statement, answer, spent, anywhere)
+    return answer if against is None else Answer(Verdict.UNDECIDED, STOPPED.format(against))
+
+
+def _with_integers(comparison: Comparison, statement: Statement) -> Statement:
+    """Return the statement with the variables that must be integers, such as ends of sums."""
+    trees = (comparison.left, comparison.right, *statement.said)
+    return replace(statement, integers=implied_integers(trees, statement.integers))
+
+
+def _bounded(comparison: Comparison, statement: Statement) -> Answer:
+    """Decide a comparison; UNDECIDED if an intermediate expression exceeds the size limit."""
+    start = time.perf_counter()
+    statement = _with_integers(comparison, statement)
+    try:
+        answer = _decide(comparison, statement)
+    except InputError as error:
+        return Answer(
+            Verdict.UNDECIDED, (f"an intermediate expression exceeds the size limit: {error}")
+        )
+    if answer.verdict is Verdict.REFUTED and statement.path is not None:
+        from tresym.asymptotics.refutation_check import checked
+
+        return checked(answer, comparison, statement)
+    if answer.verdict is Verdict.REFUTED:
+        from tresym.checking.point_check import confirmed
+
+        return confirmed(answer, comparison, statement)
+    if not answer:
+        return answer
+    spent = time.perf_counter() - start
+    return _attacked(answer, comparison, statement, spent, anywhere=False)
+
+
+def _decide(comparison: Comparison, statement: Statement) -> Answer:
+    left, relation, right = comparison.left, comparison.relation, comparison.right
+    hiding = {node.op for node in outermost(*comparison.differentiated)} - {"unknown"}
+    if hiding == {"integral"}:
+        from tresym.reals.decisions.integral_rules import decide_by_leibniz
+
+        return decide_by_leibniz(comparison, statement, _bounded)
+    if hiding:
+        return Answer(Verdict.UNDECIDED, "derivatives of sums and limits are not supported")
+    parts = _Parts.of(comparison, statement)
+    for procedure, applies, _ in ORDER:
+        if applies(parts):
+            return procedure(comparison, statement, _bounded)
+    real = comparison.differentiated, comparison.by
+    if left.op == "abs" and relation in ("<", "<=") and not symbols(right):
+        halves = (replace(comparison, left=side * left.args[0]) for side in (1, -1))
+        return worst([_decide(half, statement) for half in halves])
+    if relation == "==":
+        found = decide_equality(left, right, statement.given, *real)
+        if found.witness is not None and found.values is not None:
+            return refuted(found.why, found.witness, *found.values)
+        return Answer(found.verdict, found.why)
+    return _decide_inequality(left, relation, right, statement.given, *real)
+
+
+class _Parts(NamedTuple):
+    """What a procedure is chosen by: outermost operations, functions left unknown, and the like."""
+
+    comparison: Comparison
+    statement: Statement
+    nodes: frozenset[str]
+    unknown: frozenset[str]
+    infinite: bool
+
+    @classmethod
+    def of(cls, comparison: Comparison, statement: Statement) -> _Parts:
+        """Return the parts of a comparison."""
+        sides = comparison.left, comparison.right
+        outer = list(outermost(*sides))
+        called = (f for e in (*sides, *statement.said) for f in functions(e))
+        return cls(
+            comparison,
+            statement,
+            frozenset(node.op for node in outer),
+            frozenset(f.args[0].args[0] for f in called),
+            any(map(is_infinite, outer)),
+        )
+
+    @property
+    def has_dots(self) -> bool:
+        """Return whether a side is a sum with an ellipsis."""
+        name = DOTS.args[0]
+        return any(name in symbols(e) for e in (self.comparison.left, self.comparison.right))
+
+    @property
+    def finite_sums(self) -> bool:
+        """Return whether sums or products are all that is beyond an elementary claim."""
+        alone = self.nodes <= {"sum", "product", "unknown"} and self.statement.path is None
+        return bool(self.nodes & {"sum", "product"}) and (self.unknown <= {FACTORIAL} or alone)
+
+    @property
+    def at_integers(self) -> bool:
+        """Return whether the claim is about integers, at points rather than along a path."""
+        return bool(self.statement.integers) and self.statement.path is None
+
+    @property
+    def alternates(self) -> bool:
+        """Return whether a power or angle depends on the parity of an integer."""
+        from tresym.reals.decisions.integer_variables import alternates
+
+        return self.at_integers and alternates(self.comparison, self.statement)
+
+
+def _ellipses(*claim: Any) -> Answer:
+    from tresym.reals.decisions.ellipsis_series import decide_dotted
+
+    return decide_dotted(*claim)
+
+
+def _infinite_sums(*claim: Any) -> Answer:
+    from tresym.reals.decisions.power_series import decide_infinite
+
+    return decide_infinite(*claim)
+
+
+def _nth_derivatives(*claim: Any) -> Answer:
+    from tresym.reals.decisions.induction import decide_repeated
+
+    return decide_repeated(*claim)
+
+
+def _finite_sums(*claim: Any) -> Answer:
+    from tresym.reals.decisions.induction import decide_totals
+
+    return decide_totals(*claim)
+
+
+def _factorials(*claim: Any) -> Answer:
+    from tresym.reals.decisions.factorials import decide_factorials
+
+    return decide_factorials(*claim)
+
+
+def _integer_variables(*claim: Any) -> Answer:
+    from tresym.reals.decisions.integer_variables import decide_whole
+
+    return decide_whole(*claim)
+
+
+def _unknown_functions(*claim: Any) -> Answer:
+    from tresym.reals.decisions.unknown_functions import decide_unknown
+
+    return decide_unknown(*claim)
+
+
+def _integrals(*claim: Any) -> Answer:
+    from tresym.reals.decisions.integrals import decide_integrals
+
+    return decide_integrals(*claim)
+
+
+def _paths(comparison: Comparison, statement: Statement, decided: Decide) -> Answer:
+    if any(node.op == "integral" for node in outermost(comparison.left, comparison.right)):
+        from tresym.asymptotics.integral_limits import decide_integral_limits
+
+        return decide_integral_limits(comparison, statement, decided)
+    from tresym.asymptotics.path_claims import decide_tending
+
+    return decide_tending(comparison, statement, decided)
+
+
+Procedure = Callable[[Comparison, Statement, Decide], Answer]
+"""Decides a claim by simpler ones, which it hands to its last argument."""
+ORDER: tuple[tuple[Procedure, Callable[[_Parts], bool], str], ...] = (
+    (_ellipses, lambda p: p.has_dots, "its general term must be found before it is a sum"),
+    (_infinite_sums, lambda p: p.infinite, "its value is a limit, or that of a known series"),
+    (_nth_derivatives, lambda p: "nth" in p.nodes, "induction on n leaves ordinary derivatives"),
+    (_finite_sums, lambda p: p.finite_sums, "induction leaves a claim without sums"),
+    (_factorials, lambda p: FACTORIAL in p.unknown, "a recurrence leaves no factorials"),
+    (_integer_variables, lambda p: bool(p.unknown) and p.at_integers, "f(n) is one value a case"),
+    (_unknown_functions, lambda p: bool(p.unknown), "values of a function become variables"),
+    (
+        decide_under_equations,
+        lambda p: bool(among_integers(p.statement)),
+        "solutions are found before cases modulo M",
+    ),
+    (_integer_variables, lambda p: p.alternates, "(-1)**n must be a number to solve equations"),
+    (
+        decide_under_equations,
+        lambda p: bool(p.statement.equations),
+        "solving them leaves free variables",
+    ),
+    (_paths, lambda p: p.statement.path is not None, "limits need expansions, at integers too"),
+    (_integrals, lambda p: "integral" in p.nodes, "antiderivatives leave no integrals"),
+    (_integer_variables, lambda p: p.at_integers, "cases modulo M and real variables are last"),
+)
+"""The procedures in the order in which they are asked, when, and why there: each removes what the
+later ones cannot handle. What none applies to is an elementary claim at points."""
+
+
+def _decide_inequality(
+    left: Expr,
+    relation: str,
+    right: Expr,
+    given: Given,
+    differentiated: tuple[Expr, ...],
+    by: frozenset[str],
+) -> Answer:
+    """Decide an inequality, and separately at the points where sign and atan2 jump."""
+    from tresym.reals.decisions.inequalities import decide_inequality
+
+    nodes = jumps((left, right), given)
+    apart = Given(tuple((u, "!=", ZERO) for node in nodes for u in zeros(node.args[0], given)))
+    answer = decide_inequality(left, relation, right, given & apart, differentiated, by)
+    answers = [replace(answer, region=str(given) or None) if nodes and answer.region else answer]
+    for case in cases_at_jumps((left, right), given) if nodes else ():
+        if case is None:
+            answers.append(Answer(Verdict.UNDECIDED, JUMP))
+            continue
+        real = tuple(map(case.of, differentiated))
+        found = _decide_inequality(case.of(left), relation, case.of(right), case.given, real, by)
+        at = case.point(_exact(found.witness))
+        if found.verdict is Verdict.REFUTED and at is None:
+            found = replace(found, verdict=Verdict.UNDECIDED)
+        shown = at and {name: exact_text(value) for name, value in at.items()}
+        why = f"{case}: {found.why}"
+        answers.append(replace(found, why=why, witness=shown, region=str(given) or None))
+    return worst(answers)
+
+
+def _exact(witness: Mapping[str, str] | None) -> dict[str, Expr] | None:
+    """Return the witness as expressions, or None if it is not an exact point."""
+    try:
+        return None if witness is None else {name: parse(v) for name, v in witness.items()}
+    except InputError:  # intervals between whose ends the sign changes
+        return None
+
+
+def _mistaken(statement: Statement) -> str:
+    """Return a remark on variables such as e and i that may have been meant as constants."""
+    names = frozenset().union(*(symbols(c.left) | symbols(c.right) for c in statement.comparisons))
+    remarks = [
+        f"; {name} is read as a variable, {other}"
+        for name, other in _LOOK_ALIKE.items()
+        if name in names
+    ]
+    return "".join(remarks)
+
+
+def _short(text: str) -> str:
+    """Return ``text`` on one line, abbreviated in the middle if it is very long."""
+    line = " ".join(text.split())
+    return line if len(line) <= 400 else f"{line[:200]} … {line[-100:]}"

@@ -1,0 +1,174 @@
+"""Decide claims in processes of their own, each with a time limit."""
+
+from __future__ import annotations
+
+import pickle
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import BrokenExecutor, Future
+from contextlib import ExitStack
+from dataclasses import replace
+from itertools import islice
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from tresym.checking.dispatch import decide_claim
+from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.claim_parsing import read_as
+from tresym.reals.decisions.statement import Statement
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.processes import AHEAD, Processes, cores
+from tresym.reals.verdict import Verdict
+
+if TYPE_CHECKING:
+    from tresym.checking.answer_cache import AnswerCache
+
+DEFAULT_LIMIT = 5.0
+CACHES: list[AnswerCache] = []
+"""The caches of answers in use, innermost last: here, so that one claim loads no database."""
+_DIED = "the process ended unexpectedly, perhaps because it ran out of memory"
+"""Such an answer is not kept: it says nothing of the claim."""
+
+
+class Task(NamedTuple):
+    """A claim to decide; ``line`` is where it stands in a file."""
+
+    claim: Any
+    given: Any = ""
+    path: str | None = None
+    line: int | None = None
+
+
+def current_cache() -> AnswerCache | None:
+    """Return the cache of answers that is in use, if any."""
+    return CACHES[-1] if CACHES else None
+
+
+def check_within(task: Task, limit: float = DEFAULT_LIMIT) -> Answer:
+    """Decide one claim in at most ``limit`` seconds.
+
+    Raises:
+        InputError: the claim cannot be read.
+    """
+    for _, found in check_all([task], limit, 1):
+        if isinstance(found, InputError):
+            raise found
+        return found
+    raise RuntimeError("a task has no answer")
+
+
+def check_all(
+    tasks: Iterable[Task],
+    limit: float = DEFAULT_LIMIT,
+    processes: int | None = None,
+    *,
+    forked: bool = True,
+) -> Iterator[tuple[Task, Answer | InputError]]:
+    """Yield every task with its answer or its error, in the order of the tasks.
+
+    Args:
+        tasks: the claims; a few are read ahead.
+        limit: seconds for each claim.
+        processes: the number of processes; all cores unless given.
+        forked: whether the processes are forks of this one, which then must have a single thread.
+    """
+    cache = current_cache()
+    under_way: deque[tuple[Task, Answer | Future[Any]]] = deque()
+    with ExitStack() as stack:
+        pool: Processes | None = None
+        for task in tasks:
+            asked: Answer | Future[Any] | None = (
+                cache.get(*task[:3], limit) if cache is not None else None
+            )
+            if asked is None:
+                pool = pool or stack.enter_context(
+                    Processes(processes or cores(), limit, deaths=1, forked=forked)
+                )
+                asked = next(pool.in_order(_judged, [task[:3]]))
+            under_way.append((task, asked))
+            if len(under_way) == AHEAD:
+                yield _told(*under_way.popleft(), limit)
+        while under_way:
+            yield _told(*under_way.popleft(), limit)
+
+
+def _told(
+    task: Task, asked: Answer | Future[Any], limit: float
+) -> tuple[Task, Answer | InputError]:
+    """A task with its answer, which is kept in the cache unless it comes from there."""
+    if isinstance(asked, Answer):
+        return task, replace(asked, line=task.line)
+    found, cache = _found(task, asked, limit), current_cache()
+    if cache is not None and isinstance(found, Answer) and _DIED not in found.why:
+        cache.put(*task[:3], limit, found)
+    return task, found
+
+
+BATCH = 200
+"""Claims that go to a worker elsewhere at once."""
+
+
+def check_by(
+    in_order: Callable[[Callable[[bytes], bytes], Iterator[bytes]], Iterator[bytes]],
+    tasks: Iterable[Task],
+    limit: float = DEFAULT_LIMIT,
+) -> Iterator[tuple[Task, Answer | InputError]]:
+    """As :func:`check_all`, by workers elsewhere.
+
+    Args:
+        in_order: calls a function on each of many arguments, and gives what it returns in order.
+    """
+    asked = (pickle.dumps((batch, limit)) for batch in _batches(tasks))
+    for found in in_order(check_batch, asked):
+        yield from pickle.loads(found)
+
+
+def check_batch(asked: bytes) -> bytes:
+    """What one call to a worker does, from bytes to bytes: no scheduler looks into either.
+
+    The claims are decided in a process of their own, one after the other: a worker may have
+    several threads, and precision is one for all of a process.
+    """
+    tasks, limit = pickle.loads(asked)
+    return pickle.dumps(list(check_all(tasks, limit, 1, forked=False)))
+
+
+def _batches(tasks: Iterable[Task]) -> Iterator[tuple[Task, ...]]:
+    tasks = iter(tasks)
+    while batch := tuple(islice(tasks, BATCH)):
+        yield batch
+
+
+def _found(task: Task, future: Future[Any], limit: float) -> Answer | InputError:
+    """Return the answer; UNDECIDED after a timeout or if the process died."""
+    try:
+        found: Answer | InputError = future.result()
+    except TimeoutError as error:
+        return _given_up(task, str(error), limit)
+    except BrokenExecutor:
+        return _given_up(task, _DIED, limit)
+    return found if isinstance(found, InputError) else replace(found, line=task.line)
+
+
+def _given_up(task: Task, reason: str, limit: float) -> Answer:
+    given = task.claim.given if isinstance(task.claim, Statement) else task.given
+    return Answer(
+        Verdict.UNDECIDED,
+        f"{reason}; fewer variables, a smaller region or a longer --limit may help",
+        statement=" ".join(str(task.claim)[:400].split()),
+        given=str(given)[:400],
+        read_as=read_as(*task[:3]),
+        seconds=limit,
+        line=task.line,
+    )
+
+
+def _judged(claim: Any, given: Any, path: str | None) -> Answer | InputError:
+    """Return the answer, or the error if the claim cannot be read."""
+    try:
+        return decide_claim(claim, given, path)
+    except InputError as error:
+        return error
+    except Exception as error:  # one claim that we fail at must not end the others
+        why = f"internal error ({type(error).__name__}); please report this claim"
+        text = " ".join(str(claim)[:400].split())
+        return Answer(Verdict.UNDECIDED, why, text, read_as=read_as(claim, given, path))
