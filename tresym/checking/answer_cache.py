@@ -23,7 +23,7 @@ from pathlib import Path
 from typing import Any
 
 from tresym.checking.time_limited import CACHES
-from tresym.reals.decisions.answer import Alternative, Answer
+from tresym.reals.decisions.answer import Alternative, Answer, Obligation
 from tresym.reals.numbers.exact import Decimal, InputError
 from tresym.reals.verdict import Verdict
 
@@ -180,6 +180,7 @@ def _answer(key: bytes, value: Any, checksum: Any) -> Answer | None:
             one, other = found["values"]
             found["values"] = Decimal(**one), Decimal(**other)
         found["instead"] = tuple(Alternative(**one) for one in found["instead"])
+        found["obligations"] = tuple(Obligation(**one) for one in found["obligations"])
         return Answer(**found)
     except (ValueError, TypeError, KeyError):
         return None

@@ -6,7 +6,7 @@ from dataclasses import fields
 import pytest
 from flint import arb, fmpq
 
-from tresym.reals.decisions.answer import Answer, ball_text, constant_ball, refuted
+from tresym.reals.decisions.answer import Answer, Obligation, ball_text, constant_ball, refuted
 from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import Decimal, parse_number
@@ -92,6 +92,14 @@ def test_json_has_every_key_and_plain_values() -> None:
         assert value["verdict"] == answer.verdict.value
     assert FULL.as_json()["values"][1] == {"mid": "1", "rad": "1e-9"}
     assert FULL.as_json()["witness"] == {"x": "2"}
+
+
+def test_the_lemma_and_its_obligations_are_shown_and_stored() -> None:
+    part = Obligation("x > 0", "x > 1", "PROVED")
+    answer = Answer(Verdict.PROVED, "by a lemma", lemma="a lemma (Olver 1974)", obligations=(part,))
+    assert answer.as_json()["obligations"] == [part._asdict()]
+    assert dict(answer.rows())["lemma"] == "a lemma (Olver 1974)"
+    assert "  obligation: x > 0 given x > 1: PROVED" in str(answer).splitlines()
 
 
 def test_text_shows_what_there_is_and_nothing_empty() -> None:

@@ -48,6 +48,24 @@ class Alternative(NamedTuple):
         return f"{self.verdict}: {self.claim}{under} ({self.edit})"
 
 
+class Obligation(NamedTuple):
+    """An elementary statement that a lemma asks for, with its verdict.
+
+    Attributes:
+        claim, given: the statement and its conditions, in the grammar of text; the claim ends in
+            its path where it has one.
+        verdict: PROVED or ENCLOSED, or what the statement was found to be instead.
+    """
+
+    claim: str
+    given: str
+    verdict: str
+
+    def __str__(self) -> str:
+        under = f" given {self.given}" if self.given else ""
+        return f"{self.claim}{under}: {self.verdict}"
+
+
 @dataclass(frozen=True)
 class Answer:
     """The verdict on one claim, with its reason.
@@ -67,6 +85,8 @@ class Answer:
         read_as: the claim with its conditions and path in the grammar of expressions.
         root: where the witness is known by intervals, what it is exactly.
         instead: for REFUTED, claims close to it that hold, where they were looked for.
+        lemma: the lemma that reduced the claim to obligations, with its source; or empty.
+        obligations: the statements to which the lemma reduced the claim, with their verdicts.
 
     Example:
         >>> import tresym
@@ -89,6 +109,8 @@ class Answer:
     line: int | None = None
     read_as: str = ""
     instead: tuple[Alternative, ...] = field(default=(), compare=False)
+    lemma: str = ""
+    obligations: tuple[Obligation, ...] = ()
 
     def __bool__(self) -> bool:
         """Whether the claim holds: PROVED or ENCLOSED."""
@@ -146,6 +168,8 @@ class Answer:
         if self.constant is not None:
             rows.append(("constant", ball_text(self.constant)))
         rows.append(("region", self.region or ""))
+        rows.append(("lemma", self.lemma))
+        rows += [("obligation", str(part)) for part in self.obligations]
         rows += [("instead", str(found)) for found in self.instead]
         return [row for row in rows if row[1]]
 
@@ -162,6 +186,7 @@ class Answer:
         value["constant"] = None if self.constant is None else self.constant._asdict()
         value["values"] = None if self.values is None else [ball._asdict() for ball in self.values]
         value["instead"] = [found._asdict() for found in self.instead]
+        value["obligations"] = [part._asdict() for part in self.obligations]
         value["seconds"] = round(self.seconds, 6)
         return value
 
