@@ -26,6 +26,7 @@ if TYPE_CHECKING:  # for editors and type checkers, which would accept any name 
     from tresym.racket.body import Body
     from tresym.racket.flip import flip_angle, flip_defect, flip_defects
     from tresym.racket.floats.flipmap import flip_map
+    from tresym.reals.decisions.root_values import value
     from tresym.reals.numbers.exact import InputError
     from tresym.reals.verdict import Verdict
     from tresym.repair import check
@@ -47,6 +48,7 @@ _HOMES = {
     "flip_map": "tresym.racket.floats.flipmap",
     "paper": "tresym.report.pages.python_api",
     "table": "tresym.report.pages.python_api",
+    "value": "tresym.reals.decisions.root_values",
     "verify": "tresym.ledger.verification",
 }
 
@@ -65,6 +67,7 @@ __all__ = [
     "flip_map",
     "paper",
     "table",
+    "value",
     "verify",
 ]
 

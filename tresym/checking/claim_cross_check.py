@@ -54,6 +54,8 @@ def attack(
     functions, derivatives = comparison.differentiated, comparison.derivatives
     if any(map(is_infinite, outermost(comparison.left, comparison.right))):
         return None  # what was put in for it was attacked itself
+    if any(node.op == "root" for node in outermost(comparison.left, comparison.right)):
+        return None  # the claim with a variable in place of the root was attacked itself
     if statement.path is not None:
         against = _attack_order(comparison, statement, answer)
         return against or _attack_path(comparison, statement, statement.path)

@@ -156,7 +156,7 @@ def _bounded(comparison: Comparison, statement: Statement) -> Answer:
 
 def _decide(comparison: Comparison, statement: Statement) -> Answer:
     left, relation, right = comparison.left, comparison.relation, comparison.right
-    hiding = {node.op for node in outermost(*comparison.differentiated)} - {"unknown"}
+    hiding = {node.op for node in outermost(*comparison.differentiated)} - {"unknown", "root"}
     if hiding == {"integral"}:
         from tresym.reals.decisions.integral_rules import decide_by_leibniz
 
@@ -239,6 +239,12 @@ def _infinite_sums(*claim: Any) -> Answer:
     return decide_infinite(*claim)
 
 
+def _roots(*claim: Any) -> Answer:
+    from tresym.reals.decisions.roots import decide_roots
+
+    return decide_roots(*claim)
+
+
 def _nth_derivatives(*claim: Any) -> Answer:
     from tresym.reals.decisions.induction import decide_repeated
 
@@ -289,6 +295,7 @@ Procedure = Callable[[Comparison, Statement, Decide], Answer]
 """Decides a claim by simpler ones, which it hands to its last argument."""
 ORDER: tuple[tuple[Procedure, Callable[[_Parts], bool], str], ...] = (
     (_ellipses, lambda p: p.has_dots, "its general term must be found before it is a sum"),
+    (_roots, lambda p: "root" in p.nodes, "a root becomes a variable under its equation"),
     (_infinite_sums, lambda p: p.infinite, "its value is a limit, or that of a known series"),
     (_nth_derivatives, lambda p: "nth" in p.nodes, "induction on n leaves ordinary derivatives"),
     (_finite_sums, lambda p: p.finite_sums, "induction leaves a claim without sums"),

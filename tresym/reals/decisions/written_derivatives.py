@@ -28,7 +28,6 @@ NOT_DECIDED = {
     "antiderivative": (
         "an indefinite integral must be compared with an antiderivative: integral(f, x) == F"
     ),
-    "root": "claims about the root of an equation are not supported",
     "limit": "a limit must stand alone on its side: write limit(f, x, a) == L, or f -> L as x -> a",
     "at": "a value at a point is not supported here: substitute the point yourself",
     "derivative": "the value of a derivative at a point is not supported: write the derivative out",
@@ -36,7 +35,7 @@ NOT_DECIDED = {
         expression.ORDERS, "O(…) and o(…) belong on the right side of a claim: f == g + O(h)"
     ),
 }
-VALUED = ("integral", "nth", "sum", "product", "unknown")
+VALUED = ("integral", "nth", "sum", "product", "root", "unknown")
 """What may stand in a claim and is worked out when it is decided."""
 
 
@@ -75,7 +74,7 @@ def _is_infinite(e: Expr) -> bool:
     """Whether oo stands in it elsewhere than at the end of an integral."""
     if e.op in LEAVES or INFINITY.args[0] not in symbols(e):
         return e == INFINITY
-    ends = (INFINITY, -INFINITY) if e.op in ("integral", "sum", "product") else ()
+    ends = (INFINITY, -INFINITY) if e.op in ("integral", "sum", "product", "root") else ()
     return any(_is_infinite(arg) for arg in e.args if arg not in ends)
 
 

@@ -157,7 +157,7 @@ def bracketed(unique: Unique, e: Expr, outer: Enclosing) -> arb:
     if not unique(e, outer.at) or jumps(body):
         raise UndefinedError
     middle = {n: outer.value(symbol(n)).mid() for n in symbols(body) if n != name}
-    near, over = (_along(name, body, at, outer.root) for at in (middle, outer.at))
+    near, over = (along(name, body, at, outer.root) for at in (middle, outer.at))
     return bracket(near, over, low, high)
 
 
@@ -177,7 +177,8 @@ def bracket(near: Callable[[arb], arb], over: Callable[[arb], arb], low: arb, hi
         x, slope = _found(near, low.mid(), high.mid(), ROUGH)
     except UndefinedError:
         x, slope = _found(near, low.mid(), high.mid(), ctx.prec)
-    width = (over(x) / slope).abs_upper() * arb("1.25") + abs(x) * arb((1, 8 - ctx.prec))
+    small = high.mid() - low.mid() if x.is_zero() else abs(x)
+    width = (over(x) / slope).abs_upper() * arb("1.25") + small * arb((1, 8 - ctx.prec))
     for _ in range(WIDER):
         first, last = (x - width).mid(), (x + width).mid()
         both = first.union(last)
@@ -188,7 +189,7 @@ def bracket(near: Callable[[arb], arb], over: Callable[[arb], arb], low: arb, hi
     raise UndefinedError
 
 
-def _along(name: str, body: Expr, at: At, root: Root) -> Callable[[arb], arb]:
+def along(name: str, body: Expr, at: At, root: Root) -> Callable[[arb], arb]:
     """Return ``body`` as a function of one variable, NaN where it is undefined."""
     outers: dict[int, Enclosing] = {}
 
@@ -219,21 +220,25 @@ def _found(f: Callable[[arb], arb], low: arb, high: arb, rough: int) -> tuple[ar
         for _ in range(STEPS):
             z = ((x * at_y - y * at_x) / (at_y - at_x)).mid()
             value = f(z).mid()
-            if abs(z - y) < abs(y) * arb((1, -20)) or not value:
+            if abs(z - y) < abs(y) * arb((1, -20)) or value.is_zero():
                 break
             at_x, x = (at_y, y) if value * at_y < 0 else (at_x / 2, x)
             y, at_y = z, value
+    if y == z:  # the zero was hit exactly
+        y = (z + (high - low) * arb((1, -30))).mid()
     x, at_x = y, f(y).mid()
     y, at_y = z, f(z).mid()
     slope = (at_y - at_x) / (y - x)
     for _ in range(STEPS):
         step = (at_y / slope).mid()
+        if step.is_zero():
+            break
         x, at_x, y = y, at_y, (y - step).mid()
         if not abs(step) > abs(y) * arb((1, 16 - ctx.prec)):
             break
         at_y = f(y).mid()
         slope = (at_y - at_x) / (y - x)
-    if not (slope.is_finite() and slope):
+    if not slope.is_finite() or slope.is_zero():
         raise UndefinedError
     return y, slope.mid()
 
@@ -244,10 +249,18 @@ def _change(
     """Return two points with values of opposite signs, searching from the middle outward."""
     middle = ((low + high) / 2).mid()
     last = [(middle, f(middle))] * 2
+    if last[0][1].is_zero():  # not the zero itself, whose sign no other value opposes
+        middle = (low + (high - low) * arb("0.46")).mid()
+        last = [(middle, f(middle))] * 2
     for n in ENDS:
         step = (high - low) * arb((1, -n))
         for end, x in enumerate((low + step, high - step)):
             here = x.mid(), f(x.mid())
+            if here[1].is_zero():  # a bracket around a zero that was hit exactly
+                aside = step * arb("0.25")
+                one, two = ((y.mid(), f(y.mid())) for y in (x - aside, x + aside))
+                if one[1] * two[1] < 0:
+                    return one, two
             for there in (last[end], last[1 - end]):
                 if here[1] * there[1] < 0:
                     return there, here

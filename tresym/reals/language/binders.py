@@ -143,6 +143,9 @@ def worked_out(e: Expr) -> Expr:
     if e.op not in ("at", "derivative"):
         if e.op not in UNWORKED or e.op == "unknown":
             return rebuild(e, tuple(map(worked_out, e.args)))
+        if e.op == "root":
+            (name,), body = opened(e)
+            return root(worked_out(body), name, *map(worked_out, e.args[1:]))
         return _slopes_worked_out(e) if e.op == "integral" else e
     place = e.args[1]
     if e.op == "derivative" and place.op == "symbol" and symbols(e.args[0]).isdisjoint(place.args):
@@ -172,10 +175,10 @@ def _slopes_worked_out(e: Expr) -> Expr:
 
 def _hides(e: Expr, name: str) -> bool:
     """Return whether the dependence of ``e`` on the variable is inside a node other than a
-    function.
+    function or a root.
     """
     return any(
-        any(_hides(arg, name) for arg in node.args) if node.op == "unknown" else True
+        any(_hides(arg, name) for arg in node.args) if node.op in ("unknown", "root") else True
         for node in outermost(e)
         if name in symbols(node)
     )

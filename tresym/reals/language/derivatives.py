@@ -15,10 +15,13 @@ from tresym.reals.language.expression import (
     add,
     apply,
     bind,
+    fresh,
+    instantiate,
     multiply,
     number,
     power,
     sqrt,
+    substitute,
     symbol,
     symbols,
     unknown,
@@ -31,7 +34,8 @@ def differentiate(e: Expr, name: str) -> Expr:
 
     Formal means that ``log u`` gives ``u'/u`` and ``atanh u`` gives ``u'/(1 − u²)`` whatever the
     sign, so that the derivative may have a larger domain than ``e``. The derivative of an integral,
-    a derivative or a limit is a node, since nothing here proves that it exists.
+    a derivative or a limit is a node, since nothing here proves that it exists. That of a root is
+    the one of the implicit function theorem, which has no value where the slope vanishes.
 
     Raises:
         InputError: ``e`` contains an order such as O(x), which is not a function.
@@ -43,6 +47,9 @@ def differentiate(e: Expr, name: str) -> Expr:
         if name not in symbols(node):
             return None
         if node not in done:
+            if node.op == "root":
+                done[node] = _root_derivative(node, name)
+                return done[node]
             hidden = node.op in UNWORKED and node.op != "unknown"
             done[node] = _kept_derivative(node, name) if hidden else _derivative(node, walk)
         return done[node]
@@ -93,6 +100,14 @@ def _kept_derivative(node: Expr, name: str) -> Expr:
     if node.op in ORDERS:
         raise InputError(f"{node} is an order and has no derivative")
     return Expr("derivative", (bind(node, (name,)), symbol(name)), (name,))
+
+
+def _root_derivative(node: Expr, name: str) -> Expr:
+    """Return −F_a/F_y at the root y of F(y, a); the ends between which it lies do not matter."""
+    own = fresh(node.names[0], symbols(node) | {name})
+    body = instantiate(node.args[0], (symbol(own),))
+    slope = -differentiate(body, name) / differentiate(body, own)
+    return substitute(slope, {own: node})
 
 
 def _power_derivative(base: Expr, exponent: Expr, db: Expr | None, de: Expr | None) -> Expr:

@@ -6,7 +6,8 @@ are converted from the text itself and are exact.
 Grammar: ``+ - * / **`` (also ``^``), parentheses, decimals and fractions, names, ``pi``, ``E``, the
 functions of :data:`tresym.reals.language.expression.FUNCTIONS` with ``sqrt``, ``ln``, ``Abs``, the
 ``arc…`` names and ``atan2(y, x)``, and operations that bind a variable: ``diff(f, x[, n])``,
-``integral(f, x, low, high)``, ``at(f, x, value)``, ``limit(f, x, point[, side])``. Conditions and
+``integral(f, x, low, high)``, ``at(f, x, value)``, ``limit(f, x, point[, side])``, and
+``root(f, x, low, high)``, the only zero of f strictly between the ends. Conditions and
 claims are comparisons; ``O(…)`` and ``o(…)`` may occur only at the right end of a claim.
 """
 
@@ -28,6 +29,7 @@ from tresym.reals.language.binders import (
     nth_derivative,
     order,
     outermost,
+    root,
     total,
     worked_out,
 )
@@ -228,6 +230,8 @@ class _Reader:
             return antiderivative(self._read(args[0]), self._name(args[1]))
         if name == "integral" and len(args) == 4:
             return integral(self._read(args[0]), self._name(args[1]), *map(self._end, args[2:]))
+        if name == "root" and len(args) == 4:
+            return root(self._read(args[0]), self._name(args[1]), *map(self._end, args[2:]))
         if name in TOTALS and len(args) == 4:
             return total(
                 TOTALS[name],

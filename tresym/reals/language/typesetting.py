@@ -35,6 +35,7 @@ LATEX: Mapping[str, str] = {
     "product": r"\prod_{{{x}={low}}}^{{{high}}} {body}",
     "integral": r"\int_{{{low}}}^{{{high}}} {body} \, d{x}",
     "antiderivative": r"\int {body} \, d{x}", "limit": r"\lim_{{{x} \to {low}{side}}} {body}",
+    "root": r"\operatorname{{root}}_{{{low} < {x} < {high}}}\left({body}\right)",
     "above": "^+", "below": "^-", "of": "{} {}", "at": r"\left.{body}\right|_{{{place}}}",
     "pair": "{}={}", "oo": r"\infty", "...": r"\dots", "pi": r"\pi", "e": "e", "d": "d",
     "number": "{}", "word": r"\mathrm{{{}}}", "foot": "{}", "index": "{}_{{{}}}", "prime": "'",
@@ -60,6 +61,8 @@ MATHML: Mapping[str, str] = {
     "<mi>d</mi>{x}",
     "antiderivative": "<mo>∫</mo>{body}<mi>d</mi>{x}",
     "limit": "<munder><mo>lim</mo><mrow>{x}<mo>→</mo>{low}{side}</mrow></munder>{body}",
+    "root": "<msub><mi>root</mi><mrow>{low}<mo>&lt;</mo>{x}<mo>&lt;</mo>{high}</mrow></msub>"
+    "<mrow><mo>(</mo>{body}<mo>)</mo></mrow>",
     "above": "<mo>+</mo>", "below": "<mo>−</mo>", "of": "{}{}",
     "at": "<msub><mrow><mo>[</mo>{body}<mo>]</mo></mrow><mrow>{place}</mrow></msub>",
     "pair": "{}<mo>=</mo>{}", "oo": "<mi>∞</mi>", "...": "<mo>⋯</mo>", "pi": "<mi>π</mi>",
@@ -155,6 +158,8 @@ class _Printer:
                 return self.put("power", self.put("e"), self.shown(e.args[0])), POWER
             case "abs" | "cbrt":
                 return self.put(e.op, self.shown(e.args[0])), ATOM
+        if e.op == "root":
+            return self.binder(e), ATOM
         return (self.binder(e), SUM) if e.names else (self.applied(e), ATOM)
 
     def sum(self, e: Expr) -> str:
@@ -223,7 +228,8 @@ class _Printer:
         if e.op in ("derivative", "nth"):
             return self.derivative(e)
         names, body = opened(e)
-        inner, ends = self.shown(body, PRODUCT), [self.shown(arg) for arg in e.args[1:]]
+        around = SUM if e.op == "root" else PRODUCT
+        inner, ends = self.shown(body, around), [self.shown(arg) for arg in e.args[1:]]
         if e.op == "at":
             return self.at(inner, names, ends)
         side = {"1": self.put("above"), "-1": self.put("below")}.get(str(e.args[-1]), "")

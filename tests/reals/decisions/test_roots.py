@@ -1,0 +1,103 @@
+"""Roots of equations as expressions: values, claims, derivatives, and false claims of each kind."""
+
+from __future__ import annotations
+
+import mpmath
+import pytest
+
+import tresym
+from tresym.reals.decisions.claim_parsing import in_latex
+from tresym.reals.decisions.root_values import value
+from tresym.reals.language.expression import number, substitute, symbol
+from tresym.reals.language.parsing import parse
+from tresym.reals.numbers.exact import InputError
+
+HOLDS = """
+root(y**2 - 2, y, 0, 2) == sqrt(2)
+root(y**2 - a, y, 0, oo) == sqrt(a) given a > 0
+root(y*exp(y) - x, y, 0, oo) <= log(x) given x >= E
+root(y*exp(y) - x, y, 0, oo) <= x given x > 0
+root(y**5 + e*y - 1, y, 0, oo) < 1 given 0 < e < 1
+root(x*exp(x) - 3, x, 0, oo) < 1.05
+root(tan(x) - x, x, pi, 3*pi/2) < 4.4935
+root(y - x, y, 0, 1) == x
+root(k - e*sin(k) - m, k, -oo, oo) <= m + e given 0 < e < 1
+diff(root(y**3 - x, y, 0, oo), x) == 1/(3*root(y**3 - x, y, 0, oo)**2) given x > 0
+diff(root(y*exp(y) - x, y, 0, oo), x)*x > 0 given x > 0
+"""
+FALSE = """
+root(y**2 - a, y, 0, oo) == -sqrt(a) given a > 0
+root(y*exp(y) - x, y, 0, oo) <= log(x) given x >= 1
+root(y**5 + e*y - 1, y, 0, oo) < 99/100 given 0 < e < 1
+root(x*exp(x) - 3, x, 0, oo) > 1.05
+root(y - x, y, 0, 1) < 1/2
+diff(root(y**3 - x, y, 0, oo), x) == 1/(2*root(y**3 - x, y, 0, oo)**2) given x > 0
+"""
+NO_VALUE = """
+root(y**2 - 1, y, -2, 2) <= 1
+root(y**2 - 1, y, -2, 2) == -1
+root(y**2 + 1, y, -2, 2) < 3
+root(tan(x) - x, x, 0, 10) > 4
+root(1/y, y, -1, 1) < 1
+root(sign(y), y, -1, 1) == 0
+root(y*(y - 1)*(y - 2), y, 0, 3) < 3
+diff(root(y**3 - x, y, -oo, oo)*abs(x), x) == 0 given x == 0
+"""
+"""There is no root, or several, or a jump: nothing may be proved of them."""
+
+
+def _lines(text: str) -> list[str]:
+    return [line for line in text.splitlines() if line]
+
+
+@pytest.mark.parametrize("claim", _lines(HOLDS))
+def test_true_claims_about_roots(claim: str) -> None:
+    assert tresym.check(claim).verdict.holds
+
+
+@pytest.mark.parametrize("claim", _lines(FALSE))
+def test_false_claims_about_roots(claim: str) -> None:
+    assert tresym.check(claim).verdict.value == "REFUTED"
+
+
+@pytest.mark.parametrize("claim", _lines(NO_VALUE))
+def test_nothing_is_said_of_roots_that_do_not_exist(claim: str) -> None:
+    assert tresym.check(claim).verdict.value == "UNDECIDED"
+
+
+def test_values_agree_with_lambert_w_and_kepler() -> None:
+    with mpmath.workdps(60):
+        lambert = mpmath.lambertw(3)
+        found = value("root(x*exp(x) - 3, x, 0, oo)", digits=50)
+        assert abs(mpmath.mpf(found.mid) - lambert) < 1e-49
+        anomaly = mpmath.findroot(lambda y: y - mpmath.sin(y) / 2 - 1, 1.5)
+        found = value("root(y - e*sin(y) - m, y, -oo, oo)", {"e": "1/2", "m": "1"}, 40)
+        assert abs(mpmath.mpf(found.mid) - anomaly) < 1e-39
+        inverse = mpmath.erfinv(1 / mpmath.sqrt(mpmath.pi))
+        found = value("root(integral(exp(-t**2), t, 0, y) - 1/2, y, 0, 2)", digits=30)
+        assert abs(mpmath.mpf(found.mid) - inverse) < 1e-29
+
+
+def test_a_zero_that_the_search_hits_exactly() -> None:
+    assert value("root(y - 1, y, -2, 4)").mid.startswith("1.000")
+    assert value("root(y**5 + e*y - 1, y, 0, oo)", {"e": "0"}).mid.startswith("1.000")
+
+
+def test_zeros_at_the_ends_do_not_count() -> None:
+    assert value("root(sin(x) - x/2, x, 0, pi)").mid.startswith("1.895494267")
+    assert value("root(cos(x) - 1 + x**2/4, x, 0, 3)").mid.startswith("2.78311")
+
+
+@pytest.mark.parametrize("text", ["root(y**2 - 2, y, -2, 2)", "root(y**2 + 1, y, 0, 2)"])
+def test_no_value_where_there_are_two_roots_or_none(text: str) -> None:
+    with pytest.raises(InputError, match="no value was proved"):
+        value(text)
+
+
+def test_text_substitution_and_latex() -> None:
+    e = parse("root(y**2 - a, y, 0, 2*y)")
+    assert str(e) == "root(y_1**2 - a, y_1, 0, 2*y)"
+    assert parse(str(e)) == e
+    moved = substitute(e, {"a": symbol("y"), "y": number(3)})
+    assert str(moved) == "root(y_1**2 - y, y_1, 0, 6)"
+    assert r"\operatorname{root}_{0 < y < \infty}" in in_latex("root(y**2 - 2, y, 0, oo) == x")
