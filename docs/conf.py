@@ -1,11 +1,12 @@
-"""The site: ``sphinx-build -W -j 2 docs build/site`` after ``tresym docs``."""
+"""The site: ``sphinx-build -W -j 2 docs build/site`` judges the ledger first if it has changed."""
 
 import json
 from pathlib import Path
 
 import tresym
+from tresym.report.pages.documents import build_pages
 
-_generated = Path(__file__).parent / "generated"
+_pages = build_pages()
 
 project = "tresym"
 author = "the tresym contributors"
@@ -30,7 +31,7 @@ myst_enable_extensions = [
     "dollarmath",
     "substitution",
 ]
-myst_substitutions = json.loads((_generated / "numbers.json").read_text(encoding="utf-8"))
+myst_substitutions = json.loads((_pages / "numbers.json").read_text(encoding="utf-8"))
 for _name in ("sweep", "errors_found"):
     _saved = Path(__file__).parent / "measurements" / f"{_name}.json"
     myst_substitutions |= json.loads(_saved.read_text(encoding="utf-8"))["notes"]["numbers"]

@@ -146,12 +146,11 @@ def _read(kept: Path) -> "Report | None":
 
 @pytest.fixture(scope="session")
 def whole(tmp_path_factory: pytest.TempPathFactory) -> "Report":
-    """The whole ledger, judged once in a run, however many processes share the tests."""
-    from tresym.ledger.verification import verify
-    from tresym.reals.processes import cores
+    """The whole ledger, judged once for the same sources by whichever process comes first."""
+    from tresym.report.pages.documents import judged
 
     if "PYTEST_XDIST_WORKER" not in os.environ:
-        return verify(workers=cores())
+        return judged()
     kept = _kept(tmp_path_factory)
     try:
         kept.with_suffix(".mine").touch(exist_ok=False)
@@ -160,10 +159,10 @@ def whole(tmp_path_factory: pytest.TempPathFactory) -> "Report":
         while not kept.exists():
             time.sleep(0.1)
             assert time.monotonic() - started < HANGS
-        return _read(kept) or verify(workers=cores())
+        return _read(kept) or judged()
     aside, data = kept.with_suffix(".aside"), b""
     try:
-        report = verify(workers=cores())
+        report = judged()
         found = {row.claim.label: replace(row.finding, of=None) for row in report.rows}
         data = pickle.dumps(found)
     finally:  # nothing where it failed: the others find that out for themselves

@@ -38,7 +38,7 @@ def ledger_of(source: Path) -> dict[str, Any]:
     Raises:
         ExtensionError: ``tresym docs`` was not run.
     """
-    path = source / "generated" / "ledger.json"
+    path = source / "_pages" / "ledger.json"
     if not path.is_file():
         raise ExtensionError(f"{path.name} is missing: run `tresym docs` first")
     return _ledger(path)

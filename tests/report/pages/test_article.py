@@ -108,7 +108,7 @@ def test_every_figure_exists_and_is_referred_to() -> None:
 def test_passages_for_the_site_are_markdown(report: Report) -> None:
     found = passages(report)
     pages = "".join(path.read_text(encoding="utf-8") for path in DOCS.rglob("*.md"))
-    used = set(re.findall(r"generated/passages/([\w-]+)\.txt", pages))
+    used = set(re.findall(r"_pages/passages/([\w-]+)\.txt", pages))
     assert used <= set(found)
     for name, text in found.items():
         outside = re.sub(r"\$\$.*?\$\$|\$[^$]*\$", "", text, flags=re.DOTALL)

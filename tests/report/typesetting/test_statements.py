@@ -19,7 +19,6 @@ from tresym.report.pages import fragments
 from tresym.report.pages.corrections import corrections
 from tresym.report.pages.derivation import in_dollars as dollars
 from tresym.report.pages.derivation import prose
-from tresym.report.pages.documents import ledger
 from tresym.report.pages.ledger_document import ledger_document
 from tresym.report.pages.site_data import record
 from tresym.report.typesetting.markdown import sentence
@@ -97,7 +96,6 @@ def _at_the_terminal(report: Report, label: str) -> str:
 
 
 PLACES: dict[str, tuple[Callable[[Report, str], str], Callable[[Claim], str]]] = {
-    "the ledger as a page": (lambda r, label: ledger(r), _in_markdown),
     "the corrections": (lambda r, label: corrections(r), _in_markdown),
     "the ledger as a document": (lambda r, label: ledger_document(r), _in_the_document),
     "a statement to paste": (

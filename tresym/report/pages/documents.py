@@ -1,19 +1,25 @@
 """Build the generated documents, or check that they are up to date.
 
-Everything below docs/generated is written by ``tresym docs`` and never by hand. ``tresym docs
---check`` compares the files with what would be written. The documents do not depend on time or
-machine: coordinates in pictures are rounded to a grid, and tables show only digits that are proved.
+``tresym docs`` writes two folders. ``docs/generated`` is in git: the article, the corrections,
+figures, charts and certified tables, which people read there. ``docs/_pages`` is not: what only the
+site shows (the ledger with its formulas, numbers in prose, the trust page, tables of methods). The
+site builds it when it is missing or older than the sources.
+
+The documents do not depend on time or machine: coordinates in pictures are rounded to a grid, and
+tables show only digits that are proved.
 """
 
 from __future__ import annotations
 
 import json
 import os
+import pickle
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from hashlib import sha256
 from pathlib import Path
 
 import tresym
-from tresym.ledger.paper import sections
 from tresym.ledger.verification import Report, verify
 from tresym.output import write_text
 from tresym.reals.numbers.exact import InputError
@@ -25,44 +31,84 @@ from tresym.report.pages import coq_page
 from tresym.report.pages.article import article, passages
 from tresym.report.pages.check_tables import by_kind, by_source, measured
 from tresym.report.pages.corrections import corrections
-from tresym.report.pages.ledger_document import ledger_document
-from tresym.report.pages.messages import messages
 from tresym.report.pages.methods import methods
 from tresym.report.pages.numbers import numbers
 from tresym.report.pages.site_data import record
 from tresym.report.pages.symbols import symbols
 from tresym.report.pages.tables import TABLES, table, written
 from tresym.report.pages.trust import trust, trust_details
-from tresym.report.typesetting.paper_location import place_text
-from tresym.report.typesetting.statements import quoted
 
 
 def documents() -> Iterator[tuple[str, str]]:
-    """Yield every generated document as its path below docs/generated and its text."""
-    yield from pages(verify(workers=cores()))
+    """Yield the documents that are in git, as their paths below docs/generated with their texts."""
+    yield from kept(judged())
     yield from drawn()
 
 
-def pages(report: Report) -> Iterator[tuple[str, str]]:
-    """Yield the documents of the ledger and of stored measurements."""
+def judged() -> Report:
+    """Judge the whole ledger, or read the judgement that was stored for the same sources."""
+    from tresym.ledger.paper import all_claims
+    from tresym.ledger.verification import Row
+
+    place, wanted = site_folder() / "judged.pickle", fingerprint()
+    if place.is_file():
+        found, findings = pickle.loads(place.read_bytes())
+        if found == wanted:
+            rows = (Row(claim, replace(findings[claim.label], of=claim)) for claim in all_claims())
+            return Report(tuple(rows))
+    report = verify(workers=cores())
+    findings = {row.claim.label: replace(row.finding, of=None) for row in report.rows}
+    place.parent.mkdir(exist_ok=True)
+    aside = place.with_name(f"judged.{os.getpid()}")
+    aside.write_bytes(pickle.dumps((wanted, findings)))
+    aside.replace(place)
+    return report
+
+
+def fingerprint() -> str:
+    """Return a digest of the sources, the proofs and the stored measurements."""
+    root, digest = site_folder().parent.parent, sha256()
+    files = [
+        *root.glob("tresym/**/*.py"),
+        *root.glob("proofs/**/*"),
+        *root.glob("docs/measurements/*"),
+    ]
+    for path in sorted(path for path in files if path.is_file() and path.suffix != ".pyc"):
+        digest.update(str(path.relative_to(root)).encode() + b"\0" + path.read_bytes() + b"\0")
+    return digest.hexdigest()
+
+
+def kept(report: Report) -> Iterator[tuple[str, str]]:
+    """Yield the documents of the ledger that are in git."""
     yield "derivation.tex", article(report, figures=False)
+    yield "corrections.md", corrections(report)
+
+
+def pages(report: Report) -> Iterator[tuple[str, str]]:
+    """Yield what only the site shows, as paths below docs/_pages with their texts."""
     for name, text in passages(report).items():
         yield f"passages/{name}.txt", text
-    yield "derivation-ledger.tex", ledger_document(report)
-    yield "ledger.md", ledger(report)
     yield "ledger.json", _json(record(report))
     yield "numbers.json", _json(numbers(report))
-    yield "corrections.md", corrections(report)
     yield "symbols.md", symbols(report)
     yield "methods.md", methods()
     yield "coq_proofs.md", coq_page.page()
-    yield "messages.md", messages()
     measured_tests = [*map(saved.load, ("guards", "hunts", "mutants"))]
     yield "trust.md", trust(report, *measured_tests)
     yield "trust-details.md", trust_details(*measured_tests)
-    yield "tables/deciding.md", measured(saved.load("check"))
-    yield "tables/kinds.md", by_kind(saved.load("kinds"))
-    yield "tables/papers.md", by_source(saved.load("papers"))
+    yield "deciding.md", measured(saved.load("check"))
+    yield "kinds.md", by_kind(saved.load("kinds"))
+    yield "papers.md", by_source(saved.load("papers"))
+
+
+def build_pages() -> Path:
+    """Write docs/_pages if it is missing or older than the sources, and return the folder."""
+    home, wanted = site_folder(), fingerprint()
+    mark = home / "sources"
+    if not mark.is_file() or mark.read_text(encoding="utf-8") != wanted:
+        _write_all(home, pages(judged()))
+        mark.write_text(wanted, encoding="utf-8")
+    return home
 
 
 def drawn() -> Iterator[tuple[str, str]]:
@@ -77,43 +123,6 @@ def drawn() -> Iterator[tuple[str, str]]:
         yield f"tables/{name}.tex", written(found, "latex")
 
 
-def ledger(report: Report) -> str:
-    """Write the page of every claim with its place and verdict, in the order of the proofs."""
-    rows = {row.claim.label: row for row in report.rows}
-    counts = ", ".join(f"{n} {verdict}" for verdict, n in report.counts.items() if n)
-    letters = "Symbols are explained in the [table of symbols](../pages/symbols.md)."
-    kinds = report.refuted
-    lines = [
-        "# The ledger",
-        "",
-        f"{len(rows)} claims: {counts}. Of the refuted claims, {kinds['paper']} are statements of "
-        f"the paper, {kinds['stricter']} are stricter readings of its statements, and "
-        f"{kinds['sharpness']} are improvements of our own bounds, whose refutation shows that the "
-        f"bounds are sharp. {letters}",
-        "",
-    ]
-    for title, stated in sections():
-        claims = [claim for claim in stated if claim.label in rows]
-        if not claims:
-            continue
-        lines += [
-            f"## {title}",
-            "",
-            "| claim | place in the paper | verdict | statement |",
-            "|---|---|---|---|",
-        ]
-        for claim in claims:
-            cells = (
-                f"`{claim.label}`",
-                place_text(claim),
-                rows[claim.label].finding.verdict.value,
-                quoted(claim),
-            )
-            lines.append(f"| {' | '.join(cells)} |")
-        lines.append("")
-    return "\n".join(lines)
-
-
 def _json(value: object) -> str:
     return json.dumps(value, ensure_ascii=False, indent=1) + "\n"
 
@@ -124,13 +133,32 @@ def folder() -> Path:
     Raises:
         InputError: tresym does not run from a checkout.
     """
+    return _docs() / "generated"
+
+
+def site_folder() -> Path:
+    """Return docs/_pages of the source checkout, which git ignores; errors as for `folder`."""
+    return _docs() / "_pages"
+
+
+def _docs() -> Path:
     root = Path(tresym.__file__).resolve().parent.parent
     if not (root / "docs").is_dir():
         raise InputError(
             "docs: tresym is not running from a source checkout, so there is no docs folder; "
             "run the command in a checkout"
         )
-    return root / "docs" / "generated"
+    return root / "docs"
+
+
+def _write_all(home: Path, texts: Iterable[tuple[str, str]]) -> list[str]:
+    done = []
+    for name, text in texts:
+        path = home / name
+        os.makedirs(path.parent, exist_ok=True)
+        write_text(str(path), text)
+        done.append(f"docs/{home.name}/{name}")
+    return done
 
 
 def build() -> list[str]:
@@ -139,17 +167,13 @@ def build() -> list[str]:
     Returns:
         The paths written, relative to the checkout.
     """
-    home, done = folder(), []
-    for name, text in documents():
-        path = home / name
-        os.makedirs(path.parent, exist_ok=True)
-        write_text(str(path), text)
-        done.append(f"docs/generated/{name}")
+    done = _write_all(folder(), documents())
+    build_pages()
     return done
 
 
 def stale(built: Iterable[tuple[str, str]] | None = None) -> list[str]:
-    """Return the paths of documents that differ from what would be written.
+    """Return the paths of documents in git that differ from what would be written.
 
     Args:
         built: the documents to compare, as :func:`documents` yields them; None builds all.

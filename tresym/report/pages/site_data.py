@@ -1,6 +1,6 @@
 """The ledger as plain data for the pages of the site.
 
-``tresym docs`` writes it to docs/generated/ledger.json; the site is built from that file alone.
+``tresym docs`` writes it to docs/_pages/ledger.json; the site is built from that file alone.
 """
 
 from __future__ import annotations
