@@ -12,6 +12,7 @@ from dataclasses import replace
 from tresym.asymptotics.path_claims import allows, compared_of, neighbourhood
 from tresym.reals.decisions.answer import Answer, Decide, exact_text, worst
 from tresym.reals.decisions.claim_parsing import LIMIT
+from tresym.reals.decisions.exceptional_values import also_at_holes
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.integrals import without_integrals
 from tresym.reals.decisions.statement import Comparison, Path, Statement
@@ -67,7 +68,9 @@ def _one_side(claim: Comparison, statement: Statement, decided: Decide) -> Answe
     if found is not None and not any(INFINITY.args[0] in symbols(e) for e in found[0]):
         left, right = (*found[0], *infinite)
         answer = decided(replace(claim, left=left, right=right), statement)
-        return replace(answer, why=f"{found[1]}; {answer.why}", region=None, constant=None)
+        answer = replace(answer, why=f"{found[1]}; {answer.why}", region=None, constant=None)
+        known = dict(zip(sides, found[0], strict=True))
+        return also_at_holes(answer, known, claim, statement, decided)
     value = _by_derivatives(claim, path, statement.given)
     if value is not None and allows(claim.relation, value, claim.right, statement.given):
         return Answer(

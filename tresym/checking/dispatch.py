@@ -14,6 +14,7 @@ from tresym.reals.decisions.answer import Answer, Decide, exact_text, refuted, w
 from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.decisions.equalities import decide_equality
 from tresym.reals.decisions.equations import among_integers, decide_under_equations
+from tresym.reals.decisions.exceptional_values import decide_with_jumps
 from tresym.reals.decisions.identity import JUMP
 from tresym.reals.decisions.statement import Comparison, Statement, functions, implied_integers
 from tresym.reals.domain.conditions import Given
@@ -166,7 +167,7 @@ def _decide(comparison: Comparison, statement: Statement) -> Answer:
     parts = _Parts.of(comparison, statement)
     for procedure, applies, _ in ORDER:
         if applies(parts):
-            return procedure(comparison, statement, _bounded)
+            return decide_with_jumps(procedure, comparison, statement, _bounded)
     real = comparison.differentiated, comparison.by
     if left.op == "abs" and relation in ("<", "<=") and not symbols(right):
         halves = (replace(comparison, left=side * left.args[0]) for side in (1, -1))

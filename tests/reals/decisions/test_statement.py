@@ -14,7 +14,9 @@ def test_an_equation_is_solved_for_what_is_linear_in_it() -> None:
     (comparison,) = read("2*x + y == 3*z").comparisons
     found = comparison.solved(symbol("x"))
     assert found is not None
-    assert is_zero(found - parse("(3*z - y)/2"), Given())
+    value, coefficient = found
+    assert is_zero(value - parse("(3*z - y)/2"), Given())
+    assert coefficient == parse("2")
     (comparison,) = read("x**2 + y == 3*z").comparisons
     assert comparison.solved(symbol("x")) is None
 

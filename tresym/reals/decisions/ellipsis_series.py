@@ -18,6 +18,7 @@ from math import factorial
 from flint import fmpq, fmpq_mat, fmpq_poly
 
 from tresym.reals.decisions.answer import Answer, Decide
+from tresym.reals.decisions.exceptional_values import also_at_zeros
 from tresym.reals.decisions.hypergeometric import (
     HIGHEST,
     OpenError,
@@ -70,18 +71,27 @@ def decide_dotted(claim: Comparison, statement: Statement, decided: Decide) -> A
     """Decide an equation with dots in a sum, such as ``1 + x + x**2 + ... == 1/(1 - x)``.
 
     Args:
-        decided: unused; it is here so that all procedures have one signature.
+        decided: the procedure for the claim where the coefficient of the sum vanishes.
     """
     node = next(filter(None, map(_sum_with_dots, (claim.left, claim.right))), None)
     if claim.relation != "==" or node is None or claim.derivatives or statement.equations:
         return Answer(
             _OPEN, ("dots are supported only in a sum of powers on one side of an equation")
         )
-    side = claim.solved(node)
+    solution = claim.solved(node)
+    if solution is None:
+        return Answer(_OPEN, "the equation could not be solved for the sum with dots")
+    side, slope = solution
+    found = _dotted(node, side, statement)
+    return also_at_zeros(found, [slope], claim, statement, decided, node) if found else found
+
+
+def _dotted(node: Expr, side: Expr, statement: Statement) -> Answer:
+    """Decide whether the series in ``node``, written with dots, is the expansion of ``side``."""
     terms = [term for term in node.args if term not in (DOTS, -DOTS)]
-    if side is not None and is_infinite(side) and not statement.path:
+    if is_infinite(side) and not statement.path:
         return _first_of(side, add(*terms), statement.given)
-    if side is None or statement.path or DOTS.args[0] in symbols(side) or not elementary(side):
+    if statement.path or DOTS.args[0] in symbols(side) or not elementary(side):
         return Answer(
             _OPEN,
             "the series with dots must be compared with an elementary "

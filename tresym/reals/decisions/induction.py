@@ -23,6 +23,7 @@ from functools import partial
 
 from tresym.reals.decisions.answer import Answer, Decide, worst
 from tresym.reals.decisions.equations import is_whole
+from tresym.reals.decisions.exceptional_values import also_at_holes, also_at_zeros
 from tresym.reals.decisions.hypergeometric import folded
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.known_values import known_value
@@ -143,9 +144,13 @@ def _said(known: dict[Expr, Expr], how: str) -> str:
 def with_values(
     claim: Comparison, statement: Statement, known: dict[Expr, Expr], said: str, decided: Decide
 ) -> Answer:
-    """Decide the claim with the values of sums, which are shown as ``said``."""
+    """Decide the claim with the values of sums, which are shown as ``said``.
+
+    Where a value is undefined, the claim is decided with the sums themselves.
+    """
     found = decided(claim.mapped(partial(replaced, known=known)), statement)
-    return replace(found, why=f"{said}; {found.why}", region=None)
+    found = replace(found, why=f"{said}; {found.why}", region=None)
+    return also_at_holes(found, known, claim, statement, decided)
 
 
 def _closed_forms(
@@ -377,13 +382,27 @@ def decide_repeated(claim: Comparison, statement: Statement, decided: Decide) ->
         decided: the procedure for claims without such a derivative.
     """
     nodes = [n for n in outermost(claim.left, claim.right) if n.op == "nth"]
-    g = claim.solved(nodes[0]) if len(set(nodes)) == 1 else None
-    if g is None or claim.relation != "==" or claim.derivatives or statement.path is not None:
+    solution = claim.solved(nodes[0]) if len(set(nodes)) == 1 else None
+    if (
+        solution is None
+        or claim.relation != "=="
+        or claim.derivatives
+        or statement.path is not None
+    ):
         return Answer(
             Verdict.UNDECIDED,
             ("a derivative of order n is supported only in an equation that is linear in it"),
         )
-    inner, place, order = nodes[0].args
+    g, slope = solution
+    found = _nth_derivative(nodes[0], g, claim, statement, decided)
+    return also_at_zeros(found, [slope], claim, statement, decided, nodes[0]) if found else found
+
+
+def _nth_derivative(
+    node: Expr, g: Expr, claim: Comparison, statement: Statement, decided: Decide
+) -> Answer:
+    """Decide whether the derivative of order n in ``node`` is ``g``."""
+    inner, place, order = node.args
     f, x = instantiate(inner, (place,)), str(place)
     if order.op != "symbol" or not elementary(f) or str(order) in symbols(f):
         return Answer(

@@ -23,6 +23,7 @@ from typing import NamedTuple
 from flint import arb, fmpq
 
 from tresym.reals.decisions.answer import Answer, Decide, refuted
+from tresym.reals.decisions.exceptional_values import also_at_holes
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.integral_rules import Antiderivatives
 from tresym.reals.decisions.integration_pieces import (
@@ -132,7 +133,9 @@ def decide_integrals(claim: Comparison, statement: Statement, decided: Decide) -
         )
     plain = replace(statement, given=given)
     answer = decided(replace(claim, left=sides[0], right=sides[1]), plain)
-    return replace(answer, why=f"{said}; {answer.why}")
+    answer = replace(answer, why=f"{said}; {answer.why}")
+    known = dict(zip((claim.left, claim.right), sides, strict=True))
+    return also_at_holes(answer, known, claim, statement, decided)
 
 
 def without_integrals(
@@ -193,7 +196,7 @@ def _without_value(claim: Comparison, error: _OpenError) -> Answer | None:
         return None
     if len(nodes) != 1 or not elementary(*nodes[0].args):
         return None
-    value = claim.solved(nodes[0])
+    value = (claim.solved(nodes[0]) or (None,))[0]
     names = _parameters(claim)
     if (
         value is None

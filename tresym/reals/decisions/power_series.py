@@ -29,6 +29,7 @@ from math import factorial
 from flint import fmpq, fmpq_poly
 
 from tresym.reals.decisions.answer import Answer, Decide, exactly, refuted
+from tresym.reals.decisions.exceptional_values import also_at_zeros
 from tresym.reals.decisions.hypergeometric import (
     HIGHEST,
     K,
@@ -96,10 +97,13 @@ def decide_infinite(claim: Comparison, statement: Statement, decided: Decide) ->
         return Answer(Verdict.UNDECIDED, "for a series with variables only equations are supported")
     found = None
     if len(set(nodes)) == 1 and claim.relation == "==" and not statement.integers:
-        side = claim.solved(nodes[0])
-        if side is not None:
+        solution = claim.solved(nodes[0])
+        if solution is not None:
+            side, slope = solution
             found = decide_power_series(side, nodes[0], statement.given)
-            if found or found.verdict is Verdict.REFUTED:
+            if found:
+                return also_at_zeros(found, [slope], claim, statement, decided, nodes[0])
+            if found.verdict is Verdict.REFUTED:
                 return _as_claimed(found, claim, nodes[0])
     known: dict[Expr, Known] = {}
     for node in dict.fromkeys(nodes):

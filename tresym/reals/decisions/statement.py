@@ -65,8 +65,13 @@ class Comparison:
         """The variables by which."""
         return frozenset(found.by for found in self.derivatives)
 
-    def solved(self, node: Expr) -> Expr | None:
-        """Solve the equation for ``node``; None if it is not linear in it."""
+    def solved(self, node: Expr) -> tuple[Expr, Expr] | None:
+        """Solve the equation for ``node``; None if it is not linear in it.
+
+        Returns:
+            The value, and the coefficient that was divided by: where that is 0, the value says
+            nothing, and the claim must be decided by itself.
+        """
         mark = symbol("[S]")
         left, right = (replaced(side, {node: mark}) for side in (self.left, self.right))
         gap = left - right
@@ -74,7 +79,7 @@ class Comparison:
         if "[S]" in symbols(slope) or slope == ZERO:
             return None
         rest = substitute(gap, {"[S]": ZERO})
-        return rest * (-1 / slope)
+        return rest * (-1 / slope), slope
 
     def mapped(self, change: Callable[[Expr], Expr]) -> Comparison:
         """The comparison of changed sides, their derivatives with them."""

@@ -11,7 +11,7 @@ variables.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
 from flint import fmpq
@@ -99,12 +99,12 @@ def cases_at_jumps(sides: tuple[Expr, ...], given: Given) -> Iterator[Case | Non
 def _cases(node: Expr, given: Given) -> Iterator[tuple[dict[Expr, Expr], dict[str, Expr], Given]]:
     """Yield the known values, values of variables and conditions at the jumps of one node."""
     parts = list(zeros(node.args[0], given))
-    values = [_solved(part) for part in parts]
+    values = [value_at_zero(part) for part in parts]
     if None in values and nonzero_inside(_critical(node), given):
         for condition in given.conditions:
             if condition.relation == ">=":
                 end = condition.expression
-                yield {end: ZERO}, _solved(end) or {}, given
+                yield {end: ZERO}, value_at_zero(end) or {}, given
         return
     for part, at in zip(parts, values, strict=True):
         known = {part: ZERO, -part: ZERO}
@@ -140,12 +140,12 @@ def zeros(e: Expr, given: Given) -> Iterator[Expr]:
         yield from zeros(e.args[0], given)
     else:
         factors = [part for part in _polynomials(e) if not is_nonzero(part, given)]
-        yield from factors if all(map(_solved, factors)) else [e]
+        yield from factors if all(map(value_at_zero, factors)) else [e]
 
 
 def _polynomials(e: Expr) -> list[Expr]:
     """Return the factors of a continuous ``e`` that is a quotient of polynomials; else ``[e]``."""
-    if _solved(e) or jumps((e,), Given()):
+    if value_at_zero(e) or jumps((e,), Given()):
         return [e]
     try:
         field = Field(Given())
@@ -162,9 +162,14 @@ def _polynomials(e: Expr) -> list[Expr]:
     ]
 
 
-def _solved(e: Expr) -> dict[str, Expr] | None:
-    """Return the value of a variable at which ``e``, linear in it, vanishes; else None."""
-    for name in sorted(symbols(e)):
+def value_at_zero(e: Expr, fixed: Iterable[str] = ()) -> dict[str, Expr] | None:
+    """Return the value of a variable at which ``e``, linear in it, vanishes; else None.
+
+    Args:
+        e: the expression.
+        fixed: variables for which no value is wanted.
+    """
+    for name in sorted(symbols(e) - {*fixed}):
         slope = differentiate(e, name)
         if slope.op == "number" and slope != ZERO:
             return {name: substitute(e, {name: ZERO}) / -slope}
