@@ -30,6 +30,7 @@ COMMANDS = (
     "export",
     "paper",
     "lsp",
+    "mcp",
     "audit",
     "bench",
     "sweep",

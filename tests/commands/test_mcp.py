@@ -1,0 +1,61 @@
+"""`tresym mcp` with a real client of the protocol, over standard input and output."""
+
+import asyncio
+import json
+import os
+import sys
+from typing import Any
+
+import pytest
+
+from tresym.commands import main
+
+mcp = pytest.importorskip("mcp")
+pytestmark = pytest.mark.slow
+
+
+def called(*calls: tuple[str, dict[str, Any]]) -> tuple[set[str], list[Any]]:
+    """Start a server, and return the names of its tools and the answers to the calls."""
+
+    async def play() -> tuple[set[str], list[Any]]:
+        server = mcp.StdioServerParameters(
+            command=sys.executable,
+            args=["-m", "tresym", "mcp", "--limit", "60"],
+            env={**os.environ},
+        )
+        async with mcp.Client(server) as client:
+            tools = {tool.name for tool in (await client.list_tools()).tools}
+            answers = []
+            for name, arguments in calls:
+                found = await client.call_tool(name, arguments)
+                answers.append(found.structured_content or json.loads(found.content[0].text))
+            return tools, answers
+
+    return asyncio.run(play())
+
+
+def test_claims_and_manuscripts_are_answered_as_on_the_command_line() -> None:
+    tools, answers = called(
+        ("check", {"claim": "exp(x) >= 1 + x"}),
+        ("check", {"claim": "sin(2*x) == sin(x)*cos(x)"}),
+        ("check", {"claim": "sqrt(x**2) == x", "given": "x > 0"}),
+        ("check", {"claim": "((("}),
+        ("paper", {"latex": r"For all real $x$: \[ (x+1)^2 = x^2 + 2x + 1. \]"}),
+    )
+    assert {"check", "paper"} <= tools
+    proved, refuted, conditional, unread, rows = answers
+    assert proved["verdict"] in ("PROVED", "ENCLOSED")
+    assert refuted["verdict"] == "REFUTED"
+    assert refuted["witness"]
+    assert "2*sin(x)*cos(x)" in json.dumps(refuted["instead"])
+    assert conditional["verdict"] == "PROVED"
+    assert unread["error"]
+    assert [row["status"] for row in rows["result"]] == ["PROVED"]
+
+
+def test_a_missing_package_is_named_in_one_line(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setitem(sys.modules, "mcp.server.mcpserver", None)
+    assert main(["mcp"]) == 2
+    assert "pip install 'tresym[mcp]'" in capsys.readouterr().err

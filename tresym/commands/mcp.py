@@ -1,0 +1,98 @@
+"""``tresym mcp``: let an agent or an assistant check formulas, over the Model Context Protocol."""
+
+from __future__ import annotations
+
+import argparse
+from typing import Any
+
+from tresym.commands.parser import Commands, parse_seconds
+from tresym.reals.numbers.exact import InputError
+
+LONGEST = 2_000_000
+"""Characters of a manuscript that a client may send."""
+
+INSTRUCTIONS = """\
+tresym decides mathematical statements about real numbers. Verdicts: PROVED (exact procedure),
+ENCLOSED (interval arithmetic), REFUTED (with a counterexample, and often a true statement instead),
+UNDECIDED (never a pass). Write claims as in Python with == for equality, for example
+'exp(x) >= 1 + x', 'sin(x) == x - x**3/6 + O(x**5) as x -> 0', 'integral(x**2, x, 0, 1) == 1/3'."""
+
+
+def add(commands: Commands) -> None:
+    """Add `tresym mcp` to the command line."""
+    parser = commands.add_parser(
+        "mcp",
+        help="a server for agents: check claims and manuscripts over the Model Context Protocol",
+        description="A server of the Model Context Protocol on standard input and output, to be "
+        "started by an agent or a chat client. Its tools are check and paper; they answer "
+        "with the JSON of the command line. It needs the extra tresym[mcp].",
+    )
+    parser.add_argument("--limit", default="5", metavar="SECONDS", help="for each claim (5)")
+
+
+def run(args: argparse.Namespace) -> int:
+    """Serve until the client disconnects, and return the exit status."""
+    limit = parse_seconds(args.limit)
+    try:
+        from mcp.server.mcpserver import MCPServer
+    except ImportError:
+        raise InputError("mcp: the package mcp is missing: pip install 'tresym[mcp]'") from None
+    server = MCPServer("tresym", instructions=INSTRUCTIONS)
+    for tool in _tools(limit):
+        server.tool()(tool)
+    server.run("stdio")
+    return 0
+
+
+def _tools(limit: float) -> list[Any]:
+    """Return the tools as functions, whose names and docstrings the client sees."""
+
+    def check(claim: str, given: str = "", path: str = "") -> dict[str, Any]:
+        """Decide a claim: an identity, an inequality, a limit, an order, an integral or a sum.
+
+        Args:
+            claim: text such as "exp(x) >= 1 + x", or LaTeX.
+            given: conditions, such as "a > 0, 0 < b <= 1, n integer".
+            path: for limits and orders, such as "x -> 0+", unless the claim says "as x -> 0+".
+        """
+        from dataclasses import replace
+
+        from tresym.checking.time_limited import Task, check_within
+        from tresym.reals.verdict import Verdict
+        from tresym.repair import suggestions
+
+        try:
+            answer = check_within(Task(claim, given, path or None), limit)
+            if answer.verdict is Verdict.REFUTED:
+                asked = [(answer.read_as, (), False, True)]
+                answer = replace(answer, instead=next(suggestions(asked, 1)))
+        except InputError as error:
+            return {"error": str(error)}
+        return answer.as_json()
+
+    def paper(latex: str) -> list[dict[str, Any]]:
+        """Check the displayed formulas of a LaTeX manuscript, one answer for each relation.
+
+        Args:
+            latex: the source, or a part of it with its displays and the text around them.
+        """
+        from pathlib import Path
+        from tempfile import TemporaryDirectory
+
+        from tresym.manuscript.deciding import decided
+        from tresym.manuscript.links import read_links
+        from tresym.manuscript.source import read_manuscript
+
+        if len(latex) > LONGEST:
+            return [{"error": f"the manuscript has more than {LONGEST} characters"}]
+        with TemporaryDirectory() as folder:
+            source = Path(folder) / "manuscript.tex"
+            source.write_text(latex, encoding="utf-8")
+            try:
+                return [
+                    row.as_json() for row in decided(read_links(read_manuscript(source)), limit)
+                ]
+            except InputError as error:
+                return [{"error": str(error)}]
+
+    return [check, paper]
