@@ -285,3 +285,14 @@ class _Printer:
 def _is_negative(e: Expr) -> bool:
     first = e.args[0] if e.op == "*" else e
     return bool(first.op == "number" and first.args[0] < 0)
+
+
+def expression_in_latex(e: Expr) -> str:
+    r"""Return an expression in LaTeX.
+
+    Example:
+        >>> from tresym.reals.language.parsing import parse
+        >>> expression_in_latex(parse("x/2"))
+        '\\frac{x}{2}'
+    """
+    return _Printer(LATEX).shown(e)

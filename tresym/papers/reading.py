@@ -1,0 +1,717 @@
+"""Read a file of claims: one statement a line, with sections and prose between the statements.
+
+The kinds of lines are, in the order in which they are tried:
+
+======================================== ===================================================
+``# Title``, ``## Section``              the title of the paper, and the titles of its sections
+``% words``                              a comment, which appears in no document
+``> words``                              prose, whatever it looks like
+``M, e real; given 0 <= e < 1``          variables (real, integer, natural, positive), conditions
+``u := EXPRESSION``, ``K(k) := …``       a definition of a quantity or of a function
+``table LABEL: at e == 1/10, 1/100``     a table of errors of the claim LABEL
+``chart LABEL``                          a chart of the error of the claim LABEL
+``label: CLAIM``                         a claim, see :class:`PaperClaim`
+anything else                            prose
+======================================== ===================================================
+
+A line that begins with spaces continues the statement before it. A claim is written as for
+``tresym check`` and may end in clauses, in any order: ``given CONDITIONS``, ``as PATH``,
+``at x == 1/5, y == 1``, ``using LABEL, LABEL``, ``expect refuted`` and ``quoted from (Author
+year)``. In a claim ``u ~= 1.1853`` the number is u rounded to the digits that are printed, and
+``a == b <= c`` is a derivation whose steps are decided one by one.
+
+Every line that cannot be read gives one :class:`Problem`, and the other lines are read.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from difflib import get_close_matches
+from functools import cached_property
+from pathlib import Path
+from typing import NamedTuple
+
+from tresym.papers.definitions import Definition, as_called, define, expanded, root_conditions
+from tresym.reals.decisions.claim_parsing import read, read_as, read_path
+from tresym.reals.decisions.statement import chained, functions
+from tresym.reals.language.calls import INFINITY, INTEGERS, KNOWN
+from tresym.reals.language.expression import (
+    DOTS,
+    ORDERS,
+    ZERO,
+    Expr,
+    add,
+    apply,
+    number,
+    substitute,
+    symbol,
+    symbols,
+)
+from tresym.reals.language.latex_tokens import GREEK
+from tresym.reals.language.parsing import Compared, as_written, parse_claim, parse_given
+from tresym.reals.language.unicode_input import plain
+from tresym.reals.numbers.exact import InputError, parse_number
+
+MAX_BYTES = 2_000_000
+"""The largest file that is read."""
+MAX_DIGITS = 1000
+"""The most digits of a table."""
+DIGITS = 10
+"""The digits of a table that states none."""
+RESERVED = KNOWN | ORDERS | {"E", "I", "pi", "oo", "gamma", "EulerGamma", "Catalan", "GoldenRatio"}
+RESERVED |= {"sum", "product", "integral", "limit", "root", "at", "factorial", "binomial", "ZZ"}
+"""Names that the grammar knows, so that a file cannot give them another meaning."""
+KINDS = {"real": (), "integer": (("in", INTEGERS),), "positive": ((">", ZERO),)}
+KINDS["natural"] = (("in", INTEGERS), (">=", number(1)))
+
+_NAME = r"[A-Za-z]\w*"
+_HEADING = re.compile(r"(#{1,3})\s*(.*)")
+_DECLARED = re.compile(
+    rf"({_NAME}(?:\s*,\s*{_NAME})*)\s+({'|'.join(KINDS)})\s*(?:[;,]?\s*given\s+(.+))?"
+)
+_GIVEN = re.compile(r"given\s+(.+)")
+_DEFINED = re.compile(rf"({_NAME})\s*(?:\(([^()]*)\))?\s*:=\s*(.*)")
+_DRAWN = re.compile(r"(table|chart)\s+([A-Za-z][\w-]*)\s*(?::\s*(.*))?")
+_CLAIM = re.compile(r"([A-Za-z][\w-]*)\s*:(?!=)\s*(.*)")
+_RELATION = re.compile(r"[<>=≤≥≠~∼→≈]|->")
+_UNLABELLED = re.compile(r"==|<=|>=|!=|:=|~=|[≤≥≠≈]")
+_QUOTED = re.compile(r"\$[^$]*\$|`[^`]*`")
+_CLAUSE = re.compile(r"\s(given|as|at|using|expect|quoted\s+from)\s+")
+_ROUNDED = re.compile(r"[-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
+_USUAL = re.compile(r"[A-Za-z](?:_?\d+)?(?:_[A-Za-z0-9]+)?")
+"""Variables that need no declaration: single letters, with an index or not."""
+
+
+class Problem(NamedTuple):
+    """What is wrong with a line of a file.
+
+    Attributes:
+        line, column: where, from 1.
+        message: what is wrong and what to write instead.
+    """
+
+    line: int
+    column: int
+    message: str
+
+
+class Value(NamedTuple):
+    """A condition ``name == value`` of a clause ``at``."""
+
+    name: str
+    value: Expr
+
+
+@dataclass(frozen=True)
+class PaperClaim:
+    """A claim of a file, as it is written and as it is decided.
+
+    Attributes:
+        label: its name.
+        line: where it stands in the file, from 1.
+        text: the line as it is written, without the label.
+        shown: the comparisons as written, with the names of definitions.
+        links: the comparisons that are decided, with the definitions put in; for a derivation one
+            for each step. All of them are claimed.
+        given: its own conditions, as written.
+        conditions: all conditions under which it is decided: its own, and the declared ones about
+            its variables.
+        path: the limit process of an asymptotic claim, such as ``e -> 0+``.
+        at: the values of its clause ``at``.
+        near_end: the conditions on the variable of the path. They must hold near the end of the
+            path, and are then left out.
+        must_hold: the declared conditions without variables once the values of ``at`` are put in.
+        uses: the labels of claims above whose formulas are used.
+        rests_on: the names of the definitions that stand in the claim.
+        expect_refuted: whether the file says that the claim is false.
+        source: whom the claim is quoted from; "" for the paper's own.
+        rounded: the number as printed, for ``~=``.
+    """
+
+    label: str
+    line: int
+    text: str
+    shown: tuple[Compared, ...]
+    links: tuple[Compared, ...]
+    given: tuple[Compared, ...] = ()
+    conditions: tuple[Compared, ...] = ()
+    path: str | None = None
+    at: tuple[Value, ...] = ()
+    near_end: tuple[Compared, ...] = ()
+    must_hold: tuple[Compared, ...] = ()
+    uses: tuple[str, ...] = ()
+    rests_on: tuple[str, ...] = ()
+    expect_refuted: bool = False
+    source: str = ""
+    rounded: str = ""
+    by_equation: tuple[tuple[Compared, ...], tuple[Compared, ...]] | None = None
+    """The links and conditions in which a root is a variable that satisfies its equation."""
+
+    @property
+    def is_derivation(self) -> bool:
+        """Whether the claim is a chain of several relations."""
+        return len(self.links) > 1
+
+    @property
+    def asymptotic(self) -> tuple[Expr, Expr, Expr | None] | None:
+        """The exact side, the approximation and the order's comparison function, if it has them."""
+        if len(self.links) != 1:
+            return None
+        left, relation, right = self.links[0]
+        if relation not in ("==", "~", "<=", "<"):
+            return None
+        terms = right.args if right.op == "+" else (right,)
+        orders = [term for term in terms if term.op in ORDERS]
+        if relation in ("<=", "<"):
+            return (*_difference(left), right) if left.op == "abs" else None
+        rest = add(*(term for term in terms if term not in orders)) if orders else right
+        return left, rest, orders[0].args[0] if orders else None
+
+
+def _difference(left: Expr) -> tuple[Expr, Expr]:
+    """|A − B| as A and B: the first term, and the others with the opposite sign."""
+    inner = left.args[0]
+    terms = inner.args if inner.op == "+" else (inner,)
+    return terms[0], -add(*terms[1:]) if terms[1:] else ZERO
+
+
+class Prose(NamedTuple):
+    """A paragraph of words."""
+
+    line: int
+    text: str
+
+
+class Section(NamedTuple):
+    """The title of a section."""
+
+    line: int
+    title: str
+
+
+class Declaration(NamedTuple):
+    """Variables of one kind, and conditions on them."""
+
+    line: int
+    names: tuple[str, ...]
+    kind: str
+    given: tuple[Compared, ...]
+
+
+class Drawn(NamedTuple):
+    """A table or a chart of a claim.
+
+    Attributes:
+        kind: ``"table"`` or ``"chart"``.
+        label: of the claim.
+        at: for each variable the values at which it is shown.
+        digits: the digits that are printed.
+    """
+
+    line: int
+    kind: str
+    label: str
+    at: tuple[tuple[str, tuple[Expr, ...]], ...]
+    digits: int
+
+
+Item = Prose | Section | Declaration | Definition | PaperClaim | Drawn
+
+
+@dataclass(frozen=True)
+class OwnPaper:
+    """A file of claims as it was read.
+
+    Attributes:
+        name: the name of the file.
+        title: its title; the name of the file if it states none.
+        items: its statements and its prose in order.
+        problems: what could not be read.
+    """
+
+    name: str
+    title: str
+    items: tuple[Item, ...]
+    problems: tuple[Problem, ...]
+
+    @cached_property
+    def claims(self) -> Mapping[str, PaperClaim]:
+        """The claims by their labels, in order."""
+        return {item.label: item for item in self.items if isinstance(item, PaperClaim)}
+
+    @cached_property
+    def definitions(self) -> Mapping[str, Definition]:
+        """The definitions by their names, in order."""
+        return {item.name: item for item in self.items if isinstance(item, Definition)}
+
+    def chosen(self, labels: Iterable[str]) -> tuple[PaperClaim, ...]:
+        """Return the claims of these labels, or all if there are none.
+
+        Raises:
+            InputError: a label that no claim has.
+        """
+        found = []
+        for label in dict.fromkeys(labels):
+            if label not in self.claims:
+                raise InputError(
+                    f"{self.name}: no claim is labelled {label}{_near(label, self.claims)}"
+                )
+            found.append(self.claims[label])
+        return tuple(found) or tuple(self.claims.values())
+
+    def drawn(self, kind: str, label: str | None = None) -> tuple[Drawn, ...]:
+        """Return the tables or charts that the file asks for, of one claim or of all."""
+        return tuple(
+            item
+            for item in self.items
+            if isinstance(item, Drawn) and item.kind == kind and label in (None, item.label)
+        )
+
+
+def read_file(path: str | Path) -> OwnPaper:
+    """Read a file of claims.
+
+    Raises:
+        InputError: there is no such file, or it is not text.
+    """
+    try:
+        with Path(path).open("rb") as file:
+            data = file.read(MAX_BYTES + 1)
+    except OSError as error:
+        raise InputError(f"{path}: {error.strerror}") from None
+    if len(data) > MAX_BYTES:
+        raise InputError(f"{path}: a file of claims has at most {MAX_BYTES} bytes")
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = data[: error.start].count(b"\n") + 1
+        raise InputError(f"{path}:{line}: this is not UTF-8 text") from None
+    if "\0" in text:
+        raise InputError(f"{path}: this is not a text file")
+    return read_paper(text, Path(path).name)
+
+
+def read_paper(text: str, name: str = "paper.tresym") -> OwnPaper:
+    """Read the text of a file of claims.
+
+    Example:
+        >>> found = read_paper("a real\\nsquare: a**2 >= 0\\nwrong line: a** >= 0")
+        >>> list(found.claims), [problem.line for problem in found.problems]
+        (['square'], [3])
+    """
+    return _Reader(name).read(text)
+
+
+class _Reader:
+    """Read the lines of a file from top to bottom; what is declared holds from there on."""
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+        self.title = ""
+        self.items: list[Item] = []
+        self.problems: list[Problem] = []
+        self.declared: dict[str, int] = {}
+        self.given: list[Compared] = []
+        self.definitions: dict[str, Definition] = {}
+        self.by_equation: dict[str, Definition] = {}
+        """The definitions with roots as variables, and no definition for such a variable."""
+        self.equations: list[Compared] = []
+        """The equations of these variables, and the ends between which they lie."""
+        self.claims: dict[str, PaperClaim] = {}
+        self.failed: dict[str, int] = {}
+        """Names and labels of lines that could not be read, whose uses need no second message."""
+        self.mentioned: list[tuple[int, str]] = []
+
+    def read(self, text: str) -> OwnPaper:
+        for line, statement in _statements(text):
+            try:
+                self._statement(line, statement)
+            except InputError as error:
+                self._problem(line, statement, str(error), text)
+        self._need_labels(text)
+        self.problems.sort()
+        title = self.title or Path(self.name).stem
+        return OwnPaper(self.name, title, tuple(self.items), tuple(self.problems))
+
+    def _problem(self, line: int, statement: str, message: str, text: str) -> None:
+        match = _DEFINED.fullmatch(statement) or _CLAIM.match(statement)
+        if match:
+            self.failed.setdefault(match[1], line)
+        first = text.split("\n")[line - 1]
+        column = len(first) - len(first.lstrip()) + 1
+        quoted = re.search(r"'([^']+)'", message)
+        words = [quoted[1]] if quoted else []
+        words += [message.split()[0].rstrip(":,")] if message.split() else []
+        for word in words:
+            stands = first.find(word)
+            if stands >= 0:
+                column = stands + 1
+                break
+        self.problems.append(Problem(line, column, message))
+
+    def _need_labels(self, text: str) -> None:
+        """Every table and every chart needs its claim, which may stand below it."""
+        for item in list(self.items):
+            if isinstance(item, Drawn) and item.label not in self.claims:
+                self.items.remove(item)
+                if item.label not in self.failed:
+                    why = f"no claim is labelled {item.label}{_near(item.label, self.claims)}"
+                    self._problem(item.line, item.label, f"{item.kind}: {why}", text)
+
+    def _statement(self, line: int, text: str) -> None:
+        if match := _HEADING.fullmatch(text):
+            if not match[2]:
+                raise InputError("a heading needs a title: # Title, or ## Section")
+            if len(match[1]) == 1 and not self.title:
+                self.title = match[2]
+            else:
+                self.items.append(Section(line, match[2]))
+        elif text.startswith(">"):
+            self._prose(line, text[1:].strip())
+        elif match := _DECLARED.fullmatch(text):
+            self._declare(line, match[1], match[2], match[3] or "")
+        elif match := _GIVEN.fullmatch(text):
+            self._conditions(line, (), "", match[1])
+        elif match := _DEFINED.fullmatch(text):
+            self._define(line, match[1], match[2], match[3])
+        elif match := _DRAWN.fullmatch(text):
+            self.items.append(_drawn(line, match[1], match[2], match[3] or ""))
+        elif match := _CLAIM.fullmatch(text):
+            self._claim(line, match[1], match[2])
+        elif unlabelled := _UNLABELLED.search(_QUOTED.sub("", text)):
+            raise InputError(
+                f"'{unlabelled[0]}' stands in a line without a label: write a claim as "
+                f"label: {text[:60]}, and prose with such a sign as > {text[:20]} …"
+            )
+        else:
+            self._prose(line, text)
+
+    def _prose(self, line: int, text: str) -> None:
+        last = self.items[-1] if self.items else None
+        if isinstance(last, Prose) and last.line + last.text.count("\n") + 1 == line:
+            self.items[-1] = Prose(last.line, f"{last.text}\n{text}")
+        else:
+            self.items.append(Prose(line, text))
+
+    def _declare(self, line: int, written: str, kind: str, given: str) -> None:
+        names = tuple(name.strip() for name in written.split(","))
+        for name in names:
+            self._need_new(name)
+        self._conditions(line, names, kind, given)
+
+    def _conditions(self, line: int, names: tuple[str, ...], kind: str, given: str) -> None:
+        written = tuple(parse_given(plain(as_called(given, self.definitions)))) if given else ()
+        known = {*self.declared, *names, *self.definitions}
+        for side in (side for link in written for side in link[::2]):
+            self._need_known(symbols(side) - {INTEGERS.args[0]}, known)
+        own = tuple((symbol(name), *rest) for name in names for rest in KINDS.get(kind, ()))
+        self.declared |= dict.fromkeys(names, line)
+        self.given += [*own, *(self._expanded(link) for link in written)]
+        self.items.append(Declaration(line, names, kind, written))
+
+    def _need_new(self, name: str) -> None:
+        if name in RESERVED:
+            raise InputError(
+                f"{name} has a meaning of its own in claims, so it cannot be defined or declared: "
+                f"use another name, such as {name}0 or {name}_1"
+            )
+        if name in self.declared:
+            raise InputError(f"{name} is declared on line {self.declared[name]} already")
+        if name in self.definitions:
+            line = self.definitions[name].line
+            raise InputError(f"{name} is defined on line {line} already: use another name")
+
+    def _need_known(self, names: Iterable[str], more: Iterable[str] = ()) -> None:
+        """Every name is declared, defined, or one of the usual letters."""
+        known = {*self.declared, *self.definitions, *more}
+        for name in sorted(names):
+            if name in self.failed:
+                raise InputError(f"{name} stands on line {self.failed[name]}, which is not read")
+            if name not in known and not _USUAL.fullmatch(name) and name.rstrip("_") not in GREEK:
+                raise InputError(
+                    f"{name} is not declared{_near(name, known)}: write the line '{name} real' "
+                    f"above, or write * between the factors of a product"
+                )
+
+    def _expanded(
+        self, link: Compared, definitions: Mapping[str, Definition] | None = None
+    ) -> Compared:
+        known = self.definitions if definitions is None else definitions
+        left, relation, right = link
+        if relation == "in":
+            return link
+        return (expanded(left, known), relation, expanded(right, known))
+
+    def _define(self, line: int, name: str, arguments: str | None, text: str) -> None:
+        self._need_new(name)
+        if not text:
+            raise InputError(f"{name} := needs an expression after it")
+        parameters = tuple(a.strip() for a in arguments.split(",")) if arguments is not None else ()
+        for parameter in parameters:
+            if not re.fullmatch(_NAME, parameter) or parameter in RESERVED:
+                raise InputError(
+                    f"'{parameter}' cannot be the argument of a function: use a letter"
+                )
+        written = as_written(plain(as_called(text, self.definitions)))
+        self._need_known(symbols(written) - {*parameters} - {INFINITY.args[0], DOTS.args[0]})
+        self._need_functions((written,))
+        if name in symbols(written):
+            raise InputError(
+                f"{name} stands in its own definition: define a solution of an equation by "
+                f"{name} := root(f, x, a, b), the zero of f between a and b"
+            )
+        inside = {n: d for n, d in self.definitions.items() if n not in parameters}
+        made = define(line, name, parameters, text, written, inside)
+        self.definitions[name] = replace(made, given=self._about(made.expression, ()))
+        kept = {n: d for n, d in self.by_equation.items() if n not in parameters}
+        same = define(line, name, parameters, text, written, kept)
+        if same.expression.op == "root" and not parameters:
+            self.equations += root_conditions(same.expression, name)
+        else:
+            self.by_equation[name] = same
+        self.items.append(self.definitions[name])
+
+    def _need_functions(self, trees: Iterable[Expr]) -> None:
+        for tree in trees:
+            for node in functions(tree):
+                name = node.args[0].args[0]
+                if name.startswith("fn_"):
+                    raise InputError(f"{name[3:]} is used with another number of arguments")
+
+    def _about(self, e: Expr, more: Iterable[Compared]) -> tuple[Compared, ...]:
+        """The declared conditions about the variables of ``e``, and about those of conditions."""
+        return _connected(symbols(e), self.given, more)
+
+    def _claim(self, line: int, label: str, written: str) -> None:
+        if label in self.claims:
+            raise InputError(f"{label} is the label of line {self.claims[label].line} already")
+        text, clauses = _clauses(written)
+        if not _RELATION.search(text):
+            raise InputError(
+                f"{label}: no relation such as == <= ~ -> follows, so this is not a claim; "
+                f"write prose that begins with a word and a colon as > {label}: …"
+            )
+        uses = tuple(filter(None, re.split(r"[,\s]+", clauses.get("using", ""))))
+        for used in uses:
+            if used not in self.claims:
+                raise InputError(f"'{used}' labels no claim above{_near(used, self.claims)}")
+        source, expect = clauses.get("quoted from", ""), clauses.get("expect", "")
+        if expect.lower() not in ("", "refuted"):
+            raise InputError(f"'{expect}': only 'expect refuted' can be expected of a claim")
+        claim = self._formula(label, line, text, clauses)
+        claim = replace(
+            claim,
+            text=written,
+            uses=uses,
+            expect_refuted=bool(expect),
+            source=source.strip().strip("()"),
+        )
+        cited = tuple(link for used in uses for link in self._cited(claim, self.claims[used]))
+        claim = replace(claim, conditions=(*claim.conditions, *cited))
+        for task in claim.links:
+            read(chained((task,)), chained(claim.conditions), claim.path)
+        self.claims[label] = claim
+        self.items.append(claim)
+
+    def _formula(self, label: str, line: int, text: str, clauses: Mapping[str, str]) -> PaperClaim:
+        """The formula of a claim, with its conditions, its path and the values of its variables."""
+        called = as_called(text, self.definitions)
+        rounded = ""
+        if "~=" in called or "≈" in called:
+            left, rounded = _rounded(called)
+            comparisons = [(as_written(plain(left)), "~=", number(parse_number(rounded)))]
+        else:
+            comparisons = _compared(called)
+        given = tuple(parse_given(plain(as_called(clauses.get("given", ""), self.definitions))))
+        path = read_path(clauses["as"]) if "as" in clauses else None
+        values = tuple(_values(clauses["at"])) if "at" in clauses else ()
+        trees = [side for link in (*comparisons, *given) for side in link[::2]]
+        trees += [value for _, value in values]
+        own = {INFINITY.args[0], DOTS.args[0], INTEGERS.args[0]}
+        self._need_known(frozenset().union(*map(symbols, trees), (v.name for v in values)) - own)
+        links = tuple(self._expanded(link) for link in comparisons)
+        conditions = tuple(self._expanded(link) for link in given)
+        self._need_functions(side for link in (*links, *conditions) for side in link[::2])
+        about = add(*(side for link in links for side in link[::2] if side.op not in own))
+        about_names = symbols(about) | ({path.name} if path else frozenset())
+        about_names |= {value.name for value in values}
+        everything = _connected(about_names, self.given, conditions)
+        put = {value.name: expanded(value.value, self.definitions) for value in values}
+        links, everything, must = _put_in(links, everything, put)
+        near = tuple(c for c in everything if path and path.name in _names(c))
+        links = tuple(_rounding(link, rounded) for link in links) if rounded else links
+        names = frozenset().union(*map(symbols, trees))
+        called_names = {n.args[0].args[0] for e in trees for n in functions(e)}
+        rests = tuple(
+            name
+            for name in self.definitions
+            if name in names or f"fn_{name}" in called_names or name in called_names
+        )
+        by_equation = None
+        if self.equations and path is None:
+            kept = tuple(self._expanded(link, self.by_equation) for link in comparisons)
+            own_kept = tuple(self._expanded(link, self.by_equation) for link in given)
+            more = _connected(
+                frozenset().union(*map(_names, kept), put), (*self.given, *self.equations), own_kept
+            )
+            kept, more, _ = _put_in(kept, more, put)
+            if any(link[1] == "==" for link in more):
+                kept = tuple(_rounding(link, rounded) for link in kept) if rounded else kept
+                by_equation = kept, more
+        return PaperClaim(
+            label,
+            line,
+            text,
+            tuple(comparisons),
+            links,
+            given,
+            tuple(c for c in everything if c not in near),
+            None if path is None else str(path),
+            values,
+            near,
+            must,
+            rests_on=rests,
+            rounded=rounded,
+            by_equation=by_equation,
+        )
+
+
+def _statements(text: str) -> Iterator[tuple[int, str]]:
+    """Yield the statements with their first lines: an indented line continues the one before."""
+    found: list[tuple[int, str]] = []
+    fresh = True
+    for line, written in enumerate(text.split("\n"), 1):
+        stripped = written.strip()
+        if not stripped or stripped.startswith("%"):
+            fresh = fresh or not stripped
+            continue
+        if written[0] in " \t" and not fresh:
+            start, before = found[-1]
+            found[-1] = start, f"{before} {stripped}"
+        else:
+            found.append((line, stripped))
+        fresh = False
+    yield from found
+
+
+def _clauses(written: str) -> tuple[str, dict[str, str]]:
+    """Return the formula of a claim and its clauses by their words."""
+    formula, *rest = _CLAUSE.split(f"{written} ")
+    found: dict[str, str] = {}
+    for word, part in zip(rest[::2], rest[1::2], strict=True):
+        name = " ".join(word.split())
+        if name in found:
+            raise InputError(f"'{name}' begins two clauses of the claim; join them by a comma")
+        found[name] = part.strip()
+        if not found[name]:
+            raise InputError(f"'{name}' needs words after it")
+    return formula.strip(), found
+
+
+def _compared(text: str) -> list[Compared]:
+    """The comparisons of a claim, in text, LaTeX or with signs of print."""
+    try:
+        return parse_claim(plain(text))
+    except InputError:
+        again = read_as(text)
+        if not again or " given " in again or " as " in again:
+            raise
+        return parse_claim(again)
+
+
+def _rounded(text: str) -> tuple[str, str]:
+    """The two sides of ``u ~= 1.1853``."""
+    left, *rest = re.split("~=|≈", text)
+    right = rest[0].strip()
+    if len(rest) > 1 or not _ROUNDED.fullmatch(right):
+        raise InputError(
+            f"'{right}' is not a decimal number: u ~= 1.1853 says that u rounds to these digits; "
+            "for two quantities write a ~ b with a path, or abs(a - b) <= 0.005"
+        )
+    return left, right
+
+
+def _rounding(link: Compared, rounded: str) -> Compared:
+    """``u ~= 1.1853`` as the distance from the number, at most half a unit of its last digit."""
+    left, _, right = link
+    digits, _, exponent = rounded.lower().partition("e")
+    places = len(digits.partition(".")[2]) - int(exponent or 0)
+    unit = parse_number(f"0.5e{-places}")
+    return apply("abs", left - right), "<=", number(unit)
+
+
+def _values(text: str) -> Iterator[Value]:
+    for left, relation, right in parse_given(plain(text)):
+        if left.op != "symbol" or relation != "==":
+            raise InputError(f"'{chained(((left, relation, right),))}': write at x == 1/5, y == 2")
+        yield Value(str(left.args[0]), right)
+
+
+def _names(link: Compared) -> frozenset[str]:
+    return symbols(link[0]) | (symbols(link[2]) - {INTEGERS.args[0]})
+
+
+def _connected(
+    names: frozenset[str], declared: Iterable[Compared], own: Iterable[Compared]
+) -> tuple[Compared, ...]:
+    """Return a claim's own conditions, and the declared ones that concern its variables.
+
+    A condition that relates one of its variables to another brings in the conditions on that one.
+    """
+    kept = list(own)
+    names = names.union(*map(_names, kept))
+    left = list(declared)
+    while found := [link for link in left if _names(link) & names]:
+        kept += found
+        left = [link for link in left if link not in found]
+        names = names.union(*map(_names, found))
+    order = {id(link): n for n, link in enumerate((*declared, *own))}
+    return tuple(dict.fromkeys(sorted(kept, key=lambda link: order[id(link)])))
+
+
+def _put_in(
+    links: tuple[Compared, ...], given: tuple[Compared, ...], values: Mapping[str, Expr]
+) -> tuple[tuple[Compared, ...], tuple[Compared, ...], tuple[Compared, ...]]:
+    """Put values in for variables; return also the conditions that have no variables then."""
+    if not values:
+        return links, given, ()
+
+    def put(link: Compared) -> Compared:
+        return substitute(link[0], values), link[1], substitute(link[2], values)
+
+    changed = tuple(map(put, given))
+    must = tuple(link for link in changed if not _names(link))
+    return tuple(map(put, links)), tuple(link for link in changed if _names(link)), must
+
+
+def _drawn(line: int, kind: str, label: str, text: str) -> Drawn:
+    """Read ``at e == 1/10, 1/100; M == 1, 3; digits 50``."""
+    at: list[tuple[str, tuple[Expr, ...]]] = []
+    digits = DIGITS
+    for part in filter(None, (part.strip() for part in text.split(";"))):
+        words = part.removeprefix("at ").strip()
+        if match := re.fullmatch(r"digits\s+(\d{1,9})", words):
+            digits = int(match[1])
+            if not 1 <= digits <= MAX_DIGITS:
+                raise InputError(f"digits {match[1]}: give a number from 1 to {MAX_DIGITS}")
+            continue
+        name, equal, values = words.partition("==")
+        if not equal or not re.fullmatch(_NAME, name.strip()):
+            raise InputError(
+                f"'{part}' is not read: write {kind} {label}: at x == 1/10, 1/100; digits 20"
+            )
+        several = tuple(as_written(plain(value)) for value in values.split(","))
+        if any(symbols(value) for value in several):
+            raise InputError(f"'{part}': the values must be numbers")
+        at.append((name.strip(), several))
+    return Drawn(line, kind, label, tuple(at), digits)
+
+
+def _near(word: str, known: Iterable[str]) -> str:
+    close = get_close_matches(word, list(known), 1)
+    return f" (did you mean {close[0]}?)" if close else ""
+
+
+__all__ = ["OwnPaper", "PaperClaim", "Problem", "read_file", "read_paper"]
