@@ -18,6 +18,7 @@ LAYERS = (
     ("checking",),
     ("repair",),
     ("racket", "output", "ledger"),
+    ("papers",),
     ("sweep", "proofs", "coq", "manuscript"),
     ("report", "dev"),
     ("commands",),

@@ -29,6 +29,7 @@ COMMANDS = (
     "check",
     "export",
     "paper",
+    "new",
     "lsp",
     "mcp",
     "audit",

@@ -11,6 +11,8 @@ from contextlib import contextmanager
 from importlib.util import find_spec
 from typing import TYPE_CHECKING
 
+from tresym.commands import claims_file
+from tresym.commands.claims_file import is_file_of_claims
 from tresym.commands.parser import UNEXPECTED, Commands, add_options, deliver
 from tresym.output import check_replaceable, make_folder, write_bytes
 from tresym.reals.numbers.exact import InputError
@@ -28,13 +30,19 @@ def add(commands: Commands) -> None:
         help="the article with its figures, slides, a notebook, or single derivations to paste",
         description=(
             "Without labels, write the article about the paper, in LaTeX. With labels, write the "
-            "derivation of each of these claims, to paste into a text of your own."
+            "derivation of each of these claims, to paste into a text of your own. With a file "
+            "of claims first, write its document, or the derivations of these claims of it."
         ),
         epilog="With -o article.tex the figures are written to the folder article-figures. They "
         "need matplotlib: pip install -e '.[docs]'. "
         "Exit status: 1, without output, if a requested claim is refuted.",
     )
-    parser.add_argument("labels", nargs="*", metavar="LABEL", help="claims, such as eq_gamma")
+    parser.add_argument(
+        "labels",
+        nargs="*",
+        metavar="[FILE.tresym] LABEL",
+        help="claims of the file, or of the racket paper, such as eq_gamma",
+    )
     parser.add_argument(
         "--style",
         choices=STYLES,
@@ -62,6 +70,18 @@ def add(commands: Commands) -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Run the command and return its exit status."""
+    if is_file_of_claims(args.labels):
+        if args.ledger or args.appendix:
+            raise InputError("derive: --ledger and --appendix are for the racket paper")
+        return claims_file.derive(
+            args.labels[0],
+            args.labels[1:],
+            style=args.style,
+            target=args.path,
+            refuted=args.refuted,
+            figures=args.figures,
+            force=args.force,
+        )
     _check(args)
     return _pieces(args) if args.labels else _document(args)
 

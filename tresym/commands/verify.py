@@ -8,6 +8,8 @@ from itertools import count
 from shutil import get_terminal_size
 from typing import TYPE_CHECKING
 
+from tresym.commands import claims_file
+from tresym.commands.claims_file import is_file_of_claims
 from tresym.commands.parser import (
     UNEXPECTED,
     Commands,
@@ -15,6 +17,7 @@ from tresym.commands.parser import (
     add_output,
     deliver,
     in_a_checkout,
+    parse_seconds,
     worker_count,
 )
 from tresym.ledger.finding import RULINGS, Premise, Ruling
@@ -33,11 +36,17 @@ def add(commands: Commands) -> None:
     parser = commands.add_parser(
         "verify",
         help="verify every claim, or some claims and everything they depend on",
-        description="Give every statement of the paper a verdict: PROVED, ENCLOSED, REFUTED or "
-        "UNDECIDED. Definitions are DEFINED, physical assumptions are ASSUMED.",
-        epilog="Exit status: 1 if a verdict is not the expected one, or a false variant passes.",
+        description="Give every statement of the paper, or of your own file of claims, a verdict: "
+        "PROVED, ENCLOSED, REFUTED or UNDECIDED. Definitions are DEFINED, assumptions are ASSUMED.",
+        epilog="Exit status: 1 if a verdict is not the expected one, or a false variant passes; 2 "
+        "if a line of the file cannot be read.",
     )
-    parser.add_argument("labels", nargs="*", metavar="LABEL", help="claims, such as eq_gamma")
+    parser.add_argument(
+        "labels",
+        nargs="*",
+        metavar="[FILE.tresym] LABEL",
+        help="claims of the file, or of the racket paper, such as eq_gamma",
+    )
     add_options(
         parser,
         ("--graph", "print the dependencies of the claims as a Mermaid graph"),
@@ -45,6 +54,7 @@ def add(commands: Commands) -> None:
         ("--full", "search for the stored box proofs again instead of checking them"),
         ("--save-certificates", "with --full, store the box proofs that were found"),
         ("--workers N", "number of processes (default: one per core)"),
+        ("--limit SECONDS", "for each claim of a file (20)"),
     )
     add_output(parser)
 
@@ -53,6 +63,10 @@ def run(args: argparse.Namespace) -> int:
     """Run the command and return its exit status."""
     if args.save_certificates and not args.full:
         raise InputError("--save-certificates stores what --full finds; give both options")
+    if is_file_of_claims(args.labels):
+        return _verify_file(args)
+    if args.limit is not None:
+        raise InputError("verify: --limit is for a file of claims: tresym verify FILE.tresym")
     if not args.full:
         return _verify_claims(args)
     from tresym.ledger.evidence.box_bounds import finding_anew
@@ -63,6 +77,20 @@ def run(args: argparse.Namespace) -> int:
         checkout_file()  # refused before the search, not after it
     with finding_anew():
         return _verify_claims(args)
+
+
+def _verify_file(args: argparse.Namespace) -> int:
+    if args.full or args.mutants:
+        raise InputError("verify: --full and --mutants are for the racket paper, without a file")
+    return claims_file.verify(
+        args.labels[0],
+        args.labels[1:],
+        as_json=args.json,
+        graph=args.graph,
+        target=args.path,
+        limit=None if args.limit is None else parse_seconds(args.limit),
+        workers=worker_count(args.workers),
+    )
 
 
 def _verify_claims(args: argparse.Namespace) -> int:

@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
+from tresym.reals.decisions.statement import functions
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
@@ -147,6 +148,11 @@ def _call(definition: Definition, orders: tuple[int, ...], values: tuple[Expr, .
         for _ in range(times):
             body = differentiate(body, parameter)
     return substitute(body, dict(zip(parameters, values, strict=True)))
+
+
+def names_in(e: Expr) -> frozenset[str]:
+    """Return the names of the variables and of the functions in an expression."""
+    return symbols(e) | {node.args[0].args[0].removeprefix(PREFIX) for node in functions(e)}
 
 
 def root_conditions(root: Expr, name: str) -> Iterator[Compared]:

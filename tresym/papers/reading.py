@@ -33,7 +33,14 @@ from functools import cached_property
 from pathlib import Path
 from typing import NamedTuple
 
-from tresym.papers.definitions import Definition, as_called, define, expanded, root_conditions
+from tresym.papers.definitions import (
+    Definition,
+    as_called,
+    define,
+    expanded,
+    names_in,
+    root_conditions,
+)
 from tresym.reals.decisions.claim_parsing import read, read_as, read_path
 from tresym.reals.decisions.statement import chained, functions
 from tresym.reals.language.calls import INFINITY, INTEGERS, KNOWN
@@ -337,7 +344,7 @@ class _Reader:
 
     def _problem(self, line: int, statement: str, message: str, text: str) -> None:
         match = _DEFINED.fullmatch(statement) or _CLAIM.match(statement)
-        if match:
+        if match and match[1] not in {*self.declared, *self.definitions, *self.claims}:
             self.failed.setdefault(match[1], line)
         first = text.split("\n")[line - 1]
         column = len(first) - len(first.lstrip()) + 1
@@ -515,6 +522,22 @@ class _Reader:
         self.claims[label] = claim
         self.items.append(claim)
 
+    def _cited(self, claim: PaperClaim, used: PaperClaim) -> tuple[Compared, ...]:
+        """The formulas of a claim that is used, which must hold under the same conditions."""
+        if used.path is not None:
+            raise InputError(f"'{used.label}' is asymptotic: only claims at points can be used")
+        if used.expect_refuted:
+            raise InputError(f"'{used.label}' is expected to be refuted, so it cannot be used")
+        for link in used.conditions:
+            if link not in claim.conditions:
+                shown = chained((link,))
+                raise InputError(
+                    f"'{used.label}' holds given {shown}: add this condition to the claim"
+                )
+        for link in used.links:
+            parse_given(chained((link,)))
+        return used.links
+
     def _formula(self, label: str, line: int, text: str, clauses: Mapping[str, str]) -> PaperClaim:
         """The formula of a claim, with its conditions, its path and the values of its variables."""
         called = as_called(text, self.definitions)
@@ -542,13 +565,8 @@ class _Reader:
         links, everything, must = _put_in(links, everything, put)
         near = tuple(c for c in everything if path and path.name in _names(c))
         links = tuple(_rounding(link, rounded) for link in links) if rounded else links
-        names = frozenset().union(*map(symbols, trees))
-        called_names = {n.args[0].args[0] for e in trees for n in functions(e)}
-        rests = tuple(
-            name
-            for name in self.definitions
-            if name in names or f"fn_{name}" in called_names or name in called_names
-        )
+        names = frozenset().union(*map(names_in, trees))
+        rests = tuple(name for name in self.definitions if name in names)
         by_equation = None
         if self.equations and path is None:
             kept = tuple(self._expanded(link, self.by_equation) for link in comparisons)

@@ -12,6 +12,7 @@ definition nor a claim about the root counts as shown.
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import nullcontext
@@ -22,7 +23,7 @@ from typing import Any
 from tresym.checking.answer_cache import cached_answers
 from tresym.checking.time_limited import Task, check_all
 from tresym.ledger.finding import RULINGS, Premise, Ruling
-from tresym.papers.definitions import Definition
+from tresym.papers.definitions import Definition, names_in
 from tresym.papers.reading import OwnPaper, PaperClaim
 from tresym.reals.decisions.answer import Alternative, Answer, worst
 from tresym.reals.decisions.statement import chained
@@ -49,6 +50,8 @@ LIMIT = 20.0
 DEFINEDNESS = 2.0
 """The seconds in which a definition is shown to have a value."""
 UNDECIDED = Verdict.UNDECIDED
+_LOOK_ALIKE = re.compile(r"; (?:e|i|I) is read as a variable, not [^;]*")
+"""A remark on the letters e and i, which a file declares as variables."""
 
 
 @dataclass(frozen=True)
@@ -95,32 +98,44 @@ class Row:
 
     def as_json(self) -> dict[str, Any]:
         """A JSON value; every key is always there."""
-        item, answer = self.item, self.decisive
-        claimed = isinstance(item, PaperClaim)
-        defined = not isinstance(item, PaperClaim)
-        return {
+        answer = self.decisive
+        found: dict[str, Any] = {
             "label": self.label,
             "requested": self.requested,
-            "kind": "definition" if defined else "derivation" if item.is_derivation else "claim",
-            "says": f"{item.head} := {item.text}" if defined else item.text,
-            "means": [chained((link,)) for link in item.links] if claimed else [],
+            "kind": "definition",
+            "says": "",
+            "means": [],
             "formal": True,
-            "given": chained(item.conditions if claimed else item.given),
+            "given": "",
             "verdict": self.verdict.value,
             "why": self.why,
-            "expect": "REFUTED" if claimed and item.expect_refuted else None,
-            "value": item.rounded or None if claimed else None,
+            "expect": None,
+            "value": None,
             "constant": None if not answer or not answer.constant else answer.constant._asdict(),
             "region": answer and answer.region,
-            "parameter": item.path if claimed else None,
-            "steps": [found.as_json() for found in self.answers],
-            "where": item.line,
+            "parameter": None,
+            "steps": [one.as_json() for one in self.answers],
+            "where": self.item.line,
             "witness": None if not answer or not answer.witness else dict(answer.witness),
-            "amended_by": [f"{found.claim} given {found.given}" for found in self.instead],
-            "uses": [*item.uses, *item.rests_on] if claimed else [],
+            "amended_by": [f"{one.claim} given {one.given}" for one in self.instead],
+            "uses": [],
             "axioms": list(self.axioms),
             "coq": None,
             "seconds": round(self.seconds, 6),
+        }
+        if isinstance(self.item, Definition):
+            own = {"says": f"{self.item.head} := {self.item.text}"}
+            return found | own | {"given": chained(self.item.given)}
+        claim = self.item
+        return found | {
+            "kind": "derivation" if claim.is_derivation else "claim",
+            "says": claim.text,
+            "means": [chained((link,)) for link in claim.links],
+            "given": chained(claim.conditions),
+            "expect": "REFUTED" if claim.expect_refuted else None,
+            "value": claim.rounded or None,
+            "parameter": claim.path,
+            "uses": [*claim.uses, *claim.rests_on],
         }
 
 
@@ -236,9 +251,9 @@ def _needed(paper: OwnPaper, labels: Iterable[str]) -> set[str]:
             open_labels += claim.uses
     if set(paper.claims) <= found:
         return found | {f":= {name}" for name in paper.definitions}
-    for definition in reversed(paper.definitions.values()):
+    for definition in reversed(tuple(paper.definitions.values())):
         if f":= {definition.name}" in found:
-            names = symbols(definition.written)
+            names = names_in(definition.written)
             found |= {f":= {name}" for name in names if name in paper.definitions}
     return found
 
@@ -302,7 +317,7 @@ def _claim_row(claim: PaperClaim, found: list[Answer], rows: Mapping[str, Row]) 
     seconds = sum(answer.seconds for answer in found)
     answer = worst(steps)
     verdict: Ruling = answer.verdict
-    why = answer.why
+    why = _LOOK_ALIKE.sub("", answer.why)
     if claim.is_derivation and answer.verdict is not Verdict.PROVED:
         number = steps.index(answer) + 1
         why = f"step {number} of {len(steps)}: {why}"
@@ -312,12 +327,10 @@ def _claim_row(claim: PaperClaim, found: list[Answer], rows: Mapping[str, Row]) 
             why = f"the values do not satisfy the declared condition {chained((link,))}"
     for link, one in zip(claim.near_end, near, strict=True):
         if not one.verdict.holds:
-            verdict, why = (
-                UNDECIDED,
-                (
-                    f"the condition {chained((link,))} is not shown to hold near the end of the path "
-                    f"{claim.path}: write a path on which it does, such as x -> 0+ for x -> 0"
-                ),
+            verdict = UNDECIDED
+            why = (
+                f"the condition {chained((link,))} is not shown to hold near the end of the path "
+                f"{claim.path}: write a path on which it does, such as x -> 0+ for x -> 0"
             )
     axioms: list[str] = []
     for key in (*claim.uses, *(f":= {name}" for name in claim.rests_on)):
@@ -337,6 +350,8 @@ def _claim_row(claim: PaperClaim, found: list[Answer], rows: Mapping[str, Row]) 
 def _instead(row: Row, processes: int | None) -> tuple[Alternative, ...]:
     answer = row.decisive
     assert answer is not None
+    if isinstance(row.item, PaperClaim) and row.item.rounded:
+        return ()
     return next(suggestions([(answer.read_as, (), False, True)], processes))
 
 
@@ -356,10 +371,8 @@ def _root_tasks(root: Expr, definition: Definition) -> list[Task]:
     upper end, and that of its slope between.
     """
     low, high = root.args[1:]
-    name = fresh(
-        root.names[0],
-        symbols(root).union(*(symbols(s) for c in definition.given for s in (c[0], c[2]))),
-    )
+    said = (symbols(side) for link in definition.given for side in link[::2])
+    name = fresh(root.names[0], symbols(root).union(*said))
     body = instantiate(root.args[0], (symbol(name),))
     line, given = definition.line, definition.given
     tasks = []
@@ -389,7 +402,7 @@ def _between(name: str, root: Expr) -> Iterator[Compared]:
 def _definition_row(definition: Definition, found: list[Answer], rows: Mapping[str, Row]) -> Row:
     """The row of a definition: whether its value is shown to exist."""
     seconds = sum(answer.seconds for answer in found)
-    for name in symbols(definition.written):
+    for name in names_in(definition.written):
         used = rows.get(f":= {name}")
         if used is not None and not used.verdict.holds:
             why = f"it depends on {name}, which is not shown to be defined"

@@ -1,0 +1,99 @@
+"""Files of claims: what is read of each kind of line, and what is refused with which words."""
+
+import pytest
+
+from tresym.papers.reading import OwnPaper, read_file, read_paper
+from tresym.reals.numbers.exact import InputError
+
+
+def test_the_kinds_of_lines() -> None:
+    text = (
+        "# Title\n% comment\na, b real; given 0 < a < 1\n\n## Part\nprose\n> more: a == b\n"
+        "u := a**2\nf(x) := x*u\nsmall: f(a) < 1\n  given b > 0\n"
+        "table small: at a == 1/2, 1/3; digits 5\n"
+    )
+    found = read_paper(text)
+    assert not found.problems
+    assert found.title == "Title"
+    kinds = [type(item).__name__ for item in found.items]
+    assert kinds == [
+        "Declaration",
+        "Section",
+        "Prose",
+        "Definition",
+        "Definition",
+        "PaperClaim",
+        "Drawn",
+    ]
+    claim = found.claims["small"]
+    assert str(claim.links[0][0]) == "a*a**2"
+    assert claim.rests_on == ("f",)
+    assert found.drawn("table")[0].digits == 5
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        ("E := 3", "has a meaning of its own"),
+        ("pi real", "has a meaning of its own"),
+        ("gamma := 3", "has a meaning of its own"),
+        ("a := 3", "declared on line 1 already"),
+        ("u := u + 1", "its own definition"),
+        ("u := ", "needs an expression"),
+        ("a <= 2", "without a label"),
+        ("Note: words", "no relation"),
+        ("c: a** <= 2", "is not an expression"),
+        ("c: eps <= 2", "eps is not declared"),
+        ("c: a <= 2 expect proved", "only 'expect refuted'"),
+        ("c: a <= 2 using d", "labels no claim above"),
+        ("c: a <= 2 given a > 0 given a > 1", "begins two clauses"),
+        ("c: a ~= b", "is not a decimal number"),
+        ("c: a == a + O(a)", "needs its path"),
+        ("table c: at a == 1/2", "no claim is labelled c"),
+        ("c: a >= 0 at a > 1", "write at x == 1/5"),
+        ("#", "a heading needs a title"),
+        ("f(x) := x\nc: f(1, 2) == 1", "f takes 1 argument, 2 given"),
+        ("u := a**2\nc: integral(u, u, 0, 1) == 1", "cannot be the variable"),
+    ],
+)
+def test_a_wrong_line_is_told_with_its_place_and_stops_no_other(line: str, message: str) -> None:
+    found = read_paper(f"a real\n{line}\nlast: a**2 >= 0\n")
+    assert [p.line for p in found.problems] == [1 + len(line.split("\n"))]
+    assert message in found.problems[0].message
+    assert "\n" not in found.problems[0].message
+    assert "last" in found.claims
+
+
+def test_the_place_of_an_error_is_that_of_the_word() -> None:
+    (problem,) = read_paper("c: x + 1 <= 2*eps\n").problems
+    assert problem.column == 15
+
+
+def given_of(paper: OwnPaper, label: str) -> int:
+    return len(paper.claims[label].conditions)
+
+
+def test_conditions_are_those_on_the_variables_and_what_they_are_related_to() -> None:
+    found = read_paper("x, y, z real; given x > y, y > 5, z > 0\nc: x > 5\nd: z > 0\n")
+    assert given_of(found, "c") == 2
+    assert given_of(found, "d") == 1
+
+
+def test_a_definition_is_an_abbreviation_below_a_derivative_and_an_integral() -> None:
+    found = read_paper("a real\nu := a**2\nd: diff(u, a) == 2*a\ni: integral(u, a, 0, 1) == 1/3\n")
+    assert str(found.claims["d"].links[0][0]) == "diff(a**2, a)"
+    assert str(found.claims["i"].links[0][0]) == "integral(a**2, a, 0, 1)"
+
+
+def test_an_argument_is_not_captured() -> None:
+    found = read_paper("f(x) := integral(x*t, t, 0, 1)\nc: f(t) == t/2\n")
+    assert str(found.claims["c"].links[0][0]) == "integral(t*t_1, t_1, 0, 1)"
+
+
+def test_files_that_are_no_text(tmp_path) -> None:  # type: ignore[no-untyped-def]
+    bad = tmp_path / "bad.tresym"
+    bad.write_bytes(b"x: 1 == 1\n\xff\xfe")
+    with pytest.raises(InputError, match=r":2: this is not UTF-8"):
+        read_file(bad)
+    with pytest.raises(InputError, match="No such file"):
+        read_file(tmp_path / "none.tresym")

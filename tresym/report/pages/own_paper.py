@@ -1,0 +1,385 @@
+r"""Write the documents of a file of claims: an article in LaTeX, fragments, Markdown, a notebook.
+
+Prose is carried over, every statement is printed as it is written in the file, with its verdict and
+the reason, and a derivation step by step. A claim that is UNDECIDED is marked as not proved, and a
+refuted one stands with its counterexample and, if one was found, with a true statement close to it.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Collection, Iterator, Mapping
+from typing import NamedTuple
+
+from tresym.ledger.finding import Premise
+from tresym.papers.definitions import PREFIX, Definition
+from tresym.papers.reading import (
+    Declaration,
+    Drawn,
+    OwnPaper,
+    PaperClaim,
+    Prose,
+    Section,
+)
+from tresym.papers.verification import PaperReport, Row
+from tresym.reals.decisions.answer import ball_text
+from tresym.reals.decisions.claim_parsing import in_latex, read_path
+from tresym.reals.language.calls import INFINITY, INTEGERS
+from tresym.reals.language.expression import (
+    LEAVES,
+    Expr,
+    bind,
+    instantiate,
+    rebuild,
+    symbol,
+    unknown,
+)
+from tresym.reals.language.parsing import Compared
+from tresym.reals.language.typesetting import expression_in_latex, to_latex
+from tresym.reals.verdict import Verdict
+from tresym.report.pages import notebook
+
+STYLES = ("article", "markdown", "jupyter")
+_TEX = {
+    "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "&": r"\&", "%": r"\%", "#": r"\#",
+    "_": r"\_", "^": r"\textasciicircum{}", "~": r"\textasciitilde{}", "<": r"\textless{}",
+    ">": r"\textgreater{}", "|": r"\textbar{}",
+}  # fmt: skip
+_PIECES = re.compile(r"\$[^$\n]+\$|`[^`\n]+`")
+_KINDS = {
+    "real": ("a real number", "real numbers"),
+    "integer": ("an integer", "integers"),
+    "natural": ("a positive integer", "positive integers"),
+    "positive": ("a positive number", "positive numbers"),
+}
+_PREAMBLE = r"""\documentclass[a4paper,11pt]{article}
+\usepackage{iftex}
+\ifPDFTeX
+  \usepackage[T1]{fontenc}
+  \usepackage[utf8]{inputenc}
+  \usepackage{lmodern}
+\else
+  \usepackage{fontspec}
+\fi
+\usepackage{amsmath,amssymb,graphicx,booktabs,geometry,microtype}
+\usepackage[hidelinks]{hyperref}
+\geometry{margin=28mm}
+\emergencystretch=2em
+\allowdisplaybreaks
+"""
+
+
+class Pictures(NamedTuple):
+    """The tables and charts of a document, written out, by their place in the file.
+
+    Attributes:
+        tables: the table of a line of the file, in the language of the document.
+        charts: the path of the picture of a line of the file, as the document names it.
+    """
+
+    tables: Mapping[int, str] = {}
+    charts: Mapping[int, str] = {}
+
+
+class _Style(NamedTuple):
+    """How the parts of a document are written in one language."""
+
+    words: Callable[[str], str]
+    section: Callable[[str], str]
+    formula: Callable[[str], str]
+    """A formula in a line of text."""
+    display: Callable[[str, str], str]
+    """A displayed formula, and its label."""
+    strong: Callable[[str], str]
+    code: Callable[[str], str]
+    refer: Callable[[str], str]
+    picture: Callable[[str], str]
+
+
+def tex_words(text: str) -> str:
+    r"""Return words in LaTeX; formulas between dollars stay, and code between back quotes.
+
+    Example:
+        >>> tex_words("50 % of $x_1$")
+        '50 \\% of $x_1$'
+    """
+    found, last = "", 0
+    for piece in _PIECES.finditer(text):
+        found += _escaped(text[last : piece.start()])
+        inside = piece[0]
+        found += inside if inside[0] == "$" else rf"\texttt{{{_escaped(inside[1:-1])}}}"
+        last = piece.end()
+    return found + _escaped(text[last:])
+
+
+def _escaped(text: str) -> str:
+    return "".join(_TEX.get(character, character) for character in text)
+
+
+def _md_words(text: str) -> str:
+    return text
+
+
+_LATEX = _Style(
+    tex_words,
+    lambda title: f"\\section*{{{tex_words(title)}}}\n",
+    lambda formula: f"${formula}$",
+    lambda formula, label: (
+        f"\\begin{{equation}}\n\\label{{tresym:{label}}}\n{formula}\n\\end{{equation}}\n"
+        if label
+        else f"\\[\n{formula}\n\\]\n"
+    ),
+    lambda text: rf"\textbf{{{text}}}",
+    lambda text: rf"\texttt{{{_escaped(text)}}}",
+    lambda label: rf"\eqref{{tresym:{label}}}",
+    lambda path: (
+        f"\\begin{{center}}\\includegraphics[width=0.8\\linewidth]{{{path}}}\\end{{center}}\n"
+    ),
+)
+_MARKDOWN = _Style(
+    _md_words,
+    lambda title: f"## {title}\n",
+    lambda formula: f"${formula}$",
+    lambda formula, label: f"$$\n{formula}\n$$\n",
+    lambda text: f"**{text}**",
+    lambda text: f"`{text}`",
+    lambda label: f"`{label}`",
+    lambda path: f"![]({path})\n",
+)
+
+
+def document(report: PaperReport, style: str = "article", pictures: Pictures | None = None) -> str:
+    """Write the whole paper.
+
+    Args:
+        report: the verified file.
+        style: ``article`` (LaTeX), ``markdown`` or ``jupyter``.
+        pictures: its tables and charts, if they were drawn.
+    """
+    if style == "jupyter":
+        return _notebook(report)
+    look = _LATEX if style == "article" else _MARKDOWN
+    body = "\n".join(_blocks(report.paper, report, look, pictures or Pictures()))
+    if style == "markdown":
+        return f"# {report.paper.title}\n\n{body}\n{_summary(report, look)}"
+    return (
+        f"{_PREAMBLE}\\title{{{tex_words(report.paper.title)}}}\n\\date{{}}\n\\begin{{document}}\n"
+        f"\\maketitle\n\n{body}\n{_summary(report, look)}\\end{{document}}\n"
+    )
+
+
+def fragments(report: PaperReport, rows: Collection[Row], style: str = "article") -> str:
+    """Write single claims to paste into a text: each with its conditions, verdict and reason."""
+    if style == "jupyter":
+        cells = [notebook.code(f'import tresym\n\npaper = tresym.open("{report.paper.name}")')]
+        for row in rows:
+            cells.append(notebook.text(_block(row, report, _MARKDOWN)))
+            cells.append(notebook.code(f'paper.verify("{row.label}")["{row.label}"]'))
+        return notebook.book(cells)
+    look = _LATEX if style == "article" else _MARKDOWN
+    return "\n".join(_block(row, report, look) for row in rows)
+
+
+def refused(rows: Collection[Row]) -> list[str]:
+    """Return for each claim that is refuted, and not by intention, a line that says why."""
+    return [
+        f"{row.label} is REFUTED: {row.why}"
+        for row in rows
+        if row.verdict is Verdict.REFUTED and not row.as_expected
+    ]
+
+
+def _notebook(report: PaperReport) -> str:
+    """A notebook with the prose, and a cell that verifies each claim."""
+    cells = [
+        notebook.text(f"# {report.paper.title}"),
+        notebook.code(f'import tresym\n\npaper = tresym.open("{report.paper.name}")'),
+    ]
+    for item in report.paper.items:
+        blocks = list(_item_blocks(item, report, _MARKDOWN, Pictures()))
+        cells += [notebook.text(block) for block in blocks if block.strip()]
+        if isinstance(item, PaperClaim) and item.label in report.by_label:
+            cells.append(notebook.code(f'paper.verify("{item.label}")["{item.label}"]'))
+        if isinstance(item, Drawn):
+            cells.append(notebook.code(f'paper.{item.kind}("{item.label}")'))
+    return notebook.book(cells)
+
+
+def _blocks(
+    paper: OwnPaper, report: PaperReport, look: _Style, pictures: Pictures
+) -> Iterator[str]:
+    for item in paper.items:
+        yield from _item_blocks(item, report, look, pictures)
+
+
+def _item_blocks(
+    item: object, report: PaperReport, look: _Style, pictures: Pictures
+) -> Iterator[str]:
+    if isinstance(item, Section):
+        yield look.section(item.title)
+    elif isinstance(item, Prose):
+        yield f"{look.words(item.text)}\n"
+    elif isinstance(item, Declaration):
+        yield f"{_declared(item, look)}\n"
+    elif isinstance(item, PaperClaim | Definition):
+        key = item.label if isinstance(item, PaperClaim) else item.name
+        rows = [row for row in report.rows if row.item is item]
+        if rows:
+            yield _block(rows[0], report, look)
+        else:
+            yield f"{look.code(key)} was not verified.\n"
+    elif isinstance(item, Drawn) and item.kind == "table" and item.line in pictures.tables:
+        yield pictures.tables[item.line]
+    elif isinstance(item, Drawn) and item.line in pictures.charts:
+        yield look.picture(pictures.charts[item.line])
+
+
+def _declared(item: Declaration, look: _Style) -> str:
+    conditions = look.formula(conditions_latex(item.given)) if item.given else ""
+    if not item.names:
+        return f"From here on {conditions}."
+    names = look.formula(", ".join(expression_in_latex(symbol(name)) for name in item.names))
+    kind = _KINDS[item.kind][len(item.names) > 1]
+    return f"Let {names} be {kind}{' with ' + conditions if conditions else ''}."
+
+
+def _block(row: Row, report: PaperReport, look: _Style) -> str:
+    """A definition or a claim with its verdict."""
+    item = row.item
+    if isinstance(item, Definition):
+        text = _display(rf"{_latex(item.head)} := {_latex(item.written)}", "", look)
+        if not row.verdict.holds:
+            text += f"{look.strong('Not shown to be defined')}: {_reason(row.why, look)}.\n"
+        return text
+    shown = statement_latex(item, aligned=item.is_derivation)
+    text = _display(shown, item.label, look)
+    return f"{text}{_verdict(row, item, look)}\n"
+
+
+def _display(formula: str, label: str, look: _Style) -> str:
+    return look.display(formula, label)
+
+
+def _verdict(row: Row, item: PaperClaim, look: _Style) -> str:
+    """The sentence below a claim: its verdict, the reason, the constant and the region."""
+    name = look.code(item.label)
+    quoted = f" (quoted from {look.words(item.source)})" if item.source else ""
+    head = f"{name}{quoted}: "
+    reason = _reason(row.why, look)
+    if row.verdict is Verdict.UNDECIDED:
+        return f"{head}{look.strong('not proved')}: {reason}."
+    if row.verdict is Premise.ASSUMED:
+        return f"{head}{look.strong('assumed, not proved here')}: {reason}."
+    answer = row.decisive
+    if row.verdict is Verdict.REFUTED:
+        text = f"{head}{look.strong('false')}: {reason}."
+        text += "".join(
+            f" True is {look.formula(in_latex(_with_given(one.claim, one.given)))}."
+            for one in row.instead[:1]
+            if in_latex(_with_given(one.claim, one.given))
+        )
+        return text
+    words = "proved" if row.verdict is Verdict.PROVED else "proved in ball arithmetic"
+    text = f"{head}{words}: {reason}."
+    if answer is not None and answer.constant is not None:
+        text += f" The constant is {look.words(ball_text(answer.constant))}."
+    if answer is not None and answer.region:
+        text += f" Region: {look.code(answer.region)}."
+    if row.axioms:
+        text += f" It rests on {', '.join(look.refer(label) for label in row.axioms)}."
+    return text
+
+
+def _with_given(claim: str, given: str) -> str:
+    return f"{claim} given {given}" if given else claim
+
+
+def _reason(why: str, look: _Style) -> str:
+    """The reason of a verdict up to the points that were tried, in words."""
+    first = why.split("; both sides are defined at")[0].split("; the differentiated functions")[0]
+    return (
+        look.code(first)
+        if look is _MARKDOWN and re.search(r"[*_^<>|]", first)
+        else look.words(first)
+    )
+
+
+def statement_latex(claim: PaperClaim, aligned: bool = False) -> str:
+    r"""Return a claim in LaTeX as it is written in the file: formula, values, conditions, path."""
+    if claim.rounded:
+        left = claim.shown[0][0]
+        text = rf"{_latex(left)} \approx {claim.rounded}"
+    elif aligned:
+        text = _aligned(claim.shown)
+    else:
+        text = to_latex(map(_plain_link, claim.shown))
+    extra = []
+    if claim.at:
+        extra.append(to_latex((symbol(name), "==", _plain(value)) for name, value in claim.at))
+    if claim.given:
+        extra.append(conditions_latex(claim.given))
+    if claim.path is not None:
+        extra.append(path_latex(claim.path))
+    listed = r",\ ".join(extra)
+    return text + (rf" \qquad ({listed})" if extra else "")
+
+
+def _aligned(links: Collection[Compared]) -> str:
+    """A derivation with its relations below each other."""
+    rows = []
+    for number, link in enumerate(links):
+        left, relation, right = _plain_link(link)
+        whole = to_latex([(left, relation, right)])
+        start = expression_in_latex(left)
+        rest = whole[len(start) :].lstrip() if whole.startswith(start) else whole
+        rows.append(f"{start if not number else ''} &{rest}")
+    joined = " \\\\\n".join(rows)
+    return f"\\begin{{aligned}}\n{joined}\n\\end{{aligned}}"
+
+
+def path_latex(path: str) -> str:
+    r"""Return a limit process in LaTeX, ``x \to 0^+`` for ``x -> 0+``."""
+    found = read_path(path)
+    if found.point is None:
+        end = INFINITY if found.sides[0] > 0 else -INFINITY
+        return to_latex([(symbol(found.name), "->", end)])
+    side = "" if len(found.sides) > 1 else "^+" if found.sides[0] > 0 else "^-"
+    return to_latex([(symbol(found.name), "->", found.point)]) + side
+
+
+def conditions_latex(given: Collection[Compared]) -> str:
+    """Return conditions in LaTeX."""
+    return to_latex(
+        link if link[1] == "in" and link[2] == INTEGERS else _plain_link(link) for link in given
+    )
+
+
+def _latex(e: Expr) -> str:
+    return expression_in_latex(_plain(e))
+
+
+def _plain_link(link: Compared) -> Compared:
+    return _plain(link[0]), link[1], _plain(link[2])
+
+
+def _plain(e: Expr) -> Expr:
+    """The expression with functions under the names that the file gives them."""
+    if e.op in LEAVES or not e.hidden:
+        return e
+    if e.op == "unknown":
+        name, orders = e.args[0].args
+        return unknown(name.removeprefix(PREFIX), tuple(map(_plain, e.args[1:])), orders)
+    if e.names:
+        inside = _plain(instantiate(e.args[0], tuple(map(symbol, e.names))))
+        return Expr(e.op, (bind(inside, e.names), *map(_plain, e.args[1:])), e.names)
+    return rebuild(e, tuple(map(_plain, e.args)))
+
+
+def _summary(report: PaperReport, look: _Style) -> str:
+    """The last paragraph: how many claims have which verdict, and lines that were not read."""
+    counts = ", ".join(f"{n} {ruling.value}" for ruling, n in report.counts.items() if n)
+    text = f"Verified with tresym: {counts or 'no claims'}."
+    if report.paper.problems:
+        lines = ", ".join(str(problem.line) for problem in report.paper.problems)
+        text += f" {look.strong('Not read')}: lines {lines} of the file."
+    return f"{text}\n"
