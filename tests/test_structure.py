@@ -33,7 +33,7 @@ INSIDE = {
         ("domain", "cross_check"),
         ("normal",),
         ("signs", "balls"),
-        ("expansions",),
+        ("expansions", "values"),
         ("decisions",),
     ),
     "racket": (

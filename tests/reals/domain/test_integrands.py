@@ -55,10 +55,40 @@ def test_in_the_complex_numbers_it_is_the_same_function(text: str) -> None:
             assert not turned.imag.is_zero() or text == "cos(x)"
 
 
+CUTS = {
+    "atan": ((0, 2), (0, -3)),
+    "asinh": ((0, 2), (0, -3)),
+    "asin": ((2, 0), (-3, 0)),
+    "acos": ((2, 0), (-3, 0)),
+    "atanh": ((2, 0), (-3, 0)),
+    "acosh": ((fmpq(1, 2), 0), (-3, 0)),
+    "sign": ((0, 1), (0, -2)),
+    "cbrt": ((0, 1), (0, -2)),
+}
+"""Points on the branch cuts of each function."""
+
+
 @pytest.mark.parametrize("name", sorted(FUNCTIONS - MEROMORPHIC - {"abs", "log"}))
 def test_what_is_not_holomorphic_everywhere_is_not_taken_for_it(name: str) -> None:
-    x = symbol("x")
-    assert not of_x(apply(name, x)).holomorphic(acb(fmpq(3, 2))).is_finite()
+    for real, imaginary in CUTS[name]:
+        small = arb(0, "1e-9")
+        there = acb(arb(real) + small, arb(imaginary) + small)
+        assert not of_x(apply(name, symbol("x"))).holomorphic(there).is_finite()
+
+
+@pytest.mark.parametrize("name", sorted(CUTS))
+def test_off_its_cuts_a_function_is_differentiable(name: str) -> None:
+    """Its values at the corners of a small square satisfy the equations of Cauchy and Riemann."""
+    f = of_x(apply(name, symbol("x")))
+    with ball_precision(200):
+        for z in (acb(2, 3), acb(-2, fmpq(1, 3)), acb(fmpq(1, 2), -1)):
+            if not f.holomorphic(z).is_finite():
+                continue
+            h = acb(fmpq(1, 10**20))
+            across = (f.holomorphic(z + h) - f.holomorphic(z - h)) / (2 * h)
+            i = acb(0, 1)
+            along = (f.holomorphic(z + i * h) - f.holomorphic(z - i * h)) / (2 * i * h)
+            assert abs(across - along) < fmpq(1, 10**18)
 
 
 @pytest.mark.parametrize("text", ["sqrt(x)", "x**(1/3)", "log(x)", "x**pi", "1/x", "abs(x)"])

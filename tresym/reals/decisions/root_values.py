@@ -131,7 +131,7 @@ def enclosed_root(e: Expr, outer: Enclosing) -> arb:
     if jumps(body) or not (is_only(fixed, tuple(bounds)) or _only_by_subdivision(e, outer)):
         raise UndefinedError
     middle = {n: outer.value(symbol(n)).mid() for n in symbols(body) if n != name}
-    near, over = (along(name, body, at, outer.root) for at in (middle, outer.at))
+    near, over = (along(name, body, at, outer) for at in (middle, outer.at))
     for ends in _brackets(e, outer):
         try:
             return bracket(near, over, *ends)
@@ -203,10 +203,10 @@ def _only_by_subdivision(e: Expr, outer: Enclosing) -> bool:
     slope = by_leibniz(differentiate(body, name))
     with ball_precision():
         try:
-            low, high = (Enclosing(outer.at, outer.root).value(end) for end in e.args[1:])
+            low, high = (Enclosing(outer.at, outer.root, outer.own).value(end) for end in e.args[1:])
         except UndefinedError:
             return False
-        f, df = (along(name, g, outer.at, outer.root) for g in (body, slope))
+        f, df = (along(name, g, outer.at, outer) for g in (body, slope))
         if not low < high:
             return False
         ends = [low.lower(), high.upper()]
@@ -287,4 +287,4 @@ def _by_order(e: Expr, outer: Enclosing, end: int, order: int | None, whole: arb
     (name,), body = opened(e)
     for _ in range(order):
         body = worked_out(derivative(body, name))
-    return side(along(name, body, outer.at, outer.root)(whole)) is not None
+    return side(along(name, body, outer.at, outer)(whole)) is not None

@@ -43,6 +43,9 @@ WIDER = 8
 """How often the width of a bracket is doubled."""
 
 
+NO_OTHER: Mapping[str, Root] = {}
+
+
 def no_root(e: Expr, outer: Enclosing) -> arb:
     """Refuse to evaluate roots.
 
@@ -59,19 +62,22 @@ class Enclosing(InBalls):
     exist.
     """
 
-    def __init__(self, at: At, root: Root = no_root) -> None:
+    def __init__(self, at: At, root: Root = no_root, own: Mapping[str, Root] = NO_OTHER) -> None:
         """Prepare an evaluation.
 
         Args:
             at: the values of the variables; the mapping may compute them on demand.
             root: a function that encloses a root and proves that it exists.
+            own: functions that enclose other operations, or the same in another way.
         """
         super().__init__(balls, at, {})
-        self.root = root
+        self.root, self.own = root, own
 
     def _computed(self, e: Expr) -> arb:
+        if e.op in self.own:
+            return self.own[e.op](e, self)
         if e.op == "integral":
-            return self._integral(e)
+            return self.integral(e)
         if e.op == "root":
             return self.root(e, self)
         if e.op == "at":
@@ -96,16 +102,30 @@ class Enclosing(InBalls):
                 above *= self.value(factor)
         return above / below
 
-    def _integral(self, e: Expr) -> arb:
-        low, high = (acb(self.value(end)) for end in e.args[1:])
+    def integral(self, e: Expr) -> arb:
+        """Return an integral between finite ends, by quadrature."""
+        low, high = (self.value(end) for end in e.args[1:])
         (name,), body = opened(e)
         integrand = Integrand(worked_out(body), name, self.value)
         # A tolerance far below the accuracy of the integrand would only waste evaluations.
-        known = integrand.real(((low + high) / 2).real.mid()).rel_accuracy_bits()
-        tolerance = arb((1, -min(max(known, 0) + SPARE, ctx.prec)))
-        fine = {"rel_tol": tolerance, "abs_tol": tolerance, "eval_limit": EVALUATIONS}
-        with held():
-            return acb.integral(integrand, low, high, **fine).real
+        known = integrand.real(((low + high) / 2).mid()).rel_accuracy_bits()
+        return quadrature(integrand, low, high, max(known, 0) + SPARE)
+
+
+def quadrature(
+    integrand: Callable[[acb, bool], acb], low: arb, high: arb, accuracy: int | None = None
+) -> arb:
+    """Return the integral of a function between two numbers; not finite if none is proved.
+
+    Args:
+        integrand: the function, as FLINT's quadrature requires it.
+        low, high: the ends.
+        accuracy: the accuracy in bits that is tried for; None for the working precision.
+    """
+    tolerance = arb((1, -ctx.prec if accuracy is None else -min(accuracy, ctx.prec)))
+    fine = {"rel_tol": tolerance, "abs_tol": tolerance, "eval_limit": EVALUATIONS}
+    with held():
+        return acb.integral(integrand, acb(low), acb(high), **fine).real
 
 
 def enclosed(e: Expr, at: At, root: Root = no_root) -> arb:
@@ -131,7 +151,7 @@ class _Inner(Enclosing):
     """Evaluate with additional variables; the other values are taken from outside."""
 
     def __init__(self, outer: Enclosing, more: dict[str, arb]) -> None:
-        super().__init__(ChainMap(more, outer.at), outer.root)  # type: ignore[arg-type]
+        super().__init__(ChainMap(more, outer.at), outer.root, outer.own)  # type: ignore[arg-type]
         self.outer, self.names = outer, more.keys()
 
     def value(self, e: Expr) -> arb:
@@ -157,7 +177,7 @@ def bracketed(unique: Unique, e: Expr, outer: Enclosing) -> arb:
     if not unique(e, outer.at) or jumps(body):
         raise UndefinedError
     middle = {n: outer.value(symbol(n)).mid() for n in symbols(body) if n != name}
-    near, over = (along(name, body, at, outer.root) for at in (middle, outer.at))
+    near, over = (along(name, body, at, outer) for at in (middle, outer.at))
     return bracket(near, over, low, high)
 
 
@@ -189,13 +209,16 @@ def bracket(near: Callable[[arb], arb], over: Callable[[arb], arb], low: arb, hi
     raise UndefinedError
 
 
-def along(name: str, body: Expr, at: At, root: Root) -> Callable[[arb], arb]:
-    """Return ``body`` as a function of one variable, NaN where it is undefined."""
+def along(name: str, body: Expr, at: At, like: Enclosing) -> Callable[[arb], arb]:
+    """Return ``body`` as a function of one variable, NaN where it is undefined.
+
+    Integrals, roots and other binders are enclosed as ``like`` encloses them.
+    """
     outers: dict[int, Enclosing] = {}
 
     def function(x: arb) -> arb:
         outer = outers.setdefault(
-            ctx.prec, Enclosing(at, root)
+            ctx.prec, Enclosing(at, like.root, like.own)
         )  # cached values have this precision
         try:
             return _Inner(outer, {name: x}).value(body)

@@ -23,6 +23,15 @@ MEROMORPHIC = frozenset(
         *("sinh", "cosh", "tanh", "coth", "sech", "csch"),
     )
 )
+OFF_CUTS: dict[str, Callable[[acb], bool]] = {
+    "atan": lambda z: not z.real.contains(0) or abs(z.imag) < 1,
+    "asinh": lambda z: not z.real.contains(0) or abs(z.imag) < 1,
+    "asin": lambda z: not z.imag.contains(0) or abs(z.real) < 1,
+    "acos": lambda z: not z.imag.contains(0) or abs(z.real) < 1,
+    "atanh": lambda z: not z.imag.contains(0) or abs(z.real) < 1,
+    "acosh": lambda z: not z.imag.contains(0) or bool(z.real > 1),
+}
+"""Whether a complex ball avoids the branch cuts (DLMF 4.23 and 4.37), where they are analytic."""
 Done = Callable[..., Any]
 
 
@@ -132,4 +141,13 @@ def _holomorphic(name: str, *values: Any) -> acb:
         return acb(values[0]).log(analytic=True)
     if name == "abs":
         return acb(values[0]).real_abs(analytic=True)
+    if name in OFF_CUTS:
+        z = acb(values[0])
+        return getattr(z, name)() if OFF_CUTS[name](z) else acb(arb.nan())
+    if name in ("sign", "cbrt"):
+        z = acb(values[0])
+        side = 1 if z.real > 0 else -1 if z.real < 0 else None
+        if side is None:
+            return acb(arb.nan())
+        return acb(side) if name == "sign" else side * (side * z).pow(acb(fmpq(1, 3)))
     return getattr(values[0], name)() if name in MEROMORPHIC else acb(arb.nan())
