@@ -203,7 +203,9 @@ def _only_by_subdivision(e: Expr, outer: Enclosing) -> bool:
     slope = by_leibniz(differentiate(body, name))
     with ball_precision():
         try:
-            low, high = (Enclosing(outer.at, outer.root, outer.own).value(end) for end in e.args[1:])
+            low, high = (
+                Enclosing(outer.at, outer.root, outer.own).value(end) for end in e.args[1:]
+            )
         except UndefinedError:
             return False
         f, df = (along(name, g, outer.at, outer) for g in (body, slope))
