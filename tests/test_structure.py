@@ -17,7 +17,7 @@ LAYERS = (
     ("asymptotics",),
     ("checking",),
     ("repair",),
-    ("racket", "output", "ledger"),
+    ("racket", "output", "ledger", "release"),
     ("papers",),
     ("sweep", "proofs", "coq", "manuscript"),
     ("report", "dev"),
@@ -172,7 +172,10 @@ def test_the_map_shows_every_package_and_says_what_it_says_of_itself() -> None:
 def test_the_readme_names_the_packages() -> None:
     text = (ROOT / "README.md").read_text(encoding="utf-8")
     for package in (
-        package for layer in LAYERS for package in layer if package not in ("output", "__main__")
+        package
+        for layer in LAYERS
+        for package in layer
+        if package not in ("output", "release", "__main__")
     ):
         assert f"`{package}/`" in text, package
 

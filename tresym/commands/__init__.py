@@ -12,7 +12,6 @@ import sys
 from importlib import import_module
 from typing import TYPE_CHECKING
 
-import tresym
 from tresym.commands.parser import BAD_INPUT, CLOSED_PIPE, INTERRUPTED, Parser, one_line
 from tresym.output import check_replaceable
 from tresym.reals.numbers.exact import InputError
@@ -70,7 +69,7 @@ def build_parser(chosen: str | None = None) -> Parser:
         prog="tresym",
         description="The tennis racket effect, verified: proofs, certified numbers, figures.",
     )
-    parser.add_argument("--version", action="version", version=f"tresym {tresym.__version__}")
+    parser.add_argument("--version", action="store_true", help="print version and commit")
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
     for name in (chosen,) if chosen in COMMANDS else COMMANDS:
         module = import_module(f"tresym.commands.{name}")
@@ -128,6 +127,11 @@ def main(arguments: list[str] | None = None) -> int:
             stream.reconfigure(errors="replace")
     if not words:
         print(BEGIN, end="")
+        return 0
+    if words == ["--version"]:
+        from tresym.release import described
+
+        print(f"tresym {described()}")
         return 0
     try:
         args = build_parser(next(iter(words), None)).parse_args(_keep_negative_values(words))

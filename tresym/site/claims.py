@@ -8,7 +8,7 @@ from fractions import Fraction
 from html import escape
 from typing import Any
 
-import tresym
+from tresym import release
 from tresym.report.typesetting.markdown import escaped, finding, sentence
 from tresym.report.typesetting.statements import conditions, display, in_dollars, of_record, stated
 from tresym.site import graph
@@ -169,7 +169,9 @@ def _cited(label: str, claim: Record) -> str:
             f"@misc{{tresym-{label},",
             "  author = {The tresym contributors},",
             f"  title = {{Claim {label} ({claim['verdict']}) on the tennis racket effect}},",
-            f"  note = {{tresym {tresym.__version__}, checked by: tresym verify {label}}},",
+            f"  year = {{{release.RELEASED[:4]}}},",
+            f"  version = {{{release.described()}}},",
+            f"  note = {{On {release.PAPER}; checked by: tresym verify {label}}},",
             "}",
         ]
     )

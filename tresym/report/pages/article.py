@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterator
 from functools import cache
 from importlib.resources import files
 
-import tresym
+from tresym import release
 from tresym.ledger.claim import AllOf, Claim
 from tresym.ledger.paper import Correction, all_claims, corrections
 from tresym.ledger.verification import Report, Row
@@ -63,7 +63,7 @@ def article(report: Report, ledger: str = "", figures: bool = True) -> str:
     commands = ledger_document.commands() if ledger == "appendix" else ""
     parts = {"commands": commands, "ledger": LEDGER[ledger], "body": text}
     framed = _FILL.sub(lambda found: parts.get(found[1], found[0]), _frame())
-    return framed.replace("{{ version }}", tresym.__version__)
+    return framed.replace("{{ version }}", release.dated())
 
 
 def without_figures(text: str) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from importlib.resources import files
 
-import tresym
+from tresym import release
 from tresym.ledger.verification import Report
 from tresym.report.pages import article, ledger_document, notebook, templates
 
@@ -56,7 +56,7 @@ def _slides(report: Report, figures: bool) -> str:
     text = article.templates_of(report).filled(SLIDES)
     frame = files("tresym.report.pages").joinpath("slides.tex").read_text(encoding="utf-8")
     body = text if figures else article.without_figures(text)
-    return frame.replace("{{ version }}", tresym.__version__).replace("{{ body }}", body)
+    return frame.replace("{{ version }}", release.dated()).replace("{{ body }}", body)
 
 
 def _notebook(report: Report) -> str:

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 from importlib.resources import files
 
-import tresym
+from tresym import release
 from tresym.ledger.paper import sections
 from tresym.ledger.verification import Report, Row
 from tresym.report.pages.derivation import axiom_key, entry, prose, reference
@@ -28,7 +28,7 @@ def ledger_document(report: Report) -> str:
         report: verdicts on the ledger; claims outside it are left out.
     """
     frame = _file("ledger_document.tex").replace("{{ commands }}", commands())
-    return frame.replace("{{ body }}", body(report)).replace("{{ version }}", tresym.__version__)
+    return frame.replace("{{ body }}", body(report)).replace("{{ version }}", release.dated())
 
 
 def body(report: Report) -> str:
