@@ -30,6 +30,9 @@ if TYPE_CHECKING:  # for editors and type checkers, which would accept any name 
     from tresym.reals.numbers.exact import InputError
     from tresym.reals.verdict import Verdict
     from tresym.repair import check
+    from tresym.report.pages.opened import (
+        open as open,  # not in __all__: a star would hide the builtin
+    )
     from tresym.report.pages.python_api import derive, figure, paper, table
 
 __version__ = "0.1.0"
@@ -46,6 +49,7 @@ _HOMES = {
     "flip_defect": "tresym.racket.flip",
     "flip_defects": "tresym.racket.flip",
     "flip_map": "tresym.racket.floats.flipmap",
+    "open": "tresym.report.pages.opened",
     "paper": "tresym.report.pages.python_api",
     "table": "tresym.report.pages.python_api",
     "value": "tresym.reals.decisions.root_values",

@@ -18,6 +18,7 @@ from tresym.manuscript.links import read_links
 from tresym.manuscript.settings import settings_for, with_settings
 from tresym.manuscript.source import read_manuscript
 from tresym.manuscript.suspects import proofread
+from tresym.papers.editor_rows import claims_file_rows
 from tresym.reals.decisions.claim_parsing import in_latex
 from tresym.reals.language.expression import symbols
 from tresym.reals.numbers.exact import InputError
@@ -61,7 +62,11 @@ def main() -> int:
     asked = json.loads(sys.stdin.buffer.read())
     answer: dict[str, Any]
     try:
-        rows = editor_rows(Path(asked["path"]), asked["text"], float(asked["limit"]))
+        path, limit = Path(asked["path"]), float(asked["limit"])
+        if path.suffix == ".tresym":
+            rows = claims_file_rows(path.name, asked["text"], limit)
+        else:
+            rows = editor_rows(path, asked["text"], limit)
         answer = {"rows": rows}
     except InputError as error:
         answer = {"error": str(error)}

@@ -28,11 +28,14 @@ PAUSE = 0.4
 """Seconds without a change after which the text is checked."""
 _SEVERITY = {
     "REFUTED": types.DiagnosticSeverity.Error,
+    "UNREADABLE": types.DiagnosticSeverity.Error,
     "SUSPECT": types.DiagnosticSeverity.Warning,
     "UNDECIDED": types.DiagnosticSeverity.Information,
 }
 _CLOSING = {"brackets": r"\]", "dollars": "$$"}
 _OPENING = {"brackets": r"\[", "dollars": "$$"}
+CLAIM = "claim"
+"""The kind of the rows of a file of claims, each of which stands on one line."""
 _KEPT = re.compile(r"\\label\s*\{[^{}]*\}")
 
 
@@ -134,6 +137,8 @@ def display_lines(row: dict[str, Any], text: str) -> tuple[int, int]:
     lines = text.split("\n")
     first = min(max(row["line"] - 1, 0), len(lines) - 1)
     kind = row["kind"]
+    if kind == CLAIM:
+        return first, first
     end = _CLOSING.get(kind, f"\\end{{{kind}}}")
     opening = _OPENING.get(kind, "")
     for n in range(first, min(first + 200, len(lines))):
@@ -173,7 +178,7 @@ def quick_fixes(rows: list[dict[str, Any]], uri: str, text: str) -> list[types.C
     """Return the quick fixes for a display that is refuted, suspect or undecided."""
     found: list[types.CodeAction] = []
     for row in rows:
-        if row["status"] not in _SEVERITY:
+        if row["status"] not in _SEVERITY or row["kind"] == CLAIM:
             continue
         first, _ = display_lines(row, text)
         for latex in row["replacements"]:

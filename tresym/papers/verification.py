@@ -111,12 +111,14 @@ class Row:
             "why": self.why,
             "expect": None,
             "value": None,
-            "constant": None if not answer or not answer.constant else answer.constant._asdict(),
-            "region": answer and answer.region,
+            "constant": None
+            if answer is None or not answer.constant
+            else answer.constant._asdict(),
+            "region": None if answer is None else answer.region,
             "parameter": None,
             "steps": [one.as_json() for one in self.answers],
             "where": self.item.line,
-            "witness": None if not answer or not answer.witness else dict(answer.witness),
+            "witness": None if answer is None or not answer.witness else dict(answer.witness),
             "amended_by": [f"{one.claim} given {one.given}" for one in self.instead],
             "uses": [],
             "axioms": list(self.axioms),

@@ -1,0 +1,35 @@
+"""Files of claims in pytest and in an editor."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+TEXT = "x real\ntrue: x**2 >= 0\nfalse: x > 0\nknown: x > 1 expect refuted\nbad: x** > 0\n"
+
+
+def test_pytest_runs_a_test_for_each_claim_and_each_bad_line(tmp_path: Path) -> None:
+    (tmp_path / "own.tresym").write_text(TEXT)
+    done = subprocess.run(
+        [sys.executable, *("-m", "pytest", "-p", "tresym.pytest_plugin"), "own.tresym"],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+    )
+    assert "2 failed, 2 passed" in done.stdout, done.stdout
+    assert "own.tresym:3: false is REFUTED" in done.stdout
+    assert "own.tresym:5:" in done.stdout
+    assert "Traceback" not in done.stdout
+
+
+def test_an_editor_sees_verdicts_and_bad_lines() -> None:
+    asked = json.dumps({"path": "own.tresym", "text": TEXT, "limit": 2})
+    done = subprocess.run(
+        [sys.executable, "-m", "tresym.manuscript.editor_rows"],
+        input=asked,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    found = {row["line"]: row["status"] for row in json.loads(done.stdout)["rows"]}
+    assert found == {2: "PROVED", 3: "REFUTED", 4: "EXPECTED", 5: "UNREADABLE"}

@@ -1,0 +1,61 @@
+"""The rows of a file of claims that stands in an editor, in the form of those of a manuscript."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from tresym.papers.reading import PaperClaim, read_paper
+from tresym.papers.verification import Row, verify_paper
+from tresym.reals.decisions.statement import chained
+
+UNREADABLE = "UNREADABLE"
+EXPECTED = "EXPECTED"
+"""The statuses of a line that is not read, and of a claim that is refuted as the file expects."""
+
+
+def claims_file_rows(name: str, text: str, limit: float) -> list[dict[str, Any]]:
+    """Return a row for each line that cannot be read, each definition and each claim.
+
+    Args:
+        name: the name of the file.
+        text: its text.
+        limit: the seconds for each claim.
+    """
+    paper = read_paper(text, name)
+    rows = [
+        _row(problem.line, UNREADABLE, problem.message, text.split("\n")[problem.line - 1].strip())
+        for problem in paper.problems
+    ]
+    report = verify_paper(paper, limit=limit)
+    return [*rows, *(_of_verdict(row) for row in report.rows)]
+
+
+def _of_verdict(row: Row) -> dict[str, Any]:
+    answer, item = row.decisive, row.item
+    refuted = row.verdict.value == "REFUTED"
+    status = EXPECTED if refuted and row.as_expected else row.verdict.value
+    read_as = (
+        "; ".join(chained((link,)) for link in item.links) if isinstance(item, PaperClaim) else ""
+    )
+    return _row(item.line, status, row.why, item.text) | {
+        "read_as": read_as,
+        "witness": dict(answer.witness) if answer is not None and answer.witness else None,
+        "instead": [one._asdict() for one in row.instead],
+    }
+
+
+def _row(line: int, status: str, why: str, text: str) -> dict[str, Any]:
+    return {
+        "line": line,
+        "status": status,
+        "why": why,
+        "latex": text,
+        "read_as": "",
+        "witness": None,
+        "instead": [],
+        "file": None,
+        "kind": "claim",
+        "kinds": [],
+        "replacements": [],
+        "symbols": [],
+    }

@@ -1,0 +1,89 @@
+"""A file of claims as a Python object: verify it, and write its documents, tables and charts."""
+
+from __future__ import annotations
+
+import os
+
+from tresym.papers.reading import OwnPaper, read_file
+from tresym.papers.verification import LIMIT, PaperReport, verify_paper
+from tresym.reals.numbers.exact import InputError
+from tresym.report.pages import own_paper
+
+
+class OpenedPaper:
+    """A file of claims.
+
+    Attributes:
+        path: the file.
+        paper: what was read of it, with its ``claims``, ``definitions`` and ``problems``.
+    """
+
+    path: str
+    paper: OwnPaper
+
+    def __init__(self, path: str | os.PathLike[str]) -> None:
+        """Read the file.
+
+        Raises:
+            InputError: there is no such file, or it is not text.
+        """
+        self.path = os.fspath(path)
+        self.paper = read_file(self.path)
+
+    def verify(self, *labels: str, limit: float = LIMIT) -> PaperReport:
+        """Decide the claims of these labels and what they use; all claims without labels.
+
+        Args:
+            labels: the claims.
+            limit: the seconds for each claim.
+
+        Raises:
+            InputError: a label that no claim has.
+        """
+        return verify_paper(self.paper, labels, limit)
+
+    def derive(self, *labels: str, style: str = "article") -> str:
+        """Write the document of the file, or the claims of these labels to paste into a text.
+
+        Args:
+            labels: the claims; the whole document without labels.
+            style: ``article`` (LaTeX), ``markdown`` or ``jupyter``.
+
+        Raises:
+            InputError: a label that no claim has, or a claim that is refuted unexpectedly.
+        """
+        if style not in own_paper.STYLES:
+            raise InputError(f"the styles are {', '.join(own_paper.STYLES)}")
+        report = self.verify(*labels)
+        if not labels:
+            return own_paper.document(report, style)
+        rows = [report[label] for label in dict.fromkeys(labels)]
+        if refused := own_paper.refused(rows):
+            raise InputError("; ".join(refused))
+        return own_paper.fragments(report, rows, style)
+
+    def __repr__(self) -> str:
+        read, problems = len(self.paper.claims), len(self.paper.problems)
+        wrong = f", {problems} lines not read" if problems else ""
+        return f"OpenedPaper({self.path}: {read} claims{wrong})"
+
+
+def open(path: str | os.PathLike[str]) -> OpenedPaper:
+    """Open a file of claims.
+
+    Args:
+        path: the file, which usually ends in ``.tresym``.
+
+    Raises:
+        InputError: there is no such file, or it is not text. Lines that cannot be read raise
+            nothing; they are listed in ``paper.problems``.
+
+    Example:
+        >>> import pathlib, tempfile, tresym
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     path = pathlib.Path(folder) / "paper.tresym"
+        ...     _ = path.write_text("x real; given x > 0\\nlarger: exp(x) > 1 + x")
+        ...     tresym.open(path).verify()["larger"].verdict.value
+        'PROVED'
+    """
+    return OpenedPaper(path)
