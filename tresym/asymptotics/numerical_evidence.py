@@ -48,6 +48,11 @@ SHRINKS, GROWS = arb("0.9"), arb("1.05")
 """By what a quantity that tends to 0 shrinks, or one that is unbounded grows, between distances."""
 PERIODIC_GROWS = arb("1.3")
 BOUNDED = ("O", "Theta")
+CONSTANT, CONSTANT_WITH_WAVES = arb("0.001"), arb("0.05")
+"""By which part of itself a quantity may change that is taken to be constant."""
+LEAST_EXPONENT, SAME_EXPONENT = arb("0.05"), arb("0.03")
+"""The least exponent of growth, and by which part of itself it may change."""
+BITS_OF_LAW = 200
 
 
 class Supremum(NamedTuple):
@@ -104,6 +109,71 @@ def fails(ray: Ray) -> bool | None:
     if now.low > 0 and now.low > SHRINKS * before.high:
         return True
     return False if now.high < TINY else None
+
+
+def contradicts(ray: Ray) -> bool:
+    """Return whether numbers speak so clearly against a claim that a proof of it is in doubt.
+
+    Finitely many points cannot refute a limit: ``log(log(log(x)))**10/log(log(x))`` tends to 0 and
+    still grows at x = 2**(10**3000). So it is not enough that the quantity grows or does not
+    shrink. At the three farthest distances u it must also follow a simple law: it is constant, or
+    it grows like a power of u, of log(u) or of exp(u), with one exponent.
+    """
+    if fails(ray) is False or not all(map(has_meaning, _sides(ray.claim))):
+        return False
+    waves = oscillating(ray)
+    distances = WHOLE if ray.path.name in ray.integers else DISTANCES
+    inequality = ray.claim.relation in FALSE
+    most = (COARSE if inequality else FINE) if waves else max(distances)
+    at = (_Distance(ray, e, waves) for e in distances if e <= most)
+    if inequality and not waves:
+        wrong = ((x.order, x.violation()) for x in at)
+        known = list(islice(((n, size) for n, size in wrong if size is not None), 3))
+        return len(known) == 3 and _follows_a_law([n for n, _ in known], [s for _, s in known])
+    told = list(islice((x for x in (one.supremum() for one in at) if x is not None), 3))
+    if all(x.pole for x in told[:2]):
+        return bool(told[1:]) and fails(ray) is True
+    if len(told) < 3 or any(x.pole for x in told):
+        return False
+    with ball_precision(BITS_OF_LAW):
+        return _follows_a_law(
+            [x.order for x in told],
+            [x.low for x in told],
+            bounded=ray.claim.relation in BOUNDED,
+            same=CONSTANT_WITH_WAVES if waves else CONSTANT,
+        )
+
+
+def _follows_a_law(
+    orders: list[int], sizes: list[arb], bounded: bool = False, same: arb = CONSTANT
+) -> bool:
+    """Return whether sizes at distances 2**order, the farthest first, follow a simple law.
+
+    Args:
+        orders: the binary orders of the distances.
+        sizes: positive numbers.
+        bounded: whether a constant is what is claimed, so that only growth speaks against it.
+        same: by which part of itself a constant may change.
+    """
+    if not all(size > 0 for size in sizes):
+        return False
+    far, middle, near = sizes
+    if all(abs(far / other - 1) < same for other in (middle, near)):
+        return not bounded
+    logs = list(map(_binary, sizes))
+    places, further = list(map(arb, orders)), [_binary(arb(n)) for n in orders]
+    laws = [(logs, places), (logs, further)]
+    laws += [(list(map(_binary, logs)), places)] if all(size > 2 for size in logs) else []
+    for logs, places in laws:
+        first = (logs[0] - logs[1]) / (places[0] - places[1])
+        second = (logs[1] - logs[2]) / (places[1] - places[2])
+        if first > LEAST_EXPONENT and abs(first - second) < SAME_EXPONENT * first:
+            return True
+    return False
+
+
+def _binary(x: arb) -> arb:
+    return x.log() / arb(2).log()
 
 
 def _sides(claim: Comparison) -> tuple[Expr, ...]:
@@ -163,6 +233,15 @@ class _Distance:
         x = self._x(u) if u >= self.start.floor() else None
         found = None if x is None else self.values([*self.fixed, x])
         return None if found is None else quantity(self.ray.claim, found)
+
+    def violation(self) -> arb | None:
+        """How far the two sides are apart at the first point if the inequality fails there."""
+        with ball_precision(self.bits):
+            x = self._x(self.start)
+            found = None if x is None else self.values([*self.fixed, x])
+            if found is None or not FALSE[self.ray.claim.relation](found[0], found[1]):
+                return None
+            return abs(found[0] - found[1])
 
     def value(self, e: Expr) -> arb | None:
         """A ball of an expression at the first point."""

@@ -7,7 +7,7 @@ from itertools import islice
 
 from flint import arb
 
-from tresym.asymptotics.numerical_evidence import Ray, fails
+from tresym.asymptotics.numerical_evidence import Ray, contradicts
 from tresym.asymptotics.refutation_check import parameters
 from tresym.reals.cross_check import conditions, contradiction, program, said, where
 from tresym.reals.decisions.answer import Answer
@@ -125,7 +125,7 @@ def _attack_path(claim: Comparison, statement: Statement, path: Path) -> str | N
     """
     for at in islice(_assignments(claim, statement), ASSIGNMENTS):
         for side in path.sides:
-            if fails(Ray(claim, path, side, at, statement.integers)):
+            if contradicts(Ray(claim, path, side, at, statement.integers)):
                 given = f" for {where([*at], [*at.values()])}" if at else ""
                 return f"numerical values near the end of the path contradict it{given}"
     return None

@@ -60,10 +60,13 @@ def decide_claim(claim: Any, given: Any = "", path: str | None = None) -> Answer
     start = time.perf_counter()
     with collecting_seldom(SELDOM):
         statement = claim if isinstance(claim, Statement) else read(claim, given, path)
-        answers = [_everywhere(comparison, statement) for comparison in statement.comparisons]
+        parts = [part for c in statement.comparisons for part in _asserted(c)]
+        answers = [_everywhere(comparison, statement) for comparison in parts]
     answer = worst(answers)
-    if len(answers) > 1:
-        broken = statement.comparisons[answers.index(answer)]
+    if len(answers) > 1 and len(statement.comparisons) == 1:
+        answer = _of_all_terms(answer, parts, answers)
+    elif len(answers) > 1:
+        broken = parts[answers.index(answer)]
         which = f"{broken.left} {broken.relation} {broken.right}: "
         answer = replace(answer, why=which + answer.why)
     if not answer:
@@ -77,6 +80,34 @@ def decide_claim(claim: Any, given: Any = "", path: str | None = None) -> Answer
         read_as=statement.read_as,
         seconds=time.perf_counter() - start,
     )
+
+
+def _asserted(claim: Comparison) -> list[Comparison]:
+    """Return what a comparison asserts: ``f ~ a + b`` also ``f - a - b == o(a)`` and ``== o(b)``.
+
+    An asymptotic expansion asserts every term (H. Poincaré; F. W. J. Olver, *Asymptotics and
+    Special Functions*, 1974, section 1.7): its error is of smaller order than the last of them.
+    """
+    if claim.relation != "~" or claim.right.op != "+" or claim.right.hidden:
+        return [claim]
+    error = claim.left - claim.right
+    terms = [replace(claim, left=error, relation="o", right=term) for term in claim.right.args]
+    return [claim, *terms]
+
+
+def _of_all_terms(answer: Answer, parts: list[Comparison], answers: list[Answer]) -> Answer:
+    """Return the answer to an expansion, of which ``parts`` are the quotient and each term."""
+    if answer:
+        terms = ", ".join(str(part.right) for part in parts[1:])
+        why = f"{answers[0].why}; the error is of smaller order than each of {terms}"
+        return replace(answer, why=why, constant=None)
+    broken = parts[answers.index(answer)]
+    if broken.relation == "~":
+        return answer
+    why = f"the error, {broken.left}, is not shown to be o({broken.right}): {answer.why}"
+    if answer.verdict is Verdict.REFUTED:
+        why = f"the error, {broken.left}, is not o({broken.right}): {answer.why}"
+    return replace(answer, why=why)
 
 
 def _part_spoken_of(statement: Statement) -> str | None:
@@ -102,6 +133,10 @@ def _everywhere(comparison: Comparison, statement: Statement) -> Answer:
     statement = _with_integers(comparison, statement)
     start = time.perf_counter()
     answer = _bounded(comparison, statement)
+    if answer and comparison.derivatives and statement.path is None:
+        from tresym.reals.decisions.removable_holes import at_removable_holes
+
+        answer = at_removable_holes(answer, comparison, statement, _bounded)
     if answer:
         answer = beyond_positive_bases(answer, comparison, statement, _bounded)
     if answer:

@@ -37,7 +37,11 @@ def add(commands: Commands) -> None:
     )
     parser.add_argument("claim", nargs="?", metavar="CLAIM", help="text or LaTeX")
     parser.add_argument(
-        "--given", default="", metavar="CONDITIONS", help="a > 0, 0 < b <= 1, a + b == 1, n integer"
+        "--given",
+        default=[],
+        action="append",
+        metavar="CONDITIONS",
+        help="a > 0, 0 < b <= 1, a + b == 1, n integer; if repeated, all of them hold",
     )
     parser.add_argument("--as", dest="tends", metavar="PATH", help="x -> 0+, 0-, 0, 1/2, oo, -oo")
     parser.add_argument(
@@ -72,14 +76,15 @@ def run(args: argparse.Namespace) -> int:
         raise InputError("check: --scheduler is for many claims; give them with -f FILE")
     if args.file is None and args.claim.strip().endswith(".tex"):
         raise InputError(f"check: {MANUSCRIPT}")
+    given = ", ".join(part for part in args.given if part.strip())
     if args.file is None:
-        asked = args.claim, args.given, args.tends, args.limit
+        asked = args.claim, given, args.tends, args.limit
         return one(*asked, args.json, args.path, args.coq, args.suggest)
     if args.coq is not None:
         raise InputError("check: --coq writes one claim; give it without -f")
     from tresym.checking.answer_cache import cached_answers
 
-    asked = args.file, args.given, args.tends, args.limit
+    asked = args.file, given, args.tends, args.limit
     with cached_answers(not args.no_cache):
         return many(*asked, args.json, args.path, args.scheduler, args.suggest)
 

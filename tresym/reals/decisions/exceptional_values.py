@@ -118,7 +118,8 @@ def also_at_zeros(
             again = list(_at_zeros(part, without, statement, decided))
             there = again if worst([found, *again]) else there
         answers += there
-    return worst(answers)
+    weakest = worst(answers)
+    return replace(weakest, constant=None, region=None) if len(answers) > 1 else weakest
 
 
 def also_at_holes(
@@ -214,17 +215,17 @@ def _at_zeros(
         ((name, at),) = value.items()
         if name in statement.integers and at.op == "number" and integer(at) is None:
             continue
-        change = partial(_put_in, value=value)
+        change = partial(value_put_in, value=value)
         there = statement.mapped(change)
         integers = tuple(n for n in statement.integers if n != name)
-        if is_empty(there.given) or not _may_be_defined(claim.mapped(change)):
+        if is_empty(there.given) or not may_be_defined(claim.mapped(change)):
             continue
         kept = constants_hold(there.given.comparisons)
         given = there.given if kept is None else kept
         found = decided(claim.mapped(change), replace(there, given=given, integers=integers))
         if found == NO_POINT:
             continue
-        yield _told(found, f"{name} = {at}", value)
+        yield with_substituted_witness(found, f"{name} = {at}", value)
 
 
 def _under_equation(
@@ -236,10 +237,10 @@ def _under_equation(
     there = replace(there, equations=(*there.equations, (part, ZERO)))
     found = decided(claim.mapped(change), there)
     if found != NO_POINT:
-        yield _told(found, f"{part} = 0", {})
+        yield with_substituted_witness(found, f"{part} = 0", {})
 
 
-def _told(found: Answer, where: str, value: dict[str, Expr]) -> Answer:
+def with_substituted_witness(found: Answer, where: str, value: dict[str, Expr]) -> Answer:
     """Return the answer at exceptional values, with a witness that holds them."""
     found = replace(found, why=f"where {where}: {found.why}")
     if found.verdict is not Verdict.REFUTED or not value:
@@ -266,7 +267,7 @@ def _fixed(e: Expr, statement: Statement) -> list[str]:
     )
 
 
-def _put_in(e: Expr, value: dict[str, Expr]) -> Expr:
+def value_put_in(e: Expr, value: dict[str, Expr]) -> Expr:
     """Return ``e`` with a value substituted, and the signs of numbers worked out."""
     return e if e in (INFINITY, -INFINITY) else with_signs(substitute(e, value))
 
@@ -342,7 +343,7 @@ def _needs_outside(claim: Comparison) -> list[tuple[Expr, str]]:
     return [part for part in found if symbols(part[0]).isdisjoint(hidden) and not part[0].hidden]
 
 
-def _may_be_defined(claim: Comparison) -> bool:
+def may_be_defined(claim: Comparison) -> bool:
     """Return whether no constant part of the elementary sides is shown to be undefined."""
     for e, relation in _needs_outside(claim):
         if symbols(e):
