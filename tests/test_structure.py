@@ -29,6 +29,7 @@ LAYERS = (
 INSIDE = {
     "reals": (
         ("numbers", "notebook", "verdict"),
+        ("functions",),
         ("language", "resource_limits", "processes"),
         ("domain", "cross_check"),
         ("normal",),

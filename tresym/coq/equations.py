@@ -19,6 +19,7 @@ from tresym.coq.linear_dependence import as_expression, expanded, whole_basis, w
 from tresym.coq.statement import Theorem, term
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.operation_domains import bound
+from tresym.reals.functions.table import names
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     HALF,
@@ -34,7 +35,7 @@ from tresym.reals.language.expression import (
 from tresym.reals.signs.sign import sign
 
 LEAVES = ("number", "symbol", "pi")
-OPAQUE = ("log", "asin", "acos", "atan", "asinh", "acosh", "atanh", "atan2")
+OPAQUE = names(lambda row: "inverses" in row.theory) | {"log"}
 MAX_MULTIPLE = 24
 MAX_ANGLES = 3
 

@@ -13,6 +13,7 @@ from tresym.coq.statement import Theorem, term
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.operation_domains import bound
+from tresym.reals.functions.table import names
 from tresym.reals.language.expression import (
     HALF,
     MINUS_ONE,
@@ -27,7 +28,7 @@ from tresym.reals.language.expression import (
 
 POINTS, LATER, STEPS = 10, 20, 300
 """Points that are looked at, near and then anywhere, and sentences at most."""
-HYPERBOLIC = ("asinh", "acosh", "atanh")
+HYPERBOLIC = names(lambda row: row.family == "inverse hyperbolic")
 Ask = Callable[[str], bool]
 
 

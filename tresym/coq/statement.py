@@ -28,15 +28,11 @@ from tresym.coq.theorem_trees import (
     inside,
     values_of,
 )
+from tresym.reals.functions.table import TABLE
 from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.language.formula import Conjunction, Equivalence, Relation
 
-FUNCTIONS = {
-    **{name: name for name in ("sign", "exp", "sin", "cos", "tan", "cot", "sec", "csc")},
-    **{name: name for name in ("asin", "acos", "atan", "sinh", "cosh", "tanh", "coth", "sech")},
-    **{"abs": "Rabs", "log": "ln", "cbrt": "root 3", "csch": "csch", "asinh": "arcsinh"},
-    **{"acosh": "acosh", "atanh": "atanh", "atan2": "atan2"},
-}
+FUNCTIONS = {name: row.coq for name, row in TABLE.items() if row.coq is not None}
 """The functions of the language by their names in Coq."""
 RELATIONS = {"==": "=", "!=": "<>", ">": ">", ">=": ">=", "<": "<", "<=": "<="}
 VALUES = {"integral": "RInt", "derivative": "Derive", "at": ""}

@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 from flint import fmpq
 
+from tresym.reals.functions.table import TABLE
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import (
@@ -45,19 +46,6 @@ SIGN, NUMBER, FUNCTION, VARIABLE, FACTOR, WRAPPED, OTHER = range(7)
 MAX_DIGITS = 6
 """The maximal number of digits of a number whose digits are changed one by one."""
 
-_FAMILIES = (
-    ("sin", "cos", "tan", "cot", "sec", "csc"),
-    ("sinh", "cosh", "tanh", "coth", "sech", "csch"),
-    ("asin", "acos", "atan"),
-    ("asinh", "acosh", "atanh"),
-    ("exp", "log"),
-)
-_PARTNERS = (
-    *(("sin", "cos"), ("tan", "cot"), ("sec", "csc"), ("asin", "acos"), ("asinh", "acosh")),
-    *(("sinh", "cosh"), ("tanh", "coth"), ("sech", "csch"), ("acos", "acosh")),
-    *((name, f"{name}h") for name in (*_FAMILIES[0], "asin", "atan")),
-)
-"""Pairs of functions that are often confused."""
 STRICTNESS = {"<": "<=", "<=": "<", ">": ">=", ">=": ">"}
 RELATIONS: dict[str, tuple[str, ...]] = {
     "<": ("<=", ">"),
@@ -251,14 +239,12 @@ def _here(e: Expr, names: Sequence[str], indices: Sequence[str]) -> Iterator[Cha
                 yield Change(VARIABLE, name, other, symbol(other))
         for step in (1, -1) if name in indices else ():
             yield Change(VARIABLE, name, str(e + step), e + step)
-    families: tuple[tuple[tuple[tuple[str, ...], ...], int], ...]
-    families = ((_PARTNERS, FUNCTION), (_FAMILIES, WRAPPED))
-    for pairs, rank in families:
-        for family in pairs:
-            if e.op in family:
-                for other in family:
-                    if other != e.op:
-                        yield Change(rank, e.op, other, apply(other, e.args[0]))
+    if (row := TABLE.get(e.op)) is not None:
+        for other in row.confused:
+            yield Change(FUNCTION, e.op, other, apply(other, *e.args))
+        for other, kin in TABLE.items():
+            if kin.family == row.family and kin.arity == row.arity and other != e.op:
+                yield Change(WRAPPED, e.op, other, apply(other, *e.args))
     if e.op == "+":
         yield from _terms(e)
     if e.op == "*":

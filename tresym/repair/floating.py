@@ -13,6 +13,7 @@ from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
+from tresym.reals.functions.table import TABLE
 from tresym.reals.language.binders import worked_out
 from tresym.reals.language.calls import FACTORIAL, INFINITY
 from tresym.reals.language.expression import Expr, opened, symbols
@@ -285,43 +286,9 @@ def _power(x: float, y: float) -> float:
     return x**y if x > 0 or y == round(y) else NAN
 
 
-def _exp(x: float) -> float:
-    return math.exp(x) if x < 700 else (math.inf if x == x else NAN)
-
-
-def _cosh(x: float) -> float:
-    return math.cosh(x) if abs(x) < 700 else (math.inf if x == x else NAN)
-
-
-def _sinh(x: float) -> float:
-    return math.sinh(x) if abs(x) < 700 else math.copysign(math.inf, x) if x == x else NAN
-
-
-def _sign(x: float) -> float:
-    return x if x != x else float((x > 0) - (x < 0))
-
-
-def _angle(y: float, x: float) -> float:
-    return math.atan2(y, x) if x or y else NAN
-
-
 _OPERATIONS: dict[str, Callable[..., float]] = {
     "+": lambda *terms: sum(terms),
     "*": lambda *factors: math.prod(factors),
     "^": _power,
-    "abs": abs,
-    "exp": _exp,
-    "sign": _sign,
-    "atan2": _angle,
-    "cbrt": lambda x: math.copysign(abs(x) ** (1 / 3), x),
-    "cot": lambda x: math.cos(x) / math.sin(x),
-    "sec": lambda x: 1 / math.cos(x),
-    "csc": lambda x: 1 / math.sin(x),
-    "coth": lambda x: 1 / math.tanh(x),
-    "sech": lambda x: 1 / _cosh(x),
-    "csch": lambda x: 1 / _sinh(x),
-    "cosh": _cosh,
-    "sinh": _sinh,
-    **{name: getattr(math, name) for name in ("log", "sin", "cos", "tan", "asin", "acos", "atan")},
-    **{name: getattr(math, name) for name in ("tanh", "asinh", "acosh", "atanh")},
+    **{name: row.double for name, row in TABLE.items() if row.double is not None},
 }

@@ -23,7 +23,7 @@ from tresym.reals.signs.interior import (
         ("cosh(x)**2 - sinh(x)**2 - 1", "", "0"),
         ("sqrt(x**2 + y**2) - x", "", ">=0"),
         ("sqrt(x**2 + y**2) - x", "x > y", ">=0"),
-        ("sign(x)**2 - 1", "", None),
+        ("sign(x)**2 - 1", "", "<=0"),
         ("x - 1", "x**2*(x - 1) >= 0", ">=0"),
         ("x", "x != 0", None),
     ],

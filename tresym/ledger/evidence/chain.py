@@ -30,6 +30,8 @@ from tresym.ledger.evidence.integrals import (
 from tresym.ledger.evidence.sign_prover import NON_NEGATIVE, is_manifest, manifest_sign, undefined
 from tresym.ledger.finding import StepFinding
 from tresym.reals.decisions.identity import Decision, decide_continuous
+from tresym.reals.functions.row import everywhere
+from tresym.reals.functions.table import names
 from tresym.reals.language.binders import generalised, outermost, worked_out
 from tresym.reals.language.expression import HALF, PI, ZERO, Expr, apply, replaced, sqrt, symbol
 from tresym.reals.language.formula import Conjunction, Equivalence, Formula, Relation
@@ -40,11 +42,7 @@ OPENING = ("differentiation", "evaluating")
 """Reasons that allow derivatives and substitutions to be carried out."""
 
 ONE_TO_ONE = {
-    "exp": (),
-    "sinh": (),
-    "tanh": (),
-    "asinh": (),
-    "atan": (),
+    **dict.fromkeys(names(lambda row: row.rising and row.needs is everywhere), ()),
     "log": ("+",),
     "sqrt": ("+", "0", ">=0"),
     "square": ("+", "0", ">=0"),

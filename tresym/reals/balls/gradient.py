@@ -17,6 +17,7 @@ from typing import Any
 from flint import arb, arb_series, ctx, fmpq_series
 
 from tresym.reals.balls.tracing import Traced, program
+from tresym.reals.functions.table import TABLE
 from tresym.reals.language.expression import ZERO, Expr, number, trees
 from tresym.reals.numbers.arithmetic import balls
 
@@ -108,23 +109,13 @@ class Gradients:
         return arb.pi()
 
     sqrt = _lifted(balls.sqrt, lambda x, y: 1 / (2 * y))
-    exp = _lifted(balls.exp, lambda x, y: y)
     expm1 = _lifted(balls.expm1, lambda x, y: x.exp())
-    log = _lifted(balls.log, lambda x, y: 1 / x)
     log1p = _lifted(balls.log1p, lambda x, y: 1 / (1 + x))
-    sin = _lifted(balls.sin, lambda x, y: x.cos())
-    cos = _lifted(balls.cos, lambda x, y: -x.sin())
-    tan = _lifted(balls.tan, lambda x, y: 1 + y * y)
-    asin = _lifted(balls.asin, lambda x, y: (1 - x * x).rsqrt())
-    acos = _lifted(balls.acos, lambda x, y: -((1 - x * x).rsqrt()))
-    atan = _lifted(balls.atan, lambda x, y: 1 / (1 + x * x))
-    sinh = _lifted(balls.sinh, lambda x, y: x.cosh())
-    cosh = _lifted(balls.cosh, lambda x, y: x.sinh())
-    tanh = _lifted(balls.tanh, lambda x, y: x.sech() ** 2)
-    asinh = _lifted(balls.asinh, lambda x, y: (1 + x * x).rsqrt())
-    acosh = _lifted(balls.acosh, lambda x, y: (x * x - 1).rsqrt())
-    atanh = _lifted(balls.atanh, lambda x, y: 1 / (1 - x * x))
 
+
+for _row in TABLE.values():
+    if _row.slope is not None:
+        setattr(Gradients, _row.name, _lifted(_row.ball, _row.slope))
 
 gradients = Gradients()
 

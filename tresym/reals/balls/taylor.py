@@ -15,19 +15,10 @@ from flint import arb, arb_series, ctx, fmpq
 
 from tresym.reals.balls.gradient import horner
 from tresym.reals.domain.evaluation import Walker
+from tresym.reals.functions.table import TABLE
 from tresym.reals.language.expression import Expr, off_the_cut
 
 TERMS = 8
-
-_QUOTIENTS = {
-    "cot": ("cos", "sin"),
-    "sec": (None, "cos"),
-    "csc": (None, "sin"),
-    "tanh": ("sinh", "cosh"),
-    "coth": ("cosh", "sinh"),
-    "sech": (None, "cosh"),
-    "csch": (None, "sinh"),
-}
 
 
 class _InSeries(Walker):
@@ -55,26 +46,14 @@ class _InSeries(Walker):
         return (x.log() * self.value(exponent)).exp()
 
     def _apply(self, name: str, *values: arb_series) -> arb_series:
-        (x,) = values
-        if name in _QUOTIENTS:
-            above, below = _QUOTIENTS[name]
-            return (self._apply(above, x) if above else 1) / self._apply(below, x)
-        match name:
-            case "sinh" | "cosh":
-                up, down = x.exp(), (-x).exp()
-                return (up + down if name == "cosh" else up - down) / 2
-            case "acos":
-                return arb.pi() / 2 - x.asin()
-            case "asinh":
-                return (x + (1 + x * x).sqrt()).log()
-            case "acosh":
-                return (x + (x * x - 1).sqrt()).log()
-            case "atanh":
-                return ((1 + x) / (1 - x)).log() / 2
-            case "exp" | "log" | "sin" | "cos" | "tan" | "asin" | "atan":
-                found: arb_series = getattr(x, name)()
-                return found
-        raise ZeroDivisionError(f"{name} is not smooth")
+        row = TABLE[name]
+        if row.series is not None:
+            found: arb_series = row.series(*values)
+            return found
+        if row.quotient is None:
+            raise ZeroDivisionError(f"{name} is not smooth")
+        above, below = row.quotient
+        return (self._apply(above, *values) if above else 1) / self._apply(below, *values)
 
 
 def taylor_value(e: Expr, name: str, x: arb, terms: int = TERMS) -> arb:

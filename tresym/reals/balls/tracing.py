@@ -20,9 +20,10 @@ from typing import Any
 
 from flint import arb, fmpq
 
-from tresym.reals.language.expression import FUNCTIONS, Expr, number, trees
+from tresym.reals.functions.table import names
+from tresym.reals.language.expression import Expr, number, trees
 
-RECORDED = (FUNCTIONS | {"sqrt", "expm1", "log1p"}) - {"abs", "sign", "cbrt"}
+RECORDED = names(lambda row: row.slope is not None or row.quotient) | {"sqrt", "expm1", "log1p"}
 """The functions that formulas may apply; all are analytic in the interior of their domain."""
 OPERATORS = {
     *(operator.add, operator.sub, operator.mul, operator.truediv, operator.pow, operator.neg)

@@ -34,6 +34,7 @@ from tresym.reals.decisions.statement import Comparison, Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.expansions.laurent import Germ, germ_of
+from tresym.reals.functions.table import TABLE, names
 from tresym.reals.language.binders import elementary, is_infinite
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
@@ -308,17 +309,11 @@ def _inside_circle(f: Expr, y: str, u: Expr, agree: str, given: Given, fixed: Gi
     return Answer(Verdict.PROVED, why)
 
 
-_ENTIRE = frozenset(("exp", "sin", "cos", "sinh", "cosh"))
-_ZEROS = {
-    **dict.fromkeys(("cos", "cosh"), PI / 2),
-    **dict.fromkeys(("sin", "sinh", "tan", "tanh"), PI),
-}
+_ENTIRE = names(lambda row: row.entire)
+_ZEROS = {row.name: number(row.zeros_apart) * PI for row in TABLE.values() if row.zeros_apart}
 """How far from 0 the nearest other zero is."""
-_POLES = {
-    **dict.fromkeys(("tan", "tanh", "sec", "sech"), PI / 2),
-    **dict.fromkeys(("cot", "coth", "csc", "csch"), PI),
-}
-_BRANCHED = frozenset(("asin", "acos", "atan", "asinh", "atanh"))
+_POLES = {row.name: number(row.poles_apart) * PI for row in TABLE.values() if row.poles_apart}
+_BRANCHED = names(lambda row: row.branched)
 """Functions with their singularities on the circle of radius 1."""
 
 

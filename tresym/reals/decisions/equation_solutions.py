@@ -7,7 +7,7 @@ inside invertible functions. For periodic functions the solutions contain a new 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from flint import fmpq
 
@@ -15,15 +15,16 @@ from tresym.reals.decisions.readable_witnesses import tidied
 from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.operation_domains import needs
+from tresym.reals.functions.table import TABLE
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     HALF,
-    ONE,
     PI,
     ZERO,
     Expr,
     add,
     apply,
+    as_expr,
     fresh,
     multiply,
     number,
@@ -32,30 +33,11 @@ from tresym.reals.language.expression import (
     substitute,
     symbol,
     symbols,
+    trees,
 )
 from tresym.reals.language.parsing import Compared
 from tresym.reals.signs.interior import PROVING, is_zero
 from tresym.reals.signs.sign import sign
-
-_HALF_TURN = PI / 2
-_INVERSES: dict[str, Any] = {
-    "exp": ("log", (">", ZERO)),
-    "log": ("exp",),
-    "sinh": ("asinh",),
-    "asinh": ("sinh",),
-    "tanh": ("atanh", ("<", ONE), (">", -ONE)),
-    "atanh": ("tanh",),
-    "atan": ("tan", ("<", _HALF_TURN), (">", -_HALF_TURN)),
-    "asin": ("sin", ("<=", _HALF_TURN), (">=", -_HALF_TURN)),
-    "acos": ("cos", ("<=", PI), (">=", ZERO)),
-}
-"""What undoes a function, and the ends between which its values lie."""
-_PERIODIC: dict[str, Any] = {
-    "sin": ("asin", (-1, PI), (-_HALF_TURN, _HALF_TURN)),
-    "cos": ("acos", (-1, ZERO), (ZERO, PI)),
-    "tan": ("atan", (1, PI), (-_HALF_TURN, _HALF_TURN)),
-}
-"""The inverse on a range, the sign and the shift that make another value of it, and the range."""
 
 
 class Case(NamedTuple):
@@ -121,7 +103,7 @@ def _undone(e: Expr, name: str, value: Expr, statement: Statement) -> list[Case]
             return None
         return _undone(arg, name, value / factor, statement)
     steps = [Case(u, conditions) for u, conditions in _inverses(e, arg, value)]
-    if e.op in _PERIODIC:
+    if e.op in TABLE and TABLE[e.op].branch:
         steps = _turned(e, arg, value, statement)
     found = []
     for step in steps:
@@ -140,7 +122,10 @@ def _undone(e: Expr, name: str, value: Expr, statement: Statement) -> list[Case]
 
 def _turned(e: Expr, arg: Expr, v: Expr, statement: Statement) -> list[Case]:
     """All values of ``arg`` with ``e = v``: the one in its range, or those that are turned."""
-    inverse, (turn, shift), (low, high) = _PERIODIC[e.op]
+    branch = TABLE[e.op].branch
+    assert branch is not None
+    inverse, (turn, turns_on), ends = branch
+    shift, low, high = (number(part) * PI if part else ZERO for part in (turns_on, *ends))
     first = apply(inverse, v)
     within = (sign(side, statement.given, ">=") for side in (arg - low, high - arg))
     if all(found in PROVING[">="] for found in within):
@@ -165,9 +150,11 @@ def _inverses(e: Expr, arg: Expr, v: Expr) -> Iterator[tuple[Expr, tuple[Compare
         yield -v, ((v, ">", ZERO),)
     elif e.op == "cbrt":
         yield v**3, ()
-    elif e.op in _INVERSES:
-        inverse, *bounds = _INVERSES[e.op]
-        yield apply(inverse, v), tuple((v, relation, end) for relation, end in bounds)
+    elif e.op in TABLE and (row := TABLE[e.op]).inverse and row.image:
+        low, high, closed = row.image(trees)
+        bounds = [(v, "<=" if closed else "<", as_expr(high))] if high is not None else []
+        bounds += [(v, ">=" if closed else ">", as_expr(low))] if low is not None else []
+        yield apply(row.inverse, v), tuple(bounds)
 
 
 def _roots(r: fmpq, v: Expr) -> Iterator[tuple[Expr, tuple[Compared, ...]]]:

@@ -21,6 +21,7 @@ from typing import NamedTuple
 
 from flint import Ordering, fmpq, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_mpoly_vec
 
+from tresym.reals.functions.table import TABLE
 from tresym.reals.language.expression import (
     LEAVES,
     ONE,
@@ -40,7 +41,7 @@ MOST_ATOMS, MOST_TERMS, MOST_POWER = 12, 3000, 24
 LIMITS = (60, 400, 600)
 """Of a basis: its polynomials, the terms of each, and the bits of their coefficients."""
 WAVES = ("sin", "cos", "tan", "cot", "sec", "csc")
-HYPERBOLIC = ("sinh", "cosh", "tanh", "coth", "sech", "csch")
+HYPERBOLIC = tuple(row.name for row in TABLE.values() if row.family == "hyperbolic")
 
 
 class Quotient(NamedTuple):

@@ -32,6 +32,8 @@ from tresym.reals.decisions.statement import Comparison, Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.operation_domains import operations, singularities
 from tresym.reals.expansions.limit_values import limit_of
+from tresym.reals.functions.row import everywhere
+from tresym.reals.functions.table import names
 from tresym.reals.language.binders import elementary, outermost, total
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.derivatives import differentiate
@@ -62,7 +64,7 @@ TERMS = 200
 FIRST, FIRST_ORDERS = 8, 4
 """Values of n, and of orders of derivatives, at which a claim is looked at."""
 INSIDE = ("sum", "product")
-SMOOTH = frozenset(("+", "*", "^", "exp", "sin", "cos", "sinh", "cosh", "atan", "tanh"))
+SMOOTH = {"+", "*", "^"} | names(lambda row: row.smooth and row.needs is everywhere)
 """Operations that have a derivative wherever they are defined; of powers it is asked apart."""
 
 

@@ -13,17 +13,23 @@ from collections.abc import Iterator
 from flint import fmpq
 
 from tresym.reals.domain.conditions import Given
-from tresym.reals.language.expression import PI, ZERO, Expr, apply, number, symbols
+from tresym.reals.functions.table import TABLE
+from tresym.reals.language.expression import ZERO, Expr, apply, as_expr, number, symbols, trees
 from tresym.reals.language.like_terms import collected, scaled
 from tresym.reals.signs.interior import PROVING, is_zero
 from tresym.reals.signs.sign import sign_by
 
-_ONTO = {"log": "exp", "asinh": "sinh"}
+_ONTO = {
+    row.name: row.inverse
+    for row in TABLE.values()
+    if row.inverse in TABLE and TABLE[row.inverse].entire and row.image(trees)[:2] == (None, None)
+}
 """The function of which each is the inverse, at every number."""
 _RANGES = {
-    "asin": ("sin", -PI / 2, PI / 2, ">="),
-    "acos": ("cos", ZERO, PI, ">="),
-    "atan": ("tan", -PI / 2, PI / 2, ">"),
+    row.name: (row.inverse, as_expr(low), as_expr(high), ">=" if closed else ">")
+    for row in TABLE.values()
+    if row.family == "inverse trigonometric" and row.image is not None
+    for low, high, closed in [row.image(trees)]
 }
 """The function of which each is the inverse, the ends of its values, and whether it takes them."""
 

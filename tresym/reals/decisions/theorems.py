@@ -10,6 +10,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from tresym.reals.functions.table import TABLE
+
 
 class Theorem(NamedTuple):
     """The integral over t of ``body``, or its sum or product over n, is ``value``."""
@@ -145,16 +147,8 @@ TABLES = {
 """The theorems by the range of t or n."""
 
 POWER_SERIES = (
-    ("y**k/factorial(k)", "exp(y)"),
-    ("(-1)**k*y**(2*k + 1)/factorial(2*k + 1)", "sin(y)"),
-    ("(-1)**k*y**(2*k)/factorial(2*k)", "cos(y)"),
-    ("y**(2*k + 1)/factorial(2*k + 1)", "sinh(y)"),
-    ("y**(2*k)/factorial(2*k)", "cosh(y)"),
+    *((row.power_series, f"{row.name}(y)") for row in TABLE.values() if row.power_series),
     ("y**(k + 1)/(k + 1)", "-log(1 - y)"),
-    ("(-1)**k*y**(2*k + 1)/(2*k + 1)", "atan(y)"),
-    ("y**(2*k + 1)/(2*k + 1)", "atanh(y)"),
-    ("factorial(2*k)*y**(2*k + 1)/(4**k*factorial(k)**2*(2*k + 1))", "asin(y)"),
-    ("(-1)**k*factorial(2*k)*y**(2*k + 1)/(4**k*factorial(k)**2*(2*k + 1))", "asinh(y)"),
     ("4**k*factorial(k)**2*2*y**(2*k + 2)/factorial(2*k + 2)", "asin(y)**2"),
     ("y**k", "1/(1 - y)"),
     ("(k + 1)*y**k", "1/(1 - y)**2"),

@@ -13,6 +13,8 @@ from typing import Any
 
 from flint import arb, ctx, fmpq
 
+from tresym.reals.functions.elementary import root_of_ball
+from tresym.reals.functions.table import TABLE
 from tresym.reals.language.expression import UNWORKED, ZERO, Expr, symbol
 from tresym.reals.numbers.arithmetic import balls
 
@@ -151,13 +153,6 @@ def undefined_parts(expressions: Iterable[Expr], point: Mapping[str, arb | fmpq]
     return found
 
 
-def _angle(y: arb, x: arb) -> arb:
-    """Return ``atan2(y, x)``; all of [−π, π] for a ball that crosses the negative x-axis."""
-    if y.contains(0) and x.contains(0):
-        raise UndefinedError
-    return arb.atan2(y, x)
-
-
 def _natural_power(x: arb, n: int) -> arb:
     """Return ``x**n`` for a ball that contains 0; FLINT returns NaN if the midpoint is 0."""
     if n == 0:
@@ -165,37 +160,6 @@ def _natural_power(x: arb, n: int) -> arb:
     if n % 2:
         return (x.lower() ** n).union(x.upper() ** n)
     return arb(0).union(x.abs_upper() ** n)
-
-
-def _sign(x: arb) -> arb:
-    if x.contains(0):
-        return arb(0, 0 if x.is_zero() else 1)
-    return arb(1 if x > 0 else -1)
-
-
-def _cube_root(x: arb) -> arb:
-    """Return the real cube root of any ball."""
-    if x >= 0:
-        return _root(x, 3)
-    if x < 0:
-        return -((-x).root(3))
-    return (-_root(-x.lower(), 3)).union(_root(x.upper(), 3))
-
-
-def _root(x: arb, n: int) -> arb:
-    """Return the n-th root of ``x ≥ 0``; FLINT returns NaN for a ball that contains 0."""
-    if x > 0:
-        return x.root(n)
-    high = x.upper()
-    return arb(0).union(high.root(n)) if high > 0 else arb(0)
-
-
-_OWN: dict[str, Callable[..., arb]] = {
-    "abs": abs,
-    "atan2": _angle,
-    "cbrt": _cube_root,
-    "sign": _sign,
-}
 
 
 class InBalls(Walker):
@@ -242,7 +206,7 @@ class InBalls(Walker):
 
 def applied(name: str, *values: arb) -> arb:
     """Return a function of balls; not finite, or undefined, where it has no value."""
-    return _OWN[name](*values) if name in _OWN else getattr(values[0], name)()
+    return TABLE[name].ball(*values)
 
 
 def real_power(x: arb, y: arb) -> arb:
@@ -263,7 +227,7 @@ def rational_power(x: arb, r: fmpq) -> arb:
         return _natural_power(x, p) if x.contains(0) else x**p
     if not x >= 0:
         raise UndefinedError
-    root = x.sqrt() if q == 2 else _root(x, q)
+    root = x.sqrt() if q == 2 else root_of_ball(x, q)
     return root if p == 1 else root**p
 
 
@@ -315,10 +279,11 @@ class Tape:
             r = e.args[1].args[0]
             k = self._step(lambda x: rational_power(x, r), self._place(e.args[0]))
         elif len(e.args) == 1:
-            k = self._step(partial(applied, e.op), self._place(e.args[0]))
+            k = self._step(TABLE[e.op].ball, self._place(e.args[0]))
+        elif e.op in TABLE:
+            k = self._step(partial(_of_two, TABLE[e.op].ball), *map(self._place, e.args))
         else:
-            own = self._power if e.op == "^" else partial(applied, e.op)
-            function = _OF_TWO.get(e.op, own)
+            function = self._power if e.op == "^" else _OF_TWO[e.op]
             k = self._place(e.args[0])
             for arg in e.args[1:]:
                 k = self._step(function, k, self._place(arg))
@@ -341,6 +306,13 @@ class Tape:
     def _slot(self) -> int:
         self._slots.append(None)
         return len(self._slots) - 1
+
+
+def _of_two(ball: Callable[[arb, arb], arb], x: arb, y: arb) -> arb:
+    found = ball(x, y)
+    if not found.is_finite():
+        raise UndefinedError
+    return found
 
 
 _OF_TWO: dict[str, Callable[..., arb]] = {"+": operator.add, "*": operator.mul}

@@ -15,23 +15,12 @@ from typing import Any
 from flint import acb, arb, fmpq
 
 from tresym.reals.domain.evaluation import UndefinedError, applied, rational_power, real_power
+from tresym.reals.functions.table import TABLE, names
 from tresym.reals.language.expression import MINUS_ONE, UNWORKED, Expr, symbols
 
-MEROMORPHIC = frozenset(
-    (
-        *("exp", "sin", "cos", "tan", "cot", "sec", "csc"),
-        *("sinh", "cosh", "tanh", "coth", "sech", "csch"),
-    )
-)
-OFF_CUTS: dict[str, Callable[[acb], bool]] = {
-    "atan": lambda z: not z.real.contains(0) or abs(z.imag) < 1,
-    "asinh": lambda z: not z.real.contains(0) or abs(z.imag) < 1,
-    "asin": lambda z: not z.imag.contains(0) or abs(z.real) < 1,
-    "acos": lambda z: not z.imag.contains(0) or abs(z.real) < 1,
-    "atanh": lambda z: not z.imag.contains(0) or abs(z.real) < 1,
-    "acosh": lambda z: not z.imag.contains(0) or bool(z.real > 1),
-}
-"""Whether a complex ball avoids the branch cuts (DLMF 4.23 and 4.37), where they are analytic."""
+MEROMORPHIC = names(lambda row: row.entire or row.quotient)
+OFF_CUTS = {row.name: row.off_cuts for row in TABLE.values() if row.off_cuts is not None}
+"""Whether a complex ball avoids the branch cuts, where they are analytic."""
 Done = Callable[..., Any]
 
 

@@ -10,17 +10,17 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from tresym.reals.domain.conditions import Given
+from tresym.reals.functions.table import TABLE
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     LEAVES,
     ZERO,
     Expr,
-    apply,
     number,
-    sqrt,
     substitute,
     symbol,
     symbols,
+    trees,
 )
 from tresym.reals.language.formula import MIRRORED
 
@@ -92,41 +92,23 @@ def preorder(e: Expr) -> Iterator[Expr]:
 def needs_of(node: Expr) -> list[tuple[Expr, str]]:
     """Return the expressions, with relations to zero, that state where the operation is defined."""
     x = node.args[0]
-    match node.op:
-        case "^":
-            exponent = node.args[1]
-            if exponent.op != "number":
-                return [(x, ">")]
-            r = exponent.args[0]
-            if r.q != 1:
-                return [(x, ">" if r < 0 else ">=")]
-            return [(x, "!=")] if r < 0 else []
-        case "log":
+    if node.op == "^":
+        exponent = node.args[1]
+        if exponent.op != "number":
             return [(x, ">")]
-        case "coth" | "csch":
-            return [(x, "!=")]
-        case "tan" | "sec":
-            return [(apply("cos", x), "!=")]
-        case "cot" | "csc":
-            return [(apply("sin", x), "!=")]
-        case "asin" | "acos":
-            return [(1 - x, ">="), (1 + x, ">=")]
-        case "atanh":
-            return [(1 - x, ">"), (1 + x, ">")]
-        case "acosh":
-            return [(x - 1, ">=")]
-        case "atan2":
-            return [(x**2 + node.args[1] ** 2, ">")]
-    return []
+        r = exponent.args[0]
+        if r.q != 1:
+            return [(x, ">" if r < 0 else ">=")]
+        return [(x, "!=")] if r < 0 else []
+    row = TABLE.get(node.op)
+    return list(row.needs(*node.args, trees)) if row else []
 
 
 def analytic_of(node: Expr) -> list[tuple[Expr, str]]:
     """Return the same for where the operation is analytic, with relations ``>`` and ``!=``."""
-    x = node.args[0]
-    if node.op in ("abs", "sign", "cbrt"):
-        return [(x, "!=")]
-    if node.op == "atan2":  # this expression is zero on the half line where atan2 jumps
-        return [(sqrt(node.args[1] ** 2 + x**2) + node.args[1], "!=")]
+    row = TABLE.get(node.op)
+    if row and row.singular:
+        return list(row.singular(*node.args, trees))
     return [(part, relation.replace(">=", ">")) for part, relation in needs_of(node)]
 
 

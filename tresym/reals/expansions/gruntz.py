@@ -15,6 +15,7 @@ from tresym.reals.domain.conditions import Given
 from tresym.reals.expansions.expansions import Expansions
 from tresym.reals.expansions.scale import Leading, Scale, T, UnresolvedError
 from tresym.reals.expansions.truncated_series import plus, quotient, times
+from tresym.reals.functions.table import TABLE
 from tresym.reals.language.expression import (
     ONE,
     PI,
@@ -27,35 +28,16 @@ from tresym.reals.language.expression import (
     power,
     rebuild,
     sqrt,
-    substitute,
     symbol,
     symbols,
+    trees,
 )
 from tresym.reals.language.like_terms import collected
-from tresym.reals.language.parsing import parse
 from tresym.reals.normal.to_expression import normal_form
 
 MAX_ROUNDS = 8
 MAX_TURNS = 60
 CUBE_ROOT = number(fmpq(1, 3))
-BY_OTHERS = {
-    "tan": "sin(u)/cos(u)",
-    "cot": "cos(u)/sin(u)",
-    "sec": "1/cos(u)",
-    "csc": "1/sin(u)",
-    "sinh": "exp(u)/2 - exp(-u)/2",
-    "cosh": "exp(u)/2 + exp(-u)/2",
-    "tanh": "(exp(2*u) - 1)/(exp(2*u) + 1)",
-    "coth": "1/tanh(u)",
-    "sech": "1/cosh(u)",
-    "csch": "1/sinh(u)",
-    "asinh": "log(u + sqrt(u**2 + 1))",
-    "acosh": "log(u + sqrt(u**2 - 1))",
-    "atanh": "log((1 + u)/(1 - u))/2",
-    "asin": "atan(u/sqrt(1 - u**2))",
-    "acos": "pi/2 - asin(u)",
-}
-"""Functions by others."""
 
 
 class _FinerPhaseError(Exception):
@@ -113,8 +95,9 @@ class Rewritten:
             y, x = map(self.of, e.args)
             self._way(sqrt(x**2 + y**2) + x)
             return self.of(off_the_cut(e))
-        if e.op in BY_OTHERS:
-            return self.of(substitute(parse(BY_OTHERS[e.op]), {"u": e.args[0]}))
+        row = TABLE.get(e.op)
+        if row and row.by_others:
+            return self.of(row.by_others(*e.args, trees))
         args = tuple(map(self.of, e.args))
         if e.op == "+":
             return collected(rebuild(e, args))

@@ -6,15 +6,11 @@ from dataclasses import dataclass
 
 from flint import ctx, fmpq, fmpq_series, fmpz
 
+from tresym.reals.functions.table import TABLE
 from tresym.reals.language.expression import Expr, number
 
 SIZE = 40
 """How many coefficients are had."""
-_SERIES = frozenset(
-    ("exp", "log", "sin", "cos", "tan", "sinh", "cosh", "tanh", "atan", "asin", "asinh")
-)
-_RECIPROCALS = {"cot": "tan", "sec": "cos", "csc": "sin"}
-_RECIPROCALS |= {f"{one}h": f"{other}h" for one, other in _RECIPROCALS.items()}
 
 
 class OpenError(Exception):
@@ -78,17 +74,16 @@ def _expanded(e: Expr, y: str) -> tuple[int, fmpq_series]:
         return _lowest(order, product)
     if e.op == "^" and e.args[1].op == "number":
         return _power(*_expanded(e.args[0], y), fmpq(e.args[1].args[0]))
-    if e.op in _RECIPROCALS:
-        return _power(*_expanded(Expr(_RECIPROCALS[e.op], e.args), y), fmpq(-1))
-    if e.op not in (*_SERIES, "atanh"):
+    row = TABLE.get(e.op)
+    if row and row.reciprocal:
+        return _power(*_expanded(Expr(row.reciprocal, e.args), y), fmpq(-1))
+    if row is None or row.rational_series is None:
         raise OpenError(f"no expansion of {e.op} is implemented")
     m, s = _expanded(e.args[0], y)
     if m < 0:
         raise OpenError("the expansion has a pole")
     s = _shifted(s, m)
-    if e.op == "atanh":
-        return _lowest(0, ((1 + s).log() - (1 - s).log()) / 2)
-    return _lowest(0, getattr(s, e.op)())
+    return _lowest(0, row.rational_series(s))
 
 
 def _shifted(s: fmpq_series, m: int) -> fmpq_series:

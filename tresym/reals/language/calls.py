@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
+from tresym.reals.functions.table import TABLE
 from tresym.reals.language.expression import (
     FUNCTIONS,
     Expr,
@@ -18,21 +19,9 @@ from tresym.reals.language.expression import (
 from tresym.reals.language.suggestions import about_function
 from tresym.reals.numbers.exact import InputError
 
-_ALIASES = {"ln": "log", "Abs": "abs", "sgn": "sign"} | {
-    f"arc{name}": f"a{name}"
-    for name in (
-        *("sin", "cos", "tan", "cot", "sec", "csc"),
-        *("sinh", "cosh", "tanh", "coth", "sech", "csch"),
-    )
-}
-_RECIPROCALS = {
-    "asec": "acos",
-    "acsc": "asin",
-    "acot": "atan",
-    "asech": "acosh",
-    "acsch": "asinh",
-    "acoth": "atanh",
-}
+_ALIASES = {alias: row.name for row in TABLE.values() for alias in row.aliases}
+_RECIPROCALS = {alias: row.name for row in TABLE.values() for alias in row.of_reciprocal}
+"""Names for the function of the reciprocal argument: asec(x) is acos(1/x)."""
 _GUDERMANNIAN: dict[str, Callable[[Expr], Expr]] = {
     "gd": lambda x: 2 * apply("atan", apply("tanh", x / 2)),
     "agd": lambda x: apply("asinh", apply("tan", x)),

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from fractions import Fraction
 from typing import Any
 
+from tresym.reals.functions.table import TABLE
 from tresym.reals.language.expression import (
     ONE,
     ORDERS,
@@ -20,10 +19,10 @@ from tresym.reals.language.expression import (
     multiply,
     number,
     power,
-    sqrt,
     substitute,
     symbol,
     symbols,
+    trees,
     unknown,
 )
 from tresym.reals.numbers.exact import InputError
@@ -79,7 +78,21 @@ def _derivative(node: Expr, walk: Any) -> Expr | None:
         y, x = node.args
         dy, dx = (ZERO if part is None else part for part in parts)
         return (x * dy - y * dx) / (x**2 + y**2)
-    return multiply(_SLOPES[node.op](node.args[0], node), parts[0])
+    return _function_derivative(node, parts)
+
+
+def _function_derivative(node: Expr, parts: list[Expr | None]) -> Expr:
+    """Apply the chain rule to a function of the table."""
+    formulas = TABLE[node.op].derivatives
+    terms = []
+    for n, part in enumerate(parts):
+        if part is None:
+            continue
+        formula = formulas[n] if n < len(formulas) else None
+        if formula is None:
+            raise InputError(f"the derivative of {node} in argument {n + 1} is not known")
+        terms.append(multiply(formula(*node.args, trees), part))
+    return add(*terms)
 
 
 def _unknown_derivative(node: Expr, parts: list[Expr | None]) -> Expr:
@@ -118,31 +131,3 @@ def _power_derivative(base: Expr, exponent: Expr, db: Expr | None, de: Expr | No
     if de is not None:
         terms.append(multiply(power(base, exponent), apply("log", base), de))
     return add(*terms)
-
-
-_SLOPES: dict[str, Callable[[Expr, Expr], Expr]] = {
-    "exp": lambda x, value: value,
-    "log": lambda x, value: 1 / x,
-    "sin": lambda x, value: apply("cos", x),
-    "cos": lambda x, value: -apply("sin", x),
-    "tan": lambda x, value: 1 + value**2,
-    "cot": lambda x, value: -1 - value**2,
-    "sec": lambda x, value: value * apply("tan", x),
-    "csc": lambda x, value: -value * apply("cot", x),
-    "asin": lambda x, value: 1 / sqrt(1 - x**2),
-    "acos": lambda x, value: -1 / sqrt(1 - x**2),
-    "atan": lambda x, value: 1 / (1 + x**2),
-    "sinh": lambda x, value: apply("cosh", x),
-    "cosh": lambda x, value: apply("sinh", x),
-    "tanh": lambda x, value: 1 - value**2,
-    "coth": lambda x, value: 1 - value**2,
-    "sech": lambda x, value: -value * apply("tanh", x),
-    "csch": lambda x, value: -value * apply("coth", x),
-    "asinh": lambda x, value: 1 / sqrt(x**2 + 1),
-    "acosh": lambda x, value: 1 / (sqrt(x - 1) * sqrt(x + 1)),
-    "atanh": lambda x, value: 1 / (1 - x**2),
-    "abs": lambda x, value: x / value,
-    "cbrt": lambda x, value: number(Fraction(1, 3)) / value**2,
-    "sign": lambda x, value: multiply(ZERO, 1 / x),  # constant where it is defined
-}
-"""The derivative of each function at x, given its value there."""

@@ -26,19 +26,13 @@ from typing import Any, TypeAlias
 
 from flint import fmpq
 
+from tresym.reals.functions.table import TABLE, names
 from tresym.reals.numbers.exact import InputError, exact_number, fraction_text
 
 Number: TypeAlias = int | Fraction | fmpq
 
-FUNCTIONS = frozenset(
-    (
-        *("exp", "log", "abs", "sign", "cbrt", "sin", "cos", "tan", "cot", "sec", "csc"),
-        *("sinh", "cosh", "tanh", "coth", "sech", "csch"),
-        *("asin", "acos", "atan", "asinh", "acosh", "atanh"),
-    )
-)
-"""The functions of one argument a tree may apply. ``sqrt x`` is ``x**(1/2)``. Of two arguments
-there is ``atan2`` alone, see :func:`angle`."""
+FUNCTIONS = names(lambda row: row.arity == 1 and row.theory)
+"""The elementary functions of one argument. ``sqrt x`` is ``x**(1/2)``."""
 LEAVES = frozenset(("number", "symbol", "pi", "bound", "function"))
 BINDERS = frozenset(
     ("integral", "antiderivative", "derivative", "nth", "at", "limit", "root", "sum", "product")
@@ -296,15 +290,15 @@ def _short(r: fmpq) -> str:
     return fraction_text(r)
 
 
-def apply(name: str, argument: Expr) -> Expr:
-    """Return the function ``name`` of :data:`FUNCTIONS` applied to ``argument``.
+def apply(name: str, *arguments: Expr) -> Expr:
+    """Return the function ``name`` of the table of functions applied to ``arguments``.
 
     Raises:
         InputError: the function is not known.
     """
-    if name not in FUNCTIONS:
-        raise InputError(f"unknown function {name}; known are sqrt, {', '.join(sorted(FUNCTIONS))}")
-    return Expr(name, (argument,))
+    if name not in TABLE:
+        raise InputError(f"unknown function {name}; known are sqrt, {', '.join(sorted(TABLE))}")
+    return Expr(name, arguments)
 
 
 def sqrt(x: Expr) -> Expr:
@@ -351,10 +345,10 @@ class Trees:
         return sqrt(as_expr(x))
 
     def __getattr__(self, name: str) -> Any:
-        """Return a function of :data:`FUNCTIONS`."""
-        if name not in FUNCTIONS:
+        """Return a function of the table."""
+        if name not in TABLE:
             raise AttributeError(name)
-        return lambda x: apply(name, as_expr(x))
+        return lambda *args: apply(name, *map(as_expr, args))
 
 
 trees = Trees()
@@ -425,7 +419,7 @@ def rebuild(node: Expr, args: tuple[Expr, ...]) -> Expr:
         return multiply(*args)
     if node.op == "^":
         return power(*args)
-    return angle(*args) if node.op == "atan2" else apply(node.op, args[0])
+    return Expr(node.op, args)
 
 
 def bind(e: Expr, names: tuple[str, ...]) -> Expr:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from tresym.reals.functions.table import TABLE, upright, written_after
 from tresym.reals.numbers.exact import InputError
 
 MAX_CHARACTERS = 10_000
@@ -14,15 +15,14 @@ def _words(text: str) -> frozenset[str]:
     return frozenset(text.split())
 
 
-_TRIGONOMETRIC = ("sin", "cos", "tan", "sinh", "cosh", "tanh")
+_ELEMENTARY = [row for row in TABLE.values() if row.theory and row.arity == 1]
+_NAMED = [row for row in _ELEMENTARY if written_after(row)]
 FUNCTIONS = {
-    **{name: name for name in (*_TRIGONOMETRIC, "cot", "sec", "csc", "coth", "exp", "log")},
-    "ln": "log",
-    **{f"arc{name}": f"a{name}" for name in (*_TRIGONOMETRIC, "cot", "sec", "csc")},
-    **{f"{ar}{name}": f"a{name}" for ar in ("ar", "arc") for name in ("sech", "csch", "coth")},
-    **{f"ar{name}": f"a{name}" for name in ("sinh", "cosh", "tanh")},
-    **{f"a{name}": f"a{name}" for name in _TRIGONOMETRIC},
-    **{"sech": "sech", "csch": "csch", "cosec": "csc", "sgn": "sign", "sign": "sign", "gd": "gd"},
+    **{word: row.name for row in _NAMED for word in (row.name, upright(row), *row.reads)},
+    **{alias: row.name for row in _NAMED for alias in row.aliases if alias.startswith("arc")},
+    **{word: row.of_reciprocal[0] for row in _NAMED for word in row.of_reciprocal},
+    **{f"ar{a[1:]}": a for row in _NAMED for a in row.of_reciprocal[:1] if a.endswith("h")},
+    "gd": "gd",
 }
 """Commands and upright words that apply a function, and the function."""
 GREEK = _words(

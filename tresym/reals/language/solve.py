@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tresym.reals.functions.table import TABLE
 from tresym.reals.language.expression import (
     ZERO,
     Expr,
@@ -13,22 +14,6 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.numbers.exact import InputError
-
-_INVERSE = {
-    "exp": "log",
-    "log": "exp",
-    "atan": "tan",
-    "asin": "sin",
-    "acos": "cos",
-    "sinh": "asinh",
-    "tanh": "atanh",
-    "asinh": "sinh",
-    "acosh": "cosh",
-    "atanh": "tanh",
-    "tan": "atan",
-    "sin": "asin",
-    "cos": "acos",
-}
 
 
 def solutions(e: Expr, name: str) -> list[Expr]:
@@ -66,8 +51,10 @@ def _solved(e: Expr, name: str, value: Expr) -> list[Expr]:
         )
     if e.op == "^":
         return _solved_power(e.args[0], e.args[1], name, value)
-    if e.op in _INVERSE and not (e.op == "exp" and value == ZERO):
-        return _solved(e.args[0], name, apply(_INVERSE[e.op], value))
+    row = TABLE.get(e.op)
+    inverse = row and (row.inverse or (row.branch and row.branch[0]))
+    if inverse and not (e.op == "exp" and value == ZERO):
+        return _solved(e.args[0], name, apply(inverse, value))
     return []
 
 

@@ -12,6 +12,7 @@ from __future__ import annotations
 import re
 from itertools import pairwise
 
+from tresym.reals.functions.table import TABLE
 from tresym.reals.language.calls import KNOWN, UNKNOWN
 from tresym.reals.language.expression import ORDERS
 from tresym.reals.language.spelling_operators import (
@@ -29,18 +30,18 @@ from tresym.reals.language.spelling_operators import (
 from tresym.reals.language.spelling_tokens import END, Token
 from tresym.reals.numbers.exact import InputError
 
-_CAPITALS = {
-    f"{prefix}{name.capitalize()}": f"{short}{name}"
-    for prefix, short in (("", ""), ("Arc", "a"))
-    for name in (
-        *("sin", "cos", "tan", "cot", "sec", "csc", "sinh", "cosh", "tanh", "coth", "sech", "csch"),
-    )
+_CAPITALS = {row.mathematica: row.name for row in TABLE.values() if row.arity == 1}
+_CAPITALS |= {
+    f"Arc{alias[1:].capitalize()}": alias
+    for row in TABLE.values()
+    for alias in row.of_reciprocal
+    if not alias.startswith("arc")
 }
 FUNCTIONS = {
     **{name: name for name in KNOWN - {"diff", "Derivative"}},
     **_CAPITALS,
-    **{"Sqrt": "sqrt", "Exp": "exp", "Log": "log", "Ln": "log", "Sign": "sign", "fabs": "abs"},
-    **{"tg": "tan", "ctg": "cot", "arctg": "atan", "arcctg": "acot", "CubeRoot": "cbrt"},
+    **{"Sqrt": "sqrt", "Ln": "log", "fabs": "abs"},
+    **{"tg": "tan", "ctg": "cot", "arctg": "atan", "arcctg": "acot"},
     **{"factorial": "factorial", "Factorial": "factorial"},
 }
 _CHOOSE = frozenset(("binomial", "Binomial", "binom", "choose", "comb", "nCr", "C"))
@@ -307,8 +308,7 @@ class Speller(OperatorSpeller):
         if prime:
             text = f"diff({text}, {self.only_variable(args[0])})"
         if exponent.startswith("-"):
-            inverse = {"sin", "cos", "tan", "cot", "sec", "csc", "sinh", "cosh", "tanh"}
-            other = f"a{name}({args[0]})" if name in inverse else f"the inverse of {name}"
+            other = f"a{name}({args[0]})" if f"a{name}" in KNOWN else f"the inverse of {name}"
             raise two(f"1/{text}" if exponent == "-1" else f"{text}**({exponent})", other)
         return f"{text}**{exponent}" if exponent else text
 

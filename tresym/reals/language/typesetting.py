@@ -10,6 +10,7 @@ import re
 from collections.abc import Iterable, Mapping
 from html import unescape
 
+from tresym.reals.functions.table import TABLE, names, upright, written_after
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import (
     DOTS,
@@ -43,9 +44,7 @@ LATEX: Mapping[str, str] = {
     "fraction": r"\frac{{{}}}{{{}}}", "power": "{}^{{{}}}", "sqrt": r"\sqrt{{{}}}",
     "cbrt": r"\sqrt[3]{{{}}}", "abs": r"\left|{}\right|", "function": r"\operatorname{{{}}}",
     "brackets": "({})", "tall": r"\left({}\right)", "comma": ", ", "partial": r"\partial ",
-    **{name: rf"\{name}" for name in ("sin", "cos", "tan", "cot", "sec", "csc")},
-    **{name: rf"\{name}" for name in ("sinh", "cosh", "tanh", "coth")},
-    "log": r"\ln", "asin": r"\arcsin", "acos": r"\arccos", "atan": r"\arctan", "O": "O", "o": "o",
+    **{name: row.latex for name, row in TABLE.items() if written_after(row)}, "O": "O", "o": "o",
 }  # fmt: skip
 
 _ROW = "<mrow>{}</mrow>"
@@ -74,13 +73,11 @@ MATHML: Mapping[str, str] = {
     "cbrt": f"<mroot>{_ROW}<mn>3</mn></mroot>", "abs": "<mrow><mo>|</mo>{}<mo>|</mo></mrow>",
     "function": "<mi>{}</mi>", "brackets": "<mrow><mo>(</mo>{}<mo>)</mo></mrow>",
     "comma": "<mo>,</mo>", "partial": "<mi>∂</mi>",
-    **{name: f"<mi>{name}</mi>" for name in ("sin", "cos", "tan", "cot", "sec", "csc")},
-    **{name: f"<mi>{name}</mi>" for name in ("sinh", "cosh", "tanh", "coth")},
-    "log": "<mi>ln</mi>", **{f"a{f}": f"<mi>arc{f}</mi>" for f in ("sin", "cos", "tan")},
+    **{name: f"<mi>{upright(row)}</mi>" for name, row in TABLE.items() if written_after(row)},
     "O": "<mi>O</mi>", "o": "<mi>o</mi>",
 }  # fmt: skip
 
-_RAISED = frozenset(["sin", "cos", "tan", "cot", "sec", "csc", "sinh", "cosh", "tanh", "coth"])
+_RAISED = names(lambda row: row.family in ("trigonometric", "hyperbolic"))
 """Functions whose exponent stands at the name: sin²(x)."""
 _SLOPE = re.compile(r"(d|partial)(\d?)([A-Za-z]\w*?)_(?:d|partial)([A-Za-z]\w*?)\2")
 _PRIMED = re.compile(r"(\w+?)_prime(\d?)")

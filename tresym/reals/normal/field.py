@@ -27,6 +27,7 @@ from math import prod
 from flint import arb, fmpq
 
 from tresym.reals.domain.conditions import Given
+from tresym.reals.functions.table import TABLE
 from tresym.reals.language.expression import UNWORKED, Expr
 from tresym.reals.normal.angles import AngleRing
 from tresym.reals.normal.ring import Fraction, UndefinedError
@@ -34,18 +35,6 @@ from tresym.reals.normal.sign_equations import AgainError
 from tresym.reals.numbers.factoring import TooLargeError
 
 ALL_THEORIES = frozenset({"roots", "trigonometry", "exponentials", "inverses"})
-
-_THEORY: dict[str, frozenset[str]] = (
-    {name: frozenset({"roots"}) for name in ("abs", "sign", "cbrt")}
-    | {
-        name: frozenset({"exponentials"})
-        for name in ("exp", "log", "sinh", "cosh", "tanh", "coth", "sech", "csch")
-    }
-    | {name: frozenset({"trigonometry"}) for name in ("sin", "cos", "tan", "cot", "sec", "csc")}
-    | {name: frozenset({"inverses"}) for name in ("asin", "acos", "atan")}
-    | {name: frozenset({"inverses"}) for name in ("asinh", "acosh", "atanh")}
-    | {"atan2": frozenset({"inverses", "roots"})}
-)
 
 MAX_PASSES = 40
 
@@ -135,31 +124,17 @@ class Field(AngleRing):
             return sum(values, self.zero)
         if op == "*":
             return prod(values[1:], start=values[0])
-        if not _THEORY[op] <= self.theories:
+        if not TABLE[op].theory or not TABLE[op].theory <= self.theories:
             return self._opaque(op, *values)
         return self._angle(*values) if op == "atan2" else self._function(op, values[0])
 
     def _function(self, name: str, x: Fraction) -> Fraction:
-        simple: dict[str, Callable[[Fraction], Fraction]] = {
-            "exp": self.exp,
-            "log": self.log,
-            "atan": self.atan,
-            "asin": self._asin,
-            "sign": self._sign_function,
-            "asinh": self._asinh,
-            "acosh": self._acosh,
-            "atanh": self._atanh,
-        }
-        if name in simple:
-            return simple[name](x)
-        if name == "abs":
-            return x * self._sign_function(x)
-        if name == "cbrt":
-            return self._root(x, fmpq(1, 3), signed=True)
-        if name == "acos":
-            return self.pi(fmpq(1, 2)) - self._asin(x)
-        if name in ("sin", "cos", "tan", "cot", "sec", "csc"):
+        row = TABLE[name]
+        if row.family == "trigonometric":
             return self._quotient(name, *self._turn(x))
+        if row.family != "hyperbolic":
+            own: Callable[[Fraction], Fraction] = getattr(self, f"_{name}_of")
+            return own(x)
         y = self.exp(x)
         z = 1 / y
         return self._quotient(name.removesuffix("h"), (y + z) / 2, (y - z) / 2)
@@ -249,7 +224,30 @@ class Field(AngleRing):
             return None
         return self.pi(fmpq(k, 12))
 
-    def _asin(self, u: Fraction) -> Fraction:
+    # The functions of one argument
+
+    def _exp_of(self, x: Fraction) -> Fraction:
+        return self.exp(x)
+
+    def _log_of(self, x: Fraction) -> Fraction:
+        return self.log(x)
+
+    def _atan_of(self, x: Fraction) -> Fraction:
+        return self.atan(x)
+
+    def _sign_of(self, x: Fraction) -> Fraction:
+        return self._sign_function(x)
+
+    def _abs_of(self, x: Fraction) -> Fraction:
+        return x * self._sign_function(x)
+
+    def _cbrt_of(self, x: Fraction) -> Fraction:
+        return self._root(x, fmpq(1, 3), signed=True)
+
+    def _acos_of(self, x: Fraction) -> Fraction:
+        return self.pi(fmpq(1, 2)) - self._asin_of(x)
+
+    def _asin_of(self, u: Fraction) -> Fraction:
         below, above = 1 - u, 1 + u
         if below.num.is_zero() or above.num.is_zero():
             return self.pi(fmpq(1 if below.num.is_zero() else -1, 2))
@@ -261,12 +259,12 @@ class Field(AngleRing):
             return self.atan(u / (1 + c)) * 2
         return self.atan(u / c)
 
-    def _asinh(self, u: Fraction) -> Fraction:
+    def _asinh_of(self, u: Fraction) -> Fraction:
         square = 1 + u**2
         self._require_positive(square)
         return self.log(u + self._root(square, fmpq(1, 2)))
 
-    def _acosh(self, u: Fraction) -> Fraction:
+    def _acosh_of(self, u: Fraction) -> Fraction:
         below, above = u - 1, u + 1
         if below.num.is_zero():
             return self.zero
@@ -274,6 +272,6 @@ class Field(AngleRing):
         self._require_positive(above)
         return self.log(u + self._root(below * above, fmpq(1, 2)))
 
-    def _atanh(self, u: Fraction) -> Fraction:
+    def _atanh_of(self, u: Fraction) -> Fraction:
         below, above = 1 - u, 1 + u
         return (self.log(above) - self.log(below)) / 2

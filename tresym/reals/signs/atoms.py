@@ -13,6 +13,7 @@ from math import prod
 
 from flint import fmpq
 
+from tresym.reals.functions.table import TABLE, names
 from tresym.reals.language.expression import UNWORKED, Expr, apply, number, power
 from tresym.reals.normal.ring import Fraction, Poly, Ring
 from tresym.reals.numbers.factoring import TooLargeError
@@ -20,12 +21,13 @@ from tresym.reals.numbers.factoring import TooLargeError
 SIZE = 24
 MAX_GROWTH = 300
 """The maximal number of terms after a power of an atom is substituted."""
-_EVEN = frozenset(("abs", "cos", "cosh", "sech"))
-_ODD = frozenset(("sin", "asin", "atan", "sinh", "tanh", "coth", "csch", "asinh", "atanh")) | {
-    "cbrt",
-    "sign",
+_EVEN = names(lambda row: row.even and row.arity == 1)
+_ODD = names(lambda row: row.odd and row.arity == 1)
+_CIRCULAR = {
+    name: row.quotient
+    for name, row in TABLE.items()
+    if row.quotient and row.family == "trigonometric"
 }
-_CIRCULAR = {"tan": ("sin", "cos"), "cot": ("cos", "sin"), "sec": ("", "cos"), "csc": ("", "sin")}
 
 
 class Atoms(Ring):

@@ -32,6 +32,7 @@ from flint import fmpq, fmpq_mat, fmpz_poly
 
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.operation_domains import bound, needs
+from tresym.reals.functions.table import names
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import Expr, number, symbol, symbols
 from tresym.reals.language.like_terms import scaled
@@ -52,13 +53,7 @@ ONLY_INSIDE = (
 )
 """The reason given when a proof is not enough because :func:`is_regular` is false."""
 
-_SMOOTH = {"+", "*", "exp", "log", "sin", "cos", "tan", "cot", "sec", "csc", "atan"} | {
-    "sinh",
-    "cosh",
-    "tanh",
-    "sech",
-    "asinh",
-}
+_SMOOTH = {"+", "*"} | names(lambda row: row.smooth)
 """Operations that have a derivative wherever they are defined."""
 
 

@@ -15,15 +15,16 @@ from collections.abc import Callable, Sequence
 
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.operation_domains import analytic_of, bound, needs, needs_of, operations
+from tresym.reals.functions.table import TABLE
 from tresym.reals.language.binders import generalised, outermost
 from tresym.reals.language.calls import FACTORIAL
 from tresym.reals.language.expression import (
     LEAVES,
-    MINUS_ONE,
     ONE,
     UNWORKED,
     ZERO,
     Expr,
+    number,
     opened,
     rebuild,
     replaced,
@@ -62,7 +63,10 @@ def continuous_on(e: Expr, given: Given, prover: Prover | None = None) -> Expr |
     return _missing(e, given, analytic_of, prover)
 
 
-_ENDS = {"asin": (ONE, MINUS_ONE), "acos": (ONE, MINUS_ONE), "acosh": (ONE,), "^": (ZERO,)}
+_ENDS = {
+    **{name: tuple(map(number, row.ends)) for name, row in TABLE.items() if row.ends},
+    "^": (ZERO,),
+}
 """The ends of the domain that belong to it, for each function."""
 
 

@@ -18,6 +18,7 @@ from flint import fmpq
 
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.operation_domains import denominators, singularities
+from tresym.reals.functions.table import names
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     PI,
@@ -38,7 +39,7 @@ from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.signs.interior import PROVING, is_nonzero, jumps
 from tresym.reals.signs.interior import sign_inside as sign
 
-_ZERO_WITH_ARGUMENT = ("abs", "cbrt", "sign", "sinh", "tanh", "asinh", "atanh", "atan", "asin")
+_ZERO_WITH_ARGUMENT = names(lambda row: row.vanishes_with_argument)
 
 
 class Case(NamedTuple):

@@ -15,7 +15,9 @@ from flint import fmpq
 
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.operation_domains import bound
-from tresym.reals.language.expression import ONE, PI, Expr, apply, number, symbols
+from tresym.reals.functions.row import Function
+from tresym.reals.functions.table import TABLE, names
+from tresym.reals.language.expression import ONE, PI, Expr, apply, number, symbols, trees
 from tresym.reals.normal.box import REALS, sign_on_box
 from tresym.reals.normal.ring import (
     MAX_DEGREE,
@@ -51,23 +53,8 @@ DEPTH = 2
 
 WEAK = ("+", ">=0", "0")
 FLIP = {"+": "-", "-": "+", ">=0": "<=0", "<=0": ">=0", "0": "0", None: None}
-_ODD_INCREASING = frozenset(("sinh", "tanh", "asinh", "atanh", "atan", "asin", "cbrt", "sign"))
-_ODD = _ODD_INCREASING | {"coth", "csch"}
-_RISING = frozenset(("sin", "exp", "log", "root", *_ODD_INCREASING)) - {"sign"}
+_RISING = names(lambda row: row.rising) | {"sin", "root"}
 """Strictly increasing functions; the sine is so on [−π/2, π/2]."""
-_POSITIVE = frozenset(("exp", "cosh", "sech"))
-_RANGES = {
-    "sin": Interval(fmpq(-1), fmpq(1)),
-    "cos": Interval(fmpq(-1), fmpq(1)),
-    "tanh": Interval(fmpq(-1), fmpq(1), True, True),
-    "sech": Interval(fmpq(0), fmpq(1), True),
-    "cosh": Interval(fmpq(1)),
-    "atan": Interval(fmpq(-11, 7), fmpq(11, 7), True, True),
-    "asin": Interval(fmpq(-11, 7), fmpq(11, 7), True, True),
-    "acos": Interval(fmpq(0), fmpq(22, 7), False, True),
-    "acosh": Interval(fmpq(0)),
-    "atan2": Interval(fmpq(-22, 7), fmpq(22, 7), True, True),
-}
 
 
 Taken = tuple[tuple[Poly, Poly, int], ...]
@@ -171,13 +158,6 @@ class Parts:
                 return self._in_half_turn(e)
             case "tan" | "cot":
                 return self._product_sign([apply(f, *e.args) for f in ("sin", "cos")])
-            case "sec" | "csc":
-                return self.sign(apply("cos" if e.op == "sec" else "sin", *e.args))
-            case "log":
-                return self.sign(e.args[0] - 1)
-            case "acos" | "acosh":
-                inner = 1 - e.args[0] if e.op == "acos" else e.args[0] - 1
-                return "+" if self.sign(inner) == "+" else ">=0"
             case "abs":
                 return "+" if self.nonzero(e.args[0]) else ">=0"
             case "atan2":
@@ -185,9 +165,16 @@ class Parts:
                 return y if y == "+" or x == "+" else None
             case "symbol":
                 return span_sign(self.span(e))
-        if e.op in _POSITIVE:
-            return "+"
-        return self.sign(e.args[0]) if e.op in _ODD else None
+        return self._by_row(TABLE[e.op], e.args) if e.op in TABLE else None
+
+    def _by_row(self, row: Function, args: tuple[Expr, ...]) -> str | None:
+        """Return the sign of a function from its range, or from the sign that its row states."""
+        least = span_sign(row.range)
+        if least in ("+", "-"):
+            return least
+        if row.sign_of is not None:
+            return self.sign(row.sign_of(*args, trees)) or least
+        return self.sign(args[0]) if row.vanishes_with_argument and row.odd else least
 
     def _product_sign(self, factors: list[Expr] | tuple[Expr, ...]) -> str | None:
         total = "+"
@@ -251,7 +238,8 @@ class Parts:
             return absolute_sign(self.span(e.args[0]), self.nonzero(e.args[0]))
         if e.op in ("+", "*"):
             return REALS
-        return _RANGES.get(e.op, REALS) & self._span_by_sign(e)
+        known = TABLE[e.op].range if e.op in TABLE else REALS
+        return known & self._span_by_sign(e)
 
     def _span_by_sign(self, e: Expr) -> Interval:
         """Return the range given by the sign of ``e`` and, for an exponential or root, of ``e −

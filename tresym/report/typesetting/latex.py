@@ -28,21 +28,15 @@ from sympy.printing.latex import LatexPrinter
 
 from tresym.ledger.statements import As, AtMostOne, ExactlyOne, ForSome, Rounds, Under
 from tresym.racket.notation import LATEX, theta
+from tresym.reals.functions.table import TABLE, names, written_after
 from tresym.reals.numbers.exact import printed
 
 _RELATIONS = {"==": "=", ">": ">", ">=": r"\ge", "<": "<", "<=": r"\le", "!=": r"\ne"}
 
-_FUNCTIONS = {
-    "asin": r"\arcsin",
-    "acos": r"\arccos",
-    "atan": r"\arctan",
-    "atanh": r"\operatorname{artanh}",
-    "asinh": r"\operatorname{arsinh}",
-    "acosh": r"\operatorname{arcosh}",
-    "log": r"\ln",
-    "sign": r"\operatorname{sgn}",
-}
-_PLAIN = frozenset(["sin", "cos", "tan", "cot", "sec", "csc", "sinh", "cosh", "tanh", "coth"])
+_FUNCTIONS = {name: row.latex for name, row in TABLE.items() if row.theory and written_after(row)}
+
+_RAISED = names(lambda row: row.family in ("trigonometric", "hyperbolic"))
+"""Functions whose exponent stands at the name: sin²(x)."""
 
 _RATE = re.compile(r"(d|partial)([A-Za-z]+)_(?:d|partial)([A-Za-z]+[0-3]?)")
 """Names of derivatives that are symbols, such as dG_dlambda."""
@@ -116,7 +110,7 @@ class PaperPrinter(LatexPrinter):
         if power == Rational(1, 2):
             return rf"\sqrt{{{self._print(base)}}}"
         shown = _inline(power) if power.is_Rational else self._print(power)
-        if isinstance(base, Function) and base.func.__name__ in _PLAIN:
+        if isinstance(base, Function) and base.func.__name__ in _RAISED:
             return self._applied(base, shown)
         body = self._print(base)
         plain = base.is_Symbol and not body.startswith(r"\frac")
@@ -126,7 +120,7 @@ class PaperPrinter(LatexPrinter):
 
     def _applied(self, e: Function, power: str = "") -> str:
         name = e.func.__name__
-        head = _FUNCTIONS.get(name, rf"\{name}") + (f"^{_script(power)}" if power else "")
+        head = _FUNCTIONS[name] + (f"^{_script(power)}" if power else "")
         (argument,) = e.args
         body = self._print(argument)
         if argument.is_Symbol:
@@ -134,7 +128,7 @@ class PaperPrinter(LatexPrinter):
         return head + bracketed(body)
 
     def _print_Function(self, e: Function, exp: str | None = None) -> str:
-        if len(e.args) == 1 and (e.func.__name__ in _PLAIN or e.func.__name__ in _FUNCTIONS):
+        if len(e.args) == 1 and e.func.__name__ in _FUNCTIONS:
             return self._applied(e)
         name = self._hprint_Function(e.func.__name__)
         head = name + (f"^{_script(exp)}" if exp else "")

@@ -1,0 +1,27 @@
+"""The table of all functions, by name."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+from tresym.reals.functions.elementary import ELEMENTARY
+from tresym.reals.functions.row import Function
+
+TABLE: dict[str, Function] = {row.name: row for row in ELEMENTARY}
+"""Every row by the name of its function."""
+
+
+def names(fact: Callable[[Function], object]) -> frozenset[str]:
+    """Return the names of the functions whose row has a fact."""
+    return frozenset(name for name, row in TABLE.items() if fact(row))
+
+
+def upright(row: Function) -> str:
+    """Return the name of a function as it is printed: ``arcsin`` for asin, ``ln`` for log."""
+    return row.mathml or re.sub(r"\\operatorname\{(\w+)\}|\\(\w+)", r"\1\2", row.latex)
+
+
+def written_after(row: Function) -> bool:
+    """Whether the argument follows the name, unlike that of an absolute value or a root."""
+    return bool(row.latex) and "{}" not in row.latex
