@@ -21,7 +21,7 @@ from tresym.reals.language.expression import Expr, off_the_cut
 TERMS = 8
 
 
-class _InSeries(Walker):
+class InSeries(Walker):
     """Compute Taylor coefficients; NaN or ``ZeroDivisionError`` where a function is not smooth."""
 
     def _number(self, x: Any) -> arb_series:
@@ -75,7 +75,7 @@ def taylor_value(e: Expr, name: str, x: arb, terms: int = TERMS) -> arb:
     ctx.cap = terms + 1
     try:
         near, over = (
-            _InSeries(None, {name: arb_series([at, 1], ctx.cap)}).value(e) for at in (middle, x)
+            InSeries(None, {name: arb_series([at, 1], ctx.cap)}).value(e) for at in (middle, x)
         )
         if min(near.prec, over.prec) <= terms:
             return arb.nan()

@@ -83,7 +83,7 @@ class Enclosing(InBalls):
         if e.op == "at":
             names, body = opened(e)
             points = dict(zip(names, map(self.value, e.args[1:]), strict=True))
-            return _Inner(self, points).value(body)
+            return Inner(self, points).value(body)
         if e.op == "derivative" and (found := worked_out(e)).op != "derivative":
             return self.value(found)
         if e.names or e.op in ("O", "o"):
@@ -147,7 +147,7 @@ def shown(e: Expr, walker: Enclosing) -> arb:
         return arb.nan()
 
 
-class _Inner(Enclosing):
+class Inner(Enclosing):
     """Evaluate with additional variables; the other values are taken from outside."""
 
     def __init__(self, outer: Enclosing, more: dict[str, arb]) -> None:
@@ -155,6 +155,7 @@ class _Inner(Enclosing):
         self.outer, self.names = outer, more.keys()
 
     def value(self, e: Expr) -> arb:
+        """Return the value of ``e``; what does not depend on the new variables is kept outside."""
         if e not in self.known and self.names.isdisjoint(symbols(e)):
             self.known[e] = self.outer.value(e)
         return super().value(e)
@@ -221,7 +222,7 @@ def along(name: str, body: Expr, at: At, like: Enclosing) -> Callable[[arb], arb
             ctx.prec, Enclosing(at, like.root, like.own)
         )  # cached values have this precision
         try:
-            return _Inner(outer, {name: x}).value(body)
+            return Inner(outer, {name: x}).value(body)
         except UndefinedError:
             return arb.nan()
 

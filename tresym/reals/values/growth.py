@@ -32,7 +32,16 @@ from flint import acb, acb_series, arb, arb_series, ctx, fmpq
 
 from tresym.reals.domain.binder_values import jumps
 from tresym.reals.domain.evaluation import UndefinedError, applied
-from tresym.reals.language.expression import UNWORKED, ZERO, Expr, apply, substitute, symbols
+from tresym.reals.language.expression import (
+    UNWORKED,
+    ZERO,
+    Expr,
+    apply,
+    multiply,
+    power,
+    substitute,
+    symbols,
+)
 from tresym.reals.values.exact_values import rational
 
 KEPT = 6
@@ -313,6 +322,8 @@ class Growth:
             return found
         if e.op == "^":
             if e.args[1].op == "number":
+                if self.complex and e.args[0].op == "*" and e.args[1].args[0].q == 1:
+                    return self.terms(multiply(*(power(f, e.args[1]) for f in e.args[0].args)))
                 return self._power(self.terms(e.args[0]), e.args[1].args[0])
             return self._exp(self.product(self.terms(e.args[1]), self._log(self.terms(e.args[0]))))
         if e.op in QUOTIENTS:
@@ -481,7 +492,7 @@ class Growth:
     def _relative(self, f: Sum) -> tuple[Term, Sum]:
         """Return the leading term, and h of f = term·(1 + h)."""
         first, *rest = f
-        if abs(_ball(first.coefficient)).contains(0):
+        if _ball(first.coefficient).contains(0):
             raise FartherError
         inverse = first.scale**-1
         h = self.sum(
@@ -491,7 +502,7 @@ class Growth:
         return first, h
 
     def _power(self, f: Sum, r: fmpq) -> Sum:
-        if r.q == 1 and 0 <= r <= TAYLOR:
+        if r.q == 1 and 0 <= r <= TAYLOR and (len(f) != 1 or not self.complex):
             found: Sum = (Term(fmpq(1), ONE, True),)
             for _ in range(int(r.p)):
                 found = self.product(found, f)
@@ -506,7 +517,10 @@ class Growth:
             raise UndefinedError
         if r.q != 1 and not _real_part(_ball(c)) > 0:
             raise UndefinedError if len(f) == 1 or not _ball(c).contains(0) else FartherError
-        value = c ** int(r.p) if r.q == 1 else _ball(c) ** r
+        if isinstance(c, acb) and not c.is_exact():  # sharper for a wide ball
+            value: Any = (c.log() * r).exp() if c.real > 0 else c ** int(r.p)
+        else:
+            value = c ** int(r.p) if r.q == 1 else _ball(c) ** r
         head = Term(exact(value), first.scale**r, first.fixed)
         if not h:
             return self.sum([head])
