@@ -166,7 +166,7 @@ BAD = [
     (["--body", "str", "--digits", "٣"], "integer from 1 to 10000"),
     (["--body", "str", "--digits", "9" * 5000], "integer from 1 to 10000"),
     (["--body", "str", "--rung", "lift"], "rung: 'lift' is not known"),
-    (["--body", "str", "--nonsense"], "unrecognized arguments"),
+    (["--body", "str", "--nonsense"], "there is no argument '--nonsense'"),
     (["--body", "str", "-o", "/nonexistent/folder/x"], "cannot be written"),
     ([], "is required"),
 ]

@@ -773,7 +773,7 @@ def test_the_command_in_this_process(tmp_path: Path, capsys: pytest.CaptureFixtu
 @pytest.mark.parametrize(
     ("words", "says"),
     [
-        (["--a", "1"], "give either --csv, or --a and --b"),
+        (["--a", "1"], "give either --csv FILE, or --a and --b"),
         (["--csv", "x", "--a", "1"], "give either --csv"),
         (["--csv", "/nonexistent"], "no such file"),
         (["--csv", "/dev/null"], "not a regular file"),

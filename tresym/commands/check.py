@@ -263,7 +263,11 @@ def _lines(file: str) -> Iterator[str]:
                     rest = stream.readline(LONGEST_LINE)
                 else:
                     raise InputError(f"{file}: a line is too long")
+                if "\0" in line:
+                    raise InputError(f"{file}: this is a binary file, not a list of claims")
                 yield from line.splitlines() or [""]
+    except FileNotFoundError:
+        raise InputError(f"{file}: no such file") from None
     except OSError as error:
         raise InputError(f"{file}: cannot be read ({error.strerror})") from None
 

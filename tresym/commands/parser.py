@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NoReturn, TypeAlias
 from tresym.reals.numbers.exact import InputError
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable, Iterable, Iterator, Sequence
 
     from tresym.racket.body import Shape
 
@@ -29,9 +29,45 @@ class Parser(argparse.ArgumentParser):
     def __init__(self, **options: Any) -> None:
         super().__init__(allow_abbrev=False, **options)
 
+    def parse_args(self, args: Any = None, namespace: Any = None) -> Any:
+        """Parse the words; an unknown option is refused with the nearest one of its command."""
+        found, rest = self.parse_known_args(args, namespace)
+        if rest:
+            named, word = self._named(args or ()), rest[0].strip()
+            options = [option for option in named._option_string_actions if len(option) > 2]
+            meant = nearest(word.partition("=")[0], options) if word.startswith("-") else ""
+            named.error(f"there is no argument {word!r}{meant}")
+        return found
+
+    def _named(self, words: Sequence[str]) -> Parser:
+        """Return the parser of the command that the words name, or this one."""
+        for action in self._actions:
+            if isinstance(action, argparse._SubParsersAction):
+                parsers: dict[str, Parser] = action.choices
+                return next((parsers[word] for word in words if word in parsers), self)
+        return self
+
+    def _check_value(self, action: argparse.Action, value: Any) -> None:
+        if action.choices is not None and value not in action.choices:
+            known = ", ".join(map(str, action.choices))
+            meant = nearest(str(value), map(str, action.choices))
+            what = "command" if isinstance(action, argparse._SubParsersAction) else "choice"
+            raise argparse.ArgumentError(
+                None if what == "command" else action,
+                f"there is no {what} {value!r}{meant}" + ("" if meant else f"; known: {known}"),
+            )
+
     def error(self, message: str) -> NoReturn:
         """Raise the message as InputError; quoted input may be long, or not printable."""
         raise InputError(f"{one_line(message, 200)} (see {self.prog} --help)")
+
+
+def nearest(word: str, known: Iterable[str]) -> str:
+    """Return ``; did you mean …?`` with the nearest known word, or an empty text."""
+    from difflib import get_close_matches
+
+    found = get_close_matches(word, list(known), 1, 0.7)
+    return f"; did you mean {found[0]}?" if found else ""
 
 
 def one_line(text: str, longest: int) -> str:

@@ -48,6 +48,11 @@ def run(args: argparse.Namespace) -> int:
     from tresym.reals.processes import parse_workers
     from tresym.sweep.run import summary_text, to_stderr
 
+    if args.path.lower().endswith((".csv", ".parquet", ".json", ".txt")):
+        raise InputError(
+            f"{args.path}: a sweep keeps its rows in an SQLite file, so that it can be continued; "
+            f"write -o TABLE.sqlite --export {args.path}"
+        )
     grid = (args.a, args.b, args.gamma)
     source: sweep.Source
     if args.csv is not None and grid == (None, None, None):
@@ -55,7 +60,10 @@ def run(args: argparse.Namespace) -> int:
     elif args.csv is None and args.a is not None and args.b is not None:
         source = sweep.Grid.read(args.a, args.b, "0" if args.gamma is None else args.gamma)
     else:
-        raise InputError("sweep: give either --csv, or --a and --b, and --gamma if wanted")
+        raise InputError(
+            "sweep: give either --csv FILE, or --a and --b (and --gamma), each as 0.1,1/3 or as "
+            "LOW:HIGH:COUNT"
+        )
     digits = None if args.float64 else parse_digits(args.digits)
     workers = None
     if args.scheduler is not None:
