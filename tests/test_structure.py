@@ -30,7 +30,8 @@ INSIDE = {
     "reals": (
         ("numbers", "notebook", "verdict"),
         ("functions",),
-        ("language", "resource_limits", "processes"),
+        ("language", "resource_limits"),
+        ("processes",),
         ("domain", "cross_check"),
         ("normal",),
         ("signs", "balls"),

@@ -14,7 +14,7 @@ from tresym.checking.answer_cache import AnswerCache, cached_answers, clear_cach
 from tresym.checking.time_limited import Task, check_all
 from tresym.commands import main
 from tresym.reals.decisions.answer import Answer
-from tresym.reals.verdict import Verdict
+from tresym.reals.verdict import Cause, Verdict
 
 CLAIMS = [
     *("x + x == 2*x", "x**2 == 9", "exp(x) >= 1 + x", "sin(x) == x + O(x**3) as x -> 0"),
@@ -59,6 +59,36 @@ def test_undecided_is_found_again_for_the_same_limit_alone() -> None:
         assert (cache.get("x == y", "", None, 2.0) is not None) is known
         assert cache.get("x == y", "x > 0", None, 1.0) is None
     cache.close()
+
+
+@pytest.mark.parametrize("cause", [cause for cause in Cause if cause.of_the_run])
+def test_what_depends_on_the_run_is_not_stored(cause: Cause) -> None:
+    cache = AnswerCache(Path(str(answer_cache.cache_file())))
+    cache.put("x == y", "", None, 1.0, Answer(Verdict.UNDECIDED, "why", cause=cause))
+    assert cache.get("x == y", "", None, 1.0) is None
+    cache.close()
+
+
+def test_a_stopped_claim_is_decided_by_the_next_run() -> None:
+    claim = "sum(exp(-k**2)*sin(k**3), k, 1, 400) < 9"
+    with cached_answers():
+        (_, stopped) = next(check_all([Task(claim)], 0.0005))
+    assert isinstance(stopped, Answer)
+    assert stopped.cause is Cause.STOPPED
+    _, known = run([claim])
+    assert known == 0
+
+
+@pytest.mark.parametrize("name", answer_cache.LIBRARIES)
+def test_another_version_of_a_library_finds_nothing(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    version = answer_cache.version.__wrapped__
+    before, installed = version(), answer_cache._installed
+    monkeypatch.setattr(
+        answer_cache, "_installed", lambda each: installed(each) + "x" * (each == name)
+    )
+    assert version() != before
 
 
 def test_suggestions_are_found_again(monkeypatch: pytest.MonkeyPatch) -> None:

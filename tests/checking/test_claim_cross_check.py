@@ -16,7 +16,7 @@ def against(claim: str, constant: str | None = None, region: str | None = None) 
     ball = None if constant is None else Decimal(constant, "1e-9")
     answer = Answer(Verdict.PROVED, "so it is said", constant=ball, region=region)
     (comparison,) = statement.comparisons
-    return attack(comparison, statement, answer, 0.1)
+    return attack(comparison, statement, answer)
 
 
 @pytest.mark.parametrize(

@@ -12,11 +12,12 @@ from typing import Any
 import pytest
 
 from tresym.checking import check, time_limited
-from tresym.checking.time_limited import Task, check_all, check_by, check_within
+from tresym.checking.time_limited import Task, _stopped_text, check_all, check_by, check_within
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.numbers.exact import InputError
-from tresym.reals.verdict import Verdict
+from tresym.reals.processes import StoppedError
+from tresym.reals.verdict import Cause, Verdict
 
 
 class Inline:
@@ -65,10 +66,14 @@ def test_answers_come_in_the_order_of_the_tasks_with_their_lines() -> None:
 
 
 @pytest.mark.parametrize(
-    ("error", "word"), [(TimeoutError, "stopped after"), (BrokenExecutor, "process ended")]
+    ("error", "word", "cause"),
+    [
+        (StoppedError, "stopped after", Cause.STOPPED),
+        (BrokenExecutor, "process ended", Cause.DIED),
+    ],
 )
 def test_what_is_lost_is_undecided_and_the_rest_is_decided(
-    losing: dict[str, type[Exception]], error: type[Exception], word: str
+    losing: dict[str, type[Exception]], error: type[Exception], word: str, cause: Cause
 ) -> None:
     losing["x > 0"] = error
     lost, kept = (answer for _, answer in check_all([Task("x > 0", "x > 1"), Task("x < x + 1")], 1))
@@ -76,6 +81,7 @@ def test_what_is_lost_is_undecided_and_the_rest_is_decided(
     assert isinstance(kept, Answer)
     assert lost.verdict is Verdict.UNDECIDED
     assert word in lost.why
+    assert lost.cause is cause
     assert lost.read_as == "x > 0 given x > 1"
     assert kept.verdict is Verdict.PROVED
 
@@ -98,6 +104,13 @@ def test_a_procedure_that_fails_ends_no_other(monkeypatch: pytest.MonkeyPatch) -
     found = check_within(Task("x > 0"))
     assert found.verdict is Verdict.UNDECIDED
     assert "report" in found.why
+    assert found.cause is Cause.FAILED
+
+
+def test_a_stopped_claim_names_the_stage_and_what_may_help_there() -> None:
+    hard = StoppedError("stopped after 5 s", "sums: branch and bound")
+    assert "at the stage sums: branch and bound; fewer variables" in _stopped_text(hard)
+    assert "a simpler claim may help" in _stopped_text(StoppedError("stopped after 5 s", "sums"))
 
 
 @pytest.mark.parametrize("limit", [0, -1, float("inf"), float("nan"), "5", 10**6])

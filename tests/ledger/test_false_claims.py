@@ -713,7 +713,7 @@ def guarded(name: str, monkeypatch: pytest.MonkeyPatch, *gone: tuple[Any, str, A
     return not judged(FALSE[name]).verdict.holds
 
 
-NO_CROSS_CHECK = (judging, "_attacked", lambda claim, finding, spent: finding)
+NO_CROSS_CHECK = (judging, "_attacked", lambda claim, finding: finding)
 BY_NOTHING = (judging, "refute", lambda says, claim: None)
 
 

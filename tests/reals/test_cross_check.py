@@ -284,7 +284,7 @@ def test_what_is_true_is_not_contradicted(claim: str) -> None:
     """Nor with the time of a decision that took long."""
     statement = read(claim)
     for comparison in statement.comparisons:
-        assert attack(comparison, statement, Answer(PROVED, ""), 0.5) is None
+        assert attack(comparison, statement, Answer(PROVED, "")) is None
 
 
 def test_nothing_is_shared_with_the_provers() -> None:

@@ -13,7 +13,8 @@ import pytest
 
 import tresym
 from tresym.reals import processes
-from tresym.reals.processes import Processes
+from tresym.reals.processes import Processes, StoppedError
+from tresym.reals.resource_limits import stage
 
 pytestmark = pytest.mark.slow
 
@@ -23,16 +24,40 @@ HANGS = 60
 ROOT = Path(__file__).resolve().parents[2]
 
 
+def _work_for_ever() -> None:
+    with stage("a long computation"):
+        while True:
+            pass
+
+
 @pytest.mark.parametrize("forked", [True, False])
 def test_a_call_over_the_limit_is_ended_and_the_next_one_made(forked: bool) -> None:
     with Processes(1, 20, forked=forked) as pool:
         first = pool.submit(os.getpid).result()
         assert first != os.getpid()
         pool._limit = 0.05
-        with pytest.raises(TimeoutError, match=r"stopped after 0\.05 s"):
-            pool.submit(time.sleep, 600).result()
+        with pytest.raises(StoppedError, match=r"stopped after 0\.05 s of processor") as stopped:
+            pool.submit(_work_for_ever).result()
+        assert stopped.value.stage == ("a long computation" if forked else "")
         pool._limit = 20
         assert pool.submit(os.getpid).result() != first
+
+
+def test_a_call_within_a_library_is_ended_as_well() -> None:
+    """No handler in Python would run before the power is computed."""
+    with Processes(1, 0.05, forked=True) as pool, pytest.raises(StoppedError):
+        pool.submit(pow, 3, 10**9).result()
+
+
+def test_waiting_uses_no_processor_time_but_comes_to_an_end(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    with Processes(1, 0.05, forked=True) as pool:
+        assert pool.submit(time.sleep, 0.2).result() is None  # four times the limit
+        monkeypatch.setattr(processes, "WAIT", 0)
+        monkeypatch.setattr(processes, "WAIT_FACTOR", 1)
+        with pytest.raises(StoppedError, match=r"of waiting"):
+            pool.submit(time.sleep, 600).result()
 
 
 def test_a_death_is_reported_where_it_is_not_to_be_tried_again() -> None:
@@ -73,7 +98,8 @@ def test_leaving_early_ends_what_is_under_way() -> None:
 
 KILLED = """
 import os, time
-from tresym.reals.processes import Processes
+from tresym.reals.processes import Processes, StoppedError
+from tresym.reals.resource_limits import stage
 with Processes(2, forked=True) as pool:
     for future in [pool.submit(time.sleep, 0.1) for _ in range(4)]:
         future.result()

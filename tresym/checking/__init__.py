@@ -30,8 +30,8 @@ def check(
             ``Eq(f, g)``, whose symbols are taken as real.
         given: conditions: text such as ``"a > 0, 0 < b <= 1"``, LaTeX, or SymPy relations.
         path: for an order claim, such as ``"x -> 0+"``.
-        limit: seconds after which the answer is UNDECIDED; the work is then done in a process of
-            its own. Without it the claim is decided here.
+        limit: seconds of processor time after which the answer is UNDECIDED; the work is then
+            done in a process of its own. Without it the claim is decided here.
 
     Raises:
         InputError: the claim is not read, or the limit is no number of seconds; one line says why.

@@ -1,8 +1,9 @@
 """Answers that were found before, in a file of the user's cache folder.
 
 An answer is found again by the text of its claim, conditions and path, and by the version of the
-code that decides: a hash of all of :mod:`tresym.reals`. What was decided is good for any limit of
-time; UNDECIDED only for the same one. The file is a SQLite database in write-ahead mode, so several
+code that decides: a hash of :mod:`tresym` and of the versions of the libraries under it. What was
+decided is good for any limit of time; UNDECIDED only for the same one, and what was stopped, failed
+or was interrupted is never stored. The file is a SQLite database in write-ahead mode, so several
 runs may share it and a run that is killed loses nothing that was written. Rows are JSON, never
 pickles, and each carries a checksum over its key, its value and the version: what was truncated or
 changed is not used. A cache that cannot be read or written is not used either; one line says so.
@@ -19,13 +20,14 @@ import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from functools import cache
+from importlib import metadata
 from pathlib import Path
 from typing import Any
 
 from tresym.checking.time_limited import CACHES
 from tresym.reals.decisions.answer import Alternative, Answer, Obligation
 from tresym.reals.numbers.exact import Decimal, InputError
-from tresym.reals.verdict import Verdict
+from tresym.reals.verdict import Cause, Verdict
 
 MAX_BYTES = 100_000_000
 """Size of the file at most when a run ends; what was written longest ago is dropped first."""
@@ -36,6 +38,8 @@ _TABLE = (
     "(key BLOB PRIMARY KEY, value TEXT, sum BLOB, written INTEGER) WITHOUT ROWID"
 )
 _NO_CACHE = ("", "off")
+LIBRARIES = ("python-flint", "sympy", "mpmath", "numpy")
+"""Libraries that can change an answer or a suggestion, beside the FLINT that python-flint links."""
 
 
 def cache_folder() -> Path | None:
@@ -57,11 +61,21 @@ def version() -> bytes:
     """A hash of the code that decides, and of the libraries under it."""
     import flint
 
-    found = hashlib.sha256(f"{flint.__version__} {sys.version_info[:2]}".encode())
+    libraries = [f"{name} {_installed(name)}" for name in LIBRARIES]
+    libraries += [f"FLINT {flint.__FLINT_VERSION__}", f"Python {sys.version_info[:3]}"]
+    found = hashlib.sha256("\n".join(libraries).encode())
     root = Path(__file__).parents[1]
     for path in sorted(root.rglob("*.py")):
         found.update(str(path.relative_to(root)).encode() + b"\0" + path.read_bytes())
     return found.digest()
+
+
+def _installed(name: str) -> str:
+    """Return the version of a library, which is not imported for that."""
+    try:
+        return metadata.version(name)
+    except metadata.PackageNotFoundError:
+        return "none"
 
 
 class AnswerCache:
@@ -103,8 +117,10 @@ class AnswerCache:
         return None
 
     def put(self, claim: Any, given: Any, path: str | None, limit: float, answer: Answer) -> None:
-        """Keep an answer."""
+        """Keep an answer, unless it depends on the run."""
         if self._database is None or not (isinstance(claim, str) and isinstance(given, str)):
+            return
+        if answer.cause is not None and answer.cause.of_the_run:
             return
         always, within = _keys(claim, given, path, limit)
         key = within if answer.verdict is Verdict.UNDECIDED else always
@@ -174,6 +190,7 @@ def _answer(key: bytes, value: Any, checksum: Any) -> Answer | None:
     try:
         found = json.loads(value)
         found["verdict"] = Verdict(found["verdict"])
+        found["cause"] = Cause(found["cause"])
         if found["constant"] is not None:
             found["constant"] = Decimal(**found["constant"])
         if found["values"] is not None:

@@ -42,13 +42,11 @@ def attack(
     comparison: Comparison,
     statement: Statement,
     answer: Answer,
-    spent: float,
     anywhere: bool = False,
 ) -> str | None:
     """Return a numerical contradiction to a proved comparison, in words, or None.
 
     Args:
-        spent: seconds that its decision took.
         anywhere: whether bases of powers need not be positive where an exponent is a variable.
     """
     functions, derivatives = comparison.differentiated, comparison.derivatives
@@ -72,12 +70,12 @@ def attack(
         node.args[2] for node in outermost(comparison.left, comparison.right) if node.op == "nth"
     }
     if not orders:
-        return contradiction(claim, given, functions, derivatives, spent, integers, anywhere)
+        return contradiction(claim, given, functions, derivatives, integers, anywhere)
     for k in range(ORDERS_TRIED):
         put = {str(order): number(k) for order in orders}
         left, right = (with_orders(e, put) for e in claim[::2])
         there = [(substitute(x, put), r, substitute(y, put)) for x, r, y in given]
-        against = contradiction((left, claim[1], right), there, spent=spent, integers=integers)
+        against = contradiction((left, claim[1], right), there, integers=integers)
         if against is not None:
             return f"{against}, where {', '.join(put)} = {k}"
     return None

@@ -26,9 +26,9 @@ from tresym.reals.language.expression import DOTS, ZERO, Expr, symbols
 from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
-from tresym.reals.resource_limits import collecting_seldom
+from tresym.reals.resource_limits import collecting_seldom, stage
 from tresym.reals.signs.discontinuities import cases_at_jumps, jumps, zeros
-from tresym.reals.verdict import Verdict
+from tresym.reals.verdict import Cause, Verdict
 
 SELDOM = 20_000
 """New objects, a few megabytes of them, after which memory is searched for circles."""
@@ -131,7 +131,6 @@ def _part_spoken_of(statement: Statement) -> str | None:
 
 def _everywhere(comparison: Comparison, statement: Statement) -> Answer:
     statement = _with_integers(comparison, statement)
-    start = time.perf_counter()
     answer = _bounded(comparison, statement)
     if answer and comparison.derivatives and statement.path is None:
         from tresym.reals.decisions.removable_holes import at_removable_holes
@@ -147,17 +146,19 @@ def _everywhere(comparison: Comparison, statement: Statement) -> Answer:
             why = f"{missing}, so there may be nothing to prove ({answer.why})"
             return Answer(Verdict.UNDECIDED, why)
     if answer and any(holds_powers(e) for e in (comparison.left, comparison.right)):
-        spent = time.perf_counter() - start
-        return _attacked(answer, comparison, statement, spent, anywhere=True)
+        return _attacked(answer, comparison, statement, anywhere=True)
     return answer
 
 
 def _attacked(
-    answer: Answer, comparison: Comparison, statement: Statement, spent: float, anywhere: bool
+    answer: Answer, comparison: Comparison, statement: Statement, anywhere: bool
 ) -> Answer:
     """Return the answer, or UNDECIDED if the independent numerical check contradicts it."""
-    against = attack(comparison, statement, answer, spent, anywhere)
-    return answer if against is None else Answer(Verdict.UNDECIDED, STOPPED.format(against))
+    with stage("independent check of the proof"):
+        against = attack(comparison, statement, answer, anywhere)
+    if against is None:
+        return answer
+    return Answer(Verdict.UNDECIDED, STOPPED.format(against), cause=Cause.CONTRADICTED)
 
 
 def _with_integers(comparison: Comparison, statement: Statement) -> Statement:
@@ -168,14 +169,12 @@ def _with_integers(comparison: Comparison, statement: Statement) -> Statement:
 
 def _bounded(comparison: Comparison, statement: Statement) -> Answer:
     """Decide a comparison; UNDECIDED if an intermediate expression exceeds the size limit."""
-    start = time.perf_counter()
     statement = _with_integers(comparison, statement)
     try:
         answer = _decide(comparison, statement)
     except InputError as error:
-        return Answer(
-            Verdict.UNDECIDED, (f"an intermediate expression exceeds the size limit: {error}")
-        )
+        why = f"an intermediate expression exceeds the size limit: {error}"
+        return Answer(Verdict.UNDECIDED, why, cause=Cause.TOO_LARGE)
     if answer.verdict is Verdict.REFUTED and statement.path is not None:
         from tresym.asymptotics.refutation_check import checked
 
@@ -186,8 +185,7 @@ def _bounded(comparison: Comparison, statement: Statement) -> Answer:
         return confirmed(answer, comparison, statement)
     if not answer:
         return answer
-    spent = time.perf_counter() - start
-    return _attacked(answer, comparison, statement, spent, anywhere=False)
+    return _attacked(answer, comparison, statement, anywhere=False)
 
 
 def _decide(comparison: Comparison, statement: Statement) -> Answer:
@@ -202,17 +200,25 @@ def _decide(comparison: Comparison, statement: Statement) -> Answer:
     parts = _Parts.of(comparison, statement)
     for procedure, applies, _ in ORDER:
         if applies(parts):
-            return decide_with_jumps(procedure, comparison, statement, _bounded)
+            with stage(_spoken(procedure.__name__)):
+                return decide_with_jumps(procedure, comparison, statement, _bounded)
     real = comparison.differentiated, comparison.by
     if left.op == "abs" and relation in ("<", "<=") and not symbols(right):
         halves = (replace(comparison, left=side * left.args[0]) for side in (1, -1))
         return worst([_decide(half, statement) for half in halves])
     if relation == "==":
-        found = decide_equality(left, right, statement.given, *real)
+        with stage("equality"):
+            found = decide_equality(left, right, statement.given, *real)
         if found.witness is not None and found.values is not None:
             return refuted(found.why, found.witness, *found.values)
-        return Answer(found.verdict, found.why)
-    return _decide_inequality(left, relation, right, statement.given, *real)
+        return Answer(found.verdict, found.why, cause=found.cause)
+    with stage("inequality"):
+        return _decide_inequality(left, relation, right, statement.given, *real)
+
+
+def _spoken(name: str) -> str:
+    """Return the name of a procedure in words, for the message about a claim that is stopped."""
+    return name.strip("_").removeprefix("decide_").replace("_", " ")
 
 
 class _Parts(NamedTuple):

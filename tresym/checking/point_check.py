@@ -46,7 +46,7 @@ from tresym.reals.language.parsing import parse, parse_claim
 from tresym.reals.normal.at_point import equal_at
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
-from tresym.reals.verdict import Verdict
+from tresym.reals.verdict import Cause, Verdict
 
 PRECISIONS = (128, 1000, 5000)
 STEPS = ((4, 12), (7, 40), (10, 120), (14, 380))
@@ -79,7 +79,9 @@ def confirmed(answer: Answer, claim: Comparison, statement: Statement) -> Answer
             _at_point(answer, claim, statement)
     except (_UnsupportedError, InputError) as error:
         why = f"a counterexample was found ({answer.why}), but {error}"
-        return replace(answer, verdict=Verdict.UNDECIDED, why=why, witness=None, values=None)
+        cause = Cause.UNCONFIRMED
+        open_ = replace(answer, verdict=Verdict.UNDECIDED, why=why, cause=cause)
+        return replace(open_, witness=None, values=None)
     return answer
 
 

@@ -1,4 +1,8 @@
-"""Decide claims in processes of their own, each with a time limit."""
+"""Decide claims in processes of their own, each with a limit on processor time.
+
+The limit counts the time of the claim's own process, so that the verdict does not depend on what
+else the machine does. An answer that was stopped says nothing of the claim and is not stored.
+"""
 
 from __future__ import annotations
 
@@ -16,8 +20,8 @@ from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.claim_parsing import read_as
 from tresym.reals.decisions.statement import Statement
 from tresym.reals.numbers.exact import InputError
-from tresym.reals.processes import AHEAD, Processes, cores
-from tresym.reals.verdict import Verdict
+from tresym.reals.processes import AHEAD, Processes, StoppedError, cores
+from tresym.reals.verdict import Cause, Verdict
 
 if TYPE_CHECKING:
     from tresym.checking.answer_cache import AnswerCache
@@ -26,7 +30,8 @@ DEFAULT_LIMIT = 5.0
 CACHES: list[AnswerCache] = []
 """The caches of answers in use, innermost last: here, so that one claim loads no database."""
 _DIED = "the process ended unexpectedly, perhaps because it ran out of memory"
-"""Such an answer is not kept: it says nothing of the claim."""
+_BOXES = ("inequality", "branch and bound")
+"""Stages at which smaller ranges of the variables help."""
 
 
 class Task(NamedTuple):
@@ -44,7 +49,7 @@ def current_cache() -> AnswerCache | None:
 
 
 def check_within(task: Task, limit: float = DEFAULT_LIMIT) -> Answer:
-    """Decide one claim in at most ``limit`` seconds.
+    """Decide one claim in at most ``limit`` seconds of processor time.
 
     Raises:
         InputError: the claim cannot be read.
@@ -67,7 +72,7 @@ def check_all(
 
     Args:
         tasks: the claims; a few are read ahead.
-        limit: seconds for each claim.
+        limit: seconds of processor time for each claim.
         processes: the number of processes; all cores unless given.
         forked: whether the processes are forks of this one, which then must have a single thread.
     """
@@ -98,7 +103,7 @@ def _told(
     if isinstance(asked, Answer):
         return task, replace(asked, line=task.line)
     found, cache = _found(task, asked, limit), current_cache()
-    if cache is not None and isinstance(found, Answer) and _DIED not in found.why:
+    if cache is not None and isinstance(found, Answer):
         cache.put(*task[:3], limit, found)
     return task, found
 
@@ -142,23 +147,32 @@ def _found(task: Task, future: Future[Any], limit: float) -> Answer | InputError
     """Return the answer; UNDECIDED after a timeout or if the process died."""
     try:
         found: Answer | InputError = future.result()
-    except TimeoutError as error:
-        return _given_up(task, str(error), limit)
+    except StoppedError as error:
+        return _given_up(task, Cause.STOPPED, _stopped_text(error), limit)
     except BrokenExecutor:
-        return _given_up(task, _DIED, limit)
+        return _given_up(task, Cause.DIED, _DIED, limit)
     return found if isinstance(found, InputError) else replace(found, line=task.line)
 
 
-def _given_up(task: Task, reason: str, limit: float) -> Answer:
+def _stopped_text(error: StoppedError) -> str:
+    """Return where a claim was stopped, and what may help at that stage."""
+    reached = f" at the stage {error.stage}" if error.stage else ""
+    boxes = error.stage.endswith(_BOXES)
+    helps = "fewer variables or bounds on them" if boxes else "a simpler claim"
+    return f"{error}{reached}; {helps} may help, a longer --limit rarely does"
+
+
+def _given_up(task: Task, cause: Cause, why: str, limit: float) -> Answer:
     given = task.claim.given if isinstance(task.claim, Statement) else task.given
     return Answer(
         Verdict.UNDECIDED,
-        f"{reason}; fewer variables, a smaller region or a longer --limit may help",
+        why,
         statement=" ".join(str(task.claim)[:400].split()),
         given=str(given)[:400],
         read_as=read_as(*task[:3]),
         seconds=limit,
         line=task.line,
+        cause=cause,
     )
 
 
@@ -171,4 +185,5 @@ def _judged(claim: Any, given: Any, path: str | None) -> Answer | InputError:
     except Exception as error:  # one claim that we fail at must not end the others
         why = f"internal error ({type(error).__name__}); please report this claim"
         text = " ".join(str(claim)[:400].split())
-        return Answer(Verdict.UNDECIDED, why, text, read_as=read_as(claim, given, path))
+        reading = read_as(claim, given, path)
+        return Answer(Verdict.UNDECIDED, why, text, read_as=reading, cause=Cause.FAILED)

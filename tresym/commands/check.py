@@ -50,7 +50,9 @@ def add(commands: Commands) -> None:
     parser.add_argument(
         "--coq", metavar="PROOF.v", help="write statement and proof for Coq; coqc is run if there"
     )
-    parser.add_argument("--limit", default="5", metavar="SECONDS", help="for each claim (5)")
+    parser.add_argument(
+        "--limit", default="5", metavar="SECONDS", help="processor time for each claim (5)"
+    )
     parser.add_argument(
         "--no-suggest",
         dest="suggest",
@@ -125,9 +127,9 @@ def one(
 
     answer = check_within(Task(claim.strip(), given, path), parse_seconds(limit))
     if suggest and answer.verdict is Verdict.REFUTED:
-        from tresym.repair import suggestions
+        from tresym.repair import AS_ALONE, suggestions
 
-        answer = replace(answer, instead=next(suggestions([(answer.read_as, (), False, True)], 1)))
+        answer = replace(answer, instead=next(suggestions([(answer.read_as, *AS_ALONE)], 1)))
     colour = colour_wanted() and target is None
     said = None if coq is None else _in_coq(claim.strip(), given, path, answer, coq)
     if as_json:

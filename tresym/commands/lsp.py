@@ -16,7 +16,9 @@ def add(commands: Commands) -> None:
         description="A server of the Language Server Protocol on standard input and output, to "
         "be started by an editor for LaTeX files; it needs the extra tresym[editor].",
     )
-    parser.add_argument("--limit", default="2", metavar="SECONDS", help="for each claim (2)")
+    parser.add_argument(
+        "--limit", default="2", metavar="SECONDS", help="processor time for each claim (2)"
+    )
     parser.add_argument(
         "--stdio", action="store_true", help=("accepted because editors pass it; it is always on")
     )

@@ -63,7 +63,7 @@ def add(commands: Commands) -> None:
     parser.add_argument(
         "--strict", action="store_true", help="count UNDECIDED and UNREAD as failures"
     )
-    parser.add_argument("--limit", metavar="SECONDS", help="for each claim (5)")
+    parser.add_argument("--limit", metavar="SECONDS", help="processor time for each claim (5)")
     parser.add_argument(
         "--format",
         choices=("text", "json", "github", "sarif", "junit"),

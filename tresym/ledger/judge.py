@@ -16,7 +16,6 @@ import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from time import perf_counter
 from typing import Any
 
 from sympy import Basic, Derivative, Eq, Integral, Subs, Symbol
@@ -134,10 +133,8 @@ def judge_evidence(claim: Claim) -> Finding | None:
 
 def _guarded(claim: Claim, found: Findings) -> Finding:
     """Judge the evidence and cross-check the result; errors in the input give UNDECIDED."""
-    start = perf_counter()
     try:
-        finding = _judge(claim, found)
-        return _attacked(claim, finding, perf_counter() - start)
+        return _attacked(claim, _judge(claim, found))
     except (CircularError, InputError) as error:
         return Finding(UNDECIDED, str(error))
     except CertificateError as error:
@@ -145,7 +142,7 @@ def _guarded(claim: Claim, found: Findings) -> Finding:
         return Finding(UNDECIDED, why)
 
 
-def _attacked(claim: Claim, finding: Finding, spent: float) -> Finding:
+def _attacked(claim: Claim, finding: Finding) -> Finding:
     """Return the finding, or UNDECIDED if the independent check contradicts the statement."""
     if not finding.verdict.holds or isinstance(claim.proof, NEVER_ATTACKED):
         return finding
@@ -156,7 +153,7 @@ def _attacked(claim: Claim, finding: Finding, spent: float) -> Finding:
         values = tuple(c for c in claim.given if isinstance(c, Eq))
         given = tuple(c for c in claim.given if c not in values)
         worlds = _worlds(claim, says)
-        tried = (contradiction(says, given, (*taken, *values), spent) for taken in worlds)
+        tried = (contradiction(says, given, (*taken, *values)) for taken in worlds)
         against = next((why for why in tried if why is not None), None)
     except (CircularError, InputError):
         return finding

@@ -17,7 +17,6 @@ from collections.abc import Callable, Iterator, Sequence, Set
 from functools import lru_cache, partial
 from itertools import pairwise
 from math import comb, factorial
-from time import perf_counter
 from typing import Any, NamedTuple
 from zlib import crc32
 
@@ -34,11 +33,13 @@ Tried = list[arb]
 
 BITS = 128
 ENOUGH, TRIED = 4, 16
-"""Points checked, and points tried, for an equation that is decided in a millisecond."""
+"""The least number of points checked, and of points tried, for an equation without integers."""
 SLOWER = 4
 """The factor for all other statements."""
-SHARE = 0.06
-"""The share of the time of the decision that further points may take."""
+WORK = 400
+"""The number of operations after which the attack on an equation ends, if enough points have been
+checked, and which are not spent on integrals, sums and the like. It is a count and not a time, so
+that the number of points does not depend on how busy the machine is."""
 MOST = 600
 QUADRATURE, TERMS, LONGEST_POWER, LARGEST_FACTORIAL = 600, 400, 10**5, 1000
 """Limits for integrals, sums, powers and factorials."""
@@ -81,7 +82,6 @@ def contradiction(
     given: Sequence[Comparison] = (),
     functions: Sequence[Expr] = (),
     derivatives: Sequence[Derivative] = (),
-    spent: float = 0.0,
     integers: Sequence[str] = (),
     anywhere: bool = False,
 ) -> str | None:
@@ -92,7 +92,6 @@ def contradiction(
         given: conditions on the points, including equations.
         functions: further expressions that must be defined at the points.
         derivatives: stated derivatives; each is compared with difference quotients of its function.
-        spent: the seconds that the decision took; after a longer decision more points are tried.
         integers: the variables that take only integer values.
         anywhere: whether the base of a power with a variable exponent may be non-positive.
     """
@@ -101,10 +100,9 @@ def contradiction(
     trees = [left, right, *functions, *(e for f, _, _, slope in derivatives for e in (f, slope))]
     names = _names(trees, given, [d[1] for d in derivatives])
     patience = 1 if relation == "==" and len(integers) < 1 else SLOWER
-    start, shown, against = perf_counter(), 0, ""
-
-    def has_time(part: int) -> bool:
-        return perf_counter() - start < SHARE * spent / part
+    shown, against = 0, ""
+    slow = any(e.hidden for e in trees)
+    most_points = 0 if slow else patience * WORK // max(1, sum(e.size for e in trees))
 
     def look(point: Tried | None) -> list[arb] | None:
         nonlocal shown, against
@@ -139,7 +137,7 @@ def contradiction(
             enough = shown >= patience * ENOUGH or count >= most
             if raised and count <= POWERS:
                 continue
-            if enough and not has_time(1 if lowest is None else 2):
+            if enough and count >= most_points:
                 break
         for n, point in enumerate(_downhill(lowest, tried.holds)):
             found = look(point)
@@ -147,7 +145,7 @@ def contradiction(
                 return against
             if found is not None and lowest and (room := _room(found, relation)) < lowest[0]:
                 lowest[:] = room, point
-            if n >= patience * ENOUGH and not has_time(1):
+            if n >= max(patience * ENOUGH, most_points // 2):
                 break
     return None
 

@@ -10,18 +10,24 @@ from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import BrokenExecutor, Future, ThreadPoolExecutor
 from contextlib import contextmanager, suppress
+from mmap import mmap
 from multiprocessing import current_process, get_all_start_methods, get_context, spawn
 from multiprocessing.connection import Connection
 from multiprocessing.process import BaseProcess
 from typing import Any, NamedTuple
 
 from tresym.reals.numbers.exact import whole_number
+from tresym.reals.resource_limits import BOARD_SIZE, show_stages_on
 
 DEATHS = 3
 """The number of processes that may die during one call before it fails."""
 
-GRACE = 5.0
-"""The seconds beyond the limit of a call after which its process ends by itself."""
+WAIT_FACTOR, WAIT = 20.0, 30.0
+"""A call that waits for something uses no processor time. It is stopped after ``WAIT_FACTOR`` times
+its limit and ``WAIT`` seconds of wall time, which a working process needs on no usable machine."""
+
+ORPHAN = 0.5
+"""The interval in seconds at which a process looks whether its parent is alive."""
 
 AHEAD = 1000
 """The maximal number of ordered calls in progress, so that a slow one delays few others."""
@@ -59,11 +65,25 @@ def checked_workers(count: int) -> int:
     return whole_number(count, 1, MOST_WORKERS, "workers")
 
 
+class StoppedError(TimeoutError):
+    """A call has reached its limit.
+
+    Attributes:
+        stage: what it was doing, if known; see :class:`tresym.reals.resource_limits.stage`.
+    """
+
+    def __init__(self, why: str, stage: str = "") -> None:
+        """Store the reason and the stage."""
+        super().__init__(why)
+        self.stage = stage
+
+
 class _Child(NamedTuple):
-    """A process, and this side of the pipe to it."""
+    """A process, this side of the pipe to it, and the memory in which it shows its stage."""
 
     process: BaseProcess
     connection: Connection
+    board: mmap | None
 
     def end(self) -> None:
         """Kill the process and wait until it has ended."""
@@ -71,15 +91,22 @@ class _Child(NamedTuple):
         self.process.join()
         self.connection.close()
 
+    @property
+    def stage(self) -> str:
+        """What it does, or did last."""
+        text = bytes(self.board).strip(b"\0") if self.board is not None else b""
+        return text.decode("ascii", "replace")
+
 
 class Processes(ThreadPoolExecutor):
     """A pool of processes, each controlled by a thread of its own through a pipe of its own.
 
-    A process that dies is replaced and its call repeated. A process that exceeds the time limit is
-    killed and replaced. The standard process pool has a single pipe for all results; a process that
-    dies while sending leaves half a message there, and all others wait forever. It also has no time
-    limit, and FLINT cannot be interrupted from within a process, so the limit is enforced from
-    outside.
+    A process that dies is replaced and its call repeated. A process that exceeds the limit on
+    processor time is killed and replaced. The standard process pool has a single pipe for all
+    results; a process that dies while sending leaves half a message there, and all others wait
+    forever. It also has no limit on time, and FLINT cannot be interrupted from within a process, so
+    the operating system ends the process: a timer counts the process's own time and sends it a
+    signal that is not handled.
     """
 
     def __init__(
@@ -89,7 +116,8 @@ class Processes(ThreadPoolExecutor):
 
         Args:
             count: the maximal number of processes.
-            limit: the time limit of a call in seconds; its future then fails with TimeoutError.
+            limit: the processor time of a call in seconds; its future then fails with
+                :class:`StoppedError`. Where the system cannot count it, wall time is limited.
             deaths: the number of processes that may die during one call; its future then fails with
                 BrokenExecutor.
             forked: whether to fork this process where the system can. Use it only for calls that
@@ -124,20 +152,30 @@ class Processes(ThreadPoolExecutor):
     def _lead(self, fn: Callable[..., Any], args: Any, kwargs: Any) -> Any:
         for _ in range(self._deaths):
             child = getattr(self._mine, "child", None) or self._start()
+            wait = self._wait()
             try:
-                child.connection.send((fn, args, kwargs))
-                in_time = child.connection.poll(self._limit)
+                child.connection.send((fn, args, kwargs, self._limit))
+                in_time = child.connection.poll(wait)
                 value, error = child.connection.recv() if in_time else (None, None)
             except (EOFError, OSError):
                 self._lose(child)
+                if _COUNTS_TIME and child.process.exitcode == -signal.SIGVTALRM:
+                    why = f"stopped after {self._limit:g} s of processor time"
+                    raise StoppedError(why, child.stage) from None
                 continue
             if not in_time:
                 self._lose(child)
-                raise TimeoutError(f"stopped after {self._limit:g} s")
+                raise StoppedError(f"stopped after {wait:g} s of waiting", child.stage)
             if error is not None:
                 raise error
             return value
         raise BrokenExecutor(f"{self._deaths} processes have died during one batch")
+
+    def _wait(self) -> float | None:
+        """Return the wall time in seconds after which a call is stopped."""
+        if self._limit is None or not _COUNTS_TIME:
+            return self._limit
+        return WAIT_FACTOR * self._limit + WAIT
 
     def _start(self) -> _Child:
         with _lock, _unhindered():
@@ -146,13 +184,14 @@ class Processes(ThreadPoolExecutor):
             ours, theirs = self._context.Pipe()
             # A forked process inherits all open pipe ends of this one, and must close them.
             copied = [ours, *(child.connection for child in self._children)] if self._forked else []
+            board = mmap(-1, BOARD_SIZE) if self._forked and self._limit is not None else None
             process = self._context.Process(
-                target=_serve, args=(theirs, self._limit, copied), daemon=True
+                target=_serve, args=(theirs, os.getpid(), copied, board), daemon=True
             )
             process.start()
             # Now only the child holds its end, so that the pipe closes when the child dies.
             theirs.close()
-            self._mine.child = _Child(process, ours)
+            self._mine.child = _Child(process, ours, board)
             self._children.append(self._mine.child)
         return self._mine.child
 
@@ -182,26 +221,41 @@ class Processes(ThreadPoolExecutor):
             child.end()
 
 
-def _serve(connection: Connection, limit: float | None, copied: list[Connection]) -> None:
+_COUNTS_TIME = hasattr(signal, "setitimer")
+"""Whether the system can count the processor time of a call."""
+
+
+def _serve(
+    connection: Connection, parent: int, copied: list[Connection], board: mmap | None
+) -> None:
     """Run calls from the pipe and send their results, until the other end of the pipe closes."""
     for end in copied:
         end.close()
     signal.signal(signal.SIGTERM, signal.SIG_DFL)  # a fork inherits the handler of its parent
-    alarm = getattr(signal, "setitimer", None) if limit is not None else None
-    if alarm is not None:
-        signal.signal(signal.SIGALRM, signal.SIG_DFL)
+    if board is not None:
+        show_stages_on(board)
+    if _COUNTS_TIME:
+
+        def look(*_: object) -> None:
+            if os.getppid() != parent:  # it was killed, and nobody waits for this call
+                os._exit(1)
+
+        signal.signal(signal.SIGVTALRM, signal.SIG_DFL)  # ends the process, also within FLINT
+        signal.signal(signal.SIGALRM, look)
+        signal.setitimer(signal.ITIMER_REAL, ORPHAN, ORPHAN)
     with suppress(EOFError, OSError):
         while True:
-            fn, args, kwargs = connection.recv()
-            if alarm is not None:  # if the parent is killed, nothing else stops this call
-                alarm(signal.ITIMER_REAL, (limit or 0) + GRACE)
+            fn, args, kwargs, limit = connection.recv()
+            counted = _COUNTS_TIME and limit is not None
+            if counted:
+                signal.setitimer(signal.ITIMER_VIRTUAL, limit)
             answer: tuple[Any, Exception | None]
             try:
                 answer = fn(*args, **kwargs), None
             except Exception as error:
                 answer = None, error
-            if alarm is not None:
-                alarm(signal.ITIMER_REAL, 0)
+            if counted:
+                signal.setitimer(signal.ITIMER_VIRTUAL, 0)
             connection.send(answer)
 
 

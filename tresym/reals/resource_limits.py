@@ -1,6 +1,7 @@
-"""Limit processor time and garbage collection.
+"""Limit processor time and garbage collection, and name the stage at which a limit was reached.
 
-The limit on time uses a timer signal of the operating system.
+The limit on time uses a timer signal of the operating system. It counts the processor time of this
+process, so that an answer does not depend on what else the machine does.
 """
 
 from __future__ import annotations
@@ -10,6 +11,10 @@ import signal
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
+from mmap import mmap
+from types import FrameType
+
+from tresym.reals.numbers.arithmetic import precision_kept
 
 
 class TimeUp(BaseException):
@@ -23,13 +28,15 @@ SOON = 0.01
 _held: list[None] = []
 
 
-@contextmanager
-def held() -> Iterator[None]:
+class held:  # noqa: N801 - used like a function
     """Suspend time limits inside the block, as C libraries lose exceptions of their callbacks."""
-    _held.append(None)
-    try:
-        yield
-    finally:
+
+    def __enter__(self) -> None:
+        """Suspend them."""
+        _held.append(None)
+
+    def __exit__(self, *_: object) -> None:
+        """Let them act again."""
         _held.pop()
 
 
@@ -37,8 +44,9 @@ def held() -> Iterator[None]:
 def time_limit(seconds: float, error: type[BaseException] = TimeUp) -> Iterator[None]:
     """Raise ``error`` in the block once it has used ``seconds`` of processor time.
 
-    A call of a C library is not interrupted. There is no limit where the system has no such signal,
-    outside the main thread, and inside another limit.
+    A call of a C library is not interrupted, nor is the entry or exit of a ``with`` block: it
+    acquires or restores something, such as the precision, and would do it by halves. There is no
+    limit where the system has no such signal, outside the main thread, and inside another limit.
 
     Args:
         seconds: the processor time.
@@ -49,19 +57,86 @@ def time_limit(seconds: float, error: type[BaseException] = TimeUp) -> Iterator[
         yield
         return
 
-    def over(*_: object) -> None:
-        if not _held:
+    over = False
+
+    def end(_: int, frame: FrameType | None) -> None:
+        if over:
+            return
+        if not _held and not _enters_or_leaves(frame):
             raise error
         signal.setitimer(signal.ITIMER_PROF, SOON, seconds)
 
-    before = signal.signal(signal.SIGPROF, over)
-    # An exception raised in a callback of the garbage collector is lost, so the timer repeats.
-    signal.setitimer(signal.ITIMER_PROF, seconds, seconds)
+    before = signal.signal(signal.SIGPROF, end)
     try:
-        yield
+        # An exception raised in a callback of the garbage collector is lost, so the timer repeats.
+        signal.setitimer(signal.ITIMER_PROF, seconds, seconds)
+        with precision_kept():
+            yield
     finally:
+        over = True
         signal.setitimer(signal.ITIMER_PROF, 0)
         signal.signal(signal.SIGPROF, before)
+
+
+def _enters_or_leaves(frame: FrameType | None) -> bool:
+    """Return whether a frame belongs to a call of ``__enter__`` or ``__exit__``."""
+    while frame is not None:
+        if frame.f_code.co_name in ("__enter__", "__exit__"):
+            return True
+        frame = frame.f_back
+    return False
+
+
+BOARD_SIZE = 160
+"""The bytes of memory in which a process shows its parent the stage that it has reached."""
+_board: list[mmap] = []
+_stages: list[str] = []
+
+
+class stage:  # noqa: N801 - used like a function
+    """Name the work inside the block, for the message about a process that is stopped there.
+
+    Example:
+        >>> from tresym.reals.resource_limits import stage, stages
+        >>> with stage("integrals"), stage("branch and bound"):
+        ...     stages()
+        'integrals: branch and bound'
+    """
+
+    __slots__ = ("name",)
+
+    def __init__(self, name: str) -> None:
+        """Store the name, a noun or two."""
+        self.name = name
+
+    def __enter__(self) -> None:
+        """Begin the stage."""
+        _stages.append(self.name)
+        _show_stages()
+
+    def __exit__(self, *_: object) -> None:
+        """Return to the stage before."""
+        _stages.pop()
+        _show_stages()
+
+
+def stages() -> str:
+    """Return the stages under way, the outermost first; of many, the first and the last two."""
+    found = _stages if len(_stages) <= 3 else [_stages[0], *_stages[-2:]]
+    return ": ".join(dict.fromkeys(found))
+
+
+def _show_stages() -> None:
+    if _board:
+        text = stages().encode("ascii", "replace")[:BOARD_SIZE]
+        _board[0][:] = text.ljust(BOARD_SIZE, b"\0")
+
+
+def show_stages_on(board: mmap) -> None:
+    """Show the stages of this process in shared memory of ``BOARD_SIZE`` bytes from now on."""
+    _board[:] = [board]
+    _stages.clear()
+    _show_stages()
 
 
 @contextmanager

@@ -7,8 +7,9 @@
 
 from __future__ import annotations
 
-import time
+from collections import deque
 from collections.abc import Iterable, Iterator
+from concurrent.futures import Future
 from contextlib import nullcontext
 from dataclasses import replace
 from typing import Any
@@ -23,10 +24,8 @@ from tresym.repair.search import MOST, SECONDS, alternatives
 
 __all__ = ["Alternative", "check", "suggested", "suggestions"]
 
-GRACE = 15.0
-"""The wall time in seconds beyond the processor time after which a search is ended."""
-SHARE, LEAST = 0.2, 0.01
-"""The share of a run over many claims for searches, and the least seconds to begin one."""
+GRACE = 5.0
+"""Seconds of processor time after which a search that does not end by itself is stopped."""
 
 
 def check(
@@ -44,8 +43,9 @@ def check(
             are taken as real.
         given: conditions: text such as ``"a > 0, 0 < b <= 1"``, LaTeX, or SymPy relations.
         path: the path of an asymptotic claim, such as ``"x -> 0+"``.
-        limit: the time limit in seconds, after which the answer is UNDECIDED. The work is then done
-            in a process of its own. Without a limit the claim is decided in this process.
+        limit: the limit on processor time in seconds, after which the answer is UNDECIDED. The
+            work is then done in a process of its own. Without a limit the claim is decided in this
+            process.
         suggest: whether to search for true claims close to a refuted one, for at most half a
             second. They are the attribute ``instead`` of the answer.
 
@@ -69,7 +69,7 @@ def check(
         return answer
     if limit is None:
         return replace(answer, instead=alternatives(answer.read_as))
-    return replace(answer, instead=next(suggestions([(answer.read_as, (), False, True)], 1)))
+    return replace(answer, instead=next(suggestions([(answer.read_as, *AS_ALONE)], 1)))
 
 
 def suggestions(
@@ -88,7 +88,7 @@ def suggestions(
     """
     asked = [(claim, seconds, MOST, *rest) for claim, *rest in claims]
     cache = current_cache()
-    texts = [f"instead of {question[0]} {question[2:]}" for question in asked]
+    texts = [_text(question) for question in asked]
     known = [cache.get(text, "", None, seconds) if cache else None for text in texts]
     new = [question for question, found in zip(asked, known, strict=True) if found is None]
     with _pool(processes or cores(), seconds) if new else nullcontext() as pool:
@@ -102,29 +102,66 @@ def suggestions(
             except Exception:  # a search that fails, or is stopped, finds nothing
                 yield ()
                 continue
-            if cache is not None:
-                kept = Answer(Verdict.UNDECIDED, "suggestions", instead=instead)
-                cache.put(text, "", None, seconds, kept)
+            _store(text, seconds, instead)
             yield instead
 
 
 def suggested(answers: Iterable[tuple[Any, Any]]) -> Iterator[tuple[Any, Any]]:
-    """Yield the answers to many claims, with suggestions that take at most a fifth of the time."""
-    start, spent = time.perf_counter() - time.process_time(), 0.0
-    with _pool(1, SECONDS) as pool:
-        pool.submit(alternatives, "0 == 0", 0.0).result()  # started before there are other threads
+    """Yield the answers to many claims; refuted ones with the suggestions of a single claim.
+
+    The searches run beside the decisions, and their results are stored and found like answers.
+    """
+    processes, cache = cores(), current_cache()
+    under_way: deque[tuple[Any, Any, str, Future[Any] | None]] = deque()
+    with _pool(processes, SECONDS) as pool:
+        for begun in [pool.submit(alternatives, "0 == 0", 0.0) for _ in range(processes)]:
+            begun.result()  # the processes are started before there are other threads
         for task, answer in answers:
-            now = time.perf_counter()
-            left = (SHARE * (now - start) - spent) / (1 - SHARE)
-            if isinstance(answer, Answer) and answer.verdict is Verdict.REFUTED and left > LEAST:
-                seconds = min(left, SECONDS)
-                try:
-                    found = pool.submit(alternatives, answer.read_as, seconds).result()
-                except Exception:  # the refutation stands without a suggestion
-                    found = ()
-                answer = replace(answer, instead=found)
-                spent += time.perf_counter() - now
-            yield task, answer
+            text, search = "", None
+            if isinstance(answer, Answer) and answer.verdict is Verdict.REFUTED:
+                question = (answer.read_as, SECONDS, MOST, *AS_ALONE)
+                text = _text(question)
+                known = cache.get(text, "", None, SECONDS) if cache else None
+                if known is not None:
+                    answer = replace(answer, instead=known.instead)
+                else:
+                    search = pool.submit(alternatives, *question)
+            under_way.append((task, answer, text, search))
+            while under_way and (under_way[0][3] is None or len(under_way) > 2 * processes):
+                yield _with_suggestions(*under_way.popleft())
+        while under_way:
+            yield _with_suggestions(*under_way.popleft())
+
+
+AS_ALONE = ((), False, True)
+"""How :func:`alternatives` is called for a claim of its own: no definitions, not cautious, unusual
+edits as well."""
+
+
+def _with_suggestions(
+    task: Any, answer: Any, text: str, search: Future[Any] | None
+) -> tuple[Any, Any]:
+    """Wait for a search, store its result, and return the task with its answer."""
+    if search is None:
+        return task, answer
+    try:
+        instead = search.result()
+    except Exception:  # the refutation stands without a suggestion
+        return task, answer
+    _store(text, SECONDS, instead)
+    return task, replace(answer, instead=instead)
+
+
+def _text(question: tuple[Any, ...]) -> str:
+    """Return what a search is stored under."""
+    return f"instead of {question[0]} {question[2:]}"
+
+
+def _store(text: str, seconds: float, instead: tuple[Alternative, ...]) -> None:
+    cache = current_cache()
+    if cache is not None:
+        kept = Answer(Verdict.UNDECIDED, "suggestions", instead=instead)
+        cache.put(text, "", None, seconds, kept)
 
 
 def _pool(processes: int, seconds: float) -> Processes:

@@ -298,7 +298,7 @@ def test_without_its_guard_a_planted_falsehood_is_believed(
     monkeypatch: pytest.MonkeyPatch, where: Any, guard: str, without: Any, survivor: str
 ) -> None:
     # The independent check stops two definitions of one symbol by itself.
-    monkeypatch.setattr(judging, "_attacked", lambda claim, finding, spent: finding)
+    monkeypatch.setattr(judging, "_attacked", lambda claim, finding: finding)
     monkeypatch.setattr(where, guard, without)
     assert survivor in believed()
 

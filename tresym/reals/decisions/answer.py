@@ -23,7 +23,7 @@ from tresym.reals.numbers.exact import (
     fraction_text,
     parse_number,
 )
-from tresym.reals.verdict import Verdict
+from tresym.reals.verdict import Cause, Verdict
 
 DIGITS = (12, 40, 220, 1250)
 _WORST = (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED, Verdict.PROVED)
@@ -87,6 +87,8 @@ class Answer:
         instead: for REFUTED, claims close to it that hold, where they were looked for.
         lemma: the lemma that reduced the claim to obligations, with its source; or empty.
         obligations: the statements to which the lemma reduced the claim, with their verdicts.
+        cause: what decided, or what stopped the decision, for programs. If it is left out, or
+            belongs to another verdict, it is the usual one of the verdict.
 
     Example:
         >>> import tresym
@@ -111,6 +113,12 @@ class Answer:
     instead: tuple[Alternative, ...] = field(default=(), compare=False)
     lemma: str = ""
     obligations: tuple[Obligation, ...] = ()
+    cause: Cause | None = None
+
+    def __post_init__(self) -> None:
+        if self.cause is None or self.cause.verdict is not self.verdict:
+            usual = Cause.usual(self.verdict, self.witness is not None)
+            object.__setattr__(self, "cause", usual)
 
     def __bool__(self) -> bool:
         """Whether the claim holds: PROVED or ENCLOSED."""
@@ -181,7 +189,10 @@ class Answer:
             >>> tresym.check(r"\\frac{x}{2} + \\frac{x}{2} = x").as_json()["read_as"]
             'x/2 + x/2 == x'
         """
-        value = asdict(self) | {"verdict": self.verdict.value}
+        value = asdict(self) | {
+            "verdict": self.verdict.value,
+            "cause": self.cause and self.cause.value,
+        }
         value["witness"] = None if self.witness is None else dict(self.witness)
         value["constant"] = None if self.constant is None else self.constant._asdict()
         value["values"] = None if self.values is None else [ball._asdict() for ball in self.values]

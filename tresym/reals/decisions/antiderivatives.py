@@ -12,7 +12,7 @@ from tresym.reals.domain.evaluation import Walker
 from tresym.reals.language.expression import LEAVES, Expr, apply, rebuild, symbols
 from tresym.reals.language.sympy import from_sympy
 from tresym.reals.numbers.exact import InputError
-from tresym.reals.resource_limits import time_limit
+from tresym.reals.resource_limits import stage, time_limit
 
 SECONDS = 1.5
 """Of computing time that each of SymPy's procedures may take, where it can be stopped."""
@@ -44,7 +44,7 @@ def suggested(f: Expr, name: str, positive: frozenset[str]) -> list[Expr]:
     )
     for procedure in procedures:
         try:
-            with time_limit(SECONDS, _StoppedError):
+            with stage("search for a closed form"), time_limit(SECONDS, _StoppedError):
                 result = procedure()
         except Exception:  # SymPy's own faults are not ours to name
             continue
@@ -70,7 +70,7 @@ def summed(kind: str, f: Expr, name: str, low: Expr, high: Expr) -> list[Expr]:
     procedure = sympy.summation if kind == "sum" else sympy.product
     try:
         body, *ends = (_InSympy(sympy, values).value(e) for e in (f, low, high))
-        with time_limit(SECONDS, _StoppedError):
+        with stage("search for a closed form"), time_limit(SECONDS, _StoppedError):
             result = procedure(body, (k, *ends))
             if result.has(sympy.RisingFactorial, sympy.factorial, sympy.binomial):
                 result = sympy.combsimp(result)

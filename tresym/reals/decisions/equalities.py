@@ -21,7 +21,7 @@ from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.numbers.arithmetic import decided
-from tresym.reals.verdict import Verdict
+from tresym.reals.verdict import Cause, Verdict
 
 LOOKS = 10
 REAL = "the differentiated functions are real"
@@ -58,14 +58,15 @@ def decide_equality(
     if real_nowhere(given, differentiated if proved else parts):
         why = f"{REAL} nowhere, {FORMAL}" if proved else f"{NOWHERE}, and none exists"
         verdict = Verdict.PROVED if proved else Verdict.UNDECIDED
-        return Decision(verdict, f"{found.why}; {why}")
+        return Decision(verdict, f"{found.why}; {why}", cause=Cause.NO_POINT)
     inside, whole = where_real(given, differentiated, by)
     real = next(sampled_values(left, right, inside, names, 1), None)
     if proved:
         where = exactly(f"; {REAL}", real[0]) if real else f"; {NOWHERE}, {FORMAL}"
         return replace(found, why=found.why + where)
     if real is None:
-        return Decision(Verdict.UNDECIDED, f"{no_point(parts, given)}; {NOWHERE}")
+        why = f"{no_point(parts, given)}; {NOWHERE}"
+        return Decision(Verdict.UNDECIDED, why, cause=Cause.NO_POINT)
     again = decide(left, right, whole, stated=given)
     if again.verdict is Verdict.UNDECIDED and found.witness is not None:
         why = (

@@ -43,7 +43,7 @@ from tresym.reals.numbers.exact import InputError
 from tresym.reals.signs.definedness import undefined
 from tresym.reals.signs.interior import PROVING, is_zero
 from tresym.reals.signs.sign import sign
-from tresym.reals.verdict import Verdict
+from tresym.reals.verdict import Cause, Verdict
 
 NO_POINT = Answer(
     Verdict.UNDECIDED,
@@ -273,7 +273,9 @@ def _by_cases(
             sides, inside = _put_in(claim, rest, case, known)
         except InputError as error:
             return Answer(
-                Verdict.UNDECIDED, f"an intermediate expression exceeds the size limit: {error}"
+                Verdict.UNDECIDED,
+                f"an intermediate expression exceeds the size limit: {error}",
+                cause=Cause.TOO_LARGE,
             )
         if is_empty(inside.given):
             continue

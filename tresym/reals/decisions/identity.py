@@ -56,7 +56,7 @@ from tresym.reals.signs.closure import ONLY_INSIDE, is_regular
 from tresym.reals.signs.definedness import at_domain_ends
 from tresym.reals.signs.discontinuities import cases_at_jumps
 from tresym.reals.signs.interior import jumps
-from tresym.reals.verdict import Verdict
+from tresym.reals.verdict import Cause, Verdict
 
 Points = Callable[[Given], Iterable[Mapping[str, fmpq]]]
 Further = Callable[..., tuple[str | None, Fraction, Expr | None]]
@@ -86,6 +86,7 @@ class Decision:
         witness: the exact point of a refutation.
         values: both sides there, as disjoint balls.
         at: of what is proved, a point at which both sides are defined.
+        cause: what stopped the procedure, if that is none of the methods.
     """
 
     verdict: Verdict
@@ -93,6 +94,7 @@ class Decision:
     witness: Mapping[str, fmpq] | None = None
     values: tuple[arb, arb] | None = None
     at: Mapping[str, fmpq] | None = None
+    cause: Cause | None = None
 
 
 def decide(
@@ -161,7 +163,7 @@ def _almost_everywhere(
             return _refutation(point, values)
         defined.append(point)
     if not defined:
-        return Decision(Verdict.UNDECIDED, no_point(sides, given))
+        return Decision(Verdict.UNDECIDED, no_point(sides, given), cause=Cause.NO_POINT)
 
     def points(where: Given) -> Iterator[dict[str, fmpq]]:
         if where is not given:

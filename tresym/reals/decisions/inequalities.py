@@ -34,12 +34,13 @@ from tresym.reals.normal.at_point import equal_at, satisfies
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import fraction_text
 from tresym.reals.numbers.factoring import TooLargeError
+from tresym.reals.resource_limits import stage
 from tresym.reals.signs.closure import ONLY_INSIDE, is_regular
 from tresym.reals.signs.definedness import at_domain_ends
 from tresym.reals.signs.interior import PROVING
 from tresym.reals.signs.polynomials import cells
 from tresym.reals.signs.sign import proof, sign
-from tresym.reals.verdict import Verdict
+from tresym.reals.verdict import Cause, Verdict
 
 LOOKS = ((128, 40), (700, 10))
 HALVINGS = 40
@@ -83,11 +84,12 @@ def decide_inequality(
     if defined is None:
         more = "and the differentiated functions " if differentiated else ""
         why = NO_POINT_FOUND.format(more) if names else no_point((left, right), inside)
-        return Answer(Verdict.UNDECIDED, why)
+        return Answer(Verdict.UNDECIDED, why, cause=Cause.NO_POINT)
     if not symbols(left) | symbols(right):
         return _constants(left, relation, right)
     region = with_domain(whole, left, right)
-    found = proof(left - right, relation, region)
+    with stage("proof of a sign"):
+        found = proof(left - right, relation, region)
     partly = found is not None and not is_regular(given)
     if found is not None and not partly:
         return Answer(Verdict.PROVED, exactly(f"{found}; both sides are defined", defined))
@@ -98,7 +100,8 @@ def decide_inequality(
         answer = _shown_under(given, _apart(left, right, region, inside, defined))
         split = None if differentiated or answer.verdict is not Verdict.UNDECIDED else _sides(given)
         return answer if split is None else _on_both_sides(left, right, *split, answer)
-    refutation = _refuted_at_lowest(left, relation, right, region, inside)
+    with stage("search for a counterexample"):
+        refutation = _refuted_at_lowest(left, relation, right, region, inside)
     if refutation is not None:
         return refutation
     if not differentiated:
@@ -106,7 +109,8 @@ def decide_inequality(
         if reduced is not None and not (partly and reduced):
             return reduced
     period = _one_period(left - right, region, given)
-    answer = _shown_under(given, search(left, right, relation == ">", period, inside))
+    with stage("branch and bound"):
+        answer = _shown_under(given, search(left, right, relation == ">", period, inside))
     if partly and answer.verdict is Verdict.UNDECIDED:
         return replace(answer, why=ONLY_INSIDE)
     return answer

@@ -67,7 +67,7 @@ from tresym.reals.numbers.exact import InputError
 from tresym.reals.signs.definedness import continuous_on, undefined
 from tresym.reals.signs.interior import PROVING, is_zero
 from tresym.reals.signs.sign import proof, sign
-from tresym.reals.verdict import Verdict
+from tresym.reals.verdict import Cause, Verdict
 
 BITS = (64, 128)
 PARAMETERS = 3
@@ -117,11 +117,12 @@ def decide_integrals(claim: Comparison, statement: Statement, decided: Decide) -
         found = _without_value(claim, error)
         found = _by_identity(claim, statement, decided) if found is None else found
         found = _at_parameters(claim, statement, decided) if found is None else found
-        return Answer(Verdict.UNDECIDED, str(error)) if found is None else found
+        if found is not None:
+            return found
+        return Answer(Verdict.UNDECIDED, str(error), cause=Cause.NO_VALUE)
     except InputError as error:
-        return Answer(
-            Verdict.UNDECIDED, (f"an intermediate expression exceeds the size limit: {error}")
-        )
+        why = f"an intermediate expression exceeds the size limit: {error}"
+        return Answer(Verdict.UNDECIDED, why, cause=Cause.TOO_LARGE)
     said = "; ".join(dict.fromkeys(work.notes))
     if any(side in (INFINITY, MINUS_INFINITY) for side in sides):
         points = simple_points(_parameters(claim), given, PARAMETERS, statement.integers)

@@ -74,7 +74,7 @@ from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.signs.definedness import continuous_on
 from tresym.reals.signs.sign import proof
-from tresym.reals.verdict import Verdict
+from tresym.reals.verdict import Cause, Verdict
 
 POLES = 4
 """Up to which power of y is multiplied with, where a side has a singularity that is removable."""
@@ -159,7 +159,9 @@ def decide_power_series(side: Expr, node: Expr, given: Given) -> Answer:
         return Answer(Verdict.UNDECIDED, f"{node}: {error}")
     except InputError as error:
         return Answer(
-            Verdict.UNDECIDED, f"an intermediate expression exceeds the size limit: {error}"
+            Verdict.UNDECIDED,
+            f"an intermediate expression exceeds the size limit: {error}",
+            cause=Cause.TOO_LARGE,
         )
     for at in given.points(symbols(side) | symbols(s.u) | symbols(s.head), POINTS):
         with ball_precision():

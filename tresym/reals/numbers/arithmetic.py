@@ -12,6 +12,7 @@ python-flint never runs two of them at once.
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from operator import methodcaller
@@ -123,6 +124,25 @@ def decided(
 def side(x: arb) -> int | None:
     """Return ±1 if the ball has that sign, else None."""
     return 1 if x > 0 else -1 if x < 0 else None
+
+
+@contextmanager
+def precision_kept() -> Iterator[None]:
+    """Restore the precision of FLINT and mpmath behind the block, wherever an exception leaves it.
+
+    mpmath restores its precision in ``finally`` clauses of its functions, which a time limit can
+    interrupt.
+    """
+    before = ctx.prec
+    at_start = sys.modules.get("mpmath")
+    in_bits = at_start.mp.prec if at_start is not None and hasattr(at_start, "mp") else 53
+    try:
+        yield
+    finally:
+        ctx.prec = before
+        loaded = sys.modules.get("mpmath")
+        if loaded is not None and hasattr(loaded, "mp"):
+            loaded.mp.prec = in_bits
 
 
 @contextmanager
