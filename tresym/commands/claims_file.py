@@ -4,19 +4,31 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import sys
 from collections.abc import Callable, Sequence
 from itertools import count
 from shutil import get_terminal_size
 from typing import TYPE_CHECKING
 
-from tresym.commands.parser import BAD_INPUT, UNEXPECTED, deliver
-from tresym.output import bold, colour_wanted, dim, show_progress, styled
+from tresym.commands.parser import BAD_INPUT, UNEXPECTED, deliver, deliver_picture
+from tresym.output import (
+    bold,
+    check_replaceable,
+    colour_wanted,
+    dim,
+    make_folder,
+    show_progress,
+    styled,
+    write_bytes,
+    write_text,
+)
 from tresym.reals.numbers.exact import InputError
 
 if TYPE_CHECKING:
     from tresym.papers.reading import OwnPaper
     from tresym.papers.verification import PaperReport, Row
+    from tresym.report.pages.own_paper import Pictures
 
 ENDING = ".tresym"
 COLOURS = {
@@ -202,9 +214,134 @@ def derive(
             return UNEXPECTED
         deliver(own_paper.fragments(report, rows, style), target)
         return status(report)
-    pictures = own_paper.Pictures()
+    pictures = _pictures(paper, style, target, figures, force)
     deliver(own_paper.document(report, style, pictures), target)
     return status(report)
+
+
+def _pictures(
+    paper: OwnPaper, style: str, target: str | None, wanted: bool | None, force: bool
+) -> Pictures:
+    """Compute the tables of a document, and write its charts to a folder beside it."""
+    from importlib.util import find_spec
+
+    from tresym.report.pages import own_tables
+    from tresym.report.pages.own_paper import Pictures
+    from tresym.report.pages.tables import written
+
+    if style == "jupyter":
+        return Pictures()
+    form = "latex" if style == "article" else "markdown"
+    tables: dict[int, str] = {}
+    for drawn in paper.drawn("table"):
+        show_progress(f"table of {drawn.label}")
+        try:
+            tables[drawn.line] = written(own_tables.error_table(paper, drawn), form)
+        except InputError as error:
+            print(f"{paper.name}:{drawn.line}:1: {error}", file=sys.stderr)
+    show_progress("")
+    if wanted and find_spec("matplotlib") is None:
+        raise InputError("derive: charts need matplotlib (pip install 'tresym[docs]')")
+    if target is None or wanted is False or find_spec("matplotlib") is None:
+        return Pictures(tables)
+    folder = f"{os.path.splitext(target)[0]}-figures"
+    kind = "pdf" if style == "article" else "svg"
+    charts: dict[int, str] = {}
+    pictures: dict[str, bytes] = {}
+    for drawn in paper.drawn("chart"):
+        path = os.path.join(folder, f"{drawn.label}.{kind}")
+        try:
+            pictures[path] = own_tables.chart(paper, drawn.label, kind)
+        except InputError as error:
+            print(f"{paper.name}:{drawn.line}:1: {error}", file=sys.stderr)
+            continue
+        charts[drawn.line] = f"{os.path.basename(folder)}/{drawn.label}.{kind}"
+    check_replaceable(pictures, force)
+    if pictures:
+        make_folder(folder)
+    for path, picture in pictures.items():
+        write_bytes(path, picture)
+    return Pictures(tables, charts)
+
+
+def export(path: str, labels: Sequence[str], folder: str, force: bool) -> int:
+    """Write the claims of a file that hold as theorems of Coq, one file for each claim.
+
+    Each theorem has a proof if one is found; if Coq is installed, it checks the file. The folder
+    also gets ``index.json``, which says of each claim what came of it.
+    """
+    from tresym.coq.candidate_search import export as searched
+    from tresym.coq.claim_export import theorems
+    from tresym.coq.statement import NotExportedError
+    from tresym.papers.reading import PaperClaim
+    from tresym.reals.decisions.claim_parsing import read
+    from tresym.reals.decisions.statement import chained
+
+    paper = opened(path)
+    report = verified(paper, labels, None)
+    make_folder(folder)
+    index: dict[str, dict[str, object]] = {}
+    files: dict[str, str] = {}
+    for row in report.rows:
+        claim = row.item
+        if not isinstance(claim, PaperClaim) or not row.requested:
+            continue
+        accepted: bool | None = None
+        if not row.verdict.holds:
+            index[row.label] = {"accepted": None, "says": f"{row.verdict.value}: not exported"}
+            continue
+        name = re.sub(r"\W", "_", row.label)
+        show_progress(f"{row.label} in Coq")
+        try:
+            found = [
+                theorem
+                for n, link in enumerate(claim.links, 1)
+                for theorem in theorems(
+                    read(chained((link,)), chained(claim.conditions), claim.path),
+                    name if not claim.is_derivation else f"{name}_{n}",
+                )
+            ]
+            outcome = searched(found)
+            accepted, says = outcome.accepted, outcome.says
+            if accepted is not False:
+                files[os.path.join(folder, f"{name}.v")] = outcome.text
+        except (NotExportedError, InputError) as error:
+            says = str(error)
+        index[row.label] = {"accepted": accepted, "says": says}
+    show_progress("")
+    files[os.path.join(folder, "index.json")] = (
+        json.dumps(index, ensure_ascii=False, indent=1) + "\n"
+    )
+    check_replaceable(files, force)
+    for target, text in files.items():
+        write_text(target, text)
+    for label, found_row in index.items():
+        print(f"{label:<{LABEL_WIDTH}}  {found_row['says']}")
+    print(f"{folder}: {len(files) - 1} of {len(index)} claims written")
+    return status(report)
+
+
+def table(path: str, label: str, form: str, as_json: bool, target: str | None) -> int:
+    """Print the tables that a file asks for of a claim, and return the exit status."""
+    from tresym.report.pages import own_tables
+    from tresym.report.pages.tables import written
+
+    found = own_tables.tables_of(opened(path), label)
+    if as_json:
+        rows = [one._asdict() for one in found]
+        deliver(json.dumps(rows, ensure_ascii=False, indent=1) + "\n", target)
+    else:
+        deliver("\n".join(written(one, form) for one in found), target)
+    return 0
+
+
+def chart(path: str, label: str, target: str | None) -> int:
+    """Draw the chart of a claim, and return the exit status."""
+    from tresym.report.pages import own_tables
+
+    paper = opened(path)
+    deliver_picture(lambda kind: own_tables.chart(paper, label, kind), target)
+    return 0
 
 
 def _counter(total: int) -> Callable[[], None]:

@@ -12,6 +12,8 @@ from contextlib import closing
 from pathlib import Path
 from typing import Any
 
+from tresym.commands import claims_file
+from tresym.commands.claims_file import is_file_of_claims
 from tresym.commands.parser import Commands, add_options
 from tresym.reals.numbers.exact import InputError
 
@@ -20,11 +22,16 @@ def add(commands: Commands) -> None:
     """Add `tresym export` to the command line."""
     parser = commands.add_parser(
         "export",
-        help="export the ledger to Coq",
+        help="export the ledger, or a file of claims, to Coq",
         description="Write each claim as a theorem of Coq with its proof: one file per part of the "
         "proofs, a Makefile that has Coq check them, and index.json.",
     )
-    parser.add_argument("labels", nargs="*", metavar="LABEL", help="claims, such as eq_gamma")
+    parser.add_argument(
+        "labels",
+        nargs="*",
+        metavar="[FILE.tresym] LABEL",
+        help="claims of the file, or of the racket paper, such as eq_gamma",
+    )
     parser.add_argument("--coq", required=True, metavar="DIR", help="the folder to write")
     add_options(
         parser,
@@ -35,6 +42,10 @@ def add(commands: Commands) -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Run the command and return its exit status."""
+    if is_file_of_claims(args.labels):
+        if args.search or args.check:
+            raise InputError("export: --search and --check are for the racket paper")
+        return claims_file.export(args.labels[0], args.labels[1:], args.coq, args.force)
     from tresym.coq.export import stored, write
 
     store = stored()

@@ -7,7 +7,9 @@ import os
 from tresym.papers.reading import OwnPaper, read_file
 from tresym.papers.verification import LIMIT, PaperReport, verify_paper
 from tresym.reals.numbers.exact import InputError
-from tresym.report.pages import own_paper
+from tresym.report.pages import own_paper, own_tables
+from tresym.report.pages.python_api import Picture
+from tresym.report.pages.tables import Table
 
 
 class OpenedPaper:
@@ -61,6 +63,33 @@ class OpenedPaper:
         if refused := own_paper.refused(rows):
             raise InputError("; ".join(refused))
         return own_paper.fragments(report, rows, style)
+
+    def table(self, label: str) -> Table:
+        """Compute the table of errors that the file asks for of a claim.
+
+        Raises:
+            InputError: no claim has the label, the file asks for no table of it, or the points do
+                not fit.
+        """
+        return own_tables.tables_of(self.paper, label)[0]
+
+    def chart(self, label: str, path: str | os.PathLike[str] | None = None) -> Picture:
+        """Draw the error of a claim against the variable of its path.
+
+        Args:
+            label: the claim.
+            path: where to save it as well; the ending (.svg, .pdf, .png) says in which format.
+
+        Raises:
+            InputError: no claim has the label, it has no errors, or matplotlib is not installed.
+        """
+        if path is not None:
+            from tresym.output import write_bytes
+            from tresym.report.figures import kind_of
+
+            target = os.fspath(path)
+            write_bytes(target, own_tables.chart(self.paper, label, kind_of(target)))
+        return Picture(own_tables.chart(self.paper, label))
 
     def __repr__(self) -> str:
         read, problems = len(self.paper.claims), len(self.paper.problems)

@@ -1,0 +1,151 @@
+"""Tables and charts of a file of claims: the errors of a claim at exact points."""
+
+from __future__ import annotations
+
+import math
+import re
+from typing import Any
+
+from tresym.papers.error_rows import chart_points, error_rows, rounded, sides_of
+from tresym.papers.reading import Drawn, OwnPaper, PaperClaim
+from tresym.reals.decisions.claim_parsing import read_path
+from tresym.reals.numbers.exact import Decimal, InputError
+from tresym.report.pages.tables import Table
+
+_RAISED = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
+FEW = 4
+"""The digits of errors in a table, whose other columns have as many as the file asks for."""
+
+
+def error_table(paper: OwnPaper, drawn: Drawn) -> Table:
+    """Return a table that the file asks for.
+
+    Raises:
+        InputError: the claim has no errors, or the points do not fit.
+    """
+    claim = paper.claims[drawn.label]
+    rows = list(error_rows(claim, drawn))
+    names = [value.name for value in rows[0].at]
+    _, _, gauge = sides_of(claim)
+    heads = [*names, "exact", "approximation", "error", "relative error"]
+    heads += [f"error/({in_signs(str(gauge))})"] if gauge is not None else []
+    digits, few = drawn.digits, min(FEW, drawn.digits)
+    body = []
+    for row in rows:
+        cells = [str(value.value) for value in row.at]
+        cells += [rounded(row.exact, digits), rounded(row.approx, digits)]
+        cells += [rounded(row.error, few), rounded(row.relative, few)]
+        cells += [rounded(row.ratio, few)] if gauge is not None else []
+        body.append(tuple(cells))
+    caption = f"Errors of {drawn.label}. Every digit is certified by a ball."
+    return Table(caption, tuple(heads), tuple(body), f"{drawn.label}-errors", len(names))
+
+
+def in_signs(text: str) -> str:
+    """Return a formula with raised exponents and without stars.
+
+    Example:
+        >>> in_signs("2*e**3")
+        '2 e³'
+    """
+    raised = re.sub(r"\*\*(\d+)", lambda found: found[1].translate(_RAISED), text)
+    return raised.replace("**", "^").replace("*", " ")
+
+
+def tables_of(paper: OwnPaper, label: str) -> list[Table]:
+    """Return the tables that the file asks for of a claim.
+
+    Raises:
+        InputError: no claim has the label, or the file asks for no table of it.
+    """
+    paper.chosen([label])
+    found = paper.drawn("table", label)
+    if not found:
+        raise InputError(
+            f"{paper.name}: no table of {label} is asked for: write the line 'table {label}: "
+            "at x == 1/10, 1/100' with the variables of the claim"
+        )
+    return [error_table(paper, drawn) for drawn in found]
+
+
+def chart(paper: OwnPaper, label: str, kind: str = "svg") -> bytes:
+    """Return the chart of a claim's error against the variable of its path, on logarithmic scales.
+
+    Args:
+        paper: the file.
+        label: the claim.
+        kind: ``svg``, ``pdf`` or ``png``.
+
+    Raises:
+        InputError: no claim has the label, it has no errors, or matplotlib is not installed.
+    """
+    (claim,) = paper.chosen([label])
+    asked = paper.drawn("chart", label)
+    drawn = asked[0] if asked else Drawn(claim.line, "chart", label, (), 10)
+    drawn = chart_points(claim, drawn._replace(digits=6), paper.drawn("table", label))
+    path = None if claim.path is None else read_path(claim.path)
+    along = path.name if path else max(drawn.at, key=lambda pair: len(pair[1]))[0]
+    curves: dict[str, list[tuple[float, float]]] = {}
+    largest = 0.0
+    for row in error_rows(claim, drawn):
+        where = {value.name: value.value for value in row.at}
+        x = _float_of(where[along], path)
+        error = 0.0 if row.error is None else abs(float(row.error.mid))
+        others = ", ".join(f"{name} = {v}" for name, v in where.items() if name != along)
+        if x > 0 and error > 0:
+            curves.setdefault(others, []).append((x, error))
+        if row.ratio is not None:
+            largest = max(largest, abs(float(row.ratio.mid)))
+    if not curves:
+        raise InputError(f"chart {label}: every error is 0 or the points are not positive")
+    return _drawn(claim, along, curves, path, kind)
+
+
+def _float_of(x: Any, path: Any) -> float:
+    from tresym.reals.decisions.root_values import value
+
+    if path is not None and path.point is not None:
+        x = x - path.point
+    found: Decimal = value(x, digits=8)
+    return abs(float(found.mid))
+
+
+def _drawn(
+    claim: PaperClaim,
+    along: str,
+    curves: dict[str, list[tuple[float, float]]],
+    path: Any,
+    kind: str,
+) -> bytes:
+    from tresym.report.figures import style
+
+    with style.looks():
+        from matplotlib.figure import Figure
+
+        figure = Figure(figsize=(5.2, 3.4), layout="constrained")
+        axes = figure.add_subplot()
+        marks = "osD^vP*X"
+        for n, (name, points) in enumerate(sorted(curves.items())):
+            points.sort()
+            axes.plot(*zip(*points, strict=True), marker=marks[n % len(marks)], label=name or None)
+        axes.set_xscale("log")
+        axes.set_yscale("log")
+        point = None if path is None or path.point is None else str(path.point)
+        axes.set_xlabel(along if point in (None, "0") else f"|{along} − {point}|")
+        axes.set_ylabel("|error|")
+        if len(curves) > 1 or "" not in curves:
+            axes.legend()
+        steepness = slope(next(iter(curves.values())))
+        title = f"Error of {claim.label}" + (f", slope {steepness:.2f}" if steepness else "")
+        axes.set_title(title)
+        if kind == "svg":
+            return style.svg_text(figure, title).encode()
+        return style.bitmap_or_page(figure, title, kind)
+
+
+def slope(points: list[tuple[float, float]]) -> float | None:
+    """Return the slope between the two points nearest to the end, on logarithmic scales."""
+    if len(points) < 2 or points[0][0] == points[1][0]:
+        return None
+    (x, y), (z, w) = points[:2]
+    return math.log(w / y) / math.log(z / x)
