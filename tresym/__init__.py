@@ -21,6 +21,7 @@ import sys
 # a traceback; every import here makes that time longer.
 TYPE_CHECKING = False
 if TYPE_CHECKING:  # for editors and type checkers, which would accept any name without it
+    from tresym.asymptotics.constants import constant
     from tresym.ledger.verification import verify
     from tresym.racket.body import NAMED_BODIES as bodies  # noqa: N811 - the name it is known by
     from tresym.racket.body import Body
@@ -43,6 +44,7 @@ _HOMES = {
     "Verdict": "tresym.reals.verdict",
     "bodies": "tresym.racket.body",
     "check": "tresym.repair",
+    "constant": "tresym.asymptotics.constants",
     "derive": "tresym.report.pages.python_api",
     "figure": "tresym.report.pages.python_api",
     "flip_angle": "tresym.racket.flip",
@@ -63,6 +65,7 @@ __all__ = [
     "__version__",
     "bodies",
     "check",
+    "constant",
     "derive",
     "figure",
     "flip_angle",

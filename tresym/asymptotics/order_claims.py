@@ -8,11 +8,13 @@ from flint import arb, fmpq
 
 from tresym.reals.decisions.answer import Answer, constant_ball, refuted
 from tresym.reals.decisions.derivative_domains import where_real
+from tresym.reals.decisions.path_regions import along
 from tresym.reals.decisions.statement import Comparison, Path
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.expansions.leading_terms import Judgement, judge_order, sign_towards
 from tresym.reals.expansions.scale import T
+from tresym.reals.expansions.suprema import SHORTER
 from tresym.reals.language.expression import Expr, number, substitute, symbol
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import fraction_text
@@ -115,7 +117,7 @@ def _ratio(left: arb, right: arb) -> arb:
 
 def _values(claim: Comparison, path: Path, side: int, t: fmpq) -> tuple[arb, arb] | None:
     """Both sides at a point of the path; None where they are not shown to be real."""
-    mapping = {path.name: _along(path, side)}
+    mapping = {path.name: along(path, side)}
     with ball_precision():
         at = {T: arb(t)}
         left, right = (evaluate(substitute(e, mapping), at) for e in (claim.left, claim.right))
@@ -128,16 +130,13 @@ def _is_real_somewhere(claim: Comparison, path: Path, side: int, judgement: Judg
     return any(_values(claim, path, side, upto / part) for part in (3, 5, 7, 11, 13, 17, 29, 41))
 
 
-def _one_side(claim: Comparison, path: Path, side: int, upto: fmpq = fmpq(1)) -> Judgement:  # noqa: B008
-    mapping = {path.name: _along(path, side)}
+def _one_side(claim: Comparison, path: Path, side: int, upto: fmpq | None = None) -> Judgement:
+    mapping = {path.name: along(path, side)}
     sides = substitute(claim.left, mapping), substitute(claim.right, mapping)
-    return judge_order(claim.relation, *sides, upto, _shown(path, side))
-
-
-def _along(path: Path, side: int) -> Expr:
-    """The variable in the small parameter t."""
-    t = symbol(T)
-    return side / t if path.point is None else path.point + side * t
+    shorter = SHORTER if path.reach is None else 0
+    if upto is None:
+        upto = LONGEST if path.reach is None else path.reach
+    return judge_order(claim.relation, *sides, upto, _shown(path, side), shorter)
 
 
 def _holds(claim: Comparison, path: Path, found: list[Judgement]) -> Answer:
@@ -148,6 +147,12 @@ def _holds(claim: Comparison, path: Path, found: list[Judgement]) -> Answer:
             for side, judgement in zip(path.sides, found, strict=True)
         ]
         reach = min([reach, *(j.upto for j in found if j.upto is not None)])
+    if path.reach is not None and reach != path.reach:
+        return Answer(
+            Verdict.UNDECIDED,
+            f"the order holds, but no constant was found on the region asked for; one was found on "
+            f"{region(path, reach)}",
+        )
     leading = found[0]
     constant = None
     sentence = _SUCCESSES.get(claim.relation, "")

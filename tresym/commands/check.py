@@ -45,6 +45,9 @@ def add(commands: Commands) -> None:
     )
     parser.add_argument("--as", dest="tends", metavar="PATH", help="x -> 0+, 0-, 0, 1/2, oo, -oo")
     parser.add_argument(
+        "--on", metavar="REGION", help="where the constant of an order is asked for: 0 < x <= 1/2"
+    )
+    parser.add_argument(
         "-f", dest="file", metavar="FILE", help="one claim a line; # comments; - reads input"
     )
     parser.add_argument(
@@ -79,6 +82,10 @@ def run(args: argparse.Namespace) -> int:
     if args.file is None and args.claim.strip().endswith(".tex"):
         raise InputError(f"check: {MANUSCRIPT}")
     given = ", ".join(part for part in args.given if part.strip())
+    if args.on is not None and args.file is not None:
+        raise InputError("check: --on is for one claim; in a file, end a line with on REGION")
+    if args.on is not None:
+        args.claim = f"{args.claim.strip()} on {args.on}"
     if args.file is None:
         asked = args.claim, given, args.tends, args.limit
         return one(*asked, args.json, args.path, args.coq, args.suggest)

@@ -46,6 +46,9 @@ class InSeries(Walker):
         return (x.log() * self.value(exponent)).exp()
 
     def _apply(self, name: str, *values: arb_series) -> arb_series:
+        if name in ("abs", "cbrt") and (values[0][0] > 0 or values[0][0] < 0):
+            (x,), side = values, 1 if values[0][0] > 0 else -1
+            return x * side if name == "abs" else side * ((x * side).log() / 3).exp()
         row = TABLE[name]
         if row.series is not None:
             found: arb_series = row.series(*values)

@@ -8,6 +8,7 @@ from dataclasses import replace
 from functools import cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from tresym.reals.decisions.path_regions import reach_of
 from tresym.reals.decisions.statement import (
     Comparison,
     Derivative,
@@ -49,7 +50,7 @@ MAX_CHARACTERS = 30_000
 MAX_PATH = 200
 NO_CHAIN = "a limit or an order claim cannot be part of a chain: write one relation at a time"
 
-_WORD = re.compile(r"(?<!\{)\s(?:--)?(given|as)\s(?!\s*\})")
+_WORD = re.compile(r"(?<!\{)\s(?:--)?(given|as|on)\s(?!\s*\})")
 _LATEX = re.compile(r"[\\{}]")
 _PATH = re.compile(r"\s*([A-Za-z_]\w*)\s*->\s*(.+?)\s*")
 _AND = re.compile(r"\band\b|;|&&?|∧")
@@ -71,17 +72,19 @@ class _Written(NamedTuple):
     comparisons: tuple[Compared, ...]
     given: tuple[Compared, ...]
     path: Path | None
+    on: tuple[Compared, ...] = ()
 
     def __str__(self) -> str:
         parts = (("", chained(self.comparisons)), (" given ", chained(self.given)))
         text = "".join(word + part for word, part in parts if part)
-        return text if self.path is None else f"{text} as {self.path}"
+        text = text if self.path is None else f"{text} as {self.path}"
+        return f"{text} on {chained(self.on)}" if self.on else text
 
 
 def in_latex(text: str) -> str:
     """Return a claim in the grammar of text as LaTeX; empty if it cannot be read."""
     try:
-        comparisons, given, path = _written(text, "", None)
+        comparisons, given, path, _ = _written(text, "", None)
     except InputError:
         return ""
     shown = to_latex(comparisons)
@@ -127,15 +130,20 @@ def _is_plain(text: str) -> bool:
 
 def _read_again(shown: str) -> _Written:
     """What is written in the text that is shown: of LaTeX and of SymPy just that is decided."""
+    shown, _, on = shown.partition(" on ")
     claim, _, end = shown.partition(" as ")
     claim, _, under = claim.partition(" given ")
     path = read_path(end) if end else None
-    return _Written(tuple(parse_claim(claim)), tuple(parse_given(under)), path)
+    return _Written(tuple(parse_claim(claim)), tuple(parse_given(under)), path, _given(on))
 
 
 def _stated(written: _Written, shown: str, text: str) -> Statement:
     """What is decided of what is written."""
-    parts, said, path = written
+    parts, said, path, on = written
+    if on:
+        if path is None or not _is_order(parts):
+            raise InputError("on REGION belongs to an order with a path: f == g + O(h) as x -> 0")
+        path = replace(path, reach=reach_of(on, path))
     given = Given(tuple(link for link in said if link[1] not in ("==", "in"))).unfolded()
     equations = tuple((left, right) for left, relation, right in said if relation == "==")
     closed = sum(relation in (">=", "<=") for _, relation, _ in said) > 1
@@ -203,10 +211,10 @@ def _written(claim: Any, given: Any, path: str | None) -> _Written:
 
 def _strictly(claim: str, given: Any, path: str | None) -> _Written:
     """A claim of text or LaTeX in the grammar as it stands."""
-    text, own, own_path = _split(claim)
-    under, end = (*_given(given), *_given(own)), _path(own_path or path)
+    text, own, own_path, region = _split(claim)
+    under, end, on = (*_given(given), *_given(own)), _path(own_path or path), _given(region)
     if not _LATEX.search(text):
-        return _Written(tuple(parse_claim(plain(text))), under, end)
+        return _Written(tuple(parse_claim(plain(text))), under, end, on)
     from tresym.reals.language.latex import read_latex
 
     chains = read_latex(text.strip().strip("$"))
@@ -221,20 +229,26 @@ def _strictly(claim: str, given: Any, path: str | None) -> _Written:
         end = _path_of(said)
     elif said is not None:
         under = (*under, *map(_condition, said.links))
-    return _Written(tuple(chains[0].links), under, end)
+    return _Written(tuple(chains[0].links), under, end, on)
 
 
-def _split(text: str) -> tuple[str, str, str]:
-    """The claim, its conditions and its path, quotes around the latter two dropped."""
+def _split(text: str) -> tuple[str, str, str, str]:
+    """The claim, its conditions, path and region, quotes around the latter three dropped."""
     if len(text) > MAX_CHARACTERS:
         raise InputError(f"the claim has {len(text)} characters; the limit is {MAX_CHARACTERS}")
     claim, *rest = _WORD.split(text)
-    found = {"given": "", "as": ""}
+    found = {"given": "", "as": "", "on": ""}
     for word, part in zip(rest[::2], rest[1::2], strict=True):
         if found[word]:
             raise InputError(f"a claim can have only one part that begins with the word {word}")
         found[word] = part.strip().strip("'\"")
-    return claim.strip(), found["given"], found["as"]
+    return claim.strip(), found["given"], found["as"], found["on"]
+
+
+def _is_order(parts: tuple[Compared, ...]) -> bool:
+    """Whether a claim is an order with a constant, O(…) at its right end."""
+    right = _spread(parts[0][2])
+    return len(parts) == 1 and any(term.op == "O" for term in _terms(right))
 
 
 def _comparison(left: Expr, relation: str, right: Expr) -> Comparison:

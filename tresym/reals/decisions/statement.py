@@ -6,6 +6,8 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, NamedTuple
 
+from flint import fmpq
+
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.calls import FACTORIAL, INFINITY, INTEGERS
 from tresym.reals.language.derivatives import differentiate
@@ -98,11 +100,13 @@ class Path:
         name: the variable.
         point: where it tends, None for infinity.
         sides: +1 for from above or to +∞, −1 for from below or to −∞.
+        reach: the constant of an order is asked for where |x − point|, or 1/|x|, is at most this.
     """
 
     name: str
     point: Expr | None
     sides: tuple[int, ...]
+    reach: fmpq | None = None
 
     def __str__(self) -> str:
         side = "" if len(self.sides) > 1 else "+-"[self.sides[0] < 0]

@@ -22,6 +22,7 @@ from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.expansions.expansions import Expansions
 from tresym.reals.expansions.gruntz import Rewritten
 from tresym.reals.expansions.scale import Leading, T, UnresolvedError
+from tresym.reals.expansions.suprema import SHORTER, Near, Supremum, supremum
 from tresym.reals.expansions.truncated_series import quotient, raised
 from tresym.reals.language.expression import (
     LEAVES,
@@ -30,6 +31,7 @@ from tresym.reals.language.expression import (
     ZERO,
     Expr,
     apply,
+    integer,
     multiply,
     number,
     power,
@@ -88,11 +90,13 @@ def judge_order(
     right: Expr,
     upto: fmpq = fmpq(1),  # noqa: B008
     shown: tuple[Expr, Expr] = (symbol(T), 1 / symbol(T)),
+    shorter: int = SHORTER,
 ) -> Judgement:
     """Decide an order statement for t → 0+ (the variable ``T``) on a range of at most ``upto``.
 
     Args:
         shown: the expressions for t and 1/t with which leading terms are written.
+        shorter: how often the range is halved in search of a sharp constant.
     """
     found = Rewritten(T)
     try:
@@ -103,7 +107,19 @@ def judge_order(
             ways = [(kind, f, g, left / right, False), *_reduced(kind, f, g, found, left / right)]
             for relation, above, below, ratio, squared in ways if truth is not False else []:
                 if _told(relation, above, below, found):
+                    order = _order_at_end(g, found) if kind == "O" else None
+                    asked = left, right, order
+                    sharp = None if order is None else supremum(*asked, None, upto, shorter)
+                    if sharp is not None:
+                        constant = sharp.low.union(sharp.high)
+                        return Judgement(Verdict.ENCLOSED, *leading, constant, sharp.upto, True)
                     judged = _on_a_range(relation, above, below, found, upto, ratio, leading)
+                    if judged.constant is not None and not squared:
+                        near = _near(above, below, found)
+                        sharp = supremum(*asked, near, upto, shorter)
+                    if sharp is not None:
+                        constant = sharp.low.union(sharp.high)
+                        return judged._replace(constant=constant, upto=sharp.upto)
                     if judged.verdict is Verdict.ENCLOSED:
                         return judged.root() if squared else judged
                 elif not squared and _fails_at_a_phase(relation, above, below, found):
@@ -112,6 +128,51 @@ def judge_order(
     except _FAILS:
         return _OPEN
     return _OPEN if truth is not False else Judgement(Verdict.REFUTED, *leading)
+
+
+def _order_at_end(g: Expr, found: Rewritten) -> int | None:
+    """The order to which g vanishes at t = 0, if its leading term is a natural power of t."""
+    with suppress(*_FAILS):
+        first = found.expansions.leading(g)
+        if first is not None and {*first.powers} <= {T} and not found.scale.waves:
+            order = integer(first.powers.get(T, ZERO))
+            return order if order is not None and order >= 0 else None
+    return None
+
+
+def _near(f: Expr, g: Expr, found: Rewritten) -> Near:
+    """Bounds of the supremum of |f/g| near the end by leading terms, where f = O(g)."""
+
+    def bounds(reach: fmpq) -> tuple[arb, arb] | None:
+        with ball_precision(), suppress(*_FAILS):
+            expansions = Expansions(found.scale, reach)
+            if all(expansions.enclosure(u).low > 0 for u in found.signed):
+                whole = _largest(f, g, found, expansions)
+                return whole.lower(), whole.upper()
+        return None
+
+    return bounds
+
+
+def sharp_constant(left: Expr, right: Expr, upto: fmpq, shorter: int = SHORTER) -> Supremum | None:
+    """The supremum of |left/right| on a range 0 < t ≤ r, if left = O(right) is shown.
+
+    Args:
+        upto: the longest range.
+        shorter: how often it may be halved.
+    """
+    found = Rewritten(T)
+    try:
+        with ball_precision():
+            f, g = found.all_of(left, right)
+            if found.scale.waves or not _told("O", f, g, found):
+                return None
+            order = _order_at_end(g, found)
+            if found.expansions.leading(f) is None:
+                return None
+            return supremum(left, right, order, _near(f, g, found), upto, shorter)
+    except _FAILS:
+        return None
 
 
 def _leading_terms(
