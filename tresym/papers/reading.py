@@ -76,8 +76,9 @@ KINDS["natural"] = (("in", INTEGERS), (">=", number(1)))
 _NAME = r"[A-Za-z]\w*"
 _HEADING = re.compile(r"(#{1,3})\s*(.*)")
 _DECLARED = re.compile(
-    rf"({_NAME}(?:\s*,\s*{_NAME})*)\s+({'|'.join(KINDS)})\s*(?:[;,]?\s*given\s+(.+))?"
+    rf"({_NAME}(?:\s*,\s*{_NAME})*)\s+({'|'.join(KINDS)})\s*(?:[;,]?\s*given\s+(.+?))?\s*;?"
 )
+_AND_GIVEN = re.compile(r";\s*(?:given\s)?")
 _GIVEN = re.compile(r"given\s+(.+)")
 _DEFINED = re.compile(rf"({_NAME})\s*(?:\(([^()]*)\))?\s*:=\s*(.*)")
 _DRAWN = re.compile(r"(table|chart)\s+([A-Za-z][\w-]*)\s*(?::\s*(.*))?")
@@ -409,7 +410,8 @@ class _Reader:
         self._conditions(line, names, kind, given)
 
     def _conditions(self, line: int, names: tuple[str, ...], kind: str, given: str) -> None:
-        written = tuple(parse_given(plain(as_called(given, self.definitions)))) if given else ()
+        given = ", ".join(filter(None, (part.strip() for part in _AND_GIVEN.split(given))))
+        written = tuple(parse_given(plain(self._called(given))))
         known = {*self.declared, *names, *self.definitions}
         for side in (side for link in written for side in link[::2]):
             self._need_known(symbols(side) - {INTEGERS.args[0]}, known)
@@ -461,9 +463,8 @@ class _Reader:
                 raise InputError(
                     f"'{parameter}' cannot be the argument of a function: use a letter"
                 )
-        written = as_written(plain(as_called(text, self.definitions)))
+        written = as_written(plain(self._called(text)))
         self._need_known(symbols(written) - {*parameters} - {INFINITY.args[0], DOTS.args[0]})
-        self._need_functions((written,))
         if name in symbols(written):
             raise InputError(
                 f"{name} stands in its own definition: define a solution of an equation by "
@@ -471,6 +472,7 @@ class _Reader:
             )
         inside = {n: d for n, d in self.definitions.items() if n not in parameters}
         made = define(line, name, parameters, text, written, inside)
+        self._need_functions((made.expression,))
         self.definitions[name] = replace(made, given=self._about(made.expression, ()))
         kept = {n: d for n, d in self.by_equation.items() if n not in parameters}
         same = define(line, name, parameters, text, written, kept)
@@ -479,6 +481,13 @@ class _Reader:
         else:
             self.by_equation[name] = same
         self.items.append(self.definitions[name])
+
+    def _called(self, text: str) -> str:
+        """The text with defined functions under names that the grammar takes for functions."""
+        for name, line in self.failed.items():
+            if re.search(rf"(?<![\w\\]){re.escape(name)}\s*\(", text):
+                raise InputError(f"{name} stands on line {line}, which is not read")
+        return as_called(text, self.definitions)
 
     def _need_functions(self, trees: Iterable[Expr]) -> None:
         for tree in trees:
@@ -540,14 +549,14 @@ class _Reader:
 
     def _formula(self, label: str, line: int, text: str, clauses: Mapping[str, str]) -> PaperClaim:
         """The formula of a claim, with its conditions, its path and the values of its variables."""
-        called = as_called(text, self.definitions)
+        called = self._called(text)
         rounded = ""
         if "~=" in called or "≈" in called:
             left, rounded = _rounded(called)
             comparisons = [(as_written(plain(left)), "~=", number(parse_number(rounded)))]
         else:
             comparisons = _compared(called)
-        given = tuple(parse_given(plain(as_called(clauses.get("given", ""), self.definitions))))
+        given = tuple(parse_given(plain(self._called(clauses.get("given", "")))))
         path = read_path(clauses["as"]) if "as" in clauses else None
         values = tuple(_values(clauses["at"])) if "at" in clauses else ()
         trees = [side for link in (*comparisons, *given) for side in link[::2]]
@@ -563,7 +572,7 @@ class _Reader:
         everything = _connected(about_names, self.given, conditions)
         put = {value.name: expanded(value.value, self.definitions) for value in values}
         links, everything, must = _put_in(links, everything, put)
-        near = tuple(c for c in everything if path and path.name in _names(c))
+        near = tuple(c for c in everything if path and path.name in _names(c) and c[1] != "in")
         links = tuple(_rounding(link, rounded) for link in links) if rounded else links
         names = frozenset().union(*map(names_in, trees))
         rests = tuple(name for name in self.definitions if name in names)
