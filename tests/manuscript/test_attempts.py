@@ -12,10 +12,9 @@ from tresym.manuscript.attempts import INTERRUPTED, answers_to
 from tresym.manuscript.classification import Attempt, Link
 from tresym.manuscript.source import Display
 from tresym.reals.decisions.answer import Answer
-from tresym.reals.verdict import Verdict
+from tresym.reals.verdict import Cause, Verdict
 
 DISPLAY = Display(1, "brackets", (), "", 1, "")
-STOPPED = "stopped after 1 s; a longer --limit may help"
 
 
 def link(*texts: str) -> Link:
@@ -37,8 +36,8 @@ class Script:
                 raise KeyboardInterrupt
             self.asked.append((task.claim, limit))
             if task.claim in self.slow:
-                verdict = self.slow[task.claim] if limit > 1 else Verdict.UNDECIDED
-                yield task, Answer(verdict, STOPPED if limit <= 1 else "why")
+                stopped = Answer(Verdict.UNDECIDED, "too long", cause=Cause.STOPPED)
+                yield task, Answer(self.slow[task.claim], "why") if limit > 1 else stopped
             else:
                 yield task, Answer(Verdict.PROVED if "true" in task.claim else Verdict.REFUTED, "")
 
@@ -69,7 +68,7 @@ def test_an_interrupted_link_is_open_even_if_one_of_its_readings_is_refuted(
         run(monkeypatch, Script({}, "stop"), links)
     found = run(monkeypatch, Script({}, "stop"), links, keep=True)
     assert [found[n][-1].verdict.value for n in range(3)] == ["PROVED", "UNDECIDED", "REFUTED"]  # type: ignore[union-attr]
-    assert found[1] == [Answer(Verdict.UNDECIDED, INTERRUPTED)]
+    assert found[1] == [Answer(Verdict.UNDECIDED, INTERRUPTED, cause=Cause.INTERRUPTED)]
 
 
 def test_an_interrupted_run_shows_what_is_done_and_fails(

@@ -11,6 +11,7 @@ from tresym.manuscript.deciding import Row, decided
 from tresym.manuscript.links import read_links
 from tresym.manuscript.source import read_manuscript
 from tresym.manuscript.suspects import proofread
+from tresym.reals.verdict import Cause
 
 
 def read(folder: Path, text: str) -> list[Row]:
@@ -225,3 +226,11 @@ def test_a_symbol_whose_new_value_is_not_read_has_not_its_old_one(tmp_path: Path
     \end{align*}
     \begin{align*} u &= 2x & v &= \text{?} \\ du &= \text{?} & dv &= \sin x\ dx \end{align*}"""
     assert not {"SUSPECT", "REFUTED"} & {*statuses(tmp_path, text)}
+
+
+def test_an_integral_without_a_known_value_is_suspect_if_a_neighbour_has_the_value(
+    tmp_path: Path,
+) -> None:
+    (row,) = read(tmp_path, r"Hence \[ \int_0^\infty \frac{x^2}{e^x-1}\,dx = \frac{\pi^4}{15} . \]")
+    assert (row.status, row.cause) == ("SUSPECT", Cause.NO_VALUE)
+    assert row.instead[0].claim == "integral(x**3/(exp(x) - 1), x, 0, oo) == pi**4/15"

@@ -21,6 +21,7 @@ from tresym.commands.parser import (
 from tresym.output import bold, colour_wanted, dim, show_progress
 from tresym.reals.notebook import abbreviated
 from tresym.reals.numbers.exact import InputError
+from tresym.reals.verdict import Cause
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -162,9 +163,7 @@ def _rows(args: argparse.Namespace, paper: Path, settings: Settings, limit: floa
 
 
 def _interrupted(rows: list[Row]) -> bool:
-    from tresym.manuscript.attempts import INTERRUPTED
-
-    return any(INTERRUPTED in row.why for row in rows)
+    return any(row.cause is Cause.INTERRUPTED for row in rows)
 
 
 def _show(
@@ -294,23 +293,12 @@ def summary(rows: list[Row]) -> str:
     return f"{displays} displays, {len(rows)} links: {parts}"
 
 
-_ADVICE = {  # by a part of the reason
-    "write % tresym: as": "has no path; write % tresym: as x -> 0 (or another path) before display",
-    "write % tresym: claim": "fails somewhere; write % tresym: claim or solve before display",
-    "two readings remain": "has two readings; write brackets or % tresym: shorter in display",
-    "its condition is not "
-    "understood": "has an unread condition; write % tresym: given … before display",
-}
-"""Advice on directives, by a part of the reason of the rows that they would settle."""
-
-
 def advice(rows: list[Row]) -> list[str]:
     """Return the directives that would settle most links, with their displays."""
     found: dict[str, list[int]] = {}
     for row in rows:
-        for said, note in _ADVICE.items():
-            if said in row.why and row.status in ("EQUATION", "UNREAD", "UNDECIDED"):
-                found.setdefault(note, []).append(row.link.display.number)
+        if row.obstacle is not None and row.status in ("EQUATION", "UNREAD", "UNDECIDED"):
+            found.setdefault(row.obstacle.value, []).append(row.link.display.number)
     lines = []
     for note, displays in sorted(found.items(), key=lambda item: -len(item[1])):
         shown = ", ".join(map(str, dict.fromkeys(displays[:10])))

@@ -69,6 +69,9 @@ class Finding:
         seconds: the time taken.
         stopped: whether the claim was about to pass but the independent check contradicted it.
         of: the claim that was judged, or None.
+        boxes: for a bound that is proved on boxes, their number.
+        follows_from: for a conjunction, the labels of its parts.
+        along: for an order that fails along a curve, the curve.
     """
 
     verdict: Ruling
@@ -84,3 +87,6 @@ class Finding:
     seconds: float = 0.0
     stopped: bool = False
     of: Any = field(default=None, repr=False, compare=False)
+    boxes: int = 0
+    follows_from: tuple[str, ...] = ()
+    along: str = ""

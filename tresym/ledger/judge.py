@@ -336,7 +336,8 @@ def _judge_all(claims: tuple[Claim, ...], found: Findings) -> Finding:
         if finding.verdict is UNDECIDED:
             return Finding(UNDECIDED, f"{claim.label} is undecided")
     weakest = min((found[c.label].verdict for c in claims), key=WEAKEST_FIRST.index)
-    return Finding(weakest, "follows from " + ", ".join(c.label for c in claims))
+    labels = tuple(c.label for c in claims)
+    return Finding(weakest, f"follows from {', '.join(labels)}", follows_from=labels)
 
 
 def _judge_instance(claim: Claim, proof: Instance) -> Finding:

@@ -13,6 +13,8 @@ import re
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+from enum import Enum
+from typing import NamedTuple
 
 from flint import fmpq
 
@@ -38,6 +40,30 @@ _WAVES = re.compile(r"\b(?:sin|cos|tan|cot|sec|csc)\(|\(-1\)\*\*")
 _BOUNDS = frozenset(("<", ">", "<=", ">=", "!="))
 
 
+class DoubtKind(Enum):
+    """Why a refutation may not refute what the author means."""
+
+    NOT_FREE = "a symbol is restricted"
+    SENTENCE = "its sentence restricts it"
+    FUNCTION = "a function is not known"
+    UNREAD = "a symbol depends on what was not read"
+    DEFINITION = "it may be a definition"
+    RANGE = "a bound without a range"
+    ROUNDED = "numbers may be rounded"
+    CONTRADICTION = "a contradiction may be meant"
+    CLOSENESS = "an approximation without a tolerance"
+    SEQUENCE = "a limit of a sequence"
+    FAR = "a definition in another paragraph"
+    SUMMED = "an index may be summed over"
+
+
+class Doubt(NamedTuple):
+    """A reason not to report a refutation: its kind, and the words for the author."""
+
+    kind: DoubtKind
+    text: str
+
+
 @dataclass(frozen=True)
 class Ground:
     """The evidence that decides whether a refutation of a link is reported.
@@ -52,7 +78,7 @@ class Ground:
         bounds: bounds in the text that may be meant for its symbols.
     """
 
-    doubts: tuple[str, ...] = ()
+    doubts: tuple[Doubt, ...] = ()
     explicit: bool = False
     universal: bool = False
     reach: tuple[int, ...] = ()
@@ -82,32 +108,38 @@ def ground(
     restricted = {name: here[name] for name in sorted(tied & here.keys())}
     bounds = tuple(dict.fromkeys(c for r in restricted.values() for c in r.bounds))
     doubts = [
-        f"{x} is not free: {r.why}"
+        Doubt(DoubtKind.NOT_FREE, f"{x} is not free: {r.why}")
         for x, r in restricted.items()
         if not r.bounds and (not r.by or r.by & tied)
     ]
+
+    def doubt(kind: DoubtKind, text: str) -> None:
+        doubts.append(Doubt(kind, text))
+
     if under.stated:
-        doubts.append(f"the sentence says '{under.stated}'")
-    doubts += [f"the text does not say what the function {name} is" for name in sorted(unknown)]
-    doubts += [
-        f"{x} depends on something that was not read" for x in sorted(names) if base_of(x) != x
-    ]
+        doubt(DoubtKind.SENTENCE, f"the sentence says '{under.stated}'")
+    for name in sorted(unknown):
+        doubt(DoubtKind.FUNCTION, f"the text does not say what the function {name} is")
+    for x in sorted(names):
+        if base_of(x) != x:
+            doubt(DoubtKind.UNREAD, f"{x} depends on something that was not read")
     if n == 0 and head is not None and not explicit:
-        doubts.append(f"it may define {head.name}")
+        doubt(DoubtKind.DEFINITION, f"it may define {head.name}")
     if relation in _BOUNDS and names and not explicit:
-        doubts.append("the text does not say for which values the bound is claimed")
+        doubt(DoubtKind.RANGE, "the text does not say for which values the bound is claimed")
     terms = said.terms[n : n + 2]
     if not names and _within_print(memory, compared, terms):
-        doubts.append("the numbers may be rounded")
+        doubt(DoubtKind.ROUNDED, "the numbers may be rounded")
     if not names and n == 0 and all(_is_number(term) for term in terms):
-        doubts.append("a contradiction may be meant")
+        doubt(DoubtKind.CONTRADICTION, "a contradiction may be meant")
     if not names and "\\approx" in said.ops[n : n + 1] and _is_near(compared):
-        doubts.append("the text does not say how close the numbers are")
+        doubt(DoubtKind.CLOSENESS, "the text does not say how close the numbers are")
     if any(node.op == "limit" and _may_be_sequence(node) for node in outermost(left, right)):
-        doubts.append("the limit may be that of a sequence")
-    far = _far_functions(memory, terms)
-    doubts += [f"{x} is defined in another paragraph" for x in sorted(far)]
-    doubts += [f"the index {letter} may be summed over" for letter in sorted(_repeated(names))]
+        doubt(DoubtKind.SEQUENCE, "the limit may be that of a sequence")
+    for x in sorted(_far_functions(memory, terms)):
+        doubt(DoubtKind.FAR, f"{x} is defined in another paragraph")
+    for letter in sorted(_repeated(names)):
+        doubt(DoubtKind.SUMMED, f"the index {letter} may be summed over")
     return Ground(tuple(doubts), explicit, universal, reach, left == right, places, bounds)
 
 

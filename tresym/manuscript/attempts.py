@@ -14,7 +14,7 @@ from tresym.checking.time_limited import Task, check_all
 from tresym.manuscript.classification import Link
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.numbers.exact import InputError
-from tresym.reals.verdict import Verdict
+from tresym.reals.verdict import Cause, Verdict
 
 SHORT = 1.0
 """Seconds for each attempt in the first round."""
@@ -49,7 +49,7 @@ def answers_to(
         if not keep:
             raise
         for n in {*asked} - finished:  # links with attempts that are not decided
-            answers[n] = [Answer(Verdict.UNDECIDED, INTERRUPTED)]
+            answers[n] = [Answer(Verdict.UNDECIDED, INTERRUPTED, cause=Cause.INTERRUPTED)]
     return answers
 
 
@@ -103,4 +103,4 @@ def _stopped(found: Sequence[Answer | InputError]) -> list[int]:
     read = [(n, answer) for n, answer in enumerate(found) if isinstance(answer, Answer)]
     if any(answer for _, answer in read):
         return []
-    return [n for n, answer in read if "stopped after" in answer.why]
+    return [n for n, answer in read if answer.cause is Cause.STOPPED]

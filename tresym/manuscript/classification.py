@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from enum import Enum
 from typing import NamedTuple
 
 from flint import fmpq
@@ -42,6 +43,21 @@ EARLIER = "under conditions from earlier sections"
 _WORKED = frozenset(("antiderivative", "derivative", "nth", "limit"))
 """Expressions that are evaluated: an equality with one of these, or with a series, is not an
 equation to be solved."""
+
+
+class Obstacle(Enum):
+    """What keeps a link from being decided that the author can remove by a directive."""
+
+    NO_PATH = "has no path; write % tresym: as x -> 0 (or another path) before display"
+    FAILS = "fails somewhere; write % tresym: claim or solve before display"
+    TWO_READINGS = "has two readings; write brackets or % tresym: shorter in display"
+    CONDITION = "has an unread condition; write % tresym: given … before display"
+
+
+class TwoReadings(str):
+    """The reason why a term is not read, where that is that it has two readings."""
+
+    __slots__ = ()
 
 
 class Attempt(NamedTuple):
@@ -94,6 +110,7 @@ class Link:
         constants: symbols that the text calls numbers.
         counted: symbols that are indices elsewhere, and so are positive integers.
         ground: the evidence that decides whether a refutation is reported.
+        obstacle: what the author can remove, if it is not decided.
     """
 
     display: Display
@@ -108,6 +125,7 @@ class Link:
     same: bool = False
     unknown: bool = False
     ground: Ground = field(default_factory=Ground)
+    obstacle: Obstacle | None = None
     shown: str = field(default="", repr=False)
     around: tuple[str, str, int] = field(default=("", "", 0), repr=False)
     noted: str = ""
@@ -169,6 +187,7 @@ def claim(
         if not path:
             advice = "write % tresym: as x -> 0 (or another path) before the display"
             why = f"it has no path: {advice}"
+            link = replace(link, obstacle=Obstacle.NO_PATH)
             return replace(read_so(link, compared), status=UNREAD, why=why)
         as_path = f" as {path}"
     elif (
@@ -226,7 +245,8 @@ def claim(
         link = replace(link, same=False, unknown=True)
     if under.unread and not under.noted:
         unread = UNREAD, f"its condition is not understood: {under.unread}"
-        return replace(link, firm=False, unknown=True, otherwise=unread)
+        link = replace(link, firm=False, unknown=True, otherwise=unread)
+        return replace(link, obstacle=Obstacle.CONDITION)
     return replace(link, otherwise=undecided if keep and fallback[0] != DEFINED else fallback)
 
 

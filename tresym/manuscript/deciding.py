@@ -10,7 +10,7 @@ from typing import Any
 from tresym.checking.time_limited import Task, check_all, check_within
 from tresym.manuscript import accusations
 from tresym.manuscript.attempts import answers_to
-from tresym.manuscript.classification import EQUATION, UNREAD, Attempt, Link
+from tresym.manuscript.classification import EQUATION, UNREAD, Attempt, Link, Obstacle
 from tresym.manuscript.instances import instances
 from tresym.manuscript.mentions import names_in
 from tresym.reals.decisions.answer import Alternative, Answer
@@ -18,7 +18,7 @@ from tresym.reals.decisions.statement import chained
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.expression import ONE, ZERO, Expr, symbols
 from tresym.reals.numbers.exact import InputError
-from tresym.reals.verdict import Verdict
+from tresym.reals.verdict import Cause, Verdict
 
 PASSES = (Verdict.PROVED.value, Verdict.ENCLOSED.value)
 STATUSES = (*(v.value for v in Verdict), "SUSPECT", "DEFINED", "ASSUMED", EQUATION, UNREAD)
@@ -38,6 +38,8 @@ class Row:
         refuted: the claim that fails, in the grammar of ``tresym check``; empty if none does.
         put: the values that were substituted for symbols.
         fails_at: a point at which it fails, whatever its status.
+        cause: what decided its last claim, or what stopped the decision.
+        obstacle: what the author can remove, if it is not decided.
     """
 
     link: Link
@@ -50,6 +52,8 @@ class Row:
     refuted: str = ""
     put: tuple[tuple[str, Expr], ...] = ()
     fails_at: dict[str, str] | None = None
+    cause: Cause | None = None
+    obstacle: Obstacle | None = None
 
     def as_json(self) -> dict[str, Any]:
         """Return a JSON value; every key is always present."""
@@ -137,7 +141,8 @@ def _of_both(
     told = " and ".join(
         f"{row.link.read_as} is {_verdict(found)}" for row, found in (first, second)
     )
-    return replace(one, status=UNREAD, why=f"two readings remain: {told}", witness=None)
+    why = f"two readings remain: {told}"
+    return replace(one, status=UNREAD, why=why, witness=None, obstacle=Obstacle.TWO_READINGS)
 
 
 def _verdict(answers: list[Answer | InputError]) -> str:
@@ -200,7 +205,7 @@ def _needed(link: Link) -> str:
 def _doubt(link: Link, asked: Attempt, limit: float) -> str:
     """Return why a refutation is not reported as an error of the text; empty if it is reported."""
     if link.ground.doubts:
-        return link.ground.doubts[0]
+        return link.ground.doubts[0].text
     if asked.sides is None or link.ground.explicit or " as " in asked.text:
         return ""
     point = accusations.holds_elsewhere(asked.sides, asked.given)
@@ -240,7 +245,7 @@ def _uncounted(link: Link, answer: Answer) -> str:
 def _row(link: Link, answers: list[Answer | InputError], limit: float) -> Row:
     if not answers:
         status, why = (link.status, link.why) if link.status else link.otherwise
-        return Row(link, status, why)
+        return Row(link, status, why, obstacle=link.obstacle)
     read = [answer for answer in answers if isinstance(answer, Answer)]
     if not read:
         return Row(link, UNREAD, str(answers[0]))
@@ -252,6 +257,7 @@ def _row(link: Link, answers: list[Answer | InputError], limit: float) -> Row:
         link = replace(link, read_as=asked.read_as)
     why, witness = _told(last.why, how), _named(last.witness)
     row = Row(link, last.verdict.value, why, witness, last.given, seconds)
+    row = replace(row, cause=last.cause, obstacle=link.obstacle)
     if last:
         same = _restates(link, asked)
         return replace(row, status="DEFINED", why=same) if same else row
@@ -265,6 +271,7 @@ def _row(link: Link, answers: list[Answer | InputError], limit: float) -> Row:
             witness = _named(last.witness)
             why = _told(last.why, asked.how)
             row = Row(link, last.verdict.value, why, witness, last.given, seconds)
+            row = replace(row, cause=last.cause, obstacle=link.obstacle)
         if not doubt:
             return replace(row, link=replace(link, read_as=asked.read_as))
         if status != "DEFINED":
@@ -277,6 +284,7 @@ def _row(link: Link, answers: list[Answer | InputError], limit: float) -> Row:
             return replace(row, status=status, why=fallback, witness=None)
         at = ", ".join(f"{k} = {v}" for k, v in (witness or {}).items())
         where = f"it fails, for example, at {at or 'the constants'}"
+        row = replace(row, obstacle=Obstacle.FAILS)
         advice = "if you meant an identity, write % tresym: claim before the display"
         if status == "UNDECIDED":
             return replace(row, status=status, why=f"{where}; {advice}", witness=None)

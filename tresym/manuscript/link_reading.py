@@ -13,6 +13,8 @@ from tresym.manuscript.classification import (
     UNREAD,
     Attempt,
     Link,
+    Obstacle,
+    TwoReadings,
     claim,
     read_so,
 )
@@ -43,7 +45,7 @@ from tresym.reals.language.formula import NEGATED
 from tresym.reals.language.latex_operands import Piece
 from tresym.reals.language.latex_tokens import RELATIONS
 from tresym.reals.language.parsing import Compared
-from tresym.reals.numbers.exact import InputError
+from tresym.reals.numbers.exact import AmbiguityError, InputError
 
 EITHER = "either"
 """Marks the first of two alternatives: a chain that is followed by "or"."""
@@ -82,7 +84,8 @@ class LinkReader:
                     link = claim(
                         self.memory, link, 1, said, compared, (one, other), under, None, False
                     )
-                    both.append(replace(link, firm=False, otherwise=(UNREAD, why)))
+                    link = replace(link, firm=False, otherwise=(UNREAD, why))
+                    both.append(replace(link, obstacle=Obstacle.TWO_READINGS))
             yield both[0] if both[0].claims == both[1].claims else replace(both[0], second=both[1])
 
     def link(
@@ -100,6 +103,8 @@ class LinkReader:
         left, right = sides
         relation = RELATIONS.get(op, op)
         head = self.memory.head(said.terms[0]) if n == 0 and relation == "==" else None
+        if any(isinstance(side, TwoReadings) for side in sides):
+            link = replace(link, obstacle=Obstacle.TWO_READINGS)
         if isinstance(right, str):
             return replace(link, status=UNREAD, why=right)
         if head and (op == ":=" or self.is_new(head, right.tree, under)):
@@ -140,6 +145,7 @@ class LinkReader:
         if assumed:
             return self.assumption(link, compared, "an assumption")
         if problem:
+            link = replace(link, obstacle=Obstacle.CONDITION)
             return replace(read_so(link, compared), status=UNREAD, why=problem)
         return claim(self.memory, link, n, said, compared, (left, right), under, head, signed)
 
@@ -240,5 +246,7 @@ class LinkReader:
             if said.either and tokens[:1] in (("\\pm",), ("\\mp",)):
                 tokens = tokens[1:]
             return read_term(tokens, self.memory.author)
+        except AmbiguityError as error:
+            return TwoReadings(plain(str(error)))
         except InputError as error:
             return plain(str(error))

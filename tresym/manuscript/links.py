@@ -20,6 +20,7 @@ from tresym.manuscript.classification import (
     ASSUMED,
     UNREAD,
     Link,
+    TwoReadings,
     claim,
 )
 from tresym.manuscript.conditions import Conditions
@@ -236,7 +237,7 @@ class _Reading(LinkReader):
         self.memory.by = by.pop() if len(by) == 1 else ""
         pieces = [self.piece(term, said) for term in said.terms]
         strange = [self.strange(said, n, blank.display.line) for n in range(len(said.ops))]
-        doubts = [p for p in pieces if isinstance(p, str) and p.startswith("two readings remain")]
+        doubts = [piece for piece in pieces if isinstance(piece, TwoReadings)]
         if doubts and not any(strange) and not self.memory.shorter:
             links = list(self.either_reading(blank, said, under, doubts[0]))
             if links:

@@ -22,6 +22,7 @@ from itertools import groupby, pairwise
 
 from tresym.checking.time_limited import Task, check_all
 from tresym.manuscript import prose
+from tresym.manuscript.accusations import DoubtKind
 from tresym.manuscript.classification import CONSTANTS, DEFINED, EQUATION, UNREAD, Link
 from tresym.manuscript.deciding import Row
 from tresym.manuscript.terms import base_of
@@ -29,6 +30,7 @@ from tresym.reals.decisions.answer import Alternative, Answer
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import Expr, symbols
+from tresym.reals.verdict import Cause
 from tresym.repair import suggestions
 from tresym.repair.agreement import Definitions
 from tresym.repair.edits import is_one_edit
@@ -79,15 +81,10 @@ _SIGNED = re.compile(
     re.IGNORECASE,
 )
 """Words and signs by which variables do not take all real values."""
-_DOUBTED = re.compile(
-    r"what the function|something that was not read|may be summed|may be rounded|contradiction"
-    r"|how close|of a sequence|the sentence says|another paragraph"
-)
-"""Reasons of a withheld refutation by which the link is not a misprint either."""
-_FAR = re.compile("another paragraph")
-"""The one of these that does not count if a true claim is one edit away."""
-_OPEN = re.compile(r"no real point was found where both sides|no antiderivative was found")
-"""Reasons of an undecided equality that may nevertheless be a misprint."""
+_HARMLESS = frozenset((DoubtKind.NOT_FREE, DoubtKind.DEFINITION, DoubtKind.RANGE))
+"""Reasons to withhold a refutation in spite of which the link may be a misprint."""
+_OPEN = (Cause.NO_POINT, Cause.NO_VALUE)
+"""What stopped the decision of an equality that may nevertheless be a misprint."""
 _STRICT = re.compile(r" ([<>])=? ")
 _RELATIONS = frozenset(("==", "<", "<=", ">", ">="))
 _HOLD = frozenset(("PROVED", "ENCLOSED"))
@@ -184,12 +181,12 @@ def may_be(row: Row) -> bool:
     vary = link.same and bool(symbols(left)) and bool(symbols(right))
     if relation not in _RELATIONS or is_introduced(link) or _stands_alone(left, right):
         return False
-    doubts = [doubt for doubt in link.ground.doubts if not (vary and _FAR.search(doubt))]
-    if any(_DOUBTED.search(doubt) for doubt in doubts) or _has_constants(left, right):
+    kinds = {doubt.kind for doubt in link.ground.doubts} - _HARMLESS
+    if (kinds - {DoubtKind.FAR} if vary else kinds) or _has_constants(left, right):
         return False
     if relation != "==":
         return bool(row.refuted) and not row.put
-    return bool(row.refuted) or (bool(link.claims) and _OPEN.search(row.why) is not None)
+    return bool(row.refuted) or (bool(link.claims) and row.cause in _OPEN)
 
 
 def _has_constants(*sides: Expr) -> bool:
@@ -287,7 +284,7 @@ def reason(row: Row, instead: Sequence[Alternative], others: Sequence[str]) -> s
     sides = (link.sides[0], link.sides[2]) if link.sides else ()
     if not sides or not link.same or any(not symbols(side) for side in sides):
         return ""
-    if any(_FAR.search(doubt) for doubt in link.ground.doubts):
+    if any(doubt.kind is DoubtKind.FAR for doubt in link.ground.doubts):
         return ""
     read = [status for status in others if status != UNREAD]
     if read and all(status in _HOLD for status in read):

@@ -269,7 +269,7 @@ def _proof(claim: Record) -> Iterator[str]:
     for lines in claim["chains"]:
         yield chain(lines)
     if not claim["chains"]:
-        yield f"Result: {_found(claim['why'])}."
+        yield f"Result: {_found(claim)}."
     if claim["verdict"] == "REFUTED" and claim["witness"]:
         point = ", ".join(f"{name} = {value}" for name, value in claim["witness"].items())
         yield f"**Witness.** {finding(point)}."
@@ -277,10 +277,11 @@ def _proof(claim: Record) -> Iterator[str]:
         yield sentence(claim["note"])
 
 
-def _found(why: str) -> str:
+def _found(claim: Record) -> str:
     """The result of the check; if the claim follows from others, with links to them."""
-    _, follows, labels = why.partition("follows from ")
-    return follows + ", ".join(map(link, labels.split(", "))) if follows else finding(why)
+    if parts := claim.get("follows_from"):
+        return "follows from " + ", ".join(map(link, parts))
+    return finding(claim["why"])
 
 
 def _numbers(claim: Record) -> Iterator[str]:

@@ -221,7 +221,9 @@ def _along(claim: Claim, proof: Asymptotics, says: As, stated: Ordered) -> Findi
     witness = {name: parse_number(str(e)) for name, e in point.items() if e.is_Rational}
     beyond = f", where {proof.beside}, at that bound" if proof.beside is not None else ""
     why = f"along {where}{beyond} {found.why}"
-    return Finding(Verdict.REFUTED, why, parameter=f"t -> 0+, {where}", witness=witness)
+    return Finding(
+        Verdict.REFUTED, why, parameter=f"t -> 0+, {where}", witness=witness, along=where
+    )
 
 
 def _need_path(claim: Claim, says: As, stated: Ordered, names: Mapping[str, Tree]) -> None:

@@ -153,6 +153,7 @@ def closed(
         constant=constant,
         region=region,
         trees=tuple(found.tree for found in proofs),
+        boxes=leaves,
     )
 
 

@@ -23,7 +23,7 @@ from tresym.reals.language.latex_tokens import (
     STOPS,
     Spaced,
 )
-from tresym.reals.numbers.exact import InputError
+from tresym.reals.numbers.exact import AmbiguityError, InputError
 
 BRACKETS = {"(": ")", "[": "]", "\\{": "\\}"}
 FRACTIONS = ("\\frac", "\\dfrac", "\\tfrac", "\\cfrac", "\\nicefrac", "\\sfrac")
@@ -168,7 +168,7 @@ class Cursor:
         """Refuse what can be read in two ways, with both written out."""
         one, other = (_short(str(p.tree) if isinstance(p, Piece) else p) for p in (first, second))
         near = " ".join(self.tokens[max(0, self.at - 6) : self.at + 1])
-        raise InputError(f"LaTeX: two readings remain: write {one} or {other}, near {near!a}")
+        raise AmbiguityError(f"LaTeX: two readings remain: write {one} or {other}, near {near!a}")
 
     def skip_stops(self) -> None:
         """Step over commas, full stops and implication arrows."""

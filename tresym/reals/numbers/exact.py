@@ -33,6 +33,10 @@ class InputError(ValueError):
     """
 
 
+class AmbiguityError(InputError):
+    """Raised for input that has two readings; the message gives both."""
+
+
 def shortened(text: str, length: int = 40) -> str:
     """Return a text, truncated to ``length`` characters if it is longer."""
     return text if len(text) <= length else text[: length - 3] + "..."

@@ -175,7 +175,7 @@ def _evidence(row: Row) -> Iterator[str]:
     """How the statement is refuted, and at which point."""
     finding = row.finding
     path = finding.parameter
-    if path and finding.why.startswith("along "):
+    if path and finding.along:
         path = f"for {path.partition(',')[0]}, "
     elif path:
         path = f"along {path}: "

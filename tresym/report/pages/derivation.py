@@ -8,6 +8,7 @@ from decimal import Context
 
 from tresym.ledger.axioms import Axiom
 from tresym.ledger.claim import Claim
+from tresym.ledger.finding import Finding
 from tresym.ledger.verification import Row
 from tresym.reals.numbers.exact import fraction_text
 from tresym.reals.verdict import Verdict
@@ -160,7 +161,7 @@ def outcome(row: Row, known: Collection[str]) -> Iterator[str]:
     if finding.value is not None:
         yield rf"\textsf{{\small Value}} {_valued(finding.value.mid)}.\par"
     if finding.verdict is Verdict.ENCLOSED and " = " not in finding.why:
-        yield rf"{{\raggedright\textsf{{\small Enclosed:}} {_enclosed(finding.why, known)}.\par}}"
+        yield rf"{{\raggedright\textsf{{\small Enclosed:}} {_enclosed(finding, known)}.\par}}"
     if finding.verdict is Verdict.REFUTED:
         why = readable(finding.why[:LONGEST])
         yield rf"{{\raggedright\textsf{{\small Evidence:}} {_told(why, known)}.\par}}"
@@ -173,12 +174,11 @@ def outcome(row: Row, known: Collection[str]) -> Iterator[str]:
         yield rf"{{\raggedright\textsf{{\small True instead:}} {names}.\par}}"
 
 
-def _enclosed(why: str, known: Collection[str]) -> str:
+def _enclosed(finding: Finding, known: Collection[str]) -> str:
     """How a bound was proved, with the labels of the claims that it follows from."""
-    start, follows, labels = why.partition("follows from ")
-    if follows and not start:
-        return follows + ", ".join(map(code, labels.split(", ")))
-    return _told(readable(why[:LONGEST]), known)
+    if finding.follows_from:
+        return "follows from " + ", ".join(map(code, finding.follows_from))
+    return _told(readable(finding.why[:LONGEST]), known)
 
 
 def _told(why: str, known: Collection[str]) -> str:

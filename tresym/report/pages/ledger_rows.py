@@ -45,6 +45,7 @@ def common(row: Row) -> dict[str, Any]:
         "conditions": {label: gathered(given) for label, given in finding.conditions.items()},
         "axioms": [axiom.name for axiom in claim.axioms],
         "why": finding.why,
+        "follows_from": list(finding.follows_from),
     }
 
 

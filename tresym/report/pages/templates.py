@@ -241,10 +241,10 @@ class Templates:
 
     def boxes(self, label: str) -> str:
         """Return the number of boxes on which a bound is proved."""
-        found = re.search(r"proved on (\d+) box", self.rows[label].finding.why)
-        if found is None:
+        found = self.rows[label].finding.boxes
+        if not found:
             raise InputError(f"article: {label} is not proved on boxes")
-        return found[1]
+        return str(found)
 
     def verdict(self, label: str) -> str:
         """Return the verdict of a claim as a small raised letter that links to the ledger."""
