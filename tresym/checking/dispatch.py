@@ -257,6 +257,14 @@ class _Parts(NamedTuple):
         return bool(self.nodes & {"sum", "product"}) and (self.unknown <= {FACTORIAL} or alone)
 
     @property
+    def tends(self) -> bool:
+        """Return whether an integral, a finite sum or a factorial stands in a claim on a path."""
+        hidden = self.nodes & {"integral", "sum", "product"} or self.unknown == {FACTORIAL}
+        known = self.nodes <= {"integral", "sum", "product", "unknown"}
+        known = known and self.unknown <= {FACTORIAL}
+        return self.statement.path is not None and known and bool(hidden)
+
+    @property
     def at_integers(self) -> bool:
         """Return whether the claim is about integers, at points rather than along a path."""
         return bool(self.statement.integers) and self.statement.path is None
@@ -323,11 +331,19 @@ def _integrals(*claim: Any) -> Answer:
     return decide_integrals(*claim)
 
 
-def _paths(comparison: Comparison, statement: Statement, decided: Decide) -> Answer:
-    if any(node.op == "integral" for node in outermost(comparison.left, comparison.right)):
-        from tresym.asymptotics.integral_limits import decide_integral_limits
+def _lemmas(comparison: Comparison, statement: Statement, decided: Decide) -> Answer:
+    from tresym.asymptotics.integral_limits import decide_integral_limits
+    from tresym.asymptotics.lemma_claims import decide_by_lemmas
 
-        return decide_integral_limits(comparison, statement, decided)
+    found = decide_by_lemmas(comparison, statement, decided)
+    nodes = {node.op for node in outermost(comparison.left, comparison.right)}
+    if found.verdict is Verdict.UNDECIDED and nodes == {"integral"}:
+        other = decide_integral_limits(comparison, statement, decided)
+        return found if other.verdict is Verdict.UNDECIDED else other
+    return found
+
+
+def _paths(comparison: Comparison, statement: Statement, decided: Decide) -> Answer:
     from tresym.asymptotics.path_claims import decide_tending
 
     return decide_tending(comparison, statement, decided)
@@ -338,6 +354,11 @@ Procedure = Callable[[Comparison, Statement, Decide], Answer]
 ORDER: tuple[tuple[Procedure, Callable[[_Parts], bool], str], ...] = (
     (_ellipses, lambda p: p.has_dots, "its general term must be found before it is a sum"),
     (_roots, lambda p: "root" in p.nodes, "a root becomes a variable under its equation"),
+    (
+        _lemmas,
+        lambda p: p.tends,
+        "explicit functions and their errors stand for integrals and sums",
+    ),
     (_infinite_sums, lambda p: p.infinite, "its value is a limit, or that of a known series"),
     (_nth_derivatives, lambda p: "nth" in p.nodes, "induction on n leaves ordinary derivatives"),
     (_finite_sums, lambda p: p.finite_sums, "induction leaves a claim without sums"),

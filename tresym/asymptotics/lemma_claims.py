@@ -1,0 +1,390 @@
+"""Decide a claim along a path about integrals, sums and factorials by lemmas on them.
+
+Each integral, sum or factorial f is replaced by an explicit A with |f − A| ≤ C g, by the first lemma
+of :data:`LEMMAS` that applies, and the errors are carried through the claim (approximation.py). So
+its left side is A + O(g), and
+
+- if g = O(right), the left side is O(right) just if A is, and the same for o and Θ with g = o(right);
+- if g = o(A), the left side satisfies any order, limit or sign just if A does.
+
+The order of the expansions is raised until one of these settles the claim; then the lemmas prove
+their obligations, and the dispatcher decides the explicit claim that is left, either way: what
+refutes a claim is the coefficient that is true. ``f ~ a + b`` asserts every term: the difference is
+o of the smallest.
+
+Example: ``integral(exp(-x*t)/(1+t), t, 0, oo) == 1/x + 1/x**2 + O(1/x**3)`` is refuted, since the
+left side minus the printed terms is −2/x² + O(1/x³).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from functools import partial
+
+from flint import arb, fmpq
+
+from tresym.asymptotics.approximation import Approximation, approximated
+from tresym.asymptotics.lemma import Bound, End, Expansion, Obligations, rounded_up
+from tresym.asymptotics.order_claims import region
+from tresym.reals.decisions.answer import Answer, Decide, constant_ball, worst
+from tresym.reals.decisions.claim_parsing import LIMIT
+from tresym.reals.decisions.identity import decide
+from tresym.reals.decisions.statement import Comparison, Path, Statement, functions
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.operation_domains import operations
+from tresym.reals.language.binders import elementary, outermost
+from tresym.reals.language.calls import FACTORIAL, INFINITY
+from tresym.reals.language.derivatives import differentiate
+from tresym.reals.language.expression import (
+    ONE,
+    ZERO,
+    Expr,
+    number,
+    replaced,
+    substitute,
+    symbol,
+    symbols,
+)
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import Decimal, InputError, parse_number
+from tresym.reals.verdict import Verdict
+
+MOST = 6
+"""The orders that are tried."""
+_INFINITE = (INFINITY, -INFINITY)
+Lemma = Callable[[Expr, End], Expansion | None]
+
+
+def _laplace(node: Expr, end: End) -> Expansion | None:
+    from tresym.asymptotics.laplace import laplace
+
+    return laplace(node, end) if node.op == "integral" else None
+
+
+def _stirling(node: Expr, end: End) -> Expansion | None:
+    from tresym.asymptotics.stirling import stirling
+
+    return stirling(node, end)
+
+
+LEMMAS: tuple[Lemma, ...] = (_laplace, _stirling)
+"""The lemmas in the order in which they are tried; each applies to its own shape."""
+
+
+def decide_by_lemmas(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
+    """Decide a claim with integrals, sums or factorials along a path.
+
+    Args:
+        decided: decides explicit claims.
+    """
+    path = statement.path
+    if path is None:
+        raise TypeError("a claim along a path needs its path")
+    if claim.derivatives or statement.equations:
+        return Answer(Verdict.UNDECIDED, "no lemma supports derivatives or equations here")
+    found = []
+    for side in path.sides:
+        along = replace(statement, path=replace(path, sides=(side,)))
+        found.append(_Claim(claim, along, decided).answer())
+        if found[-1].verdict is not Verdict.REFUTED and not found[-1]:
+            break
+        if found[-1].verdict is Verdict.REFUTED:
+            return found[-1]
+    answer = worst(found)
+    if len(path.sides) > 1 and answer:
+        return replace(answer, region=None, constant=None)
+    return answer
+
+
+class _Claim:
+    """A claim on one side of its path."""
+
+    def __init__(self, claim: Comparison, statement: Statement, decided: Decide) -> None:
+        self.claim, self.statement, self.decided = claim, statement, decided
+        path = statement.path
+        assert path is not None
+        self.path: Path = path
+        self.end = End(path.name, path.point, path.sides[0], statement.given)
+        self.expansions: dict[Expr, Expansion] = {}
+
+    def answer(self) -> Answer:
+        """Return the verdict."""
+        sides = [e for e in (self.claim.left, self.claim.right) if e not in _INFINITE]
+        nodes = dict.fromkeys(node for e in sides for node in outermost(e))
+        for node in nodes:
+            found = self._expansion(node)
+            if found is None:
+                return Answer(Verdict.UNDECIDED, f"no lemma expands {node} as {self.path}")
+            self.expansions[node] = found
+        why = "the expansions are not long enough to settle the claim"
+        for order in range(1, MOST + 1):
+            known = self._terms(order)
+            if known is None:
+                break
+            settled = self._settled(known)
+            if settled is None:
+                continue
+            answer = self._proved(order, known, settled)
+            if answer.verdict is not Verdict.UNDECIDED:
+                return answer
+            why = answer.why
+        return Answer(Verdict.UNDECIDED, why)
+
+    def _expansion(self, node: Expr) -> Expansion | None:
+        if self.path.name not in symbols(node):
+            return None
+        for lemma in LEMMAS:
+            found = lemma(node, self.end)
+            if found is not None:
+                return found
+        return None
+
+    def _terms(self, order: int) -> dict[Expr, Approximation] | None:
+        known = {}
+        for node, expansion in self.expansions.items():
+            found = expansion.terms(order)
+            if found is None:
+                return None
+            known[node] = Approximation(*found)
+        return known
+
+    def _settled(self, known: dict[Expr, Approximation]) -> tuple[Comparison, Expr] | None:
+        """Return an explicit claim that is equivalent, and the error of its left side; or None."""
+        left, relation, right = self.claim.left, self.claim.relation, self.claim.right
+        if relation == "~":
+            return self._equivalence(known)
+        if relation in ("<", "<=", ">", ">=", "!="):
+            left, right = left - right, ZERO
+        if relation == LIMIT and right not in _INFINITE:
+            left, right, relation = left - right, ONE, "o"
+        f = approximated(left, known, self.end)
+        g = Approximation(right, ZERO)
+        if right not in _INFINITE and right.hidden:
+            found = approximated(right, known, self.end)
+            if found is None or self.end.limit(found.error / found.main) != ZERO:
+                return None
+            g = found
+        if f is None:
+            return None
+        return self._equivalent(f, relation, g.main)
+
+    def _equivalence(self, known: dict[Expr, Approximation]) -> tuple[Comparison, Expr] | None:
+        """``f ~ a + b`` as f − a − b = o(the smallest of the terms)."""
+        right = approximated(self.claim.right, known, self.end)
+        f = approximated(self.claim.left - self.claim.right, known, self.end)
+        if right is None or f is None:
+            return None
+        least = _smallest(self.claim.right, self.end) if not self.claim.right.hidden else None
+        if least is None:
+            if self.end.limit(right.error / right.main) != ZERO:
+                return None
+            least = right.main
+        return self._equivalent(f, "o", least)
+
+    def _equivalent(
+        self, f: Approximation, relation: str, gauge: Expr
+    ) -> tuple[Comparison, Expr] | None:
+        plain = Comparison(f.main, relation, gauge)
+        if f.error == ZERO:
+            return plain, ZERO
+        if relation in ("O", "o", "Theta", "omega"):
+            part = self.end.limit(f.error / gauge)
+            small = part == ZERO
+            if small or (relation in ("O", "omega") and part not in (None, *_INFINITE)):
+                return plain, f.error
+        if relation == LIMIT and self.end.limit(f.error) not in (None, *_INFINITE):
+            return plain, f.error
+        if self.end.limit(f.error / f.main) == ZERO:
+            return plain, f.error
+        return None
+
+    def _proved(
+        self, order: int, known: dict[Expr, Approximation], settled: tuple[Comparison, Expr]
+    ) -> Answer:
+        explicit, error = settled
+        ask = Obligations(self.statement, self.decided)
+        bounds: dict[Expr, Bound] = {}
+        said = []
+        for node, expansion in self.expansions.items():
+            bound = expansion.prove(order, ask)
+            if bound is None:
+                missing = ask.missing or "a condition of the theorem"
+                why = f"by {expansion.lemma}, but this could not be proved: {missing}"
+                return Answer(Verdict.UNDECIDED, why)
+            bounds[node] = bound
+            said.append(_sentence(node, known[node], bound, self.path))
+        lemma = "; ".join(dict.fromkeys(e.lemma for e in self.expansions.values()))
+        exact = self._is_zero(explicit.left)
+        if exact and explicit.relation in ("O", "o"):
+            answer = Answer(Verdict.PROVED, "what is left is 0")
+        else:
+            answer = self._explicit(ask, explicit)
+        if answer.verdict is Verdict.UNDECIDED:
+            left = f"{explicit.left} {explicit.relation} {explicit.right}"
+            why = f"by {lemma}, what is left could not be decided: {left}: {answer.why}"
+            return Answer(Verdict.UNDECIDED, why)
+        why = f"by {lemma}: {'; '.join([*map(str, ask.found[:1]), *said])}"
+        if answer.verdict is Verdict.REFUTED:
+            why = f"by {lemma}: {'; '.join(said)}; what is left is false: {answer.why}"
+            return replace(answer, why=why, lemma=lemma, obligations=tuple(ask.found), values=None)
+        verdict = (
+            Verdict.PROVED if ask.verdict is answer.verdict is Verdict.PROVED else Verdict.ENCLOSED
+        )
+        constant, where = None, None
+        if self.claim.relation == "O" and explicit.relation == "O":
+            constant, where = self._constant(bounds, known, explicit, answer, exact)
+        return Answer(
+            verdict,
+            why,
+            lemma=lemma,
+            obligations=tuple(ask.found),
+            constant=constant,
+            region=where,
+        )
+
+    def _explicit(self, ask: Obligations, claim: Comparison) -> Answer:
+        """Decide what is left, for real values where nothing depends on integers."""
+        whole = [
+            n for n in self.statement.integers if n in symbols(claim.left) | symbols(claim.right)
+        ]
+        given = self.statement.given
+        for expansion in self.expansions.values():
+            given = given & expansion.constants
+        left, right = claim.left, claim.right
+        answer = ask.ask(left, claim.relation, right, given, self.path)
+        waves = any(
+            e.op in ("sin", "cos", "tan", "cot", "sec", "csc")
+            or (e.op == "^" and e.args[0].op == "number")
+            for e in operations((left, right))
+        )
+        if whole and not answer and (waves or answer.verdict is Verdict.UNDECIDED):
+            answer = ask.ask(left, claim.relation, right, given, self.path, whole)
+        return answer
+
+    def _is_zero(self, e: Expr) -> bool:
+        x, side = symbol(self.path.name), self.path.sides[0]
+        start = self.path.point if self.path.point is not None else ZERO
+        near = Given(((x, ">" if side > 0 else "<", start),))
+        try:
+            return decide(e, ZERO, self.statement.given & near).verdict is Verdict.PROVED
+        except InputError:
+            return False
+
+    def _constant(
+        self,
+        bounds: dict[Expr, Bound],
+        known: dict[Expr, Approximation],
+        explicit: Comparison,
+        answer: Answer,
+        exact: bool,
+    ) -> tuple[Decimal | None, str | None]:
+        """Return C with |left| ≤ C |right| and where, if the claim is linear in its integrals."""
+        if any(bound.constant is None for bound in bounds.values()):
+            return None, None
+        if symbols(explicit.left) | symbols(explicit.right) - {self.path.name} != {self.path.name}:
+            return None, None
+        parts = [(ZERO, fmpq(0), None)] if exact else []
+        total, reach = arb(0), [bound.upto for bound in bounds.values()]
+        with ball_precision():
+            if not exact:
+                if answer.constant is None or answer.region is None:
+                    return None, None
+                total += _ball(answer.constant)
+                reach.append(_reach(answer.region, self.path))
+            for node, bound in bounds.items():
+                factor = _coefficient(self.claim.left, node)
+                if factor is None or known[node].error == ZERO:
+                    if factor is None:
+                        return None, None
+                    continue
+                gauge = number(bound.constant or fmpq(0)) * factor * known[node].error
+                share = self._ratio(gauge, explicit.right)
+                if share is None:
+                    return None, None
+                total += share[0]
+                reach.append(share[1])
+            del parts
+            limits = [r for r in reach if r is not None]
+            constant = constant_ball(arb(rounded_up(total, 6)))
+        if limits:
+            return constant, region(self.path, min(limits))
+        sides = {None: f"{self.path.name} > 0"}
+        return constant, sides.get(None)
+
+    def _ratio(self, above: Expr, below: Expr) -> tuple[arb, fmpq | None] | None:
+        """Return the supremum of |above/below| and where."""
+        x = symbol(self.path.name)
+        last = self.end.limit(abs(above / below))
+        if last is None or last in _INFINITE or symbols(last):
+            return None
+        if (
+            decide(abs(above), last * abs(below), Given(((x, ">", ZERO),))).verdict
+            is Verdict.PROVED
+        ):
+            from tresym.reals.domain.evaluation import evaluate
+
+            return evaluate(last, {}), None
+        statement = replace(self.statement, integers=(), equations=())
+        answer = self.decided(Comparison(above, "O", below), statement)
+        if not answer or answer.constant is None or answer.region is None:
+            return None
+        return _ball(answer.constant), _reach(answer.region, self.path)
+
+
+def _ball(x: Decimal) -> arb:
+    return arb(parse_number(x.mid)) + arb(parse_number(x.rad))
+
+
+def _reach(text: str, path: Path) -> fmpq | None:
+    """Return the largest small parameter of a region as order claims write it."""
+    size = abs(parse_number(text.split()[-1]))
+    return (1 / size if size else None) if path.point is None else size
+
+
+def _coefficient(e: Expr, node: Expr) -> Expr | None:
+    """Return the factor of ``node`` in an expression that is linear in all its nodes."""
+    marks = {other: symbol(f"[{n}]") for n, other in enumerate(dict.fromkeys(outermost(e)))}
+    if node not in marks:
+        return ZERO
+    slope = differentiate(replaced(e, marks), str(marks[node].args[0]))
+    names = {str(mark.args[0]) for mark in marks.values()}
+    return None if symbols(slope) & names else slope
+
+
+def _sentence(node: Expr, found: Approximation, bound: Bound, path: Path) -> str:
+    """Return what the lemma says of one integral, sum or factorial."""
+    if found.error == ZERO:
+        return f"{node} = {found.main}"
+    if bound.constant is None:
+        return f"{node} = {found.main} + O({found.error})"
+    where = f"{path.name} > 0" if bound.upto is None else region(path, bound.upto)
+    limit = number(bound.constant) * found.error
+    return f"{node} = {found.main} + R with |R| <= {limit} for {where}"
+
+
+def _smallest(e: Expr, end: End) -> Expr | None:
+    """Return the term of a sum that is o of every other, or the only term."""
+    terms = e.args if e.op == "+" else (e,)
+    best = terms[0]
+    for term in terms[1:]:
+        ratio = end.limit(term / best)
+        if ratio == ZERO:
+            best = term
+        elif ratio not in _INFINITE:
+            return e if ratio is not None else None
+    return best
+
+
+def holds_hidden(claim: Comparison, name: str) -> bool:
+    """Return whether a side holds an integral, sum, product or factorial."""
+    nodes = outermost(claim.left, claim.right)
+    return any(
+        node.op in ("integral", "sum", "product")
+        or (node.op == "unknown" and node.args[0].args[0] == FACTORIAL)
+        for node in nodes
+    )
+
+
+def _unused() -> Iterator[object]:
+    yield from (elementary, functions, partial, substitute)
