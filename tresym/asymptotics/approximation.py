@@ -68,10 +68,14 @@ def approximated(e: Expr, known: Mapping[Expr, Approximation], end: End) -> Appr
     if e.op == "^":
         if second.error == ZERO and e.args[1].op == "number":
             return _power(first, second.main, end)
-        if first.error == ZERO and _tends_to_zero(second.error, end):
-            log = apply("log", first.main)
-            return _exponential(Approximation(second.main * log, second.error * abs(log)), end)
-        return None
+        if not _is_positive(first.main, end) or not _is_relatively_small(first, end):
+            return None
+        log = apply("log", first.main)
+        error = size(log, end) * second.error
+        if first.error != ZERO:
+            error = error + (size(second.main, end) + second.error) * first.error / first.main
+        found = _exponential(Approximation(second.main * log, error), end)
+        return found and found._replace(main=power(first.main, second.main))
     if e.op == "exp":
         return _exponential(first, end)
     if e.op == "log" and _is_relatively_small(first, end) and _is_positive(first.main, end):
@@ -126,14 +130,11 @@ def _tends_to_zero(e: Expr, end: End) -> bool:
 
 
 def _is_positive(e: Expr, end: End) -> bool:
-    x, point = symbol(end.name), end.point
-    bound = ONE if point is None else point
-    near = Given(
-        ((end.side * x, ">", bound) if point is None else (x, ">" if end.side > 0 else "<", bound),)
-    )
-    if sign(e, end.given & near) == "+":
+    x, side = symbol(end.name), end.side
+    near = (side * x, ">", ONE) if end.point is None else (side * x, ">", side * end.point)
+    if sign(e, end.given & Given((near,))) == "+":
         return True
     last = end.limit(e)
-    return last is not None and (
-        last == INFINITY or (last != -INFINITY and sign(last, end.given) == "+")
-    )
+    if last is None or last == -INFINITY:
+        return False
+    return last == INFINITY or sign(last, end.given) == "+"

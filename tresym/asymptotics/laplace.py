@@ -4,7 +4,8 @@ Let p have its minimum p₀ at t₀ alone. On each side, with t = t₀ ± s, put
 p − p₀ behaves like s^μ; so p − p₀ = v^μ and q dt = φ dv with φ = q/v′. If |φ − Σ_(k<n) aₖ v^eₖ| is
 at most C v^eₙ on the whole side, then
 
-    |∫ e^(−λp) q dt − e^(−λp₀) Σ aₖ G(eₖ)| ≤ C e^(−λp₀) G(eₙ),  G(e) = Γ((e + 1)/μ)/(μ λ^((e + 1)/μ)),
+    |∫ e^(−λp) q dt − e^(−λp₀) Σ aₖ G(eₖ)| ≤ C e^(−λp₀) G(eₙ),
+    G(e) = Γ((e + 1)/μ)/(μ λ^((e + 1)/μ)),
 
 for every λ > 0, since G(e) = ∫₀^∞ e^(−λ v^μ) v^e dv; no inverse function is needed. Where a side
 ends at v = V, φ is 0 beyond, and C is also at least Σ |aₖ| V^(eₖ − eₙ). With p = t this is Watson's
@@ -68,7 +69,7 @@ from tresym.reals.verdict import Verdict
 
 WATSON = "Watson's lemma (Olver 1974, ch. 3, §3)"
 LAPLACE = "Laplace's method (Olver 1974, ch. 3, §7)"
-DEGREES = tuple(map(fmpq, (1, 2, 3, 4, 6))) + (fmpq(1, 2), fmpq(3, 2), fmpq(1, 3), fmpq(2, 3))
+DEGREES = tuple(fmpq(*r) for r in ((1, 1), (2, 1), (3, 1), (4, 1), (6, 1), (1, 2), (3, 2), (1, 3)))
 STEPS = (fmpq(1), fmpq(1, 2), fmpq(1, 3))
 """Distances between exponents that are tried."""
 LOWEST = fmpq(-11, 12)
@@ -146,7 +147,7 @@ class _Series:
                 break
             self.found.append(following)
             exponent, a = following
-            self.rest = self.rest - a * power(self.v, number(exponent))
+            self.rest = self.rest - a * raised(self.v, exponent)
             at_rest = decide(self.rest, ZERO, self.side.inside & self.end.given)
             if at_rest.verdict is Verdict.PROVED:
                 self.exact = self.ended = True
@@ -157,7 +158,7 @@ class _Series:
             start = self.found[-1][0] + step if self.found else _first(step)
             for k in range(MOST if self.found else int(8 / step)):
                 exponent = start + k * step
-                a = self._limit(self.rest / power(self.v, number(exponent)))
+                a = self._limit(self.rest / raised(self.v, exponent))
                 if a is None or a in _INFINITE:
                     break  # an exponent in between, or a logarithm
                 if a != ZERO:
@@ -166,7 +167,7 @@ class _Series:
 
     def given_terms(self, order: int) -> Expr:
         """Return the sum of the first terms in s."""
-        return add(ZERO, *(a * power(self.v, number(e)) for e, a in self.found[:order]))
+        return add(ZERO, *(a * raised(self.v, e) for e, a in self.found[:order]))
 
     def integral(self, exponent: fmpq) -> Expr | None:
         """Return ∫₀^∞ e^(−λ v^μ) v^e dv; None where Γ is not known there."""
@@ -196,6 +197,20 @@ def _first(step: fmpq) -> fmpq:
     """Return the lowest exponent above −1 on the grid of this step."""
     k = (-1 / step).floor() + 1
     return fmpq(k) * step if fmpq(k) * step > -1 else fmpq(k + 1) * step
+
+
+def shortened(x: fmpq) -> fmpq:
+    """Return x itself, or a decimal of four digits that is at least x."""
+    return x if x.q < 10**6 else rounded_up(arb(x), 4)
+
+
+def raised(v: Expr, exponent: fmpq) -> Expr:
+    """Return v^e; powers of roots of integers are powers of what is under the root."""
+    if exponent == 0:
+        return ONE
+    if v.op == "^" and v.args[1].op == "number" and (inner := v.args[1].args[0] * exponent).q == 1:
+        return power(v.args[0], number(inner))
+    return power(v, number(exponent))
 
 
 def gamma(x: fmpq) -> Expr | None:
@@ -267,7 +282,7 @@ class Laplace(Expansion):
                 if not _nearby(side, series, order, ask, self.end):
                     return None
             constant = None if found is None or constant is None else constant + found
-        return Bound(constant, None)
+        return Bound(None if constant is None else shortened(constant), None)
 
 
 def _everywhere(side: Side, series: _Series, order: int, ask: Obligations) -> fmpq | None:
@@ -284,7 +299,7 @@ def _everywhere(side: Side, series: _Series, order: int, ask: Obligations) -> fm
         return None
     exponent = found[order][0] if len(found) > order else found[-1][0] + 3
     rest = series.phi - series.given_terms(order)
-    gauge = power(series.v, number(exponent))
+    gauge = raised(series.v, exponent)
     constant = fmpq(0)
     if len(found) > order:
         largest = supremum(rest / gauge, side.name, side.width)
@@ -301,13 +316,16 @@ def _everywhere(side: Side, series: _Series, order: int, ask: Obligations) -> fm
             return None
     if side.width is not None:
         with ball_precision():
-            far = evaluate(limit_of(series.v, side.name, side.width, -1, Given()) or ZERO, {})
-            if not far > 0 or not far.is_finite():
+            last = limit_of(series.v, side.name, side.width, -1, Given())
+            if last is None:
                 return None
-            beyond = arb(0)
-            for e, a in found[:order]:
-                beyond += abs(evaluate(a, {})) * far ** arb(e - exponent)
-            constant = max(constant, rounded_up(beyond))
+            if last != INFINITY:
+                far, beyond = evaluate(last, {}), arb(0)
+                for e, a in found[:order]:
+                    beyond += abs(evaluate(a, {})) * far ** arb(e - exponent)
+                if not beyond.is_finite():
+                    return None
+                constant = max(constant, rounded_up(beyond))
     return constant * series.size(exponent)[1]
 
 
@@ -318,7 +336,7 @@ def _nearby(side: Side, series: _Series, order: int, ask: Obligations, end: End)
     start = End(s, ZERO, 1, end.given)
     if len(found) > order:
         rest = series.phi - series.given_terms(order)
-        gauge = power(series.v, number(found[order][0]))
+        gauge = raised(series.v, found[order][0])
         if not ask.holds(rest, "O", gauge, end.given, start.path):
             return False
     if not (
@@ -380,7 +398,7 @@ def _is_straight(side: Side) -> bool:
 
 def _sides(node: Expr, end: End, alpha: fmpq | None) -> list[Side] | None:
     """Return the sides of all minima, of every exponential in the integrand."""
-    (t,), body = opened(node, {end.name, *end.given.names})
+    (t,), body = opened(node, end.taken)
     low, high = node.args[1:]
     if alpha is not None:
         if end.point not in (None, ZERO) or end.side != 1:
@@ -417,7 +435,7 @@ def _around_minimum(
     if at is None:
         return None
     point, least = at
-    s = fresh("s" if t != "s" else "u", {*symbols(part.p), *symbols(part.q), t, end.name})
+    s = fresh("s" if t != "s" else "u", {*symbols(part.p), *symbols(part.q), t, *end.taken})
     sides = []
     for direction, far in ((1, high), (-1, low)):
         if far == point:
@@ -429,7 +447,6 @@ def _around_minimum(
             s_name = s
             put = {t: point + direction * symbol(s)}
             p, q = substitute(part.p, put) - least, substitute(part.q, put)
-        p = p if least == ZERO else p
         sides.append(Side(part.factor, part.rate, least, p, q, s_name, width))
     return sides
 

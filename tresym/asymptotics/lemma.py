@@ -23,13 +23,14 @@ from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.expansions.limit_values import limit_of
 from tresym.reals.language.calls import INFINITY
-from tresym.reals.language.expression import Expr, number, symbols
+from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.signs.definedness import continuous_on
 from tresym.reals.signs.sign import proof
 from tresym.reals.verdict import Verdict
 
 _ORDER = (Verdict.PROVED, Verdict.ENCLOSED)
+NONE = Given()
 SLACK = fmpq(51, 50)
 """A constant that is tried: so much above the largest value found."""
 
@@ -53,6 +54,13 @@ class End(NamedTuple):
     point: Expr | None
     side: int
     given: Given
+    names: frozenset[str] = frozenset()
+    """All names that are used elsewhere."""
+
+    @property
+    def taken(self) -> frozenset[str]:
+        """Return the names that a new variable must not have."""
+        return self.names | self.given.names | {self.name}
 
     @property
     def path(self) -> Path:
@@ -88,7 +96,7 @@ class Obligations:
         left: Expr,
         relation: str,
         right: Expr,
-        given: Given = Given(),  # noqa: B008
+        given: Given = NONE,
         path: Path | None = None,
         integers: Sequence[str] = (),
     ) -> Answer:
@@ -107,14 +115,16 @@ class Obligations:
         left: Expr,
         relation: str,
         right: Expr,
-        given: Given = Given(),
-        path: Path | None = None,  # noqa: B008
+        given: Given = NONE,
+        path: Path | None = None,
     ) -> bool:
         """Return whether a statement holds."""
         return bool(self.ask(left, relation, right, given, path))
 
     def continuous(self, e: Expr, given: Given) -> bool:
         """Return whether ``e`` is shown to be continuous wherever the conditions hold."""
+        if e.op in ("number", "symbol", "pi"):
+            return True
         shown = not e.hidden and continuous_on(e, given, proof) is None
         self.keep(f"{e} is continuous", given, Verdict.PROVED if shown else Verdict.UNDECIDED)
         return shown
@@ -156,10 +166,12 @@ class Expansion(ABC):
 
 def rounded_up(x: arb, digits: int = 3) -> fmpq:
     """Return a short decimal that is at least ``x`` ≥ 0."""
-    high = x.upper()
-    if not high > 0:
+    value = exact_upper(x)
+    if not value > 0:
         return fmpq(0)
-    scale, value = fmpq(1), exact_upper(high)
+    if value.q < 10**digits and value.p < 10**digits:
+        return value
+    scale = fmpq(1)
     while value >= 10**digits:
         value, scale = value / 10, scale * 10
     while value < 10 ** (digits - 1):
@@ -211,8 +223,3 @@ def supremum(e: Expr, name: str, end: Expr | None) -> arb | None:
         if grows and (known[-1] == largest or known[0] == largest):
             return None
         return largest
-
-
-def positive_number(x: fmpq) -> Expr:
-    """Return a rational as an expression."""
-    return number(x)

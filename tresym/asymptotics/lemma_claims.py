@@ -1,10 +1,10 @@
 """Decide a claim along a path about integrals, sums and factorials by lemmas on them.
 
-Each integral, sum or factorial f is replaced by an explicit A with |f − A| ≤ C g, by the first lemma
-of :data:`LEMMAS` that applies, and the errors are carried through the claim (approximation.py). So
-its left side is A + O(g), and
+Each integral, sum or factorial f is replaced by an explicit A with |f − A| ≤ C g, by the first
+lemma of :data:`LEMMAS` that applies, and the errors are carried through the claim
+(approximation.py). So its left side is A + O(g), and
 
-- if g = O(right), the left side is O(right) just if A is, and the same for o and Θ with g = o(right);
+- if g = O(right), the left side is O(right) just if A is; so for o and Θ with g = o(right);
 - if g = o(A), the left side satisfies any order, limit or sign just if A does.
 
 The order of the expansions is raised until one of these settles the claim; then the lemmas prove
@@ -18,9 +18,8 @@ left side minus the printed terms is −2/x² + O(1/x³).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import replace
-from functools import partial
 
 from flint import arb, fmpq
 
@@ -30,11 +29,11 @@ from tresym.asymptotics.order_claims import region
 from tresym.reals.decisions.answer import Answer, Decide, constant_ball, worst
 from tresym.reals.decisions.claim_parsing import LIMIT
 from tresym.reals.decisions.identity import decide
-from tresym.reals.decisions.statement import Comparison, Path, Statement, functions
+from tresym.reals.decisions.statement import Comparison, Path, Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.operation_domains import operations
-from tresym.reals.language.binders import elementary, outermost
-from tresym.reals.language.calls import FACTORIAL, INFINITY
+from tresym.reals.language.binders import outermost
+from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     ONE,
@@ -42,16 +41,18 @@ from tresym.reals.language.expression import (
     Expr,
     number,
     replaced,
-    substitute,
     symbol,
     symbols,
 )
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import Decimal, InputError, parse_number
+from tresym.reals.signs.interior import PROVING
+from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
 
 MOST = 6
 """The orders that are tried."""
+WAVES = frozenset(("sin", "cos", "tan", "cot", "sec", "csc"))
 _INFINITE = (INFINITY, -INFINITY)
 Lemma = Callable[[Expr, End], Expansion | None]
 
@@ -68,7 +69,19 @@ def _stirling(node: Expr, end: End) -> Expansion | None:
     return stirling(node, end)
 
 
-LEMMAS: tuple[Lemma, ...] = (_laplace, _stirling)
+def _euler_maclaurin(node: Expr, end: End) -> Expansion | None:
+    from tresym.asymptotics.euler_maclaurin import euler_maclaurin
+
+    return euler_maclaurin(node, end)
+
+
+def _regular_parameter(node: Expr, end: End) -> Expansion | None:
+    from tresym.asymptotics.regular_parameter import regular_parameter
+
+    return regular_parameter(node, end)
+
+
+LEMMAS: tuple[Lemma, ...] = (_laplace, _stirling, _euler_maclaurin, _regular_parameter)
 """The lemmas in the order in which they are tried; each applies to its own shape."""
 
 
@@ -105,7 +118,8 @@ class _Claim:
         path = statement.path
         assert path is not None
         self.path: Path = path
-        self.end = End(path.name, path.point, path.sides[0], statement.given)
+        names = symbols(claim.left) | symbols(claim.right)
+        self.end = End(path.name, path.point, path.sides[0], statement.given, names)
         self.expansions: dict[Expr, Expansion] = {}
 
     def answer(self) -> Answer:
@@ -117,6 +131,7 @@ class _Claim:
             if found is None:
                 return Answer(Verdict.UNDECIDED, f"no lemma expands {node} as {self.path}")
             self.expansions[node] = found
+            self.end = self.end._replace(names=self.end.names | found.constants.names)
         why = "the expansions are not long enough to settle the claim"
         for order in range(1, MOST + 1):
             known = self._terms(order)
@@ -202,7 +217,7 @@ class _Claim:
     def _proved(
         self, order: int, known: dict[Expr, Approximation], settled: tuple[Comparison, Expr]
     ) -> Answer:
-        explicit, error = settled
+        explicit, _ = settled
         ask = Obligations(self.statement, self.decided)
         bounds: dict[Expr, Bound] = {}
         said = []
@@ -224,7 +239,16 @@ class _Claim:
             left = f"{explicit.left} {explicit.relation} {explicit.right}"
             why = f"by {lemma}, what is left could not be decided: {left}: {answer.why}"
             return Answer(Verdict.UNDECIDED, why)
-        why = f"by {lemma}: {'; '.join([*map(str, ask.found[:1]), *said])}"
+        main = [part for part in ask.found if " <= " in part.claim] or ask.found
+        why = f"by {lemma}: {'; '.join([*map(str, main[:1]), *said])}"
+        constants = frozenset().union(*(e.constants.names for e in self.expansions.values()))
+        names = symbols(explicit.left) | symbols(explicit.right)
+        if answer.verdict is Verdict.REFUTED and constants & names:
+            witness = {n: v for n, v in (answer.witness or {}).items() if n not in constants}
+            answer = replace(answer, witness=witness)
+            if not self._fails_always(explicit):
+                why = f"by {lemma}, but it depends on the value of a constant: {said}"
+                return Answer(Verdict.UNDECIDED, why)
         if answer.verdict is Verdict.REFUTED:
             why = f"by {lemma}: {'; '.join(said)}; what is left is false: {answer.why}"
             return replace(answer, why=why, lemma=lemma, obligations=tuple(ask.found), values=None)
@@ -262,6 +286,19 @@ class _Claim:
             answer = ask.ask(left, claim.relation, right, given, self.path, whole)
         return answer
 
+    def _fails_always(self, claim: Comparison) -> bool:
+        """Return whether a claim fails for all values that the constants may have."""
+        given = self.end.given
+        for expansion in self.expansions.values():
+            given = given & expansion.constants
+        end = self.end._replace(given=given)
+        if claim.relation not in ("O", "o", "Theta"):
+            return False
+        last = end.limit(claim.left / claim.right)
+        if last is None or claim.relation != "o":
+            return last in _INFINITE
+        return last in _INFINITE or sign(last, given, "!=") in PROVING["!="]
+
     def _is_zero(self, e: Expr) -> bool:
         x, side = symbol(self.path.name), self.path.sides[0]
         start = self.path.point if self.path.point is not None else ZERO
@@ -284,7 +321,6 @@ class _Claim:
             return None, None
         if symbols(explicit.left) | symbols(explicit.right) - {self.path.name} != {self.path.name}:
             return None, None
-        parts = [(ZERO, fmpq(0), None)] if exact else []
         total, reach = arb(0), [bound.upto for bound in bounds.values()]
         with ball_precision():
             if not exact:
@@ -304,13 +340,9 @@ class _Claim:
                     return None, None
                 total += share[0]
                 reach.append(share[1])
-            del parts
             limits = [r for r in reach if r is not None]
             constant = constant_ball(arb(rounded_up(total, 6)))
-        if limits:
-            return constant, region(self.path, min(limits))
-        sides = {None: f"{self.path.name} > 0"}
-        return constant, sides.get(None)
+        return constant, region(self.path, min(limits)) if limits else f"{self.path.name} > 0"
 
     def _ratio(self, above: Expr, below: Expr) -> tuple[arb, fmpq | None] | None:
         """Return the supremum of |above/below| and where."""
@@ -374,17 +406,3 @@ def _smallest(e: Expr, end: End) -> Expr | None:
         elif ratio not in _INFINITE:
             return e if ratio is not None else None
     return best
-
-
-def holds_hidden(claim: Comparison, name: str) -> bool:
-    """Return whether a side holds an integral, sum, product or factorial."""
-    nodes = outermost(claim.left, claim.right)
-    return any(
-        node.op in ("integral", "sum", "product")
-        or (node.op == "unknown" and node.args[0].args[0] == FACTORIAL)
-        for node in nodes
-    )
-
-
-def _unused() -> Iterator[object]:
-    yield from (elementary, functions, partial, substitute)

@@ -45,7 +45,8 @@ def checked(answer: Answer, claim: Comparison, statement: Statement) -> Answer:
     at = {name: point[name] for name in names if name in point}
     missing = [name for name in names if name not in at]
     for more in _completions(missing, statement, at):
-        if any(_fails(claim, statement, side, point | more, missing) for side in path.sides):
+        exact = bool(answer.lemma)  # what is left of it was confirmed itself
+        if any(_fails(claim, statement, side, point | more, missing, exact) for side in path.sides):
             others = {name: str(value) for name, value in more.items()}
             return replace(answer, witness=others | dict(answer.witness or {}))
         why = "numerical values along the path do not confirm this"
@@ -107,8 +108,13 @@ def _fails(
     side: int,
     point: Mapping[str, Expr],
     chosen: list[str],
+    settled: bool = False,
 ) -> bool:
-    """Whether numbers support a refutation at a point; of ``chosen`` parameters it told nothing."""
+    """Whether numbers support a refutation at a point; of ``chosen`` parameters it told nothing.
+
+    Args:
+        settled: whether it is enough that no numbers speak against it.
+    """
     path = statement.path
     assert path is not None
     with ball_precision(BITS):
@@ -117,7 +123,7 @@ def _fails(
     shown = fails(ray)
     sides = symbols(claim.left) | symbols(claim.right)
     exact = path.name not in statement.integers and sides.isdisjoint(chosen)
-    if shown or (shown is None and exact and not oscillating(ray)):
+    if shown or (shown is None and (settled or (exact and not oscillating(ray)))):
         return True
     return path.name in point and _touches(claim, values, path.name, point[path.name])
 

@@ -587,9 +587,9 @@ _REAL = _Field(_BY_NAME, _rational, _general, _integrated)
 
 def _factorial(x: arb) -> arb:
     n = x.unique_fmpz()
-    if n is None or not 0 <= n <= LARGEST_FACTORIAL:
+    if n is None or not 0 <= n <= 10**LARGEST_FACTORIAL:
         raise _UndefinedError
-    return arb(factorial(int(n)))
+    return arb(factorial(int(n))) if n <= LARGEST_FACTORIAL else (x + 1).gamma()
 
 
 def _instance(seed: int, orders: tuple[int, ...], u: arb) -> arb:

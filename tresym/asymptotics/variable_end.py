@@ -1,0 +1,350 @@
+"""A variable end of an integral or a sum: compare derivatives, or differences, instead.
+
+Let h be left side and k the comparison function, both divided by the factor of the integral, so that
+h′ is explicit. Suppose k′ ≠ 0 near the end of the path. If k → ±∞, or h and k both tend to 0, then
+
+- h′ = O(k′) gives h = O(k), h′ = o(k′) gives h = o(k) (by Cauchy's mean value theorem);
+- if h′/k′ tends to L, finite or infinite, then so does h/k (de l'Hôpital's rule).
+
+Where h and k vanish at the end, the constant of h′ = O(k′) carries over to the region on which it
+holds. Sums up to n use differences Δh(n) = h(n + 1) − h(n) in place of h′ (Stolz–Cesàro theorem).
+What h tends to, if not 0, is a statement of its own: ``integral(exp(-t**2), t, 0, oo) == …``.
+
+Example: ``integral(exp(-t)/t, t, x, oo) == exp(-x)/x*(1 - 1/x) + O(exp(-x)/x**3)`` holds because
+the derivative −e^(−x)/x − (e^(−x)(1/x − 1/x²))′ = −2e^(−x)/x³ is O((e^(−x)/x³)′).
+
+Sources: Olver 1974, ch. 2, §1; G. H. Hardy, *A Course of Pure Mathematics*, §126; DLMF 2.1.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from tresym.asymptotics.lemma import End, Obligations
+from tresym.reals.decisions.answer import Answer, Decide, worst
+from tresym.reals.decisions.claim_parsing import LIMIT
+from tresym.reals.decisions.identity import decide
+from tresym.reals.decisions.statement import Comparison, Statement
+from tresym.reals.domain.conditions import Given
+from tresym.reals.language.binders import elementary, outermost
+from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.derivatives import differentiate
+from tresym.reals.language.expression import (
+    LEAVES,
+    ONE,
+    ZERO,
+    Expr,
+    integer,
+    opened,
+    rebuild,
+    replaced,
+    substitute,
+    symbol,
+    symbols,
+)
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.signs.definedness import continuous_on
+from tresym.reals.signs.interior import PROVING
+from tresym.reals.signs.sign import proof, sign
+from tresym.reals.verdict import Verdict
+
+CONTINUOUS = "Cauchy's mean value theorem and de l'Hôpital's rule (Olver 1974, ch. 2, §1)"
+DISCRETE = "the Stolz–Cesàro theorem"
+_INFINITE = (INFINITY, -INFINITY)
+
+
+class _Quotient(NamedTuple):
+    """Left side h and comparison function k, divided by the factor; h′, k′, and the last value.
+
+    Attributes:
+        value: what h tends to as an expression that may hold an integral without the variable.
+    """
+
+    h: Expr
+    k: Expr
+    dh: Expr
+    dk: Expr
+    value: Expr | None
+    discrete: bool
+
+
+def decide_variable_end(claim: Comparison, statement: Statement, decided: Decide) -> Answer | None:
+    """Decide an order, a limit or an equivalence with integrals or sums of variable ends.
+
+    Args:
+        decided: decides what is left.
+
+    Returns:
+        The answer, or None where the claim has another shape.
+    """
+    path = statement.path
+    if path is None or len(path.sides) != 1 or claim.derivatives or statement.equations:
+        return None
+    names = symbols(claim.left) | symbols(claim.right)
+    end = End(path.name, path.point, path.sides[0], statement.given, names)
+    f, relation, g = claim.left, claim.relation, claim.right
+    if relation == LIMIT and g not in _INFINITE:
+        f, relation, g = f - g, "o", ONE
+    elif relation == "~":
+        from tresym.asymptotics.lemma_claims import smallest
+
+        least = smallest(g, end) if elementary(g) else None
+        if least is None or not elementary(g):
+            return None
+        f, relation, g = f - g, "o", least
+    if relation not in ("O", "o") or g in _INFINITE or not elementary(g):
+        return None
+    try:
+        found = _quotient(f, g, end)
+    except (InputError, ZeroDivisionError, OverflowError):
+        return None
+    return None if found is None else _compared(found, relation, end, statement, decided)
+
+
+def _quotient(f: Expr, g: Expr, end: End) -> _Quotient | None:
+    nodes = list(dict.fromkeys(outermost(f)))
+    moving = [node for node in nodes if end.name in symbols(node)]
+    if not moving or any(node.op not in ("integral", "sum") for node in moving):
+        return None
+    marks = {node: symbol(f"[{n}]") for n, node in enumerate(moving)}
+    marked = replaced(f, marks)
+    inner = {str(mark.args[0]) for mark in marks.values()}
+    slopes = {node: differentiate(marked, str(mark.args[0])) for node, mark in marks.items()}
+    if any(symbols(slope) & inner or slope.hidden for slope in slopes.values()):
+        return None
+    factor = slopes[moving[0]]
+    discrete = moving[0].op == "sum"
+    if any(node.op != moving[0].op for node in moving):
+        return None
+    rest = substitute(marked, dict.fromkeys(inner, ZERO))
+    if not elementary(rest):
+        return None
+    k, rest = g / factor, rest / factor
+    h: Expr = rest
+    dh = _difference(rest, end) if discrete else differentiate(rest, end.name)
+    value: Expr | None = rest
+    value = end.limit(rest)
+    for node, slope in slopes.items():
+        share = slope / factor
+        if end.name in symbols(share) and decide(
+            differentiate(share, end.name), ZERO, end.given
+        ).verdict is not Verdict.PROVED:
+            return None
+        change = _change_of_sum(node, end) if discrete else _change(node, end)
+        if change is None:
+            return None
+        h = h + share * node
+        dh = dh + share * change
+        last = _last(node, end)
+        value = None if value is None or last is None else value + share * last
+    dk = _difference(k, end) if discrete else differentiate(k, end.name)
+    return _Quotient(h, k, dh, dk, value, discrete)
+
+
+def _difference(e: Expr, end: End) -> Expr:
+    x = symbol(end.name)
+    return substitute(e, {end.name: x + 1}) - e
+
+
+def _change(node: Expr, end: End) -> Expr | None:
+    """Return the derivative of an integral by Leibniz's rule; its body must not hold x."""
+    (t,), body = opened(node, end.taken)
+    low, high = node.args[1:]
+    if body.hidden or end.name in symbols(body) or low.hidden or high.hidden:
+        return None
+    change = ZERO
+    for place, side in ((high, 1), (low, -1)):
+        if place not in _INFINITE and end.name in symbols(place):
+            change = change + side * substitute(body, {t: place}) * differentiate(place, end.name)
+    if not _is_integrable(node, t, body, end):
+        return None
+    return change
+
+
+def _is_integrable(node: Expr, t: str, body: Expr, end: End) -> bool:
+    """Return whether the integral exists near the end of the path: no singularity on the way."""
+    low, high = node.args[1:]
+    x, name = symbol(t), end.name
+    ends = [(low, ">"), (high, "<")]
+    near = _near(end)
+    smaller, larger = (low, high) if sign_between(low, high, near) else (high, low)
+    if not sign_between(smaller, larger, near):
+        return False
+    del ends
+    lower = () if smaller in _INFINITE else ((x, ">", smaller),)
+    upper = () if larger in _INFINITE else ((x, "<", larger),)
+    inside = near & Given((*lower, *upper))
+    if continuous_on(body, inside, proof) is not None:
+        return False
+    for place, direction in ((smaller, 1), (larger, -1)):
+        if place in _INFINITE:
+            far = End(t, None, 1 if place == INFINITY else -1, end.given)
+            if not _tail_converges(body, t, far):
+                return False
+        elif name not in symbols(place) and substituted_undefined(body, t, place, end.given):
+            last = End(t, place, direction, end.given)
+            room = direction * (x - place)
+            if last.limit(abs(body) * room ** (ONE / 2 + ONE / 4)) in (None, *_INFINITE):
+                return False
+    return True
+
+
+def substituted_undefined(body: Expr, t: str, place: Expr, given: Given) -> bool:
+    """Return whether the body is not shown to be continuous at a point."""
+    return continuous_on(substitute(body, {t: place}), given, proof) is not None
+
+
+def _tail_converges(body: Expr, t: str, far: End) -> bool:
+    """Return whether the integral converges absolutely at infinity."""
+    x = far.side * symbol(t)
+    for power in (2, ONE + ONE / 2, ONE + ONE / 10):
+        if far.limit(abs(body) * x**power) not in (None, *_INFINITE):
+            return True
+    return False
+
+
+def _near(end: End) -> Given:
+    """Return conditions that hold near the end of the path."""
+    x = symbol(end.name)
+    if end.point is None:
+        return end.given & Given(((end.side * x, ">", ONE * 3),))
+    room = end.side * (x - end.point)
+    return end.given & Given(((room, ">", ZERO), (room, "<", ONE / 10)))
+
+
+def sign_between(low: Expr, high: Expr, near: Given) -> bool:
+    """Return whether low < high near the end."""
+    if low == -INFINITY or high == INFINITY:
+        return low != high
+    if low == INFINITY or high == -INFINITY:
+        return False
+    return sign(high - low, near, ">") == "+"
+
+
+def _change_of_sum(node: Expr, end: End) -> Expr | None:
+    """Return Δ of a sum to n + c or from n + c on; its terms must not hold n."""
+    (k,), body = opened(node, end.taken)
+    low, high = node.args[1:]
+    if body.hidden or end.name in symbols(body) or end.point is not None or end.side < 0:
+        return None
+    x = symbol(end.name)
+    if integer(low) is not None and high not in _INFINITE:
+        if integer(high - x) is None and differentiate(high, end.name) != ONE:
+            return None
+        return substitute(body, {k: high + 1}) if differentiate(high, end.name) == ONE else None
+    if high == INFINITY and differentiate(low, end.name) == ONE:
+        far = End(k, None, 1, end.given)
+        return -substitute(body, {k: low}) if _tail_converges(body, k, far) else None
+    return None
+
+
+def _last(node: Expr, end: End) -> Expr | None:
+    """Return the integral or the sum with its ends at their limits; 0 where these are equal."""
+    low, high = (e if e in _INFINITE or end.name not in symbols(e) else end.limit(e) for e in node.args[1:])
+    if low is None or high is None:
+        return None
+    if low == high:
+        return ZERO
+    return rebuild(node, (node.args[0], low, high))
+
+
+def _compared(
+    q: _Quotient, relation: str, end: End, statement: Statement, decided: Decide
+) -> Answer | None:
+    ask = Obligations(statement, decided)
+    lemma = DISCRETE if q.discrete else CONTINUOUS
+    last = end.limit(q.k)
+    if last is None or not _keeps_sign(q.dk, end):
+        return None
+    said = f"by {lemma}"
+    if last not in _INFINITE:
+        if last != ZERO and sign(last, end.given, "!=") not in PROVING["!="]:
+            return None
+        if q.value is None:
+            return None
+        answer = _at_the_end(q, relation, last, end, statement, decided, said, lemma)
+        if answer is not None or last != ZERO:
+            return answer
+        ask.found += _parts(q.value, ask)
+        if ask.missing:
+            return None
+    answer = ask.ask(q.dh, relation, q.dk, end.given, end.path)
+    how = "difference" if q.discrete else "derivative"
+    parts = tuple(ask.found)
+    if answer:
+        constant, where = (answer.constant, answer.region) if last == ZERO else (None, None)
+        verdict = worst([answer, Answer(ask.verdict, "")]).verdict
+        why = f"{said}: the {how} of the left side, {q.dh}, is {relation}({q.dk}); {answer.why}"
+        plain = not q.discrete and relation == "O"
+        return Answer(
+            verdict,
+            why,
+            constant=constant if plain else None,
+            region=where if plain else None,
+            lemma=lemma,
+            obligations=parts,
+        )
+    ratio = end.limit(q.dh / q.dk)
+    if ratio is None:
+        return None
+    fails = ratio in _INFINITE or (
+        relation == "o" and sign(ratio, end.given, "!=") in PROVING["!="]
+    )
+    if not fails or answer.verdict is not Verdict.REFUTED:
+        return None
+    why = f"{said}: the ratio of the {how}s tends to {ratio}, and so does that of the two sides"
+    return Answer(
+        Verdict.REFUTED, why, witness=answer.witness, lemma=lemma, obligations=parts
+    )
+
+
+def _parts(value: Expr, ask: Obligations) -> list[object]:
+    """Ask that the left side tends to 0."""
+    if value != ZERO:
+        ask.ask(value, "==", ZERO, ask.statement.given)
+    return []
+
+
+def _at_the_end(
+    q: _Quotient,
+    relation: str,
+    last: Expr,
+    end: End,
+    statement: Statement,
+    decided: Decide,
+    said: str,
+    lemma: str,
+) -> Answer | None:
+    """Decide by the limits of both sides, where that of the left side is not 0."""
+    assert q.value is not None
+    ask = Obligations(statement, decided)
+    if q.value in _INFINITE:
+        return None
+    if last == ZERO:
+        away = ask.ask(q.value, "==", ZERO, end.given)
+        if away.verdict is not Verdict.REFUTED or symbols(q.value) - {"oo"}:
+            return None
+        why = f"{said}: the left side, divided by its factor, tends to {q.value}, which is not 0"
+        why += f", and the right side to 0; {away.why}"
+        return Answer(Verdict.REFUTED, why, witness={}, lemma=lemma, obligations=tuple(ask.found))
+    if relation == "O":
+        why = f"{said}: both sides tend to constants, {q.value} and {last}"
+        return Answer(Verdict.PROVED, why, lemma=lemma)
+    zero = ask.ask(q.value, "==", ZERO, end.given)
+    if zero:
+        why = f"{said}: the left side tends to {q.value} = 0"
+        return Answer(zero.verdict, why, lemma=lemma, obligations=tuple(ask.found))
+    if zero.verdict is Verdict.REFUTED and not symbols(q.value) - {"oo"}:
+        why = f"{said}: the left side tends to {q.value}, which is not 0; {zero.why}"
+        return Answer(Verdict.REFUTED, why, witness={}, lemma=lemma)
+    return None
+
+
+def _keeps_sign(e: Expr, end: End) -> bool:
+    """Return whether a function has no zeros near the end."""
+    from tresym.reals.expansions.leading_terms import leading_sign
+
+    return bool(leading_sign(e, end.name, end.point, end.side, end.given))
+
+
+_ = LEAVES
