@@ -74,8 +74,8 @@ def approximated(e: Expr, known: Mapping[Expr, Approximation], end: End) -> Appr
         error = size(log, end) * second.error
         if first.error != ZERO:
             error = error + (size(second.main, end) + second.error) * first.error / first.main
-        found = _exponential(Approximation(second.main * log, error), end)
-        return found and found._replace(main=power(first.main, second.main))
+        whole = _exponential(Approximation(second.main * log, error), end)
+        return None if whole is None else whole._replace(main=power(first.main, second.main))
     if e.op == "exp":
         return _exponential(first, end)
     if e.op == "log" and _is_relatively_small(first, end) and _is_positive(first.main, end):

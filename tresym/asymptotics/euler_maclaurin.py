@@ -21,6 +21,7 @@ Example: ``sum(1/k, k, 1, n) == log(n) + O(1)`` needs that 2/k³ is positive for
 
 from __future__ import annotations
 
+from functools import lru_cache
 from math import factorial
 
 from flint import arb, fmpq
@@ -52,7 +53,7 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.language.parsing import parse
-from tresym.reals.normal.to_expression import normal_form
+from tresym.reals.normal.to_expression import in_lowest_terms, normal_form
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.signs.definedness import continuous_on
@@ -60,6 +61,8 @@ from tresym.reals.signs.sign import proof, sign
 from tresym.reals.verdict import Verdict
 
 LEMMA = "the Euler–Maclaurin formula (DLMF 2.10(i))"
+LONG = 60
+"""From this size on derivatives are simplified."""
 STARTS = (0, 1, 3, 9, 30)
 """How far beyond the first term the sign of the derivative is looked for."""
 MOST = 5
@@ -67,6 +70,7 @@ MOST = 5
 FAR, TERMS = 60, 4
 """Where the constant is computed, and with how many derivatives."""
 SCALES = tuple(fmpq(*r) for r in ((1, 1), (1, 2), (2, 1), (1, 3)))
+POWERS = tuple(fmpq(*r) for r in ((8, 1), (6, 1), (5, 1), (4, 1), (3, 1), (2, 1), (3, 2), (5, 4)))
 _INFINITE = (INFINITY, -INFINITY)
 
 
@@ -75,10 +79,15 @@ def weight(m: int) -> fmpq:
     return (2 - fmpq(2, 4**m)) * abs(bernoulli(2 * m)) / factorial(2 * m)
 
 
+@lru_cache(maxsize=256)
 def _derivative(f: Expr, name: str, times: int) -> Expr:
-    for _ in range(times):
-        f = differentiate(f, name)
-    return f
+    if not times:
+        return f
+    slope = differentiate(_derivative(f, name, times - 1), name)
+    if slope.size < LONG:
+        return slope
+    form = in_lowest_terms(slope)
+    return form if form.size < slope.size else slope
 
 
 class _Terms:
@@ -150,8 +159,12 @@ class PartialSum(Expansion):
             low, high = (number(fmpq(n, 10**9)) for n in (577215664, 577215665))
             gamma = symbol("EulerGamma")
             self.constants = Given(((gamma, ">", low), (gamma, "<", high)))  # DLMF 5.2.3
+        self.unknown = frozenset((name, "EulerGamma")) & symbols(self.constant)
         if self.constant == symbol(name):
-            found = self._enclosed()
+            try:
+                found = self._enclosed()
+            except InputError:
+                found = None
             if found is not None:
                 low, high = found
                 self.constants = Given(
@@ -272,6 +285,62 @@ class Tail(Expansion):
         return _bounded(self.summand, self.low, self.end, order, ask)
 
 
+class Between(Expansion):
+    """Σ f(k) from h₁(x) to h₂(x), which both tend to ∞."""
+
+    lemma = LEMMA
+
+    def __init__(self, terms: _Terms, low: Expr, top: Expr, primitive: Expr, end: End) -> None:
+        """Expand a sum whose ends both move; ``primitive`` is an antiderivative."""
+        self.summand, self.low, self.top = terms, low, top
+        self.primitive, self.end = primitive, end
+
+    def terms(self, order: int) -> tuple[Expr, Expr] | None:
+        """Return the explicit terms at both ends, and |f^(2m−1)| there."""
+        s = self.summand
+        try:
+            parts = []
+            for place, side in ((self.top, 1), (self.low, -1)):
+                put = {s.k: place}
+                parts.append(side * substitute(self.primitive, put) + substitute(s.f, put) / 2)
+                parts += [side * term for term in s.corrections(order, place)]
+            sizes = [apply("abs", s.error(order, place)) for place in (self.low, self.top)]
+        except InputError:
+            return None
+        return add(ZERO, *parts), add(ZERO, *sizes)
+
+    def prove(self, order: int, ask: Obligations) -> Bound | None:
+        """Prove the sign of the derivative; the last index must not be below the first."""
+        if not ask.holds(self.top, ">=", self.low, self.end.given, self.end.path):
+            return None
+        return None if self.summand.from_where(order, ask) is None else Bound()
+
+
+class Convergent(Expansion):
+    """Σ f(k) up to h(x) → ∞ where f = O(k^−p) with p > 1: a constant and a tail O(h^(1−p))."""
+
+    lemma = "comparison of a series with the integral of a power (DLMF 1.9(ii))"
+
+    def __init__(self, f: Expr, k: str, low: int, top: Expr, p: fmpq, end: End, name: str) -> None:
+        """Expand a convergent sum without an antiderivative; the constant is a symbol."""
+        self.f, self.k, self.low, self.top, self.p, self.end = f, k, low, top, p, end
+        self.constant = symbol(name)
+        self.unknown = frozenset((name,))
+
+    def terms(self, order: int) -> tuple[Expr, Expr] | None:
+        """Return the constant and the size of the tail, at order 1 alone."""
+        return (self.constant, power(self.top, number(1 - self.p))) if order == 1 else None
+
+    def prove(self, order: int, ask: Obligations) -> Bound | None:
+        """Prove the size of the terms."""
+        k = symbol(self.k)
+        far = End(self.k, None, 1, self.end.given)
+        if not ask.continuous(self.f, self.end.given & Given(((k, ">=", number(self.low)),))):
+            return None
+        fits = ask.holds(self.f, "O", power(k, number(-self.p)), far.given, far.path)
+        return Bound() if fits else None
+
+
 class RiemannSum(Expansion):
     """Σ c g(k/λ) over 0 ≤ k ≤ βλ or k ≥ 0, where λ tends to ∞; less the terms before the first."""
 
@@ -367,10 +436,16 @@ def _expansion(node: Expr, end: End) -> Expansion | None:
     if start is not None and high != INFINITY and end.tends_to_infinity(high):
         terms = _Terms(body, k, start, end.given)
         primitive = _primitive(body, k, low, end.given)
+        name = fresh("C", {*symbols(node), *end.taken})
+        if terms.first is None or primitive is None:
+            return _convergent(body, k, start, high, end, name)
+        return PartialSum(terms, high, primitive, end, name)
+    if start is None and end.tends_to_infinity(low) and end.tends_to_infinity(high):
+        terms = _Terms(body, k, 1, end.given)
+        primitive = _primitive(body, k, ONE, end.given)
         if terms.first is None or primitive is None:
             return None
-        name = fresh("C", {*symbols(node), *end.taken})
-        return PartialSum(terms, high, primitive, end, name)
+        return Between(terms, low, high, primitive, end)
     if high == INFINITY and start is None and end.tends_to_infinity(low):
         terms = _Terms(body, k, 1, end.given)
         primitive = _primitive(body, k, ONE, end.given)
@@ -380,6 +455,14 @@ def _expansion(node: Expr, end: End) -> Expansion | None:
         if last is None or last in _INFINITE or terms.first != 1:
             return None
         return Tail(terms, low, last - primitive, end)
+    return None
+
+
+def _convergent(body: Expr, k: str, low: int, high: Expr, end: End, name: str) -> Convergent | None:
+    far = End(k, None, 1, end.given)
+    for p in POWERS:
+        if far.limit(body * power(symbol(k), number(p))) not in (None, *_INFINITE):
+            return Convergent(body, k, low, high, p, end, name)
     return None
 
 

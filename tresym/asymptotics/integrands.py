@@ -115,7 +115,14 @@ def _exponential(term: Expr, t: str, end: End) -> Exponential | None:
         p = add(*(-part for part in parts))
     else:
         return None
-    return Exponential(multiply(*outside), rate, p, multiply(*weight))
+    return Exponential(_shorter(multiply(*outside), end), rate, p, multiply(*weight))
+
+
+def _shorter(e: Expr, end: End) -> Expr:
+    """Return the normal form of a factor, if it is shorter."""
+    near = Given(((end.side * symbol(end.name), ">", end.side * (end.point or ZERO)),))
+    form = normal_form(e, end.given & near)
+    return form if form.size < e.size else e
 
 
 def _grouped(groups: list[tuple[Expr, list[Expr]]], of_x: Expr, of_t: Expr, end: End) -> None:

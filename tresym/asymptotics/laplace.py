@@ -132,7 +132,7 @@ class _Series:
             self.v, self.rate, self.phi = s, side.rate * lead, side.q
         else:
             self.v, self.rate = power(p, 1 / mu), side.rate
-            self.phi = mu * side.q * power(p, 1 - 1 / mu) / differentiate(p, side.name)
+            self.phi = mu * side.q * raised(p, 1 - 1 / self.degree) / differentiate(p, side.name)
         self.rest = self.phi
 
     def _limit(self, e: Expr) -> Expr | None:

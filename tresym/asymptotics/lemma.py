@@ -23,7 +23,16 @@ from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.expansions.limit_values import limit_of
 from tresym.reals.language.calls import INFINITY
-from tresym.reals.language.expression import Expr, symbols
+from tresym.reals.language.expression import (
+    LEAVES,
+    ONE,
+    ZERO,
+    Expr,
+    multiply,
+    number,
+    rebuild,
+    symbols,
+)
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.signs.definedness import continuous_on
 from tresym.reals.signs.sign import proof
@@ -146,11 +155,13 @@ class Expansion(ABC):
 
     Attributes:
         lemma: the name of the theorem with its source.
-        constants: symbols in the terms that stand for constants, with what is known of them.
+        unknown: symbols in the terms that stand for constants.
+        constants: what is known of these constants.
     """
 
     lemma: str = ""
-    constants: Given = Given()
+    unknown: frozenset[str] = frozenset()
+    constants: Given = NONE
 
     @abstractmethod
     def terms(self, order: int) -> tuple[Expr, Expr] | None:
@@ -223,3 +234,52 @@ def supremum(e: Expr, name: str, end: Expr | None) -> arb | None:
         if grows and (known[-1] == largest or known[0] == largest):
             return None
         return largest
+
+
+def folded(e: Expr) -> Expr:
+    """Return the terms of a lemma with values such as log(1) and products with 0 worked out.
+
+    Only for what is defined near the end of the path, as the terms of a lemma are.
+    """
+    if e.op in LEAVES or e.hidden:
+        return e
+    args = tuple(map(folded, e.args))
+    if e.op == "*" and ZERO in args:
+        return ZERO
+    if e.op == "abs" and args[0].op == "number":
+        return number(abs(args[0].args[0]))
+    if e.op == "^" and args[0] == ONE:
+        return ONE
+    if e.op in _AT_ZERO and args[0] == ZERO:
+        return _AT_ZERO[e.op]
+    if e.op == "log" and args[0] == ONE:
+        return ZERO
+    return rebuild(e, args)
+
+
+_AT_ZERO = {"exp": ONE, "cos": ONE, "cosh": ONE} | dict.fromkeys(
+    ("sin", "sinh", "tan", "tanh", "atan", "asinh", "asin", "atanh"), ZERO
+)
+
+
+def _terms(e: Expr) -> tuple[Expr, ...]:
+    """Return the terms of a sum, or of a product with one sum among its factors."""
+    factors = e.args if e.op == "*" else (e,)
+    sums = [f for f in factors if f.op == "+"]
+    if len(sums) != 1:
+        return (e,)
+    rest = multiply(*(f for f in factors if f is not sums[0]))
+    return tuple(rest * term for term in sums[0].args)
+
+
+def smallest(e: Expr, end: End) -> Expr | None:
+    """Return the term of a sum that is o of every other, or the only term."""
+    terms = _terms(e)
+    best = terms[0]
+    for term in terms[1:]:
+        ratio = end.limit(term / best)
+        if ratio == ZERO:
+            best = term
+        elif ratio not in (INFINITY, -INFINITY):
+            return e if ratio is not None else None
+    return best

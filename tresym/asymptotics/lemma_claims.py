@@ -20,26 +20,40 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 
 from flint import arb, fmpq
 
 from tresym.asymptotics.approximation import Approximation, approximated
-from tresym.asymptotics.lemma import Bound, End, Expansion, Obligations, rounded_up
+from tresym.asymptotics.lemma import (
+    Bound,
+    End,
+    Expansion,
+    Obligations,
+    folded,
+    rounded_up,
+    smallest,
+)
 from tresym.asymptotics.order_claims import region
 from tresym.reals.decisions.answer import Answer, Decide, constant_ball, worst
 from tresym.reals.decisions.claim_parsing import LIMIT
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.statement import Comparison, Path, Statement
 from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.operation_domains import operations
-from tresym.reals.language.binders import outermost
+from tresym.reals.language.binders import is_infinite, outermost, total
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
+    LEAVES,
     ONE,
     ZERO,
     Expr,
+    apply,
     number,
+    opened,
+    rebuild,
     replaced,
     symbol,
     symbols,
@@ -99,7 +113,7 @@ def decide_by_lemmas(claim: Comparison, statement: Statement, decided: Decide) -
     found = []
     for side in path.sides:
         along = replace(statement, path=replace(path, sides=(side,)))
-        found.append(_Claim(claim, along, decided).answer())
+        found.append(_on_one_side(claim, along, decided))
         if found[-1].verdict is not Verdict.REFUTED and not found[-1]:
             break
         if found[-1].verdict is Verdict.REFUTED:
@@ -110,10 +124,38 @@ def decide_by_lemmas(claim: Comparison, statement: Statement, decided: Decide) -
     return answer
 
 
+def _on_one_side(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
+    """Decide by expansions, or else by the variable ends of integrals and sums."""
+    from tresym.asymptotics.variable_end import decide_variable_end
+
+    found = _Claim(claim, statement, decided).answer()
+    if found.verdict is not Verdict.UNDECIDED:
+        return found
+    other = decide_variable_end(claim, statement, decided)
+    return found if other is None or other.verdict is Verdict.UNDECIDED else other
+
+
+def _logarithms(e: Expr, given: Given) -> Expr:
+    """Return ``e`` with exp of the sum of logarithms for products of positive factors."""
+    if not e.hidden or e.op in LEAVES:
+        return e
+    if e.op == "product" and not is_infinite(e):
+        (k,), body = opened(e, given.names)
+        low, high = e.args[1:]
+        inside = given & Given(((symbol(k), ">=", low),))
+        if not body.hidden and sign(body, inside) == "+":
+            return apply("exp", total("sum", apply("log", body), k, low, high))
+        return e
+    if e.names or e.op == "unknown":
+        return e
+    return rebuild(e, tuple(_logarithms(arg, given) for arg in e.args))
+
+
 class _Claim:
     """A claim on one side of its path."""
 
     def __init__(self, claim: Comparison, statement: Statement, decided: Decide) -> None:
+        claim = claim.mapped(partial(_logarithms, given=statement.given))
         self.claim, self.statement, self.decided = claim, statement, decided
         path = statement.path
         assert path is not None
@@ -131,7 +173,8 @@ class _Claim:
             if found is None:
                 return Answer(Verdict.UNDECIDED, f"no lemma expands {node} as {self.path}")
             self.expansions[node] = found
-            self.end = self.end._replace(names=self.end.names | found.constants.names)
+            given = self.end.given & found.constants
+            self.end = self.end._replace(given=given, names=self.end.names | found.unknown)
         why = "the expansions are not long enough to settle the claim"
         for order in range(1, MOST + 1):
             known = self._terms(order)
@@ -161,7 +204,7 @@ class _Claim:
             found = expansion.terms(order)
             if found is None:
                 return None
-            known[node] = Approximation(*found)
+            known[node] = Approximation(*map(folded, found))
         return known
 
     def _settled(self, known: dict[Expr, Approximation]) -> tuple[Comparison, Expr] | None:
@@ -190,7 +233,7 @@ class _Claim:
         f = approximated(self.claim.left - self.claim.right, known, self.end)
         if right is None or f is None:
             return None
-        least = _smallest(self.claim.right, self.end) if not self.claim.right.hidden else None
+        least = smallest(self.claim.right, self.end) if not self.claim.right.hidden else None
         if least is None:
             if self.end.limit(right.error / right.main) != ZERO:
                 return None
@@ -241,13 +284,13 @@ class _Claim:
             return Answer(Verdict.UNDECIDED, why)
         main = [part for part in ask.found if " <= " in part.claim] or ask.found
         why = f"by {lemma}: {'; '.join([*map(str, main[:1]), *said])}"
-        constants = frozenset().union(*(e.constants.names for e in self.expansions.values()))
+        constants = frozenset().union(*(e.unknown for e in self.expansions.values()))
         names = symbols(explicit.left) | symbols(explicit.right)
         if answer.verdict is Verdict.REFUTED and constants & names:
             witness = {n: v for n, v in (answer.witness or {}).items() if n not in constants}
             answer = replace(answer, witness=witness)
             if not self._fails_always(explicit):
-                why = f"by {lemma}, but it depends on the value of a constant: {said}"
+                why = f"by {lemma}, but it depends on the value of a constant: {'; '.join(said)}"
                 return Answer(Verdict.UNDECIDED, why)
         if answer.verdict is Verdict.REFUTED:
             why = f"by {lemma}: {'; '.join(said)}; what is left is false: {answer.why}"
@@ -272,9 +315,7 @@ class _Claim:
         whole = [
             n for n in self.statement.integers if n in symbols(claim.left) | symbols(claim.right)
         ]
-        given = self.statement.given
-        for expansion in self.expansions.values():
-            given = given & expansion.constants
+        given = self.end.given
         left, right = claim.left, claim.right
         answer = ask.ask(left, claim.relation, right, given, self.path)
         waves = any(
@@ -288,16 +329,24 @@ class _Claim:
 
     def _fails_always(self, claim: Comparison) -> bool:
         """Return whether a claim fails for all values that the constants may have."""
-        given = self.end.given
-        for expansion in self.expansions.values():
-            given = given & expansion.constants
-        end = self.end._replace(given=given)
+        given, end = self.end.given, self.end
+        if claim.relation in ("<", "<=", ">", ">="):
+            return self._fails_by_sign(claim)
         if claim.relation not in ("O", "o", "Theta"):
             return False
         last = end.limit(claim.left / claim.right)
         if last is None or claim.relation != "o":
             return last in _INFINITE
         return last in _INFINITE or sign(last, given, "!=") in PROVING["!="]
+
+    def _fails_by_sign(self, claim: Comparison) -> bool:
+        last = self.end.limit(claim.left - claim.right)
+        if last is None:
+            return False
+        wrong = 1 if claim.relation[0] == "<" else -1
+        if last in _INFINITE:
+            return last == wrong * INFINITY
+        return sign(wrong * last, self.end.given) == "+"
 
     def _is_zero(self, e: Expr) -> bool:
         x, side = symbol(self.path.name), self.path.sides[0]
@@ -354,8 +403,6 @@ class _Claim:
             decide(abs(above), last * abs(below), Given(((x, ">", ZERO),))).verdict
             is Verdict.PROVED
         ):
-            from tresym.reals.domain.evaluation import evaluate
-
             return evaluate(last, {}), None
         statement = replace(self.statement, integers=(), equations=())
         answer = self.decided(Comparison(above, "O", below), statement)
@@ -393,16 +440,3 @@ def _sentence(node: Expr, found: Approximation, bound: Bound, path: Path) -> str
     where = f"{path.name} > 0" if bound.upto is None else region(path, bound.upto)
     limit = number(bound.constant) * found.error
     return f"{node} = {found.main} + R with |R| <= {limit} for {where}"
-
-
-def _smallest(e: Expr, end: End) -> Expr | None:
-    """Return the term of a sum that is o of every other, or the only term."""
-    terms = e.args if e.op == "+" else (e,)
-    best = terms[0]
-    for term in terms[1:]:
-        ratio = end.limit(term / best)
-        if ratio == ZERO:
-            best = term
-        elif ratio not in _INFINITE:
-            return e if ratio is not None else None
-    return best

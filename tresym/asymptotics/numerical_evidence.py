@@ -129,14 +129,14 @@ def contradicts(ray: Ray) -> bool:
     if inequality and not waves:
         wrong = ((x.order, x.violation()) for x in at)
         known = list(islice(((n, size) for n, size in wrong if size is not None), 3))
-        return len(known) == 3 and _follows_a_law([n for n, _ in known], [s for _, s in known])
+        return len(known) == 3 and follows_a_law([n for n, _ in known], [s for _, s in known])
     told = list(islice((x for x in (one.supremum() for one in at) if x is not None), 3))
     if all(x.pole for x in told[:2]):
         return bool(told[1:]) and fails(ray) is True
     if len(told) < 3 or any(x.pole for x in told):
         return False
     with ball_precision(BITS_OF_LAW):
-        return _follows_a_law(
+        return follows_a_law(
             [x.order for x in told],
             [x.low for x in told],
             bounded=ray.claim.relation in BOUNDED,
@@ -144,7 +144,7 @@ def contradicts(ray: Ray) -> bool:
         )
 
 
-def _follows_a_law(
+def follows_a_law(
     orders: list[int], sizes: list[arb], bounded: bool = False, same: arb = CONSTANT
 ) -> bool:
     """Return whether sizes at distances 2**order, the farthest first, follow a simple law.

@@ -1,7 +1,8 @@
 """A variable end of an integral or a sum: compare derivatives, or differences, instead.
 
-Let h be left side and k the comparison function, both divided by the factor of the integral, so that
-h′ is explicit. Suppose k′ ≠ 0 near the end of the path. If k → ±∞, or h and k both tend to 0, then
+Let h be the left side and k the comparison function, both divided by the factor of the integral,
+so that h′ is explicit. Suppose k′ ≠ 0 near the end of the path. If k → ±∞, or if h and k both tend
+to 0, then
 
 - h′ = O(k′) gives h = O(k), h′ = o(k′) gives h = o(k) (by Cauchy's mean value theorem);
 - if h′/k′ tends to L, finite or infinite, then so does h/k (de l'Hôpital's rule).
@@ -18,9 +19,12 @@ Sources: Olver 1974, ch. 2, §1; G. H. Hardy, *A Course of Pure Mathematics*, §
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import NamedTuple
 
-from tresym.asymptotics.lemma import End, Obligations
+from flint import fmpq
+
+from tresym.asymptotics.lemma import End, Obligations, smallest
 from tresym.reals.decisions.answer import Answer, Decide, worst
 from tresym.reals.decisions.claim_parsing import LIMIT
 from tresym.reals.decisions.identity import decide
@@ -30,12 +34,13 @@ from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
-    LEAVES,
     ONE,
     ZERO,
     Expr,
     integer,
+    number,
     opened,
+    power,
     rebuild,
     replaced,
     substitute,
@@ -50,6 +55,8 @@ from tresym.reals.verdict import Verdict
 
 CONTINUOUS = "Cauchy's mean value theorem and de l'Hôpital's rule (Olver 1974, ch. 2, §1)"
 DISCRETE = "the Stolz–Cesàro theorem"
+FAR = (3, 10, 100)
+"""How near to the end the ends of an integral must be in order."""
 _INFINITE = (INFINITY, -INFINITY)
 
 
@@ -86,8 +93,6 @@ def decide_variable_end(claim: Comparison, statement: Statement, decided: Decide
     if relation == LIMIT and g not in _INFINITE:
         f, relation, g = f - g, "o", ONE
     elif relation == "~":
-        from tresym.asymptotics.lemma_claims import smallest
-
         least = smallest(g, end) if elementary(g) else None
         if least is None or not elementary(g):
             return None
@@ -122,13 +127,14 @@ def _quotient(f: Expr, g: Expr, end: End) -> _Quotient | None:
     k, rest = g / factor, rest / factor
     h: Expr = rest
     dh = _difference(rest, end) if discrete else differentiate(rest, end.name)
-    value: Expr | None = rest
-    value = end.limit(rest)
+    value: Expr | None = end.limit(rest)
     for node, slope in slopes.items():
         share = slope / factor
-        if end.name in symbols(share) and decide(
-            differentiate(share, end.name), ZERO, end.given
-        ).verdict is not Verdict.PROVED:
+        if (
+            end.name in symbols(share)
+            and decide(differentiate(share, end.name), ZERO, end.given).verdict
+            is not Verdict.PROVED
+        ):
             return None
         change = _change_of_sum(node, end) if discrete else _change(node, end)
         if change is None:
@@ -162,54 +168,50 @@ def _change(node: Expr, end: End) -> Expr | None:
 
 
 def _is_integrable(node: Expr, t: str, body: Expr, end: End) -> bool:
-    """Return whether the integral exists near the end of the path: no singularity on the way."""
+    """Return whether the integral exists near the end of the path."""
     low, high = node.args[1:]
-    x, name = symbol(t), end.name
-    ends = [(low, ">"), (high, "<")]
-    near = _near(end)
-    smaller, larger = (low, high) if sign_between(low, high, near) else (high, low)
-    if not sign_between(smaller, larger, near):
-        return False
-    del ends
-    lower = () if smaller in _INFINITE else ((x, ">", smaller),)
-    upper = () if larger in _INFINITE else ((x, "<", larger),)
-    inside = near & Given((*lower, *upper))
-    if continuous_on(body, inside, proof) is not None:
-        return False
-    for place, direction in ((smaller, 1), (larger, -1)):
-        if place in _INFINITE:
-            far = End(t, None, 1 if place == INFINITY else -1, end.given)
-            if not _tail_converges(body, t, far):
-                return False
-        elif name not in symbols(place) and substituted_undefined(body, t, place, end.given):
-            last = End(t, place, direction, end.given)
-            room = direction * (x - place)
-            if last.limit(abs(body) * room ** (ONE / 2 + ONE / 4)) in (None, *_INFINITE):
-                return False
-    return True
+    for near in _near(end):
+        backward = not sign_between(low, high, near)
+        smaller, larger = (high, low) if backward else (low, high)
+        if backward and not sign_between(smaller, larger, near):
+            continue
+        x = symbol(t)
+        lower = () if smaller in _INFINITE else ((x, ">", smaller),)
+        upper = () if larger in _INFINITE else ((x, "<", larger),)
+        if continuous_on(body, near & Given((*lower, *upper)), proof) is None:
+            fixed = [(e, d) for e, d in ((smaller, 1), (larger, -1)) if end.name not in symbols(e)]
+            return all(_converges_at(body, t, e, d, end.given) for e, d in fixed)
+    return False
 
 
-def substituted_undefined(body: Expr, t: str, place: Expr, given: Given) -> bool:
-    """Return whether the body is not shown to be continuous at a point."""
-    return continuous_on(substitute(body, {t: place}), given, proof) is not None
+def _converges_at(body: Expr, t: str, place: Expr, direction: int, given: Given) -> bool:
+    """Return whether an integral converges absolutely at an end, from one side of it."""
+    if place in _INFINITE:
+        return _tail_converges(body, t, End(t, None, -direction, given))
+    if continuous_on(substitute(body, {t: place}), given, proof) is None:
+        return True
+    room = direction * (symbol(t) - place)
+    size = abs(body) * power(room, number(fmpq(3, 4)))
+    return End(t, place, direction, given).limit(size) not in (None, *_INFINITE)
 
 
 def _tail_converges(body: Expr, t: str, far: End) -> bool:
     """Return whether the integral converges absolutely at infinity."""
     x = far.side * symbol(t)
-    for power in (2, ONE + ONE / 2, ONE + ONE / 10):
-        if far.limit(abs(body) * x**power) not in (None, *_INFINITE):
-            return True
-    return False
+    powers = (fmpq(2), fmpq(3, 2), fmpq(11, 10))
+    sizes = (abs(body) * power(x, number(r)) for r in powers)
+    return any(far.limit(size) not in (None, *_INFINITE) for size in sizes)
 
 
-def _near(end: End) -> Given:
-    """Return conditions that hold near the end of the path."""
+def _near(end: End) -> Iterator[Given]:
+    """Yield conditions that hold near the end of the path, on smaller and smaller parts."""
     x = symbol(end.name)
-    if end.point is None:
-        return end.given & Given(((end.side * x, ">", ONE * 3),))
-    room = end.side * (x - end.point)
-    return end.given & Given(((room, ">", ZERO), (room, "<", ONE / 10)))
+    for far in FAR:
+        if end.point is None:
+            yield end.given & Given(((end.side * x, ">", number(far)),))
+        else:
+            room = end.side * (x - end.point)
+            yield end.given & Given(((room, ">", ZERO), (room, "<", number(fmpq(1, far)))))
 
 
 def sign_between(low: Expr, high: Expr, near: Given) -> bool:
@@ -240,9 +242,19 @@ def _change_of_sum(node: Expr, end: End) -> Expr | None:
 
 def _last(node: Expr, end: End) -> Expr | None:
     """Return the integral or the sum with its ends at their limits; 0 where these are equal."""
-    low, high = (e if e in _INFINITE or end.name not in symbols(e) else end.limit(e) for e in node.args[1:])
+    written = node.args[1:]
+    low, high = (e if end.name not in symbols(e) else end.limit(e) for e in written)
     if low is None or high is None:
         return None
+    if low == high and low not in _INFINITE:
+        return ZERO
+    (t,), body = opened(node, end.taken)
+    for place, old, direction in ((low, written[0], 1), (high, written[1], -1)):
+        moved = end.name in symbols(old)
+        if moved and not _converges_at(body, t, place, direction, end.given):
+            return None
+    if node.op == "sum" and low in _INFINITE:
+        return ZERO
     if low == high:
         return ZERO
     return rebuild(node, (node.args[0], low, high))
@@ -265,14 +277,16 @@ def _compared(
         answer = _at_the_end(q, relation, last, end, statement, decided, said, lemma)
         if answer is not None or last != ZERO:
             return answer
-        ask.found += _parts(q.value, ask)
-        if ask.missing:
+        if q.value != ZERO and not ask.holds(q.value, "==", ZERO, end.given):
             return None
     answer = ask.ask(q.dh, relation, q.dk, end.given, end.path)
     how = "difference" if q.discrete else "derivative"
-    parts = tuple(ask.found)
     if answer:
-        constant, where = (answer.constant, answer.region) if last == ZERO else (None, None)
+        constant, where = None, None
+        if last == ZERO and answer.region is not None and end.given == Given():
+            region = Given.parse(answer.region)
+            if any(ask.holds(q.dk, relation, ZERO, region) for relation in "<>"):
+                constant, where = answer.constant, answer.region
         verdict = worst([answer, Answer(ask.verdict, "")]).verdict
         why = f"{said}: the {how} of the left side, {q.dh}, is {relation}({q.dk}); {answer.why}"
         plain = not q.discrete and relation == "O"
@@ -282,7 +296,7 @@ def _compared(
             constant=constant if plain else None,
             region=where if plain else None,
             lemma=lemma,
-            obligations=parts,
+            obligations=tuple(ask.found),
         )
     ratio = end.limit(q.dh / q.dk)
     if ratio is None:
@@ -293,16 +307,8 @@ def _compared(
     if not fails or answer.verdict is not Verdict.REFUTED:
         return None
     why = f"{said}: the ratio of the {how}s tends to {ratio}, and so does that of the two sides"
-    return Answer(
-        Verdict.REFUTED, why, witness=answer.witness, lemma=lemma, obligations=parts
-    )
-
-
-def _parts(value: Expr, ask: Obligations) -> list[object]:
-    """Ask that the left side tends to 0."""
-    if value != ZERO:
-        ask.ask(value, "==", ZERO, ask.statement.given)
-    return []
+    found = tuple(ask.found)
+    return Answer(Verdict.REFUTED, why, witness=answer.witness, lemma=lemma, obligations=found)
 
 
 def _at_the_end(
@@ -326,7 +332,9 @@ def _at_the_end(
             return None
         why = f"{said}: the left side, divided by its factor, tends to {q.value}, which is not 0"
         why += f", and the right side to 0; {away.why}"
-        return Answer(Verdict.REFUTED, why, witness={}, lemma=lemma, obligations=tuple(ask.found))
+        return Answer(
+            Verdict.REFUTED, why, witness=_somewhere(end), lemma=lemma, obligations=tuple(ask.found)
+        )
     if relation == "O":
         why = f"{said}: both sides tend to constants, {q.value} and {last}"
         return Answer(Verdict.PROVED, why, lemma=lemma)
@@ -336,7 +344,7 @@ def _at_the_end(
         return Answer(zero.verdict, why, lemma=lemma, obligations=tuple(ask.found))
     if zero.verdict is Verdict.REFUTED and not symbols(q.value) - {"oo"}:
         why = f"{said}: the left side tends to {q.value}, which is not 0; {zero.why}"
-        return Answer(Verdict.REFUTED, why, witness={}, lemma=lemma)
+        return Answer(Verdict.REFUTED, why, witness=_somewhere(end), lemma=lemma)
     return None
 
 
@@ -347,4 +355,8 @@ def _keeps_sign(e: Expr, end: End) -> bool:
     return bool(leading_sign(e, end.name, end.point, end.side, end.given))
 
 
-_ = LEAVES
+def _somewhere(end: End) -> dict[str, str]:
+    """Return a point of the path, at which nothing special happens."""
+    if end.point is None:
+        return {end.name: str(10 * end.side)}
+    return {end.name: str(end.point + number(fmpq(end.side, 10)))}

@@ -9,6 +9,7 @@ from flint import arb
 
 from tresym.asymptotics.numerical_evidence import Ray, contradicts
 from tresym.asymptotics.refutation_check import parameters
+from tresym.checking.original_values import against, has_numbers
 from tresym.reals.cross_check import conditions, contradiction, program, said, where
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.readable_witnesses import tidied
@@ -50,6 +51,8 @@ def attack(
         anywhere: whether bases of powers need not be positive where an exponent is a variable.
     """
     functions, derivatives = comparison.differentiated, comparison.derivatives
+    if statement.path is not None and has_numbers(comparison.left, comparison.right):
+        return _attack_original(comparison, statement, statement.path, answer)
     if any(map(is_infinite, outermost(comparison.left, comparison.right))):
         return None  # what was put in for it was attacked itself
     if any(node.op == "root" for node in outermost(comparison.left, comparison.right)):
@@ -113,6 +116,21 @@ def _attack_order(claim: Comparison, statement: Statement, answer: Answer) -> st
                     f"at {where([path.name], [x])} its sides are {sides}, which "
                     "violates the bound with the constant C"
                 )
+    return None
+
+
+def _attack_original(
+    claim: Comparison, statement: Statement, path: Path, answer: Answer
+) -> str | None:
+    """Where quadrature and summation contradict a claim about integrals or sums, in words."""
+    bound = reach = None
+    if answer.constant is not None and answer.region is not None:
+        bound = arb(parse_number(answer.constant.mid)) + arb(parse_number(answer.constant.rad))
+        reach = arb(parse_number(answer.region.split()[-1]))
+    for at in islice(_assignments(claim, statement), ASSIGNMENTS):
+        found = against(claim, path, at, bound, reach)
+        if found:
+            return found
     return None
 
 
