@@ -58,6 +58,16 @@ def test_a_derivative_is_that_of_the_definition() -> None:
     assert verdicts("a real\nu := a**2\nd: diff(u, a) == 0 expect refuted\n")["d"] == "REFUTED"
 
 
+def test_a_derivative_at_a_point_is_taken_before_the_value_is_put_in() -> None:
+    """The sign function has no derivative at 0, where the formal one has the value 0."""
+    text = "x real\nf(t) := sign(t)\njump: diff(f(x), x) == 0 at x == 0\n"
+    text += "smooth: diff(x**2, x) == 6 at x == 3\nconstant: diff(x**2, x) == 0 at x == 3\n"
+    found = verdicts(text)
+    assert found["jump"] == "UNDECIDED"
+    assert found["smooth"] == "PROVED"
+    assert found["constant"] == "REFUTED"
+
+
 def test_values_must_satisfy_the_declared_conditions() -> None:
     text = "e real; given 0 <= e < 1\ninside: e < 3/4 at e == 1/2\noutside: e > 1 at e == 2\n"
     assert verdicts(text) == {"inside": "ENCLOSED", "outside": "UNDECIDED"}

@@ -227,19 +227,13 @@ def _pictures(
 
     from tresym.report.pages import own_tables
     from tresym.report.pages.own_paper import Pictures
-    from tresym.report.pages.tables import written
 
     if style == "jupyter":
         return Pictures()
-    form = "latex" if style == "article" else "markdown"
-    tables: dict[int, str] = {}
-    for drawn in paper.drawn("table"):
-        show_progress(f"table of {drawn.label}")
-        try:
-            tables[drawn.line] = written(own_tables.error_table(paper, drawn), form)
-        except InputError as error:
-            print(f"{paper.name}:{drawn.line}:1: {error}", file=sys.stderr)
+    show_progress("tables")
+    tables, errors = own_tables.all_tables(paper, style)
     show_progress("")
+    print("".join(f"{line}\n" for line in errors), end="", file=sys.stderr)
     if wanted and find_spec("matplotlib") is None:
         raise InputError("derive: charts need matplotlib (pip install 'tresym[docs]')")
     if target is None or wanted is False or find_spec("matplotlib") is None:

@@ -43,6 +43,7 @@ from tresym.papers.definitions import (
 )
 from tresym.reals.decisions.claim_parsing import read, read_as, read_path
 from tresym.reals.decisions.statement import chained, functions
+from tresym.reals.language.binders import outermost
 from tresym.reals.language.calls import INFINITY, INTEGERS, KNOWN
 from tresym.reals.language.expression import (
     DOTS,
@@ -701,7 +702,10 @@ def _connected(
 def _put_in(
     links: tuple[Compared, ...], given: tuple[Compared, ...], values: Mapping[str, Expr]
 ) -> tuple[tuple[Compared, ...], tuple[Compared, ...], tuple[Compared, ...]]:
-    """Put values in for variables; return also the conditions that have no variables then."""
+    """Put values in for variables; return also the conditions that have no variables then.
+
+    A derivative is taken before its variable gets a value: the value is then a condition.
+    """
     if not values:
         return links, given, ()
 
@@ -710,7 +714,11 @@ def _put_in(
 
     changed = tuple(map(put, given))
     must = tuple(link for link in changed if not _names(link))
-    return tuple(map(put, links)), tuple(link for link in changed if _names(link)), must
+    left = tuple(link for link in changed if _names(link))
+    nodes = (node for link in links for node in outermost(link[0], link[2]))
+    if any(node.op in ("derivative", "nth") for node in nodes):
+        return links, (*given, *((symbol(name), "==", x) for name, x in values.items())), must
+    return tuple(map(put, links)), left, must
 
 
 def _drawn(line: int, kind: str, label: str, text: str) -> Drawn:

@@ -17,7 +17,9 @@ from sphinx.errors import ExtensionError
 from sphinx.util.docutils import SphinxDirective
 from sphinx.writers.html5 import HTML5Translator
 
+from tresym.reals.numbers.exact import InputError
 from tresym.report.charts import CHARTS
+from tresym.report.pages import opened
 from tresym.report.typesetting.formulas import Piece, pieces
 from tresym.site import claims, commands, docstrings, mathematics
 from tresym.site.markdown import statement, titled
@@ -225,6 +227,25 @@ class RunDirective(SphinxDirective):
         return [nodes.literal_block(text, text, language="console")]
 
 
+class PaperDirective(SphinxDirective):
+    """The directive ``{paper} FILE.tresym``: the document of a file of claims, without charts."""
+
+    required_arguments = 1
+
+    def run(self) -> list[nodes.Node]:
+        """Return the document in a frame, its headings in bold."""
+        path = Path(self.env.srcdir) / self.arguments[0]
+        self.env.note_dependency(str(path))
+        try:
+            text = opened.open(path).derive(style="markdown")
+        except InputError as error:
+            raise self.error(str(error)) from None
+        text = re.sub(r"^#+ (.*)$", r"**\1**", text, flags=re.MULTILINE)
+        box = nodes.container(classes=["claim"])
+        box += self.parse_text_to_nodes(text)
+        return [box]
+
+
 class DrawDirective(SphinxDirective):
     """The directive ``{draw} tresym figure …``: a picture, drawn while the page is built."""
 
@@ -294,6 +315,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.connect("doctree-read", set_formulas)
     app.add_directive("run", RunDirective)
     app.add_directive("draw", DrawDirective)
+    app.add_directive("paper", PaperDirective)
     app.add_directive("notebook", NotebookDirective)
     app.add_css_file("mathematics.css")
     return {"parallel_read_safe": True, "parallel_write_safe": True}

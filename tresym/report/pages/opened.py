@@ -58,7 +58,8 @@ class OpenedPaper:
             raise InputError(f"the styles are {', '.join(own_paper.STYLES)}")
         report = self.verify(*labels)
         if not labels:
-            return own_paper.document(report, style)
+            tables, _ = ({}, ()) if style == "jupyter" else own_tables.all_tables(self.paper, style)
+            return own_paper.document(report, style, own_paper.Pictures(tables))
         rows = [report[label] for label in dict.fromkeys(labels)]
         if refused := own_paper.refused(rows):
             raise InputError("; ".join(refused))

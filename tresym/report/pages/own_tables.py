@@ -10,7 +10,7 @@ from tresym.papers.error_rows import chart_points, error_rows, rounded, sides_of
 from tresym.papers.reading import Drawn, OwnPaper, PaperClaim
 from tresym.reals.decisions.claim_parsing import read_path
 from tresym.reals.numbers.exact import Decimal, InputError
-from tresym.report.pages.tables import Table
+from tresym.report.pages.tables import Table, written
 
 _RAISED = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 FEW = 4
@@ -66,6 +66,27 @@ def tables_of(paper: OwnPaper, label: str) -> list[Table]:
             "at x == 1/10, 1/100' with the variables of the claim"
         )
     return [error_table(paper, drawn) for drawn in found]
+
+
+def all_tables(paper: OwnPaper, style: str) -> tuple[dict[int, str], tuple[str, ...]]:
+    """Return the tables of a document, and a line for each that cannot be computed.
+
+    Args:
+        paper: the file.
+        style: ``article`` for LaTeX, else Markdown.
+
+    Returns:
+        The tables by their lines in the file; a line of error has the file and the line.
+    """
+    form = "latex" if style == "article" else "markdown"
+    found: dict[int, str] = {}
+    errors = []
+    for drawn in paper.drawn("table"):
+        try:
+            found[drawn.line] = written(error_table(paper, drawn), form)
+        except InputError as error:
+            errors.append(f"{paper.name}:{drawn.line}:1: {error}")
+    return found, tuple(errors)
 
 
 def chart(paper: OwnPaper, label: str, kind: str = "svg") -> bytes:
