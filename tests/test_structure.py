@@ -17,6 +17,7 @@ LAYERS = (
     ("asymptotics",),
     ("checking",),
     ("repair",),
+    ("accuracy",),
     ("racket", "output", "ledger", "release"),
     ("papers",),
     ("sweep", "proofs", "coq", "manuscript"),

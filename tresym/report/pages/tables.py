@@ -1,46 +1,20 @@
-"""Tables of certified numbers as text, Markdown or LaTeX.
+"""The certified tables of the racket, by name.
 
-A table is a value: a caption, column heads and rows of text. Every digit in it is proved by a ball
-(an interval given by midpoint and radius).
+Every digit in them is proved by a ball (an interval given by midpoint and radius).
 """
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from difflib import get_close_matches
-from itertools import zip_longest
-from textwrap import wrap
-from typing import NamedTuple
 
 from flint import arb, fmpq
 
+from tresym.accuracy.table import Table
+from tresym.accuracy.table import written as in_format
 from tresym.racket.body import NAMED_BODIES, Shape
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError, as_rational, fraction_text, quoted
-from tresym.report.typesetting.markdown import escaped
-
-LONGEST = 22
-"""Characters of a number in LaTeX; a longer one is cut off and ends in dots."""
-TERMINAL = 80
-"""Width of a terminal in characters."""
-HEAD = 12
-"""Characters of a column head that are kept on one line, even if its cells are narrower."""
-WIDEST = 90
-"""Characters of a row that fit a page; a wider table is set sideways in LaTeX."""
-_RAISED = str.maketrans("0123456789-+", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺")
-_NUMBER = re.compile(r"([-+]?\d+(?:\.\d+)?)(?:e([-+]?\d+))?( %)?")
-
-
-class Table(NamedTuple):
-    """A table: a caption, the heads of the columns, and rows of text of the same length."""
-
-    caption: str
-    heads: tuple[str, ...]
-    rows: tuple[tuple[str, ...], ...]
-    name: str = ""
-    keys: int = 1
-    """The number of columns at the left that identify a row."""
 
 
 def digits_of(x: arb, digits: int) -> str:
@@ -220,104 +194,10 @@ def table(name: str) -> Table:
 
 
 def written(found: Table, form: str) -> str:
-    """Return a table as ``form``: text, markdown or latex."""
-    if form == "markdown":
-        return _markdown(found)
-    return _latex(found) if form == "latex" else _text(found)
-
-
-def _text(found: Table) -> str:
-    """Plain text; a table wider than a terminal becomes blocks that repeat the first columns."""
-    body = [*zip(*found.rows, strict=True)]
-    heads = [_lines(h, max(map(len, cells))) for h, cells in zip(found.heads, body, strict=True)]
-    widths = [max(map(len, (*h, *cells))) for h, cells in zip(heads, body, strict=True)]
-    keys = [*range(found.keys)]
-    blocks = [[*keys]]
-    for column in range(found.keys, len(widths)):
-        wide = sum(widths[n] + 2 for n in (*blocks[-1], column)) - 2
-        if wide > TERMINAL and len(blocks[-1]) > len(keys):
-            blocks.append([*keys])
-        blocks[-1].append(column)
-    joined = re.sub(r" (?=[<>=≤≥+−] )|(?<= [<>=≤≥+−]) ", "\xa0", found.caption)
-    text = [line.replace("\xa0", " ") for line in wrap(joined, TERMINAL)]
-    for block in blocks:
-        above = zip_longest(*(heads[n] for n in block), fillvalue="")
-        rows = [
-            *above,
-            ["─" * widths[n] for n in block],
-            *zip(*(body[n] for n in block), strict=True),
-        ]
-        text.append("")
-        for row in rows:
-            cells = (c.ljust(widths[n]) for n, c in zip(block, row, strict=True))
-            text.append("  ".join(cells).rstrip())
-    return "\n".join([*text, ""])
-
-
-def _lines(head: str, width: int) -> list[str]:
-    """A column head, wrapped if it is wider than its cells."""
-    return wrap(head, max(width, HEAD), break_long_words=False, break_on_hyphens=False)
-
-
-def _markdown(found: Table) -> str:
-    rows = (map(_set, row) for row in found.rows)
-    lines = [found.heads, tuple("---" for _ in found.heads), *rows]
-    body = ["| " + " | ".join(row) + " |" for row in lines]
-    return "\n".join([*body, "", f"*{escaped(found.caption)}*", ""])
-
-
-def _set(text: str) -> str:
-    """A number with true minus signs and powers of ten; other text unchanged."""
-    number = _NUMBER.fullmatch(text)
-    if number is None:
-        return text
-    power = f"·10{number[2].translate(_RAISED)}" if number[2] else ""
-    return f"{number[1].replace('-', '−')}{power}{number[3] or ''}"
-
-
-def _latex(found: Table) -> str:
-    """LaTeX for a document that loads booktabs, array, graphicx, and rotating for wide tables.
-
-    A table wider than the text is shrunk to fit.
-    """
+    """Return a table as ``form``: text, markdown, latex, csv or html."""
     from tresym.report.pages.derivation import prose
 
-    def cell(text: str) -> str:
-        number = _NUMBER.fullmatch(text)
-        if number is None:
-            return prose(text)
-        digits = number[1] if len(number[1]) <= LONGEST else number[1][:LONGEST] + r"\dots"
-        power = rf"\times 10^{{{int(number[2])}}}" if number[2] else ""
-        return f"${digits}{power}${prose(number[3] or '')}"
-
-    head, *body = [" & ".join(map(cell, row)) + r" \\" for row in (found.heads, *found.rows)]
-    columns = [_column(cells) for cells in zip(found.heads, *found.rows, strict=True)]
-    kind = "sidewaystable" if sum(width for _, width in columns) > WIDEST else "table"
-    return "\n".join(
-        [
-            rf"\begin{{{kind}}}\centering\small\setlength{{\tabcolsep}}{{4pt}}",
-            rf"\caption{{{prose(found.caption)}}}\label{{tab:{found.name}}}\smallskip",
-            rf"\sbox0{{\begin{{tabular}}{{@{{}}{''.join(kind for kind, _ in columns)}@{{}}}}",
-            r"\toprule",
-            head,
-            r"\midrule",
-            *body,
-            r"\bottomrule",
-            r"\end{tabular}}%",
-            r"\ifdim\wd0>\linewidth\resizebox{\linewidth}{!}{\usebox0}\else\usebox0\fi",
-            rf"\end{{{kind}}}",
-            "",
-        ]
-    )
-
-
-def _column(cells: tuple[str, ...]) -> tuple[str, int]:
-    """The LaTeX column type and the width of a column; a head wider than its cells is wrapped."""
-    head, *body = (min(len(text), LONGEST) + 3 * ("e-" in text) for text in cells)
-    widest = max(max(body, default=0), 7)
-    if len(cells[0]) <= widest:
-        return "l", max(head, widest)
-    return rf">{{\raggedright\arraybackslash}}p{{{0.5 * widest:.1f}em}}", widest
+    return in_format(found, form, prose)
 
 
 def _short(x: fmpq) -> str:

@@ -1,0 +1,11 @@
+"""Tell how good an approximation is: certified values, error tables, sharp constants
+
+:func:`value` encloses an expression, :func:`error_table` compares an exact expression with an
+approximate one, :func:`constant` encloses the best constant of an error bound.
+"""
+
+from __future__ import annotations
+
+from tresym.accuracy.values import Value, value
+
+__all__ = ["Value", "value"]
