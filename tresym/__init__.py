@@ -21,13 +21,14 @@ import sys
 # a traceback; every import here makes that time longer.
 TYPE_CHECKING = False
 if TYPE_CHECKING:  # for editors and type checkers, which would accept any name without it
+    from tresym.accuracy.error_table import error_table
+    from tresym.accuracy.values import value
     from tresym.asymptotics.constants import constant
     from tresym.ledger.verification import verify
     from tresym.racket.body import NAMED_BODIES as bodies  # noqa: N811 - the name it is known by
     from tresym.racket.body import Body
     from tresym.racket.flip import flip_angle, flip_defect, flip_defects
     from tresym.racket.floats.flipmap import flip_map
-    from tresym.reals.decisions.root_values import value
     from tresym.reals.numbers.exact import InputError
     from tresym.reals.verdict import Verdict
     from tresym.repair import check
@@ -46,6 +47,7 @@ _HOMES = {
     "check": "tresym.repair",
     "constant": "tresym.asymptotics.constants",
     "derive": "tresym.report.pages.python_api",
+    "error_table": "tresym.accuracy.error_table",
     "figure": "tresym.report.pages.python_api",
     "flip_angle": "tresym.racket.flip",
     "flip_defect": "tresym.racket.flip",
@@ -54,7 +56,7 @@ _HOMES = {
     "open": "tresym.report.pages.opened",
     "paper": "tresym.report.pages.python_api",
     "table": "tresym.report.pages.python_api",
-    "value": "tresym.reals.decisions.root_values",
+    "value": "tresym.accuracy.values",
     "verify": "tresym.ledger.verification",
 }
 
@@ -67,6 +69,7 @@ __all__ = [
     "check",
     "constant",
     "derive",
+    "error_table",
     "figure",
     "flip_angle",
     "flip_defect",

@@ -71,7 +71,7 @@ def test_the_errors_of_a_table_are_true() -> None:
         ("table near: at x == 1/2; z == 1", "z is no variable"),
         ("table near: digits 5", "state values for x"),
         ("table sum: at x == 1/2", "of the form"),
-        ("table pole: at x == 1/2", "no value"),
+        ("table pole: at x == 1/2", "no real value"),
     ],
 )
 def test_points_that_do_not_fit(line: str, message: str) -> None:

@@ -15,7 +15,7 @@ import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from itertools import pairwise
-from typing import Any
+from typing import Any, TypeAlias
 
 from flint import arb, fmpq, fmpz
 
@@ -52,7 +52,7 @@ SMALLEST = 4
 GRID = 400
 """The number of points at which an equation without a proved root is looked at."""
 
-Exact = str | int | fmpq | Any
+Exact: TypeAlias = str | int | fmpq | Any
 
 
 @dataclass(frozen=True)
@@ -126,7 +126,7 @@ def value(text: str | Expr, digits: int = 50, **at: Exact) -> Value:
     Example:
         >>> import tresym
         >>> tresym.value("root(y - e*sin(y) - M, y, 0, pi)", digits=30, e="1/2", M=1).text
-        '1.49870113351784830699985146396'
+        '1.49870113351784831405798549726'
     """
     start = time.process_time()
     digits = whole_number(digits, 1, MAX_DIGITS, "digits")

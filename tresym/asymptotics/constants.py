@@ -24,6 +24,7 @@ from tresym.reals.decisions.statement import Path
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.expansions.leading_terms import sharp_constant
 from tresym.reals.expansions.suprema import SHORTER, Supremum
+from tresym.reals.language.binders import elementary
 from tresym.reals.language.expression import (
     Expr,
     substitute,
@@ -77,7 +78,7 @@ def constant(
     """
     f, g = (parse(e) if isinstance(e, str) else e for e in (difference, gauge))
     path = read_path(path) if isinstance(path, str) else path
-    if (symbols(f) | symbols(g)) - {path.name}:
+    if (symbols(f) | symbols(g)) - {path.name} or not elementary(f, g):
         return None
     asked = reach_of(parse_given(region), path) if region else path.reach
     found: list[tuple[int, Supremum]] = []

@@ -1,12 +1,20 @@
-"""``tresym table``: print certified tables."""
+"""``tresym table``: print certified tables, by name, of a file of claims, or of two expressions."""
 
 from __future__ import annotations
 
 import argparse
+from functools import partial
+from typing import TYPE_CHECKING
 
 from tresym.commands import claims_file
-from tresym.commands.parser import Commands, add_output, deliver
+from tresym.commands.parser import Commands, add_options, add_output, deliver, json_line
 from tresym.reals.numbers.exact import InputError
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator, Sequence
+
+    from tresym.accuracy.error_table import Cell, Question
+    from tresym.reals.language.expression import Expr
 
 TABLES = "objects, errors, constants, slope, thresholds, routes"
 
@@ -15,13 +23,36 @@ def add(commands: Commands) -> None:
     """Add `tresym table` to the command line."""
     parser = commands.add_parser(
         "table",
-        help=f"certified tables: {TABLES}",
-        description="A table of certified numbers, for the terminal, in Markdown or in LaTeX.",
+        help=f"certified tables: EXACT APPROX, or {TABLES}",
+        description="Compare an approximate expression with the exact one along a path: certified "
+        "values and errors, empirical order, verdict of the order, smallest constant. Or print a "
+        "certified table by its name, or one that a file of claims asks for.",
+        epilog="Example: tresym table 'root(y - e*sin(y) - 1, y, 0, 4)' '1 + e*sin(1)' "
+        "--as 'e -> 0+' --order 'e**2'. Exit status: 0, or 2 for bad input.",
     )
-    parser.add_argument("name", metavar="NAME | FILE.tresym", help=f"{TABLES}; a file of claims")
-    parser.add_argument("label", nargs="?", metavar="LABEL", help="a claim of the file")
     parser.add_argument(
-        "--format", choices=("text", "markdown", "latex"), default="text", help="default: text"
+        "name",
+        metavar="EXACT | NAME | FILE.tresym",
+        help=f"an expression; {TABLES}; a file of claims",
+    )
+    parser.add_argument(
+        "label", nargs="?", metavar="APPROX | LABEL", help="an expression; a claim of the file"
+    )
+    parser.add_argument("--as", dest="tends", metavar="PATH", help="x -> 0+, 0-, 0, 1/2, oo, -oo")
+    add_options(
+        parser,
+        ("--at POINTS", "exact values of the variable of the path: 1/10,1/100"),
+        ("--given CONDITIONS", "'M == 1', or an equation that defines an unknown of EXACT"),
+        ("--digits N=50", "digits of the values (50)"),
+        ("--order GAUGE", "the comparison function; guessed from the last rows if not given"),
+        ("--on REGION", "where the constant is taken: 0 < e <= 1/2"),
+        ("--scheduler ADDRESS", "the workers of a Dask scheduler, as tcp://HOST:PORT"),
+    )
+    parser.add_argument(
+        "--format",
+        choices=("text", "markdown", "latex", "csv", "html"),
+        default="text",
+        help="default: text",
     )
     add_output(parser)
 
@@ -33,7 +64,9 @@ def run(args: argparse.Namespace) -> int:
             raise InputError("table: name a claim of the file: tresym table FILE.tresym LABEL")
         return claims_file.table(args.name, args.label, args.format, args.json, args.path)
     if args.label is not None:
-        raise InputError("table: a label is for a file of claims: tresym table FILE.tresym LABEL")
+        return compare(args)
+    if args.tends is not None:
+        raise InputError("table: give two expressions: tresym table EXACT APPROX --as PATH")
     from tresym.report.pages import tables
 
     found = tables.table(args.name)
@@ -44,3 +77,69 @@ def run(args: argparse.Namespace) -> int:
         return 0
     deliver(tables.written(found, args.format), args.path)
     return 0
+
+
+def compare(args: argparse.Namespace) -> int:
+    """Print the error table of two expressions, and return the exit status."""
+    from tresym.accuracy.error_table import error_table
+
+    if args.tends is None:
+        raise InputError("table: two expressions need a path, such as --as 'x -> 0+'")
+    points = [part for part in (args.at or "").split(",") if part.strip()]
+    found = error_table(
+        args.name,
+        args.label,
+        args.tends,
+        [point.strip() for point in points],
+        args.given or "",
+        digits_of(args.digits),
+        args.order,
+        args.on or "",
+        rows=partial(cells, scheduler=args.scheduler),
+    )
+    deliver(json_line(found.as_json()) if args.json else found.written(args.format), args.path)
+    return 0
+
+
+def digits_of(text: str) -> int:
+    """Return the number of --digits.
+
+    Raises:
+        InputError: it is no integer.
+    """
+    if not (text.isascii() and text.isdecimal() and len(text) < 7):
+        raise InputError("--digits: give an integer, such as 50")
+    return int(text)
+
+
+FEW_CELLS = 16
+"""So many cells are computed in this process; more are spread over the cores."""
+
+
+def cells(
+    question: Question, points: Sequence[Expr], digits: int, scheduler: str | None = None
+) -> Iterator[Cell | InputError]:
+    """Yield the cells of a table, on all cores or by a scheduler's workers, with progress."""
+    from tresym.accuracy.cells import computed, decoded, encoded
+    from tresym.output import show_progress
+    from tresym.reals.processes import cores
+    from tresym.sweep.workers import cluster, processes
+
+    asked = (encoded(question, x, digits) for x in points)
+    if scheduler is not None:
+        with cluster(scheduler) as workers:
+            yield from _counted(map(decoded, workers.in_order(computed, asked)), len(points))
+    elif len(points) <= FEW_CELLS or cores() == 1:
+        yield from _counted((decoded(computed(each)) for each in asked), len(points))
+    else:
+        with processes(cores()) as workers:
+            yield from _counted(map(decoded, workers.in_order(computed, asked)), len(points))
+    show_progress("")
+
+
+def _counted(found: Iterable[Cell | InputError], total: int) -> Iterator[Cell | InputError]:
+    from tresym.output import show_progress
+
+    for n, one in enumerate(found, 1):
+        show_progress(f"{n} of {total} cells")
+        yield one

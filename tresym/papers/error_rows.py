@@ -13,10 +13,10 @@ from decimal import localcontext
 from itertools import product
 from typing import NamedTuple
 
+from tresym.accuracy.values import value
 from tresym.checking import check
 from tresym.papers.reading import Drawn, PaperClaim, Value
 from tresym.reals.decisions.claim_parsing import read_path
-from tresym.reals.decisions.root_values import value
 from tresym.reals.decisions.statement import chained
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import worked_out
@@ -77,8 +77,8 @@ def error_rows(claim: PaperClaim, drawn: Drawn) -> Iterator[ErrorRow]:
         try:
             yield ErrorRow(
                 tuple(Value(name, x) for name, x in values.items()),
-                value(substitute(exact, values), digits=digits),
-                value(substitute(approx, values), digits=digits),
+                value(substitute(exact, values), digits).ball,
+                value(substitute(approx, values), digits).ball,
                 _of_error(gap, values),
                 _of_error(gap / exact, values),
                 None if gauge is None else _of_error(gap / gauge, values),
@@ -95,7 +95,7 @@ ERROR_DIGITS = 8
 def _of_error(e: Expr, values: Mapping[str, Expr]) -> Decimal | None:
     """The ball of an error; None for one that cannot be told apart from 0."""
     try:
-        return value(substitute(e, values), digits=ERROR_DIGITS)
+        return value(substitute(e, values), ERROR_DIGITS).ball
     except InputError:
         return None
 

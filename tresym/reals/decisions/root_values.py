@@ -16,7 +16,7 @@ R. E. Moore, R. B. Kearfott, M. J. Cloud, *Introduction to Interval Analysis*, S
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from functools import lru_cache
 
 from flint import arb, fmpq
@@ -44,9 +44,9 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.parsing import Compared, parse
-from tresym.reals.numbers.arithmetic import ball_precision, bits, side
-from tresym.reals.numbers.exact import Decimal, InputError, as_rational, decimal_ball, rational_ends
+from tresym.reals.language.parsing import Compared
+from tresym.reals.numbers.arithmetic import ball_precision, side
+from tresym.reals.numbers.exact import rational_ends
 from tresym.reals.signs.definedness import continuous_on
 from tresym.reals.signs.interior import is_zero
 from tresym.reals.signs.sign import proof, sign
@@ -59,48 +59,6 @@ ORDERS = 5
 """Derivatives that are looked at where f vanishes at an end."""
 SPLIT = fmpq(499, 1024)
 """Where an interval is divided: not in the middle, where exact zeros lie."""
-TRIES = 5
-MAX_DIGITS = 10_000
-
-
-def value(
-    expression: Expr | str, at: Mapping[str, str | int | fmpq] | None = None, digits: int = 15
-) -> Decimal:
-    """Return the value of an expression as a ball in decimal, to any number of digits.
-
-    Args:
-        expression: an expression or its text; it may contain integrals between finite ends and
-            roots of equations, ``root(f, x, low, high)``.
-        at: the exact value of each variable.
-        digits: how many significant digits the ball proves.
-
-    Returns:
-        Midpoint and radius as decimal text; the radius is at most ``10**-digits`` times the
-        midpoint. For a value of 0 both are ``"0"`` if that is exact.
-
-    Raises:
-        InputError: the text cannot be parsed, or no value is proved to exist at this point.
-
-    Example:
-        >>> value("root(x*exp(x) - 3, x, 0, oo)", digits=20).mid
-        '1.049908894964039959988697070'
-    """
-    if not 1 <= digits <= MAX_DIGITS:
-        raise InputError(f"digits goes from 1 to {MAX_DIGITS}")
-    e = parse(expression) if isinstance(expression, str) else expression
-    point = {name: as_rational(x, name) for name, x in (at or {}).items()}
-    missing = sorted(symbols(e) - point.keys() - {INFINITY.args[0]})
-    if missing:
-        raise InputError(f"give the value of {missing[0]}")
-    wanted = bits(digits, 0)
-    for attempt in range(TRIES):
-        with ball_precision(bits(digits) + 32 * 4**attempt - 32):
-            found = enclosed(e, point)
-            if found.is_zero() or (found.is_finite() and found.rel_accuracy_bits() > wanted):
-                return decimal_ball(found, digits)
-    if found.is_finite():
-        raise InputError(f"the value could not be told apart from 0: it is {found.str(3)}")
-    raise InputError("no value was proved to exist at this point")
 
 
 def enclosed(e: Expr, at: At) -> arb:

@@ -247,7 +247,7 @@ class Growth:
                 term = Term(total, term.scale, term.fixed and other.fixed)
             found[key] = term
         kept = [t for t in found.values() if not _is_zero(t.coefficient)]
-        kept.sort(key=cmp_to_key(lambda x, y: -(x.scale * y.scale**-1).growth()))
+        kept.sort(key=cmp_to_key(_larger_first))
         if len(kept) > KEPT:
             first, last = kept[: KEPT - 1], kept[KEPT - 1]
             total = _ball(last.coefficient)
@@ -622,6 +622,10 @@ def _key(m: Scale) -> Any:
     """Return what equal scales have in common; equal balls need not be equal numbers."""
     numbers = (*(x for pair in m.exps for x in pair), m.p, m.q)
     return tuple((int(x.p), int(x.q)) if isinstance(x, fmpq) else id(x) for x in numbers)
+
+
+def _larger_first(x: Term, y: Term) -> int:
+    return -(x.scale * y.scale**-1).growth()
 
 
 def _disc(x: Any) -> acb:

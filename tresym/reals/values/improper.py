@@ -198,9 +198,9 @@ def _cuts(body: Expr, name: str, low: arb, high: arb) -> list[fmpq]:
             continue
         part = node.args[0]
         values = [rational(substitute(part, {name: number(n)})) for n in range(3)]
-        if None in values:
-            continue
         a, b, c = values
+        if a is None or b is None or c is None:
+            continue
         if b - a == c - b and b != a and part.op in ("+", "*", "symbol"):
             zero = -a / (b - a)
             if low < zero < high:

@@ -9,7 +9,7 @@ from typing import Any
 from tresym.papers.error_rows import chart_points, error_rows, rounded, sides_of
 from tresym.papers.reading import Drawn, OwnPaper, PaperClaim
 from tresym.reals.decisions.claim_parsing import read_path
-from tresym.reals.numbers.exact import Decimal, InputError
+from tresym.reals.numbers.exact import InputError
 from tresym.report.pages.tables import Table, written
 
 _RAISED = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
@@ -123,12 +123,11 @@ def chart(paper: OwnPaper, label: str, kind: str = "svg") -> bytes:
 
 
 def _float_of(x: Any, path: Any) -> float:
-    from tresym.reals.decisions.root_values import value
+    from tresym.accuracy.values import value
 
     if path is not None and path.point is not None:
         x = x - path.point
-    found: Decimal = value(x, digits=8)
-    return abs(float(found.mid))
+    return abs(float(value(x, digits=8)))
 
 
 def _drawn(
