@@ -10,6 +10,7 @@ from collections import Counter
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
+from tresym.commands.claims_file import ENDING
 from tresym.commands.parser import (
     UNEXPECTED,
     Commands,
@@ -51,6 +52,7 @@ def add(commands: Commands) -> None:
         parser,
         ("--notes FILE", "a file of directives, by display number and hash"),
         ("--html DIR", "write a page with every display as read"),
+        ("--claims FILE.tresym", "write what was read as a file of claims, for you to complete"),
         ("--marks FILE", "write marks for the margin, and tresym.sty beside them"),
         ("--suspect-ok", "do not count SUSPECT as a failure"),
     )
@@ -134,8 +136,8 @@ def _manuscripts(args: argparse.Namespace) -> tuple[list[Path], Settings]:
     papers = papers or settings.manuscripts()
     if not papers:
         raise InputError("paper: name a manuscript, or set files in tresym.toml")
-    if len(papers) > 1 and (args.notes or args.html or args.marks):
-        raise InputError("paper: --notes, --html and --marks are for one manuscript")
+    if len(papers) > 1 and (args.notes or args.html or args.marks or args.claims):
+        raise InputError("paper: --notes, --html, --claims and --marks are for one manuscript")
     return papers, settings
 
 
@@ -207,6 +209,12 @@ def _check_places(args: argparse.Namespace) -> None:
     if args.html is not None:
         make_folder(args.html)
         check_replaceable([str(Path(args.html) / "index.html")], args.force)
+    if args.claims is not None:
+        if not args.claims.endswith(ENDING):
+            raise InputError(
+                f"paper: --claims writes a file of claims: name it {args.claims}{ENDING}"
+            )
+        check_replaceable([args.claims], args.force)
     if args.marks is not None:
         check_replaceable([str(Path(args.marks).with_name("tresym.sty"))], args.force)
 
@@ -220,6 +228,10 @@ def _write_pages(args: argparse.Namespace, paper: Path, rows: list[Row]) -> None
 
     if args.html is not None:
         write_text(str(Path(args.html) / "index.html"), html.page(rows, paper.name))
+    if args.claims is not None:
+        from tresym.manuscript.claims_file import claims_text
+
+        write_text(args.claims, claims_text(rows, paper.name))
     if args.marks is not None:
         write_text(args.marks, html.marks(rows))
         write_text(str(Path(args.marks).with_name("tresym.sty")), html.STYLE)

@@ -89,7 +89,7 @@ _UNLABELLED = re.compile(r"==|<=|>=|!=|:=|~=|[≤≥≠≈]")
 _QUOTED = re.compile(r"\$[^$]*\$|`[^`]*`")
 _CLAUSE = re.compile(r"\s(given|as|at|using|expect|quoted\s+from)\s+")
 _ROUNDED = re.compile(r"[-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
-_USUAL = re.compile(r"[A-Za-z](?:_?\d+)?(?:_[A-Za-z0-9]+)?")
+_USUAL = re.compile(r"[A-Za-z](?:_?\d+)?(?:_[A-Za-z0-9]*)?")
 """Variables that need no declaration: single letters, with an index or not."""
 
 
