@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import signal
 import threading
+import time
 import warnings
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
@@ -22,9 +23,9 @@ from tresym.reals.resource_limits import BOARD_SIZE, show_stages_on
 DEATHS = 3
 """The number of processes that may die during one call before it fails."""
 
-WAIT_FACTOR, WAIT = 20.0, 30.0
-"""A call that waits for something uses no processor time. It is stopped after ``WAIT_FACTOR`` times
-its limit and ``WAIT`` seconds of wall time, which a working process needs on no usable machine."""
+WAIT, WORKED = 60.0, 0.02
+"""A call that waits for something uses no processor time, so that its limit does not end it. It is
+stopped if it has worked for less than ``WORKED`` seconds in ``WAIT`` seconds of wall time."""
 
 ORPHAN = 0.5
 """The interval in seconds at which a process looks whether its parent is alive."""
@@ -91,6 +92,14 @@ class _Child(NamedTuple):
         self.process.join()
         self.connection.close()
 
+    def worked(self) -> float | None:
+        """Return the processor time of the process, or None where that cannot be asked for."""
+        pid = self.process.pid or 0
+        try:
+            return time.clock_gettime(~pid << 3 | 2)  # as clock_getcpuclockid of Linux does
+        except OSError:
+            return None
+
     @property
     def stage(self) -> str:
         """What it does, or did last."""
@@ -152,10 +161,9 @@ class Processes(ThreadPoolExecutor):
     def _lead(self, fn: Callable[..., Any], args: Any, kwargs: Any) -> Any:
         for _ in range(self._deaths):
             child = getattr(self._mine, "child", None) or self._start()
-            wait = self._wait()
             try:
                 child.connection.send((fn, args, kwargs, self._limit))
-                in_time = child.connection.poll(wait)
+                in_time = self._answers(child)
                 value, error = child.connection.recv() if in_time else (None, None)
             except (EOFError, OSError):
                 self._lose(child)
@@ -165,17 +173,26 @@ class Processes(ThreadPoolExecutor):
                 continue
             if not in_time:
                 self._lose(child)
-                raise StoppedError(f"stopped after {wait:g} s of waiting", child.stage)
+                raise StoppedError("stopped because it did not work any more", child.stage)
             if error is not None:
                 raise error
             return value
         raise BrokenExecutor(f"{self._deaths} processes have died during one batch")
 
-    def _wait(self) -> float | None:
-        """Return the wall time in seconds after which a call is stopped."""
+    def _answers(self, child: _Child) -> bool:
+        """Wait for an answer; return False once the process does not work any more."""
         if self._limit is None or not _COUNTS_TIME:
-            return self._limit
-        return WAIT_FACTOR * self._limit + WAIT
+            return child.connection.poll(self._limit)
+        before, start = child.worked(), time.monotonic()
+        while not child.connection.poll(WAIT):
+            now = child.worked()
+            if now is None or before is None:  # no such clock: much longer than it can take
+                if time.monotonic() - start > 20 * self._limit + WAIT:
+                    return False
+            elif now - before < WORKED:
+                return False
+            before = now
+        return True
 
     def _start(self) -> _Child:
         with _lock, _unhindered():
