@@ -21,9 +21,9 @@ import sys
 # a traceback; every import here makes that time longer.
 TYPE_CHECKING = False
 if TYPE_CHECKING:  # for editors and type checkers, which would accept any name without it
+    from tresym.accuracy.constants import constant
     from tresym.accuracy.error_table import error_table
     from tresym.accuracy.values import value
-    from tresym.asymptotics.constants import constant
     from tresym.ledger.verification import verify
     from tresym.racket.body import NAMED_BODIES as bodies  # noqa: N811 - the name it is known by
     from tresym.racket.body import Body
@@ -45,7 +45,7 @@ _HOMES = {
     "Verdict": "tresym.reals.verdict",
     "bodies": "tresym.racket.body",
     "check": "tresym.repair",
-    "constant": "tresym.asymptotics.constants",
+    "constant": "tresym.accuracy.constants",
     "derive": "tresym.report.pages.python_api",
     "error_table": "tresym.accuracy.error_table",
     "figure": "tresym.report.pages.python_api",

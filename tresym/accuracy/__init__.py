@@ -6,6 +6,8 @@ approximate one, :func:`constant` encloses the best constant of an error bound.
 
 from __future__ import annotations
 
+from tresym.accuracy.constants import constant
+from tresym.accuracy.error_table import ErrorTable, error_table
 from tresym.accuracy.values import Value, value
 
-__all__ = ["Value", "value"]
+__all__ = ["ErrorTable", "Value", "constant", "error_table", "value"]

@@ -20,6 +20,7 @@ from typing import Any, NamedTuple
 from flint import arb, fmpq
 
 from tresym.accuracy import table as tables
+from tresym.accuracy.constants import constant as best_constant
 from tresym.accuracy.table import Table
 from tresym.accuracy.values import (
     MAX_DIGITS,
@@ -32,7 +33,6 @@ from tresym.accuracy.values import (
     rounded,
 )
 from tresym.asymptotics.constants import Constant
-from tresym.asymptotics.constants import constant as sharp_constant
 from tresym.checking import check
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.claim_parsing import read_path
@@ -56,6 +56,7 @@ from tresym.reals.language.unicode_input import plain
 from tresym.reals.notebook import in_one_line
 from tresym.reals.numbers.arithmetic import ball_precision, bits
 from tresym.reals.numbers.exact import Decimal, InputError, decimal_ball, whole_number
+from tresym.reals.verdict import Verdict
 
 FEW = 6
 """The digits of errors and orders that a table shows."""
@@ -568,9 +569,9 @@ def _decided(question: Question, gauge: Expr, region: str) -> tuple[Answer, Cons
     """Return the answer to the order claim, and the best constant."""
     claim = f"{question.exact} == {question.approx} + O({gauge})"
     answer = check(claim, path=str(question.path), limit=SECONDS)
-    difference = question.exact - question.approx
-    best = sharp_constant(difference, gauge, question.path, region)
-    return answer, best
+    if answer.verdict is Verdict.REFUTED:
+        return answer, None
+    return answer, best_constant(question.exact, question.approx, gauge, question.path, region)
 
 
 def _where(at: Mapping[str, str]) -> str:

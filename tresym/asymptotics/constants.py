@@ -93,6 +93,11 @@ def constant(
             return constant(f, g, replace(path, reach=one.upto))
         reach = one.upto
         found.append((side, one))
+    return as_constant(found, path, reach)
+
+
+def as_constant(found: list[tuple[int, Supremum]], path: Path, reach: fmpq) -> Constant:
+    """Return the suprema on the sides of a path as one constant."""
     side, best = max(found, key=lambda item: float(item[1].low.mid()))
     high = max((one.high for _, one in found), key=lambda x: float(x.mid()))
     where = f"as {replace(path, sides=(side,))}"

@@ -9,12 +9,14 @@ balls and the mean value theorem are too coarse.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 from flint import arb, arb_series, ctx, fmpq
 
 from tresym.reals.balls.gradient import horner
-from tresym.reals.domain.evaluation import Walker
+from tresym.reals.domain.evaluation import UndefinedError, Walker
 from tresym.reals.functions.table import TABLE
 from tresym.reals.language.expression import Expr, off_the_cut
 
@@ -59,7 +61,13 @@ class InSeries(Walker):
         return (self._apply(above, *values) if above else 1) / self._apply(below, *values)
 
 
-def taylor_value(e: Expr, name: str, x: arb, terms: int = TERMS) -> arb:
+def taylor_value(
+    e: Expr,
+    name: str,
+    x: arb,
+    terms: int = TERMS,
+    series: Callable[[dict[str, Any]], Walker] | None = None,
+) -> arb:
     """Return a ball that contains ``e`` at every value of its variable in ``x``.
 
     FLINT truncates every series at a global length, which is raised here and restored.
@@ -69,21 +77,21 @@ def taylor_value(e: Expr, name: str, x: arb, terms: int = TERMS) -> arb:
         name: its variable.
         x: a ball.
         terms: the number of Taylor coefficients before the remainder.
+        series: returns a walker that computes Taylor coefficients with these variables.
 
     Returns:
         The ball; NaN if no enclosure is found.
     """
     middle = x.mid()
+    series = series or partial(InSeries, None)
     before = ctx.cap
     ctx.cap = terms + 1
     try:
-        near, over = (
-            InSeries(None, {name: arb_series([at, 1], ctx.cap)}).value(e) for at in (middle, x)
-        )
+        near, over = (series({name: arb_series([at, 1], ctx.cap)}).value(e) for at in (middle, x))
         if min(near.prec, over.prec) <= terms:
             return arb.nan()
         return horner([near[j] for j in range(terms)], x - middle, over[terms])
-    except (ValueError, ZeroDivisionError):
+    except (ValueError, ZeroDivisionError, UndefinedError):
         return arb.nan()
     finally:
         ctx.cap = before

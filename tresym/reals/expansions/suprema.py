@@ -17,9 +17,10 @@ which it approaches as t → 0. If the range is too long for this, half of it is
 from __future__ import annotations
 
 import heapq
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
+from functools import partial
 from itertools import count
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from flint import arb, arb_series, ctx, fmpq
 
@@ -38,12 +39,28 @@ MOST = 360
 """The number of intervals on all ranges."""
 TERMS = (8, 28)
 AT_END = 40
-"""Taylor coefficients of a function that is analytic at the end."""
+"""Taylor coefficients of an explicit function that is analytic at the end."""
 SHORTER = 7
 """How often the range is halved."""
 NEAREST = fmpq(1, 2**40)
 Near = Callable[[fmpq], "tuple[arb, arb] | None"]
 """Bounds of the supremum of the ratio on 0 < t ≤ r: a lower one, and an upper one."""
+
+
+class Evaluation(NamedTuple):
+    """How expressions are evaluated: the explicit ones, or also roots and integrals.
+
+    Attributes:
+        series: returns a walker that computes Taylor coefficients with these variables.
+        value: encloses an expression.
+        at_end: the number of Taylor coefficients at the end.
+        terms: the numbers of Taylor coefficients on an interval that are tried.
+    """
+
+    series: Callable[[dict[str, Any]], Any]
+    value: Callable[[Expr, Mapping[str, arb]], arb]
+    at_end: int
+    terms: tuple[int, ...]
 
 
 class Supremum(NamedTuple):
@@ -61,8 +78,17 @@ class Supremum(NamedTuple):
     at: fmpq | None
 
 
+EXPLICIT = Evaluation(partial(InSeries, None), evaluate, AT_END, TERMS)
+
+
 def supremum(
-    f: Expr, g: Expr, order: int | None, near: Near | None, upto: fmpq, shorter: int = SHORTER
+    f: Expr,
+    g: Expr,
+    order: int | None,
+    near: Near | None,
+    upto: fmpq,
+    shorter: int = SHORTER,
+    how: Evaluation = EXPLICIT,
 ) -> Supremum | None:
     """Return the supremum of |f/g|, where f = O(g) as the variable ``T`` tends to 0 from above.
 
@@ -72,53 +98,54 @@ def supremum(
         near: bounds near 0 where f or g is not analytic there.
         upto: the longest range.
         shorter: how often the range may be halved.
+        how: how the expressions are evaluated.
     """
     ratio = f / g
     with ball_precision(PRECISION):
-        germ = None if order is None else _germ(f, g, order)
+        germ = None if order is None else _germ(f, g, order, how)
         if germ is None and near is None:
             return None
         spent = count()
         for n in range(shorter + 1):
-            found = _on(ratio, f, g, germ, near, upto / 2**n, spent)
+            found = _on(ratio, f, g, germ, near, upto / 2**n, spent, how)
             if found is not None:
                 return found
     return None
 
 
-def _germ(f: Expr, g: Expr, order: int) -> Near | None:
+def _germ(f: Expr, g: Expr, order: int, how: Evaluation) -> Near | None:
     """Return bounds of |f/g| on 0 < t ≤ r by Taylor coefficients at 0; None if f is not analytic.
 
     The coefficients of t^k for k < ``order`` are zero.
     """
-    start = [_coefficients(e, arb(0)) for e in (f, g)]
+    start = [_coefficients(e, arb(0), how) for e in (f, g)]
     if start[0] is None or start[1] is None or start[1][order].contains(0):
         return None
     limit = abs(start[0][order] / start[1][order])
 
     def bounds(reach: fmpq) -> tuple[arb, arb] | None:
-        x = arb(0).union(arb(reach))
+        x = _interval(fmpq(0), reach)
         parts = []
         for e, first in zip((f, g), start, strict=True):
-            over = _coefficients(e, x)
+            over = _coefficients(e, x, how)
             if over is None or first is None:
                 return None
-            parts.append(horner(first[order:AT_END], x, over[AT_END]))
+            parts.append(horner(first[order:-1], x, over[-1]))
         found = abs(parts[0] / parts[1])
         return (limit.lower(), found.upper()) if found.is_finite() else None
 
     return bounds
 
 
-def _coefficients(e: Expr, x: arb) -> list[arb] | None:
+def _coefficients(e: Expr, x: arb, how: Evaluation) -> list[arb] | None:
     """Return the first Taylor coefficients over a ball; None if they are not finite."""
     before = ctx.cap
-    ctx.cap = AT_END + 1
+    ctx.cap = how.at_end + 1
     try:
-        series = InSeries(None, {T: arb_series([x, 1], ctx.cap)}).value(e)
-        if series.prec <= AT_END:
+        series = how.series({T: arb_series([x, 1], ctx.cap)}).value(e)
+        if series.prec <= how.at_end:
             return None
-        found = [series[j] for j in range(AT_END + 1)]
+        found = [series[j] for j in range(how.at_end + 1)]
     except (ValueError, ZeroDivisionError, AttributeError, TypeError):
         return None
     finally:
@@ -134,6 +161,7 @@ def _on(
     near: Near | None,
     upto: fmpq,
     spent: Iterator[int],
+    how: Evaluation,
 ) -> Supremum | None:
     """Return the supremum on one range, or None if too many intervals would be needed."""
     low, at = arb(0), None
@@ -152,20 +180,21 @@ def _on(
                 low, at = found[0], None
             high = found[1]
         else:
-            high = _bound(ratio, f, g, first, last, low)
+            high = _bound(ratio, f, g, first, last, low, how)
             if not high.is_finite():
                 return last - first > last * fmpq(1, 2**8) and all(
                     add(*ends) for ends in _halves(first, last)
                 )
         for point in (last, (first + last) / 2):
-            here = abs(evaluate(ratio, {T: arb(point)})).lower()
+            here = abs(how.value(ratio, {T: arb(point)})).lower()
             if here > low:
                 low, at = here, point
         heapq.heappush(heap, (-float(high.mid()), next(order), high, first, last))
         return next(made) < PIECES and next(spent) < MOST
 
     made = count()
-    if not add(fmpq(0), upto):
+    first = _short_below(upto)
+    if not (add(fmpq(0), first) and (first == upto or add(first, upto))):
         return None
     while True:
         _, _, high, first, last = heap[0]
@@ -177,22 +206,50 @@ def _on(
             return None
 
 
+def _short_below(x: fmpq) -> fmpq:
+    """Return a binary fraction of few bits at most x and more than x/2.
+
+    The ball from 0 to it has no negative points, as the ball from 0 to 1/3 has.
+    """
+    scale = fmpq(1)
+    while x * scale < 2**8:
+        scale *= 2
+    return (x * scale).floor() / scale
+
+
+def _interval(first: fmpq, last: fmpq) -> arb:
+    """Return the ball of an interval, exact for binary fractions of few bits.
+
+    FLINT rounds the radius of a union up, by which the ball from 0 to 1 has negative points.
+    """
+    middle, radius = (first + last) / 2, (last - first) / 2
+    if any(int(x.q) & (int(x.q) - 1) for x in (middle, radius)):
+        return arb(first).union(arb(last))
+    return arb(_binary(middle), _binary(radius))
+
+
+def _binary(x: fmpq) -> tuple[int, int]:
+    return int(x.p), 1 - int(x.q).bit_length()
+
+
 def _halves(first: fmpq, last: fmpq) -> tuple[tuple[fmpq, fmpq], tuple[fmpq, fmpq]]:
     middle = (first + last) / 2
     return (first, middle), (middle, last)
 
 
-def _bound(ratio: Expr, f: Expr, g: Expr, first: fmpq, last: fmpq, low: arb) -> arb:
+def _bound(
+    ratio: Expr, f: Expr, g: Expr, first: fmpq, last: fmpq, low: arb, how: Evaluation
+) -> arb:
     """Return an upper bound of |ratio| on an interval; not finite if there is none."""
-    x = arb(first).union(arb(last))
+    x = _interval(first, last)
     best = arb("inf")
-    for terms in (0, *TERMS, -1):
+    for terms in (0, *how.terms, -1):
         if terms == 0:
-            value = evaluate(ratio, {T: x})
+            value = how.value(ratio, {T: x})
         elif terms > 0:
-            value = taylor_value(ratio, T, x, terms)
+            value = taylor_value(ratio, T, x, terms, how.series)
         else:
-            value = taylor_value(f, T, x, TERMS[-1]) / evaluate(g, {T: x})
+            value = taylor_value(f, T, x, how.terms[-1], how.series) / how.value(g, {T: x})
         if value.is_finite():
             best = best.min(abs(value).upper())
             if best <= low * MARGIN:
