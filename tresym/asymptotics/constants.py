@@ -116,14 +116,14 @@ def _short(x: arb) -> str:
 
 
 def _up(x: arb) -> str:
-    return _rounded(x, 1)
+    return rounded(x, 1)
 
 
 def _down(x: arb) -> str:
-    return _rounded(x, -1)
+    return rounded(x, -1)
 
 
-def _rounded(x: arb, side: int) -> str:
+def rounded(x: arb, side: int) -> str:
     """Return a bound in decimal with few digits, rounded to the side that keeps it one."""
     with ball_precision():
         if x.is_zero():

@@ -40,6 +40,8 @@ def checked(answer: Answer, claim: Comparison, statement: Statement) -> Answer:
     path = statement.path
     if path is None:
         raise TypeError("a claim along a path needs its path")
+    if statement.implicit:
+        return answer  # the explicit claim to which it was reduced was confirmed itself
     names = parameters(claim, statement)
     point = _exact_values(answer.witness or {})
     at = {name: point[name] for name in names if name in point}

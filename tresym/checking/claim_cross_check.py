@@ -20,6 +20,7 @@ from tresym.reals.language.expression import (
     DOTS,
     ZERO,
     Expr,
+    apply,
     instantiate,
     integer,
     number,
@@ -27,6 +28,7 @@ from tresym.reals.language.expression import (
     substitute,
     symbols,
 )
+from tresym.reals.language.parsing import parse_given
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import parse_number
 
@@ -57,6 +59,8 @@ def attack(
         return None  # what was put in for it was attacked itself
     if any(node.op == "root" for node in outermost(comparison.left, comparison.right)):
         return None  # the claim with a variable in place of the root was attacked itself
+    if statement.implicit:
+        return _attack_root(comparison, statement, answer)
     if statement.path is not None:
         against = _attack_order(comparison, statement, answer)
         return against or _attack_path(comparison, statement, statement.path)
@@ -82,6 +86,21 @@ def attack(
         if against is not None:
             return f"{against}, where {', '.join(put)} = {k}"
     return None
+
+
+def _attack_root(claim: Comparison, statement: Statement, answer: Answer) -> str | None:
+    """Where the constant certified for a root on a region is exceeded, in words.
+
+    The claim without a constant was attacked after the root was eliminated.
+    """
+    if answer.constant is None or answer.region is None or statement.path is None:
+        return None
+    high = parse_number(answer.constant.mid) + parse_number(answer.constant.rad)
+    size = apply("abs", claim.left) - number(high) * apply("abs", claim.right)
+    equations = tuple((x, "==", y) for x, y in statement.equations)
+    region = parse_given(answer.region.replace("|", ""))
+    given = (*statement.given.comparisons, *equations, *region)
+    return contradiction((size, "<=", ZERO), given, integers=statement.integers)
 
 
 def with_orders(e: Expr, put: Mapping[str, Expr]) -> Expr:

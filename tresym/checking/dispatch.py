@@ -295,6 +295,12 @@ def _roots(*claim: Any) -> Answer:
     return decide_roots(*claim)
 
 
+def _implicit(*claim: Any) -> Answer:
+    from tresym.asymptotics.roots import decide_implicit
+
+    return decide_implicit(*claim)
+
+
 def _nth_derivatives(*claim: Any) -> Answer:
     from tresym.reals.decisions.induction import decide_repeated
 
@@ -353,6 +359,11 @@ Procedure = Callable[[Comparison, Statement, Decide], Answer]
 """Decides a claim by simpler ones, which it hands to its last argument."""
 ORDER: tuple[tuple[Procedure, Callable[[_Parts], bool], str], ...] = (
     (_ellipses, lambda p: p.has_dots, "its general term must be found before it is a sum"),
+    (
+        _implicit,
+        lambda p: p.statement.implicit,
+        "an equation with the variable of the path determines a root",
+    ),
     (_roots, lambda p: "root" in p.nodes, "a root becomes a variable under its equation"),
     (
         _lemmas,

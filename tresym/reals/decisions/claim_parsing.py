@@ -474,7 +474,7 @@ def _checked(statement: Statement) -> Statement:
         raise InputError(f"{path.name} is an integer, so its path must end at oo or -oo")
     said = [*statement.given.names]
     said += [name for sides in statement.equations for e in sides for name in symbols(e)]
-    if path.name in said:
+    if path.name in said and not statement.implicit:
         raise InputError(
             f"leave out the conditions on {path.name}: the path says where the claim holds"
         )

@@ -140,6 +140,16 @@ class Statement:
         return self.text
 
     @property
+    def implicit(self) -> bool:
+        """Whether equations determine a variable as a function of that of the path."""
+        path = self.path
+        return (
+            path is not None
+            and bool(self.equations)
+            and any(path.name in symbols(e) for e in self.said)
+        )
+
+    @property
     def said(self) -> list[Expr]:
         """Both sides of every condition."""
         pairs = (*((left, right) for left, _, right in self.given.comparisons), *self.equations)
