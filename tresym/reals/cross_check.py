@@ -20,7 +20,7 @@ from math import comb, factorial
 from typing import Any, NamedTuple
 from zlib import crc32
 
-from flint import acb, arb, fmpq
+from flint import acb, acb_series, arb, fmpq
 
 from tresym.reals.language.expression import LEAVES, Expr, opened, symbols
 from tresym.reals.numbers.arithmetic import ball_precision
@@ -524,6 +524,157 @@ _BY_NAME: dict[str, Callable[..., arb]] = (
     | {"+": operator.add, "*": operator.mul, "abs": abs}
     | {"sign": _sign, "cbrt": _cbrt, "atan2": _atan2, "^": _general}
 )
+
+
+# Special functions, by other formulas than those of the provers where there are others
+
+
+def _finite(function: Callable[..., arb]) -> Callable[..., arb]:
+    """Return a function that has no value where it is not finite."""
+
+    def value(*args: arb) -> arb:
+        found = function(*args)
+        if not found.is_finite():
+            raise _UndefinedError
+        return found
+
+    return value
+
+
+def _on(holds: Callable[..., Any], function: Callable[..., arb]) -> Callable[..., arb]:
+    """Return a function that has no value where a condition is not proved."""
+
+    def value(*args: arb) -> arb:
+        if not holds(*args):
+            raise _UndefinedError
+        return function(*args)
+
+    return _finite(value)
+
+
+def _re(z: acb) -> arb:
+    found: arb = z.real
+    return found
+
+
+def _order(x: arb) -> int:
+    n = x.unique_fmpz()
+    if n is None or n < 0:
+        raise _UndefinedError
+    return int(n)
+
+
+def _bessel(kind: str) -> Callable[[arb, arb], arb]:
+    def value(nu: arb, x: arb) -> arb:
+        if not (x > 0 or (kind in "ji" and nu.is_integer())):
+            raise _UndefinedError
+        return _re(getattr(acb(x), f"bessel_{kind}")(acb(nu)))
+
+    return value
+
+
+def _agm_k(x: arb) -> arb:
+    return arb.pi() / (2 * arb.agm(arb(1), (1 - x).sqrt()))
+
+
+def _second_kind(x: arb) -> arb:
+    found = acb(x).hypgeom_2f1(acb(fmpq(-1, 2)), acb(fmpq(1, 2)), acb(1))
+    return arb.pi() / 2 * _re(found)
+
+
+def _incomplete(name: str) -> Callable[[arb, arb], arb]:
+    def value(phi: arb, m: arb) -> arb:
+        if not (abs(phi) < arb.pi() / 2 and m * phi.sin() ** 2 < 1):
+            raise _UndefinedError
+        s, c = phi.sin(), phi.cos()
+        root = 1 - m * s * s
+        first = s * _re(acb.elliptic_rf(acb(c * c), acb(root), acb(1)))
+        if name == "F":
+            return first
+        return first - m * s**3 / 3 * _re(acb.elliptic_rd(acb(c * c), acb(root), acb(1)))
+
+    return value
+
+
+def _polylogarithm(s: arb, x: arb) -> arb:
+    if x == 1 and s > 1:
+        return s.zeta()
+    if not x < 1:
+        raise _UndefinedError
+    return _re(acb(x).polylog(acb(s)))
+
+
+def _derivative_of_zeta(n: arb, x: arb) -> arb:
+    order = _order(n)
+    if x.contains(1) or order > 8:
+        raise _UndefinedError
+    return _re(acb_series([acb(x), 1], order + 1).zeta()[order]) * factorial(order)
+
+
+def _lambert(branch: int) -> Callable[[arb], arb]:
+    def value(x: arb) -> arb:
+        if not (x > -(arb(-1).exp()) and (x < 0 or not branch)):
+            raise _UndefinedError
+        return _re(acb(x).lambertw(branch))
+
+    return value
+
+
+def _positive(*args: arb) -> bool:
+    return bool(args[-1] > 0)
+
+
+_SPECIAL: dict[str, Callable[..., arb]] = {
+    "gamma": _finite(lambda x: 1 / x.rgamma()),
+    "rgamma": _finite(lambda x: x.rgamma()),
+    "loggamma": _on(_positive, lambda x: _re(acb(x).lgamma())),
+    "digamma": _finite(lambda x: _re(acb(x).digamma())),
+    "polygamma": _finite(lambda n, x: _re(acb(x).polygamma(acb(_order(n))))),
+    "uppergamma": _on(_positive, lambda s, x: _re(acb(x).gamma_upper(acb(s)))),
+    "lowergamma": _on(
+        lambda s, x: s > 0 and x > 0, lambda s, x: _re(acb(s).gamma() - acb(x).gamma_upper(acb(s)))
+    ),
+    "erf": _finite(
+        lambda x: 2 * x / arb.pi().sqrt() * (-x * x).hypgeom_1f1(arb(1) / 2, arb(3) / 2)
+    ),
+    "erfc": _finite(lambda x: _re(acb(x).erfc())),
+    "erfi": _finite(lambda x: _re(acb(0, -1) * acb(0, x).erf())),
+    "dawson": _finite(lambda x: x * (-x * x).hypgeom_1f1(arb(1), arb(3) / 2)),
+    "fresnels": _finite(lambda x: _re(acb(x).fresnel_s())),
+    "fresnelc": _finite(lambda x: _re(acb(x).fresnel_c())),
+    "expint": _on(_positive, lambda n, x: x ** (n - 1) * x.gamma_upper(1 - n)),
+    "Ei": _on(lambda x: not x.contains(0), lambda x: _re(acb(x).ei())),
+    "li": _on(lambda x: x > 0 and not x.contains(1), lambda x: _re(acb(x).li())),
+    "Si": _finite(lambda x: _re(acb(x).si())),
+    "Ci": _on(_positive, lambda x: _re(acb(x).ci())),
+    "besselj": _finite(_bessel("j")),
+    "bessely": _finite(_bessel("y")),
+    "besseli": _finite(_bessel("i")),
+    "besselk": _finite(_bessel("k")),
+    "airyai": _finite(lambda x: _re(acb(x).airy_ai())),
+    "airyaiprime": _finite(lambda x: _re(acb(x).airy_ai(derivative=1))),
+    "airybi": _finite(lambda x: _re(acb(x).airy_bi())),
+    "airybiprime": _finite(lambda x: _re(acb(x).airy_bi(derivative=1))),
+    "elliptic_k": _on(lambda x: x < 1, _agm_k),
+    "elliptic_e": _on(lambda x: x < 1, _second_kind),
+    "elliptic_f": _finite(_incomplete("F")),
+    "elliptic_e_inc": _finite(_incomplete("E")),
+    "elliptic_pi": _on(
+        lambda n, m: n < 1 and m < 1,
+        lambda n, m: _re(
+            acb.elliptic_rf(acb(0), acb(1 - m), acb(1))
+            + acb(n) / 3 * acb.elliptic_rj(acb(0), acb(1 - m), acb(1), acb(1 - n))
+        ),
+    ),
+    "zeta": _on(lambda x: not x.contains(1), lambda x: _re(acb(x).zeta())),
+    "zetaderiv": _finite(_derivative_of_zeta),
+    "polylog": _finite(_polylogarithm),
+    "lambertw": _finite(_lambert(0)),
+    "lambertwm1": _finite(_lambert(-1)),
+    "EulerGamma": lambda _: arb.const_euler(),
+    "Catalan": lambda _: arb.const_catalan(),
+}
+_BY_NAME |= _SPECIAL
 
 
 class _Field(NamedTuple):

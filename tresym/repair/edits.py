@@ -243,7 +243,8 @@ def _here(e: Expr, names: Sequence[str], indices: Sequence[str]) -> Iterator[Cha
         for other in row.confused:
             yield Change(FUNCTION, e.op, other, apply(other, *e.args))
         for other, kin in TABLE.items():
-            if kin.family == row.family and kin.arity == row.arity and other != e.op:
+            same = kin.family == row.family and kin.arity == row.arity and not kin.internal
+            if same and other != e.op:
                 yield Change(WRAPPED, e.op, other, apply(other, *e.args))
     if e.op == "+":
         yield from _terms(e)

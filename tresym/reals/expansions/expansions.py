@@ -11,23 +11,35 @@ coefficient of log(1 + v) and of atan v is at most 1/n and 1/(n (1 − s)^n), an
 
 from __future__ import annotations
 
+from functools import lru_cache
 from math import factorial
 
-from flint import arb, fmpq
+from flint import arb, arb_series, ctx, fmpq
 
+from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.expansions.scale import (
     UnresolvedError,
 )
 from tresym.reals.expansions.series_arithmetic import ORDERS, SeriesArithmetic
 from tresym.reals.expansions.truncated_series import Series, ShortError, plus
+from tresym.reals.functions.row import Function
+from tresym.reals.functions.table import TABLE
+from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     ONE,
     ZERO,
     Expr,
     apply,
+    as_expr,
     number,
     power,
+    substitute,
+    symbol,
+    symbols,
+    trees,
 )
+from tresym.reals.normal.field import ALL_THEORIES
+from tresym.reals.normal.locally_constant import equal_constants
 
 
 class Expansions(SeriesArithmetic):
@@ -141,3 +153,67 @@ class Expansions(SeriesArithmetic):
         raise UnresolvedError(
             "an absolute value of an expression that changes sign infinitely often"
         )
+
+    def special(self, e: Expr, f: Series, w: str, n: int) -> Series:
+        """Taylor's theorem for a special function, or the expansion of a factor at 0."""
+        row, parameters = TABLE[e.op], e.args[:-1]
+        c, v = self._split(f)
+        known = [_coefficient(row, parameters, c, k) for k in range(n)]
+
+        def rest(s: arb, m: int) -> arb:
+            balls = [self.scale.ball(x) for x in parameters]
+            if row.remainder is not None and c == ZERO:
+                found = row.remainder(*balls, s, m)
+            else:
+                found = _jet(row, parameters, balls, self.scale.ball(c) + arb(0, 1) * s, m)
+            if not found.is_finite():
+                raise UnresolvedError("the range is too long for an expansion")
+            return abs(found)
+
+        return self._compose(known, rest, v, w, n)
+
+
+Z = "_z"
+"""The variable by which a function is differentiated."""
+
+
+def _coefficient(row: Function, parameters: tuple[Expr, ...], c: Expr, k: int) -> Expr:
+    """The k-th Taylor coefficient of a function of the last argument at c."""
+    if c == ZERO and row.taylor is not None:
+        found = row.taylor(*parameters, k, trees)
+        if found is not None:
+            return as_expr(found)
+    if row.remainder is not None:
+        raise UnresolvedError("a factor of an expansion away from its end")
+    value = substitute(_derivative(row.name, parameters, k), {Z: c})
+    return tidied_constant(value * number(fmpq(1, factorial(k))))
+
+
+@lru_cache(maxsize=1 << 10)
+def _derivative(name: str, parameters: tuple[Expr, ...], k: int) -> Expr:
+    if k == 0:
+        return Expr(name, (*parameters, symbol(Z)))
+    return differentiate(_derivative(name, parameters, k - 1), Z)
+
+
+def tidied_constant(e: Expr) -> Expr:
+    """A coefficient, 0 if that is shown, so that it is not taken for a leading one."""
+    return ZERO if not symbols(e) and equal_constants(e, ZERO, ALL_THEORIES) else e
+
+
+def _jet(row: Function, parameters: tuple[Expr, ...], balls: list[arb], around: arb, m: int) -> arb:
+    """The m-th Taylor coefficient at all points of a ball."""
+    if row.series is not None:
+        before = ctx.cap
+        ctx.cap = m + 1
+        try:
+            at = arb_series([around, 1], m + 1)
+            found = row.series(*(arb_series([x], m + 1) for x in balls), at)
+            if found.prec > m and found[m].is_finite():
+                return arb(found[m])
+        except (ValueError, ZeroDivisionError):
+            pass
+        finally:
+            ctx.cap = before
+    value = evaluate(_derivative(row.name, parameters, m), {Z: around})
+    return value / factorial(m)

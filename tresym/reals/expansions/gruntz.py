@@ -12,16 +12,20 @@ from functools import reduce
 from flint import fmpq
 
 from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.operation_domains import analytic_of
 from tresym.reals.expansions.expansions import Expansions
 from tresym.reals.expansions.scale import Leading, Scale, T, UnresolvedError
 from tresym.reals.expansions.truncated_series import plus, quotient, times
-from tresym.reals.functions.table import TABLE
+from tresym.reals.functions.row import Function
+from tresym.reals.functions.table import SPECIAL, TABLE
 from tresym.reals.language.expression import (
     ONE,
     PI,
     ZERO,
     Expr,
     apply,
+    as_expr,
+    integer,
     multiply,
     number,
     off_the_cut,
@@ -33,6 +37,7 @@ from tresym.reals.language.expression import (
     trees,
 )
 from tresym.reals.language.like_terms import collected
+from tresym.reals.normal.special_forms import reduced, tidy
 from tresym.reals.normal.to_expression import normal_form
 
 MAX_ROUNDS = 8
@@ -98,6 +103,8 @@ class Rewritten:
         row = TABLE.get(e.op)
         if row and row.by_others:
             return self.of(row.by_others(*e.args, trees))
+        if e.op in SPECIAL:
+            return self._special(e)
         args = tuple(map(self.of, e.args))
         if e.op == "+":
             return collected(rebuild(e, args))
@@ -213,6 +220,48 @@ class Rewritten:
                 raise _FinerPhaseError(int(ratio.args[0].q))
             return ratio * symbol(f"_u{k}") + (ZERO if self.scale.is_zero(rest) else rest)
         return self.turns * self.scale.wave(u / self.turns)
+
+    # -- special functions ------------------------------------------------------------------
+
+    def _special(self, e: Expr) -> Expr:
+        """A special function: as it is where it is analytic, else by a formula of its row."""
+        row, parameters = TABLE[e.op], e.args[:-1]
+        if any(self.name in symbols(parameter) for parameter in parameters):
+            raise UnresolvedError(f"{e.op} in an argument other than the last")
+        u = self.of(e.args[-1])
+        if row.internal and row.remainder is not None:
+            return Expr(e.op, (*parameters, u))  # regular where it is used
+        end = self.expansions.limit(u)
+        if isinstance(end, int):
+            self._way(u)
+            found = self._near(row, "oo" if end > 0 else "-oo", e)
+            if found is None:
+                raise UnresolvedError(f"the behaviour of {e.op} at infinity is not known")
+            return self.of(found)
+        for place in row.near:
+            if place[0].isdigit() and self.scale.is_zero(end - number(int(place[:-1]))):
+                side = self._way(u - int(place[:-1]))
+                found = self._near(row, f"{place[:-1]}{'+' if side > 0 else '-'}", e)
+                if found is not None:
+                    return self.of(found)
+        if row.poles and row.raising and (n := integer(normal_form(end, Given()))) is not None:
+            if n <= 0:
+                self._way(u - n)
+                return self.of(tidy(as_expr(row.raising(*e.args, trees))))
+        at = Expr(e.op, (*parameters, end))
+        for part, relation in analytic_of(at):
+            side = self.scale.sign(part)
+            if side == 0 or (side < 0 and relation == ">"):
+                raise UnresolvedError(f"{e.op} is not analytic at the limit of its argument")
+        return Expr(e.op, (*parameters, u))
+
+    def _near(self, row: Function, place: str, e: Expr) -> Expr | None:
+        """The formula of a row near a place, or the function by its recurrence."""
+        formula = row.near.get(place)
+        found = formula(*e.args, trees) if formula else None
+        if found is None and (row.recurrence or row.mirror):
+            return reduced(e)
+        return None if found is None else as_expr(found)
 
     # -- functions -----------------------------------------------------------------------------
 

@@ -8,7 +8,7 @@ from typing import Any
 
 from flint import arb, fmpq
 
-from tresym.reals.domain.evaluation import evaluate
+from tresym.reals.domain.evaluation import applied, evaluate
 from tresym.reals.expansions.scale import (
     CHAIN,
     WHOLE_PERIOD,
@@ -27,6 +27,7 @@ from tresym.reals.expansions.truncated_series import (
     raised,
     times,
 )
+from tresym.reals.functions.table import SPECIAL
 from tresym.reals.language.expression import (
     ONE,
     ZERO,
@@ -124,7 +125,13 @@ class SeriesArithmetic:
             if e.args[0].op == "symbol":
                 return Series([(e.args[1], ONE)])
             return self.power(walk(e.args[0]), e.args[1].args[0], w, n)
+        if e.op in SPECIAL:
+            return self.special(e, walk(e.args[-1]), w, n)
         return getattr(self, "_" + e.op)(walk(e.args[0]), w, n)
+
+    def special(self, e: Expr, f: Series, w: str, n: int) -> Series:
+        """A special function where it is analytic, or a factor of an expansion."""
+        raise UnresolvedError(f"{e.op} is not expanded")
 
     def _cut(
         self, terms: Iterable[Term], ends: list[Expr], sizes: list[Size], w: str, n: int
@@ -444,13 +451,13 @@ class SeriesArithmetic:
         found = evaluate(e, at)
         if found.is_finite():
             return found
-        (inner,) = e.args
+        inner = e.args[-1]
         about = self.enclosure(inner)
         spread = arb(0, 1) * about.error
         argument = (about.k + spread) * (
             arb(0).union(self.largest(about.powers)) if about.powers else arb(1)
         )
-        found = getattr(argument, e.op)()
+        found = applied(e.op, *(self.scale.ball(x) for x in e.args[:-1]), argument)
         if not found.is_finite():
             raise UnresolvedError("a function is not bounded on the range")
         return found

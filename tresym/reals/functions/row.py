@@ -37,26 +37,6 @@ def method(name: str) -> Callable[..., Any]:
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class Expansion:
-    """The behaviour of a function of one argument at +∞ or −∞.
-
-    With v = 1/|x| → 0+ the function is an elementary expression in x and in *factors*. A factor is
-    a function of v with an asymptotic power series Σ a_k v^(k·step), whose coefficients are exact.
-
-    Attributes:
-        formula: maps x, the factors and the arithmetic to the value of the function.
-        factors: for each factor, a function from k to the coefficient a_k (a formula of k, further
-            arguments of the function, and the arithmetic).
-        theorem: the theorem that bounds the error, with its source.
-    """
-
-    formula: Formula
-    factors: tuple[Formula, ...]
-    theorem: str
-    step: int = 1
-
-
-@dataclass(frozen=True, eq=False, kw_only=True)
 class Function:
     """A real function of real arguments.
 
@@ -100,9 +80,28 @@ class Function:
         series: the composition with a power series in balls.
         rational_series: the composition with a power series of rational coefficients.
         double: the value in double precision.
-        rewritten: a rule that returns an equal expression in fewer functions, or None: a formula
+        positive_where: an expression; where it is positive, so is the function.
+        rewritten: a rule that returns an equal expression in simpler functions, or None: a formula
             of the arguments and the arithmetic.
-        expansions: the behaviour at ``"oo"`` and ``"-oo"``.
+        shifted: the position of the argument that recurrences move.
+        recurrence: the function by values at a lower argument, by steps of 1.
+        raising: the same by values at a higher argument.
+        base: how many neighbouring values the recurrence needs; arguments are moved to
+            [start, start + base) by recurrences.
+        start: the lower end of that interval.
+        mirror: the function by its values at the opposite side, for arguments whose leading
+            coefficient is negative.
+        poles: whether it has poles at 0, −1, −2, …, off which ``raising`` leads.
+        near: exact formulas from which the behaviour near an end is read off: at ``"oo"``,
+            ``"-oo"``, above or below a rational number (``"0+"``, ``"1-"``). They consist of
+            elementary functions, functions regular there, and factors such as ``erfc_tail``, whose
+            power series at 0 is asymptotic.
+        taylor: the k-th coefficient of the power series at 0 in the last argument, a formula of
+            the other arguments and of k.
+        remainder: for a factor, a bound of |R_n(v)|/vⁿ for 0 < v ≤ s, a function of the other
+            arguments, s and n.
+        internal: whether users cannot write the function.
+        constant: whether the function stands for a constant; its argument is 1.
         latex: the LaTeX command or text.
         reads: further LaTeX commands that denote it.
         mathml: the name in MathML, if it differs from ``name``.
@@ -152,8 +151,20 @@ class Function:
     series: Callable[[Any], Any] | None = None
     rational_series: Callable[[Any], Any] | None = None
     double: Callable[..., float] | None = None
+    positive_where: Formula | None = None
     rewritten: Formula | None = None
-    expansions: dict[str, Expansion] = field(default_factory=dict)
+    recurrence: Formula | None = None
+    raising: Formula | None = None
+    base: int = 1
+    start: int = 0
+    shifted: int = 0
+    mirror: Formula | None = None
+    poles: bool = False
+    near: dict[str, Formula] = field(default_factory=dict)
+    taylor: Formula | None = None
+    remainder: Callable[..., arb] | None = None
+    internal: bool = False
+    constant: bool = False
     latex: str = ""
     reads: tuple[str, ...] = ()
     mathml: str = ""

@@ -5,10 +5,27 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
+from tresym.reals.functions.bessel import BESSEL
 from tresym.reals.functions.elementary import ELEMENTARY
+from tresym.reals.functions.elliptic import ELLIPTIC
+from tresym.reals.functions.error import ERROR
+from tresym.reals.functions.exponential_integrals import EXPONENTIAL_INTEGRALS
+from tresym.reals.functions.gamma import GAMMA
 from tresym.reals.functions.row import Function
+from tresym.reals.functions.zeta import ZETA
 
-TABLE: dict[str, Function] = {row.name: row for row in ELEMENTARY}
+TABLE: dict[str, Function] = {
+    row.name: row
+    for row in (
+        *ELEMENTARY,
+        *GAMMA,
+        *ERROR,
+        *EXPONENTIAL_INTEGRALS,
+        *BESSEL,
+        *ELLIPTIC,
+        *ZETA,
+    )
+}
 """Every row by the name of its function."""
 
 
@@ -17,9 +34,15 @@ def names(fact: Callable[[Function], object]) -> frozenset[str]:
     return frozenset(name for name, row in TABLE.items() if fact(row))
 
 
+SPECIAL = names(lambda row: not row.theory)
+"""The functions that are not elementary."""
+CONSTANTS = names(lambda row: row.constant)
+"""Constants, which are functions of the number 1."""
+
+
 def upright(row: Function) -> str:
     """Return the name of a function as it is printed: ``arcsin`` for asin, ``ln`` for log."""
-    return row.mathml or re.sub(r"\\operatorname\{(\w+)\}|\\(\w+)", r"\1\2", row.latex)
+    return row.mathml or re.sub(r"\\operatorname\{([\w']+)\}|\\(\w+)", r"\1\2", row.latex)
 
 
 def written_after(row: Function) -> bool:

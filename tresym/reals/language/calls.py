@@ -5,13 +5,17 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
-from tresym.reals.functions.table import TABLE
+from tresym.reals.functions.table import CONSTANTS, SPECIAL, TABLE
 from tresym.reals.language.expression import (
     FUNCTIONS,
+    MINUS_ONE,
+    ONE,
+    ZERO,
     Expr,
     angle,
     apply,
     extreme,
+    number,
     sqrt,
     symbol,
     unknown,
@@ -27,9 +31,35 @@ _GUDERMANNIAN: dict[str, Callable[[Expr], Expr]] = {
     "agd": lambda x: apply("asinh", apply("tan", x)),
 }
 """Source: DLMF 4.23.39 and 4.23.41."""
+_OVERLOADED = {
+    ("elliptic_e", 2): "elliptic_e_inc",
+    ("EllipticE", 2): "elliptic_e_inc",
+    ("gamma", 2): "uppergamma",
+    ("Gamma", 2): "uppergamma",
+    ("PolyGamma", 2): "polygamma",
+    ("Psi", 2): "polygamma",
+}
+"""Names whose meaning depends on the number of arguments."""
+_SHORT: dict[tuple[str, int], Callable[..., Expr]] = {
+    ("E1", 1): lambda x: apply("expint", ONE, x),
+    ("beta", 2): lambda x, y: apply("gamma", x) * apply("gamma", y) / apply("gamma", x + y),
+    ("Beta", 2): lambda x, y: apply("gamma", x) * apply("gamma", y) / apply("gamma", x + y),
+    ("trigamma", 1): lambda x: apply("polygamma", ONE, x),
+    ("dilog", 1): lambda x: apply("polylog", number(2), 1 - x),
+    ("jv", 2): lambda n, x: apply("besselj", n, x),
+}
+"""Functions that are written by others where they are read."""
 _FOLDED = {"max": 1, "min": -1, "Max": 1, "Min": -1}
+SPECIAL_NAMES = frozenset(
+    name
+    for row in TABLE.values()
+    if row.name in SPECIAL and not row.internal and not row.constant
+    for name in (row.name, *row.aliases)
+) | {name for name, _ in _SHORT}
+"""The names of special functions. Without parentheses, such a name is a variable."""
 KNOWN = FUNCTIONS.union(
-    *(_ALIASES, _RECIPROCALS, _FOLDED, _GUDERMANNIAN, ("sqrt", "atan2", "diff", "Derivative"))
+    *(_ALIASES, _RECIPROCALS, _FOLDED, _GUDERMANNIAN, ("sqrt", "atan2", "diff", "Derivative")),
+    SPECIAL_NAMES,
 )
 """The names of functions."""
 UNKNOWN = re.compile(r"(?:[fghuvwyzFGHUVW]|phi|psi|theta|Phi|Psi)(?:_?\d)?|fn_\w+|factorial")
@@ -45,6 +75,10 @@ INFINITE = {
     for sign in ("", "+", "-")
     for name in ("oo", "inf", "infinity", "Infinity")
 }
+NAMED_CONSTANTS = {name: apply(name, ONE) for name in CONSTANTS} | {
+    "GoldenRatio": (1 + sqrt(number(5))) / 2
+}
+"""Constants that are written by name."""
 INTEGERS = symbol("ZZ")
 """The set of integers, in conditions such as ``n in ZZ``."""
 
@@ -60,7 +94,17 @@ def call(name: str, values: list[Expr]) -> Expr:
     Raises:
         InputError: the function is unknown, or the number of arguments is wrong.
     """
-    name = _ALIASES.get(name, name)
+    given = len(values)
+    if (name, given) in _SHORT:
+        return _SHORT[name, given](*values)
+    name = _OVERLOADED.get((name, given), _ALIASES.get(name, name))
+    if name == "lambertw" and given == 2 and values[1] in (ZERO, MINUS_ONE):
+        return apply("lambertwm1" if values[1] == MINUS_ONE else name, values[0])
+    if name in SPECIAL and name in SPECIAL_NAMES:
+        arity = TABLE[name].arity
+        if given != arity:
+            raise InputError(f"{name} takes {arity} argument{'s' * (arity > 1)}, {given} given")
+        return apply(name, *values)
     if name == "atan2" and len(values) == 2:
         return angle(*values)
     if name == "log" and len(values) == 2:

@@ -50,6 +50,7 @@ def differentiate(e: Expr, name: str) -> Expr:
                 done[node] = _root_derivative(node, name)
                 return done[node]
             hidden = node.op in UNWORKED and node.op != "unknown"
+            hidden = hidden or _has_no_formula(node, name)
             done[node] = _kept_derivative(node, name) if hidden else _derivative(node, walk)
         return done[node]
 
@@ -81,6 +82,17 @@ def _derivative(node: Expr, walk: Any) -> Expr | None:
     return _function_derivative(node, parts)
 
 
+def _has_no_formula(node: Expr, name: str) -> bool:
+    """Whether a function depends on ``name`` in an argument by which its derivative is not known.
+
+    Such a derivative is a node, as that of an integral.
+    """
+    if node.op not in TABLE:
+        return False
+    pairs = zip(TABLE[node.op].derivatives, node.args, strict=True)
+    return any(formula is None and name in symbols(arg) for formula, arg in pairs)
+
+
 def _function_derivative(node: Expr, parts: list[Expr | None]) -> Expr:
     """Apply the chain rule to a function of the table."""
     formulas = TABLE[node.op].derivatives
@@ -88,9 +100,8 @@ def _function_derivative(node: Expr, parts: list[Expr | None]) -> Expr:
     for n, part in enumerate(parts):
         if part is None:
             continue
-        formula = formulas[n] if n < len(formulas) else None
-        if formula is None:
-            raise InputError(f"the derivative of {node} in argument {n + 1} is not known")
+        formula = formulas[n]
+        assert formula is not None
         terms.append(multiply(formula(*node.args, trees), part))
     return add(*terms)
 

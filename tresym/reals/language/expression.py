@@ -26,7 +26,7 @@ from typing import Any, TypeAlias
 
 from flint import fmpq
 
-from tresym.reals.functions.table import TABLE, names
+from tresym.reals.functions.table import CONSTANTS, TABLE, names
 from tresym.reals.numbers.exact import InputError, exact_number, fraction_text
 
 Number: TypeAlias = int | Fraction | fmpq
@@ -520,6 +520,8 @@ def _text(e: Expr, level: int) -> str:
         return _wrap(f"{_text(e.args[0], 4)}**{_text(e.args[1], 4)}", 3, level)
     if e == E:
         return "E"
+    if e.op in CONSTANTS:
+        return e.op
     if e.op == "bound":
         return f"[{e.args[0]}]"
     if e.op in BINDERS:

@@ -38,6 +38,8 @@ from tresym.reals.language.calls import (
     INFINITY,
     INTEGERS,
     KNOWN,
+    NAMED_CONSTANTS,
+    SPECIAL_NAMES,
     UNKNOWN,
     call,
     unknown_function_error,
@@ -178,7 +180,9 @@ class _Reader:
                     raise InputError(
                         f"{name} is not a real number or variable; all values are real"
                     )
-                if name in KNOWN:
+                if name in NAMED_CONSTANTS:
+                    return NAMED_CONSTANTS[name]
+                if name in KNOWN - SPECIAL_NAMES:
                     raise InputError(about_name(name))
                 if name.startswith("__"):
                     raise InputError(f"{name} cannot be the name of a variable")

@@ -9,7 +9,7 @@ from difflib import get_close_matches
 MAX_TEXT = 300
 _OUTSIDE = frozenset(
     (
-        *("gamma", "erf", "erfc", "zeta", "beta", "conjugate", "re", "im"),
+        *("conjugate", "re", "im"),
         *("floor", "ceil", "ceiling", "mod"),
     )
 )

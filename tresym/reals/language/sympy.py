@@ -17,7 +17,7 @@ from tresym.reals.language.binders import (
     root,
     worked_out,
 )
-from tresym.reals.language.calls import KNOWN, call
+from tresym.reals.language.calls import KNOWN, NAMED_CONSTANTS, call
 from tresym.reals.language.expression import (
     MAX_DERIVATIVES,
     ORDERS,
@@ -119,6 +119,8 @@ def atoms(e: Any, kind: str) -> list[Any]:
 def _from_sympy_node(sympy: Any, node: Any, walk: Any) -> Expr:
     if node.is_Rational:
         return number(fmpq(fmpz(str(node.p)), fmpz(str(node.q))))
+    if type(node).__name__ in NAMED_CONSTANTS:
+        return NAMED_CONSTANTS[type(node).__name__]
     if node.is_Symbol:
         return symbol(node.name)
     if node is sympy.pi:

@@ -27,11 +27,12 @@ from math import prod
 from flint import arb, fmpq
 
 from tresym.reals.domain.conditions import Given
-from tresym.reals.functions.table import TABLE
+from tresym.reals.functions.table import SPECIAL, TABLE
 from tresym.reals.language.expression import UNWORKED, Expr
 from tresym.reals.normal.angles import AngleRing
 from tresym.reals.normal.ring import Fraction, UndefinedError
 from tresym.reals.normal.sign_equations import AgainError
+from tresym.reals.normal.special_forms import exponential, reduced
 from tresym.reals.numbers.factoring import TooLargeError
 
 ALL_THEORIES = frozenset({"roots", "trigonometry", "exponentials", "inverses"})
@@ -119,6 +120,10 @@ class Field(AngleRing):
             return self._power(*args)
         if op in UNWORKED or op == "bound":
             raise TooLargeError("an operation that binds a variable, which has no normal form")
+        if op in SPECIAL and (found := reduced(node)) is not None:
+            return self._walk(found)
+        if op == "exp" and (found := exponential(node)) is not None:
+            return self._walk(found)
         values = [self._walk(arg) for arg in args]
         if op == "+":
             return sum(values, self.zero)

@@ -17,7 +17,7 @@ from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.operation_domains import bound
 from tresym.reals.functions.row import Function
 from tresym.reals.functions.table import TABLE, names
-from tresym.reals.language.expression import ONE, PI, Expr, apply, number, symbols, trees
+from tresym.reals.language.expression import ONE, PI, Expr, apply, as_expr, number, symbols, trees
 from tresym.reals.normal.box import REALS, sign_on_box
 from tresym.reals.normal.ring import (
     MAX_DEGREE,
@@ -172,6 +172,9 @@ class Parts:
         least = span_sign(row.range)
         if least in ("+", "-"):
             return least
+        if row.positive_where is not None:
+            positive = self.sign(as_expr(row.positive_where(*args, trees)))
+            return "+" if positive == "+" else least
         if row.sign_of is not None:
             return self.sign(row.sign_of(*args, trees)) or least
         return self.sign(args[0]) if row.vanishes_with_argument and row.odd else least

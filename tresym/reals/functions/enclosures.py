@@ -1,0 +1,163 @@
+"""Tools for rows: sharp balls of monotone functions, jets, and factors of asymptotic expansions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from flint import acb, arb, arb_series, ctx, fmpq
+
+from tresym.reals.functions.row import Conditions, Function
+
+WIDE = arb((1, -24))
+"""The relative radius from which a ball is evaluated at its two ends."""
+NAN = arb.nan()
+ORDERS = (1, 2, 3, 5, 8, 13)
+
+Ball = Callable[[arb], arb]
+
+
+def literal(e: Any) -> fmpq | None:
+    """Return the rational number that an argument is, or None."""
+    if isinstance(e, arb):
+        n = e.unique_fmpz() if e.is_exact() else None
+        return None if n is None else fmpq(n)
+    found: fmpq | None = e.args[0] if getattr(e, "op", "") == "number" else None
+    return found
+
+
+def whole(e: Any) -> int | None:
+    """Return the integer that an argument is, or None."""
+    r = literal(e)
+    return None if r is None or r.q != 1 else int(r.p)
+
+
+def real_part(z: acb) -> arb:
+    """Return the real part of a value that is known to be real; NaN if it is not finite."""
+    found: arb = z.real
+    return found if z.is_finite() else NAN
+
+
+def is_wide(x: arb) -> bool:
+    """Whether a ball is so wide that it is better evaluated at its ends."""
+    return bool(x.rad() > WIDE * (WIDE + abs(x.mid())))
+
+
+def monotone(f: Ball) -> Ball:
+    """Return the enclosure of a function that is monotone on every interval of its domain."""
+
+    def value(x: arb) -> arb:
+        if x.is_finite() and is_wide(x):
+            found: arb = f(x.lower()).union(f(x.upper()))
+            return found if found.is_finite() else f(x)
+        return f(x)
+
+    return value
+
+
+def with_slope(f: Ball, slope: Ball) -> Ball:
+    """Return the enclosure of a function by the mean value theorem, and directly."""
+
+    def value(x: arb) -> arb:
+        rough = f(x)
+        if not (x.is_finite() and is_wide(x)):
+            return rough
+        finer: arb = f(x.mid()) + slope(x) * (x - x.mid())
+        if not finer.is_finite():
+            return rough
+        return finer.intersection(rough) if rough.is_finite() else finer
+
+    return value
+
+
+def composed(jets: Callable[[arb, int], list[arb]], s: arb_series) -> arb_series:
+    """Return f∘s from the Taylor coefficients of f at the constant term of s."""
+    n = min(ctx.cap, s.prec)
+    start = s[0]
+    found = arb_series(jets(start, n), n)
+    moved = s - start
+    return found(moved)
+
+
+def jets_of(name: str, *args: Any) -> Callable[[arb, int], list[arb]]:
+    """Return the Taylor coefficients of a function that FLINT evaluates at power series."""
+
+    def jets(x: arb, n: int) -> list[arb]:
+        before, ctx.cap = ctx.cap, n
+        try:
+            found = getattr(arb_series([x, 1], n), name)(*args)
+        finally:
+            ctx.cap = before
+        return [found[k] for k in range(n)]
+
+    return jets
+
+
+def derived(jets: Callable[[arb, int], list[arb]], times: int) -> Callable[[arb, int], list[arb]]:
+    """Return the Taylor coefficients of a derivative."""
+
+    def found(x: arb, n: int) -> list[arb]:
+        known = jets(x, n + times)
+        result = []
+        for k in range(n):
+            factor = 1
+            for j in range(times):
+                factor *= k + times - j
+            result.append(known[k + times] * factor)
+        return result
+
+    return found
+
+
+def positive(v: Any, m: Any) -> Conditions:
+    """Return the condition of a factor of an expansion: v > 0."""
+    return ((v, ">"),)
+
+
+def factor(
+    name: str,
+    coefficient: Callable[[int], fmpq],
+    exact: Ball | None,
+    remainder: Callable[[arb, int], arb] | None = None,
+    source: str = "",
+) -> Function:
+    """Return the row of a factor of an asymptotic expansion in v → 0+.
+
+    Args:
+        name: its name.
+        coefficient: the coefficient of vᵏ.
+        exact: the value for v > 0 from the function that is expanded, or None.
+        remainder: a bound of |R_n(v)|/vⁿ for 0 < v ≤ s; by default the next coefficient that is
+            not 0 times the power of s, as for an enveloping series.
+        source: the theorem that states the bound.
+    """
+
+    def bound(s: arb, n: int) -> arb:
+        if remainder is not None:
+            return remainder(s, n)
+        k = n
+        while coefficient(k) == 0:
+            k += 1
+        return abs(arb(coefficient(k))) * s ** (k - n)
+
+    def value(v: arb) -> arb:
+        found = exact(v) if exact is not None and v > 0 else NAN
+        if found.is_finite() and not is_wide(v):
+            return found
+        top = arb(v.upper())
+        if not v.lower() >= 0 and not (v.contains(0) and top > 0):
+            return NAN
+        inside = arb(0).union(top) if v.contains(0) else v
+        for n in ORDERS:
+            total = arb(0)
+            for k in reversed(range(n)):
+                total = total * inside + arb(coefficient(k))
+            finer = total + arb(0, 1) * bound(top, n) * inside**n
+            if finer.is_finite():
+                found = found.intersection(finer) if found.is_finite() else finer
+        return found
+
+    return Function(
+        name=name, family="factors of expansions", needs=positive, derivatives=(None,), ball=value,
+        taylor=lambda k, m: coefficient(k), remainder=bound, internal=True, source=source,
+    )  # fmt: skip
