@@ -63,7 +63,7 @@ def test_long_text_is_answered_briefly(text: str) -> None:
     ("name", "keyword"),
     [
         ("integrate", "integral(f, x, a, b)"),
-        ("gamma", "not supported"),
+        ("floor", "not supported"),
         ("log2", "log(x, 2)"),
         ("log_10", "log(x, 10)"),
         ("O", "right end"),

@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 from tresym.reals.domain.evaluation import Walker
+from tresym.reals.functions.table import CONSTANTS, TABLE
 from tresym.reals.language.expression import LEAVES, Expr, apply, rebuild, symbols
 from tresym.reals.language.sympy import from_sympy
 from tresym.reals.numbers.exact import InputError
@@ -90,7 +91,9 @@ class _InSympy(Walker):
     def _apply(self, name: str, *values: Any) -> Any:
         if name == "cbrt":
             return self.m.sign(values[0]) * abs(values[0]) ** self.m.Rational(1, 3)
-        return getattr(self.m, "Abs" if name == "abs" else name)(*values)
+        if name in CONSTANTS:
+            return getattr(self.m, name)
+        return getattr(self.m, TABLE[name].sympy or name)(*values)
 
 
 def _branches(sympy: Any, result: Any) -> Iterator[Any]:

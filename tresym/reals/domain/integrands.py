@@ -18,7 +18,7 @@ from tresym.reals.domain.evaluation import UndefinedError, applied, rational_pow
 from tresym.reals.functions.table import TABLE, names
 from tresym.reals.language.expression import MINUS_ONE, UNWORKED, Expr, symbols
 
-MEROMORPHIC = names(lambda row: row.entire or row.quotient)
+MEROMORPHIC = names(lambda row: row.theory and (row.entire or row.quotient))
 OFF_CUTS = {row.name: row.off_cuts for row in TABLE.values() if row.off_cuts is not None}
 """Whether a complex ball avoids the branch cuts, where they are analytic."""
 Done = Callable[..., Any]
@@ -130,6 +130,9 @@ def _holomorphic(name: str, *values: Any) -> acb:
         return acb(values[0]).log(analytic=True)
     if name == "abs":
         return acb(values[0]).real_abs(analytic=True)
+    row = TABLE.get(name)
+    if row is not None and row.holomorphic is not None:
+        return row.holomorphic(*values)
     if name in OFF_CUTS:
         z = acb(values[0])
         return getattr(z, name)() if OFF_CUTS[name](z) else acb(arb.nan())

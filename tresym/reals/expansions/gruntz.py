@@ -244,24 +244,25 @@ class Rewritten:
                 found = self._near(row, f"{place[:-1]}{'+' if side > 0 else '-'}", e)
                 if found is not None:
                     return self.of(found)
-        if row.poles and row.raising and (n := integer(normal_form(end, Given()))) is not None:
-            if n <= 0:
-                self._way(u - n)
-                return self.of(tidy(as_expr(row.raising(*e.args, trees))))
+        n = integer(normal_form(end, Given())) if row.poles and row.raising else None
+        if n is not None and n <= 0 and row.raising:
+            self._way(u - n)
+            return self.of(tidy(as_expr(row.raising(*e.args, trees))))
         at = Expr(e.op, (*parameters, end))
         for part, relation in analytic_of(at):
             side = self.scale.sign(part)
             if side == 0 or (side < 0 and relation == ">"):
-                raise UnresolvedError(f"{e.op} is not analytic at the limit of its argument")
+                found = reduced(e)
+                if found is None:
+                    raise UnresolvedError(f"{e.op} is not analytic at the limit of its argument")
+                return self.of(found)
         return Expr(e.op, (*parameters, u))
 
     def _near(self, row: Function, place: str, e: Expr) -> Expr | None:
         """The formula of a row near a place, or the function by its recurrence."""
         formula = row.near.get(place)
         found = formula(*e.args, trees) if formula else None
-        if found is None and (row.recurrence or row.mirror):
-            return reduced(e)
-        return None if found is None else as_expr(found)
+        return reduced(e) if found is None else as_expr(found)
 
     # -- functions -----------------------------------------------------------------------------
 

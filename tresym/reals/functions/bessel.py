@@ -249,9 +249,10 @@ def _bessel(kind: str, **facts: Any) -> Function:
     down, up = _recurrence(kind)
     return Function(
         name=_name(kind), family="Bessel functions", arity=2, derivatives=(None, _slope(kind)),
-        rewritten=_values(kind), recurrence=down, raising=up, base=2, latex=kind.upper(),
-        mathml=kind.upper(), mathematica=f"Bessel{kind.upper()}", maple=f"Bessel{kind.upper()}",
-        sympy=_name(kind), aliases=(f"Bessel{kind.upper()}",), **facts,
+        rewritten=_values(kind), subscripted=True, recurrence=down, raising=up, base=2,
+        latex=kind.upper(), mathml=kind.upper(), sympy=_name(kind),
+        mathematica=f"Bessel{kind.upper()}", maple=f"Bessel{kind.upper()}",
+        aliases=(f"Bessel{kind.upper()}",), **facts,
     )  # fmt: skip
 
 

@@ -15,6 +15,7 @@ from flint import acb, acb_series, arb, ctx, fmpq
 from tresym.reals.functions.enclosures import (
     NAN,
     composed,
+    is_wide,
     literal,
     monotone,
     positive,
@@ -45,8 +46,12 @@ def _e(x: arb) -> arb:
 
 
 def _k_jets(x: arb, n: int) -> list[arb]:
+    """Return Taylor coefficients; as functions of m < 1 all are positive and increase."""
     if not x < 1:
         return [NAN] * n
+    if is_wide(x):
+        ends = _k_jets(arb(x.lower()), n), _k_jets(arb(x.upper()), n)
+        return [low.union(high) for low, high in zip(*ends, strict=True)]
     before, ctx.cap = ctx.cap, n
     try:
         found = acb_series([acb(x), 1], n).elliptic_k()
@@ -56,7 +61,10 @@ def _k_jets(x: arb, n: int) -> list[arb]:
 
 
 def _e_jets(x: arb, n: int) -> list[arb]:
-    """E = (1 − m)(2m K' + K) (DLMF 19.4.1)."""
+    """E = (1 − m)(2m K' + K) (DLMF 19.4.1); all coefficients but the first fall."""
+    if is_wide(x):
+        ends = _e_jets(arb(x.lower()), n), _e_jets(arb(x.upper()), n)
+        return [low.union(high) for low, high in zip(*ends, strict=True)]
     known = _k_jets(x, n + 1)
     inner = []
     for k in range(n):  # coefficients of 2mK' + K about m = x
@@ -161,13 +169,13 @@ def _incomplete(phi: Any, x: Any, m: Any) -> Conditions:
 def _f(phi: arb, x: arb) -> arb:
     if not (1 - x * phi.sin() ** 2 > 0 and abs(phi) <= arb.pi() / 2 + arb((1, -30))):
         return NAN
-    return real_part(acb(phi).elliptic_f(acb(x)))
+    return real_part(acb.elliptic_f(acb(phi), acb(x)))
 
 
 def _e_inc(phi: arb, x: arb) -> arb:
     if not (1 - x * phi.sin() ** 2 > 0 and abs(phi) <= arb.pi() / 2 + arb((1, -30))):
         return NAN
-    return real_part(acb(phi).elliptic_e_inc(acb(x)))
+    return real_part(acb.elliptic_e_inc(acb(phi), acb(x)))
 
 
 def _root(phi: Any, x: Any, m: Any) -> Any:
@@ -175,7 +183,7 @@ def _root(phi: Any, x: Any, m: Any) -> Any:
 
 
 def _pi(n: arb, x: arb) -> arb:
-    return real_part(acb(n).elliptic_pi(acb(x))) if n < 1 and x < 1 else NAN
+    return real_part(acb.elliptic_pi(acb(n), acb(x))) if n < 1 and x < 1 else NAN
 
 
 def _pi_value(n: Any, x: Any, m: Any) -> Any:

@@ -73,9 +73,8 @@ def with_slope(f: Ball, slope: Ball) -> Ball:
 def composed(jets: Callable[[arb, int], list[arb]], s: arb_series) -> arb_series:
     """Return f∘s from the Taylor coefficients of f at the constant term of s."""
     n = min(ctx.cap, s.prec)
-    start = s[0]
-    found = arb_series(jets(start, n), n)
-    moved = s - start
+    found = arb_series(jets(s[0], n), n)
+    moved = arb_series([arb(0), *(s[k] for k in range(1, n))], n)
     return found(moved)
 
 

@@ -10,7 +10,7 @@ import math
 from math import factorial
 from typing import Any
 
-from flint import arb, fmpq
+from flint import acb, arb, fmpq
 
 from tresym.reals.functions.enclosures import NAN, factor, monotone, with_slope
 from tresym.reals.functions.row import Function
@@ -148,7 +148,7 @@ ERROR = (
         definition=r"\operatorname{erf} x = \frac{2}{\sqrt{\pi}} \int_0^x e^{-t^2}\,dt", odd=True,
         rising=True, vanishes_with_argument=True, range=Interval(fmpq(-1), fmpq(1), True, True),
         derivatives=(_gaussian(-1),), ball=monotone(lambda x: x.erf()), series=lambda s: s.erf(),
-        double=math.erf, taylor=_erf_taylor(-1), entire=True,
+        double=math.erf, holomorphic=lambda z: acb(z).erf(), taylor=_erf_taylor(-1), entire=True,
         near={"oo": lambda x, m: 1 - _erfc_far(x, m), "-oo": lambda x, m: -1 - _erfc_far(x, m)},
         latex=r"\operatorname{erf}", mathematica="Erf", maple="erf", sympy="erf", aliases=("Erf",),
         theorems=(ENVELOPING,),
@@ -160,7 +160,7 @@ ERROR = (
         range=Interval(fmpq(0), fmpq(2), True, True),
         derivatives=(lambda x, m: -_gaussian(-1)(x, m),), ball=monotone(lambda x: x.erfc()),
         series=lambda s: s.erfc(), double=math.erfc, entire=True,
-        rewritten=lambda x, m: 1 - m.erf(x), near={
+        holomorphic=lambda z: acb(z).erfc(), rewritten=lambda x, m: 1 - m.erf(x), near={
             "oo": _erfc_far, "-oo": lambda x, m: 2 + _erfc_far(x, m)},
         latex=r"\operatorname{erfc}", mathematica="Erfc", maple="erfc", sympy="erfc",
         aliases=("Erfc",), theorems=(ENVELOPING,),
@@ -172,6 +172,7 @@ ERROR = (
         definition=r"\operatorname{erfi} x = \frac{2}{\sqrt{\pi}} \int_0^x e^{t^2}\,dt",
         vanishes_with_argument=True, derivatives=(_gaussian(1),),
         ball=monotone(lambda x: x.erfi()), series=lambda s: s.erfi(), taylor=_erf_taylor(1),
+        holomorphic=lambda z: acb(z).erfi(),
         entire=True, near={
             side: lambda x, m: m.exp(x**2) / (x * m.sqrt(m.pi)) * m.erfi_tail(1 / x**2)
             for side in ("oo", "-oo")},

@@ -9,7 +9,7 @@ from __future__ import annotations
 from math import factorial
 from typing import Any
 
-from flint import arb, fmpq
+from flint import acb, arb, fmpq
 
 from tresym.reals.functions.enclosures import (
     NAN,
@@ -124,6 +124,11 @@ def _cin(x: arb) -> arb:
     return finer.intersection(rough) if rough.is_finite() else finer  # |(cos x − 1)/x| < 1
 
 
+def _cin_jets(x: arb, n: int) -> list[arb]:
+    """Return Taylor coefficients: the derivative is −∫ sin(xt) dt over [0, 1]."""
+    return [_cin(x), *(arb(0, 1) / (k * factorial(k)) for k in range(1, n))]
+
+
 def _auxiliary(which: str) -> Any:
     def exact(v: arb) -> arb:
         x = 1 / v
@@ -188,8 +193,9 @@ EXPONENTIAL_INTEGRALS = (
             "0+": lambda n, x, m: -m.EulerGamma(1) - m.log(x) - m.ein(-x)
             if literal(n) == 1 else None,
         },
-        latex=r"E", mathml="E", mathematica="ExpIntegralE", maple="Ei", sympy="expint",
-        aliases=("ExpIntegralE",), theorems=("DLMF 6.12(i): the expansion is enveloping",),
+        latex=r"E", mathml="E", subscripted=True, mathematica="ExpIntegralE", maple="Ei",
+        sympy="expint", aliases=("ExpIntegralE",),
+        theorems=("DLMF 6.12(i): the expansion is enveloping",),
         falsehoods=("expint(1, x) <= exp(-x)*log(1 + 1/x)/2 given x > 0",
                     "diff(expint(1, x), x) == exp(-x)/x"),
     ),
@@ -232,6 +238,7 @@ EXPONENTIAL_INTEGRALS = (
         range=Interval(fmpq(-13, 7), fmpq(13, 7), True, True),
         derivatives=(lambda x, m: m.sin(x) / x,), ball=with_slope(lambda x: x.si(), _sinc),
         series=lambda s: s.si(), taylor=_si_taylor, entire=True,
+        holomorphic=lambda z: acb(z).si(),
         near={"oo": _si_far(1), "-oo": _si_far(-1)}, latex=r"\operatorname{Si}",
         mathematica="SinIntegral", maple="Si", sympy="Si", aliases=("SinIntegral",),
         theorems=("DLMF 6.12(ii): the expansions of f and g are enveloping",),
@@ -253,6 +260,7 @@ EXPONENTIAL_INTEGRALS = (
         name="cin", family="exponential integrals", source="DLMF 6.6.6", internal=True, even=True,
         definition=r"\operatorname{Ci} x - \gamma - \ln x", ball=_cin, taylor=_cin_taylor,
         derivatives=(lambda x, m: (m.cos(x) - 1) / x,), entire=True,
+        series=lambda s: composed(_cin_jets, s),
     ),
     factor("si_tail", _f_coefficient, _auxiliary("f"), source="DLMF 6.12.3"),
     factor("ci_tail", _g_coefficient, _auxiliary("g"), source="DLMF 6.12.4"),

@@ -231,7 +231,8 @@ GAMMA = (
     Function(
         name="gamma", family="gamma", definition=r"\Gamma(x) = \int_0^\infty t^{x-1} e^{-t}\,dt",
         source="DLMF 5.2.1", needs=no_pole, derivatives=(lambda x, m: m.gamma(x) * m.digamma(x),),
-        ball=_gamma, series=lambda s: s.gamma(), double=math.gamma, positive_where=lambda x, m: x,
+        ball=_gamma, series=lambda s: s.gamma(), double=math.gamma,
+        holomorphic=lambda z: acb(z).gamma(), positive_where=lambda x, m: x,
         rewritten=_gamma_value, recurrence=lambda x, m: (x - 1) * m.gamma(x - 1),
         raising=lambda x, m: m.gamma(x + 1) / x,
         mirror=lambda x, m: m.pi / (m.sin(m.pi * x) * m.gamma(1 - x)),

@@ -77,6 +77,7 @@ class Function:
         off_cuts: whether a complex ball avoids the branch cuts, off which it is analytic.
         power_series: the general term of its power series at 0, in ``y`` and ``k``.
         ball: the value in balls; not finite where it is not proved to exist.
+        holomorphic: the value in complex balls, not finite unless holomorphic there.
         series: the composition with a power series in balls.
         rational_series: the composition with a power series of rational coefficients.
         double: the value in double precision.
@@ -103,6 +104,7 @@ class Function:
         internal: whether users cannot write the function.
         constant: whether the function stands for a constant; its argument is 1.
         latex: the LaTeX command or text.
+        subscripted: whether the first argument is printed as a subscript.
         reads: further LaTeX commands that denote it.
         mathml: the name in MathML, if it differs from ``name``.
         aliases: further names in the language of claims.
@@ -148,7 +150,8 @@ class Function:
     off_cuts: Callable[[acb], bool] | None = None
     power_series: str = ""
     ball: Callable[..., arb]
-    series: Callable[[Any], Any] | None = None
+    holomorphic: Callable[..., acb] | None = None
+    series: Callable[..., Any] | None = None
     rational_series: Callable[[Any], Any] | None = None
     double: Callable[..., float] | None = None
     positive_where: Formula | None = None
@@ -166,6 +169,7 @@ class Function:
     internal: bool = False
     constant: bool = False
     latex: str = ""
+    subscripted: bool = False
     reads: tuple[str, ...] = ()
     mathml: str = ""
     aliases: tuple[str, ...] = ()

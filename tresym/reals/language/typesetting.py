@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterable, Mapping
 from html import unescape
 
-from tresym.reals.functions.table import TABLE, names, upright, written_after
+from tresym.reals.functions.table import CONSTANTS, TABLE, names, upright, written_after
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import (
     DOTS,
@@ -29,6 +29,12 @@ from tresym.reals.language.parsing import Compared
 SUM, PRODUCT, POWER, ATOM = range(4)
 """How strongly a part binds; it needs brackets where the context binds more strongly."""
 
+
+def _escaped(text: str) -> str:
+    """Return a text as a template without places."""
+    return text.replace("{", "{{").replace("}", "}}")
+
+
 LATEX: Mapping[str, str] = {
     "==": "=", "!=": r"\ne", "<=": r"\le", ">=": r"\ge", "->": r"\to", "~": r"\sim",
     "<": "<", ">": ">", "relation": "{} {} {}", "and": r",\ ", "integer": r"{} \in \mathbb{{Z}}",
@@ -44,7 +50,8 @@ LATEX: Mapping[str, str] = {
     "fraction": r"\frac{{{}}}{{{}}}", "power": "{}^{{{}}}", "sqrt": r"\sqrt{{{}}}",
     "cbrt": r"\sqrt[3]{{{}}}", "abs": r"\left|{}\right|", "function": r"\operatorname{{{}}}",
     "brackets": "({})", "tall": r"\left({}\right)", "comma": ", ", "partial": r"\partial ",
-    **{name: row.latex for name, row in TABLE.items() if written_after(row)}, "O": "O", "o": "o",
+    **{name: _escaped(row.latex) for name, row in TABLE.items() if written_after(row)},
+    "O": "O", "o": "o",
 }  # fmt: skip
 
 _ROW = "<mrow>{}</mrow>"
@@ -215,6 +222,10 @@ class _Printer:
             head = self.name(name) + self.put("prime") * sum(orders)
         else:
             head = self.put(e.op) if e.op in self.templates else self.put("function", e.op)
+            if e.op in CONSTANTS:
+                return head
+            if e.op in TABLE and TABLE[e.op].subscripted:
+                head, args = self.put("index", head, self.shown(args[0])), args[1:]
         return head + self.bracketed(self.put("comma").join(map(self.shown, args)))
 
     def binder(self, e: Expr) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from flint import arb, fmpq
 
-from tresym.reals.functions.table import TABLE
+from tresym.reals.functions.table import SPECIAL, TABLE
 from tresym.reals.normal.ring import Fraction, Generator, Poly, Ring
 
 SIGN_BITS = 256
@@ -108,7 +108,7 @@ class ValuedRing(Ring):
                 return abs(self.ball(data[0], point, known)).log()
             case "atan":
                 return self.ball(data[0], point, known).atan()
-            case "opaque" if data[0] in TABLE:
+            case "opaque" if data[0] in SPECIAL:
                 return TABLE[data[0]].ball(*(self.ball(arg, point, known) for arg in data[1:]))
             case _:
                 return arb.nan()

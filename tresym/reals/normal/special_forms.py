@@ -16,6 +16,7 @@ from flint import fmpq
 from tresym.reals.functions.row import Function
 from tresym.reals.functions.table import TABLE
 from tresym.reals.language.expression import (
+    ZERO,
     Expr,
     add,
     apply,
@@ -52,6 +53,11 @@ def reduced(e: Expr) -> Expr | None:
         if found is not None:
             return as_expr(found)
     last = args[-1]
+    if last == ZERO:
+        found = (
+            ZERO if row.vanishes_with_argument else row.taylor and row.taylor(*args[:-1], 0, trees)
+        )
+        return None if found is None or row.remainder is not None else as_expr(found)
     if _is_negative(last):
         if row.odd:
             return -apply(e.op, *args[:-1], collected(-last))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from tresym.reals.domain.conditions import Given
-from tresym.reals.functions.table import TABLE
+from tresym.reals.functions.table import SPECIAL
 from tresym.reals.language.expression import (
     LEAVES,
     PI,
@@ -77,7 +77,7 @@ def _generator(field: Field, generator: Generator) -> Expr | None:
         case "atan":
             inner = _fraction(field, data[0])
             return None if inner is None else apply("atan", inner)
-        case "opaque" if data[0] in TABLE:
+        case "opaque" if data[0] in SPECIAL:
             args = [_fraction(field, arg) for arg in data[1:]]
             return None if None in args else apply(data[0], *(arg for arg in args if arg))
     return None
