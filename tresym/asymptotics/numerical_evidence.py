@@ -129,7 +129,8 @@ def contradicts(ray: Ray) -> bool:
     if inequality and not waves:
         wrong = ((x.order, x.violation()) for x in at)
         known = list(islice(((n, size) for n, size in wrong if size is not None), 3))
-        return len(known) == 3 and follows_a_law([n for n, _ in known], [s for _, s in known])
+        orders = [arb(n) for n, _ in known]
+        return len(known) == 3 and follows_a_law(orders, [size for _, size in known])
     told = list(islice((x for x in (one.supremum() for one in at) if x is not None), 3))
     if all(x.pole for x in told[:2]):
         return bool(told[1:]) and fails(ray) is True
@@ -137,7 +138,7 @@ def contradicts(ray: Ray) -> bool:
         return False
     with ball_precision(BITS_OF_LAW):
         return follows_a_law(
-            [x.order for x in told],
+            [_place(x.order, distances) for x in told],
             [x.low for x in told],
             bounded=ray.claim.relation in BOUNDED,
             same=CONSTANT_WITH_WAVES if waves else CONSTANT,
@@ -145,7 +146,7 @@ def contradicts(ray: Ray) -> bool:
 
 
 def follows_a_law(
-    orders: list[int], sizes: list[arb], bounded: bool = False, same: arb = CONSTANT
+    orders: list[arb], sizes: list[arb], bounded: bool = False, same: arb = CONSTANT
 ) -> bool:
     """Return whether sizes at distances 2**order, the farthest first, follow a simple law.
 
@@ -161,15 +162,19 @@ def follows_a_law(
     if all(abs(far / other - 1) < same for other in (middle, near)):
         return not bounded
     logs = list(map(_binary, sizes))
-    places, further = list(map(arb, orders)), [_binary(arb(n)) for n in orders]
-    laws = [(logs, places), (logs, further)]
-    laws += [(list(map(_binary, logs)), places)] if all(size > 2 for size in logs) else []
+    laws = [(logs, orders), (logs, list(map(_binary, orders)))]
+    laws += [(list(map(_binary, logs)), orders)] if all(size > 2 for size in logs) else []
     for logs, places in laws:
         first = (logs[0] - logs[1]) / (places[0] - places[1])
         second = (logs[1] - logs[2]) / (places[1] - places[2])
         if first > LEAST_EXPONENT and abs(first - second) < SAME_EXPONENT * first:
             return True
     return False
+
+
+def _place(order: int, distances: Sequence[int]) -> arb:
+    """The binary order of the farthest point that is looked at."""
+    return _binary(arb(2) ** order * 149 / 128 + 2 * SPREAD) if distances is WHOLE else arb(order)
 
 
 def _binary(x: arb) -> arb:

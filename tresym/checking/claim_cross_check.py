@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from functools import partial
 from itertools import islice
 
 from flint import arb
@@ -10,11 +11,20 @@ from flint import arb
 from tresym.asymptotics.numerical_evidence import Ray, contradicts
 from tresym.asymptotics.refutation_check import parameters
 from tresym.checking.original_values import against, has_numbers
-from tresym.reals.cross_check import conditions, contradiction, program, said, where
+from tresym.reals.cross_check import (
+    FALSE,
+    conditions,
+    contradiction,
+    exceptional_points,
+    program,
+    said,
+    where,
+)
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.readable_witnesses import tidied
 from tresym.reals.decisions.statement import Comparison, Path, Statement, implied_integers
 from tresym.reals.language.binders import is_infinite, outermost
+from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     DOTS,
@@ -24,6 +34,7 @@ from tresym.reals.language.expression import (
     instantiate,
     integer,
     number,
+    rebuild,
     replaced,
     substitute,
     symbols,
@@ -36,6 +47,10 @@ BITS, NEAR_BITS = 512, 12_000
 ORDERS_TRIED = 4
 ASSIGNMENTS, TRIES = 5, 60
 """Values of the parameters that are attacked, and tried for that."""
+EXCEPTIONAL, SERIES_TRIED = 6, 12
+"""Exceptional values of the parameters that are attacked along a path, and in a series."""
+LENGTHS, TOO_SMALL = (24, 96, 384), arb((1, -30))
+"""Numbers of terms of partial sums, and the least difference that counts."""
 VALUES = (*map(arb, (1, -2, 0, 2, 3, -1)), arb(1) / 2, arb(5) / 3, arb(-3) / 4, arb(7))
 HALVINGS = (0, 1, 2, 3, 5, 8, 13, 21, 34, 55)
 """How often the range of an order is halved on the way to its end."""
@@ -56,7 +71,8 @@ def attack(
     if statement.path is not None and has_numbers(comparison.left, comparison.right):
         return _attack_original(comparison, statement, statement.path, answer)
     if any(map(is_infinite, outermost(comparison.left, comparison.right))):
-        return None  # what was put in for it was attacked itself
+        # what was put in for it was attacked itself, but not where a parameter is exceptional
+        return None if statement.path is not None else _attack_series(comparison, statement)
     if any(node.op == "root" for node in outermost(comparison.left, comparison.right)):
         return None  # the claim with a variable in place of the root was attacked itself
     if statement.implicit:
@@ -66,7 +82,7 @@ def attack(
         return against or _attack_path(comparison, statement, statement.path)
     claim = (comparison.left, comparison.relation, comparison.right)
     if any(DOTS.args[0] in symbols(e) for e in claim[::2]):
-        return None  # its cases were attacked themselves
+        return _attack_dots(comparison, statement)  # its coefficients were attacked themselves
     if any(node.op == "derivative" for node in outermost(*claim[::2])):
         return None  # what Leibniz's rule makes of it was attacked itself
     equations = tuple((x, "==", y) for x, y in statement.equations)
@@ -101,6 +117,67 @@ def _attack_root(claim: Comparison, statement: Statement, answer: Answer) -> str
     region = parse_given(answer.region.replace("|", ""))
     given = (*statement.given.comparisons, *equations, *region)
     return contradiction((size, "<=", ZERO), given, integers=statement.integers)
+
+
+def _exceptional(
+    comparison: Comparison, statement: Statement, moving: Iterable[str] = ()
+) -> Iterator[tuple[dict[str, arb], Comparison]]:
+    """Yield exceptional values of the parameters, and the claim with what vanishes there as 0."""
+    sides = [comparison.left, comparison.right]
+    trees = [*sides, *comparison.differentiated]
+    names = sorted(frozenset().union(*map(symbols, [*trees, *statement.said])))
+    ends = {str(INFINITY), DOTS.args[0], *moving}
+    names = [name for name in names if name not in ends]
+    equations = tuple((x, "==", y) for x, y in statement.equations)
+    integers = implied_integers([*trees, *statement.said], statement.integers)
+    given = (*statement.given.comparisons, *equations)
+    for e, _, point in exceptional_points(trees, names, given, integers, frozenset(ends)):
+        change = partial(replaced, known={e: ZERO, -e: ZERO})
+        yield dict(zip(names, point, strict=True)), comparison.mapped(change)
+
+
+def _attack_series(comparison: Comparison, statement: Statement) -> str | None:
+    """Where the sides of an equation with series keep apart at exceptional values, in words.
+
+    Partial sums converge to different values if their difference changes ever less and is much
+    larger than its last change.
+    """
+    if comparison.relation != "==":
+        return None
+    with ball_precision(BITS):
+        for at, claim in islice(_exceptional(comparison, statement), SERIES_TRIED):
+            nodes = [n for n in outermost(claim.left, claim.right) if is_infinite(n)]
+            gaps = []
+            for terms in LENGTHS:
+                cut = {
+                    node: rebuild(node, (node.args[0], node.args[1], node.args[1] + terms))
+                    for node in nodes
+                    if node.op in ("sum", "product") and node.args[1] != -INFINITY
+                }
+                sides = [replaced(e, cut) for e in (claim.left, claim.right)]
+                found = program(sides, [*at], statement.integers)([*at.values()])
+                gaps += [] if found is None else [abs(found[0] - found[1])]
+            if len(gaps) < len(LENGTHS):
+                continue
+            first, second = abs(gaps[1] - gaps[0]), abs(gaps[2] - gaps[1])
+            settles = second <= first / 2 or second < TOO_SMALL**2
+            if settles and gaps[2] > 8 * second and gaps[2] > TOO_SMALL:
+                return f"partial sums keep the sides apart at {where([*at], [*at.values()])}"
+    return None
+
+
+def _attack_dots(comparison: Comparison, statement: Statement) -> str | None:
+    """Where the sides differ whatever the dots stand for, at exceptional values, in words."""
+    with ball_precision(BITS):
+        anything = arb(0, 10**6)
+        for at, claim in islice(_exceptional(comparison, statement), SERIES_TRIED):
+            names = [*at, DOTS.args[0]]
+            values = program([claim.left, claim.right], names, statement.integers)
+            found = values([*at.values(), anything])
+            if found is not None and FALSE[claim.relation](found[0], found[1]):
+                shown = where([*at], [*at.values()])
+                return f"its sides differ at {shown}, whatever the dots stand for"
+    return None
 
 
 def with_orders(e: Expr, put: Mapping[str, Expr]) -> Expr:
@@ -163,6 +240,13 @@ def _attack_path(claim: Comparison, statement: Statement, path: Path) -> str | N
             if contradicts(Ray(claim, path, side, at, statement.integers)):
                 given = f" for {where([*at], [*at.values()])}" if at else ""
                 return f"numerical values near the end of the path contradict it{given}"
+    with ball_precision(NEAR_BITS):
+        exceptional = list(islice(_exceptional(claim, statement, (path.name,)), EXCEPTIONAL))
+    for at, there in exceptional:
+        for side in path.sides:
+            if contradicts(Ray(there, path, side, at, statement.integers)):
+                shown = where([*at], [*at.values()])
+                return f"numerical values near the end of the path contradict it for {shown}"
     return None
 
 

@@ -132,10 +132,6 @@ def _part_spoken_of(statement: Statement) -> str | None:
 def _everywhere(comparison: Comparison, statement: Statement) -> Answer:
     statement = _with_integers(comparison, statement)
     answer = _bounded(comparison, statement)
-    if answer and comparison.derivatives and statement.path is None:
-        from tresym.reals.decisions.removable_holes import at_removable_holes
-
-        answer = at_removable_holes(answer, comparison, statement, _bounded)
     if answer:
         answer = beyond_positive_bases(answer, comparison, statement, _bounded)
     if answer:
@@ -183,6 +179,10 @@ def _bounded(comparison: Comparison, statement: Statement) -> Answer:
         from tresym.checking.point_check import confirmed
 
         return confirmed(answer, comparison, statement)
+    if answer and comparison.derivatives and statement.path is None:
+        from tresym.reals.decisions.removable_holes import at_removable_holes
+
+        answer = at_removable_holes(answer, comparison, statement, _bounded)
     if not answer:
         return answer
     return _attacked(answer, comparison, statement, anywhere=False)

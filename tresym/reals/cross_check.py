@@ -4,7 +4,9 @@ This module shares only the expression trees with the provers. It defines the me
 operation again, in balls, and chooses its own points. They lie beyond the first period of
 oscillating functions, far out, near zero, just inside every end of the conditions, at different
 scales in several variables, on hyperplanes where evaluation is exact, and at pseudo-random places
-that are always the same.
+that are always the same. Before them come the exceptional places, at which proofs by formulas in
+general position fail: zeros of the arguments of sign, abs and atan2, of denominators, coefficients
+and exponents, and coinciding ends of integrals.
 
 A statement is about the points at which its conditions are proved to hold and all of its parts are
 proved to be defined. Only balls contradict it; what is not proved contradicts nothing.
@@ -22,7 +24,15 @@ from zlib import crc32
 
 from flint import acb, acb_series, arb, fmpq
 
-from tresym.reals.language.expression import LEAVES, Expr, opened, symbols
+from tresym.reals.language.expression import (
+    DOTS,
+    LEAVES,
+    ZERO,
+    Expr,
+    opened,
+    replaced,
+    symbols,
+)
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import fraction_text
 
@@ -46,6 +56,11 @@ QUADRATURE, TERMS, LONGEST_POWER, LARGEST_FACTORIAL = 600, 400, 10**5, 1000
 GRID = (-40, -9, -5, -3, -2, -1, 0, 1, 2, 3, 5, 9, 40)
 """The points between which a root of an equation is searched for."""
 HALVINGS = 90
+NEARLY = arb((1, -12))
+"""How far from a derivative its formula is at most beside a hole."""
+CRITICAL, LARGEST, STARTS, EACH = 10, 40, 8, 2
+"""How many exceptional expressions are looked at and how large they are; how many points are tried
+for each variable of one, and how many of them are used."""
 EXPONENTS = (arb(2), arb(1) / 2, arb(-1), arb(1), arb(3))
 BASES = (arb(-1), arb(-2), arb(2), arb(-1) / 2)
 POWERS = 40
@@ -118,6 +133,9 @@ def contradiction(
         return found
 
     with ball_precision(BITS):
+        against = _at_exceptional(trees, relation, names, given, integers, field, derivatives) or ""
+        if against:
+            return against
         value = program(trees, names, integers, field)
         without = field._replace(integral=lambda *_: arb(0))  # near equal ends it may diverge
         beside = program(trees, names, integers, without)
@@ -148,6 +166,186 @@ def contradiction(
             if n >= max(patience * ENOUGH, most_points // 2):
                 break
     return None
+
+
+# Exceptional places
+
+
+def critical(trees: Sequence[Expr], moving: Set[str] = frozenset()) -> list[Expr]:
+    """Return expressions at whose zeros a proof in general position may fail, the likeliest first.
+
+    Args:
+        trees: the sides and conditions of a statement.
+        moving: variables that must not occur in them, such as that of a path.
+    """
+    ranked: dict[Expr, int] = {}
+
+    def add(e: Expr, rank: int) -> None:
+        while e.op == "^" and e.args[1].op == "number":
+            e = e.args[0]
+        if e.op == "*":
+            for factor in e.args:
+                add(factor, rank)
+        elif symbols(e) and not (e.loose or e.hidden or symbols(e) & moving) and e.size <= LARGEST:
+            ranked[e] = min(rank, ranked.get(e, rank))
+
+    seen: set[Expr] = set()
+    stack = list(trees)
+    while stack:
+        e = stack.pop()
+        if e in seen or e.op in LEAVES:
+            continue
+        seen.add(e)
+        stack += [arg for arg in e.args if isinstance(arg, Expr)]
+        if e.op in ("sign", "atan2"):
+            add(e.args[0], 0)
+        elif e.op in ("abs", "cbrt"):
+            add(e.args[0], 1)
+        elif e.op == "^":
+            low = e.args[1].op != "number" or e.args[1].args[0] < 0 or e.args[1].args[0].q != 1
+            add(e.args[0], 2 if low else 3)
+            add(e.args[1], 4)
+            add(e.args[1] + 1, 5)
+        elif e.op == "*":
+            for factor in e.args:
+                add(factor, 3)
+        elif e.op in ("integral", *_BOUND) and not (e.args[1].hidden or e.args[2].hidden):
+            add(e.args[2] - e.args[1], 3)
+    ranked.pop(DOTS, None)
+    return sorted(ranked, key=lambda e: (ranked[e], e.size, str(e)))[:CRITICAL]
+
+
+def exceptional_points(
+    trees: Sequence[Expr],
+    names: Sequence[str],
+    given: Sequence[Comparison],
+    integers: Sequence[str] = (),
+    moving: Set[str] = frozenset(),
+) -> Iterator[tuple[Expr, int, Tried]]:
+    """Yield an expression, a variable and a point at which the expression is 0 by that variable.
+
+    The conditions are proved to hold there; ``trees`` must be evaluated with 0 in place of the
+    expression, since the point is a ball.
+    """
+    for e in critical([*trees, *(side for c in given for side in c[::2])], moving):
+        known = {e: ZERO, -e: ZERO}
+        there = [(replaced(x, known), r, replaced(y, known)) for x, r, y in given]
+        tried = Points(names, there, integers)
+        ranges = [_range(name, tried.bounds) for name in names]
+        sides = program([e, ZERO], names, integers)
+        for n, name in enumerate(names):
+            if name not in symbols(e) or name in tried.solved:
+                continue
+            found = 0
+            for k in range(STARTS):
+                point: Tried | None = [
+                    tried._integer(x, (k * (j + 1)) % 14)
+                    if x in integers
+                    else _coordinate(k, j, *ranges[j])
+                    for j, x in enumerate(names)
+                ]
+                if point is not None:
+                    root = _exceptional_root(sides, point, n, name in integers)
+                    point = (
+                        None
+                        if root is None
+                        else tried._moved([*point[:n], root, *point[n + 1 :]], k, n)
+                    )
+                if point is not None and tried.holds(point):
+                    found += 1
+                    yield e, n, point
+                if found == EACH:
+                    break
+
+
+def _exceptional_root(sides: Program, point: Tried, n: int, whole: bool) -> arb | None:
+    """Return a ball that holds a zero of a difference in one variable: exact if it is linear."""
+
+    def gap(x: arb) -> arb | None:
+        found = sides([*point[:n], x, *point[n + 1 :]])
+        return None if found is None else found[0] - found[1]
+
+    first, second, third = (gap(arb(k)) for k in (0, 1, 2))
+    if first is not None and second is not None and third is not None:
+        bend = third - 2 * second + first
+        if bend.contains(0) and not (second - first).contains(0):
+            root = first / (first - second)
+            value = gap(root)
+            if value is not None and value.contains(0):
+                return root if not whole or root.unique_fmpz() is not None else None
+    return _root(sides, point, n, whole)
+
+
+def _at_exceptional(
+    trees: Sequence[Expr],
+    relation: str,
+    names: Sequence[str],
+    given: Sequence[Comparison],
+    integers: Sequence[str],
+    field: _Field,
+    derivatives: Sequence[Derivative],
+) -> str | None:
+    """Return where the claim fails at an exceptional place, in words."""
+    programs: dict[Expr, Program] = {}
+    plain = program(trees, names, integers, field)
+    fixed = [name in integers for name in names]
+    by = {d[1] for d in derivatives}
+    for e, n, point in exceptional_points(trees, names, given, integers):
+        known = {e: ZERO, -e: ZERO}
+        there = [replaced(x, known) for x in trees]
+        if e not in programs:
+            programs[e] = program(there, names, integers, field)
+        found = programs[e](point)
+        if found is not None and FALSE[relation](found[0], found[1]):
+            if _is_a_limit(plain, point, fixed):
+                sides = f"its sides are {said(found[0])} and {said(found[1])}"
+                return f"at {where(names, point)} {sides}"
+        elif found is None and names[n] in by:
+            alone = [program([side], names, integers, field)(point) for side in there[:2]]
+            if _fails_at_hole(plain, alone, relation, point, n, derivatives):
+                return f"at {where(names, point)} its derivative contradicts it"
+    return None
+
+
+def _fails_at_hole(
+    value: Program,
+    alone: Sequence[list[arb] | None],
+    relation: str,
+    point: Tried,
+    n: int,
+    derivatives: Sequence[Derivative],
+) -> bool:
+    """Return whether a claim fails where the formula of a derivative has a removable hole.
+
+    The derivative is computed from difference quotients, and must agree with its formula on both
+    sides. Numbers this close are no proof, but a proof that they contradict is in doubt.
+
+    Args:
+        value: both sides, the functions and their derivatives.
+        alone: each side at the hole, None for one that is undefined there.
+        relation: the relation that is claimed.
+        point: the hole, with values for all variables.
+        n: the place of the variable of differentiation.
+        derivatives: what was differentiated.
+    """
+    steps = [sign * arb((1, -size)) for size in (20, 60) for sign in (1, -1)]
+    c, near = point[n].mid(), []
+    for step in steps:
+        found = value([*point[:n], (c + step).mid(), *point[n + 1 :]])
+        if found is None:
+            return False
+        near.append(found)
+    for k, (_, _, order, _) in enumerate(derivatives):
+        at = len(near[0]) - 2 * (len(derivatives) - k)
+        quotient = (near[2][at] - near[3][at]) / (steps[2] - steps[3])
+        slopes = [found[at + 1] for found in near]
+        if order != 1 or any(abs(slope - quotient) > NEARLY for slope in slopes):
+            return False
+    if relation != "==":
+        same = all(abs(found[0] - found[1]) < NEARLY**2 for found in near[2:])
+        return same and relation in ("<", ">", "!=")
+    left, right = (side[0] if side else near[2][k] for k, side in enumerate(alone))
+    return bool(abs(left - right) > NEARLY)
 
 
 def somewhere(
@@ -246,10 +444,18 @@ class Points:
             moved = None if free is None else self._moved(free, k)
             yield moved if moved is not None and self.holds(moved) else None
 
-    def _moved(self, point: Tried, k: int) -> Tried | None:
-        """Return the point with small integers for some coordinates, and with roots for others."""
+    def _moved(self, point: Tried, k: int, fixed: int | None = None) -> Tried | None:
+        """Return the point with small integers for some coordinates, and with roots for others.
+
+        Args:
+            point: values for all variables.
+            k: the number of the point.
+            fixed: the place of a coordinate that keeps its value.
+        """
         point = [
-            self._integer(name, (k * (j + 1) + k // 7) % 14) if name in self.integers else x
+            self._integer(name, (k * (j + 1) + k // 7) % 14)
+            if name in self.integers and j != fixed
+            else x
             for j, (name, x) in enumerate(zip(self.names, point, strict=True))
         ]
         for sides, n in self.steps:
@@ -461,6 +667,14 @@ def _to_integer(x: arb, y: arb) -> arb:
         return x ** int(n)
     size = (n * abs(x).log()).exp()
     return -size if x < 0 and n % 2 else size
+
+
+def _to_integer_in_sum(x: arb, y: arb) -> arb:
+    """The same in a sum or series, where 0**0 is 1."""
+    n = y.unique_fmpz()
+    if x.is_zero() and n is not None and n >= 0:
+        return arb(n == 0)
+    return _to_integer(x, y)
 
 
 def _integrated(
@@ -772,9 +986,17 @@ def program(
     names: Sequence[str],
     integers: Sequence[str] = (),
     field: _Field = _REAL,
+    in_sum: bool = False,
 ) -> Program:
     """Return ``trees`` as a function of a point; it returns None if some value is not proved
     defined.
+
+    Args:
+        trees: the expressions.
+        names: the variables.
+        integers: those that take only integer values.
+        field: the meaning of the operations.
+        in_sum: whether ``0**0`` is 1, as in sums and series.
     """
     here: Tried = []
     places: dict[Expr, int] = {}
@@ -794,7 +1016,7 @@ def program(
         """The body of what binds a variable, as a function of it."""
         (name,), body = opened(node, names)
         counted = (*integers, name) if node.op != "integral" else integers
-        run = program([body], [*names, name], counted, field)
+        run = program([body], [*names, name], counted, field, in_sum or node.op != "integral")
 
         def value(x: Any) -> Any:
             found = run([*here, x])
@@ -840,7 +1062,8 @@ def program(
             and symbols(args[1]) <= {*integers}
             and field is not _COMPLEX
         ):
-            return step(_to_integer, place(args[0]), place(args[1]))
+            raised = _to_integer_in_sum if in_sum else _to_integer
+            return step(raised, place(args[0]), place(args[1]))
         function = field.general if op == "^" else field.by_name.get(op, _unknown)
         if function is _unknown:
             return step(_unknown, constant(arb(0)))

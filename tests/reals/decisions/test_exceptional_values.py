@@ -45,15 +45,29 @@ def test_what_fails_at_an_exceptional_value_is_not_accepted(claim: str) -> None:
     assert not tresym.check(claim)
 
 
-@pytest.mark.parametrize("claim", [*JUMPS, *ZEROS, *HOLES])
-def test_without_the_cases_it_would_be(claim: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The jumps, the zeros of coefficients and the holes of values are excluded here alone."""
+@pytest.fixture
+def _no_cases(monkeypatch: pytest.MonkeyPatch) -> None:
     for module in (exceptional_values, induction, power_series, ellipsis_series):
         monkeypatch.setattr(module, "also_at_zeros", lambda found, *_: found)
     for module in (induction, integrals):
         monkeypatch.setattr(module, "also_at_holes", lambda found, *_: found)
+
+
+@pytest.mark.usefixtures("_no_cases")
+@pytest.mark.parametrize("claim", [*JUMPS, *ZEROS, *HOLES])
+def test_without_the_cases_it_would_be(claim: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The jumps, the zeros of coefficients and the holes of values are excluded here alone."""
     monkeypatch.setattr(dispatch, "attack", lambda *_: None)
     assert tresym.check(claim)
+
+
+@pytest.mark.usefixtures("_no_cases")
+@pytest.mark.parametrize("claim", [*JUMPS, *ZEROS, *HOLES])
+def test_the_cross_check_alone_stops_it(claim: str) -> None:
+    """It tries the exceptional values that occur in the statement by itself."""
+    found = tresym.check(claim)
+    assert found.verdict is Verdict.UNDECIDED
+    assert "a proof was found, but" in found.why
 
 
 @pytest.mark.parametrize(

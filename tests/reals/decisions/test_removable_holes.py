@@ -24,6 +24,8 @@ def test_what_fails_at_the_hole_is_refuted_there(
     assert found.verdict is Verdict.REFUTED
     assert found.why.startswith("where x = ")
     monkeypatch.setattr(removable_holes, "at_removable_holes", lambda found, *_: found)
+    alone = tresym.check(claim)
+    assert not alone or "x, 2)" in claim  # the cross-check looks at first derivatives alone
     monkeypatch.setattr(dispatch, "attack", lambda *_: None)
     assert tresym.check(claim)
 

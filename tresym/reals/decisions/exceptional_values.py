@@ -119,7 +119,11 @@ def also_at_zeros(
             there = again if worst([found, *again]) else there
         answers += there
     weakest = worst(answers)
-    return replace(weakest, constant=None, region=None) if len(answers) > 1 else weakest
+    if len(answers) > 1 and weakest:
+        where = ", ".join(dict.fromkeys(answer.why.split(":")[0] for answer in answers[1:]))
+        why = f"{found.why}; decided separately {where}"
+        return replace(found, verdict=weakest.verdict, why=why, constant=None, region=None)
+    return weakest
 
 
 def also_at_holes(
