@@ -11,7 +11,7 @@ from typing import Any
 
 from tresym.checking.dispatch import decide_claim
 from tresym.reals.decisions.answer import Answer
-from tresym.reals.decisions.claim_parsing import read
+from tresym.reals.decisions.claim_parsing import need_variables, read
 from tresym.reals.numbers.exact import InputError
 
 MAX_SECONDS = 86_400
@@ -49,6 +49,7 @@ def check(
         raise InputError(f"limit: give a number of seconds above 0 and at most {MAX_SECONDS}")
     if not (isinstance(claim, str) and isinstance(given, str)):
         claim, given, path = read(claim, given, path), "", None  # SymPy evaluates what it copies
+    need_variables(claim, given, path)
     if limit is None:
         return decide_claim(claim, given, path)
     from tresym.checking.time_limited import Task, check_within

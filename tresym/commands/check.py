@@ -131,7 +131,9 @@ def one(
         suggest: whether to search for a true statement close to a refuted claim.
     """
     from tresym.checking.time_limited import Task, check_within
+    from tresym.reals.decisions.claim_parsing import need_variables
 
+    need_variables(claim, given, path)
     answer = check_within(Task(claim.strip(), given, path), parse_seconds(limit))
     if suggest and answer.verdict is Verdict.REFUTED:
         from tresym.repair import AS_ALONE, suggestions
@@ -192,7 +194,7 @@ def many(
     status = 0
     colour = colour_wanted() and target is None
     with _shown_by(target) as show:
-        answers = _answers(tasks, seconds, scheduler)
+        answers = _with_known_names(_answers(tasks, seconds, scheduler))
         if suggest:
             from tresym.repair import suggested
 
@@ -232,6 +234,19 @@ def _answers(tasks: Iterator[Task], limit: float, scheduler: str | None) -> Answ
 def _worse(*statuses: int) -> int:
     """Return the most important of several exit statuses."""
     return next((status for status in (BAD, REFUTED, UNDECIDED) if status in statuses), 0)
+
+
+def _with_known_names(answers: Answers) -> Answers:
+    """Yield the answers, with an error for each claim that holds a name that is no variable."""
+    from tresym.reals.decisions.claim_parsing import need_variables
+
+    for task, found in answers:
+        try:
+            need_variables(task.claim, task.given, task.path)
+        except InputError as error:
+            yield task, error
+        else:
+            yield task, found
 
 
 def read_tasks(file: str, given: str, path: str | None) -> Iterator[Task]:

@@ -58,10 +58,12 @@ def _tools(limit: float) -> list[Any]:
         from dataclasses import replace
 
         from tresym.checking.time_limited import Task, check_within
+        from tresym.reals.decisions.claim_parsing import need_variables
         from tresym.reals.verdict import Verdict
         from tresym.repair import suggestions
 
         try:
+            need_variables(claim, given, path or None)
             answer = check_within(Task(claim, given, path or None), limit)
             if answer.verdict is Verdict.REFUTED:
                 asked = [(answer.read_as, (), False, True)]

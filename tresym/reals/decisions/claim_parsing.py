@@ -39,6 +39,7 @@ from tresym.reals.language.sentences import spelled, spelled_conditions
 from tresym.reals.language.sympy import RELATIONS, atoms, unworked
 from tresym.reals.language.typesetting import to_latex
 from tresym.reals.language.unicode_input import plain
+from tresym.reals.language.variable_names import explain, without_declaration
 from tresym.reals.numbers.exact import InputError
 
 if TYPE_CHECKING:
@@ -54,6 +55,7 @@ _WORD = re.compile(r"(?<!\{)\s(?:--)?(given|as|on)\s(?!\s*\})")
 _LATEX = re.compile(r"[\\{}]")
 _PATH = re.compile(r"\s*([A-Za-z_]\w*)\s*->\s*(.+?)\s*")
 _AND = re.compile(r"\band\b|;|&&?|∧")
+_DANGLING = re.compile(r"\b(and|or)\s*$")
 _INFINITE = re.compile(r"([-+]?)(?:oo|inf|infinity)")
 _SIDES = {"+": (1,), "-": (-1,), "": (1, -1)}
 _LONE = "a limit must stand alone on one side and be compared by == with its value"
@@ -121,6 +123,28 @@ def read(claim: Any, given: Any = "", path: str | None = None) -> Statement:
     if not all(isinstance(part, str) and _is_plain(part) for part in (claim, given, path or "")):
         written = _read_again(shown)
     return _checked(_stated(written, shown, text))
+
+
+def need_variables(claim: Any, given: Any = "", path: str | None = None) -> None:
+    """Check that all names in typed text are variables or known.
+
+    Names in LaTeX, SymPy relations and conditions that are no text are taken as they are.
+
+    Raises:
+        InputError: a name is no variable; the message says what to write. Text that cannot be read
+            at all is not this function's concern.
+    """
+    if not (isinstance(claim, str) and isinstance(given, str)) or _LATEX.search(claim + given):
+        return
+    try:
+        written = _written(claim, given, path)
+    except InputError:
+        return
+    known = [] if written.path is None else [written.path.name]
+    under = f"{given} {_split(claim)[1]}"
+    names = without_declaration(written.comparisons, written.given, known, under)
+    if names:
+        raise InputError(explain(f"{claim} {given}", names))
 
 
 def _is_plain(text: str) -> bool:
@@ -370,6 +394,8 @@ def _given(given: Any) -> tuple[Compared, ...]:
         chains = read_latex(given.strip().strip("$"))
         return tuple(_condition(link) for chain in chains for link in chain.links)
     if isinstance(given, str):
+        if word := _DANGLING.search(given):
+            raise InputError(f"a condition is missing after the word {word[1]}")
         try:
             return tuple(parse_given(_AND.sub(",", plain(given)).strip()))
         except InputError:

@@ -45,6 +45,7 @@ FUNCTIONS = {
     **{"factorial": "factorial", "Factorial": "factorial"},
 }
 _CHOOSE = frozenset(("binomial", "Binomial", "binom", "choose", "comb", "nCr", "C"))
+_LOGARITHMS = frozenset(("log", "ln", "Log", "Ln"))
 _DERIVED = frozenset(("D", "diff", "Derivative"))
 
 
@@ -222,6 +223,8 @@ class Speller(OperatorSpeller):
         if name == "Rational" and opens:
             p, q = self.plain_arguments(2)
             return f"({p}/{q})"
+        if name in _LOGARITHMS and opens and (found := self.to_base(name)):
+            return found
         if name in FUNCTIONS:
             return self.function(FUNCTIONS[name])
         if after == "'":
@@ -348,6 +351,20 @@ class Speller(OperatorSpeller):
     def is_function(self, token: Token) -> bool:
         """Whether a token begins a function or a big operator."""
         return token.text in FUNCTIONS or token.text in BIG
+
+    def to_base(self, name: str) -> str:
+        """``Log[2, 8]`` of Mathematica, base first, and ``log[2](8)`` of Maple; else nothing."""
+        start, square = self.at, self.peek().text == "["
+        args = self.plain_arguments()
+        if square and len(args) == 1 and self.peek().text == "(" and not self.peek().spaced:
+            (x,) = self.plain_arguments(1)
+            return f"log({x}, {args[0]})"
+        if len(args) == 2 and square:
+            return f"log({args[1]}, {args[0]})"
+        if len(args) == 2 and name[0].isupper():
+            raise two(f"log({args[0]}, {args[1]})", f"log({args[1]}, {args[0]})")
+        self.at = start
+        return ""
 
     def logarithm(self, base: str) -> str:
         """``log2(x)``, ``log_10 x``."""

@@ -1,0 +1,57 @@
+"""Names in typed claims that are no variables are refused, with what to write instead."""
+
+import pytest
+
+import tresym
+from tresym.reals.numbers.exact import InputError
+
+
+@pytest.mark.parametrize(
+    ("claim", "advice"),
+    [
+        *(
+            ("x mod 2 == x", "remainders"),
+            ("30 Degree == pi/6", "30*pi/180"),
+            ("dy/dx == 1", "diff"),
+        ),
+        *(("1/xy == 1/x/y", "x*y"), ("a/(bc) == a/b/c", "b*c"), ("5 m > 3 cm", "units")),
+        *(
+            ("x > 0 given x > 1 an", "words"),
+            ("x > 0 given x > 1 and", "missing after the word and"),
+        ),
+        *(("kr*x == x*kr", "kr > 0"), ("aplha + 1 > aplha", "aplha > 0"), ("sine + 1 > 0", "sin")),
+    ],
+)
+def test_it_is_refused(claim: str, advice: str) -> None:
+    with pytest.raises(InputError, match=advice.replace("*", r"\*")):
+        tresym.check(claim)
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        *(
+            "kr*x == x*kr given kr > 0",
+            "kr*x == x*kr given 0 < kr <= 1",
+            "x1 + y_max == y_max + x1",
+        ),
+        *(
+            "abs(dx) >= 0 given abs(dx) < 1",
+            "eps + alpha_0 == alpha_0 + eps",
+            "nn == nn given nn integer",
+        ),
+        "sin(xs) ~ xs as xs -> 0",
+    ],
+)
+def test_letters_greek_names_and_what_is_declared_are_read(claim: str) -> None:
+    assert tresym.check(claim)
+
+
+@pytest.mark.parametrize("claim", ["Log[2, 8] == 3", "log[2](8) == 3", "log(8, 2) == 3"])
+def test_the_base_of_a_logarithm_of_each_system(claim: str) -> None:
+    assert tresym.check(claim)
+
+
+def test_a_base_on_either_side_is_refused() -> None:
+    with pytest.raises(InputError, match="two readings"):
+        tresym.check("Log(2, 8) == 3")
