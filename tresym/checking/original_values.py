@@ -196,7 +196,11 @@ def against(claim: Comparison, path: Path, at: At, bound: arb | None, reach: arb
                     sizes.append(abs(size.mid()))
             sizes = [size for size in sizes if size > NOISE]
             strict = claim.relation in ("o", "~", "->", "omega")
-            if strict and len(sizes) == len(ORDERS) and follows_a_law([*ORDERS], sizes):
+            if (
+                strict
+                and len(sizes) == len(ORDERS)
+                and follows_a_law(list(map(arb, ORDERS)), sizes)
+            ):
                 return "numerical integration along the path contradicts it"
     return ""
 
