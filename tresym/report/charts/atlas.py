@@ -58,7 +58,7 @@ def draw(data: dict[str, Any], part: str) -> Any:
                 for g in data["grids"]
                 if (g["pair"], g["digits"], g["form"]) == (pair, digits, form)
             )
-            image = _map(sheet, found, planes[found["plane"]])
+            image = lost_map(sheet, found, planes[found["plane"]])
             if pair == pairs[0]:
                 above = {"xytext": (0, 17), "textcoords": "offset points", "ha": "center"}
                 sheet.annotate(title, (0.5, 1), xycoords="axes fraction", fontsize=8.5, **above)
@@ -73,8 +73,15 @@ def _plane_of(data: dict[str, Any], pair: str) -> str:
     return str(next(g["plane"] for g in data["grids"] if g["pair"] == pair))
 
 
-def _map(sheet: Any, found: dict[str, Any], plane: dict[str, Any]) -> Any:
-    lost = np.array(found["lost"], dtype=float)
+def lost_map(sheet: Any, found: dict[str, Any], plane: dict[str, Any]) -> Any:
+    """Draw a map of the digits lost, with lines at 2 and 8 digits.
+
+    Args:
+        sheet: the axes.
+        found: a mapping with the rows ``lost``.
+        plane: for ``x`` and ``y`` the name and the range of the logarithm of the parameter.
+    """
+    lost = np.ma.masked_invalid(np.array(found["lost"], dtype=float))
     (_, left, right), (_, bottom, top) = plane["x"], plane["y"]
     x, y = np.linspace(left, right, lost.shape[1]), np.linspace(bottom, top, lost.shape[0])
     half_x, half_y = (x[1] - x[0]) / 2, (y[1] - y[0]) / 2

@@ -64,9 +64,9 @@ def draw(data: dict[str, Any]) -> Any:
     seconds = [row["seconds"] for row in data["rows"] if row["seconds"]]
     for sheet, scene in zip(grid.flat, scenes, strict=True):
         rows = [row for row in data["rows"] if row["scene"] == scene]
-        _front(sheet, rows)
+        show_front(sheet, [r for r in rows if r["seconds"] and r["method"] in MARKS])
         for method, mark in MARKS.items():
-            _method(sheet, [r for r in rows if r["method"] == method], mark)
+            show_method(sheet, [r for r in rows if r["method"] == method], mark)
         _picks(sheet, rows, data["notes"]["picks"][scene])
         _silent(sheet, rows)
         sheet.set_title(scene, loc="left")
@@ -102,15 +102,16 @@ def front(rows: list[dict[str, Any]]) -> list[tuple[float, float]]:
     return found
 
 
-def _front(sheet: Any, rows: list[dict[str, Any]]) -> None:
-    timed = [r for r in rows if r["seconds"] and r["method"] in MARKS]
-    points = front(timed)
+def show_front(sheet: Any, rows: list[dict[str, Any]]) -> None:
+    """Draw the Pareto front of measurements as a grey line of steps."""
+    points = front(rows)
     x = [p[0] for p in points] + [1e3]
     y = [p[1] for p in points] + [points[-1][1]]
     sheet.plot(x, y, drawstyle="steps-post", color="0.8", linewidth=4, zorder=1)
 
 
-def _method(sheet: Any, rows: list[dict[str, Any]], mark: Mark) -> None:
+def show_method(sheet: Any, rows: list[dict[str, Any]], mark: Mark) -> None:
+    """Draw the measurements of one method: right answers joined, crosses for the others."""
     right = [r for r in rows if r["outcome"] == "right" and r["seconds"]]
     wrong = [r for r in rows if r["outcome"] == "wrong" and r["seconds"]]
     size = 8 if mark.marker == "*" else 4

@@ -137,30 +137,14 @@ def _drawn(
     path: Any,
     kind: str,
 ) -> bytes:
-    from tresym.report.figures import style
+    from tresym.report.charts import own
 
-    with style.looks():
-        from matplotlib.figure import Figure
-
-        figure = Figure(figsize=(5.2, 3.4), layout="constrained")
-        axes = figure.add_subplot()
-        marks = "osD^vP*X"
-        for n, (name, points) in enumerate(sorted(curves.items())):
-            points.sort()
-            axes.plot(*zip(*points, strict=True), marker=marks[n % len(marks)], label=name or None)
-        axes.set_xscale("log")
-        axes.set_yscale("log")
-        point = None if path is None or path.point is None else str(path.point)
-        axes.set_xlabel(along if point in (None, "0") else f"|{along} − {point}|")
-        axes.set_ylabel("|error|")
-        if len(curves) > 1 or "" not in curves:
-            axes.legend()
-        steepness = slope(next(iter(curves.values())))
-        title = f"Error of {claim.label}" + (f", slope {steepness:.2f}" if steepness else "")
-        axes.set_title(title)
-        if kind == "svg":
-            return style.svg_text(figure, title).encode()
-        return style.bitmap_or_page(figure, title, kind)
+    point = None if path is None or path.point is None else str(path.point)
+    label = along if point in (None, "0") else f"|{along} − {point}|"
+    steepness = slope(sorted(next(iter(curves.values()))))
+    title = f"Error of {claim.label}" + (f", slope {steepness:.2f}" if steepness else "")
+    drawn = own.marks_of(curves)
+    return own.saved(lambda: own.errors(drawn, label, title, (5.2, 3.4)), title, "", kind)
 
 
 def slope(points: list[tuple[float, float]]) -> float | None:

@@ -1,0 +1,254 @@
+"""Draw charts of a user's own expressions: errors, time against true digits, digits lost.
+
+The pictures are built from the parts of the charts of saved measurements.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+from xml.sax.saxutils import escape
+
+from tresym.reals.numbers.exact import InputError
+from tresym.report.charts.common import (
+    BLACK,
+    BLUE,
+    DASHED,
+    DOTTED,
+    GREEN,
+    ORANGE,
+    PURPLE,
+    RED,
+    SKY,
+    SOLID,
+    Mark,
+    below,
+    time_axis,
+)
+
+if TYPE_CHECKING:
+    from tresym.accuracy.stability import Stability
+    from tresym.accuracy.work_precision import Point
+
+MARKERS = "osD^vP*X"
+COLOURS = (BLUE, RED, GREEN, ORANGE, PURPLE, SKY, BLACK)
+LINES = (SOLID, DASHED, DOTTED)
+
+
+class Curve(NamedTuple):
+    """The errors of one approximation: points (x, |error|), and the proved bound if there is one.
+
+    ``bound`` is a list of points (x, bound) of a line, ``words`` what the legend says of it.
+    """
+
+    name: str
+    points: Sequence[tuple[float, float]]
+    bound: Sequence[tuple[float, float]] = ()
+    words: str = ""
+
+
+def saved(draw: Callable[[], Any], title: str, caption: str, kind: str) -> bytes:
+    """Return a picture as the bytes of an SVG, PDF or PNG file, with its caption below.
+
+    Args:
+        draw: draws the figure.
+        title: the title of the file.
+        caption: the sentences below the picture; none if it is empty.
+        kind: svg, pdf or png.
+    """
+    from tresym.report.figures import style
+
+    with style.looks():
+        figure = draw()
+        if caption:
+            below(figure, caption)
+        if kind != "svg":
+            return style.bitmap_or_page(figure, title, kind)
+        text = style.svg_text(figure, escape(title))
+        described = f" <desc>{escape(caption)}</desc>\n <metadata>" if caption else " <metadata>"
+        return text.replace(" <metadata>", described, 1).encode()
+
+
+def errors(curves: Sequence[Curve], along: str, title: str, size: tuple[float, float]) -> Any:
+    """Draw errors against the parameter on logarithmic scales.
+
+    Args:
+        curves: the approximations.
+        along: the label of the horizontal axis.
+        title: the title.
+        size: width and height in inches.
+    """
+    from tresym.report.figures import style
+
+    if not any(curve.points for curve in curves):
+        raise InputError("chart: every error is 0 or the points are not positive")
+    figure, ((axes,),) = style.canvas(*size)
+    for n, curve in enumerate(curves):
+        colour = COLOURS[n % len(COLOURS)]
+        look = {"marker": MARKERS[n % len(MARKERS)], "linestyle": LINES[n % len(LINES)]}
+        points = sorted(curve.points)
+        if points:
+            axes.plot(
+                *zip(*points, strict=True), color=colour, label=curve.name or None,
+                markersize=4, linewidth=0.9, **look,
+            )  # fmt: skip
+        if curve.bound:
+            axes.plot(
+                *zip(*curve.bound, strict=True), color=colour, linewidth=2.4, alpha=0.28,
+                label=curve.words or None, zorder=1,
+            )  # fmt: skip
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    axes.set_xlabel(along)
+    axes.set_ylabel("|error|")
+    axes.grid(color="0.92", linewidth=0.6)
+    axes.set_axisbelow(True)
+    if any(curve.name or curve.words for curve in curves):
+        axes.legend(fontsize=7)
+    axes.set_title(title, fontsize=9)
+    return figure
+
+
+def work_precision(points: Sequence[Point], title: str) -> Any:
+    """Draw true digits against time for one expression, with the Pareto front."""
+    from tresym.report.charts.work_precision import show_front, show_method
+    from tresym.report.figures import style
+
+    names = list(dict.fromkeys(point.method for point in points))
+    rows = [
+        {
+            "method": p.method,
+            "asked": p.asked or 16,
+            "digits": p.digits,
+            "seconds": p.seconds,
+            "outcome": "right" if p.asked is None or p.digits >= p.asked - 0.5 else "wrong",
+        }
+        for p in points
+    ]
+    figure, ((axes,),) = style.canvas(5.6, 3.8)
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    if any(row["outcome"] == "right" for row in rows):
+        show_front(axes, rows)
+    for n, name in enumerate(names):
+        ours = any(p.certified for p in points if p.method == name)
+        mark = Mark(
+            COLOURS[n % len(COLOURS)], MARKERS[n % len(MARKERS)], SOLID if ours else DASHED, ours
+        )
+        show_method(axes, [row for row in rows if row["method"] == name], mark)
+        axes.plot([], [], label=name, linewidth=0.9, markersize=4, **mark.options)
+    seconds = [float(row["seconds"]) for row in rows if row["seconds"]]
+    low, high = min(seconds) / 2, max(seconds) * 3
+    axes.set_xlim(low, high)
+    time_axis(axes.xaxis, low, high)
+    most = max(float(row["digits"]) for row in rows)
+    axes.set_ylim(0.8, 1.6 * max(most, 16))
+    ticks = [n for n in (1, 3, 10, 16, 30, 50, 100, 200, 300) if n <= 1.6 * max(most, 16)]
+    axes.set_yticks(ticks, ticks)
+    axes.set_yticks([], minor=True)
+    axes.set_xlabel("time for one answer")
+    axes.set_ylabel("true digits")
+    axes.grid(color="0.92", linewidth=0.6)
+    axes.set_axisbelow(True)
+    axes.legend(fontsize=7, loc="lower right")
+    axes.set_title(title, fontsize=9)
+    return figure
+
+
+def work_precision_caption(points: Sequence[Point]) -> str:
+    """Describe what the chart shows."""
+    wrong = sum(p.asked is not None and p.digits < p.asked - 0.5 for p in points)
+    others = sum(p.asked is not None for p in points)
+    return (
+        "True digits of one value, counted against a ball of many more digits, against processor "
+        "time, both logarithmic; up and to the left is better. Filled and solid: certified balls; "
+        "open and dashed: uncertified. The grey line is the Pareto front. A cross is an answer "
+        f"with fewer digits than were asked for ({wrong} of {others})."
+    )
+
+
+def stability(found: Stability) -> Any:
+    """Draw the digits that double precision loses: a curve, or a map for two parameters."""
+    from tresym.report.figures import style
+
+    if len(found.axes) == 1:
+        return _lines(found)
+    from tresym.report.charts.atlas import lost_map
+
+    figure, grid = style.canvas(3.7 * len(found.forms), 3.5, 1, len(found.forms))
+    first, second = found.axes
+    plane = {"x": _range(first), "y": _range(second)}
+    image = None
+    for sheet, form in zip(grid[0], found.forms, strict=True):
+        image = lost_map(sheet, {"lost": form.lost}, plane)
+        for axis, one in ((sheet.xaxis, first), (sheet.yaxis, second)):
+            if not one.logarithmic:
+                _linear(axis, one.values)
+        sheet.set_title(_short(form.text), fontsize=8)
+        sheet.set_xlabel(first.name)
+    grid[0][0].set_ylabel(second.name)
+    bar = figure.colorbar(image, ax=grid, location="right", shrink=0.8, aspect=25, pad=0.02)
+    bar.set_label("digits lost")
+    return figure
+
+
+def _linear(axis: Any, values: Sequence[float]) -> None:
+    from matplotlib.ticker import MaxNLocator
+
+    ticks = MaxNLocator(5).tick_values(values[0], values[-1])
+    inside = [t for t in ticks if values[0] <= t <= values[-1]]
+    axis.set_ticks(inside, [f"{t:g}" for t in inside])
+
+
+def _range(axis: Any) -> tuple[str, float, float]:
+    ends = axis.values[0], axis.values[-1]
+    low, high = (math.log10(x) for x in ends) if axis.logarithmic else ends
+    return axis.name, low, high
+
+
+def _lines(found: Stability) -> Any:
+    from tresym.report.figures import style
+
+    (axis,) = found.axes
+    figure, ((sheet,),) = style.canvas(5.4, 3.4)
+    for n, form in enumerate(found.forms):
+        look: dict[str, Any] = {"color": (RED, BLUE)[n % 2], "linestyle": LINES[n % 2]}
+        sheet.plot(axis.values, form.lost[0], label=_short(form.text), linewidth=1.1, **look)
+    if axis.logarithmic:
+        sheet.set_xscale("log")
+    sheet.set_ylim(-0.3, 16.3)
+    sheet.set_xlabel(axis.name)
+    sheet.set_ylabel("digits lost")
+    sheet.grid(color="0.92", linewidth=0.6)
+    sheet.legend(fontsize=8)
+    return figure
+
+
+def _short(text: str) -> str:
+    return text if len(text) <= 46 else text[:43] + "…"
+
+
+def stability_caption(found: Stability) -> str:
+    """Describe what the chart shows."""
+    first, *rest = found.forms
+    text = (
+        f"Decimal digits of double precision that {first.text} loses on {found.given}, against "
+        f"balls at the same rounded numbers: at most {_up(first.worst)} at the points of the "
+        f"picture, {first.mean:.1f} on average."
+    )
+    for form in rest:
+        text += (
+            f" The form {form.text}, {form.verdict} to be the same function, loses at most "
+            f"{_up(form.worst)}."
+        )
+    return text if rest else text + " No other form that loses fewer was found."
+
+
+def _up(x: float) -> str:
+    return f"{math.ceil(10 * x) / 10:.1f}"
+
+
+def marks_of(curves: Mapping[str, Sequence[tuple[float, float]]]) -> list[Curve]:
+    """Return curves without bounds, by name."""
+    return [Curve(name, points) for name, points in sorted(curves.items())]
