@@ -165,7 +165,7 @@ BAD = [
     (["--body", "str", "--digits", "1000000000"], "integer from 1 to 10000"),
     (["--body", "str", "--digits", "٣"], "integer from 1 to 10000"),
     (["--body", "str", "--digits", "9" * 5000], "integer from 1 to 10000"),
-    (["--body", "str", "--rung", "lift"], "rung: 'lift' is not known"),
+    (["--body", "str", "--rung", "lift"], "model: 'lift' is not known"),
     (["--body", "str", "--nonsense"], "there is no argument '--nonsense'"),
     (["--body", "str", "-o", "/nonexistent/folder/x"], "cannot be written"),
     ([], "is required"),

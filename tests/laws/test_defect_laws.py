@@ -23,7 +23,7 @@ from tresym import InputError, flip_defect
 from tresym.racket.body import Body, Shape
 from tresym.racket.flip import separatrix
 from tresym.racket.flip.levels import turning_level
-from tresym.racket.flip.model_selection import RUNGS
+from tresym.racket.flip.model_selection import MODELS
 from tresym.racket.flip.phase_folding import float_defect
 from tresym.racket.formulas import stable
 from tresym.racket.motion.quadrature import rigorous
@@ -168,15 +168,15 @@ def test_more_digits_lie_inside_fewer(at: tuple[Shape, fmpq], digits: int) -> No
 @example((Shape(fmpq(1517, 121), fmpq(55, 874)), fmpq(-347861, 10**8)))
 @example((Shape(fmpq(1517, 121), fmpq(55, 874)), fmpq(-55, 874)))
 @example((Shape(fmpq(1, 2), fmpq(1)), fmpq(1, 2)))
-def test_the_rungs_agree(at: tuple[Shape, fmpq]) -> None:
+def test_the_models_agree(at: tuple[Shape, fmpq]) -> None:
     shape, gamma = at
     found = []
-    for rung in RUNGS:
+    for model in MODELS:
         try:
-            found.append(flip_defect(*shape, gamma, 8, rung=rung))
+            found.append(flip_defect(*shape, gamma, 8, model=model))
         except InputError:
             continue
-    assert found[-1].rung == "planar"
+    assert found[-1].model == "planar"
     assert all(one.defect.overlaps(found[-1].defect) for one in found)
     assert all(one.turn.overlaps(found[-1].turn) for one in found)
 

@@ -44,7 +44,11 @@ def add(commands: Commands) -> None:
     add_body(parser, required=True)
     parser.add_argument("--digits", default="50", metavar="N", help="1 to 10000 (default: 50)")
     parser.add_argument(
-        "--rung", metavar="NAME", help="use this model instead of the cheapest sufficient one"
+        "--model",
+        "--rung",
+        dest="model",
+        metavar="NAME",
+        help="use this model instead of the cheapest sufficient one",
     )
     where = parser.add_mutually_exclusive_group()
     add_options(
@@ -163,7 +167,7 @@ def _flip(args: argparse.Namespace, shape: Shape, digits: int) -> Flip:
     if args.rate is not None or args.theta0 is not None or args.precession is not None:
         raise InputError("flip: --rate, --theta0 and --precession need --psi0")
     gamma = parse_number("0" if args.gamma is None else args.gamma, "gamma")
-    return climb(shape, gamma, digits, args.rung)
+    return climb(shape, gamma, digits, args.model)
 
 
 def _journey(args: argparse.Namespace, shape: Shape, digits: int) -> Journey:
@@ -177,7 +181,7 @@ def _journey(args: argparse.Namespace, shape: Shape, digits: int) -> Journey:
         digits,
         theta0=args.theta0,
         precession="2*pi" if args.precession is None else args.precession,
-        rung=args.rung,
+        model=args.model,
     )
 
 
@@ -198,7 +202,7 @@ def flip_text(answer: Flip, title: str, colour: bool = False) -> str:
             ("defect   ε", radians(answer.defect, answer.digits)),
             ("flip    Δψ", radians(answer.turn, answer.digits)),
             *_approximations(answer),
-            *_rung(answer),
+            *_model(answer),
             ("realizable", _realizable(answer)),
         ]
     lines = [f" {dim(f'{label:<{LABEL}}', colour)}{text}" for label, text in rows]
@@ -213,16 +217,16 @@ def journey_text(answer: Journey, title: str, colour: bool = False) -> str:
             ("flip    Δψ", radians(answer.turn, answer.digits)),
             ("ends at  ψ", radians(answer.psi, answer.digits)),
             ("         θ", radians(answer.theta, answer.digits)),
-            *_rung(answer),
+            *_model(answer),
             ("realizable", _realizable(answer)),
         ]
     lines = [f" {dim(f'{label:<{LABEL}}', colour)}{text}" for label, text in rows]
     return "\n".join([bold(title, colour), "", *lines]) + "\n"
 
 
-def _rung(answer: Flip | Journey) -> list[tuple[str, str]]:
+def _model(answer: Flip | Journey) -> list[tuple[str, str]]:
     """Return the lines on the model that gave the answer."""
-    return _headed("rung", wrap(f"{answer.rung}: {answer.why}", LINE - LABEL - 1))
+    return _headed("model", wrap(f"{answer.model}: {answer.why}", LINE - LABEL - 1))
 
 
 def _headed(label: str, lines: list[str]) -> list[tuple[str, str]]:

@@ -68,7 +68,7 @@ class Body:
 
     Example:
         >>> import tresym
-        >>> tresym.flip_defect(tresym.Body(1210, 16380, 17480), digits=3).rung
+        >>> tresym.flip_defect(tresym.Body(1210, 16380, 17480), digits=3).model
         'asymptotic'
     """
 
@@ -243,31 +243,43 @@ class NamedBody(NamedTuple):
         return self.read(*self.data)
 
 
-NAMED_BODIES: Mapping[str, NamedBody] = {
-    "str": NamedBody(
-        "standard tennis racket (Wilson T-2000)",
-        "moments of Table 1",
-        shape_of_moments,
-        ("1210", "16380", "17480"),
-    ),
-    "t2000-printed": NamedBody(
-        "Wilson T-2000", "a and b as the bibliography rounds them", shape, ("12.5372", "0.0629")
-    ),
-    "racket-1": NamedBody(
-        "racket 1", "moments of Table 1", shape_of_moments, ("886", "16336", "18270")
-    ),
-    "racket-2": NamedBody(
-        "racket 2", "moments of Table 1", shape_of_moments, ("1319", "14445", "16175")
-    ),
-    "racket-3": NamedBody("racket 3", "a and b of Table 1", shape, ("14.88", "0.12")),
-    "book": NamedBody("Goldstein's book", "a and b of Table 1", shape, ("1.11", "0.31")),
-    "ethylene": NamedBody(
-        "ethylene molecule",
-        "rotational constants of Sec. 8",
-        shape_of_rotational_constants,
-        ("4.64", "1.001", "0.828"),
-    ),
-}
+class _Bodies(dict[str, NamedBody]):
+    """Bodies by name; an alias is found too, but is not listed."""
+
+    def __missing__(self, name: str) -> NamedBody:
+        return self[ALIASES[name]]
+
+
+ALIASES = {"wilson": "str"}
+"""Other names of bodies."""
+
+NAMED_BODIES: Mapping[str, NamedBody] = _Bodies(
+    {
+        "str": NamedBody(
+            "standard tennis racket (Wilson T-2000)",
+            "moments of Table 1",
+            shape_of_moments,
+            ("1210", "16380", "17480"),
+        ),
+        "t2000-printed": NamedBody(
+            "Wilson T-2000", "a and b as the bibliography rounds them", shape, ("12.5372", "0.0629")
+        ),
+        "racket-1": NamedBody(
+            "racket 1", "moments of Table 1", shape_of_moments, ("886", "16336", "18270")
+        ),
+        "racket-2": NamedBody(
+            "racket 2", "moments of Table 1", shape_of_moments, ("1319", "14445", "16175")
+        ),
+        "racket-3": NamedBody("racket 3", "a and b of Table 1", shape, ("14.88", "0.12")),
+        "book": NamedBody("Goldstein's book", "a and b of Table 1", shape, ("1.11", "0.31")),
+        "ethylene": NamedBody(
+            "ethylene molecule",
+            "rotational constants of Sec. 8",
+            shape_of_rotational_constants,
+            ("4.64", "1.001", "0.828"),
+        ),
+    }
+)
 """The bodies of ``tresym flip --body``, by name."""
 
 
@@ -281,7 +293,7 @@ def named_body(name: str) -> NamedBody:
         >>> print(*named_body("racket-3").shape)
         372/25 3/25
     """
-    if name in NAMED_BODIES:
+    if name in NAMED_BODIES or name in ALIASES:
         return NAMED_BODIES[name]
     from difflib import get_close_matches
 

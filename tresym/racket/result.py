@@ -21,7 +21,7 @@ class Flip(NamedTuple):
     """The certified flip of a body in one full turn Δφ = 2π, on the symmetric trajectory.
 
     ``defect`` (ε) and ``turn`` (Δψ = π − 2ε) are balls in radians that contain the true values.
-    ``rung`` is the model that computed them, and ``why`` says why that model was sufficient.
+    ``model`` names the model that computed them, and ``why`` says why that model was sufficient.
 
     Example:
         >>> import tresym
@@ -34,9 +34,14 @@ class Flip(NamedTuple):
     digits: int
     defect: arb
     turn: arb
-    rung: str
+    model: str
     why: str
     seconds: float
+
+    @property
+    def rung(self) -> str:
+        """The old name of ``model``."""
+        return self.model
 
     @property
     def realizable(self) -> bool:
@@ -81,7 +86,7 @@ class Flip(NamedTuple):
 
     def _repr_html_(self) -> str:
         """A small table for notebooks."""
-        return html_table("Flip", (*_shown(self), ("rung", f"{self.rung}: {self.why}")))
+        return html_table("Flip", (*_shown(self), ("model", f"{self.model}: {self.why}")))
 
     def _repr_latex_(self) -> str:
         """Defect and flip in LaTeX."""
@@ -92,7 +97,7 @@ class Flip(NamedTuple):
 
         Example:
             >>> import tresym
-            >>> tresym.flip_defect("1", "1/10", digits=6).as_json()["rung"]
+            >>> tresym.flip_defect("1", "1/10", digits=6).as_json()["model"]
             'separatrix'
         """
         return _answer_json(self, ball_json(self.defect, self.digits), None, None)
@@ -105,7 +110,7 @@ class Journey(NamedTuple):
 
     Example:
         >>> import tresym
-        >>> tresym.flip_angle("1", "1/10", "1", rate="0", digits=6).rung
+        >>> tresym.flip_angle("1", "1/10", "1", rate="0", digits=6).model
         'planar'
     """
 
@@ -115,9 +120,14 @@ class Journey(NamedTuple):
     turn: arb
     psi: arb
     theta: arb
-    rung: str
+    model: str
     why: str
     seconds: float
+
+    @property
+    def rung(self) -> str:
+        """The old name of ``model``."""
+        return self.model
 
     @property
     def realizable(self) -> bool:
@@ -135,7 +145,7 @@ class Journey(NamedTuple):
 
     def _repr_html_(self) -> str:
         """A small table for notebooks."""
-        return html_table("Journey", (*_shown(self), ("rung", f"{self.rung}: {self.why}")))
+        return html_table("Journey", (*_shown(self), ("model", f"{self.model}: {self.why}")))
 
     def _repr_latex_(self) -> str:
         """Δψ, ψ and θ in LaTeX."""
@@ -225,7 +235,8 @@ def _answer_json(
         "flip": ball_json(answer.turn, answer.digits),
         "psi": psi,
         "theta": theta,
-        "rung": answer.rung,
+        "model": answer.model,
+        "rung": answer.model,  # the old name of the same key
         "why": answer.why,
         "realizable": answer.realizable,
         "seconds": answer.seconds,

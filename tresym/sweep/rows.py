@@ -103,7 +103,7 @@ def certified_row(entry: Entry, digits: int) -> SweepRow:
         return row._replace(problem=_one_line(error))
     with ball_precision(bits(digits, 64)):
         mid, rad = decimal_ball(answer.defect, digits)
-    return row._replace(defect=mid, radius=rad, rung=answer.rung, **errors)
+    return row._replace(defect=mid, radius=rad, rung=answer.model, **errors)
 
 
 def _certified_errors(shape: Shape, gamma: fmpq, defect: arb, digits: int) -> dict[str, Any]:
@@ -186,7 +186,7 @@ def _float_row(row: SweepRow, shape: Shape, gamma: fmpq) -> SweepRow:
         value, rung = float_defect(*map(_float, (*shape, gamma))), "float64"
         if value is None:
             answer = climb(shape, gamma, FLOAT_DIGITS)
-            value, rung = float(answer.defect), answer.rung
+            value, rung = float(answer.defect), answer.model
         middle = float(climb(shape, 0, FLOAT_DIGITS).defect)
         error = printed.linear_defect(middle, _float(shape.b), _float(gamma)) / value - 1
     except (InputError, ArithmeticError) as error_:

@@ -49,7 +49,7 @@ from tresym.report.charts import CHARTS
 QUICK = Pace(rounds=1, limit=20.0, patience=0.01)
 SAVED = Path(__file__).resolve().parents[3] / "docs" / "measurements"
 NOISE = 1.2
-"""A rung counts as faster only where it takes less than 1/1.2 of the time: what one run's medians
+"""A model counts as faster only where it takes less than 1/1.2 of the time: what one run's medians
 scatter by on a machine that others use too."""
 
 
@@ -244,7 +244,7 @@ def test_every_saved_workload_is_whole_and_has_its_reasons(name: str) -> None:
             assert row["quartiles"][0] <= row["seconds"] <= row["quartiles"][1]
 
 
-# No rung of ours is both faster and as accurate as the one that the ladder takes
+# No model of ours is both faster and as accurate as the one that the ladder takes
 
 
 def precision_rows() -> dict:
@@ -254,12 +254,12 @@ def precision_rows() -> dict:
 
 
 @pytest.mark.parametrize("scene", [s.name for s in precision.SCENES])
-def test_no_rung_beats_the_pick_of_the_ladder(scene: str) -> None:
+def test_no_model_beats_the_pick_of_the_ladder(scene: str) -> None:
     data = precision_rows()
     rows = [r for r in data["rows"] if r["scene"] == scene and "float64" not in r["method"]]
-    for digits, rung in data["picks"][scene].items():
+    for digits, model in data["picks"][scene].items():
         asked = int(digits)
-        pick = next(r for r in rows if (r["method"], r["asked"]) == (f"tresym, {rung}", asked))
+        pick = next(r for r in rows if (r["method"], r["asked"]) == (f"tresym, {model}", asked))
         assert pick["outcome"] == "right"
         others = [r for r in rows if r["method"] != pick["method"]]
         enough = [r for r in others if min(r["digits"], r["asked"]) >= asked]
@@ -281,7 +281,7 @@ def test_the_ladder_asks_the_closed_formula_only_where_it_reaches() -> None:
                 answers = True
             except InputError:
                 answers = False
-            assert (climb(scene.shape, 0, digits).rung == "asymptotic") == answers
+            assert (climb(scene.shape, 0, digits).model == "asymptotic") == answers
 
 
 def test_the_constant_of_the_closed_formula_is_an_upper_bound() -> None:

@@ -329,18 +329,18 @@ def test_below_the_last_turning_level_the_same_value_comes_again():
     assert sum(x != y for x, y in pairwise(signs)) >= 3
 
 
-def test_the_chooser_names_the_rung_and_says_when_one_cannot():
-    assert flip_defect(*STR, "1e-3").rung == "carlson"
-    assert flip_defect(*STR, "1/100").rung == "carlson"
-    assert flip_defect(*STR, "-1/100").rung == "carlson"
-    assert flip_defect(*STR, STR.a).rung == "planar"
-    assert flip_defect(*STR, -STR.b).rung == "planar"
-    assert flip_defect(*STR, 0, digits=3).rung == "asymptotic"
-    for rung in ("separatrix", "carlson", "planar"):
-        answer = flip_defect(*STR, 0, digits=40, rung=rung)
-        assert answer.rung == rung
+def test_the_chooser_names_the_model_and_says_when_one_cannot():
+    assert flip_defect(*STR, "1e-3").model == "carlson"
+    assert flip_defect(*STR, "1/100").model == "carlson"
+    assert flip_defect(*STR, "-1/100").model == "carlson"
+    assert flip_defect(*STR, STR.a).model == "planar"
+    assert flip_defect(*STR, -STR.b).model == "planar"
+    assert flip_defect(*STR, 0, digits=3).model == "asymptotic"
+    for model in ("separatrix", "carlson", "planar"):
+        answer = flip_defect(*STR, 0, digits=40, model=model)
+        assert answer.model == model
         assert answer.defect.overlaps(flip_defect(*STR, digits=60).defect)
-    for gamma, rung, says in (
+    for gamma, model, says in (
         ("1", "separatrix", "gamma = 0, only"),
         ("1", "asymptotic", "gamma = 0, only"),
         (STR.a, "carlson", "an end of the range of gamma; try planar"),
@@ -348,4 +348,4 @@ def test_the_chooser_names_the_rung_and_says_when_one_cannot():
         ("1", "attitude", "is not known"),
     ):
         with pytest.raises(InputError, match=says):
-            flip_defect(*STR, gamma, rung=rung)
+            flip_defect(*STR, gamma, model=model)

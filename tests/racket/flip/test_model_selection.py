@@ -1,4 +1,4 @@
-"""The ladder: the cheapest rung with the digits, rungs that agree, and rungs that do not answer."""
+"""Model selection: the cheapest model with the digits, models that agree or do not answer."""
 
 from typing import Any
 
@@ -7,10 +7,11 @@ from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
 
+import tresym
 from tresym.racket.angle import Angle, parse_angle
 from tresym.racket.body import Shape, named_body, shape
 from tresym.racket.flip import asymptotic, defect, flip_defect, flip_defects, model_selection
-from tresym.racket.flip.model_selection import RUNGS, checked_digits, climb, follow, parse_digits
+from tresym.racket.flip.model_selection import MODELS, checked_digits, climb, follow, parse_digits
 from tresym.racket.motion.trajectory import Start
 from tresym.racket.result import proves
 from tresym.reals.numbers.arithmetic import ball_precision, bits
@@ -62,21 +63,21 @@ PLACES = [
 ]
 
 
-@pytest.mark.parametrize(("body", "gamma", "digits", "rung"), PLACES, ids=str)
-def test_the_first_rung_with_the_digits_answers(
-    body: Shape, gamma: fmpq, digits: int, rung: str
+@pytest.mark.parametrize(("body", "gamma", "digits", "model"), PLACES, ids=str)
+def test_the_first_model_with_the_digits_answers(
+    body: Shape, gamma: fmpq, digits: int, model: str
 ) -> None:
     answer = climb(body, gamma, digits)
-    assert answer.rung == rung
+    assert answer.model == model
     assert (answer.shape, answer.gamma, answer.digits) == (body, gamma, digits)
     with ball_precision(bits(digits, 64)):
         assert (answer.turn + 2 * answer.defect).overlaps(arb.pi())
         tiny = arb(10) ** -digits
         for x in (answer.defect, answer.turn):
             assert proves(x, digits) or (x.contains(0) and x.rad() < tiny)
-    # No cheaper rung has the digits.
-    for cheaper in RUNGS[: RUNGS.index(rung)]:
-        with pytest.raises(InputError, match="rung: "):
+    # No cheaper model has the digits.
+    for cheaper in MODELS[: MODELS.index(model)]:
+        with pytest.raises(InputError, match="model: "):
             climb(body, gamma, digits, cheaper)
 
 
@@ -85,25 +86,25 @@ shapes = st.tuples(st.fractions("1/10", 40), st.fractions("1/20", 1))
 
 @pytest.mark.slow
 @given(shapes, st.fractions("-9/10", "9/10"), st.integers(1, 40))
-def test_the_rungs_that_answer_agree(given_: tuple[Any, Any], part: Any, digits: int) -> None:
+def test_the_models_that_answer_agree(given_: tuple[Any, Any], part: Any, digits: int) -> None:
     body = shape(*given_)
     gamma = fmpq(*part.as_integer_ratio()) * (body.a if part > 0 else body.b)
     for level in (gamma, fmpq(0)):
         best = climb(body, level, digits)
         truth = climb(body, level, digits + 20, "planar")
-        for rung in RUNGS:
+        for model in MODELS:
             try:
-                other = climb(body, level, digits, rung)
+                other = climb(body, level, digits, model)
             except InputError:
                 continue
             assert other.defect.overlaps(truth.defect)
             assert other.turn.overlaps(truth.turn)
-            assert RUNGS.index(best.rung) <= RUNGS.index(rung) or rung == "asymptotic"
+            assert MODELS.index(best.model) <= MODELS.index(model) or model == "asymptotic"
             assert proves(other.defect, digits) or other.defect.contains(0)
 
 
 @pytest.mark.parametrize(
-    ("gamma", "rung", "says"),
+    ("gamma", "model", "says"),
     [
         ("0", "Carlson", "is not known"),
         ("0", "", "is not known"),
@@ -114,9 +115,9 @@ def test_the_rungs_that_answer_agree(given_: tuple[Any, Any], part: Any, digits:
         ("-1", "planar", "between -b and a"),
     ],
 )
-def test_what_a_rung_cannot_do_is_said(gamma: str, rung: str | None, says: str) -> None:
+def test_what_a_model_cannot_do_is_said(gamma: str, model: str | None, says: str) -> None:
     with pytest.raises(InputError, match=says):
-        climb(STR, parse_angle(gamma).radians, 30, rung)
+        climb(STR, parse_angle(gamma).radians, 30, model)
 
 
 @pytest.mark.parametrize("wide", [arb(0, 1), arb("1e-15", "1e-45"), arb("nan")])
@@ -127,31 +128,31 @@ def test_a_ball_that_does_not_prove_the_digits_is_no_answer(
     monkeypatch.setattr(asymptotic, "enclose", lambda *_: wide)
     monkeypatch.setattr(asymptotic, "reach", lambda *_: 1e9)
     answer = climb(FAR, 0, 40)
-    assert answer.rung == "separatrix"
+    assert answer.model == "separatrix"
     assert proves(answer.defect, 40)
     with pytest.raises(InputError, match="asymptotic reaches"):
         climb(FAR, 0, 40, "asymptotic")
 
 
-def test_where_the_quick_route_says_nothing_the_last_rung_answers(
+def test_where_the_quick_route_says_nothing_the_last_model_answers(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     right = climb(STR, fmpq(1), 30)
     monkeypatch.setattr(defect, "quick", lambda *_: None)
     answer = climb(STR, fmpq(1), 30)
-    assert (right.rung, answer.rung) == ("carlson", "planar")
+    assert (right.model, answer.model) == ("carlson", "planar")
     assert answer.defect.overlaps(right.defect)
 
 
-def test_starts_are_followed_by_the_last_rung_only() -> None:
+def test_starts_are_followed_by_the_last_model_only() -> None:
     start = Start(parse_angle("pi/2"), fmpq(1, 10))
     journey = follow(STR, start, parse_angle("2*pi"), 25)
-    assert journey.rung == "planar"
+    assert journey.model == "planar"
     assert proves(journey.turn, 25)
     assert follow(STR, start, parse_angle("2*pi"), 25, "planar").turn.overlaps(journey.turn)
-    for rung in (*RUNGS[:3], "fast"):
-        with pytest.raises(InputError, match="rung: "):
-            follow(STR, start, parse_angle("2*pi"), 25, rung)
+    for model in (*MODELS[:3], "fast"):
+        with pytest.raises(InputError, match="model: "):
+            follow(STR, start, parse_angle("2*pi"), 25, model)
 
 
 def test_the_symmetric_start_is_the_flip() -> None:
@@ -175,10 +176,10 @@ def test_the_symmetric_start_is_the_flip() -> None:
 
 
 def test_the_estimate_only_spares_attempts() -> None:
-    assert model_selection._worth_trying(FAR, fmpq(0), 30) == RUNGS
-    assert model_selection._worth_trying(FAR, fmpq(0), 300) == RUNGS[1:]
-    assert model_selection._worth_trying(STR, fmpq(1, 10**400), 30) == RUNGS[2:]
-    assert model_selection._worth_trying(shape("1e4000", "1e-4000"), fmpq(0), 1) == RUNGS[1:]
+    assert model_selection._worth_trying(FAR, fmpq(0), 30) == MODELS
+    assert model_selection._worth_trying(FAR, fmpq(0), 300) == MODELS[1:]
+    assert model_selection._worth_trying(STR, fmpq(1, 10**400), 30) == MODELS[2:]
+    assert model_selection._worth_trying(shape("1e4000", "1e-4000"), fmpq(0), 1) == MODELS[1:]
 
 
 def test_many_shapes_are_answered_as_one_by_one() -> None:
@@ -204,3 +205,11 @@ def test_many_shapes_are_answered_as_one_by_one() -> None:
 def test_a_shape_that_is_none_is_named_by_its_place(shapes: Any, says: str) -> None:
     with pytest.raises(InputError, match=says):
         flip_defects(shapes)
+
+
+def test_old_names_still_work() -> None:
+    found = tresym.flip_defect("1", "1/10", digits=6, rung="separatrix")
+    assert found.rung == found.model == "separatrix"
+    assert found.as_json()["rung"] == found.as_json()["model"]
+    assert tresym.bodies["wilson"] is tresym.bodies["str"]
+    assert "wilson" not in [*tresym.bodies]

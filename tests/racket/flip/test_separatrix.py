@@ -257,18 +257,18 @@ def test_the_closed_formula_contains_the_root(a: Fraction, b: Fraction) -> None:
         assert answer.contains(solver.solve(s.a, s.b, 120).defect)
 
 
-def test_the_lowest_rung_that_meets_the_digits_answers() -> None:
+def test_the_lowest_model_that_meets_the_digits_answers() -> None:
     few, many = (flip_defect("12.5372", "0.0629", digits=n) for n in (4, 40))
-    assert (few.rung, many.rung) == ("asymptotic", "separatrix")
-    assert flip_defect("10000", "1", digits=60).rung == "asymptotic"
-    forced = flip_defect("12.5372", "0.0629", digits=4, rung="separatrix")
-    assert forced.rung == "separatrix"
+    assert (few.model, many.model) == ("asymptotic", "separatrix")
+    assert flip_defect("10000", "1", digits=60).model == "asymptotic"
+    forced = flip_defect("12.5372", "0.0629", digits=4, model="separatrix")
+    assert forced.model == "separatrix"
     with ball_precision(200):
         assert few.defect.contains(many.defect)
         assert few.turn.contains(many.turn)
     for a in ("12.5372", "0.01", "1e40"):
         with pytest.raises(InputError, match=r"asymptotic reaches \d digits"):
-            flip_defect(a, "1" if a != "12.5372" else "0.0629", rung="asymptotic")
+            flip_defect(a, "1" if a != "12.5372" else "0.0629", model="asymptotic")
 
 
 def test_the_answer_in_json_has_every_key() -> None:
@@ -277,7 +277,7 @@ def test_the_answer_in_json_has_every_key() -> None:
     assert answer["b"] == "629/10000"
     assert answer["gamma"] == "0"
     assert answer["digits"] == 50
-    assert answer["rung"] == "separatrix"
+    assert answer["model"] == "separatrix"
     assert answer["realizable"] is True
     assert answer["seconds"] >= 0
     assert set(answer["defect"]) == set(answer["flip"]) == {"mid", "rad"}
@@ -382,8 +382,8 @@ def test_bad_digits_are_refused(digits: int) -> None:
 def test_unknown_names_are_refused_with_the_nearest_known() -> None:
     with pytest.raises(InputError, match="did you mean ethylene"):
         named_body("etylene")
-    with pytest.raises(InputError, match="rung: 'magic' is not known"):
-        flip_defect("1", "0.5", rung="magic")
+    with pytest.raises(InputError, match="model: 'magic' is not known"):
+        flip_defect("1", "0.5", model="magic")
 
 
 @pytest.mark.parametrize("digits", [10, 16, 28, 30, 50, 52, 100, 400])

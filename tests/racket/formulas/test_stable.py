@@ -17,7 +17,7 @@ from tresym.dev.bench.flipmap import ball_flip
 from tresym.dev.bench.truth import true_digits
 from tresym.racket.body import Shape, named_body
 from tresym.racket.flip import separatrix
-from tresym.racket.flip.model_selection import RUNGS, climb
+from tresym.racket.flip.model_selection import MODELS, climb
 from tresym.racket.floats.flipmap import flip_map, flip_uncertainty
 from tresym.racket.floats.shapes import defects
 from tresym.reals.numbers.exact import parse_number
@@ -140,7 +140,7 @@ def test_every_rung_that_answers_has_the_digits(n: int, m: int, g: int, digits: 
     a, b = exact(power(n, -3, 2)), exact(power(m, -3, 0))
     gamma = fmpq(0) if abs(g) < 1365 else (a if g > 0 else b) * fmpq(g, 5000) ** 3
     shape, truth = Shape(a, b), climb(Shape(a, b), gamma, 60).defect
-    for rung in RUNGS:
+    for rung in MODELS:
         try:
             found = climb(shape, gamma, digits, rung).defect
         except ValueError:

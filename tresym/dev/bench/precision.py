@@ -20,7 +20,7 @@ from tresym.dev.bench.run import Contender, Judge, Judged, Pace, Rising, Workloa
 from tresym.dev.bench.truth import by_digits
 from tresym.racket.body import Shape, named_body
 from tresym.racket.flip import defect, flip_defect, separatrix
-from tresym.racket.flip.model_selection import RUNGS, climb
+from tresym.racket.flip.model_selection import MODELS, climb
 from tresym.racket.floats.flipmap import flip_map
 from tresym.racket.floats.shapes import defects
 from tresym.reals.numbers.exact import InputError, fraction_text, parse_number
@@ -88,7 +88,7 @@ def warm_up() -> None:
 def picks(*_: Any) -> dict[str, dict[str, dict[str, str]]]:
     """Return the model that is selected, by scene and digits."""
     found = {
-        scene.name: {str(d): climb(scene.shape, scene.gamma, d).rung for d in DIGITS}
+        scene.name: {str(d): climb(scene.shape, scene.gamma, d).model for d in DIGITS}
         for scene in SCENES
     }
     return {"picks": found}
@@ -109,13 +109,13 @@ def contenders(_: Any) -> Iterator[Contender]:
         truth, at = truth_of(scene), (shape, gamma)
         text = fraction_text(shape.a), fraction_text(shape.b), fraction_text(gamma)
         methods: dict[str, tuple[Callable[[int], Any], tuple[int, ...]]] = {
-            "tresym": (partial(_on_rung, scene, None), DIGITS),
+            "tresym": (partial(_on_model, scene, None), DIGITS),
             "tresym.flip_defect": (partial(_public, *text), DIGITS),
         }
-        for rung in RUNGS:
-            able = [d for d in DIGITS if _answers(scene, rung, d)]
+        for model in MODELS:
+            able = [d for d in DIGITS if _answers(scene, model, d)]
             digits = (*able, *(d for d in DIGITS if d not in able))[: len(able) + 1]
-            methods[f"tresym, {rung}"] = partial(_on_rung, scene, rung), digits
+            methods[f"tresym, {model}"] = partial(_on_model, scene, model), digits
         on_level = ON_SEPARATRIX if gamma == 0 else {}
         methods |= {n: (partial(m, *at), DIGITS) for n, m in (on_level | EVERYWHERE).items()}
         methods |= {n: (partial(m, *at), digits) for n, (m, digits) in SOLVERS.items()}
@@ -135,9 +135,9 @@ def contenders(_: Any) -> Iterator[Contender]:
 WORKLOAD = Workload(contenders, Pace(rounds=7, limit=2.5, patience=0.3), "tresym", notes=picks)
 
 
-def _answers(scene: Scene, rung: str, digits: int) -> bool:
+def _answers(scene: Scene, model: str, digits: int) -> bool:
     with suppress(InputError):
-        _on_rung(scene, rung, digits)
+        _on_model(scene, model, digits)
         return True
     return False
 
@@ -150,8 +150,8 @@ def _of_first(judge: Judge, values: Any) -> Judged:
     return judge(float(values[0]))
 
 
-def _on_rung(scene: Scene, rung: str | None, digits: int) -> arb:
-    return climb(scene.shape, scene.gamma, digits, rung).defect
+def _on_model(scene: Scene, model: str | None, digits: int) -> arb:
+    return climb(scene.shape, scene.gamma, digits, model).defect
 
 
 def _arrays(scene: Scene) -> Callable[[], Any]:

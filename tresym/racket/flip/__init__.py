@@ -20,6 +20,7 @@ def flip_defect(
     gamma: Exact = 0,
     digits: int = 50,
     *,
+    model: str | None = None,
     rung: str | None = None,
 ) -> Flip:
     """Compute the flip defect ε of a body as a ball with ``digits`` certified digits.
@@ -29,8 +30,9 @@ def flip_defect(
         b: 1 − I₂/I₃, in (0, 1].
         gamma: the level γ from −b to a; 0 is the separatrix.
         digits: 1 to 10 000.
-        rung: the model to use, ``asymptotic``, ``separatrix``, ``carlson`` or ``planar``; None
+        model: the model to use, ``asymptotic``, ``separatrix``, ``carlson`` or ``planar``; None
             selects the cheapest that delivers the digits.
+        rung: the old name of ``model``.
 
     Returns:
         The defect and the flip Δψ = π − 2ε in radians, and the model that was used.
@@ -43,7 +45,7 @@ def flip_defect(
         >>> tresym.flip_defect("12.5372", "0.0629", digits=30).defect.str(12, radius=False)
         '0.115021432971'
     """
-    return climb(as_shape(a, b), as_rational(gamma, "gamma"), digits, rung)
+    return climb(as_shape(a, b), as_rational(gamma, "gamma"), digits, model or rung)
 
 
 def flip_defects(
@@ -51,6 +53,7 @@ def flip_defects(
     gamma: Exact = 0,
     digits: int = 50,
     *,
+    model: str | None = None,
     rung: str | None = None,
 ) -> list[Flip]:
     """Compute the flip defects of many bodies at one γ, in the given order.
@@ -61,7 +64,8 @@ def flip_defects(
         shapes: bodies, or pairs of a and b.
         gamma: the level γ, which must be in the range of every shape.
         digits: 1 to 10 000.
-        rung: the model to use; None selects the cheapest for each body.
+        model: the model to use; None selects the cheapest for each body.
+        rung: the old name of ``model``.
 
     Returns:
         A result for each body, as from :func:`flip_defect`.
@@ -72,7 +76,7 @@ def flip_defects(
     Example:
         >>> import tresym
         >>> racket = tresym.Body(1210, 16380, 17480)
-        >>> [found.rung for found in tresym.flip_defects([("1", "1/10"), racket])]
+        >>> [found.model for found in tresym.flip_defects([("1", "1/10"), racket])]
         ['separatrix', 'separatrix']
     """
     level, digits, found = as_rational(gamma, "gamma"), checked_digits(digits), []
@@ -81,7 +85,7 @@ def flip_defects(
     for place, given in enumerate(shapes, 1):
         try:
             one = as_shape(given) if isinstance(given, Shape | Body | NamedBody) else _pair(given)
-            found.append(climb(one, level, digits, rung))
+            found.append(climb(one, level, digits, model or rung))
         except InputError as error:
             raise InputError(f"shape {place}: {error}") from None
     return found
@@ -103,6 +107,7 @@ def flip_angle(
     *,
     theta0: Exact | Angle | None = None,
     precession: Exact | Angle = "2*pi",
+    model: str | None = None,
     rung: str | None = None,
 ) -> Journey:
     """Compute Δψ from any start, with ψ and θ at the end, as balls with certified digits.
@@ -115,7 +120,8 @@ def flip_angle(
         digits: certified digits, 1 to 10 000.
         theta0: θ at the start in radians.
         precession: Δφ in radians; one full turn of the handle by default.
-        rung: the model to use; only ``planar`` computes motions from a start.
+        model: the model to use; only ``planar`` computes motions from a start.
+        rung: the old name of ``model``.
 
     Returns:
         Δψ, ψ and θ at the end in radians, and γ of the orbit.
@@ -136,4 +142,4 @@ def flip_angle(
         None if rate is None else as_rational(rate, "rate"),
         None if theta0 is None else as_angle(theta0, "theta0"),
     )
-    return follow(as_shape(a, b), start, as_angle(precession, "precession"), digits, rung)
+    return follow(as_shape(a, b), start, as_angle(precession, "precession"), digits, model or rung)

@@ -24,12 +24,12 @@ from tresym.reals.numbers.exact import InputError, quoted, whole_number
 
 MAX_DIGITS = 10_000
 
-RUNGS = ("asymptotic", "separatrix", "carlson", "planar")
+MODELS = ("asymptotic", "separatrix", "carlson", "planar")
 """The names of the models, cheapest first."""
-WITHOUT_FORMULA = RUNGS[1:]
+WITHOUT_FORMULA = MODELS[1:]
 
 
-RungAnswer = tuple[arb, arb, str]
+ModelAnswer = tuple[arb, arb, str]
 """The result of one model: balls for ε and Δψ in radians, and why they are sufficient."""
 
 
@@ -54,14 +54,14 @@ def checked_digits(digits: int) -> int:
     return whole_number(digits, 1, MAX_DIGITS, "digits")
 
 
-def climb(shape: Shape, gamma: fmpq | int, digits: int, rung: str | None = None) -> Flip:
+def climb(shape: Shape, gamma: fmpq | int, digits: int, model: str | None = None) -> Flip:
     """Compute the flip of ``shape`` at ``gamma`` to ``digits`` certified digits.
 
     Args:
         shape: the shape parameters.
         gamma: the level, from −b to a.
         digits: 1 to 10 000.
-        rung: the model to use; None selects the cheapest that delivers the digits.
+        model: the model to use; None selects the cheapest that delivers the digits.
 
     Raises:
         InputError: digits or γ out of range, an unknown model, or one that cannot deliver.
@@ -71,20 +71,20 @@ def climb(shape: Shape, gamma: fmpq | int, digits: int, rung: str | None = None)
     level = gamma if isinstance(gamma, fmpq) else fmpq(gamma)
     if level:
         defect.checked_gamma(shape.a, shape.b, level)
-    if rung is not None:
-        _checked_rung(rung)
+    if model is not None:
+        _checked_model(model)
     start = perf_counter()
-    for used in (rung,) if rung is not None else _worth_trying(shape, level, digits):
-        answer = _on_rung(used, shape, level, digits)
+    for used in (model,) if model is not None else _worth_trying(shape, level, digits):
+        answer = _on_model(used, shape, level, digits)
         if answer is not None:
             angle, turn, why = answer
             seconds = perf_counter() - start
             return Flip(shape, level, digits, angle, turn, used, why, seconds)
-    raise InputError(f"rung: {_shortfall(used, shape, level, digits)}")
+    raise InputError(f"model: {_shortfall(used, shape, level, digits)}")
 
 
 def follow(
-    shape: Shape, start: Start, precession: Angle, digits: int, rung: str | None = None
+    shape: Shape, start: Start, precession: Angle, digits: int, model: str | None = None
 ) -> Journey:
     """Compute the change of ψ of ``shape`` from ``start`` while φ grows by ``precession`` radians.
 
@@ -92,10 +92,10 @@ def follow(
         InputError: digits out of range, a start that does not exist, or a model other than planar.
     """
     digits = checked_digits(digits)
-    _checked_rung(rung)
-    if rung not in (None, "planar"):
+    _checked_model(model)
+    if model not in (None, "planar"):
         raise InputError(
-            f"rung: {rung} computes symmetric trajectories only; for a start use planar"
+            f"model: {model} computes symmetric trajectories only; for a start use planar"
         )
     began = perf_counter()
     found = travel(shape, start, precession, digits)
@@ -104,31 +104,31 @@ def follow(
     return Journey(shape, found.gamma, digits, *found[1:], "planar", why, seconds)
 
 
-def _checked_rung(rung: str | None) -> None:
-    if rung is not None and not (isinstance(rung, str) and rung in RUNGS):
-        raise InputError(f"rung: {quoted(rung)} is not known; known: {', '.join(RUNGS)}")
+def _checked_model(model: str | None) -> None:
+    if model is not None and not (isinstance(model, str) and model in MODELS):
+        raise InputError(f"model: {quoted(model)} is not known; known: {', '.join(MODELS)}")
 
 
 def _worth_trying(shape: Shape, gamma: fmpq, digits: int) -> tuple[str, ...]:
     """The models to try, without those that a float64 estimate shows to be insufficient."""
     if gamma:
-        return RUNGS[2:]
+        return MODELS[2:]
     least = asymptotic.least_product(digits)
     if shape.a.floor() < least:  # and so is ab, as b <= 1
         return WITHOUT_FORMULA
     a, b = float(arb(shape.a)), float(arb(shape.b))
     reached = a > 0 and b > 0 and least <= a * b < math.inf
     in_reach = reached and asymptotic.reach(a, b) > digits
-    return RUNGS if in_reach else WITHOUT_FORMULA
+    return MODELS if in_reach else WITHOUT_FORMULA
 
 
-def _on_rung(rung: str, shape: Shape, gamma: fmpq, digits: int) -> RungAnswer | None:
+def _on_model(model: str, shape: Shape, gamma: fmpq, digits: int) -> ModelAnswer | None:
     """The result of one model, or None if it cannot deliver."""
-    if rung == "separatrix" and not gamma:
+    if model == "separatrix" and not gamma:
         return _separatrix(shape, digits)
-    if rung == "carlson":
+    if model == "carlson":
         return _carlson(shape, gamma, digits)
-    if rung == "planar":
+    if model == "planar":
         return _planar(shape, gamma, digits)
     if gamma:
         return None
@@ -138,7 +138,7 @@ def _on_rung(rung: str, shape: Shape, gamma: fmpq, digits: int) -> RungAnswer | 
     return None
 
 
-def _carlson(shape: Shape, gamma: fmpq, digits: int) -> RungAnswer | None:
+def _carlson(shape: Shape, gamma: fmpq, digits: int) -> ModelAnswer | None:
     found = defect.quick(*shape, gamma, digits)
     if found is None:
         return None
@@ -146,12 +146,12 @@ def _carlson(shape: Shape, gamma: fmpq, digits: int) -> RungAnswer | None:
     return *found, why
 
 
-def _planar(shape: Shape, gamma: fmpq, digits: int) -> RungAnswer:
+def _planar(shape: Shape, gamma: fmpq, digits: int) -> ModelAnswer:
     found = defect.inverted(*shape, gamma, digits)
     return *found, "the phase on the orbit inverted, through turning points and turns"
 
 
-def _asymptotic(shape: Shape, digits: int) -> RungAnswer | None:
+def _asymptotic(shape: Shape, digits: int) -> ModelAnswer | None:
     found = asymptotic.enclose(shape.a, shape.b, digits)
     if found is None:
         return None
@@ -160,7 +160,7 @@ def _asymptotic(shape: Shape, digits: int) -> RungAnswer | None:
         return found, arb.pi() - 2 * found, why
 
 
-def _separatrix(shape: Shape, digits: int) -> RungAnswer:
+def _separatrix(shape: Shape, digits: int) -> ModelAnswer:
     found = separatrix.solve(shape.a, shape.b, digits)
     why = "scalar equation at gamma = 0, its one root enclosed by Taylor's theorem"
     if not found.defect > 0:
@@ -168,15 +168,15 @@ def _separatrix(shape: Shape, digits: int) -> RungAnswer:
     return found.defect, found.flip, why
 
 
-def _shortfall(rung: str, shape: Shape, gamma: fmpq, digits: int) -> str:
+def _shortfall(model: str, shape: Shape, gamma: fmpq, digits: int) -> str:
     """Why a model cannot deliver."""
-    if rung == "carlson":
+    if model == "carlson":
         return (
             f"carlson does not reach {digits} digits so close to a turning point or to an end of "
             "the range of gamma; try planar"
         )
     if gamma:
-        return f"{rung} computes the separatrix, gamma = 0, only; try carlson"
+        return f"{model} computes the separatrix, gamma = 0, only; try carlson"
     answer, reached = _asymptotic(shape, digits), 0
     if answer is not None and answer[0].is_finite():
         worst = min(x.rel_accuracy_bits() for x in answer[:2])

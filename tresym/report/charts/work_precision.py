@@ -129,8 +129,8 @@ def show_method(sheet: Any, rows: list[dict[str, Any]], mark: Mark) -> None:
 
 def _picks(sheet: Any, rows: list[dict[str, Any]], picks: dict[str, str]) -> None:
     at = {(r["method"], r["asked"]): r for r in rows}
-    for digits, rung in picks.items():
-        row = at[f"tresym, {rung}", int(digits)]
+    for digits, model in picks.items():
+        row = at[f"tresym, {model}", int(digits)]
         sheet.plot(
             row["seconds"],
             digits_of(row),
@@ -181,7 +181,7 @@ def _legend(figure: Any) -> None:
         "markerfacecolor": "none",
         "color": BLACK,
     }
-    handles.append(Line2D([], [], linestyle="", label="the ladder's pick", **ring))
+    handles.append(Line2D([], [], linestyle="", label="the model that tresym picks", **ring))
     cross: dict[str, Any] = {"marker": "x", "markersize": 4, "color": "0.3"}
     handles.append(Line2D([], [], linestyle="", label="fewer digits than asked", **cross))
     figure.legend(handles=handles, loc="outside upper center", ncols=3, fontsize=7)
