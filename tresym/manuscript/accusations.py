@@ -103,7 +103,8 @@ def ground(
     own = [c for c in (*under.passing, *under.row) if symbols(c[0]) | symbols(c[2])]
     explicit = bool(names) and names <= names_in(own) | under.anew
     universal = said.universal or under.universal or under.kind == prose.CLAIM
-    tied = names | unknown | names_in(c for c in own if names & names_in((c,)))
+    free = names - {under.path.split(" ")[0]}  # a path says for which values it is meant
+    tied = free | unknown | names_in(c for c in own if names & names_in((c,)))
     here = {n: r for n, r in now.restricted.items() if r.within in (0, now.paragraph)}
     restricted = {name: here[name] for name in sorted(tied & here.keys())}
     bounds = tuple(dict.fromkeys(c for r in restricted.values() for c in r.bounds))

@@ -40,7 +40,7 @@ CONSTANTS = re.compile(r"[CcAB]_?\d*|[CcA]_\w")
 TOLD = "as the text before it says, with"
 WHERE = "under the conditions of the definition, with"
 EARLIER = "under conditions from earlier sections"
-_WORKED = frozenset(("antiderivative", "derivative", "nth", "limit"))
+_WORKED = frozenset(("antiderivative", "derivative", "nth", "limit", "sum", "product"))
 """Expressions that are evaluated: an equality with one of these, or with a series, is not an
 equation to be solved."""
 
@@ -183,7 +183,8 @@ def claim(
     if relation == "~" or orders:
         if relation == "~" and not symbols(left) | symbols(right):
             return _printed(link, compared, pieces[1])
-        path = under.path or _usual_path(right)
+        path = memory.path_for(symbols(left) | symbols(right), under)
+        path = path or _usual_path(right) or _path_of_index(left, right)
         if not path:
             advice = "write % tresym: as x -> 0 (or another path) before the display"
             why = f"it has no path: {advice}"
@@ -201,6 +202,8 @@ def claim(
     changed = (left, right) != _by_one_variable(left, right, {n: known[n] for n in old})
     left, right = _by_one_variable(left, right, known)
     attempts, same = _attempts(memory, (left, relation, right), under, as_path)
+    stated_path = memory.path_for((symbols(left) | symbols(right)) - NO_VARIABLES, under)
+    attempts = (*attempts, *_near_the_end(attempts, stated_path))
     sure = under.kind == prose.CLAIM and (under.noted or same or not said.before)
     sure = sure and (under.noted or said.universal or head is None)
     goes_on = n > 0 and same and under.kind != prose.SOLVE
@@ -211,6 +214,15 @@ def claim(
     )
     worked = worked or DOTS.args[0] in symbols(left) | symbols(right)
     firm = not said.before and (sure or goes_on or numeric) and (under.noted or not as_path)
+    stated = stated_path and relation in ("==", "~") and not unknown_in(left, right)
+    firm = firm or bool(
+        as_path
+        and stated
+        and same
+        and head is None
+        and not said.before
+        and under.kind in ("", prose.CLAIM)
+    )
     firm = firm or (
         relation == "=="
         and same
@@ -303,6 +315,17 @@ def _attempts(
             attempts.setdefault(text, asked._replace(far=far, same=alike))
             same = same or (may_fail and alike)
     return tuple(sorted(attempts.values(), key=lambda attempt: not attempt.may_fail)), same
+
+
+def _near_the_end(attempts: Iterable[Attempt], path: str) -> Iterator[Attempt]:
+    """Yield, for a series with dots in a symbol that tends to 0, the claim for small values."""
+    name, _, end = path.partition(" -> ")
+    for asked in attempts:
+        names = [symbols(side) for side in (asked.sides or ())[::2]]
+        if end.rstrip("+-") == "0" and any({name, DOTS.args[0]} <= found for found in names):
+            near = f"abs({name}) < 1/1000"
+            joined = f"{asked.text}, {near}" if asked.under else f"{asked.text} given {near}"
+            yield asked._replace(text=joined, how=f"for small {name}", may_fail=False)
 
 
 def _with_functions_named(text: str, names: Iterable[str]) -> str:
@@ -446,6 +469,12 @@ def _usual_path(right: Expr) -> str:
     if base.op != "symbol" or exponent.op != "number":
         return ""
     return f"{base} -> {'0' if exponent.args[0] > 0 else 'oo'}"
+
+
+def _path_of_index(left: Expr, right: Expr) -> str:
+    """Return the usual path of a statement about one index: ``n -> oo``."""
+    names = (symbols(left) | symbols(right)) - NO_VARIABLES
+    return f"{min(names)} -> oo" if len(names) == 1 and names <= {"n", "N", "k", "m"} else ""
 
 
 def read_so(link: Link, compared: Compared) -> Link:

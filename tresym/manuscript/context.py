@@ -45,7 +45,7 @@ _LETTER_DELTA = re.compile(r"\\Delta(?![a-zA-Z])\s*(?:[-+=<>^_,.$)}&]|\\(?:[gl]e
 _CALLED = re.compile(
     r"(?<![a-zA-Z\\_^{])((?:[a-zA-Z]|\\[a-zA-Z]+(?:\s*\{\s*\\?[a-zA-Z]+\s*\})?)"
     r"(?:_(?:\w|\{\w+\}))?)\s*\(\s*(?:[a-z]|\\[a-z]+)"
-    r"(?:\s*,\s*(?:[a-z]|\\[a-z]+))*\s*\)\s*&?\s*:?="
+    r"(?:\s*,\s*(?:[a-z]|\\[a-z]+))*\s*\)\s*&?\s*(?::?=|\\equiv|\\coloneqq)"
 )
 """The head of a function's definition."""
 _ITERATES = re.compile(
@@ -105,6 +105,7 @@ class Memory(ConditionReader):
         own: symbols that the sentence of the next display defines.
         line: the line of the current display, 0 in running text.
         lines: the lines in which symbols were defined.
+        paths: the paths that the section has stated, by variable, the latest last.
         counts_derivatives: whether ``f^{(4)}(x)`` is a derivative, not an iterate of f.
     """
 
@@ -131,6 +132,7 @@ class Memory(ConditionReader):
         self.seen: set[str] = set()
         self.told: dict[str, Expr] = {}
         self.where: dict[str, tuple[Compared, ...]] = {}
+        self.paths: dict[str, str] = {}
 
     @property
     def functions(self) -> dict[str, Function]:
@@ -201,6 +203,15 @@ class Memory(ConditionReader):
         """Begin a section, which ends the conditions and scopes before it."""
         self.scopes.section(chapter)
         self.noted = []
+        self.paths = {}
+
+    def path_for(self, names: Iterable[str], under: Under) -> str:
+        """Return the path on which a statement about symbols is meant: its own, or the last one of
+        the section; empty if none is stated."""
+        names = {*names}
+        return under.path or next(
+            (self.paths[name] for name in reversed(self.paths) if name in names), ""
+        )
 
     def known(self, under: Under) -> dict[str, Expr]:
         """Return the definitions that may be substituted, the latest last."""

@@ -177,7 +177,10 @@ def _restates(link: Link, asked: Attempt) -> str:
         bare = bool(equal) and left.split() == right.split()
         why = "both sides are read as the same expression, so there is nothing to check"
         return why if bare or (symbols(one) and link.ground.alike) else ""
+    put = {name for name, _ in asked.put}
     lone = next((s for s in (link.sides or ())[::2] if str(s) in link.ground.places), None)
+    if lone is None and any(str(side) in put for side in (link.sides or ())[::2]):
+        return "a definition; it is substituted later if that decides a link"
     place = link.ground.places[str(lone)] if lone is not None else 0
     return f"restates {f'line {place}' if place else f'what {lone} stands for'}" if lone else ""
 

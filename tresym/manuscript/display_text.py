@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from tresym.manuscript.macros import group
+from tresym.manuscript.notation import plain_notation
 from tresym.reals.language.latex_tokens import CONDITION, FUNCTIONS
 
 FORALL = "\\forallsaid"
@@ -75,7 +76,7 @@ def prepared(text: str, words: list[str]) -> str:
     Args:
         words: upright text that is not understood is appended to this list.
     """
-    text = _DROPPED.sub(" ", text)
+    text = plain_notation(_DROPPED.sub(" ", text))
     text = _SET.sub(r" \1 ", text)
     text = _THOUSANDS.sub(lambda m: re.sub(r"\{?,\}?|\\,", "", m[0]), text)
     text = _ONE_COMMA.sub(r"{\1{,}\2}", text)
@@ -132,6 +133,8 @@ def _without_braces_under(text: str) -> str:
     while (mark := _BRACE.search(text)) is not None:
         inside, end = group(text, mark.end())
         label = re.compile(r"\s*[_^]").match(text, end)
+        if label and (command := re.compile(r"\s*\\[a-zA-Z]+\s*(?=\{)").match(text, label.end())):
+            label = command  # _\text{small}
         end = group(text, label.end())[1] if label else end
         text = f"{text[: mark.start()]} {inside} {text[end:]}"
     return text

@@ -15,6 +15,7 @@ from typing import NamedTuple
 from tresym.manuscript import prose
 from tresym.manuscript.kinds_in_notation import (
     applied_and_bare,
+    declared_by_notation,
     doubts,
     indices,
     noted,
@@ -50,8 +51,8 @@ _NAMING_RELATIONS = ("=", ":=", "==", "\\equiv", ":", "\\colon", "\\in", "\\sim"
 """Relations that may follow a symbol named by the words before a formula."""
 _NAMES_BELOW = (("p",), ("q",), ("r",), ("s",))
 """Subscripts that are names if nothing is summed: ``y_p`` is a particular solution."""
-Key = tuple[str, str, bool]
-"""A letter, its accent, and whether it has a subscript."""
+Key = tuple[str, str, str]
+"""A letter, its accent, and its subscript: the same word for all that number terms."""
 
 
 @dataclass(frozen=True)
@@ -177,11 +178,14 @@ class Kinds:
             return
         found = list(mentions(tokens))
         chapter = self.chapters[-1]
-        for kind, one, words in noted(tokens, found, display, chapter.intervals):
+        for kind, one, words in declared_by_notation(tokens, found, chapter.intervals):
             said = kind in (REAL, INTEGER)
             evidence = self._evidence(kind, words, file, line, place, said)
             local = kind == COMPLEX and one.letter not in ("z", "w")
             self._add(_key(one), replace(evidence, local=local))
+        for kind, one, words in noted(tokens, found, display):
+            evidence = self._evidence(kind, words, file, line, place, False)
+            self._add(_key(one), replace(evidence, local=True))
         for letter, words in sequences(tokens, found):
             evidence = self._evidence(SEQUENCE, words, file, line, place, False)
             chapter.sequences.setdefault(letter, evidence)
@@ -232,9 +236,7 @@ class Kinds:
         if below:
             entries = {MATRIX: len(one.subscript) < 2, VECTOR: False, SEQUENCE: False}
             found += (
-                e
-                for e in chapter.found.get((letter, accent, False), ())
-                if entries.get(e.kind, True)
+                e for e in chapter.found.get((letter, accent, ""), ()) if entries.get(e.kind, True)
             )
         if not found:
             return _weak(one)
@@ -352,12 +354,13 @@ def _lone(tokens: Sequence[str]) -> Mention | None:
 
 
 def _key(one: Mention) -> Key:
-    return one.letter, one.accent, bool(one.subscript)
+    below = "an index" if one.is_index else "".join(one.subscript)
+    return one.letter, one.accent, below
 
 
 def _weak(one: Mention) -> Evidence | None:
     """Return the evidence in the accent of a symbol, such as ``\\hat``."""
-    if one.accent in ("hat", "widehat", "mathcal", "mathscr", "mathfrak"):
+    if one.accent in ("hat", "widehat", "mathfrak"):
         return Evidence(f"{UNKNOWN}, by its \\{one.accent}", "", 0)
     return None
 

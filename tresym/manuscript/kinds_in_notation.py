@@ -24,7 +24,7 @@ from tresym.manuscript.symbols import (
     is_lone_argument,
     is_plain_number,
 )
-from tresym.reals.language.latex_cursor import INDICES
+from tresym.reals.language.latex_cursor import INDICES, is_letter
 from tresym.reals.language.latex_tokens import RELATIONS
 
 Noted = Iterator[tuple[str, Mention, str]]
@@ -50,18 +50,25 @@ def noted(
     tokens: Sequence[str],
     found: Sequence[Mention],
     display: bool,
-    intervals: Collection[str] = (),
 ) -> Noted:
-    """Each symbol that the notation of a formula says the kind of, and by which of it.
+    """Each symbol whose kind shows in how a formula uses it, and by which part of the formula."""
+    for sought in (_samples, _neighbours, _followers, _transposed, _normed, _conjugates):
+        yield from sought(tokens, found)
+    yield from _brackets(tokens, found)
+    if display:
+        yield from _both_orders(tokens, found)
+
+
+def declared_by_notation(
+    tokens: Sequence[str], found: Sequence[Mention], intervals: Collection[str] = ()
+) -> Noted:
+    """Each symbol that a formula declares: as a map, or as a member of a set.
 
     Args:
         intervals: letters of intervals of real numbers.
     """
     yield from _maps(tokens, found, intervals)
-    for sought in (_members, _neighbours, _followers, _transposed, _normed, _conjugates):
-        yield from sought(tokens, found)
-    if display:
-        yield from _both_orders(tokens, found)
+    yield from _members(tokens, found)
 
 
 def _shown(tokens: Sequence[str], start: int, end: int) -> str:
@@ -74,9 +81,19 @@ def _plain(tokens: Sequence[str], at: int) -> list[str]:
 
 
 def _members(tokens: Sequence[str], found: Sequence[Mention]) -> Noted:
-    """``x, y \\in \\mathbb{C}^n`` and ``X \\sim N(0, 1)``."""
+    """``x, y \\in \\mathbb{C}^n``."""
+    return _before(tokens, found, "\\in")
+
+
+def _samples(tokens: Sequence[str], found: Sequence[Mention]) -> Noted:
+    """``X \\sim N(0, 1)``."""
+    return _before(tokens, found, "\\sim")
+
+
+def _before(tokens: Sequence[str], found: Sequence[Mention], relation: str) -> Noted:
+    """The symbols before ``\\in`` or ``\\sim``, of the kind that follows."""
     for at, token in enumerate(tokens):
-        if token not in ("\\in", "\\sim"):
+        if token != relation:
             continue
         own, end = [], at
         for one in reversed([one for one in found if one.end <= at]):
@@ -122,7 +139,17 @@ def _member(tokens: Sequence[str], at: int) -> str:
 def _distributed(tokens: Sequence[str], at: int) -> str:
     """Whether what follows ``\\sim`` is the name of a distribution."""
     name = tokens[at : at + 1] and tokens[at][:1].isupper() and tokens[at + 1 : at + 2] == ["("]
-    return RANDOM if name or tokens[at : at + 1] == ["("] else ""
+    return RANDOM if name or (tokens[at : at + 1] == ["("] and _has_comma(tokens, at)) else ""
+
+
+def _has_comma(tokens: Sequence[str], at: int) -> bool:
+    """Whether the bracket at ``at`` holds several things: ``(x, y)``."""
+    depth = 0
+    for token in tokens[at + 1 : group_end(tokens, at)]:
+        depth += (token in (*OPENING, "{")) - (token in (")", "]", "\\}", "}"))
+        if depth == 0 and token == ",":
+            return True
+    return False
 
 
 def _maps(tokens: Sequence[str], found: Sequence[Mention], intervals: Collection[str]) -> Noted:
@@ -185,9 +212,24 @@ def _transposed(tokens: Sequence[str], found: Sequence[Mention]) -> Noted:
         opening = next(
             (n for n in range(at) if group_end(tokens, n) == at - 1 and tokens[n] in OPENING), at
         )
+        if opening < at and _has_comma(tokens, opening):
+            continue  # a column of numbers
         for one in found:
             if one.end == at or opening < one.start < at:
                 yield MATRIX, one, _shown(tokens, one.start, at + 4)
+
+
+def _brackets(tokens: Sequence[str], found: Sequence[Mention]) -> Noted:
+    """``[A, B] = AB - BA`` and ``\\{q, p\\} = qp - pq``: operators."""
+    products = {frozenset((one.name, other.name)) for one, other in factors(tokens, found)}
+    for at, token in enumerate(tokens):
+        if token not in ("[", "\\{") or not _has_comma(tokens, at):
+            continue
+        end = group_end(tokens, at)
+        inside = [one for one in found if at < one.start < end]
+        if len(inside) == 2 and frozenset(one.name for one in inside) in products:
+            for one in inside:
+                yield OPERATOR, one, _shown(tokens, at, end + 1)
 
 
 def _alone_above(tokens: Sequence[str], one: Mention) -> bool:
@@ -229,7 +271,12 @@ def _both_orders(tokens: Sequence[str], found: Sequence[Mention]) -> Noted:
     pairs = {(one.name, other.name): (one, other) for one, other in factors(tokens, found)}
     for (one, other), both in pairs.items():
         telling = all(m.letter[0].isupper() or m.accent or m.subscript for m in both)
-        if one != other and (other, one) in pairs and telling:
+        reverse = pairs.get((other, one))
+        differ = reverse is not None and any(
+            [*tokens[first[1].end : second[0].start]] == ["-"]
+            for first, second in ((both, reverse), (reverse, both))
+        )
+        if one != other and reverse is not None and (telling or differ):
             for m in both:
                 yield f"{UNKNOWN}, as both {one} {other} and {other} {one} stand there", m, ""
 
@@ -271,6 +318,8 @@ def applied_and_bare(tokens: Sequence[str], found: Sequence[Mention]) -> tuple[s
     applied, bare = set(), set()
     for one in found:
         after = tokens[one.end] if one.end < len(tokens) else ""
+        if one.letter == "pi":
+            continue
         if after not in OPENING:
             bare.add(one.name)
         elif is_lone_argument(tokens, one.end):
@@ -285,6 +334,8 @@ def doubts(
     ends = {one.end: one for one in found}
     starts = {one.start: one for one in found}
     bars = any("|" in token for token in tokens)
+    if why := _operators(tokens):
+        return why
     for at, token in enumerate(tokens):
         one, other = ends.get(at), starts.get(at + 1)
         letters = one is not None and other is not None and not (is_real(one) and is_real(other))
@@ -307,6 +358,26 @@ def doubts(
                 if _may_be_inverted(m) and not is_real(m):
                     return f"{m.shown}^{{-1}} may be an inverse matrix or function, or 1/{m.shown}"
     return ""
+
+
+def _operators(tokens: Sequence[str]) -> str:
+    """Derivatives and variations that look like factors: ``D/Dt`` and ``\\delta \\int``."""
+    bare = [token for token in tokens if token not in ("{", "}", "\\left", "\\right")]
+    for at, token in enumerate(bare):
+        after = bare[at + 1 : at + 3]
+        if token == "D" and after[:1] and is_letter(after[0]) and _is_below(bare, at):
+            return f"D/D{after[0].removeprefix(chr(92))} may be a derivative along the motion"
+        if token == "\\delta" and after[:1] in (["\\int"], ["\\iint"]):
+            return "\\delta before an integral may be a variation"
+        if token == "\\delta" and after[:1] and is_letter(after[0]) and after[1:] == ["("]:
+            return f"\\delta before {after[0]}( may be a variation"
+    return ""
+
+
+def _is_below(bare: Sequence[str], at: int) -> bool:
+    """Whether the D at ``at`` is that below a line, after another D: ``\\frac{D r}{D t}``, D/Dt."""
+    earlier = [*bare[max(at - 8, 0) : at]]
+    return "D" in earlier and ("/" in earlier[-2:] or "\\frac" in earlier)
 
 
 def _may_be_inverted(one: Mention) -> bool:

@@ -19,6 +19,7 @@ BY_NAME = {
 """The kinds by the words of a directive."""
 
 _SPACES = r"(?:(?:vector|linear|Banach|Hilbert|metric|topological|normed|measure|probability) )?"
+_ALGEBRAS = r"(?:sub|(?:Lie|Banach|Boolean|Clifford|exterior|tensor|operator|sigma|C\*)[\s~-]+)"
 _KIND_OF_SET = (
     r"(?:the|a|an|any|every|each|some|this|finite|open|closed|compact|empty|countable|bounded"
     r"|convex|connected|infinite|null|solution|point|index|level) "
@@ -47,10 +48,10 @@ _NOUNS = (
         r"sheaf|sheaves|bundles?|connections?|curvature forms?|morphisms?|vertices|simplices",
     ),
     (SET, rf"(?:sub|super)sets?|sets|{_KIND_OF_SET}set|(?:sub)?groups?|(?:sub)?rings?|modules?"),
-    (SET, rf"(?:sub)?{_SPACES}spaces?|ideals?|(?:sub)?fields?|(?:sub)?algebras?|manifolds?"),
+    (SET, rf"(?:sub)?{_SPACES}spaces?|ideals?|(?:sub)?fields?|{_ALGEBRAS}algebras?|manifolds?"),
     (
         SET,
-        r"events?|categor(?:y|ies)|domains?|neighbou?rhoods?|collections?|famil(?:y|ies)",
+        r"events?|categor(?:y|ies)|domains?|collections?|famil(?:y|ies)",
     ),
     (FUNCTION, r"(?:eigen)?functions?|polynomials?|maps?|mappings?|distributions?"),
     (INTEGER, r"integers?|natural numbers?|primes?|prime numbers?|indices|index|whole numbers?"),
@@ -118,7 +119,7 @@ _HOLOMORPHIC = re.compile(
 )
 _PLURAL = (
     (MATRIX, r"matrices|tensors|quaternions|spinors"),
-    (OPERATOR, r"operators|projections|transformations|maps between|commut(?:e|es|ator|ators|ing)"),
+    (OPERATOR, r"operators|projections|transformations|maps between|commutators?|do not commute"),
     (RANDOM, r"random variables|estimators"),
     (VECTOR, r"vectors"),
     (COMPLEX, r"complex numbers|complex variables|complex plane|complex conjugates?"),

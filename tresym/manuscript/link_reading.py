@@ -10,6 +10,7 @@ from tresym.manuscript.classification import (
     ASSUMED,
     CONSTANTS,
     DEFINED,
+    EQUATION,
     UNREAD,
     Attempt,
     Link,
@@ -46,13 +47,18 @@ from tresym.reals.language.latex_operands import Piece
 from tresym.reals.language.latex_tokens import RELATIONS
 from tresym.reals.language.parsing import Compared
 from tresym.reals.numbers.exact import AmbiguityError, InputError
+from tresym.reals.verdict import Verdict
 
 EITHER = "either"
 """Marks the first of two alternatives: a chain that is followed by "or"."""
 
 
 class LinkReader:
-    """What was read so far, and how one link of a chain is read."""
+    """What was read so far, and how one link of a chain is read.
+
+    Attributes:
+        equations: the lines of the last equations for symbols, by symbol.
+    """
 
     def __init__(self, events: Sequence[Event]) -> None:
         self.events = events
@@ -61,6 +67,7 @@ class LinkReader:
         self.place, self.words = 0, ""
         self.orders = Orders()
         self.cases: list[tuple[tuple[str, ...], tuple[Compared, ...]]] = []
+        self.equations: dict[str, int] = {}
 
     def either_reading(self, blank: Link, said: Said, under: Under, why: str) -> Iterator[Link]:
         """Yield the links of a chain that has two readings, each link with both readings."""
@@ -102,7 +109,13 @@ class LinkReader:
         """Classify one link: the first of a chain by its form; later ones are claims."""
         left, right = sides
         relation = RELATIONS.get(op, op)
+        if relation == "==" and n == 0 and (value := self.initial_value(link, said.terms[0])):
+            return value
         head = self.memory.head(said.terms[0]) if n == 0 and relation == "==" else None
+        if n and op in ("\\equiv", ":="):  # x = f(t) \equiv the value of f
+            inner = self.memory.head(said.terms[n])
+            head = inner if inner and inner.parameters else None
+            op = ":=" if head and head.name not in self.memory.functions else op
         if any(isinstance(side, TwoReadings) for side in sides):
             link = replace(link, obstacle=Obstacle.TWO_READINGS)
         if isinstance(right, str):
@@ -113,6 +126,8 @@ class LinkReader:
             left = Piece(symbol(head.name))
         if isinstance(left, str):
             return replace(link, status=UNREAD, why=left)
+        if relation == "~" and n == 0 and (found := self.approximation(link, said, right.tree)):
+            return found
         if relation in ("<<", ">>") and n == 0:
             link = read_so(link, (left.tree, relation, right.tree))
             return replace(
@@ -200,7 +215,7 @@ class LinkReader:
         )
         link = replace(link, sides=(symbol(head.name), "==", value), read_as=f"{shown} == {value}")
         if any(node.op in ("O", "o") for node in outermost(value)):
-            return replace(link, status=DEFINED, why="a definition up to the order given")
+            return self.expansion(link, head)
         constants = sorted(
             name
             for name in symbols(value) - self.memory.seen - {*head.parameters}
@@ -221,6 +236,46 @@ class LinkReader:
         return replace(
             link, status=DEFINED, why="one of several values of its left side" if several else why
         )
+
+    def approximation(self, link: Link, said: Said, value: Expr) -> Link | None:
+        """Return the link of an approximation of a symbol that is defined nowhere, else None."""
+        head = self.memory.head(said.terms[0])
+        if head is None or head.derived or head.name in self.memory.functions:
+            return None
+        if head.name in symbols(value) or head.name in self.memory.told:
+            return None
+        link = replace(link, sides=None, read_as=f"{head.name} ~ {value}")
+        if head.base in self.equations:
+            return self.expansion(link, head)
+        why = f"an approximation of {head.name}, which is defined nowhere"
+        return replace(link, status=ASSUMED, why=why)
+
+    def expansion(self, link: Link, head: Head) -> Link:
+        """Return the link of an expansion; that of a quantity with an equation is not decided."""
+        line = self.equations.get(head.base)
+        if line is None:
+            return replace(link, status=DEFINED, why="a definition up to the order given")
+        why = f"an expansion of {head.base}, for which line {line} states an equation: not checked"
+        return replace(link, status=Verdict.UNDECIDED.value, why=why)
+
+    def initial_value(self, link: Link, term: Sequence[str]) -> Link | None:
+        """Return the link of a value at a point, ``x(0) = 0`` or ``\\dot{x}(0) = v``, else None.
+
+        It belongs to an equation for the function, unless the function is defined.
+        """
+        bare = [token for token in term if token not in ("{", "}")]
+        accents = [token for token in bare if token in ("\\dot", "\\ddot", "'")]
+        rest = [token for token in bare if token not in accents]
+        if len(rest) != 4 or rest[1] != "(" or rest[3] != ")" or not rest[2][0].isdigit():
+            return None
+        head = self.memory.head([rest[0]])
+        if head is None or head.name in self.memory.functions or rest[0] == "\\pi":
+            return None
+        known = head.name in self.equations or head.name in self.memory.dependent
+        if not (accents or known or head.name in self.memory.called):
+            return None
+        why = f"a value of {head.name} at a point, which belongs to an equation for it"
+        return replace(link, status=EQUATION, why=why)
 
     def assumption(self, link: Link, compared: Compared, why: str) -> Link:
         """Return the link of a comparison that is assumed, as a condition on what follows."""

@@ -18,6 +18,7 @@ from typing import TypeAlias
 from tresym.manuscript import prose
 from tresym.manuscript.classification import (
     ASSUMED,
+    DEFINED,
     UNREAD,
     Link,
     TwoReadings,
@@ -32,10 +33,13 @@ from tresym.manuscript.files import Note
 from tresym.manuscript.link_reading import EITHER, LinkReader
 from tresym.manuscript.mentions import names_in
 from tresym.manuscript.source import Display, Event, Missing, Prose, Scope, Section
+from tresym.manuscript.symbols import mentions
 from tresym.manuscript.terms import (
     as_derivatives,
+    base_of,
     is_plain,
     plain,
+    unknown_in,
     variables_of_integrals,
 )
 from tresym.reals.decisions.statement import chained
@@ -78,6 +82,8 @@ class _Reading(LinkReader):
                 self.note(event)
             elif isinstance(event, Section):
                 self.memory.section(event.chapter)
+                if event.chapter:
+                    self.equations.clear()
                 before = ""
             elif isinstance(event, Scope):
                 self.memory.scopes.mark(event)
@@ -133,6 +139,10 @@ class _Reading(LinkReader):
         around = replace(
             around, kind=kind, noted=bool(orders.kind), path=orders.path or around.path
         )
+        if around.path:
+            name = around.path.split(" ")[0]
+            self.memory.paths.pop(name, None)
+            self.memory.paths[name] = around.path
         around = self.memory.following(replace(around, told=prose.is_told(before)), orders)
         blank = Link(display, 1, shown=" ".join(display.text.split()))
         if orders.skip is not None:
@@ -238,6 +248,8 @@ class _Reading(LinkReader):
         pieces = [self.piece(term, said) for term in said.terms]
         strange = [self.strange(said, n, blank.display.line) for n in range(len(said.ops))]
         doubts = [piece for piece in pieces if isinstance(piece, TwoReadings)]
+        if self.initial_value(blank, said.terms[0]):
+            doubts = []
         if doubts and not any(strange) and not self.memory.shorter:
             links = list(self.either_reading(blank, said, under, doubts[0]))
             if links:
@@ -262,7 +274,22 @@ class _Reading(LinkReader):
                     if a.text not in asked
                 )
                 link = replace(link, claims=(*link.claims, *told))
+            self.note_equation(link, said, blank.display.line)
             yield link
+
+    def note_equation(self, link: Link, said: Said, line: int) -> None:
+        """Remember an equality that is no definition as an equation for its symbols."""
+        if link.sides is None and link.status == UNREAD and " = " in link.shown:
+            if self.memory.head(said.terms[0]) is None:
+                self.equations |= {base_of(one.name): line for one in mentions(said.tokens)}
+            return
+        if link.sides is None or link.sides[1] != "==" or link.status in (DEFINED, ASSUMED):
+            return
+        if link.otherwise[0] == DEFINED:
+            return
+        names = (symbols(e) | unknown_in(e) for e in (link.sides[0], link.sides[2]))
+        for name in frozenset().union(*names):
+            self.equations[base_of(name)] = line
 
     def list_of_values(self, blank: Link, said: Said) -> Link:
         """Return the link of a list such as ``n = 1, 2, ...``, a condition if it is one."""

@@ -45,8 +45,6 @@ class Macro(NamedTuple):
 USUAL = {
     "\\abs": Macro(1, r"\left|#1\right|", starred=True),
     "\\dd": Macro(0, r"\,\mathrm{d}"),
-    "\\dv": Macro(2, r"\frac{d#1}{d#2}"),
-    "\\pdv": Macro(2, r"\frac{\partial#1}{\partial#2}"),
     "\\qty": Macro(0, ""),
     "\\d": Macro(0, r"\,\mathrm{d}"),
     "\\diff": Macro(0, r"\,\mathrm{d}"),

@@ -175,6 +175,7 @@ class _Scanner:
         self.macros: dict[str, Macro] = {}
         self.titles = {m[1]: m[2] for m in _NEWTHEOREM.finditer(self.text)}
         self.count = 0
+        self.broken: list[tuple[int, str]] = []
 
     def events(self) -> Iterator[Event]:
         """Yield directives, headings, scopes, prose and displays, in order."""
@@ -218,6 +219,8 @@ class _Scanner:
             elif mark["end"] in DISPLAYS:
                 self.fail(mark.start(), f"\\end{{{mark['end']}}} closes nothing")
         yield self.prose(prose, stop)
+        if self.broken and len(self.broken) == self.count:
+            self.fail(*self.broken[0])
 
     def scope(self, mark: re.Match[str]) -> Scope | None:
         """Return the scope that opens or ends at a mark, if one does."""
@@ -279,25 +282,25 @@ class _Scanner:
                 break
         if depth > MAX_BRACES:
             self.fail(start, f"braces are nested deeper than {MAX_BRACES} levels in the display")
-        if depth:
-            self.fail(start, "the braces of the display do not match")
+        problem = "the braces of the display do not match" if depth else ""
         opened: list[str] = []
         for mark in _ENVIRONMENT.finditer(text):
             if mark[1] == "begin":
                 opened.append(mark[2])
             elif not opened or opened.pop() != mark[2]:
-                self.fail(start, f"\\end{{{mark[2]}}} closes nothing in the display")
+                problem = problem or f"\\end{{{mark[2]}}} closes nothing in the display"
         if opened:
-            self.fail(start, f"\\begin{{{opened[-1]}}} is not closed in the display")
+            problem = problem or f"\\begin{{{opened[-1]}}} is not closed in the display"
+        if problem:
+            self.broken.append((start, problem))
         notes = tuple(self.source.notes[int(mark[1])] for mark in _MARKED.finditer(text))
         text = _MARKED.sub("", text)
         if kind.startswith(("alignat", "xalignat")):
             _, past = group(text, 0)
             text = text[past:]
         labels = tuple(label.strip() for label in _LABEL.findall(text))
-        problem = ""
         try:
-            text = written_out(text, self.macros)
+            text = text if problem else written_out(text, self.macros)
         except InputError as error:
             if "does not end" in str(error):
                 self.fail(start, str(error))

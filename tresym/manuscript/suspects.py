@@ -25,11 +25,11 @@ from tresym.manuscript import prose
 from tresym.manuscript.accusations import DoubtKind
 from tresym.manuscript.classification import CONSTANTS, DEFINED, EQUATION, UNREAD, Link
 from tresym.manuscript.deciding import Row
-from tresym.manuscript.terms import base_of
+from tresym.manuscript.terms import base_of, unknown_in
 from tresym.reals.decisions.answer import Alternative, Answer
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.derivatives import differentiate
-from tresym.reals.language.expression import Expr, symbols
+from tresym.reals.language.expression import Expr, substitute, symbol, symbols
 from tresym.reals.verdict import Cause
 from tresym.repair import suggestions
 from tresym.repair.agreement import Definitions
@@ -139,6 +139,8 @@ def _closing(rows: Sequence[Row], processes: int | None) -> dict[int, tuple[Alte
         left, equal, middle = first.partition(" == ")
         if not equal or given != same or not _goes_on(row, after):
             continue
+        if not _adds_nothing(row, after):
+            continue
         for start in (f"{middle} == ", f"abs({middle} - ("):  # the second is of printed digits
             if second.startswith(start):
                 claim = start.replace(middle, left, 1) + second.removeprefix(start)
@@ -151,6 +153,17 @@ def _closing(rows: Sequence[Row], processes: int | None) -> dict[int, tuple[Alte
         for task, answer in answers
         if isinstance(answer, Answer) and answer.verdict.value in _HOLD
     }
+
+
+def _adds_nothing(row: Row, after: Row) -> bool:
+    """Whether the term between two links shares its symbols, but for one, with the outer terms;
+    else it may be an unknown, as in ``1 = z^2 = 1``."""
+    if row.link.sides is None or after.link.sides is None:
+        return False
+    first, middle, last = row.link.sides[0], row.link.sides[2], after.link.sides[2]
+    names = symbols(middle) | unknown_in(middle)
+    outer = symbols(first) | symbols(last) | unknown_in(first, last)
+    return names <= outer or (bool(names & outer) and len(names - outer) == 1)
 
 
 def _redefined(row: Row, rows: Sequence[Row]) -> bool:
@@ -344,7 +357,15 @@ def _defined_twice(rows: list[Row]) -> list[Row]:
 def _differ(first: Link, second: Link) -> bool:
     if first.sides is None or second.sides is None or first.display == second.display:
         return False
+    if _without_subscripts(first.sides[2]) == _without_subscripts(second.sides[2]):
+        return False  # a formula and its special case
     return is_one_edit(first.sides[2], second.sides[2])
+
+
+def _without_subscripts(e: Expr) -> Expr:
+    """Return an expression with the bare letters in place of subscripted symbols."""
+    bare = {name: symbol(re.match(r"[A-Za-z]+", name)[0]) for name in symbols(e)}  # type: ignore[index]
+    return substitute(e, bare)
 
 
 _SKIPPED = re.compile(r"[\s&{}]|\\(?:left|right|,|;|:|!|quad|qquad|nonumber|notag|label\{[^}]*\})")

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
+from tresym.manuscript.notation import plain_notation
 from tresym.reals.language.latex_cursor import INDICES, WORDS_BELOW, allowed, is_letter, is_number
 from tresym.reals.language.latex_tokens import RELATIONS
 
@@ -20,7 +21,7 @@ STYLES = frozenset(
 """Commands that make another symbol of a letter, and that the reader refuses."""
 _UPRIGHT = re.compile(
     r"\\(?:text\w*|mathrm|operatorname\*?|mbox|hbox|label|tag|ref|eqref|cite|color|intertext)"
-    r"\s*\{[^{}]*\}|\\(?:begin|end)\s*\{[^{}]*\}"
+    r"\s*\{[^{}]*\}|\\begin\s*\{(?:array|tabular)\}\s*\{[^{}]*\}|\\(?:begin|end)\s*\{[^{}]*\}"
 )
 OPENING = ("(", "[", "\\{")
 _CLOSING = {"(": ")", "[": "]", "\\{": "\\}"}
@@ -62,6 +63,9 @@ class Mention(NamedTuple):
     def is_index(self) -> bool:
         """Whether its subscript numbers a term of a sequence: ``a_k``, ``a_{n+1}``, ``a_{ij}``."""
         letters = "".join(t for t in self.subscript if t.isalpha())
+        signs = {"+", "-"} & {*self.subscript}
+        if self.subscript and self.subscript[-1].isdigit() and not signs:
+            return False  # J0 is a name, 2k and k+1 number terms
         named = letters in WORDS_BELOW or any(t.startswith("\\") for t in self.subscript)
         return bool(letters) and not named and {*letters} <= INDICES
 
@@ -125,7 +129,7 @@ def _without_accent(subscript: tuple[str, ...]) -> tuple[str, tuple[str, ...]]:
 
 def without_upright(tex: str) -> str:
     """A formula without words, labels and environments in it."""
-    return _UPRIGHT.sub(" ", tex)
+    return _UPRIGHT.sub(" ", plain_notation(tex))
 
 
 def is_lone_argument(tokens: Sequence[str], at: int) -> bool:

@@ -150,7 +150,7 @@ class Reader(FunctionReader):
         inner = self.enclosed()
         if braced:
             self.take("}")
-        if not self.is_product(name, inner):
+        if name != "pi" and not self.is_product(name, inner):
             value = f"{name}_1 for the value of a function {name}"
             if not self.author or not (self.author.longer or self.author.shorter):
                 self.two_readings(joined([last, inner], ["", "*"]), value)

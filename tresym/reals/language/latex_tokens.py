@@ -27,7 +27,7 @@ FUNCTIONS = {
 """Commands and upright words that apply a function, and the function."""
 GREEK = _words(
     "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi rho sigma tau "
-    "upsilon phi chi psi omega varepsilon vartheta varphi varrho varsigma "
+    "upsilon phi chi psi omega varepsilon vartheta varphi varpi varrho varsigma "
     "Gamma Theta Lambda Xi Sigma Upsilon Phi Psi Omega ell hbar"
 )
 EXTREMES = {"\\max": 1, "\\min": -1}

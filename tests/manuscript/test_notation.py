@@ -1,0 +1,149 @@
+r"""Notation of physicists, kinds that are not mistaken, and what is no longer passed by mistake.
+
+Each case is a text with the statuses of its links; a text with a false statement has one of its
+neighbours that is true beside it.
+"""
+
+from pathlib import Path
+
+import pytest
+from hangs import HANGS
+
+from tresym.manuscript.deciding import Row, decided
+from tresym.manuscript.links import read_links
+from tresym.manuscript.notation import plain_notation
+from tresym.manuscript.source import read_manuscript
+from tresym.manuscript.suspects import proofread
+
+
+def read(folder: Path, text: str) -> list[Row]:
+    (folder / "m.tex").write_text(text)
+    return decided(read_links(read_manuscript(folder / "m.tex")), HANGS, 1)
+
+
+def statuses(folder: Path, text: str) -> list[str]:
+    return [row.status for row in read(folder, text)]
+
+
+READ = (
+    r"\[ (\dot{\theta}_1 - \dot{\theta}_2)^2 = \dot{\theta}_1^2 - 2\dot{\theta}_1\dot{\theta}_2"
+    r" + \dot{\theta}_2^2 \]",
+    r"\[ (p_1^- + p_1^+)^2 = (p_1^-)^2 + 2 p_1^- p_1^+ + (p_1^+)^2 \]",
+    r"\[ \sum^{n}_{k=1} k = \frac{n(n+1)}{2} \]",
+    r"\[ \int^{1}_{0} x\,dx = \frac12 \]",
+    r"\[ (\varpi - 2)(\varpi + 2) = \varpi^2 - 4 \]",
+    r"\[ (\varTheta - 2)(\varTheta + 2) = \varTheta^2 - 4 \]",
+    r"\[ \frac{\cancel{k} p}{\cancel{k} q} = \frac{p}{q} \]",
+    r"\[ (p - q)^2 \> = \enskip p^2 - 2pq + q^2 \]",
+    r"\[ (1 + \mathnormal{x})^2 = 1 + 2x + x^2 \]",
+    r"\[ \frac{\dif}{\dif x} x^3 = 3x^2 \]",
+    r"\[ \dv{x} x^3 = 3x^2 \]",
+    r"\[ \dv[2]{x} x^3 = 6x \]",
+    r"\[ \pdv{x} (x^2 y) = 2xy \]",
+    r"\[ (u + w)^2 = u^2 + \underbrace{2uw}_\text{mixed} + w^2 \]",
+    r"With the variable $e$ of the orbit, $e = c/a$, \[ \mathrm{e}^{2x}\,\mathrm{e}^{-x} ="
+    r" \mathrm{e}^{x} \]",
+    r"With $k_J$ and $k_{J0}$, \[ (k_J - k_{J0})(k_J + k_{J0}) = k_J^2 - k_{J0}^2 \]",
+    r"\[ \pi(3) - \pi(2) = \pi \]",
+    # kinds
+    r"With the rate $\Gamma$, a little algebra gives \[ (\Gamma + 1)^2 = \Gamma^2 + 2\Gamma + 1 \]",
+    r"The derivatives commute, so \[ (B + 1)^2 = B^2 + 2B + 1 \]",
+    r"The mach number is $\mathcal{M} = u/c$. \[ (\mathcal{M}-1)(\mathcal{M}+1) = \mathcal{M}^2-1"
+    r" \]",
+    r"The state is $(u, v)^\intercal$. \[ (u + v)^2 = u^2 + 2uv + v^2 \]",
+    r"Here $b_x \sim (b_2 - b_1)/h$. \[ (b_2 - b_1)^2 = b_2^2 - 2 b_1 b_2 + b_1^2 \]",
+    r"\section{A} The matrix product is $C^\top$. \section{B} \[ (C + 1)^2 = C^2 + 2C + 1 \]",
+    # paths
+    r"As $x \to 0$, \[ \cos x \sim 1 - \frac{x^2}{2} \]",
+    r"For small $\epsilon$ we expand. \[ a + a = 2a \] \[ e^{\epsilon} = 1 + \epsilon + \dots \]",
+)
+"""Texts whose last link holds."""
+
+
+@pytest.mark.parametrize("text", READ)
+def test_the_notation_of_physicists_is_read(text: str, tmp_path: Path) -> None:
+    row = read(tmp_path, text)[-1]
+    assert row.status in ("PROVED", "ENCLOSED"), row.why
+
+
+WRONG = (
+    r"\[ (\dot{\theta}_1 - \dot{\theta}_2)^2 = \dot{\theta}_1^2 - \dot{\theta}_2^2 \]",
+    r"\[ (p^+ - p^-)^2 = (p^+)^2 - (p^-)^2 \]",
+    r"Show that \[ \sum_{k=1}^{n} k = \frac{n(n-1)}{2} \]",
+    r"As $x \to 0$, \[ \tan x \sim 2x \]",
+    r"\[ \cos x \sim 1 - x^2 \qquad (x \to 0) \]",
+    r"As $\epsilon \to 0$, \[ \sqrt{1+\epsilon} = 1 + \epsilon + O(\epsilon^2) \]",
+    r"For $\epsilon \to 0$, \[ \frac{1}{1-\epsilon} = 1 - \epsilon + \dots \]",
+)
+
+
+@pytest.mark.parametrize("text", WRONG)
+def test_what_is_false_in_it_is_no_pass(text: str, tmp_path: Path) -> None:
+    assert statuses(tmp_path, text)[-1] not in ("PROVED", "ENCLOSED", "DEFINED")
+
+
+@pytest.mark.parametrize("text", WRONG[2:])
+def test_a_false_closed_form_or_expansion_is_refuted(text: str, tmp_path: Path) -> None:
+    assert statuses(tmp_path, text)[-1] == "REFUTED"
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        # an expansion of a quantity with an equation is not defined by it
+        (
+            r"From \[ y e^y = x \] we get for large $x$ \[ y = \ln x + 3\ln\ln x + O(1) \]",
+            "UNDECIDED",
+        ),
+        (
+            r"Kepler: \[ E - k\sin E = M \] Hence \[ E = M + 2k\sin M + O(k^2) \]",
+            "UNDECIDED",
+        ),
+        (
+            r"The root of \[ z^3 + \epsilon z = 1 \] is"
+            r" \[ z \sim 1 + \epsilon \qquad (\epsilon\to 0) \]",
+            "UNDECIDED",
+        ),
+        # operators that look like factors
+        (r"Along the flow \[ \frac{D}{Dt}(s^2) = \frac{s^2}{t} \]", "UNREAD"),
+        (r"Along the flow \[ \frac{D s}{D t} = \frac{s}{t} \]", "UNREAD"),
+        (r"\[ \delta\int L\,dt = \int\delta L\,dt \]", "UNREAD"),
+        (r"\[ \{u, w\} = uw - wu = 0 \]", "UNREAD"),
+        (r"\[ uw - wu = 0 \]", "UNREAD"),
+        # a value at a point is no product
+        (r"The height obeys $\ddot{z} = -g$ with \[ z(0) = 0 \]", "EQUATION"),
+        (r"The height obeys $\ddot{z} = -g$ with \[ \dot{z}(0) = v \]", "EQUATION"),
+        # a definition proves nothing by itself
+        (r"The time is \[ t_c = 7\pi\sqrt{m/k} = ? \]", "DEFINED"),
+        (r"The period is \[ P = \frac{7\pi}{\dot{\phi}} = \frac{K(k_1)}{\omega_0} \]", "DEFINED"),
+    ],
+)
+def test_what_looks_true_by_its_form_does_not_pass(
+    text: str, expected: str, tmp_path: Path
+) -> None:
+    found = statuses(tmp_path, text)
+    assert "PROVED" not in found
+    assert expected in found
+    if "O(" in text or r"\sim" in text:
+        assert "DEFINED" not in found
+
+
+def test_an_unknown_between_equal_terms_and_a_special_case_are_no_misprints(tmp_path: Path) -> None:
+    text = r"""Both are known: \begin{align} 0.36 + 0.64 &= s^2 \\ &= 1 \end{align}
+    At a distance $r$ from the axis \[ a = \frac{v^2}{r} \] and at the surface
+    \[ a = \frac{v^2}{r_{s}} . \]"""
+    assert "SUSPECT" not in {row.status for row in proofread(read(tmp_path, text), 1.0, 1)}
+
+
+def test_one_bad_display_does_not_stop_the_file(tmp_path: Path) -> None:
+    text = r"\[ (a + b^2 \} = { \] We have \[ (a+b)^2 = a^2 + 2ab + b^2 \]"
+    rows = read(tmp_path, text)
+    assert [row.status for row in rows] == ["UNREAD", "PROVED"]
+    assert "braces" in rows[0].why
+
+
+@pytest.mark.parametrize(
+    "text", [r"\lim_{x \to 0^+} x", r"x^{+\infty}", r"x^{-1}", r"\mathbb{R}^+", r"A_{e}", r"2^{+3}"]
+)
+def test_other_notation_stays(text: str) -> None:
+    assert plain_notation(text) == text

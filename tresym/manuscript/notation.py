@@ -1,0 +1,141 @@
+r"""Rewrite notation that only looks different: ``\sum^n_{k=0}``, ``\dot{x}_1``, ``\mathrm{e}^x``.
+
+Physicists write the same real quantity in many ways: a subscript behind the braces of an accent,
+the upper limit of a sum first, ``v^+`` for the value behind a shock, macros of the packages physics
+and commath without their packages. Each is rewritten to the form that the reader knows, before a
+formula is taken apart. What a formula means is never changed here.
+
+Example:
+    >>> from tresym.manuscript.notation import plain_notation
+    >>> plain_notation(r"\sum^{n}_{k=0} \dot{x}_1 \enskip v^+")
+    '\\sum_{k=0}^{n} \\dot{x_1}   v_{plus}'
+"""
+
+from __future__ import annotations
+
+import re
+
+from tresym.manuscript.macros import group
+from tresym.reals.numbers.exact import InputError
+
+_SPACES = re.compile(r"\\(?:>|enskip(?![a-zA-Z])|thinspace(?![a-zA-Z])|medspace(?![a-zA-Z])|:)")
+_EMPTY = re.compile(r"(?<![_^a-zA-Z}\]])\{\s*\}")
+_CANCELLED = re.compile(r"\\(?:b|x)?cancel(?![a-zA-Z])")
+_WORDS = re.compile(r"\\mathit\s*\{\s*((?:[^{}~\\]*~[^{}\\]*)|(?:if|for|and|or|otherwise)\s*)\}")
+_ITALIC = re.compile(r"\\(?:mathit|mathnormal)\s*\{\s*([a-zA-Z])([a-zA-Z]*)\s*\}")
+_VARIANT = re.compile(
+    r"\\var(Gamma|Delta|Theta|Lambda|Xi|Pi|Sigma|Upsilon|Phi|Psi|Omega)(?![a-zA-Z])"
+)
+_LETTER = r"(?:[a-zA-Z]|\\[a-zA-Z]+)"
+_ACCENTED = re.compile(
+    rf"\\(dot|ddot|tilde|hat|bar|overline|widehat|widetilde)\s*\{{\s*({_LETTER})\s*\}}"
+    r"\s*_\s*(\{[^{}]*\}|[a-zA-Z0-9])"
+)
+_SHOCK = re.compile(
+    rf"(?<![a-zA-Z\\])({_LETTER})\s*(?:_\s*(\w|\{{\w+\}}))?\s*\^\s*(?:\{{\s*([+-])\s*\}}|([+-]))"
+    r"(?=\s*(?:[-+=)\]}},;.&|<>^(/]|\\(?!infty)|\$|\Z|[a-zA-Z]))"
+)
+_UPPER_FIRST = re.compile(r"\\(sum|prod|int|iint|oint)(?![a-zA-Z])\s*(?:\\limits\s*)?\^")
+_EULER = re.compile(r"\\(?:mathrm|text|textrm|operatorname|mathup)\s*\{\s*e\s*\}")
+_DIFFERENTIAL = re.compile(r"\\(?:dif|dd|diff)(?![a-zA-Z])\s*")
+_DERIVATIVE = re.compile(
+    r"\\(dv|od|pdv|pd|odv)(?![a-zA-Z])\s*\*?\s*(?:\[\s*([1-9])\s*\])?\s*(?=\{)"
+)
+_NUMBER = re.compile(r"\\(?:SI|qty|num)\s*(?:\[[^\[\]]*\])?\s*\{([^{}]*)\}")
+_UNIT_BEHIND = re.compile(r"\s*(?:\[[^\[\]]*\])?\s*\{[^{}]*\}")
+_UNITS = re.compile(r"\\(?:si|unit)\s*\{[^{}]*\}")
+
+
+def plain_notation(text: str) -> str:
+    """Return a formula in the notation that the reader of LaTeX knows."""
+    if "\\" not in text and "^" not in text and "{" not in text:
+        return text
+    text = _SPACES.sub(" ", text)
+    text = _EMPTY.sub(" ", text)
+    text = _CANCELLED.sub(" ", text)
+    text = _WORDS.sub(lambda m: rf"\text{{{m[1].replace('~', ' ')}}}", text)
+    text = _ITALIC.sub(lambda m: f"{m[1]}_{{{m[2]}}}" if m[2] else f" {m[1]} ", text)
+    text = _VARIANT.sub(r"\\\1 ", text)
+    text = _ACCENTED.sub(lambda m: rf"\{m[1]}{{{m[2]}_{m[3]}}}", text)
+    text = _with_numbers(text)
+    text = _with_derivatives(text)
+    text = _DIFFERENTIAL.sub(lambda m: r"\mathrm{d}", text)
+    text = _with_limits_in_order(text)
+    text = _with_euler(text)
+    return _SHOCK.sub(_beside_a_shock, text)
+
+
+def _beside_a_shock(found: re.Match[str]) -> str:
+    letter, below, sign = found[1], (found[2] or "").strip("{}"), found[3] or found[4]
+    if letter.startswith("\\") and letter in _NO_SYMBOLS:
+        return found[0]
+    return f"{letter}_{{{below}{'plus' if sign == '+' else 'minus'}}}"
+
+
+_NO_SYMBOLS = frozenset(("\\to", "\\infty", "\\in", "\\right", "\\left", "\\mathbb", "\\mathrm"))
+
+
+def _with_numbers(text: str) -> str:
+    """Numbers of the package siunitx without their units."""
+    while (found := _NUMBER.search(text)) is not None:
+        end = found.end()
+        if not found[0].startswith("\\num"):
+            unit = _UNIT_BEHIND.match(text, end)
+            end = unit.end() if unit else end
+        value = re.sub(r"[eE]\s*([+-]?\d+)", r" \\times 10^{\1}", found[1])
+        text = f"{text[: found.start()]} {value} {text[end:]}"
+    return _UNITS.sub(" ", text)
+
+
+def _with_derivatives(text: str) -> str:
+    r"""``\dv{f}{x}``, ``\pdv[2]{f}{x}`` and ``\dv{x}`` as fractions of differentials."""
+    at = 0
+    while (found := _DERIVATIVE.search(text, at)) is not None:
+        d = r"\partial " if found[1].startswith("p") else "d "
+        power = f"^{found[2]}" if found[2] else ""
+        try:
+            first, end = group(text, found.end())
+            braced = re.match(r"\s*\{", text[end:])
+            second, past = group(text, end) if braced else ("", end)
+        except InputError:
+            return text
+        above, below = (first, second) if braced else ("", first)
+        made = rf"\frac{{{d.strip()}{power} {above}}}{{{d}{below}{power}}}"
+        text, at = text[: found.start()] + made + text[past:], found.start() + len(made)
+    return text
+
+
+def _with_limits_in_order(text: str) -> str:
+    r"""``\sum^{n}_{k=0}`` as ``\sum_{k=0}^{n}``."""
+    at = 0
+    while (found := _UPPER_FIRST.search(text, at)) is not None:
+        at = found.end()
+        try:
+            upper, end = group(text, at)
+            below = re.match(r"\s*_", text[end:])
+            if below is None:
+                continue
+            lower, end = group(text, end + below.end())
+        except InputError:
+            return text
+        text = f"{text[: found.start()]}\\{found[1]}_{{{lower}}}^{{{upper}}}{text[end:]}"
+    return text
+
+
+def _with_euler(text: str) -> str:
+    r"""An upright e, which is Euler's number even where an italic e is a variable."""
+    at = 0
+    while (found := _EULER.search(text, at)) is not None:
+        at, end, made = found.start(), found.end(), r" \exp(1) "
+        if re.search(r"_\s*\{?\s*\Z", text[:at]):
+            at = end  # a subscript
+            continue
+        if (above := re.match(r"\s*\^", text[end:])) is not None:
+            try:
+                exponent, end = group(text, end + above.end())
+            except InputError:
+                return text
+            made = rf" \exp({exponent}) "
+        text = text[:at] + made + text[end:]
+        at += 1
+    return text
