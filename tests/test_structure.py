@@ -22,8 +22,8 @@ LAYERS = (
     ("papers",),
     ("sweep", "proofs", "coq", "manuscript"),
     ("report", "dev"),
-    ("commands", "pytest_plugin", "testing"),
-    ("site", "__main__"),
+    ("commands", "testing"),
+    ("site", "__main__", "pytest_plugin"),
 )
 """The layers from the bottom up: a package imports from lower layers, not from its neighbours."""
 

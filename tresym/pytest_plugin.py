@@ -1,8 +1,9 @@
 """A plugin for pytest: ``pytest kepler.tresym`` runs a file of claims, one test for each claim.
 
 A test passes if its claim holds, or is refuted where the file says ``expect refuted``. A line that
-cannot be read fails as a test of its own. pytest finds the plugin by itself once tresym is
-installed; ``pytest -p tresym.pytest_plugin`` loads it from a checkout.
+cannot be read fails as a test of its own. A file of single claims as ``tresym check -f`` reads it,
+one a line, is run in the same way if its name ends in ``.claims``. pytest finds the plugin by
+itself once tresym is installed; ``pytest -p tresym.pytest_plugin`` loads it from a checkout.
 """
 
 from __future__ import annotations
@@ -17,14 +18,30 @@ if TYPE_CHECKING:
     from tresym.papers.verification import PaperReport
 
 ENDING = ".tresym"
+LINES = ".claims"
+SECONDS = 20.0
+"""The limit of a single claim."""
 
 
-def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> ClaimsFile | None:
+def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> pytest.File | None:
     """Collect files of claims."""
-    if file_path.suffix == ENDING:
-        found: ClaimsFile = ClaimsFile.from_parent(parent, path=file_path)
-        return found
-    return None
+    kinds: dict[str, type[ClaimsFile] | type[LinesFile]] = {ENDING: ClaimsFile, LINES: LinesFile}
+    kind = kinds.get(file_path.suffix)
+    if kind is None:
+        return None
+    found: pytest.File = kind.from_parent(parent, path=file_path)
+    return found
+
+
+class LinesFile(pytest.File):
+    """A file of single claims, one a line; ``#`` begins a comment."""
+
+    def collect(self) -> Iterator[pytest.Item]:
+        """Yield a test for each claim."""
+        from tresym.commands.check import read_tasks
+
+        for task in read_tasks(str(self.path), "", None):
+            yield LineTest.from_parent(self, name=f"{task.line}: {task.claim}", task=task)
 
 
 class ClaimsFile(pytest.File):
@@ -68,6 +85,27 @@ class _Test(pytest.Item):
     def repr_failure(self, excinfo: Any, style: Any = None) -> str:
         """The reason without a traceback."""
         return str(excinfo.value)
+
+
+class LineTest(_Test):
+    """A single claim."""
+
+    def __init__(self, *, task: Any, **more: Any) -> None:
+        super().__init__(**more)
+        self.task, self.line = task, task.line
+
+    def runtest(self) -> None:
+        """Fail if the claim does not hold, or cannot be read."""
+        from tresym.checking.time_limited import check_within
+        from tresym.reals.numbers.exact import InputError
+
+        where = f"{self.path.name}:{self.line}"
+        try:
+            answer = check_within(self.task, SECONDS)
+        except InputError as error:
+            raise AssertionError(f"{where}: {error}") from None
+        if not answer:
+            raise AssertionError(f"{where}: {answer}")
 
 
 class BadLine(_Test):

@@ -22,6 +22,22 @@ def test_pytest_runs_a_test_for_each_claim_and_each_bad_line(tmp_path: Path) -> 
     assert "Traceback" not in done.stdout
 
 
+def test_pytest_runs_a_file_of_single_claims(tmp_path: Path) -> None:
+    text = "# facts\nexp(x) >= 1 + x\nx**2 > 0\nsin(x) == x + O(x**3) as x -> 0\nx** > 0\n"
+    (tmp_path / "own.claims").write_text(text)
+    done = subprocess.run(
+        [sys.executable, *("-m", "pytest", "-p", "tresym.pytest_plugin", "-v"), "own.claims"],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+    )
+    assert "2 failed, 2 passed" in done.stdout, done.stdout
+    assert "own.claims::2: exp(x) >= 1 + x PASSED" in done.stdout
+    assert "own.claims:3: REFUTED" in done.stdout
+    assert "own.claims:5:" in done.stdout
+    assert "Traceback" not in done.stdout
+
+
 def test_an_editor_sees_verdicts_and_bad_lines() -> None:
     asked = json.dumps({"path": "own.tresym", "text": TEXT, "limit": 2})
     done = subprocess.run(
