@@ -40,7 +40,7 @@ def checked(answer: Answer, claim: Comparison, statement: Statement) -> Answer:
     path = statement.path
     if path is None:
         raise TypeError("a claim along a path needs its path")
-    if statement.implicit:
+    if statement.implicit or statement.has_initial_values:
         return answer  # the explicit claim to which it was reduced was confirmed itself
     names = parameters(claim, statement)
     point = _exact_values(answer.witness or {})

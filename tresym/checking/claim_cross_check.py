@@ -75,6 +75,8 @@ def attack(
         return None if statement.path is not None else _attack_series(comparison, statement)
     if any(node.op == "root" for node in outermost(comparison.left, comparison.right)):
         return None  # the claim with a variable in place of the root was attacked itself
+    if statement.has_initial_values:
+        return None  # what was shown of the equation and the initial values was attacked itself
     if statement.implicit:
         return _attack_root(comparison, statement, answer)
     if statement.path is not None:

@@ -295,6 +295,17 @@ def _roots(*claim: Any) -> Answer:
     return decide_roots(*claim)
 
 
+def _initial_values(comparison: Comparison, statement: Statement, decided: Decide) -> Answer:
+    from tresym.asymptotics.initial_values import decide_initial_values
+
+    found = decide_initial_values(comparison, statement, decided)
+    if found.verdict is Verdict.UNDECIDED and statement.path is None:
+        # Without the initial values more functions are meant, so that only a proof carries over.
+        other = _unknown_functions(comparison, statement, decided)
+        return other if other else found
+    return found
+
+
 def _implicit(*claim: Any) -> Answer:
     from tresym.asymptotics.roots import decide_implicit
 
@@ -359,6 +370,11 @@ Procedure = Callable[[Comparison, Statement, Decide], Answer]
 """Decides a claim by simpler ones, which it hands to its last argument."""
 ORDER: tuple[tuple[Procedure, Callable[[_Parts], bool], str], ...] = (
     (_ellipses, lambda p: p.has_dots, "its general term must be found before it is a sum"),
+    (
+        _initial_values,
+        lambda p: p.statement.has_initial_values,
+        "differential equations and initial values determine a function",
+    ),
     (
         _implicit,
         lambda p: p.statement.implicit,

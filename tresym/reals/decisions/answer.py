@@ -89,6 +89,9 @@ class Answer:
         obligations: the statements to which the lemma reduced the claim, with their verdicts.
         cause: what decided, or what stopped the decision, for programs. If it is left out, or
             belongs to another verdict, it is the usual one of the verdict.
+        uniform: for an order with parameters, whether one constant serves for all of their values
+            (True), or the claim was decided for each fixed value and no one constant serves
+            (False); None if that is not known or there are no parameters.
 
     Example:
         >>> import tresym
@@ -114,6 +117,7 @@ class Answer:
     lemma: str = ""
     obligations: tuple[Obligation, ...] = ()
     cause: Cause | None = None
+    uniform: bool | None = None
 
     def __post_init__(self) -> None:
         if self.cause is None or self.cause.verdict is not self.verdict:
@@ -176,6 +180,8 @@ class Answer:
         if self.constant is not None:
             rows.append(("constant", ball_text(self.constant)))
         rows.append(("region", self.region or ""))
+        if self.uniform is not None:
+            rows.append(("uniform", "yes" if self.uniform else "no"))
         rows.append(("lemma", self.lemma))
         rows += [("obligation", str(part)) for part in self.obligations]
         rows += [("instead", str(found)) for found in self.instead]

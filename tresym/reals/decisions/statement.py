@@ -140,6 +140,17 @@ class Statement:
         return self.text
 
     @property
+    def has_initial_values(self) -> bool:
+        """Whether there are differential equations and values of their functions at a point."""
+        nodes = [f for pair in self.equations for e in pair for f in functions(e)]
+        slopes = {f.args[0].args[0]: f.args[1:] for f in nodes if any(f.args[0].args[1])}
+        moving = {name for args in slopes.values() for e in args for name in symbols(e)}
+        return any(
+            f.args[0].args[0] in slopes and moving.isdisjoint(*map(symbols, f.args[1:]))
+            for f in nodes
+        )
+
+    @property
     def implicit(self) -> bool:
         """Whether equations determine a variable as a function of that of the path."""
         path = self.path

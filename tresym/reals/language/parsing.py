@@ -373,6 +373,7 @@ def parse_given(text: str) -> list[Compared]:
             shown = _quoted(reader._segment(part))
             raise InputError(f"{shown} is not a condition such as a > 0{advice}")
         result += _chain(reader, part)
+    result = [_slopes_at(*part) if part[1] == "==" else part for part in result]
     for left, relation, right in result:
         if (relation == "in" or right == INTEGERS) and (
             relation != "in" or right != INTEGERS or left.op != "symbol"
@@ -383,6 +384,13 @@ def parse_given(text: str) -> list[Compared]:
         if not all(map(_algebraic, (left, right))):
             raise InputError(NO_DERIVATIVE)
     return result
+
+
+def _slopes_at(left: Expr, relation: str, right: Expr) -> Compared:
+    """Return an equation with the derivatives of arbitrary functions as nodes of their own."""
+    if elementary(left, right):
+        return left, relation, right
+    return worked_out(left), relation, worked_out(right)
 
 
 def _algebraic(e: Expr) -> bool:
