@@ -5,12 +5,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Mapping
     from types import ModuleType
-
-    from sympy import Symbol
+    from typing import Any
 
     from tresym.ledger.claim import Claim
+    from tresym.ledger.paper import Correction, Notation, Paper
 
 PARTS = (
     "model",
@@ -59,13 +59,6 @@ NOT_MATHEMATICS = {
 """Claims whose matter is not mathematics, with what it is."""
 
 
-def alike() -> tuple[Symbol, Symbol]:
-    """Return the two symbols of the paper that are most easily confused."""
-    from tresym.racket.notation import a, b
-
-    return a, b
-
-
 def parts(names: tuple[str, ...] = PARTS) -> tuple[tuple[str, tuple[Claim, ...]], ...]:
     """Return for each module its title (first line of its docstring) and the claims it states."""
     import sys
@@ -96,11 +89,6 @@ def _named_in(module: ModuleType) -> dict[Claim, None]:
     return dict.fromkeys(v for vs in several for v in vs if isinstance(v, Claim))
 
 
-def claims(names: tuple[str, ...] = PARTS) -> tuple[Claim, ...]:
-    """Yield all claims of the given modules (all modules if None), in their order."""
-    return tuple(claim for _, stated in parts(names) for claim in stated)
-
-
 def written_in(labels: Iterable[str]) -> tuple[str, ...]:
     """Return the modules whose text contains one of the labels."""
     import re
@@ -112,3 +100,80 @@ def written_in(labels: Iterable[str]) -> tuple[str, ...]:
     return tuple(
         part for part in PARTS if stands.search((folder / f"{part}.py").read_text("utf-8"))
     )
+
+
+def _corrections() -> tuple[Correction, ...]:
+    from tresym.proofs.corrections import CORRECTIONS
+
+    return CORRECTIONS
+
+
+def _notation() -> Notation:
+    from tresym.ledger.paper import Notation
+    from tresym.racket import notation as own
+
+    return Notation(
+        own.LATEX, own.WORDS, own.WORDS_OF_PROOFS, alike=(own.a, own.b), first=(own.theta,)
+    )
+
+
+def _figures() -> Any:
+    from tresym.proofs import figures
+
+    return figures
+
+
+def _tables() -> Any:
+    from tresym.proofs import tables
+
+    return tables
+
+
+def _numbers() -> dict[str, str]:
+    from tresym.proofs.page_numbers import named_numbers
+
+    return named_numbers()
+
+
+def _programs() -> Mapping[str, Any]:
+    from tresym.racket.bounds import charts
+
+    return vars(charts)
+
+
+def _coq_files() -> Mapping[str, str]:
+    from tresym.proofs.coq_numbers import numbers
+
+    return {"Numbers.v": numbers()}
+
+
+def _enclosed(a: Any, b: Any) -> tuple[str, str]:
+    from tresym.proofs.coq_numbers import between
+
+    return between(a, b)
+
+
+def __getattr__(name: str) -> Paper:
+    """Make ``PAPER`` when it is first asked for, since it loads the ledger and SymPy."""
+    if name != "PAPER":
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    from pathlib import Path
+
+    from tresym.ledger.paper import Paper
+
+    made = globals()["PAPER"] = Paper(
+        __name__,
+        parts,
+        PARTS,
+        written_in,
+        Path(__file__).parent,
+        _corrections,
+        _notation,
+        _figures,
+        _tables,
+        _numbers,
+        _programs,
+        _coq_files,
+        _enclosed,
+    )
+    return made

@@ -77,7 +77,7 @@ def no_suggestions(request: pytest.FixtureRequest) -> Iterator[None]:
 
 LONGEST = (
     *("ledger/test_verification.py", "commands/test_hostile.py", "site/test_in_the_browser.py"),
-    *("site/test_explorer.py", "report/figures/test_figures.py", "sweep/test_sweep.py"),
+    *("site/test_explorer.py", "proofs/figures/test_figures.py", "sweep/test_sweep.py"),
     *("test_packaging.py", "report/pages/test_documents_about.py", "dev/bench/test_bench.py"),
     *("checking/test_dispatch.py", "dev/corpus/test_lists.py", "proofs/test_asymptotics.py"),
 )

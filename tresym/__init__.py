@@ -25,6 +25,7 @@ if TYPE_CHECKING:  # for editors and type checkers, which would accept any name 
     from tresym.accuracy.error_table import error_table
     from tresym.accuracy.values import value
     from tresym.ledger.verification import verify
+    from tresym.proofs.python_api import figure
     from tresym.racket.body import NAMED_BODIES as bodies  # noqa: N811 - the name it is known by
     from tresym.racket.body import Body
     from tresym.racket.flip import flip_angle, flip_defect, flip_defects
@@ -35,7 +36,7 @@ if TYPE_CHECKING:  # for editors and type checkers, which would accept any name 
     from tresym.report.pages.opened import (
         open as open,  # not in __all__: a star would hide the builtin
     )
-    from tresym.report.pages.python_api import derive, figure, paper, table
+    from tresym.report.pages.python_api import derive, paper, table
 
 __version__ = "0.1.0"
 
@@ -48,7 +49,7 @@ _HOMES = {
     "constant": "tresym.accuracy.constants",
     "derive": "tresym.report.pages.python_api",
     "error_table": "tresym.accuracy.error_table",
-    "figure": "tresym.report.pages.python_api",
+    "figure": "tresym.proofs.python_api",
     "flip_angle": "tresym.racket.flip",
     "flip_defect": "tresym.racket.flip",
     "flip_defects": "tresym.racket.flip",

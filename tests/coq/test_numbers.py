@@ -4,9 +4,9 @@ import re
 
 import pytest
 from mpmath import atan, findroot, mp, mpf, pi, sinh, sqrt, tanh
+from tresym.proofs.coq_numbers import DIGITS, numbers
 
 from tresym.coq.candidate_search import prelude, run
-from tresym.coq.numbers import DIGITS, numbers
 from tresym.racket.body import NAMED_BODIES
 
 

@@ -3,10 +3,11 @@
 from fractions import Fraction
 
 from flint import fmpq
+from tresym.proofs.coq_numbers import between
 
 from tresym.coq.ledger_statements import theorem_of
 from tresym.coq.statement import Theorem
-from tresym.coq.witness_points import between, chosen, point_proofs
+from tresym.coq.witness_points import chosen, point_proofs
 from tresym.ledger.paper import all_claims
 from tresym.racket.flip.separatrix import solve
 from tresym.reals.numbers.arithmetic import ball_precision

@@ -16,12 +16,13 @@ import numpy as np
 import pytest
 from chunks import DEEP
 from hangs import HANGS
+from tresym.proofs import figures
+from tresym.proofs.tables import TABLES, table, written
 
 from tresym.racket.floats import flipmap
-from tresym.report import charts, figures
+from tresym.report import charts
 from tresym.report.figures.grid import coordinate, on_grid, shown
 from tresym.report.pages import documents
-from tresym.report.pages.tables import TABLES, table, written
 
 pytest.importorskip("matplotlib")
 

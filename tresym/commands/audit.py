@@ -35,7 +35,7 @@ def run(args: argparse.Namespace) -> int:
     from tresym.ledger.audit.quotes import load_quotes
     from tresym.ledger.paper import file_of, quotes
 
-    path, claims = file_of("index.json"), proofs.claims()
+    path, claims = file_of("index.json"), proofs.PAPER.all_claims()
     quoted = load_quotes(path, quotes(claims))
     index, words = coverage.load_index(path), coverage.load_words(path)
     found = coverage.audit(Path(args.paper), claims, index, quoted, words)

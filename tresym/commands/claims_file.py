@@ -7,6 +7,7 @@ import os
 import re
 import sys
 from collections.abc import Callable, Sequence
+from dataclasses import astuple
 from itertools import count
 from shutil import get_terminal_size
 from typing import TYPE_CHECKING
@@ -295,10 +296,9 @@ def export(path: str, labels: Sequence[str], folder: str, force: bool) -> int:
                     name if not claim.is_derivation else f"{name}_{n}",
                 )
             ]
-            outcome = searched(found)
-            accepted, says = outcome.accepted, outcome.says
+            accepted, says, text = astuple(searched(found))
             if accepted is not False:
-                files[os.path.join(folder, f"{name}.v")] = outcome.text
+                files[os.path.join(folder, f"{name}.v")] = text
         except (NotExportedError, InputError) as error:
             says = str(error)
         index[row.label] = {"accepted": accepted, "says": says}
@@ -317,8 +317,8 @@ def export(path: str, labels: Sequence[str], folder: str, force: bool) -> int:
 
 def table(path: str, label: str, form: str, as_json: bool, target: str | None) -> int:
     """Print the tables that a file asks for of a claim, and return the exit status."""
+    from tresym.accuracy.table import written
     from tresym.report.pages import own_tables
-    from tresym.report.pages.tables import written
 
     found = own_tables.tables_of(opened(path), label)
     if as_json:

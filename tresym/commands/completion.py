@@ -42,21 +42,23 @@ def add(commands: Commands) -> None:
 def run(args: argparse.Namespace) -> int:
     """Run the command and return its exit status."""
     from tresym.commands import build_parser
-    from tresym.ledger.paper import all_claims
-    from tresym.racket.body import NAMED_BODIES
+    from tresym.commands.bodies import named_bodies
+    from tresym.ledger.paper import racket
     from tresym.report.charts import CHARTS
-    from tresym.report.figures import FIGURES
-    from tresym.report.pages.tables import TABLES
 
-    names = {"table": [*TABLES], "figure": [*FIGURES], "chart": [*CHARTS]}
-    labels = [claim.label for claim in all_claims()]
+    names = {
+        "table": [*racket().tables().TABLES],
+        "figure": [*racket().figures().FIGURES],
+        "chart": [*CHARTS],
+    }
+    labels = [claim.label for claim in racket().all_claims()]
     names |= dict.fromkeys(LABELLED, labels)
     found = _parsers(build_parser())
     cases = "\n".join(
         f'      {name}) words="{" ".join([*_options(parser), *names.get(name, [])])}";;'
         for name, parser in found.items()
     )
-    script = _SCRIPT.format(commands=" ".join(found), bodies=" ".join(NAMED_BODIES), cases=cases)
+    script = _SCRIPT.format(commands=" ".join(found), bodies=" ".join(named_bodies()), cases=cases)
     deliver((_ZSH if args.shell == "zsh" else "") + script, None)
     return 0
 

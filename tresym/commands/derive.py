@@ -163,12 +163,15 @@ def _drawing(figures: dict[str, str], kind: str) -> Iterator[dict[str, Future[by
     if not figures:
         yield {}
         return
+    from tresym.ledger.paper import racket
     from tresym.reals.processes import Processes
-    from tresym.report.figures import printed
 
     if find_spec("matplotlib") is None:
         raise InputError(
             "derive: figures need matplotlib (pip install -e '.[docs]'); --no-figures omits them"
         )
     with Processes(1) as processes:
-        yield {path: processes.submit(printed, name, kind) for name, path in figures.items()}
+        yield {
+            path: processes.submit(racket().figures().printed, name, kind)
+            for name, path in figures.items()
+        }

@@ -5,12 +5,11 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING
 
+from tresym.commands.bodies import add_body, body_of
 from tresym.commands.parser import (
     PICTURE_PATH,
     Commands,
-    add_body,
     add_options,
-    body_of,
     deliver,
     deliver_picture,
 )
@@ -52,13 +51,13 @@ def add(commands: Commands) -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Run the command and return its exit status."""
-    from tresym.report import figures
+    from tresym.proofs import figures
 
     if args.name is None:
         names = (f"{name:<16} {title}\n" for name, title in figures.FIGURES.items())
         deliver("".join(names), args.path)
         return 0
-    from tresym.report.figures.curves import floats
+    from tresym.proofs.figures.curves import floats
 
     own = any((args.body, args.inertia, args.shape))
     shape, _ = body_of(args if own else argparse.Namespace(body="str", inertia=None))

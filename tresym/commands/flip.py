@@ -11,13 +11,12 @@ from typing import TYPE_CHECKING
 
 from flint import arb, fmpq
 
+from tresym.commands.bodies import add_body, body_of
 from tresym.commands.parser import (
     UNEXPECTED,
     Commands,
-    add_body,
     add_options,
     add_output,
-    body_of,
     deliver,
     json_line,
     parse_seconds,

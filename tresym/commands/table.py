@@ -67,8 +67,9 @@ def run(args: argparse.Namespace) -> int:
         return compare(args)
     if args.tends is not None:
         raise InputError("table: give two expressions: tresym table EXACT APPROX --as PATH")
-    from tresym.report.pages import tables
+    from tresym.ledger.paper import racket
 
+    tables = racket().tables()
     found = tables.table(args.name)
     if args.json:
         import json

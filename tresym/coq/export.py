@@ -15,7 +15,6 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from datetime import UTC, datetime
-from importlib import import_module
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -23,10 +22,9 @@ from tresym.coq import stamps
 from tresym.coq.candidate_search import assumptions
 from tresym.coq.coqtop import HEAD, prelude
 from tresym.coq.ledger_statements import Exported, Joint, lemmas, name_of, stamp, stem, theorem_of
-from tresym.coq.numbers import numbers
 from tresym.coq.statement import NotExportedError, Theorem, condition
 from tresym.ledger.claim import AllOf, Claim
-from tresym.ledger.paper import PAPER, all_claims, file_of, sections
+from tresym.ledger.paper import all_claims, file_of, racket, sections
 from tresym.output import check_replaceable, make_folder, write_text
 from tresym.reals.numbers.exact import InputError
 
@@ -246,7 +244,7 @@ def contents(
         "Tresym.v": prelude(),
         "Racket.v": lemmas(),
         "Statements.v": statements(chosen),
-        "Numbers.v": numbers(),
+        **racket().coq_files(),
         "Possible.v": possible(store),
     }
     names = dict.fromkeys(chosen, "")
@@ -289,7 +287,7 @@ def write(
 
 
 def _parts() -> tuple[str, ...]:
-    found: tuple[str, ...] = import_module(PAPER).PARTS
+    found = racket().modules
     return found
 
 

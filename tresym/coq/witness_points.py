@@ -8,7 +8,6 @@ shape is a number that Coq knows to lie between two decimals.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from fractions import Fraction
 
 from flint import fmpq
 
@@ -17,7 +16,7 @@ from tresym.coq.statement import Theorem, term, variable
 from tresym.coq.theorem_trees import Condition
 from tresym.ledger.claim import Claim, Counterexample
 from tresym.ledger.judge import judge_evidence
-from tresym.racket.flip.separatrix import solve
+from tresym.ledger.paper import racket
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.expression import (
@@ -29,7 +28,6 @@ from tresym.reals.language.expression import (
     symbols,
 )
 
-DIGITS = 30
 PRECISION = 300
 WAYS = "", "inverse_sines; ", "laws; unfold root, acosh, atanh in *; inverse_sines; "
 
@@ -51,7 +49,10 @@ def proofs_at(point: dict[str, fmpq], whole: Theorem) -> Iterator[str]:
         a, b = values.get("a", ONE), values.get("b", ONE)
         if a.op != "number" or b.op != "number":
             return
-        low, high = between(a.args[0], b.args[0])
+        enclosed = racket().enclosed
+        if enclosed is None:
+            return
+        low, high = enclosed(a.args[0], b.args[0])
         lines.append(
             f"destruct (defect_exists {term(a, 3)} {term(b, 3)} {low} {high}) as "
             "[E_0 [[L_1 L_2] E_1]]; [lra | lra | lra | unfold turn_short; "
@@ -98,14 +99,3 @@ def chosen(whole: Theorem, point: dict[str, fmpq], free: str) -> dict[str, Expr]
     if left and (found := Given(tuple(left)).satisfying_point()):
         values |= {name: number(x) for name, x in found.items() if name not in values}
     return values
-
-
-def between(a: fmpq, b: fmpq) -> tuple[str, str]:
-    """Return two decimals between which the defect of a shape lies."""
-    man, exp = solve(a, b, DIGITS).defect.mid().man_exp()
-    middle = Fraction(int(man)) * Fraction(2) ** int(exp)
-    places = DIGITS - 4
-    while middle * 10**places < 10 ** (DIGITS - 6):
-        places += 1
-    low = int(middle * 10**places) - 1
-    return f"({low} / 10 ^ {places})", f"({low + 3} / 10 ^ {places})"

@@ -1,54 +1,31 @@
-"""The paper whose claims are in the ledger, loaded on demand.
+"""A paper: its claims, and what its documents need beside them.
 
-The judge does not depend on a particular paper: the package of proofs imports the ledger, and the
-ledger loads it by name.
+A :class:`Paper` is a value that is given to :func:`tresym.ledger.verification.verify`. A package of
+claims has one under the name ``PAPER``; everything but its name and its claims is optional. The
+paper on the racket is taken where no other is given.
 """
 
 from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterable
-from functools import lru_cache
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from functools import cached_property
 from importlib import import_module
-from importlib.resources import files
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from sympy import Symbol
 
 from tresym.ledger.claim import Claim
+from tresym.reals.numbers.exact import InputError
 
 QUOTED = re.compile("“([^”]*)”")
-PAPER = "tresym.proofs"
-"""The package of proofs: it has ``claims()``, ``parts()``, an index of the paper and box proofs."""
-
-
-def all_claims(labels: Iterable[str] = ()) -> tuple[Claim, ...]:
-    """Return the claims of the proofs, each after the claims that it depends on.
-
-    Args:
-        labels: if given, only the modules that contain these claims and their dependencies are
-            loaded. If empty, or if a label is not found, all modules are.
-    """
-    proofs, asked = import_module(PAPER), set(labels)
-    found = _each_after_its_own(proofs.claims(proofs.written_in(asked))) if asked else ()
-    if found and asked <= {claim.label for claim in found}:
-        return found
-    return _each_after_its_own(proofs.claims())
-
-
-def _each_after_its_own(claims: Iterable[Claim]) -> tuple[Claim, ...]:
-    order: dict[Claim, None] = {}
-    for claim in claims:
-        order.update(dict.fromkeys((*claim.rests_on, claim)))
-    return tuple(order)
-
-
-def sections() -> tuple[tuple[str, tuple[Claim, ...]], ...]:
-    """Return the parts of the proofs in the paper's order: a title and the claims of each."""
-    stated: tuple[tuple[str, tuple[Claim, ...]], ...] = import_module(PAPER).parts()
-    return stated
+RACKET = "tresym.proofs"
+"""The package of the paper on the racket."""
+Parts = tuple[tuple[str, tuple[Claim, ...]], ...]
+"""The parts of a paper in order: a title and the claims of each."""
 
 
 class Correction(NamedTuple):
@@ -63,34 +40,174 @@ class Correction(NamedTuple):
     """Why it does not hold, if the note of the main claim does not say so."""
 
 
-def corrections() -> tuple[Correction, ...]:
-    """Return the printed statements that do not hold, the most important ones first."""
-    found: tuple[Correction, ...] = import_module(f"{PAPER}.corrections").CORRECTIONS
+class Notation(NamedTuple):
+    """How the symbols of a paper are written.
+
+    Attributes:
+        latex: the LaTeX of a symbol whose name does not say it.
+        words: what a symbol is, in words, by its name; ``words_of_proofs`` are those that only
+            proofs use.
+        alike: two symbols that are easily confused, which false variants exchange.
+        first: symbols whose functions stand first in a product.
+    """
+
+    latex: Mapping[Symbol, str] = {}
+    words: Mapping[str, str] = {}
+    words_of_proofs: Mapping[str, str] = {}
+    alike: tuple[Symbol, ...] = ()
+    first: tuple[Symbol, ...] = ()
+
+
+def _nothing() -> Any:
+    return {}
+
+
+def _no_notation() -> Notation:
+    return Notation()
+
+
+def _no_corrections() -> tuple[Correction, ...]:
+    return ()
+
+
+@dataclass(frozen=True)
+class Paper:
+    """A paper whose claims are values of Python.
+
+    The optional parts are functions, so that they are loaded when they are needed.
+
+    Attributes:
+        name: the name of its package, or any other.
+        parts: returns the parts, or only those of the modules of these names.
+        modules: the names of the modules of its claims, in order.
+        written_in: returns the modules that contain one of these labels; all unless given.
+        folder: where its index, its titles and its stored proofs are.
+        corrections: the printed statements that do not hold, the most important ones first.
+        notation: how its symbols are written.
+        figures: a module with ``FIGURES``, ``picture`` and ``printed``.
+        tables: a module with ``TABLES``, ``table`` and ``written``.
+        numbers: the numbers that its documents quote by name.
+        programs: the functions that are evaluated by programs of their own.
+        coq_files: further files of Coq, by name.
+        enclosed: for Coq, two decimals between which the root of a shape lies.
+    """
+
+    name: str
+    parts: Callable[..., Parts]
+    modules: tuple[str, ...] = ()
+    written_in: Callable[[Iterable[str]], tuple[str, ...]] | None = None
+    folder: Path | None = None
+    corrections: Callable[[], tuple[Correction, ...]] = _no_corrections
+    notation: Callable[[], Notation] = _no_notation
+    figures: Callable[[], Any] = _nothing
+    tables: Callable[[], Any] = _nothing
+    numbers: Callable[[], dict[str, str]] = _nothing
+    programs: Callable[[], Mapping[str, Any]] = _nothing
+    coq_files: Callable[[], Mapping[str, str]] = _nothing
+    enclosed: Callable[..., tuple[str, str]] | None = None
+
+    def all_claims(self, labels: Iterable[str] = ()) -> tuple[Claim, ...]:
+        """Return the claims, each after the claims that it depends on.
+
+        Args:
+            labels: if given, only the modules that contain these claims and their dependencies are
+                loaded. If empty, or if a label is not found, all modules are.
+        """
+        asked = set(labels)
+        if asked and self.written_in is not None:
+            found = _each_after_its_own(_claims(self.parts(self.written_in(asked))))
+            if found and asked <= {claim.label for claim in found}:
+                return found
+        return _each_after_its_own(_claims(self.parts()))
+
+    def sections(self) -> Parts:
+        """Return the parts in order: a title and the claims of each."""
+        return self.parts()
+
+    def quotes(self, claims: Iterable[Claim]) -> dict[str, str]:
+        """Return the passages of the paper that claims and corrections quote, by label."""
+        own = {claim.label: " ".join(QUOTED.findall(claim.paper_says)) for claim in claims}
+        by_label = {c.labels[0]: c.quote for c in self.corrections()}
+        return by_label | {k: v for k, v in own.items() if v}
+
+    def file_of(self, name: str) -> Path:
+        """Return the path of a file in the folder of the paper.
+
+        Raises:
+            InputError: the paper has no folder.
+        """
+        if self.folder is None:
+            raise InputError(f"{self.name}: this paper has no folder for {name}")
+        return self.folder / name
+
+    @cached_property
+    def index(self) -> dict[str, Any]:
+        """The displays, theorems, tables, figures and sections of the paper's source."""
+        empty: dict[str, Any] = {"displays": [], "others": [], "sections": []}
+        if self.folder is None or not self.file_of("index.json").is_file():
+            return empty
+        found: dict[str, Any] = json.loads(self.file_of("index.json").read_text(encoding="utf-8"))
+        return found
+
+    @cached_property
+    def titles(self) -> Mapping[str, str]:
+        """The titles of claims by label, from ``titles.txt`` in the folder."""
+        if self.folder is None or not self.file_of("titles.txt").is_file():
+            return {}
+        lines = self.file_of("titles.txt").read_text(encoding="utf-8").splitlines()
+        return dict(line.split(": ", 1) for line in lines if not line.startswith("#"))
+
+    @cached_property
+    def written(self) -> Notation:
+        """The notation, loaded once."""
+        return self.notation()
+
+
+def _claims(parts: Parts) -> tuple[Claim, ...]:
+    return tuple(claim for _, stated in parts for claim in stated)
+
+
+def _each_after_its_own(claims: Iterable[Claim]) -> tuple[Claim, ...]:
+    order: dict[Claim, None] = {}
+    for claim in claims:
+        order.update(dict.fromkeys((*claim.rests_on, claim)))
+    return tuple(order)
+
+
+def racket() -> Paper:
+    """Return the paper on the racket."""
+    found: Paper = import_module(RACKET).PAPER
     return found
+
+
+def all_claims(labels: Iterable[str] = ()) -> tuple[Claim, ...]:
+    """Return the claims of the paper on the racket, see :meth:`Paper.all_claims`."""
+    return racket().all_claims(labels)
+
+
+def sections() -> Parts:
+    """Return the parts of the paper on the racket: a title and the claims of each."""
+    return racket().sections()
+
+
+def corrections() -> tuple[Correction, ...]:
+    """Return the statements printed in the paper on the racket that do not hold."""
+    return racket().corrections()
 
 
 def quotes(claims: Iterable[Claim]) -> dict[str, str]:
-    """Return the passages of the paper that the claims and the corrections quote, by label."""
-    own = {claim.label: " ".join(QUOTED.findall(claim.paper_says)) for claim in claims}
-    return {c.labels[0]: c.quote for c in corrections()} | {k: v for k, v in own.items() if v}
-
-
-def alike() -> tuple[Symbol, Symbol]:
-    """Return the two symbols of the paper that are most easily confused."""
-    pair: tuple[Symbol, Symbol] = import_module(PAPER).alike()
-    return pair
+    """Return the passages of the paper on the racket that claims and corrections quote."""
+    return racket().quotes(claims)
 
 
 def file_of(name: str) -> Path:
-    """Return the path of a file in the package of proofs."""
-    return Path(str(files(PAPER))) / name
+    """Return the path of a file in the folder of the paper on the racket."""
+    return racket().file_of(name)
 
 
-@lru_cache(maxsize=1)
 def index() -> dict[str, Any]:
-    """Return the index of the displays, theorems, tables and figures of the paper."""
-    found: dict[str, Any] = json.loads(file_of("index.json").read_text(encoding="utf-8"))
-    return found
+    """Return the index of the paper on the racket."""
+    return racket().index
 
 
 def display_lines() -> dict[int | None, int]:

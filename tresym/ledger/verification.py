@@ -19,6 +19,7 @@ from tresym.ledger.evidence.chart_bounds import Charted
 from tresym.ledger.evidence.interval_evaluation import Evaluated
 from tresym.ledger.finding import RULINGS, Finding, Ruling
 from tresym.ledger.judge import judge, judge_evidence
+from tresym.ledger.paper import Paper
 from tresym.reals.notebook import html_table, in_one_line
 from tresym.reals.numbers.exact import InputError, quoted
 from tresym.reals.processes import Processes, checked_workers
@@ -214,14 +215,18 @@ class Report:
 
 
 def verify(
-    *labels: str | Iterable[str], on_row: Callable[[Row], None] | None = None, workers: int = 1
+    *labels: str | Iterable[str],
+    on_row: Callable[[Row], None] | None = None,
+    workers: int = 1,
+    of: Paper | None = None,
 ) -> Report:
-    """Judge all claims of the ledger, or those with these labels and their dependencies.
+    """Judge all claims of a paper, or those with these labels and their dependencies.
 
     Args:
         labels: labels, or lists of labels; without any, all claims are judged.
         on_row: a function that is called with each row as soon as it is known, or None.
         workers: the number of processes that check evidence; 1 uses the current process.
+        of: the paper; that on the racket unless given.
 
     Raises:
         InputError: no claim has one of the labels, two claims have the same label or conflicting
@@ -236,15 +241,24 @@ def verify(
     found: dict[str, Finding] = {}
     rows = []
     with collecting_seldom(GC_THRESHOLD):
-        claims = paper.all_claims(asked)
+        claims = _claims_of(of, asked)
         _need_coherent(claims)
         chosen, requested = _choose(claims, asked)
-        for claim, evidence in zip(chosen, _evidence(chosen, workers), strict=True):
+        for claim, evidence in zip(chosen, _evidence(chosen, workers, of), strict=True):
             found[claim.label] = judge(claim, found, evidence)
             rows.append(Row(claim, found[claim.label], claim.label in requested))
             if on_row is not None:
                 on_row(rows[-1])
     return Report(tuple(rows))
+
+
+_PAPERS: dict[str, Paper] = {}
+"""The papers that forked processes judge, by name."""
+
+
+def _claims_of(of: Paper | None, labels: Iterable[str]) -> tuple[Claim, ...]:
+    """Return the claims of a paper; those of the paper on the racket if it is None."""
+    return paper.all_claims(labels) if of is None else of.all_claims(labels)
 
 
 def _labels(asked: tuple[Any, ...]) -> tuple[Any, ...]:
@@ -258,7 +272,9 @@ def _labels(asked: tuple[Any, ...]) -> tuple[Any, ...]:
     return found
 
 
-def _evidence(claims: tuple[Claim, ...], workers: int) -> Iterator[Finding | None]:
+def _evidence(
+    claims: tuple[Claim, ...], workers: int, of: Paper | None = None
+) -> Iterator[Finding | None]:
     """Yield the finding on each claim's own evidence, computed in ``workers`` processes.
 
     The processes are forks of the current one, so they have all claims in memory. With one worker
@@ -268,18 +284,21 @@ def _evidence(claims: tuple[Claim, ...], workers: int) -> Iterator[Finding | Non
     if workers == 1 or len(batches) == 1:
         yield from (None for _ in claims)
         return
+    name = "" if of is None else of.name
+    if of is not None:
+        _PAPERS[name] = of
     with Processes(min(workers, len(batches)), forked=True) as processes:
         asked = [tuple(claim.label for claim in batch) for batch in batches]
-        for future in [processes.submit(_evidence_of, a, searching_anew()) for a in asked]:
+        for future in [processes.submit(_evidence_of, a, searching_anew(), name) for a in asked]:
             try:
                 yield from future.result()
             except BrokenExecutor as error:
                 raise InputError(f"verify: {error}") from None
 
 
-def _evidence_of(labels: tuple[str, ...], anew: bool) -> list[Finding | None]:
+def _evidence_of(labels: tuple[str, ...], anew: bool, name: str = "") -> list[Finding | None]:
     """Judge the evidence of the claims with these labels; runs in a worker process."""
-    known = {claim.label: claim for claim in paper.all_claims(labels)}
+    known = {claim.label: claim for claim in _claims_of(_PAPERS.get(name), labels)}
     with finding_anew() if anew else nullcontext():
         return [judge_evidence(known[label]) for label in labels]
 
@@ -344,9 +363,9 @@ def _need_coherent(claims: tuple[Claim, ...]) -> None:
         raise InputError(f"the ledger: {why}")
 
 
-def choose(labels: tuple[str, ...]) -> tuple[Claim, ...]:
+def choose(labels: tuple[str, ...], of: Paper | None = None) -> tuple[Claim, ...]:
     """Return the claims with these labels and their dependencies, dependencies first."""
-    return _choose(paper.all_claims(labels), labels)[0]
+    return _choose(_claims_of(of, labels), labels)[0]
 
 
 def _choose(
@@ -366,13 +385,14 @@ def _choose(
     return tuple(claim for claim in claims if claim in wanted), frozenset(labels)
 
 
-def graph(labels: tuple[str, ...] = ()) -> str:
+def graph(labels: tuple[str, ...] = (), of: Paper | None = None) -> str:
     """Return the dependency graph of the claims as a Mermaid flow chart.
 
     Args:
         labels: the claims to show with their dependencies; all if empty.
+        of: the paper; that on the racket unless given.
     """
-    chosen = choose(labels)
+    chosen = choose(labels, of)
     lines = ["flowchart BT"]
     lines += [f'  {_node(claim)}["{claim.label}"]' for claim in chosen]
     lines += [f"  {_node(claim)} --> {_node(used)}" for claim in chosen for used in claim.uses]

@@ -5,12 +5,12 @@ from itertools import chain
 from pathlib import Path
 
 import pytest
+from tresym.proofs import figures
 
 import tresym
 from tresym.ledger.verification import Report
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
-from tresym.report import figures
 from tresym.report.pages import templates
 from tresym.report.pages.article import _counts, article, figures_of, labels, passages
 from tresym.report.typesetting.markdown_from_latex import markdown_from_latex

@@ -9,12 +9,12 @@ from pathlib import Path
 
 import pytest
 from notebook import run
+from tresym.proofs import figures
 
 from tresym.commands import main
 from tresym.ledger.verification import Report
 from tresym.output import check_replaceable
 from tresym.reals.numbers.exact import InputError
-from tresym.report import figures
 from tresym.report.pages import documents_about as documents
 from tresym.report.pages import fragments, ledger_document, templates
 from tresym.report.pages.article import article, without_figures

@@ -114,7 +114,7 @@ def _expressions(says: Any, chain: Chain) -> list[Any]:
 
 def _variant(name: str, left: Any, right: Any, given: Any) -> Iterator[Identity]:
     """The first change of the right side that balls prove false."""
-    for changed in islice(mutations(right, paper.alike()), VARIANTS):
+    for changed in islice(mutations(right, paper.racket().written.alike), VARIANTS):
         if not changed.has(*OPEN) and _verdict(left, changed, given) is Verdict.REFUTED:
             yield Identity(f"{name}, made false", left, changed, given, False)
             return

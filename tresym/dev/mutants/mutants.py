@@ -122,7 +122,7 @@ class _Spot:
 
 
 def _mutations(e: Basic) -> Iterator[Basic]:
-    return mutations(e, paper.alike())
+    return mutations(e, paper.racket().written.alike)
 
 
 def mutants(

@@ -15,14 +15,12 @@ from importlib.resources import files
 
 from tresym import release
 from tresym.ledger.claim import AllOf, Claim
-from tresym.ledger.paper import Correction, all_claims, corrections
+from tresym.ledger.paper import Correction, all_claims, corrections, racket
 from tresym.ledger.verification import Report, Row
 from tresym.report.pages import ledger_document, templates
 from tresym.report.pages.article_markdown import article_markdown
 from tresym.report.pages.corrections import FAULTS
 from tresym.report.pages.derivation import prose
-from tresym.report.pages.numbers import named_numbers
-from tresym.report.pages.tables import table, written
 from tresym.report.typesetting.formula_width import width
 from tresym.report.typesetting.markdown_from_latex import markdown_from_latex
 from tresym.report.typesetting.paper_location import place_text
@@ -94,11 +92,12 @@ def templates_of(report: Report, form: str = "latex") -> templates.Templates:
     def _labelled(name: str) -> str:
         return "" if form == "latex" else rf"\label{{tab:{name}}}"
 
+    tables = racket().tables()
     pieces: dict[str, Callable[..., str]] = {
         "corrections": lambda: "\n".join(_corrected(rows)),
-        "table": lambda name: _labelled(name) + written(table(name), form),
+        "table": lambda name: _labelled(name) + tables.written(tables.table(name), form),
     }
-    return templates.Templates(rows, named_numbers() | _counts(), pieces)
+    return templates.Templates(rows, racket().numbers() | _counts(), pieces)
 
 
 def passages(report: Report) -> dict[str, str]:

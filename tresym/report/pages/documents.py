@@ -20,11 +20,12 @@ from hashlib import sha256
 from pathlib import Path
 
 import tresym
+from tresym.ledger.paper import racket
 from tresym.ledger.verification import Report, verify
 from tresym.output import write_text
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.processes import cores
-from tresym.report import charts, figures
+from tresym.report import charts
 from tresym.report.charts import saved
 from tresym.report.figures.grid import shown
 from tresym.report.pages import coq_page
@@ -35,7 +36,6 @@ from tresym.report.pages.methods import methods
 from tresym.report.pages.numbers import numbers
 from tresym.report.pages.site_data import record
 from tresym.report.pages.symbols import symbols
-from tresym.report.pages.tables import TABLES, table, written
 from tresym.report.pages.trust import trust, trust_details
 
 
@@ -113,14 +113,15 @@ def build_pages() -> Path:
 
 def drawn() -> Iterator[tuple[str, str]]:
     """Yield the documents that involve float arithmetic: pictures and tables."""
+    figures, tables = racket().figures(), racket().tables()
     for name in figures.FIGURES:
         yield f"figures/{name}.svg", figures.svg(name)
     for name in charts.CHARTS:
         yield f"charts/{name}.svg", charts.svg(name)
-    for name in TABLES:
-        found = table(name)
-        yield f"tables/{name}.md", written(found, "markdown")
-        yield f"tables/{name}.tex", written(found, "latex")
+    for name in tables.TABLES:
+        found = tables.table(name)
+        yield f"tables/{name}.md", tables.written(found, "markdown")
+        yield f"tables/{name}.tex", tables.written(found, "latex")
 
 
 def _json(value: object) -> str:

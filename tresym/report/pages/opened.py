@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import os
 
+from tresym.accuracy.table import Table
 from tresym.papers.reading import OwnPaper, read_file
 from tresym.papers.verification import LIMIT, PaperReport, verify_paper
 from tresym.reals.numbers.exact import InputError
 from tresym.report.pages import own_paper, own_tables
 from tresym.report.pages.python_api import Picture
-from tresym.report.pages.tables import Table
 
 
 class OpenedPaper:

@@ -6,11 +6,11 @@ import math
 import re
 from typing import Any
 
+from tresym.accuracy.table import Table, written
 from tresym.papers.error_rows import chart_points, error_rows, rounded, sides_of
 from tresym.papers.reading import Drawn, OwnPaper, PaperClaim
 from tresym.reals.decisions.claim_parsing import read_path
 from tresym.reals.numbers.exact import InputError
-from tresym.report.pages.tables import Table, written
 
 _RAISED = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 FEW = 4

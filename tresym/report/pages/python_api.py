@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING
 from tresym.reals.numbers.exact import InputError
 
 if TYPE_CHECKING:
+    from tresym.accuracy.table import Table
     from tresym.manuscript.deciding import Row
-    from tresym.racket.body import Body, NamedBody
-    from tresym.report.pages.tables import Table
 
 
 class Picture(bytes):
@@ -44,43 +43,10 @@ def table(name: str) -> Table:
         >>> len(tresym.table("constants").rows) > 3
         True
     """
-    from tresym.report.pages import tables
+    from tresym.ledger.paper import racket
 
-    return tables.table(name)
-
-
-def figure(
-    name: str, path: str | os.PathLike[str] | None = None, body: Body | NamedBody | None = None
-) -> Picture:
-    """Draw a figure of the paper.
-
-    Args:
-        name: a figure that ``tresym figure`` lists, such as ``"flip-map"``.
-        path: where to save it as well; the ending (.svg, .pdf, .png) says in which format.
-        body: draw it for this body; possible for flip-portrait, flip-map, flip-curves and
-            racket-flip.
-
-    Returns:
-        The figure as SVG; a notebook shows it.
-
-    Raises:
-        InputError: an unknown figure, a body for a figure that has none, or no matplotlib.
-
-    Example:
-        >>> import tresym
-        >>> tresym.figure("flip-portrait")  # doctest: +SKIP
-        Picture(41922 bytes of SVG)
-    """
-    from tresym.report import figures
-    from tresym.report.figures.curves import floats
-
-    shape = None if body is None else floats(body.shape)
-    if path is not None:
-        from tresym.output import write_bytes
-
-        target = os.fspath(path)
-        write_bytes(target, figures.picture(name, figures.kind_of(target), shape))
-    return Picture(figures.picture(name, "svg", shape))
+    found: Table = racket().tables().table(name)
+    return found
 
 
 def derive(*labels: str) -> str:

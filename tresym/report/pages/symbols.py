@@ -10,9 +10,8 @@ from sympy import Symbol
 from tresym.ledger.claim import Claim, Definition, ImplicitFunction, Root
 from tresym.ledger.definitions import Entry, table
 from tresym.ledger.finding import Premise
-from tresym.ledger.paper import all_claims
+from tresym.ledger.paper import all_claims, racket
 from tresym.ledger.verification import Report
-from tresym.racket.notation import WORDS, WORDS_OF_PROOFS
 from tresym.report.typesetting.conditions import gathered
 from tresym.report.typesetting.latex import expression_latex, says_latex
 from tresym.report.typesetting.line_breaking import broken
@@ -40,8 +39,8 @@ class Row:
     def __init__(self, name: str, entry: Entry | None) -> None:
         self.name = name
         self.entry = entry
-        self.words = WORDS.get(name, "")
-        self.own = WORDS_OF_PROOFS.get(name, "")
+        self.words = racket().written.words.get(name, "")
+        self.own = racket().written.words_of_proofs.get(name, "")
         self.symbol = expression_latex(Symbol(name, real=True))
 
     @property
@@ -78,7 +77,8 @@ def rows() -> tuple[Row, ...]:
     entries: dict[str, list[Entry]] = {}
     for entry in table(claims):
         entries.setdefault(str(entry.written.lhs), []).append(entry)
-    names = dict.fromkeys((*WORDS, *WORDS_OF_PROOFS, *entries))
+    own = racket().written
+    names = dict.fromkeys((*own.words, *own.words_of_proofs, *entries))
     return tuple(Row(name, entry) for name in names for entry in entries.get(name, [None]))
 
 

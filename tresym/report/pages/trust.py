@@ -14,8 +14,8 @@ from typing import Any
 from tresym.ledger.axioms import RULES
 from tresym.ledger.evidence.admissible import is_formal
 from tresym.ledger.evidence.box_bounds import Boxes
+from tresym.ledger.paper import racket
 from tresym.ledger.verification import MUTANTS, Report
-from tresym.racket.bounds import charts
 from tresym.reals.balls.gradient import Divided
 from tresym.reals.balls.tracing import Named
 from tresym.reals.language.expression import symbol
@@ -190,7 +190,7 @@ def _sentences(report: Report) -> list[str]:
 def _programs() -> Iterator[str]:
     """The functions that are evaluated in balls by separate programs, with their meaning."""
     rows = []
-    for name, function in vars(charts).items():
+    for name, function in racket().programs().items():
         if isinstance(function, Divided):
             rows.append((f"`{name}`", f"`{function.meaning(symbol('x'))}`"))
         elif isinstance(function, Named):

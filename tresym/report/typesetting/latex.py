@@ -26,8 +26,8 @@ from sympy import (
 from sympy.core.relational import Relational
 from sympy.printing.latex import LatexPrinter
 
+from tresym.ledger.paper import racket
 from tresym.ledger.statements import As, AtMostOne, ExactlyOne, ForSome, Rounds, Under
-from tresym.racket.notation import LATEX, theta
 from tresym.reals.functions.table import TABLE, names, written_after
 from tresym.reals.numbers.exact import printed
 
@@ -172,8 +172,9 @@ class PaperPrinter(LatexPrinter):
 
     def _print_Symbol(self, e: Symbol, style: str = "plain") -> str:
         rate = _RATE.fullmatch(e.name)
-        if e in LATEX or e.name in _LETTERS:
-            return LATEX.get(e) or _LETTERS[e.name]
+        own = racket().written.latex
+        if e in own or e.name in _LETTERS:
+            return own.get(e) or _LETTERS[e.name]
         if rate is not None:
             sign = r"\partial " if rate[1] == "partial" else "d"
             above, below = (self._print_Symbol(Symbol(name)) for name in rate.groups()[1:])
@@ -252,7 +253,7 @@ def _factor_rank(e: Expr) -> tuple[Any, ...]:
     elif isinstance(base, Function):
         # sin²θ (a + b sin²ψ), but (a + b sin²ψ) cos θ and (1 + r²) sinh²T
         rank = 4 if e.is_Pow and base.func.__name__ in ("sin", "cos") else 6
-        place = 0 if base.has(theta) else 1
+        place = 0 if base.has(*racket().written.first) else 1
         return rank, place, base.func.__name__ != "sin", e.sort_key()
     else:
         rank = 5

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import re
-from functools import cache
+from collections.abc import Mapping
 
-from tresym.ledger.paper import file_of
+from tresym.ledger.paper import racket
 
 _OBJECT = {"str": "standard racket", "book": "book"} | {
     f"racket_{n}": f"racket {n}" for n in (1, 2, 3)
@@ -27,11 +27,9 @@ _LETTERS = {
 }  # fmt: skip
 
 
-@cache
-def by_hand() -> dict[str, str]:
+def by_hand() -> Mapping[str, str]:
     """Return the titles from titles.txt beside the proofs, by label."""
-    lines = file_of("titles.txt").read_text(encoding="utf-8").splitlines()
-    return dict(line.split(": ", 1) for line in lines if not line.startswith("#"))
+    return racket().titles
 
 
 def title(label: str) -> str:

@@ -6,10 +6,10 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 import numpy as np
+from tresym.proofs.figures.curves import rate_at, shape_of
 
 from tresym.racket.floats.flipmap import Floats, arrivals
 from tresym.report.figures import style
-from tresym.report.figures.curves import rate_at, shape_of
 
 GAMMAS = (-0.03, 0.03, -0.003, 0.003, -0.0003, 0.0003)
 STARTS = 13

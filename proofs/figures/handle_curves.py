@@ -5,13 +5,13 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 import numpy as np
+from tresym.proofs.figures.curves import ILLUSTRATION, rate_at, shape_of
+from tresym.proofs.figures.view import arrow, ball, bare, circle, curve, label, view
 
 from tresym.racket.floats.flipmap import Floats
 from tresym.racket.formulas.stable import theta_min
 from tresym.racket.motion.attitude import attitude
 from tresym.report.figures import style
-from tresym.report.figures.curves import ILLUSTRATION, rate_at, shape_of
-from tresym.report.figures.view import arrow, ball, bare, circle, curve, label, view
 
 GAMMAS = (-0.1, 0.12)
 TURNS = 5

@@ -9,13 +9,13 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 import numpy as np
+from tresym.proofs.figures.racket import Racket, racket
+from tresym.proofs.figures.racket_frame import body
+from tresym.proofs.figures.view import View, arc, arrow, bare, circle, curve, label, view
 
 from tresym.racket.floats.flipmap import Floats
 from tresym.racket.motion.attitude import Attitude
 from tresym.report.figures import style
-from tresym.report.figures.racket import Racket, racket
-from tresym.report.figures.racket_frame import body
-from tresym.report.figures.view import View, arc, arrow, bare, circle, curve, label, view
 
 PHI, THETA, PSI = 0.55, 1.0, 0.7
 

@@ -14,6 +14,8 @@ from tresym.reals.language.expression import number
 from tresym.reals.numbers.arithmetic import ball_precision
 
 DIGITS = 50
+DIGITS_OF_ROOTS = 30
+"""The digits of the root of a shape at which an existential theorem holds."""
 BITS, PRECISION = 260, 240
 HEAD = """Require Import Reals Lra Lia Psatz.
 From Coquelicot Require Import Coquelicot.
@@ -78,3 +80,14 @@ def _quotient(x: arb) -> tuple[int, int]:
     man, exp = x.mid().man_exp()
     f = Fraction(int(man)) * Fraction(2) ** int(exp)
     return f.numerator, f.denominator
+
+
+def between(a: fmpq, b: fmpq) -> tuple[str, str]:
+    """Return two decimals between which the defect of a shape lies."""
+    man, exp = solve(a, b, DIGITS_OF_ROOTS).defect.mid().man_exp()
+    middle = Fraction(int(man)) * Fraction(2) ** int(exp)
+    places = DIGITS_OF_ROOTS - 4
+    while middle * 10**places < 10 ** (DIGITS_OF_ROOTS - 6):
+        places += 1
+    low = int(middle * 10**places) - 1
+    return f"({low} / 10 ^ {places})", f"({low + 3} / 10 ^ {places})"

@@ -5,10 +5,11 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 import numpy as np
+from tresym.proofs.figures import flip_portrait
+from tresym.proofs.figures.curves import rate_at, shape_of
 
 from tresym.racket.floats.flipmap import Floats, arrivals
-from tresym.report.figures import flip_portrait, style
-from tresym.report.figures.curves import rate_at, shape_of
+from tresym.report.figures import style
 
 GAMMAS = (-0.045, -0.03, -0.015, -0.006, -0.002, 0.0, 0.0032037, 0.0075, 0.012)
 

@@ -5,13 +5,13 @@ import re
 
 import pytest
 from flint import arb
+from tresym.proofs.tables import TABLES, Table, digits_of, table, written
 
 from tresym.commands import main
 from tresym.racket.body import named_body
 from tresym.racket.flip.separatrix import solve
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
-from tresym.report.pages.tables import TABLES, Table, digits_of, table, written
 
 QUICK = [name for name in TABLES if name != "routes"]
 

@@ -10,12 +10,12 @@ import math
 from typing import Any, NamedTuple
 
 import numpy as np
+from tresym.proofs.figures.curves import floats
 
 from tresym.racket.body import NAMED_BODIES
 from tresym.racket.floats.flipmap import Floats
 from tresym.racket.formulas.stable import separatrix_map
 from tresym.report.figures import style
-from tresym.report.figures.curves import floats
 
 BODIES = ("str", "racket-1", "racket-2", "racket-3", "book", "ethylene")
 REACH = (20.0, 0.4)

@@ -9,10 +9,10 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 import numpy as np
+from tresym.proofs.figures.curves import rate_at, shape_of
 
 from tresym.racket.floats.flipmap import Floats, flip_map
 from tresym.report.figures import style
-from tresym.report.figures.curves import rate_at, shape_of
 
 REACH = (np.pi, 1.5)
 ZOOM = (0.3, 0.27)

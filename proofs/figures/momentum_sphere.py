@@ -11,11 +11,11 @@ from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
+from tresym.proofs.figures.curves import ILLUSTRATION, DrawnOrbit, orbit, separatrix, shape_of
+from tresym.proofs.figures.view import View, arc, arrow, ball, bare, circle, curve, label, view
 
 from tresym.racket.floats.flipmap import Floats
 from tresym.report.figures import style
-from tresym.report.figures.curves import ILLUSTRATION, DrawnOrbit, orbit, separatrix, shape_of
-from tresym.report.figures.view import View, arc, arrow, ball, bare, circle, curve, label, view
 
 EYE = view(38, 24)
 LEVELS = (-0.29, -0.24, -0.17, -0.08, 0.1, 0.3, 0.55, 0.8, 1.0)

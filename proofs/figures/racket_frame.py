@@ -5,11 +5,11 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 import numpy as np
+from tresym.proofs.figures.racket import Racket, racket
+from tresym.proofs.figures.view import View, arrow, bare, label, view
 
 from tresym.racket.floats.flipmap import Floats
 from tresym.report.figures import style
-from tresym.report.figures.racket import Racket, racket
-from tresym.report.figures.view import View, arrow, bare, label, view
 
 
 class Data(NamedTuple):

@@ -6,10 +6,10 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 import numpy as np
+from tresym.proofs.figures.curves import flip_plane, orbit, rate_at, shape_of
 
 from tresym.racket.floats.flipmap import Floats
 from tresym.report.figures import style
-from tresym.report.figures.curves import flip_plane, orbit, rate_at, shape_of
 
 OSCILLATING = (-0.06, -0.05, -0.036, -0.022, -0.01, -0.003)
 ROTATING = (0.003, 0.012, 0.03, 0.06, 0.1)

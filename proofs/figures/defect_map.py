@@ -6,11 +6,11 @@ import math
 from typing import Any, NamedTuple
 
 import numpy as np
+from tresym.proofs.figures.curves import rate_at
 
 from tresym.racket.floats.flipmap import Floats, flip_map
 from tresym.racket.formulas.stable import separatrix_map
 from tresym.report.figures import style
-from tresym.report.figures.curves import rate_at
 
 B = 0.1
 TOLERANCE = math.pi / 12

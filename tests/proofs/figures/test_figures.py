@@ -9,15 +9,8 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-
-from tresym.commands import main
-from tresym.racket.body import named_body
-from tresym.racket.flip import flip_angle, flip_defect
-from tresym.racket.floats.flipmap import flip_map
-from tresym.racket.motion.attitude import attitude
-from tresym.reals.numbers.exact import InputError
-from tresym.report import figures
-from tresym.report.figures import (
+from tresym.proofs import figures
+from tresym.proofs.figures import (
     curves,
     defect_map,
     euler_angles,
@@ -31,7 +24,14 @@ from tresym.report.figures import (
     shape_map,
     symmetric_flips,
 )
-from tresym.report.figures import flip_map as flip_map_figure
+from tresym.proofs.figures import flip_map as flip_map_figure
+
+from tresym.commands import main
+from tresym.racket.body import named_body
+from tresym.racket.flip import flip_angle, flip_defect
+from tresym.racket.floats.flipmap import flip_map
+from tresym.racket.motion.attitude import attitude
+from tresym.reals.numbers.exact import InputError
 
 SAVED = Path(__file__).resolve().parents[3] / "docs" / "generated" / "figures"
 STR = ("1517/121", "55/874")

@@ -17,16 +17,16 @@ from tempfile import TemporaryDirectory
 from typing import Any, NamedTuple
 
 import numpy as np
+from tresym.proofs.figures.curves import rate_at, shape_of
+from tresym.proofs.figures.defect_map import symmetric_defect
+from tresym.proofs.figures.racket import racket
+from tresym.proofs.figures.view import View, bare, circle, view
 
 from tresym.racket.floats.flipmap import Floats
 from tresym.racket.motion.attitude import attitude
 from tresym.reals.numbers.exact import InputError
 from tresym.report.figures import style
-from tresym.report.figures.curves import rate_at, shape_of
-from tresym.report.figures.defect_map import symmetric_defect
 from tresym.report.figures.grid import coordinate
-from tresym.report.figures.racket import racket
-from tresym.report.figures.view import View, bare, circle, view
 
 STEPS = 96
 SECONDS = 8.0

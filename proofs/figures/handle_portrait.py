@@ -6,10 +6,7 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 import numpy as np
-
-from tresym.racket.floats.flipmap import Floats
-from tresym.report.figures import style
-from tresym.report.figures.curves import (
+from tresym.proofs.figures.curves import (
     ILLUSTRATION,
     DrawnOrbit,
     handle_plane,
@@ -17,6 +14,9 @@ from tresym.report.figures.curves import (
     separatrix,
     shape_of,
 )
+
+from tresym.racket.floats.flipmap import Floats
+from tresym.report.figures import style
 
 LEVELS = (-0.3, -0.26, -0.2, -0.12, -0.04, 0.04, 0.15, 0.3, 0.5, 0.75, 1.0)
 
