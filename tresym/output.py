@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import stat
 import sys
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, suppress
@@ -96,6 +97,7 @@ def writing(path: str) -> Iterator[str]:
     aside = None
     try:
         if os.path.exists(path) and not os.path.isfile(path):
+            say_if_waiting(path, "reader")
             yield path
         else:
             goal = os.path.realpath(path)
@@ -114,6 +116,17 @@ def writing(path: str) -> Iterator[str]:
         if aside is not None:
             with suppress(OSError):
                 os.remove(aside)
+
+
+def say_if_waiting(path: str, peer: str) -> None:
+    """Say that a named pipe waits for its other end, as the command does nothing until then.
+
+    Args:
+        peer: what it waits for, "reader" or "writer".
+    """
+    with suppress(OSError, ValueError):
+        if stat.S_ISFIFO(os.stat(path).st_mode) and sys.stderr is not None:
+            print(f"tresym: {path}: a named pipe; waiting for a {peer}", file=sys.stderr)
 
 
 def check_replaceable(paths: Iterable[str], force: bool = False) -> None:

@@ -1,8 +1,10 @@
 """The cache of answers: found again, never trusted when damaged, shared by several runs."""
 
 import json
+import os
 import sqlite3
 import threading
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -144,6 +146,57 @@ def test_a_damaged_cache_changes_no_answer(damage, folder: Path) -> None:  # typ
     damage(folder / "answers.sqlite")
     second, _ = run(CLAIMS)
     assert [(a.verdict, a.witness) for a in second] == [(a.verdict, a.witness) for a in first]
+    run(CLAIMS)
+    assert run(CLAIMS)[1] == len(CLAIMS)  # it is used again
+
+
+@pytest.mark.parametrize("damage", [replace_by_text, other_table])
+def test_a_damaged_cache_is_begun_anew_with_one_line(
+    damage: Callable[[Path], None], folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    run(CLAIMS[:1])
+    for beside in folder.glob("*-*"):
+        beside.unlink()
+    damage(folder / "answers.sqlite")
+    run(CLAIMS[:1])
+    assert "damaged" in capsys.readouterr().err
+    run(CLAIMS[:1])
+    assert capsys.readouterr().err == ""
+
+
+def test_a_row_of_other_bytes_costs_one_answer(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    run(CLAIMS[:2])
+    database = sqlite3.connect(folder / "answers.sqlite")
+    database.execute(
+        "UPDATE answers SET value = CAST(x'fffe80' AS TEXT) "
+        "WHERE key = (SELECT key FROM answers LIMIT 1)"
+    )
+    database.commit()
+    database.close()
+    assert run(CLAIMS[:2])[1] == 1
+    assert capsys.readouterr().err == ""
+
+
+def test_a_cache_that_is_only_readable_is_read(folder: Path) -> None:
+    run(CLAIMS[:1])
+    file = folder / "answers.sqlite"
+    file.chmod(0o400)
+    cache = AnswerCache(file)
+    cache._forget()
+    cache._recover(sqlite3.OperationalError("attempt to write a readonly database"))
+    if not os.access(file, os.W_OK):  # the superuser may write
+        assert cache.reads_only
+        assert cache.get(CLAIMS[0], "", None, HANGS) is not None
+
+
+def test_a_relative_cache_folder_of_the_desktop_is_ignored(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("TRESYM_CACHE")
+    monkeypatch.setenv("XDG_CACHE_HOME", "here")
+    found = answer_cache.cache_folder()
+    assert found is not None
+    assert found.is_absolute()
 
 
 def test_a_cache_that_cannot_be_written_is_told_in_one_line(

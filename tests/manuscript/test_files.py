@@ -135,3 +135,15 @@ def test_no_macros_from_outside_the_project(tmp_path: Path) -> None:
     )
     write(tmp_path, {"notes/one.tex": CHAPTER, "notes/own.sty": r"\def\half{8}"})
     assert texts(tmp_path / "notes/one.tex")[0] == r"\half x + \half x = \whole{x}"
+
+
+def test_symbolic_links_that_lead_back_are_left_out(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The main file of a chapter is sought among the files beside it."""
+    (tmp_path / "loop.tex").symlink_to(tmp_path / "loop.tex")
+    (tmp_path / "chapter.tex").write_text(r"We have \[ x + x = 2x . \]")
+    assert main(["paper", str(tmp_path / "chapter.tex")]) == 0
+    assert "loop.tex" in capsys.readouterr().err
+    assert main(["paper", str(tmp_path / "loop.tex")]) == 2
+    assert capsys.readouterr().err.count("\n") == 1

@@ -28,11 +28,13 @@ class Editor:
 
     def __init__(self, uri: str) -> None:
         self.uri, self.version = uri, 0
+        self.versions: list[int | None] = []
         self.client = LanguageClient("editor", "1")
         self.found: asyncio.Queue[list[types.Diagnostic]] = asyncio.Queue()
 
         @self.client.feature(types.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)
         def published(params: types.PublishDiagnosticsParams) -> None:
+            self.versions.append(params.version)
             self.found.put_nowait(list(params.diagnostics))
 
     async def start(self, text: str) -> None:
@@ -115,6 +117,7 @@ def test_a_misprint_is_shown_and_put_right_in_an_editor(tmp_path: Path) -> None:
         assert await editor.diagnostics() == []
         editor.change(applied(PAPER, fixes["This is an equation to be solved"]))
         assert await editor.diagnostics() == []
+        assert editor.versions == [0, 1, 2]
 
     with_editor(tmp_path, PAPER, scene)
 

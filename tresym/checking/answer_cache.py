@@ -6,7 +6,8 @@ decided is good for any limit of time; UNDECIDED only for the same one, and what
 or was interrupted is never stored. The file is a SQLite database in write-ahead mode, so several
 runs may share it and a run that is killed loses nothing that was written. Rows are JSON, never
 pickles, and each carries a checksum over its key, its value and the version: what was truncated or
-changed is not used. A cache that cannot be read or written is not used either; one line says so.
+changed is not used. A damaged file is replaced by an empty one, and one line says so. A file that
+cannot be written is still read; one that cannot be read is not used, and one line says so.
 """
 
 from __future__ import annotations
@@ -47,7 +48,10 @@ def cache_folder() -> Path | None:
     folder = os.environ.get("TRESYM_CACHE")
     if folder is not None:
         return None if folder in _NO_CACHE else Path(folder)
-    return Path(os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")) / "tresym"
+    base = os.environ.get("XDG_CACHE_HOME", "")
+    if not os.path.isabs(base):  # the specification says to ignore a relative one
+        base = os.path.expanduser("~/.cache")
+    return Path(base) / "tresym"
 
 
 def cache_file() -> Path | None:
@@ -87,16 +91,39 @@ class AnswerCache:
         self._database: sqlite3.Connection | None = None
         self.found = 0
         """How many answers were taken from it."""
+        self.reads_only = False
+        """Whether the file cannot be written, so that nothing is added to it."""
         try:
             path.parent.mkdir(parents=True, exist_ok=True)
-            self._database = sqlite3.connect(
-                path, timeout=2, isolation_level=None, check_same_thread=False
-            )
-            for pragma in _PRAGMAS:
-                self._database.execute(f"PRAGMA {pragma}")
-            self._database.execute(_TABLE)
+            self._open()
         except (sqlite3.Error, OSError) as error:
-            self._give_up(error)
+            self._recover(error)
+
+    def _open(self) -> None:
+        self._database = _connected(str(self.path))
+        for pragma in _PRAGMAS:
+            self._database.execute(f"PRAGMA {pragma}")
+        self._database.execute(_TABLE)
+        self._database.execute("SELECT key, value, sum, written FROM answers LIMIT 1").fetchone()
+
+    def _recover(self, error: Exception) -> None:
+        """Begin a damaged file anew, read one that cannot be written, or do without."""
+        self._forget()
+        try:
+            if _is_damage(error):
+                for end in ("", "-wal", "-shm"):
+                    self.path.with_name(self.path.name + end).unlink(missing_ok=True)
+                self._open()
+                _tell(f"the cache {self.path} was damaged and is begun anew")
+                return
+            if self.path.is_file() and not os.access(self.path, os.W_OK):
+                self._database = _connected(f"{self.path.resolve().as_uri()}?mode=ro&immutable=1")
+                self._database.execute("SELECT key FROM answers LIMIT 1").fetchone()
+                self.reads_only = True
+                return
+        except (sqlite3.Error, OSError) as another:
+            error = another
+        self._give_up(error)
 
     def get(self, claim: Any, given: Any, path: str | None, limit: float) -> Answer | None:
         """The answer to a claim, or nothing; or InputError, raised, where it was not read."""
@@ -108,7 +135,7 @@ class AnswerCache:
                     "SELECT value, sum FROM answers WHERE key = ?", (key,)
                 ).fetchone()
             except sqlite3.Error as error:
-                self._give_up(error)
+                self._recover(error)
                 return None
             found = _answer(key, *row) if row is not None else None
             if found is not None:
@@ -120,7 +147,7 @@ class AnswerCache:
         """Keep an answer, unless it depends on the run."""
         if self._database is None or not (isinstance(claim, str) and isinstance(given, str)):
             return
-        if answer.cause is not None and answer.cause.of_the_run:
+        if self.reads_only or (answer.cause is not None and answer.cause.of_the_run):
             return
         always, within = _keys(claim, given, path, limit)
         key = within if answer.verdict is Verdict.UNDECIDED else always
@@ -131,14 +158,14 @@ class AnswerCache:
                 (key, value, _sum(key, value)),
             )
         except sqlite3.Error as error:
-            self._give_up(error)
+            self._recover(error)
 
     def close(self) -> None:
         """Drop what is too much, and close the file."""
         if self._database is None:
             return
         with suppress(sqlite3.Error):
-            before = self._bytes()
+            before = 0 if self.reads_only else self._bytes()
             for _ in range(MOST_HALVINGS):
                 if self._bytes() <= MAX_BYTES:
                     break
@@ -161,13 +188,40 @@ class AnswerCache:
         )
         return (pages - free) * size
 
-    def _give_up(self, error: Exception) -> None:
+    def _forget(self) -> None:
         if self._database is not None:
             with suppress(sqlite3.Error):
                 self._database.close()
         self._database = None
-        if sys.stderr is not None:
-            print(f"tresym: continuing without the cache {self.path}: {error}", file=sys.stderr)
+
+    def _give_up(self, error: Exception) -> None:
+        self._forget()
+        why = " ".join(str(error).split())[:200]
+        removed = "tresym paper --clear-cache removes it"
+        _tell(f"continuing without the cache {self.path}: {why} ({removed})")
+
+
+def _connected(name: str) -> sqlite3.Connection:
+    """Open a database by its file or its URI; text that is no Unicode reads as other text."""
+    uri = name.startswith("file:")
+    made = sqlite3.connect(name, 2, isolation_level=None, check_same_thread=False, uri=uri)
+    made.text_factory = lambda raw: raw.decode("utf-8", "replace")
+    return made
+
+
+def _is_damage(error: Exception) -> bool:
+    """Whether an error says that the file is no database of ours, and not that it is in use."""
+    words = str(error)
+    other_table = isinstance(error, sqlite3.OperationalError) and "no such column" in words
+    return other_table or (
+        isinstance(error, sqlite3.DatabaseError)
+        and not isinstance(error, (sqlite3.OperationalError, sqlite3.ProgrammingError))
+    )
+
+
+def _tell(line: str) -> None:
+    if sys.stderr is not None:
+        print(f"tresym: {line}", file=sys.stderr)
 
 
 def _keys(claim: str, given: str, path: str | None, limit: float) -> tuple[bytes, bytes]:

@@ -12,7 +12,7 @@ from itertools import chain
 from typing import TYPE_CHECKING, TypeAlias
 
 from tresym.commands.parser import Commands, add_options, add_output, json_line, parse_seconds
-from tresym.output import bold, colour_wanted, dim, show_progress, writing
+from tresym.output import bold, colour_wanted, dim, say_if_waiting, show_progress, writing
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
@@ -277,6 +277,8 @@ def _lines(file: str) -> Iterator[str]:
     if file == "-" and sys.stdin is None:
         raise InputError("there is no standard input to read claims from")
     name: str | int = sys.stdin.fileno() if file == "-" else file
+    if file != "-":
+        say_if_waiting(file, "writer")
     try:
         with open(name, encoding="utf-8-sig", errors="replace", closefd=file != "-") as stream:
             while line := stream.readline(LONGEST_LINE):

@@ -28,8 +28,7 @@ def run(args: argparse.Namespace) -> int:
     """Serve until the editor disconnects, and return the exit status."""
     limit = parse_seconds(args.limit)
     try:
-        from tresym.manuscript.language_server import server
+        from tresym.manuscript.language_server import serve
     except ImportError:
         raise InputError("lsp: pygls is missing: pip install 'tresym[editor]'") from None
-    server(limit).start_io()
-    return 0
+    return serve(limit)

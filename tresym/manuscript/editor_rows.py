@@ -8,6 +8,7 @@ What was decided before comes from the cache, so that only displays that changed
 from __future__ import annotations
 
 import json
+import os
 import sys
 from pathlib import Path
 from typing import Any
@@ -22,6 +23,7 @@ from tresym.papers.editor_rows import claims_file_rows
 from tresym.reals.decisions.claim_parsing import in_latex
 from tresym.reals.language.expression import symbols
 from tresym.reals.numbers.exact import InputError
+from tresym.reals.processes import end_with_parent
 
 MOST_KINDS = 12
 """Symbols of a link whose kinds are shown at most."""
@@ -59,6 +61,7 @@ def _value(row: Row, alone: bool) -> dict[str, Any]:
 
 def main() -> int:
     """Answer the question on standard input."""
+    end_with_parent(os.getppid())
     asked = json.loads(sys.stdin.buffer.read())
     answer: dict[str, Any]
     try:

@@ -64,6 +64,18 @@ class Note(NamedTuple):
     line: int
 
 
+def _resolved(path: Path, main: Path) -> Path:
+    """Return a path without symbolic links.
+
+    Raises:
+        InputError: the links lead back to themselves.
+    """
+    try:
+        return path.resolve()
+    except (OSError, RuntimeError):
+        raise InputError(f"{main}: cannot be read (a loop of symbolic links)") from None
+
+
 class Files:
     """The text of all files, the origin of its lines, and the directives in its comments.
 
@@ -75,7 +87,7 @@ class Files:
     def __init__(self, path: Path, root: Path | None = None, text: str | None = None) -> None:
         """Read all files; ``text`` replaces the contents of the first, as in an editor."""
         self._unsaved = text
-        self.path, self.folder = path, path.resolve().parent
+        self.path, self.folder = path, _resolved(path, path).parent
         self.root = _project(self.folder) if root is None else root.resolve()
         if not self.folder.is_relative_to(self.root):
             raise InputError(f"{path}: is not in the folder {root}")
@@ -107,7 +119,7 @@ class Files:
     def _add(self, path: Path, around: tuple[Path, ...], preamble: bool = False) -> None:
         """Add a file and its inputs: the body of an input file, or only the preamble of the main
         file that a subfile names."""
-        here = path.resolve()
+        here = _resolved(path, self.path)
         shown = "" if not around else os.path.relpath(here, self.folder)
         if here in around:
             raise InputError(f"{self.path}: {shown or path} includes itself")
@@ -148,11 +160,15 @@ class Files:
 
     def _main_files(self) -> Iterator[Path]:
         """The main files that input this one, from its own folder outwards."""
-        own = self.path.resolve()
+        own = _resolved(self.path, self.path)
         folders = (f for f in (self.folder, *self.folder.parents) if f.is_relative_to(self.root))
         for folder in islice(folders, MAX_DEPTH):
             for main in sorted(folder.glob("*.tex"))[:MAX_FILES]:
-                text = "" if main.resolve() == own else _shown(_text_of(main))
+                try:
+                    text = "" if main.resolve() == own else _shown(_text_of(main))
+                except (OSError, RuntimeError):  # symbolic links that lead back to themselves
+                    self.missing.append(str(main.relative_to(folder)))
+                    continue
                 if "\\documentclass" in text and "\\begin{document}" in text:
                     names = (mark[1] or mark[2] or "" for mark in _INPUT.finditer(text))
                     if any(
@@ -177,7 +193,10 @@ class Files:
             names += [name, f"{name}.tex"]
         made = []
         for name in names if depth else ():
-            file = (path.parent / name).resolve()
+            try:
+                file = (path.parent / name).resolve()
+            except (OSError, RuntimeError, ValueError):
+                continue
             if file.is_relative_to(self.root) and file.is_file():
                 made.append(self._definitions(file, _text_of(file), False, depth - 1))
         for command in () if packages else DEFINITIONS.finditer(text):

@@ -1,8 +1,8 @@
 """A language server for manuscripts: diagnostics, hover and quick fixes in any editor.
 
 It implements the Language Server Protocol (version 3.17) with pygls. After a change and a short
-pause the text is checked in a separate process (``editor_rows``); a check that is outdated is
-ended.
+pause the text is checked in a separate process (``editor_rows``), which has loaded its modules
+before; a check that is outdated is ended.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ import asyncio
 import json
 import os
 import re
+import signal
 import sys
 import tempfile
 from contextlib import suppress
@@ -23,8 +24,9 @@ from pygls.lsp.server import LanguageServer
 
 import tresym
 from tresym.checking.answer_cache import cache_file
+from tresym.manuscript.protocol_input import ProtocolInput
 
-PAUSE = 0.4
+PAUSE = 0.1
 """Seconds without a change after which the text is checked."""
 _SEVERITY = {
     "REFUTED": types.DiagnosticSeverity.Error,
@@ -55,6 +57,9 @@ class ManuscriptServer(LanguageServer):
         super().__init__("tresym", tresym.__version__)
         self.limit = limit
         self.documents: dict[str, _Document] = {}
+        self.prepared: asyncio.Task[asyncio.subprocess.Process] | None = None
+        self.checks: set[int] = set()
+        self.asked_to_end = self.left = False
         self.environment = dict(os.environ)
         if cache_file() is None:  # without a cache, each check would decide everything again
             self.environment["TRESYM_CACHE"] = tempfile.mkdtemp(prefix="tresym")
@@ -75,21 +80,16 @@ class ManuscriptServer(LanguageServer):
 
     async def _look(self, uri: str, document: _Document) -> None:
         await asyncio.sleep(PAUSE)
-        text = self.workspace.get_text_document(uri).source
+        now = self.workspace.get_text_document(uri)
+        text, version = now.source, now.version
         path = uris.to_fs_path(uri) or "manuscript.tex"
         asked = json.dumps({"path": path, "text": text, "limit": self.limit})
-        process = await asyncio.create_subprocess_exec(
-            sys.executable,
-            *("-m", "tresym.manuscript.editor_rows"),
-            stdin=asyncio.subprocess.PIPE,
-            stdout=asyncio.subprocess.PIPE,
-            stderr=asyncio.subprocess.DEVNULL,
-            env=self.environment,
-        )
+        process = await self._process()
         try:
             out, _ = await process.communicate(asked.encode())
             found = json.loads(out or b'{"error": "the manuscript could not be checked"}')
         finally:
+            self.checks.discard(process.pid)
             if process.returncode is None:
                 with suppress(ProcessLookupError):
                     process.kill()
@@ -98,7 +98,43 @@ class ManuscriptServer(LanguageServer):
         diagnostics = [self._diagnostic(row, text) for row in own if row["status"] in _SEVERITY]
         if "error" in found:
             diagnostics.append(_at(0, 0, found["error"], types.DiagnosticSeverity.Information))
-        self._publish(uri, diagnostics)
+        self._publish(uri, diagnostics, version)
+
+    async def _process(self) -> asyncio.subprocess.Process:
+        """Return a process that waits for a text, and prepare the next one."""
+        first = self.prepared or self._begun()
+        self.prepared = None
+        process = await first
+        if process.returncode is not None:  # it was ended while it waited
+            process = await self._begun()
+        self.prepared = self._begun()
+        return process
+
+    def prepare(self) -> None:
+        """Start the process that checks the first text."""
+        if self.prepared is None:
+            self.prepared = self._begun()
+
+    def _begun(self) -> asyncio.Task[asyncio.subprocess.Process]:
+        async def begin() -> asyncio.subprocess.Process:
+            process = await asyncio.create_subprocess_exec(
+                sys.executable,
+                *("-m", "tresym.manuscript.editor_rows"),
+                stdin=asyncio.subprocess.PIPE,
+                stdout=asyncio.subprocess.PIPE,
+                stderr=asyncio.subprocess.DEVNULL,
+                env=self.environment,
+            )
+            self.checks.add(process.pid)
+            return process
+
+        return asyncio.get_running_loop().create_task(begin())
+
+    def end_checks(self) -> None:
+        """Kill the processes that check or wait for a text."""
+        for pid in self.checks:
+            with suppress(OSError):
+                os.kill(pid, getattr(signal, "SIGKILL", signal.SIGTERM))
 
     def _diagnostic(self, row: dict[str, Any], text: str) -> types.Diagnostic:
         first, last = display_lines(row, text)
@@ -106,9 +142,11 @@ class ManuscriptServer(LanguageServer):
         found.code = row["status"]
         return found
 
-    def _publish(self, uri: str, diagnostics: list[types.Diagnostic]) -> None:
+    def _publish(
+        self, uri: str, diagnostics: list[types.Diagnostic], version: int | None = None
+    ) -> None:
         self.text_document_publish_diagnostics(
-            types.PublishDiagnosticsParams(uri=uri, diagnostics=diagnostics)
+            types.PublishDiagnosticsParams(uri, diagnostics, version=version)
         )
 
     def rows_at(self, uri: str, line: int) -> list[dict[str, Any]]:
@@ -241,9 +279,42 @@ def _position(block: str, at: int, first: int) -> types.Position:
     return types.Position(first + before.count("\n"), len(line.encode("utf-16-le")) // 2)
 
 
+def serve(limit: float) -> int:
+    """Serve on standard input and output until the editor leaves, and return the exit status.
+
+    A signal ends the server at once, also while it waits for the editor.
+    """
+    made = server(limit)
+
+    def end(number: int, _: object) -> None:
+        made.end_checks()
+        os._exit(128 + number)
+
+    for name in ("SIGINT", "SIGTERM", "SIGHUP"):
+        if hasattr(signal, name):
+            signal.signal(getattr(signal, name), end)
+    source = ProtocolInput(lambda: os.read(0, 1 << 16))
+    with open(os.dup(1), "wb") as target, suppress(ValueError):  # the library closes its stream
+        made.start_io(source, target)  # type: ignore[arg-type]
+    made.end_checks()
+    return 1 if made.left and not made.asked_to_end else 0
+
+
 def server(limit: float) -> ManuscriptServer:
     """The server with its features."""
     made = ManuscriptServer(limit)
+
+    @made.feature(types.INITIALIZED)
+    async def initialized(ls: ManuscriptServer, _: types.InitializedParams) -> None:
+        ls.prepare()
+
+    @made.feature(types.SHUTDOWN)
+    def ends(ls: ManuscriptServer, _: None) -> None:
+        ls.asked_to_end = True
+
+    @made.feature(types.EXIT)
+    def leaves(ls: ManuscriptServer, _: None) -> None:
+        ls.left = True
 
     @made.feature(types.TEXT_DOCUMENT_DID_OPEN)
     async def opened(ls: ManuscriptServer, params: types.DidOpenTextDocumentParams) -> None:

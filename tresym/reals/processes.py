@@ -238,6 +238,18 @@ class Processes(ThreadPoolExecutor):
             child.end()
 
 
+def end_with_parent(parent: int) -> None:
+    """End this process soon after its parent, which nobody can tell it if that was killed."""
+
+    def look(*_: object) -> None:
+        if os.getppid() != parent:
+            os._exit(1)
+
+    if hasattr(signal, "setitimer"):
+        signal.signal(signal.SIGALRM, look)
+        signal.setitimer(signal.ITIMER_REAL, ORPHAN, ORPHAN)
+
+
 _COUNTS_TIME = hasattr(signal, "setitimer")
 """Whether the system can count the processor time of a call."""
 
@@ -251,15 +263,9 @@ def _serve(
     signal.signal(signal.SIGTERM, signal.SIG_DFL)  # a fork inherits the handler of its parent
     if board is not None:
         show_stages_on(board)
+    end_with_parent(parent)
     if _COUNTS_TIME:
-
-        def look(*_: object) -> None:
-            if os.getppid() != parent:  # it was killed, and nobody waits for this call
-                os._exit(1)
-
         signal.signal(signal.SIGVTALRM, signal.SIG_DFL)  # ends the process, also within FLINT
-        signal.signal(signal.SIGALRM, look)
-        signal.setitimer(signal.ITIMER_REAL, ORPHAN, ORPHAN)
     with suppress(EOFError, OSError):
         while True:
             fn, args, kwargs, limit = connection.recv()

@@ -46,8 +46,8 @@ def check(
         limit: the limit on processor time in seconds, after which the answer is UNDECIDED. The
             work is then done in a process of its own. Without a limit the claim is decided in this
             process.
-        suggest: whether to search for true claims close to a refuted one, for at most half a
-            second. They are the attribute ``instead`` of the answer.
+        suggest: whether to search for true claims close to a refuted one, for at most a second
+            of processor time. They are the attribute ``instead`` of the answer.
 
     Returns:
         The answer, with its verdict and reason.

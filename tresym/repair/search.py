@@ -42,8 +42,10 @@ from tresym.repair.regions import holding
 from tresym.repair.samples import held, sampled
 from tresym.repair.values import values, worked_side
 
-SECONDS = 0.5
-MOST = 3
+SECONDS = 1.0
+MOST, DECIDED = 3, 20
+"""The most suggestions for a claim, and the most candidates that are decided; these counts, and not
+the time, end nearly every search, so that equal runs make equal suggestions."""
 GRID, FEW = 70, 9
 """The numbers of points at which conditions and edits are tested."""
 SHARE = 0.3
@@ -100,10 +102,11 @@ def alternatives(
         return ()
     end = time.process_time() + seconds
     found: list[Alternative] = []
+    tried = 0
     until = time.process_time() + seconds / 2
     for rank, candidate, more, edit in _candidates(claim, until):
         left = end - time.process_time()
-        if left <= 0 or len(found) >= most:
+        if left <= 0 or len(found) >= most or tried >= DECIDED:
             break
         if rank >= OTHER and not unusual:
             continue
@@ -111,6 +114,7 @@ def alternatives(
             continue
         if more and any(one.edit.startswith(GIVEN) for one in found):
             continue  # a stricter condition than one already found
+        tried += 1
         verdict = _decided(candidate.text(more), left if hard else min(left, SHARE * seconds))
         if verdict:
             under = ", ".join(filter(None, (chained(claim.given), more)))
