@@ -36,6 +36,7 @@ from typing import Any
 
 from flint import arb, fmpq
 
+from tresym.reals.decisions.equal_by_limit import equal_by_limit
 from tresym.reals.decisions.inverse_branches import without_inverse
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate, undefined_parts, values_or_broken
@@ -382,6 +383,7 @@ def _by_constants(
             )
             return why, value, None
         proof = equal_by_derivative(*sides, given, theories, field.size)
+        proof = proof or equal_by_limit(*sides, given)
     return proof, value, None if proof else _sign_in_doubt(field, value)
 
 

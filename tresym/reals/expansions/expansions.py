@@ -158,6 +158,7 @@ class Expansions(SeriesArithmetic):
         """Taylor's theorem for a special function, or the expansion of a factor at 0."""
         row, parameters = TABLE[e.op], e.args[:-1]
         c, v = self._split(f)
+        n = min(n, row.terms or n)
         known = [_coefficient(row, parameters, c, k) for k in range(n)]
 
         def rest(s: arb, m: int) -> arb:

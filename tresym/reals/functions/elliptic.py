@@ -166,6 +166,19 @@ def _incomplete(phi: Any, x: Any, m: Any) -> Conditions:
     )
 
 
+def _incomplete_value(name: str) -> Any:
+    def rule(phi: Any, x: Any, m: Any) -> Any:
+        if literal(phi) == 0:
+            return 0 * x
+        if literal(x) == 0:
+            return phi
+        if phi == m.pi / 2:
+            return getattr(m, name)(x)
+        return -getattr(m, name)(x) if phi == -m.pi / 2 else None
+
+    return rule
+
+
 def _f(phi: arb, x: arb) -> arb:
     if not (1 - x * phi.sin() ** 2 > 0 and abs(phi) <= arb.pi() / 2 + arb((1, -30))):
         return NAN
@@ -234,7 +247,7 @@ ELLIPTIC = (
     Function(
         name="elliptic_f", family="elliptic integrals", arity=2, source="DLMF 19.2.4",
         definition=r"F(\phi, m) = \int_0^\phi d\theta/\sqrt{1 - m\sin^2\theta},\ |\phi| \le \pi/2",
-        needs=_incomplete, smooth=False, ball=_f,
+        needs=_incomplete, smooth=False, ball=_f, rewritten=_incomplete_value("elliptic_k"),
         derivatives=(
             lambda phi, x, m: 1 / _root(phi, x, m),
             lambda phi, x, m: m.elliptic_e_inc(phi, x) / (2 * x * (1 - x))
@@ -249,6 +262,7 @@ ELLIPTIC = (
         name="elliptic_e_inc", family="elliptic integrals", arity=2, source="DLMF 19.2.5",
         definition=r"E(\phi, m) = \int_0^\phi \sqrt{1 - m\sin^2\theta}\,d\theta,\ |\phi| \le \pi/2",
         needs=_incomplete, smooth=False, ball=_e_inc,
+        rewritten=_incomplete_value("elliptic_e"),
         derivatives=(
             lambda phi, x, m: _root(phi, x, m),
             lambda phi, x, m: (m.elliptic_e_inc(phi, x) - m.elliptic_f(phi, x)) / (2 * x),

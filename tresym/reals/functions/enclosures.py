@@ -119,6 +119,7 @@ def factor(
     exact: Ball | None,
     remainder: Callable[[arb, int], arb] | None = None,
     source: str = "",
+    first: int = 0,
 ) -> Function:
     """Return the row of a factor of an asymptotic expansion in v → 0+.
 
@@ -129,15 +130,17 @@ def factor(
         remainder: a bound of |R_n(v)|/vⁿ for 0 < v ≤ s; by default the next coefficient that is
             not 0 times the power of s, as for an enveloping series.
         source: the theorem that states the bound.
+        first: the index from which the series is enveloping; earlier terms are added up.
     """
 
     def bound(s: arb, n: int) -> arb:
         if remainder is not None:
             return remainder(s, n)
-        k = n
-        while coefficient(k) == 0:
+        total, k = arb(0), n
+        while k < first or coefficient(k) == 0:
+            total += abs(arb(coefficient(k))) * s ** (k - n)
             k += 1
-        return abs(arb(coefficient(k))) * s ** (k - n)
+        return total + abs(arb(coefficient(k))) * s ** (k - n)
 
     def value(v: arb) -> arb:
         found = exact(v) if exact is not None and v > 0 else NAN

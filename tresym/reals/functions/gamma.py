@@ -137,6 +137,32 @@ def _polygamma_up(n: Any, x: Any, m: Any) -> Any:
     return None if order is None else m.polygamma(n, x + 1) - _power_of(order)(x)
 
 
+def _gamma_multiplied(n: int, x: Any, m: Any) -> Any:
+    """Gauss's multiplication formula (DLMF 5.5.6)."""
+    found = (2 * m.pi) ** fmpq(1 - n, 2) * (0 * x + n) ** (x - fmpq(1, 2))
+    for k in range(n):
+        found = found * m.gamma((x + k) / n)
+    return found
+
+
+def _digamma_multiplied(n: int, x: Any, m: Any) -> Any:
+    """DLMF 5.5.9."""
+    found = m.log(n)
+    for k in range(n):
+        found = found + m.digamma((x + k) / n) / n
+    return found
+
+
+def _polygamma_multiplied(n: int, order: Any, x: Any, m: Any) -> Any:
+    times = whole(order)
+    if times is None:
+        return None
+    found = 0 * x
+    for k in range(n):
+        found = found + m.polygamma(order, (x + k) / n) / fmpq(n) ** (times + 1)
+    return found
+
+
 def _stirling(k: int) -> fmpq:
     if k % 2 == 0:
         return fmpq(0)
@@ -176,7 +202,7 @@ def _tails(order: int) -> Function:
     return factor(
         f"polygamma_tail{order}", lambda k: polygamma_tail_coefficient(order, k),
         lambda v: sign * real_part(acb(1 / v).polygamma(acb(order))) / v**order,
-        source="DLMF 5.15.8 and 5.11(ii)",
+        source="DLMF 5.15.8 and 5.11(ii)", first=2,
     )  # fmt: skip
 
 
@@ -237,6 +263,7 @@ GAMMA = (
         raising=lambda x, m: m.gamma(x + 1) / x,
         mirror=lambda x, m: m.pi / (m.sin(m.pi * x) * m.gamma(1 - x)),
         near={"oo": lambda x, m: m.exp(m.loggamma(x))}, poles=True,
+        multiplied=_gamma_multiplied,
         latex=r"\Gamma", mathml="Γ", mathematica="Gamma", maple="GAMMA", sympy="gamma",
         aliases=("Gamma", "tgamma"), theorems=("DLMF 5.11(ii): Stirling's series is enveloping",),
         falsehoods=("gamma(x) >= 1 given x > 0", "gamma(x + 1) == (x + 1)*gamma(x)"),
@@ -247,7 +274,6 @@ GAMMA = (
         series=lambda s: s.rgamma(), positive_where=lambda x, m: x,
         rewritten=lambda x, m: 1 / m.gamma(x), sympy="", latex=r"\operatorname{rgamma}",
         near={"oo": lambda x, m: m.exp(-m.loggamma(x))}, internal=True,
-        falsehoods=("rgamma(x) <= 1", "rgamma(x)*gamma(x) == 2"),
     ),
     Function(
         name="loggamma", family="gamma", definition=r"\ln\Gamma(x),\ x > 0", source="DLMF 5.2(i)",
@@ -276,13 +302,14 @@ GAMMA = (
         mirror=lambda x, m: m.digamma(1 - x) - m.pi * m.cos(m.pi * x) / m.sin(m.pi * x),
         near={
             "oo": lambda x, m: m.log(x) + m.digamma_tail(1 / x),
-        }, poles=True,
+        }, poles=True, multiplied=_digamma_multiplied,
         latex=r"\psi", mathml="ψ", mathematica="PolyGamma", maple="Psi", sympy="digamma",
         aliases=("psi_function", "PolyGamma"),
         theorems=("DLMF 5.11(ii): the expansion is enveloping",),
         falsehoods=("digamma(x) <= log(x) - 1/x given x > 0", "digamma(x + 1) == digamma(x) - 1/x"),
     ),
-    factor("digamma_tail", _digamma_coefficient, _digamma_exact, source="DLMF 5.11.2"),
+    factor("digamma_tail", _digamma_coefficient, _digamma_exact, source="DLMF 5.11.2",
+           first=2),
     Function(
         name="polygamma", family="gamma", arity=2, definition=r"\psi^{(n)}(x)", source="DLMF 5.15",
         needs=lambda n, x, m: no_pole(x, m),
@@ -291,7 +318,7 @@ GAMMA = (
         if s[0] > 0 else s * NAN,
         positive_where=_polygamma_sign, rewritten=_polygamma_value,
         recurrence=_polygamma_down, raising=_polygamma_up,
-        near={"oo": _polygamma_far}, poles=True, shifted=1,
+        near={"oo": _polygamma_far}, poles=True, shifted=1, multiplied=_polygamma_multiplied,
         latex=r"\operatorname{polygamma}", mathematica="PolyGamma", maple="Psi",
         sympy="polygamma", theorems=("DLMF 5.15.8: the expansion is enveloping",),
         falsehoods=("polygamma(1, x) <= 1/x + 1/(3*x**2) given x > 0", "polygamma(2, x) > 0"),

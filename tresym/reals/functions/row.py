@@ -93,6 +93,7 @@ class Function:
         mirror: the function by its values at the opposite side, for arguments whose leading
             coefficient is negative.
         poles: whether it has poles at 0, −1, −2, …, off which ``raising`` leads.
+        multiplied: the function of an argument n·u by the function at n arguments u + k/n.
         near: exact formulas from which the behaviour near an end is read off: at ``"oo"``,
             ``"-oo"``, above or below a rational number (``"0+"``, ``"1-"``). They consist of
             elementary functions, functions regular there, and factors such as ``erfc_tail``, whose
@@ -101,6 +102,7 @@ class Function:
             the other arguments and of k.
         remainder: for a factor, a bound of |R_n(v)|/vⁿ for 0 < v ≤ s, a function of the other
             arguments, s and n.
+        terms: how many terms of the series are known; 0 for all.
         internal: whether users cannot write the function.
         constant: whether the function stands for a constant; its argument is 1.
         latex: the LaTeX command or text.
@@ -163,9 +165,11 @@ class Function:
     shifted: int = 0
     mirror: Formula | None = None
     poles: bool = False
+    multiplied: Formula | None = None
     near: dict[str, Formula] = field(default_factory=dict)
     taylor: Formula | None = None
     remainder: Callable[..., arb] | None = None
+    terms: int = 0
     internal: bool = False
     constant: bool = False
     latex: str = ""

@@ -86,6 +86,31 @@ def _stieltjes(n: arb) -> arb:
     return NAN if k is None or k < 0 else real_part(acb.stieltjes(k))
 
 
+def _zeta_far(x: Any, m: Any) -> Any:
+    return 1 + m.exp(-x * m.log(2)) * m.zeta_tail(m.exp(-x * m.log(fmpq(3, 2) + 0 * x)))
+
+
+def _zeta_tail(v: arb) -> arb:
+    """Return Σ_{k ≥ 2} (k/2)^(−s) with v = (3/2)^(−s)."""
+    if v > 0 and not is_wide(v):
+        s = -v.log() / arb(fmpq(3, 2)).log()
+        if s > 1:
+            return (s.zeta() - 1) * (s * arb(2).log()).exp()
+    top = arb(v.upper())
+    if not (top > 0 and (v > 0 or v.contains(0))):
+        return NAN
+    rest = _zeta_tail_rest(top, 1)
+    return 1 + arb(0).union(top * rest)
+
+
+def _zeta_tail_rest(s: arb, n: int) -> arb:
+    """Bound Σ_{k≥3} (k/2)^(−s)/v = Σ_{k≥3} (k/3)^(−s), which falls as s grows."""
+    x = -s.log() / arb(fmpq(3, 2)).log()
+    if n != 1 or not x > 2:
+        return NAN
+    return (x.zeta() - 1 - (-x * arb(2).log()).exp()) * (x * arb(3).log()).exp()
+
+
 def _near_one(x: Any, m: Any) -> Any:
     return 1 / (x - 1) + m.zeta_regular(x - 1)
 
@@ -178,8 +203,8 @@ ZETA = (
         definition=r"\zeta(s) = \sum_{n \ge 1} n^{-s},\ s > 1; continued to s \ne 1",
         needs=lambda x, m: ((x - 1, "!="),), derivatives=(lambda x, m: m.zetaderiv(1, x),),
         ball=_zeta, series=lambda s: composed(_zeta_jets, s), positive_where=lambda x, m: x - 1,
-        rewritten=_zeta_value, near={"1+": _near_one, "1-": _near_one}, latex=r"\zeta",
-        mathml="ζ", mathematica="Zeta", maple="Zeta", sympy="zeta", aliases=("Zeta",),
+        rewritten=_zeta_value, near={"1+": _near_one, "1-": _near_one, "oo": _zeta_far},
+        latex=r"\zeta", mathml="ζ", mathematica="Zeta", maple="Zeta", sympy="zeta", aliases=("Zeta",),
         falsehoods=("zeta(s) <= 2 given s > 1", "zeta(2) == pi**2/8"),
     ),
     Function(
@@ -195,6 +220,11 @@ ZETA = (
         derivatives=(None,), ball=_regular, remainder=_regular_rest,
         taylor=lambda k, m: fmpq((-1) ** k, factorial(k)) * m.stieltjes(k) if k
         else m.EulerGamma(1),
+    ),
+    Function(
+        name="zeta_tail", family="factors of expansions", internal=True, source="DLMF 25.2.1",
+        needs=lambda v, m: ((v, ">"),), derivatives=(None,), ball=_zeta_tail, terms=1,
+        taylor=lambda k, m: fmpq(1) if k == 0 else None, remainder=_zeta_tail_rest,
     ),
     Function(
         name="stieltjes", family="zeta functions", internal=True, source="DLMF 25.2.5",

@@ -10,6 +10,7 @@ set; this is what the normal form needs, see :mod:`tresym.reals.normal.field`.
 from __future__ import annotations
 
 from functools import lru_cache
+from math import gcd
 
 from flint import fmpq
 
@@ -28,6 +29,8 @@ from tresym.reals.language.expression import (
 )
 from tresym.reals.language.like_terms import collected, scaled
 
+MAX_TIMES = 4
+"""The largest multiple to which a multiplication formula is applied."""
 MAX_SHIFT = 40
 """The largest distance over which a recurrence is applied."""
 
@@ -64,6 +67,11 @@ def reduced(e: Expr) -> Expr | None:
         if row.even:
             return apply(e.op, *args[:-1], collected(-last))
         found = row.mirror and row.mirror(*args, trees)
+        if found is not None:
+            return tidy(found)
+    times = _multiple(last) if row.multiplied is not None else 1
+    if row.multiplied is not None and times > 1:
+        found = row.multiplied(times, *args, trees)
         if found is not None:
             return tidy(found)
     found = _shifted(row, args)
@@ -107,6 +115,15 @@ def _constant(e: Expr) -> fmpq:
         if term.op == "number":
             return fmpq(term.args[0])
     return fmpq(0)
+
+
+def _multiple(e: Expr) -> int:
+    """Return the common divisor of the coefficients, if they are integers up to MAX_TIMES."""
+    terms = [scaled(term)[0] for term in (e.args if e.op == "+" else (e,)) if term.op != "number"]
+    if not terms or any(scale.q != 1 for scale in terms):
+        return 1
+    found = gcd(*(int(scale.p) for scale in terms))
+    return found if found <= MAX_TIMES else 1
 
 
 def _is_negative(e: Expr) -> bool:
