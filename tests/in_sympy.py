@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from tresym.reals.functions.table import CONSTANTS, TABLE
 from tresym.reals.language.expression import ORDERS, UNWORKED, Expr, opened
 
 
@@ -37,7 +38,9 @@ def _to_sympy_node(sympy: Any, node: Expr, walk: Any) -> Any:
         return sympy.Pow(*args)
     if node.op == "cbrt":
         return sympy.sign(args[0]) * sympy.Abs(args[0]) ** sympy.Rational(1, 3)
-    return getattr(sympy, "Abs" if node.op == "abs" else node.op)(*args)
+    if node.op in CONSTANTS:
+        return getattr(sympy, node.op)
+    return getattr(sympy, TABLE[node.op].sympy)(*args)
 
 
 def _unworked_to_sympy(sympy: Any, node: Expr, walk: Any) -> Any:

@@ -19,7 +19,8 @@ from tresym.reals.decisions.identity import JUMP
 from tresym.reals.decisions.statement import Comparison, Statement, functions, implied_integers
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
-from tresym.reals.domain.operation_domains import bound, needs
+from tresym.reals.domain.operation_domains import bound, needs, operations
+from tresym.reals.functions.table import SPECIAL
 from tresym.reals.language.binders import is_infinite, outermost
 from tresym.reals.language.calls import FACTORIAL
 from tresym.reals.language.expression import DOTS, ZERO, Expr, symbols
@@ -265,6 +266,14 @@ class _Parts(NamedTuple):
         return self.statement.path is not None and known and bool(hidden)
 
     @property
+    def gammas(self) -> bool:
+        """Return whether factorials and special functions occur, and nothing else that is open."""
+        if self.unknown != {FACTORIAL} or not self.nodes <= {"unknown"}:
+            return False
+        sides = (self.comparison.left, self.comparison.right)
+        return any(node.op in SPECIAL for node in operations(sides))
+
+    @property
     def at_integers(self) -> bool:
         """Return whether the claim is about integers, at points rather than along a path."""
         return bool(self.statement.integers) and self.statement.path is None
@@ -330,6 +339,12 @@ def _factorials(*claim: Any) -> Answer:
     return decide_factorials(*claim)
 
 
+def _gamma_forms(*claim: Any) -> Answer:
+    from tresym.reals.decisions.gamma_forms import decide_by_gamma
+
+    return decide_by_gamma(*claim)
+
+
 def _integer_variables(*claim: Any) -> Answer:
     from tresym.reals.decisions.integer_variables import decide_whole
 
@@ -389,6 +404,7 @@ ORDER: tuple[tuple[Procedure, Callable[[_Parts], bool], str], ...] = (
     (_infinite_sums, lambda p: p.infinite, "its value is a limit, or that of a known series"),
     (_nth_derivatives, lambda p: "nth" in p.nodes, "induction on n leaves ordinary derivatives"),
     (_finite_sums, lambda p: p.finite_sums, "induction leaves a claim without sums"),
+    (_gamma_forms, lambda p: p.gammas, "n! is gamma(n + 1) beside other gamma functions"),
     (_factorials, lambda p: FACTORIAL in p.unknown, "a recurrence leaves no factorials"),
     (_integer_variables, lambda p: bool(p.unknown) and p.at_integers, "f(n) is one value a case"),
     (_unknown_functions, lambda p: bool(p.unknown), "values of a function become variables"),

@@ -51,7 +51,12 @@ def equal_by_limit(left: Expr, right: Expr, given: Given) -> str | None:
     """
     names = symbols(left) | symbols(right)
     parts = list(operations((left, right)))
-    if left.hidden or right.hidden or len(names) != 1 or not any(node.op in SPECIAL for node in parts):
+    if (
+        left.hidden
+        or right.hidden
+        or len(names) != 1
+        or not any(node.op in SPECIAL for node in parts)
+    ):
         return None
     if given.names - names or left.size + right.size > MAX_SIZE:
         return None

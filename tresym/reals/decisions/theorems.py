@@ -51,6 +51,17 @@ TABLES = {
         Theorem("t**(a - 1)/(1 + t)", "pi*csc(pi*a)", "0 < a, a < 1", "GR 3.222.2"),
         Theorem("1/(1 + t**a)", "pi/a*csc(pi/a)", "a > 1", "GR 3.241.2"),
         Theorem("log(1 + a**2/t**2)", "pi*a", "a > 0", "GR 4.222.1"),
+        Theorem("t**(a - 1)*exp(-b*t)", "gamma(a)/b**a", "a > 0, b > 0", "DLMF 5.9.1"),
+        Theorem("t**(a - 1)/(exp(t) - 1)", "gamma(a)*zeta(a)", "a > 1", "DLMF 25.5.1"),
+        Theorem("exp(-a*t)/(t + b)", "exp(a*b)*expint(1, a*b)", "a > 0, b > 0", "DLMF 6.2.2"),
+        Theorem("exp(-a*cosh(t))", "besselk(0, a)", "a > 0", "DLMF 10.32.9"),
+        Theorem("exp(-t)*log(t)", "-EulerGamma", "", "DLMF 5.9.16"),
+        Theorem(
+            "t**(a - 1)/(1 + t)**(a + b)",
+            "gamma(a)*gamma(b)/gamma(a + b)",
+            "a > 0, b > 0",
+            "DLMF 5.12.3",
+        ),
     ),
     "integral 0 1": (
         Theorem("log(t)/(1 - t)", "-pi**2/6", "", "GR 4.231.2"),
@@ -66,6 +77,17 @@ TABLES = {
         Theorem("log(t)*log(1 + t)", "2 - 2*log(2) - pi**2/12", "", "GR 4.221.2"),
         Theorem("asin(t)/t", "pi*log(2)/2", "", "GR 4.521.1"),
         Theorem("(t**a - t**b)/log(t)", "log((a + 1)/(b + 1))", "a > -1, b > -1", "GR 4.267.8"),
+        Theorem(
+            "t**(a - 1)*(1 - t)**(b - 1)",
+            "gamma(a)*gamma(b)/gamma(a + b)",
+            "a > 0, b > 0",
+            "DLMF 5.12.1",
+        ),
+        Theorem("log(t)/(1 + t**2)", "-Catalan", "", "GR 4.231.12"),
+        Theorem("atan(t)/t", "Catalan", "", "GR 4.531.1"),
+        Theorem("log(log(1/t))", "-EulerGamma", "", "DLMF 5.9.16"),
+        Theorem("log(1 - a*t)/t", "-polylog(2, a)", "a < 1", "DLMF 25.12.2"),
+        Theorem("1/sqrt((1 - t**2)*(1 - a*t**2))", "elliptic_k(a)", "a < 1", "DLMF 19.2.8"),
     ),
     "integral 0 pi/2": (
         Theorem("log(sin(t))", "-pi*log(2)/2", "", "GR 4.224.3"),
@@ -77,8 +99,15 @@ TABLES = {
         Theorem("t**2/sin(t)**2", "pi*log(2)", "", "GR 3.837.1"),
         Theorem("1/(a**2*cos(t)**2 + b**2*sin(t)**2)", "pi/(2*a*b)", "a > 0, b > 0", "GR 3.642.1"),
         Theorem("sqrt(tan(t))", "pi/sqrt(2)", "", "GR 3.622.1"),
+        Theorem("1/sqrt(1 - a*sin(t)**2)", "elliptic_k(a)", "a < 1", "DLMF 19.2.8"),
+        Theorem("sqrt(1 - a*sin(t)**2)", "elliptic_e(a)", "a < 1", "DLMF 19.2.8"),
+        Theorem(
+            "sin(t)**a", "sqrt(pi)*gamma((a + 1)/2)/(2*gamma(a/2 + 1))", "a > -1", "DLMF 5.12.2"
+        ),
     ),
     "integral 0 pi": (
+        Theorem("cos(a*sin(t))", "pi*besselj(0, a)", "", "DLMF 10.9.1"),
+        Theorem("exp(a*cos(t))", "pi*besseli(0, a)", "", "DLMF 10.32.1"),
         Theorem("log(sin(t))", "-pi*log(2)", "", "GR 4.224.3"),
         Theorem("t*sin(t)/(1 + cos(t)**2)", "pi**2/4", "", "GR 3.79"),
         Theorem("t*log(sin(t))", "-pi**2*log(2)/2", "", "GR 4.322.1"),
@@ -98,7 +127,9 @@ TABLES = {
         Theorem("1/(a + b*sin(t))", "2*pi/sqrt(a**2 - b**2)", "a > 0, a > abs(b)", "GR 3.613.1"),
     ),
     "integral 0 pi/4": (Theorem("log(1 + tan(t))", "pi*log(2)/8", "", "GR 4.227.9"),),
+    "sum 0 oo": (Theorem("(-1)**n/(2*n + 1)**2", "Catalan", "", "DLMF 25.11.40"),),
     "sum 1 oo": (
+        Theorem("1/n**a", "zeta(a)", "a > 1", "DLMF 25.2.1"),
         Theorem("1/n**2", "pi**2/6", "", "DLMF 25.6.1"),
         Theorem("1/n**4", "pi**4/90", "", "DLMF 25.6.1"),
         Theorem("1/n**6", "pi**6/945", "", "DLMF 25.6.1"),

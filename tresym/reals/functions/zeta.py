@@ -204,7 +204,8 @@ ZETA = (
         needs=lambda x, m: ((x - 1, "!="),), derivatives=(lambda x, m: m.zetaderiv(1, x),),
         ball=_zeta, series=lambda s: composed(_zeta_jets, s), positive_where=lambda x, m: x - 1,
         rewritten=_zeta_value, near={"1+": _near_one, "1-": _near_one, "oo": _zeta_far},
-        latex=r"\zeta", mathml="ζ", mathematica="Zeta", maple="Zeta", sympy="zeta", aliases=("Zeta",),
+        latex=r"\zeta", mathml="ζ", mathematica="Zeta", maple="Zeta", sympy="zeta",
+        aliases=("Zeta",),
         falsehoods=("zeta(s) <= 2 given s > 1", "zeta(2) == pi**2/8"),
     ),
     Function(
