@@ -573,7 +573,9 @@ class _Reader:
         everything = _connected(about_names, self.given, conditions)
         put = {value.name: expanded(value.value, self.definitions) for value in values}
         links, everything, must = _put_in(links, everything, put)
-        near = tuple(c for c in everything if path and path.name in _names(c) and c[1] != "in")
+        near = tuple(
+            c for c in everything if path and path.name in _names(c) and c[1] not in ("in", "==")
+        )
         links = tuple(_rounding(link, rounded) for link in links) if rounded else links
         names = frozenset().union(*map(names_in, trees))
         rests = tuple(name for name in self.definitions if name in names)

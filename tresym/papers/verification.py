@@ -274,7 +274,8 @@ def _questions(item: PaperClaim | Definition) -> _Asked:
         )
     tasks = [_task(link, item.conditions, item.path, item.line) for link in item.links]
     tasks += [_task(link, (), None, item.line) for link in item.must_hold]
-    tasks += [_task(link, item.conditions, item.path, item.line) for link in item.near_end]
+    plain = tuple(c for c in item.conditions if c[1] != "==" and not (c[0].hidden or c[2].hidden))
+    tasks += [_task(link, plain, item.path, item.line) for link in item.near_end]
     second = []
     if item.by_equation is not None:
         links, conditions = item.by_equation
