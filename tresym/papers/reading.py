@@ -715,6 +715,10 @@ def _put_in(
         return substitute(link[0], values), link[1], substitute(link[2], values)
 
     changed = tuple(map(put, given))
+    for left, relation, _ in changed:
+        if relation == "in" and left.op == "number" and left.args[0].q != 1:
+            raise InputError(f"'{left}' is not an integer, as its variable is declared to be")
+    changed = tuple(link for link in changed if link[1] != "in" or link[0].op != "number")
     must = tuple(link for link in changed if not _names(link))
     left = tuple(link for link in changed if _names(link))
     nodes = (node for link in links for node in outermost(link[0], link[2]))
