@@ -26,7 +26,8 @@ from typing import TYPE_CHECKING, Any
 from flint import arb, fmpq
 
 from tresym.accuracy.other_libraries import InDoubles
-from tresym.accuracy.values import enclosing, read
+from tresym.accuracy.values import read
+from tresym.reals.decisions.closed_values import enclosing
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import UndefinedError
 from tresym.reals.domain.operation_domains import singularities

@@ -16,11 +16,12 @@ from __future__ import annotations
 
 from flint import arb, fmpq
 
-from tresym.accuracy.values import OWN, certified, enclosing, read
+from tresym.accuracy.values import certified, read
 from tresym.asymptotics.constants import Constant, along, as_constant, reach_of
 from tresym.asymptotics.constants import constant as of_explicit
 from tresym.checking import check
 from tresym.reals.decisions.claim_parsing import read_path
+from tresym.reals.decisions.closed_values import OWN, enclosing
 from tresym.reals.decisions.root_values import by_leibniz, enclosed_root
 from tresym.reals.decisions.statement import Path
 from tresym.reals.domain.conditions import Given

@@ -17,8 +17,9 @@ from typing import Any, NamedTuple
 from flint import arb, fmpq
 
 from tresym.accuracy.other_libraries import InDoubles, loaded
-from tresym.accuracy.values import enclosing, read
+from tresym.accuracy.values import read
 from tresym.checking import check
+from tresym.reals.decisions.closed_values import enclosing
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import UndefinedError
 from tresym.reals.language.binders import elementary

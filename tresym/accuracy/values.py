@@ -12,15 +12,14 @@ sums and series are evaluated by the one evaluator of
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Any, TypeAlias
 
 from flint import arb, fmpq, fmpz
 
-from tresym.reals.decisions.root_values import enclosed_root
-from tresym.reals.domain.binder_values import Enclosing
+from tresym.reals.decisions.closed_values import enclosing
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import InBalls, UndefinedError
 from tresym.reals.language.binders import outermost, worked_out
@@ -41,8 +40,6 @@ from tresym.reals.numbers.exact import (
 )
 from tresym.reals.signs.interior import is_zero
 from tresym.reals.values.growth import DivergesError
-from tresym.reals.values.improper import integral
-from tresym.reals.values.totals import total
 
 MAX_DIGITS = 10_000
 TRIES = 6
@@ -224,47 +221,6 @@ def certified(e: Expr, digits: int, least: int = 0) -> arb:
             f"the value could not be told apart from 0: it is at most {found.abs_upper().str(3)}"
         )
     raise InputError(f"only the digits {found.str(digits, radius=False)} of the value were proved")
-
-
-class CertifiedError(DivergesError):
-    """A divergent integral or series, with a message."""
-
-
-def _named(kind: Callable[[Expr, Enclosing], arb], what: str) -> Callable[[Expr, Enclosing], arb]:
-    """Return an enclosure that says which node diverges."""
-
-    def enclosure(e: Expr, outer: Enclosing) -> arb:
-        try:
-            return kind(e, outer)
-        except CertifiedError:
-            raise
-        except DivergesError:
-            raise CertifiedError(f"the {what} {e} diverges") from None
-
-    return enclosure
-
-
-def _factorial(e: Expr, outer: Enclosing) -> arb:
-    """Return the factorial of a natural number."""
-    if e.args[0].args[0] != FACTORIAL:
-        raise UndefinedError
-    x = outer.value(e.args[1])
-    if not (x.is_integer() and x >= 0):
-        raise UndefinedError
-    return (x + 1).gamma()
-
-
-OWN: Mapping[str, Callable[[Expr, Enclosing], arb]] = {
-    "integral": _named(integral, "integral"),
-    "sum": _named(total, "series"),
-    "product": _named(total, "product"),
-    "unknown": _factorial,
-}
-
-
-def enclosing(at: Mapping[str, Any] | None = None) -> Enclosing:
-    """Return the evaluator of certified values, at working precision."""
-    return Enclosing(at or {}, enclosed_root, OWN)
 
 
 def _without_value(e: Expr, walker: InBalls) -> str:

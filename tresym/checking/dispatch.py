@@ -172,6 +172,11 @@ def _bounded(comparison: Comparison, statement: Statement) -> Answer:
     except InputError as error:
         why = f"an intermediate expression exceeds the size limit: {error}"
         return Answer(Verdict.UNDECIDED, why, cause=Cause.TOO_LARGE)
+    if answer.verdict is Verdict.UNDECIDED and _hides(comparison):
+        from tresym.reals.decisions.closed_values import decide_closed
+
+        with stage("values of both sides"):
+            answer = decide_closed(comparison, statement) or answer
     if answer.verdict is Verdict.REFUTED and statement.path is not None:
         from tresym.asymptotics.refutation_check import checked
 
@@ -187,6 +192,10 @@ def _bounded(comparison: Comparison, statement: Statement) -> Answer:
     if not answer:
         return answer
     return _attacked(answer, comparison, statement, anywhere=False)
+
+
+def _hides(comparison: Comparison) -> bool:
+    return comparison.left.hidden or comparison.right.hidden
 
 
 def _decide(comparison: Comparison, statement: Statement) -> Answer:

@@ -7,7 +7,14 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from tresym.commands import claims_file
-from tresym.commands.parser import Commands, add_options, add_output, deliver, json_line
+from tresym.commands.parser import (
+    UNEXPECTED,
+    Commands,
+    add_options,
+    add_output,
+    deliver,
+    json_line,
+)
 from tresym.reals.numbers.exact import InputError
 
 if TYPE_CHECKING:
@@ -28,10 +35,12 @@ def add(commands: Commands) -> None:
         "values and errors, empirical order, verdict of the order, smallest constant. Or print a "
         "certified table by its name, or one that a file of claims asks for.",
         epilog="Example: tresym table 'root(y - e*sin(y) - 1, y, 0, 4)' '1 + e*sin(1)' "
-        "--as 'e -> 0+' --order 'e**2'. Exit status: 0, or 2 for bad input.",
+        "--as 'e -> 0+' --order 'e**2'. Exit status: 0, 1 if a printed cell "
+        "is wrong, 2 for bad input.",
     )
     parser.add_argument(
         "name",
+        nargs="?",
         metavar="EXACT | NAME | FILE.tresym",
         help=f"an expression; {TABLES}; a file of claims",
     )
@@ -46,6 +55,8 @@ def add(commands: Commands) -> None:
         ("--digits N=50", "digits of the values (50)"),
         ("--order GAUGE", "the comparison function; guessed from the last rows if not given"),
         ("--on REGION", "where the constant is taken: 0 < e <= 1/2"),
+        ("--against FILE.csv", "check the printed cells of a file against the formula EXACT"),
+        ("--column NAME", "with --against: the column that the formula gives"),
         ("--scheduler ADDRESS", "the workers of a Dask scheduler, as tcp://HOST:PORT"),
     )
     parser.add_argument(
@@ -59,6 +70,10 @@ def add(commands: Commands) -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Run the command and return its exit status."""
+    if args.name is None:
+        raise InputError(f"table: give two expressions, or one of {TABLES}")
+    if args.against is not None:
+        return check_printed(args)
     if args.name.endswith(claims_file.ENDING):
         if args.label is None:
             raise InputError("table: name a claim of the file: tresym table FILE.tresym LABEL")
@@ -78,6 +93,19 @@ def run(args: argparse.Namespace) -> int:
         return 0
     deliver(tables.written(found, args.format), args.path)
     return 0
+
+
+def check_printed(args: argparse.Namespace) -> int:
+    """Check the printed cells of a file against a formula, and return the exit status."""
+    from tresym.accuracy import table
+    from tresym.accuracy.printed_tables import against
+
+    if args.label is not None or args.tends is not None:
+        raise InputError("table: --against takes one formula and no path")
+    found = against(args.against, args.name, args.column)
+    text = json_line(found.as_json()) if args.json else table.written(found.table(), args.format)
+    deliver(text, args.path)
+    return 0 if found else UNEXPECTED
 
 
 def compare(args: argparse.Namespace) -> int:

@@ -62,7 +62,7 @@ from tresym.reals.language.expression import (
     unknown,
 )
 from tresym.reals.language.suggestions import about_name, hint
-from tresym.reals.numbers.exact import InputError, parse_number
+from tresym.reals.numbers.exact import InputError, parse_number, printed
 
 MAX_CHARACTERS = 30_000
 _NOT_REAL = frozenset(("I", "oo", "zoo", "nan", "inf", "infinity", "Infinity"))
@@ -434,11 +434,27 @@ NO_DERIVATIVE = (
 )
 
 
+def _printed(source: str) -> list[Compared]:
+    """Return ``x ~= 0.1150`` as ``0.11495 <= x <= 0.11505``: equality with a printed number.
+
+    A printed number stands for every number within half a unit in its last place, its ends
+    included.
+    """
+    match = re.fullmatch(r"(.+?)~=\s*([-+]?[\d.]+(?:[eE][-+]?\d+)?)\s*", source)
+    if match is None or "~" in match[1]:
+        raise InputError(
+            "write ~= between an expression and a printed decimal, as in log(2) ~= 0.6931"
+        )
+    where, left = printed(match[2]), as_written(match[1])
+    return [(number(where.low), "<=", left), (left, "<=", number(where.high))]
+
+
 def parse_claim(text: str) -> list[Compared]:
     """Parse a chain of comparisons, or one asymptotic statement.
 
     The relations are ``== != > >= < <=``, with ``=`` for ``==``, ``f ~ g``, and ``f -> L`` for a
-    limit. In ``f == h + O(g)`` the right side contains a node for the order.
+    limit. In ``f == h + O(g)`` the right side contains a node for the order. ``x ~= 0.1150``
+    compares with a printed number, to half a unit in its last place.
 
     Raises:
         InputError: the text is anything else; the message says in one line what is expected.
@@ -448,6 +464,8 @@ def parse_claim(text: str) -> list[Compared]:
         [('sin(x)**2 + cos(x)**2', '==', '1')]
     """
     source = tidy(text)
+    if "~=" in source:
+        return _printed(source)
     if source.count("~") == 1:
         left, right = (as_written(side) for side in source.split("~"))
         return [(left, "~", right)]
