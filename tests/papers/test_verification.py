@@ -58,6 +58,22 @@ def test_a_derivative_is_that_of_the_definition() -> None:
     assert verdicts("a real\nu := a**2\nd: diff(u, a) == 0 expect refuted\n")["d"] == "REFUTED"
 
 
+def test_a_root_inside_an_integral_and_a_derivative_moves_with_their_variable() -> None:
+    """As a fixed number W the integral is E*W, and the derivative is 0; Lambert's W is E - 1."""
+    text = "x real; given x > 0\nW := root(w*exp(w) - x, w, 0, oo)\n"
+    text += "area: integral(W, x, 0, E) == E - 1\nfixed: integral(W, x, 0, E) == E*W\n"
+    text += "constant: diff(W, x) == 0 expect refuted\n"
+    found = verdicts(text)
+    assert found["area"] != "REFUTED"
+    assert found["fixed"] not in ("PROVED", "ENCLOSED")
+    assert found["constant"] not in ("PROVED", "ENCLOSED")
+
+
+def test_a_root_that_is_alone_although_its_function_is_not_monotone() -> None:
+    text = "peak := root(3*(1 - exp(-z)) - z, z, 1, 4)\nwien: peak ~= 2.821439\n"
+    assert verdicts(text) == {"peak": "DEFINED", "wien": "ENCLOSED"}
+
+
 def test_a_derivative_at_a_point_is_taken_before_the_value_is_put_in() -> None:
     """The sign function has no derivative at 0, where the formal one has the value 0."""
     text = "x real\nf(t) := sign(t)\njump: diff(f(x), x) == 0 at x == 0\n"

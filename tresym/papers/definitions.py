@@ -8,15 +8,13 @@ decided.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from tresym.reals.decisions.statement import functions
-from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     LEAVES,
-    ZERO,
     Expr,
     bind,
     instantiate,
@@ -153,13 +151,3 @@ def _call(definition: Definition, orders: tuple[int, ...], values: tuple[Expr, .
 def names_in(e: Expr) -> frozenset[str]:
     """Return the names of the variables and of the functions in an expression."""
     return symbols(e) | {node.args[0].args[0].removeprefix(PREFIX) for node in functions(e)}
-
-
-def root_conditions(root: Expr, name: str) -> Iterator[Compared]:
-    """Yield the equation of a root, and the ends between which it lies, for a variable."""
-    yield instantiate(root.args[0], (symbol(name),)), "==", ZERO
-    low, high = root.args[1:]
-    if low not in (INFINITY, -INFINITY):
-        yield low, "<", symbol(name)
-    if high not in (INFINITY, -INFINITY):
-        yield symbol(name), "<", high

@@ -39,7 +39,6 @@ from tresym.papers.definitions import (
     define,
     expanded,
     names_in,
-    root_conditions,
 )
 from tresym.reals.decisions.claim_parsing import read, read_as, read_path
 from tresym.reals.decisions.statement import chained, functions
@@ -155,8 +154,6 @@ class PaperClaim:
     expect_refuted: bool = False
     source: str = ""
     rounded: str = ""
-    by_equation: tuple[tuple[Compared, ...], tuple[Compared, ...]] | None = None
-    """The links and conditions in which a root is a variable that satisfies its equation."""
 
     @property
     def is_derivation(self) -> bool:
@@ -324,10 +321,6 @@ class _Reader:
         self.declared: dict[str, int] = {}
         self.given: list[Compared] = []
         self.definitions: dict[str, Definition] = {}
-        self.by_equation: dict[str, Definition] = {}
-        """The definitions with roots as variables, and no definition for such a variable."""
-        self.equations: list[Compared] = []
-        """The equations of these variables, and the ends between which they lie."""
         self.claims: dict[str, PaperClaim] = {}
         self.failed: dict[str, int] = {}
         """Names and labels of lines that could not be read, whose uses need no second message."""
@@ -445,14 +438,11 @@ class _Reader:
                     f"above, or write * between the factors of a product"
                 )
 
-    def _expanded(
-        self, link: Compared, definitions: Mapping[str, Definition] | None = None
-    ) -> Compared:
-        known = self.definitions if definitions is None else definitions
+    def _expanded(self, link: Compared) -> Compared:
         left, relation, right = link
         if relation == "in":
             return link
-        return (expanded(left, known), relation, expanded(right, known))
+        return (expanded(left, self.definitions), relation, expanded(right, self.definitions))
 
     def _define(self, line: int, name: str, arguments: str | None, text: str) -> None:
         self._need_new(name)
@@ -475,12 +465,6 @@ class _Reader:
         made = define(line, name, parameters, text, written, inside)
         self._need_functions((made.expression,))
         self.definitions[name] = replace(made, given=self._about(made.expression, ()))
-        kept = {n: d for n, d in self.by_equation.items() if n not in parameters}
-        same = define(line, name, parameters, text, written, kept)
-        if same.expression.op == "root" and not parameters:
-            self.equations += root_conditions(same.expression, name)
-        else:
-            self.by_equation[name] = same
         self.items.append(self.definitions[name])
 
     def _called(self, text: str) -> str:
@@ -552,12 +536,14 @@ class _Reader:
         """The formula of a claim, with its conditions, its path and the values of its variables."""
         called = self._called(text)
         rounded = ""
+        in_words: tuple[Compared, ...] = ()
         if "~=" in called or "≈" in called:
             left, rounded = _rounded(called)
             comparisons = [(as_written(plain(left)), "~=", number(parse_number(rounded)))]
         else:
-            comparisons = _compared(called)
+            comparisons, in_words = _compared(called)
         given = tuple(parse_given(plain(self._called(clauses.get("given", "")))))
+        given = (*in_words, *given)
         path = read_path(clauses["as"]) if "as" in clauses else None
         values = tuple(_values(clauses["at"])) if "at" in clauses else ()
         trees = [side for link in (*comparisons, *given) for side in link[::2]]
@@ -579,17 +565,6 @@ class _Reader:
         links = tuple(_rounding(link, rounded) for link in links) if rounded else links
         names = frozenset().union(*map(names_in, trees))
         rests = tuple(name for name in self.definitions if name in names)
-        by_equation = None
-        if self.equations and path is None:
-            kept = tuple(self._expanded(link, self.by_equation) for link in comparisons)
-            own_kept = tuple(self._expanded(link, self.by_equation) for link in given)
-            more = _connected(
-                frozenset().union(*map(_names, kept), put), (*self.given, *self.equations), own_kept
-            )
-            kept, more, _ = _put_in(kept, more, put)
-            if any(link[1] == "==" for link in more):
-                kept = tuple(_rounding(link, rounded) for link in kept) if rounded else kept
-                by_equation = kept, more
         return PaperClaim(
             label,
             line,
@@ -604,7 +579,6 @@ class _Reader:
             must,
             rests_on=rests,
             rounded=rounded,
-            by_equation=by_equation,
         )
 
 
@@ -640,15 +614,16 @@ def _clauses(written: str) -> tuple[str, dict[str, str]]:
     return formula.strip(), found
 
 
-def _compared(text: str) -> list[Compared]:
-    """The comparisons of a claim, in text, LaTeX or with signs of print."""
+def _compared(text: str) -> tuple[list[Compared], tuple[Compared, ...]]:
+    """The comparisons of a claim, in text, LaTeX or with signs of print, and conditions in it."""
     try:
-        return parse_claim(plain(text))
+        return parse_claim(plain(text)), ()
     except InputError:
         again = read_as(text)
-        if not again or " given " in again or " as " in again:
+        if not again or " as " in again:
             raise
-        return parse_claim(again)
+        claim, _, given = again.partition(" given ")
+        return parse_claim(claim), tuple(parse_given(given))
 
 
 def _rounded(text: str) -> tuple[str, str]:
@@ -715,9 +690,9 @@ def _put_in(
         return substitute(link[0], values), link[1], substitute(link[2], values)
 
     changed = tuple(map(put, given))
-    for left, relation, _ in changed:
-        if relation == "in" and left.op == "number" and left.args[0].q != 1:
-            raise InputError(f"'{left}' is not an integer, as its variable is declared to be")
+    for x, relation, _ in changed:
+        if relation == "in" and x.op == "number" and x.args[0].q != 1:
+            raise InputError(f"'{x}' is not an integer, as its variable is declared to be")
     changed = tuple(link for link in changed if link[1] != "in" or link[0].op != "number")
     must = tuple(link for link in changed if not _names(link))
     left = tuple(link for link in changed if _names(link))
@@ -738,7 +713,7 @@ def _drawn(line: int, kind: str, label: str, text: str) -> Drawn:
             if not 1 <= digits <= MAX_DIGITS:
                 raise InputError(f"digits {match[1]}: give a number from 1 to {MAX_DIGITS}")
             continue
-        name, equal, values = words.partition("==")
+        name, equal, values = re.sub("={1,2}", "==", words, count=1).partition("==")
         if not equal or not re.fullmatch(_NAME, name.strip()):
             raise InputError(
                 f"'{part}' is not read: write {kind} {label}: at x == 1/10, 1/100; digits 20"

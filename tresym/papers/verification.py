@@ -1,12 +1,12 @@
 """Decide the claims of a file, and show that its definitions define something.
 
 A claim is decided by :mod:`tresym.checking`, each step of a derivation by itself, and gets the
-verdict of its weakest step. A claim about the root of an equation is tried twice if it has to be:
-with the root as an expression, and with a variable that satisfies the equation.
+verdict of its weakest step.
 
 The root of ``f`` between two ends exists and is the only one if ``f`` is smooth between them, has
 values of opposite signs at the ends, and increases or decreases strictly (intermediate and mean
-value theorem). These statements are decided like any claim. If they cannot be shown, neither the
+value theorem). These statements are decided like any claim. The root of an equation without
+parameters may also be enclosed in balls, which shows the same. If neither succeeds, neither the
 definition nor a claim about the root counts as shown.
 """
 
@@ -20,6 +20,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
+from tresym.accuracy.values import value
 from tresym.checking.answer_cache import cached_answers
 from tresym.checking.time_limited import Task, check_all
 from tresym.ledger.finding import RULINGS, Premise, Ruling
@@ -260,27 +261,16 @@ def _needed(paper: OwnPaper, labels: Iterable[str]) -> set[str]:
     return found
 
 
-class _Asked:
-    """The questions about one item, with their answers in the same order."""
-
-    def __init__(self, tasks: list[Task], second: list[Task] | None = None) -> None:
-        self.tasks, self.second = tasks, second or []
-
-
-def _questions(item: PaperClaim | Definition) -> _Asked:
+def _questions(item: PaperClaim | Definition) -> list[Task]:
+    """The statements that decide a claim, or show that a root exists."""
     if isinstance(item, Definition):
-        return _Asked(
-            [task for root in _roots(item.expression) for task in _root_tasks(root, item)]
-        )
-    tasks = [_task(link, item.conditions, item.path, item.line) for link in item.links]
-    tasks += [_task(link, (), None, item.line) for link in item.must_hold]
+        return [task for root in _roots(item.expression) for task in _root_tasks(root, item)]
     plain = tuple(c for c in item.conditions if c[1] != "==" and not (c[0].hidden or c[2].hidden))
-    tasks += [_task(link, plain, item.path, item.line) for link in item.near_end]
-    second = []
-    if item.by_equation is not None:
-        links, conditions = item.by_equation
-        second = [_task(link, conditions, None, item.line) for link in links]
-    return _Asked(tasks, second)
+    return [
+        *(_task(link, item.conditions, item.path, item.line) for link in item.links),
+        *(_task(link, (), None, item.line) for link in item.must_hold),
+        *(_task(link, plain, item.path, item.line) for link in item.near_end),
+    ]
 
 
 def _task(
@@ -292,17 +282,11 @@ def _task(
 def _answers(
     items: list[PaperClaim | Definition], limit: float, processes: int | None
 ) -> Iterator[list[Answer]]:
-    """Yield the answers to the questions of each item; the second attempt where it is stronger."""
+    """Yield the answers to the questions of each item."""
     asked = [_questions(item) for item in items]
-    first = check_all((task for one in asked for task in one.tasks), limit, processes)
-    for one in asked:
-        found = [_answered(next(first)) for _ in one.tasks]
-        if one.second and any(answer.verdict is UNDECIDED for answer in found[: len(one.second)]):
-            again = [_answered(pair) for pair in check_all(one.second, limit, processes)]
-            for n, answer in enumerate(again):
-                if answer.verdict is not UNDECIDED and found[n].verdict is UNDECIDED:
-                    found[n] = answer
-        yield found
+    found = check_all((task for tasks in asked for task in tasks), limit, processes)
+    for tasks in asked:
+        yield [_answered(next(found)) for _ in tasks]
 
 
 def _answered(pair: tuple[Task, Answer | InputError]) -> Answer:
@@ -415,8 +399,11 @@ def _definition_row(definition: Definition, found: list[Answer], rows: Mapping[s
         six = found[6 * n : 6 * n + 6]
         increases, decreases = (all(a.verdict.holds for a in part) for part in (six[:3], six[3:]))
         why = _gap_of_root(root, definition, six, increases, decreases)
-        if why:
+        if why and not _is_enclosed(root):
             return Row(definition, UNDECIDED, why, seconds=seconds)
+    if roots and not any(all(a.verdict.holds for a in part) for part in (found[:3], found[3:6])):
+        why = "exactly one root, by interval arithmetic between the ends"
+        return Row(definition, Premise.DEFINED, why, seconds=seconds)
     if roots:
         slope = "increases" if found[2].verdict.holds else "decreases"
         why = (
@@ -430,6 +417,14 @@ def _definition_row(definition: Definition, found: list[Answer], rows: Mapping[s
         gap if gap else "it has a value wherever the declared conditions hold",
         seconds=seconds,
     )
+
+
+def _is_enclosed(root: Expr) -> bool:
+    """Whether the root of an equation without parameters is shown to exist alone, in balls."""
+    try:
+        return not symbols(root) - {INFINITY.args[0]} and bool(value(root, 10))
+    except InputError:
+        return False
 
 
 def _gap_of_root(
