@@ -76,40 +76,16 @@ def run(args: argparse.Namespace) -> int:
 
 def error(args: argparse.Namespace) -> int:
     """Draw the errors of one or more approximations."""
-    from tresym.accuracy.error_curves import error_curves
-    from tresym.reals.decisions.claim_parsing import read_path
     from tresym.report.charts import own
 
     if len(args.more) < 2 or args.tends is None:
         raise InputError("chart: write tresym chart error EXACT APPROX ... --as PATH")
     exact, *approximations = args.more
     points = [part.strip() for part in (args.at or "").split(",") if part.strip()]
-    found = error_curves(
+    draw = own.error_chart(
         exact, approximations, args.tends, points, args.given or "", args.order, args.on or ""
     )
-    curves = []
-    for one in found:
-        table, words = one.table, ""
-        if table.constant is not None:
-            words = f"≤ {table.constant.high} |{table.gauge}|"
-        curves.append(own.Curve(table.approx, one.points, one.bound, words))
-    path = read_path(args.tends)
-    name = path.name
-    along = name if path.point is None or str(path.point) == "0" else f"|{name} − {path.point}|"
-    title = f"Errors of approximations of {found[0].table.exact}"
-    caption = "Every point is a certified error. " + " ".join(
-        f"{note[0].upper()}{note[1:]}."
-        for one in found
-        for note in one.table.notes
-        if not note.startswith("at ")
-    )
-    shown = title if len(title) <= 80 else title[:77] + "…"
-    deliver_picture(
-        lambda kind: own.saved(
-            lambda: own.errors(curves, along, shown, (5.6, 3.8)), title, caption, kind
-        ),
-        args.path,
-    )
+    deliver_picture(draw, args.path)
     return 0
 
 

@@ -110,6 +110,48 @@ def errors(curves: Sequence[Curve], along: str, title: str, size: tuple[float, f
     return figure
 
 
+def error_chart(
+    exact: str,
+    approximations: Sequence[str],
+    path: str,
+    at: Sequence[str] = (),
+    given: str = "",
+    order: str | None = None,
+    region: str = "",
+) -> Callable[[str], bytes]:
+    """Return a function that draws the errors of approximations as svg, pdf or png.
+
+    The arguments are those of :func:`tresym.accuracy.error_curves.error_curves`.
+
+    Raises:
+        InputError: as there.
+    """
+    from tresym.accuracy.error_curves import error_curves
+    from tresym.reals.decisions.claim_parsing import read_path
+
+    found = error_curves(exact, approximations, path, at, given, order, region)
+    curves = []
+    for one in found:
+        table, words = one.table, ""
+        if table.constant is not None:
+            words = f"≤ {table.constant.high} |{table.gauge}|"
+        curves.append(Curve(table.approx, one.points, one.bound, words))
+    way = read_path(path)
+    name = way.name
+    along = name if way.point is None or str(way.point) == "0" else f"|{name} − {way.point}|"
+    title = f"Errors of approximations of {found[0].table.exact}"
+    caption = "Every point is a certified error. " + " ".join(
+        f"{note[0].upper()}{note[1:]}."
+        for one in found
+        for note in one.table.notes
+        if not note.startswith("at ")
+    )
+    shown = title if len(title) <= 80 else title[:77] + "…"
+    return lambda kind: saved(
+        lambda: errors(curves, along, shown, (5.6, 3.8)), title, caption, kind
+    )
+
+
 def work_precision(points: Sequence[Point], title: str) -> Any:
     """Draw true digits against time for one expression, with the Pareto front."""
     from tresym.report.charts.work_precision import show_front, show_method
