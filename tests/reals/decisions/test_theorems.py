@@ -26,7 +26,8 @@ def test_the_tables_against_quadrature_and_partial_sums(key: str, row: Theorem) 
         point = {sympy.Symbol(n, real=True): sympy.Rational(v) for n, v in at.items()}
         exact = {n: fmpq(*map(int, v.split("/"))) for n, v in at.items()}
         whole = not key.endswith("a - 1") or exact["a"].q == 1
-        if whole and all(c.holds(exact) for c in given.conditions):
+        slow = row.body == "1/n**a" and exact["a"] < 2
+        if whole and not slow and all(c.holds(exact) for c in given.conditions):
             break
     else:
         raise AssertionError("no values of the parameters")

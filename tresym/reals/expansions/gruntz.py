@@ -261,6 +261,10 @@ class Rewritten:
     def _near(self, row: Function, place: str, e: Expr) -> Expr | None:
         """The formula of a row near a place, or the function by its recurrence."""
         formula = row.near.get(place)
+        if formula and row.near_needs is not None and "oo" not in place:
+            needed = row.near_needs(*e.args, trees)
+            if needed is not None and self.scale.sign(needed) <= 0:
+                raise UnresolvedError(f"{needed} could not be shown to be positive")
         found = formula(*e.args, trees) if formula else None
         return reduced(e) if found is None else as_expr(found)
 

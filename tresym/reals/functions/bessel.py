@@ -14,11 +14,9 @@ from flint import arb, fmpq
 
 from tresym.reals.functions.enclosures import (
     NAN,
-    ORDERS,
-    is_wide,
     literal,
     monotone,
-    positive,
+    parametric,
     whole,
     with_slope,
 )
@@ -38,7 +36,7 @@ def _positive(nu: Any, x: Any, m: Any) -> Conditions:
 
 def coefficient(nu: Any, k: int) -> Any:
     """Return a_k(ν) of DLMF 10.17.1, for a rational number or a ball."""
-    found = nu * 0 + 1
+    found = fmpq(1)
     for j in range(1, k + 1):
         found = found * (4 * nu * nu - (2 * j - 1) ** 2) / (8 * j)
     return found
@@ -62,7 +60,7 @@ def _rest(nu: arb, s: arb, n: int, step: int = 1, least: int = 0) -> arb:
         return NAN
     total = arb(0)
     for k in range(n, last + 1, step):
-        total += abs(coefficient(nu, k)) * s ** (k - n)
+        total += abs(arb(1) * coefficient(nu, k)) * s ** (k - n)
     return total
 
 
@@ -192,6 +190,11 @@ def _small(sign: int) -> Any:
     return formula
 
 
+def _not_minus_one(nu: Any, x: Any, m: Any) -> Any:
+    """Of an order that is no number it must be shown that it is not −1, −2, …."""
+    return nu + 1 if literal(nu) is None else None
+
+
 def _log_part(x: Any, m: Any) -> Any:
     return m.log(x / 2) + m.EulerGamma(1)
 
@@ -226,11 +229,9 @@ def _small_y(nu: Any, x: Any, m: Any) -> Any:
 
 
 def _far(kind: str) -> Any:
-    """DLMF 10.17.3, 10.17.4, 10.40.1, 10.40.2, for an order that is a number."""
+    """DLMF 10.17.3, 10.17.4, 10.40.1, 10.40.2, for any real order."""
 
     def formula(nu: Any, x: Any, m: Any) -> Any:
-        if literal(nu) is None:
-            return None
         if kind == "k":
             return m.sqrt(m.pi / (2 * x)) * m.exp(-x) * m.besselk_tail(nu, 1 / x)
         if kind == "i":
@@ -280,49 +281,15 @@ def _i_rest(nu: arb, s: arb, n: int) -> arb:
     room = 1 - abs(mu) / low * share
     if not room > 0:
         return NAN
-    return (abs(rate) * low**n / 2 + 2 * n * abs(coefficient(nu, n)) * share) / room
-
-
-def _sum(terms: Any, v: arb) -> arb:
-    total = arb(0)
-    for term in reversed(terms):
-        total = total * v + term
-    return total
-
-
-def _factor(name: str, term: Any, exact: Any, rest: Any, source: str) -> Function:
-    """A factor with the order as a parameter; ``term(ν, k)`` is the coefficient of v^k."""
-
-    def value(nu: arb, v: arb) -> arb:
-        found = exact(nu, v) if v > 0 and not is_wide(v) else NAN
-        top = arb(v.upper())
-        if found.is_finite() or not top > 0:
-            return found
-        if not (v > 0 or v.contains(0)):
-            return NAN
-        inside = arb(0).union(top) if v.contains(0) else v
-        for n in ORDERS:
-            bound = rest(nu, top, n)
-            if bound.is_finite():
-                finer = _sum([term(nu, k) for k in range(n)], inside)
-                finer += arb(0, 1) * bound * inside**n
-                found = found.intersection(finer) if found.is_finite() else finer
-        return found
-
-    return Function(
-        name=name, family="factors of expansions", arity=2,
-        needs=lambda nu, v, m: positive(v, m), derivatives=(None, None), ball=value,
-        taylor=lambda nu, k, m: None if literal(nu) is None else term(literal(nu), k),
-        remainder=lambda nu, s, n: rest(nu, s, n), internal=True, source=source,
-    )  # fmt: skip
+    return (abs(rate) * low**n / 2 + 2 * n * abs(arb(1) * coefficient(nu, n)) * share) / room
 
 
 def _p_term(nu: Any, k: int) -> Any:
-    return nu * 0 if k % 2 else (-1) ** (k // 2) * coefficient(nu, k)
+    return fmpq(0) if k % 2 else (-1) ** (k // 2) * coefficient(nu, k)
 
 
 def _q_term(nu: Any, k: int) -> Any:
-    return (-1) ** (k // 2) * coefficient(nu, k) if k % 2 else nu * 0
+    return (-1) ** (k // 2) * coefficient(nu, k) if k % 2 else fmpq(0)
 
 
 def _p_rest(nu: arb, s: arb, n: int) -> arb:
@@ -359,7 +326,7 @@ def _i_exact(nu: arb, v: arb) -> arb:
 
 
 def _rising(b: Any, k: int) -> Any:
-    found = b * 0 + 1
+    found = fmpq(1)
     for j in range(k):
         found = found * (b + j)
     return found
@@ -475,7 +442,7 @@ BESSEL = (
     _bessel(
         "j", definition=r"J_\nu(x) = \sum_k \frac{(-1)^k (x/2)^{2k+\nu}}{k!\,\Gamma(k+\nu+1)}",
         source="DLMF 10.2.2", needs=_integer_or_positive, ball=_ball_j, mirror=_parity("j"),
-        taylor=_taylor(-1), near={"oo": _far("j"), "0+": _small(-1)},
+        taylor=_taylor(-1), near_needs=_not_minus_one, near={"oo": _far("j"), "0+": _small(-1)},
         theorems=("DLMF 10.17(iii): bounds of the remainders of P and Q",),
         falsehoods=("besselj(0, x) <= 9/10", "diff(besselj(0, x), x) == besselj(1, x)"),
     ),
@@ -490,7 +457,7 @@ BESSEL = (
     _bessel(
         "i", definition=r"I_\nu(x) = \sum_k \frac{(x/2)^{2k+\nu}}{k!\,\Gamma(k+\nu+1)}",
         source="DLMF 10.25.2", needs=_integer_or_positive, ball=_ball_i, mirror=_parity("i"),
-        taylor=_taylor(1), near={"oo": _far("i"), "0+": _small(1)},
+        taylor=_taylor(1), near_needs=_not_minus_one, near={"oo": _far("i"), "0+": _small(1)},
         positive_where=lambda nu, x, m: x if (literal(nu) or fmpq(-1)) >= 0 or literal(nu) == 0
         else -1 + 0 * x,
         falsehoods=("besseli(0, x) <= cosh(x/2)", "diff(besseli(0, x), x) == -besseli(1, x)"),
@@ -503,17 +470,17 @@ BESSEL = (
         falsehoods=("besselk(0, x) <= exp(-x) given x > 0",
                     "diff(besselk(0, x), x) == besselk(1, x)"),
     ),
-    _factor("besselk_tail", coefficient, _k_exact, _rest, "DLMF 10.40.2 and 10.40(iii)"),
-    _factor("besseli_tail", lambda nu, k: (-1) ** k * coefficient(nu, k), _i_exact, _i_rest,
+    parametric("besselk_tail", coefficient, _k_exact, _rest, "DLMF 10.40.2 and 10.40(iii)"),
+    parametric("besseli_tail", lambda nu, k: (-1) ** k * coefficient(nu, k), _i_exact, _i_rest,
             "DLMF 10.40.1, the bound by its differential equation"),
-    _factor("bessel_p", _p_term, _modulus("p"), _p_rest, "DLMF 10.17.3 and 10.17(iii)"),
-    _factor("bessel_q", _q_term, _modulus("q"), _q_rest, "DLMF 10.17.3 and 10.17(iii)"),
+    parametric("bessel_p", _p_term, _modulus("p"), _p_rest, "DLMF 10.17.3 and 10.17(iii)"),
+    parametric("bessel_q", _q_term, _modulus("q"), _q_rest, "DLMF 10.17.3 and 10.17(iii)"),
     Function(
         name="hyp0f1", family="Bessel functions", arity=2, internal=True, source="DLMF 16.2.1",
         definition=r"{}_0F_1(; b; z) = \sum_k z^k/(k!\,(b)_k)",
         derivatives=(None, lambda b, z, m: m.hyp0f1(b + 1, z) / b), entire=True,
         ball=lambda b, z: z.hypgeom_0f1(b),
-        taylor=lambda b, k, m: 1 / (factorial(k) * _rising(b, k)),
+        taylor=lambda b, k, m: fmpq(1, factorial(k)) / _rising(b, k),
     ),
     _regular("harmonic_series", 0),
     _regular("harmonic_slope", 1),

@@ -149,11 +149,21 @@ def _e_near_one(x: Any, m: Any) -> Any:
 
 
 def _k_value(x: Any, m: Any) -> Any:
-    return m.pi / 2 if literal(x) == 0 else None
+    """K(0), K(1/2) and K(−1) (DLMF 19.6.1 and 23.22(ii), the lemniscatic case)."""
+    r, quarter = literal(x), fmpq(1, 4)
+    if r == fmpq(1, 2):
+        return m.gamma(quarter) ** 2 / (4 * m.sqrt(m.pi))
+    if r == -1:
+        return m.gamma(quarter) ** 2 / (4 * m.sqrt(2 * m.pi))
+    return m.pi / 2 if r == 0 else None
 
 
 def _e_value(x: Any, m: Any) -> Any:
-    r = literal(x)
+    """E(0), E(1), and E(1/2) by Legendre's relation."""
+    r, quarter = literal(x), fmpq(1, 4)
+    if r == fmpq(1, 2):
+        square = m.gamma(quarter) ** 2
+        return square / (8 * m.sqrt(m.pi)) + m.pi * m.sqrt(m.pi) / square
     return m.pi / 2 if r == 0 else x * 0 + 1 if r == 1 else None
 
 
@@ -225,7 +235,7 @@ ELLIPTIC = (
         ball=monotone(_k), series=lambda s: composed(_k_jets, s),
         taylor=lambda k, m: _square(k) * m.pi / 2, rewritten=_k_value,
         near={"1-": _k_near_one, "-oo": _far}, latex="K", mathematica="EllipticK",
-        maple="EllipticK", sympy="elliptic_k", aliases=("EllipticK", "ellipk"),
+        maple="EllipticK", sympy="elliptic_k", aliases=("ellipk",),
         falsehoods=("elliptic_k(m) <= pi/2 + m/2 given 0 < m < 1",
                     "diff(elliptic_k(m), m) == elliptic_e(m)/(2*m*(1 - m))"),
     ),
@@ -237,7 +247,7 @@ ELLIPTIC = (
         ball=monotone(_e), series=lambda s: composed(_e_jets, s),
         taylor=lambda k, m: -_square(k) / (2 * k - 1) * m.pi / 2, rewritten=_e_value,
         near={"1-": _e_near_one, "-oo": _e_far}, latex="E", mathematica="EllipticE",
-        maple="EllipticE", sympy="elliptic_e", aliases=("EllipticE", "ellipe"),
+        maple="EllipticE", sympy="elliptic_e", aliases=("ellipe",),
         falsehoods=("elliptic_e(m) <= pi/2 given m < 1",
                     "diff(elliptic_e(m), m) == (elliptic_k(m) - elliptic_e(m))/(2*m)"),
     ),
@@ -254,7 +264,6 @@ ELLIPTIC = (
             - m.elliptic_f(phi, x) / (2 * x) - m.sin(2 * phi) / (4 * (1 - x) * _root(phi, x, m)),
         ),
         latex="F", mathematica="EllipticF", maple="EllipticF", sympy="elliptic_f",
-        aliases=("EllipticF",),
         falsehoods=("elliptic_f(t, m) >= t + m*t**3/4 given 0 < m < 1/2, 0 < t < 1",
                     "diff(elliptic_f(t, m), t) == 1/sqrt(1 - m*sin(t))"),
     ),
@@ -283,7 +292,7 @@ ELLIPTIC = (
             lambda n, x, m: (m.elliptic_e(x) / (x - 1) + m.elliptic_pi(n, x)) / (2 * (n - x)),
         ),
         ball=_pi, rewritten=_pi_value, latex=r"\Pi", mathml="Π", mathematica="EllipticPi",
-        maple="EllipticPi", sympy="elliptic_pi", aliases=("EllipticPi",),
+        maple="EllipticPi", sympy="elliptic_pi",
         falsehoods=("elliptic_pi(n, m) <= pi/2 given 0 < n < 1, 0 < m < 1",
                     "elliptic_pi(n, 0) == pi/sqrt(1 - n)"),
     ),

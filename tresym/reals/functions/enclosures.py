@@ -163,3 +163,37 @@ def factor(
         name=name, family="factors of expansions", needs=positive, derivatives=(None,), ball=value,
         taylor=lambda k, m: coefficient(k), remainder=bound, internal=True, source=source,
     )  # fmt: skip
+
+
+def _sum(terms: Any, v: arb) -> arb:
+    total = arb(0)
+    for term in reversed(terms):
+        total = total * v + term
+    return total
+
+
+def parametric(name: str, term: Any, exact: Any, rest: Any, source: str) -> Function:
+    """Return the row of a factor with a parameter; ``term(ν, k)`` is the coefficient of vᵏ."""
+
+    def value(nu: arb, v: arb) -> arb:
+        found = exact(nu, v) if v > 0 and not is_wide(v) else NAN
+        top = arb(v.upper())
+        if found.is_finite() or not top > 0:
+            return found
+        if not (v > 0 or v.contains(0)):
+            return NAN
+        inside = arb(0).union(top) if v.contains(0) else v
+        for n in ORDERS:
+            bound = rest(nu, top, n)
+            if bound.is_finite():
+                finer = _sum([arb(1) * term(nu, k) for k in range(n)], inside)
+                finer += arb(0, 1) * bound * inside**n
+                found = found.intersection(finer) if found.is_finite() else finer
+        return found
+
+    return Function(
+        name=name, family="factors of expansions", arity=2,
+        needs=lambda nu, v, m: positive(v, m), derivatives=(None, None), ball=value,
+        taylor=lambda nu, k, m: term(nu if literal(nu) is None else literal(nu), k),
+        remainder=lambda nu, s, n: rest(nu, s, n), internal=True, source=source,
+    )  # fmt: skip

@@ -189,7 +189,7 @@ EXPONENTIAL_INTEGRALS = (
         recurrence=lambda n, x, m: (m.exp(-x) - x * m.expint(n - 1, x)) / (n - 1),
         raising=lambda n, x, m: (m.exp(-x) - n * m.expint(n + 1, x)) / x,
         near={
-            "oo": lambda n, x, m: m.exp(-x) / x * m.e1_tail(1 / x) if literal(n) == 1 else None,
+            "oo": lambda n, x, m: m.exp(-x) / x * m.uppergamma_tail(1 - n, 1 / x),
             "0+": lambda n, x, m: -m.EulerGamma(1) - m.log(x) - m.ein(-x)
             if literal(n) == 1 else None,
         },

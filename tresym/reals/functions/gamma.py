@@ -20,6 +20,7 @@ from tresym.reals.functions.enclosures import (
     jets_of,
     literal,
     monotone,
+    parametric,
     real_part,
     whole,
 )
@@ -219,7 +220,35 @@ def _polygamma_far(n: Any, x: Any, m: Any) -> Any:
 
 def _polygamma_sign(n: Any, x: Any, m: Any) -> Any:
     order = whole(n)
-    return x if order is not None and order % 2 else -1 + 0 * x
+    return x if order is not None and order % 2 else x * 0 - 1
+
+
+def _polygamma_minus(n: Any, x: Any, m: Any) -> Any:
+    order = whole(n)
+    return x if order is not None and order > 0 and order % 2 == 0 else x * 0 - 1
+
+
+def _tail_term(s: Any, k: int) -> Any:
+    """(s − 1)(s − 2) … (s − k) (DLMF 8.11.1)."""
+    found = fmpq(1)
+    for j in range(1, k + 1):
+        found = found * (s - j)
+    return found
+
+
+def _tail_rest(s: arb, v: arb, n: int) -> arb:
+    """The first omitted term bounds the remainder after k ≥ s − 1 terms (DLMF 8.11(i))."""
+    total = arb(0)
+    for k in range(n, n + 60):
+        total += abs(arb(1) * _tail_term(s, k)) * v ** (k - n)
+        if arb(k) >= s - 1:
+            return total
+    return NAN
+
+
+def _upper_exact(s: arb, v: arb) -> arb:
+    x = 1 / v
+    return x ** (1 - s) * x.exp() * x.gamma_upper(s)
 
 
 def _upper_value(s: Any, x: Any, m: Any) -> Any:
@@ -257,7 +286,7 @@ GAMMA = (
     Function(
         name="gamma", family="gamma", definition=r"\Gamma(x) = \int_0^\infty t^{x-1} e^{-t}\,dt",
         source="DLMF 5.2.1", needs=no_pole, derivatives=(lambda x, m: m.gamma(x) * m.digamma(x),),
-        ball=_gamma, series=lambda s: s.gamma(), double=math.gamma,
+        ball=_gamma, series=lambda s: s.gamma(), double=math.gamma, never_zero=True,
         holomorphic=lambda z: acb(z).gamma(), positive_where=lambda x, m: x,
         rewritten=_gamma_value, recurrence=lambda x, m: (x - 1) * m.gamma(x - 1),
         raising=lambda x, m: m.gamma(x + 1) / x,
@@ -265,7 +294,8 @@ GAMMA = (
         near={"oo": lambda x, m: m.exp(m.loggamma(x))}, poles=True,
         multiplied=_gamma_multiplied,
         latex=r"\Gamma", mathml="Γ", mathematica="Gamma", maple="GAMMA", sympy="gamma",
-        aliases=("Gamma", "tgamma"), theorems=("DLMF 5.11(ii): Stirling's series is enveloping",),
+        aliases=("Gamma", "GAMMA", "tgamma"),
+        theorems=("DLMF 5.11(ii): Stirling's series is enveloping",),
         falsehoods=("gamma(x) >= 1 given x > 0", "gamma(x + 1) == (x + 1)*gamma(x)"),
     ),
     Function(
@@ -316,7 +346,8 @@ GAMMA = (
         derivatives=(None, lambda n, x, m: m.polygamma(n + 1, x)), ball=_polygamma,
         series=lambda n, s: composed(derived(jets_of("lgamma"), int(n[0].unique_fmpz()) + 1), s)
         if s[0] > 0 else s * NAN,
-        positive_where=_polygamma_sign, rewritten=_polygamma_value,
+        positive_where=_polygamma_sign, negative_where=_polygamma_minus,
+        rewritten=_polygamma_value,
         recurrence=_polygamma_down, raising=_polygamma_up,
         near={"oo": _polygamma_far}, poles=True, shifted=1, multiplied=_polygamma_multiplied,
         latex=r"\operatorname{polygamma}", mathematica="PolyGamma", maple="Psi",
@@ -333,10 +364,13 @@ GAMMA = (
             lambda y, k: jets_of_upper(n[0], y, k), s),
         recurrence=lambda s, x, m: (s - 1) * m.uppergamma(s - 1, x) + x ** (s - 1) * m.exp(-x),
         raising=lambda s, x, m: (m.uppergamma(s + 1, x) - x**s * m.exp(-x)) / s,
+        near={"oo": lambda s, x, m: x ** (s - 1) * m.exp(-x) * m.uppergamma_tail(s, 1 / x)},
+        theorems=("DLMF 8.11(i): the expansion is enveloping from the term s − 1 on",),
         latex=r"\Gamma", mathml="Γ", mathematica="Gamma", maple="GAMMA", sympy="uppergamma",
         falsehoods=("uppergamma(2, x) <= exp(-x) given x > 0",
                     "diff(uppergamma(s, x), x) == x**s*exp(-x)"),
     ),
+    parametric("uppergamma_tail", _tail_term, _upper_exact, _tail_rest, "DLMF 8.11.1"),
     Function(
         name="lowergamma", family="incomplete gamma", arity=2, source="DLMF 8.2.1",
         definition=r"\gamma(s, x) = \int_0^x t^{s-1} e^{-t}\,dt",

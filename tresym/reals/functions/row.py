@@ -82,6 +82,8 @@ class Function:
         rational_series: the composition with a power series of rational coefficients.
         double: the value in double precision.
         positive_where: an expression; where it is positive, so is the function.
+        negative_where: an expression; where it is positive, the function is negative.
+        never_zero: whether the function vanishes nowhere.
         rewritten: a rule that returns an equal expression in simpler functions, or None: a formula
             of the arguments and the arithmetic.
         shifted: the position of the argument that recurrences move.
@@ -98,6 +100,7 @@ class Function:
             ``"-oo"``, above or below a rational number (``"0+"``, ``"1-"``). They consist of
             elementary functions, functions regular there, and factors such as ``erfc_tail``, whose
             power series at 0 is asymptotic.
+        near_needs: what must be positive for a formula near a finite end to hold.
         taylor: the k-th coefficient of the power series at 0 in the last argument, a formula of
             the other arguments and of k.
         remainder: for a factor, a bound of |R_n(v)|/vⁿ for 0 < v ≤ s, a function of the other
@@ -157,6 +160,8 @@ class Function:
     rational_series: Callable[[Any], Any] | None = None
     double: Callable[..., float] | None = None
     positive_where: Formula | None = None
+    negative_where: Formula | None = None
+    never_zero: bool = False
     rewritten: Formula | None = None
     recurrence: Formula | None = None
     raising: Formula | None = None
@@ -167,6 +172,7 @@ class Function:
     poles: bool = False
     multiplied: Formula | None = None
     near: dict[str, Formula] = field(default_factory=dict)
+    near_needs: Formula | None = None
     taylor: Formula | None = None
     remainder: Callable[..., arb] | None = None
     terms: int = 0

@@ -6,10 +6,10 @@ Source: DLMF 25 and 4.13. Near s = 1 the remainder of ζ(s) − 1/(s − 1) is b
 
 from __future__ import annotations
 
-from math import factorial
+from math import comb, factorial
 from typing import Any
 
-from flint import acb, arb, fmpq
+from flint import acb, arb, ctx, fmpq
 
 from tresym.reals.functions.enclosures import (
     NAN,
@@ -58,7 +58,12 @@ def _zeta_derivative(n: arb, x: arb) -> arb:
 def _zeta_sign(n: Any, x: Any, m: Any) -> Any:
     """(−1)ⁿ ζ⁽ⁿ⁾(s) = Σ lnⁿk/k^s > 0 for s > 1."""
     order = whole(n)
-    return x - 1 if order is not None and order % 2 == 0 else -1 + 0 * x
+    return x - 1 if order is not None and order % 2 == 0 else x * 0 - 1
+
+
+def _zeta_minus(n: Any, x: Any, m: Any) -> Any:
+    order = whole(n)
+    return x - 1 if order is not None and order % 2 else x * 0 - 1
 
 
 def _regular(v: arb) -> arb:
@@ -122,6 +127,32 @@ def _polylog(s: arb, x: arb) -> arb:
         return y.polylog(s) if y < 1 else NAN
 
     return monotone(value)(x) if s >= 1 else value(x)
+
+
+def _polylog_jets(s: arb) -> Any:
+    """Return Taylor coefficients Σ_{k≥n} (k choose n) x^(k−n)/k^s for |x| ≤ 3/4.
+
+    As functions of x < 1 they are positive and increase, for s > 0.
+    """
+
+    def coefficient(x: arb, n: int) -> arb:
+        total, last = arb(0), 6 * n + 4 * ctx.prec
+        for k in reversed(range(max(n, 1), last)):
+            total = total * x + comb(k, n) / arb(k) ** s
+        total = total * x if n == 0 else total
+        rate = arb(fmpq(last, last - n)) * fmpq(3, 4)  # at least the ratio of later terms
+        rest = comb(last, n) * abs(x) ** (last - n) / (1 - rate)
+        return total + arb(0, 1) * rest
+
+    def jets(x: arb, n: int) -> list[arb]:
+        if not (abs(x) <= fmpq(3, 4) and s > 0):
+            return [NAN] * n
+        if is_wide(x):
+            ends = jets(arb(x.lower()), n), jets(arb(x.upper()), n)
+            return [low.union(high) for low, high in zip(*ends, strict=True)]
+        return [_polylog(s, x), *(coefficient(x, k) for k in range(1, n))]
+
+    return jets
 
 
 def _polylog_value(s: Any, x: Any, m: Any) -> Any:
@@ -212,8 +243,8 @@ ZETA = (
         name="zetaderiv", family="zeta functions", arity=2, source="DLMF 25.2.6",
         definition=r"\zeta^{(n)}(s)", needs=lambda n, x, m: ((x - 1, "!="),),
         derivatives=(None, lambda n, x, m: m.zetaderiv(n + 1, x)), ball=_zeta_derivative,
-        positive_where=_zeta_sign, latex=r"\zeta'", mathml="ζ′", mathematica="Zeta'",
-        maple="Zeta", sympy="",
+        positive_where=_zeta_sign, negative_where=_zeta_minus, latex=r"\zeta'",
+        mathml="ζ′", mathematica="Zeta'", maple="Zeta", sympy="",
         falsehoods=("zetaderiv(1, s) < -1 given s > 1", "diff(zeta(s), s) == zetaderiv(2, s)"),
     ),
     Function(
@@ -237,6 +268,7 @@ ZETA = (
         definition=r"\operatorname{Li}_s(x) = \sum_{n \ge 1} x^n/n^s", needs=_polylog_needs,
         smooth=False, derivatives=(None, lambda s, x, m: m.polylog(s - 1, x) / x), ball=_polylog,
         positive_where=lambda s, x, m: x, rewritten=_polylog_value, taylor=_polylog_taylor,
+        series=lambda s, x: composed(_polylog_jets(s[0]), x),
         near={"1-": _dilog_near_one, "-oo": _dilog_far}, latex=r"\operatorname{Li}",
         subscripted=True, mathematica="PolyLog", maple="polylog", sympy="polylog",
         aliases=("PolyLog",),

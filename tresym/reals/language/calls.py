@@ -33,9 +33,9 @@ _GUDERMANNIAN: dict[str, Callable[[Expr], Expr]] = {
 """Source: DLMF 4.23.39 and 4.23.41."""
 _OVERLOADED = {
     ("elliptic_e", 2): "elliptic_e_inc",
-    ("EllipticE", 2): "elliptic_e_inc",
     ("gamma", 2): "uppergamma",
     ("Gamma", 2): "uppergamma",
+    ("GAMMA", 2): "uppergamma",
     ("PolyGamma", 2): "polygamma",
     ("Psi", 2): "polygamma",
 }
@@ -57,6 +57,13 @@ SPECIAL_NAMES = frozenset(
     for name in (row.name, *row.aliases)
 ) | {name for name, _ in _SHORT}
 """The names of special functions. Without parentheses, such a name is a variable."""
+MODULUS = {
+    "EllipticK": "elliptic_k",
+    "EllipticE": "elliptic_e",
+    "EllipticF": "elliptic_f",
+    "EllipticPi": "elliptic_pi",
+}
+"""Names that take the parameter m in Mathematica and the modulus k in Maple."""
 KNOWN = FUNCTIONS.union(
     *(_ALIASES, _RECIPROCALS, _FOLDED, _GUDERMANNIAN, ("sqrt", "atan2", "diff", "Derivative")),
     SPECIAL_NAMES,
@@ -115,6 +122,12 @@ def call(name: str, values: list[Expr]) -> Expr:
         return _GUDERMANNIAN[name](values[0])
     if name == FACTORIAL and len(values) == 1:
         return unknown(name, tuple(values))
+    if name in MODULUS:
+        read = MODULUS[name]
+        raise InputError(
+            f"two readings remain: write {read}(m) in the parameter m, as in Mathematica, or "
+            f"{read}(k**2) in the modulus k, as in Maple"
+        )
     if name not in KNOWN:
         raise unknown_function_error(name)
     if len(values) != 1:

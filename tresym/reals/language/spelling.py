@@ -13,7 +13,7 @@ import re
 from itertools import pairwise
 
 from tresym.reals.functions.table import TABLE
-from tresym.reals.language.calls import KNOWN, UNKNOWN
+from tresym.reals.language.calls import KNOWN, MODULUS, UNKNOWN
 from tresym.reals.language.expression import ORDERS
 from tresym.reals.language.spelling_operators import (
     BIG,
@@ -30,7 +30,7 @@ from tresym.reals.language.spelling_operators import (
 from tresym.reals.language.spelling_tokens import END, Token
 from tresym.reals.numbers.exact import InputError
 
-_CAPITALS = {row.mathematica: row.name for row in TABLE.values() if row.arity == 1}
+_CAPITALS = {row.mathematica: row.name for row in TABLE.values() if row.theory and row.arity == 1}
 _CAPITALS |= {
     f"Arc{alias[1:].capitalize()}": alias
     for row in TABLE.values()
@@ -225,6 +225,8 @@ class Speller(OperatorSpeller):
             return f"({p}/{q})"
         if name in _LOGARITHMS and opens and (found := self.to_base(name)):
             return found
+        if name in MODULUS and self.brackets:
+            return self.function(MODULUS[name])
         if name in FUNCTIONS:
             return self.function(FUNCTIONS[name])
         if after == "'":

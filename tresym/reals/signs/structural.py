@@ -104,6 +104,8 @@ class Parts:
             return all(self.nonzero(arg) for arg in e.args)
         if e.op == "^" and e.args[1].op == "number":
             return e.args[1].args[0] < 0 or self.nonzero(e.args[0])
+        if e.op in TABLE and TABLE[e.op].never_zero:
+            return True
         return self._by_conditions(e)
 
     def _by_conditions(self, e: Expr) -> bool:
@@ -172,9 +174,9 @@ class Parts:
         least = span_sign(row.range)
         if least in ("+", "-"):
             return least
-        if row.positive_where is not None:
-            positive = self.sign(as_expr(row.positive_where(*args, trees)))
-            return "+" if positive == "+" else least
+        for where, found in ((row.positive_where, "+"), (row.negative_where, "-")):
+            if where is not None and self.sign(as_expr(where(*args, trees))) == "+":
+                return found
         if row.sign_of is not None:
             return self.sign(row.sign_of(*args, trees)) or least
         return self.sign(args[0]) if row.vanishes_with_argument and row.odd else least
