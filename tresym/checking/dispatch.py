@@ -207,6 +207,12 @@ def _decide(comparison: Comparison, statement: Statement) -> Answer:
         return decide_by_leibniz(comparison, statement, _bounded)
     if hiding:
         return Answer(Verdict.UNDECIDED, "derivatives of sums and limits are not supported")
+    if any(node.op == "lambertw" for node in operations((left, right))):
+        from tresym.reals.decisions.lambert_forms import decide_without_lambert
+
+        answer = decide_without_lambert(comparison, statement, _bounded)
+        if answer is not None:
+            return answer
     parts = _Parts.of(comparison, statement)
     for procedure, applies, _ in ORDER:
         if applies(parts):

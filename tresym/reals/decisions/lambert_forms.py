@@ -1,0 +1,70 @@
+"""Eliminate Lambert's W: with x = y e^y, y >= -1, the value W(x) is y.
+
+The function y e^y increases from −1/e to ∞ on [−1, ∞), so that the claim for all x is the claim for
+all y. ``lambertw(x) <= log(x) given x >= E`` becomes ``y <= log(y*exp(y)) given y*exp(y) >= E``,
+and the path x → ∞ becomes y → ∞. This needs W of one variable alone, ``lambertw(x)``.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from tresym.reals.decisions.answer import Answer, Decide
+from tresym.reals.decisions.statement import Comparison, Statement
+from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.operation_domains import operations
+from tresym.reals.language.expression import (
+    MINUS_ONE,
+    ZERO,
+    Expr,
+    apply,
+    replaced,
+    substitute,
+    symbol,
+    symbols,
+)
+from tresym.reals.verdict import Verdict
+
+MARK = "[W]"
+
+
+def decide_without_lambert(
+    comparison: Comparison, statement: Statement, decided: Decide
+) -> Answer | None:
+    """Decide a claim about W(x) as one about y with x = y e^y; None if that is not possible."""
+    name = _variable(comparison, statement)
+    if name is None or comparison.derivatives or statement.integers:
+        return None
+    path = statement.path
+    if path is not None and (path.name != name or (path.point, path.sides) not in _PATHS):
+        return None
+    y = symbol(name)
+
+    def changed(e: Expr) -> Expr:
+        plain = replaced(e, {apply("lambertw", y): symbol(MARK)})
+        return substitute(plain, {name: y * apply("exp", y), MARK: y})
+
+    there = statement.given.mapped(changed) if statement.given.comparisons else Given()
+    if path is None:
+        there = there & Given(((y, ">=", MINUS_ONE),))
+    equations = tuple((changed(left), changed(right)) for left, right in statement.equations)
+    answer = decided(
+        comparison.mapped(changed), replace(statement, given=there, equations=equations)
+    )
+    if not answer and (path is None or answer.verdict is not Verdict.REFUTED):
+        return None
+    why = f"with {name} = y*exp(y) and lambertw({name}) = y, written {name} again: {answer.why}"
+    return replace(answer, why=why, region=None, constant=None)
+
+
+_PATHS = ((None, (1,)), (ZERO, (1,)), (ZERO, (-1,)))
+
+
+def _variable(comparison: Comparison, statement: Statement) -> str | None:
+    """Return the variable of which alone W is taken, or None."""
+    trees = (comparison.left, comparison.right, *statement.said)
+    found = {node.args[0] for node in operations(trees) if node.op == "lambertw"}
+    if len(found) != 1 or any(e.hidden for e in trees):
+        return None
+    (inner,) = found
+    return str(inner.args[0]) if inner.op == "symbol" and symbols(inner) else None
