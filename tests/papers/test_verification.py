@@ -107,6 +107,15 @@ def test_what_is_used_must_hold_and_under_the_same_conditions() -> None:
     assert verdicts("x real\nfirst: x > 1\nsecond: x > 0 using first\n")["second"] == "UNDECIDED"
 
 
+def test_what_is_used_must_have_a_value_where_it_is_used() -> None:
+    """log(x) <= x is true where log(x) has a value; as a condition it would say that x > 0."""
+    text = "x real\nknown: log(x) <= x\n"
+    paper = read_paper(f"{text}false: x > -5 using known\n")
+    assert "says nothing where log(x) has no value" in paper.problems[0].message
+    found = verdicts(f"{text}inside: log(x) <= x + 1 given x > 0 using known\n")
+    assert found["inside"] in ("PROVED", "ENCLOSED")
+
+
 def test_a_quoted_claim_is_assumed_only_if_it_is_not_decided() -> None:
     text = (
         "x real\nknown: x**2 >= 0 quoted from (Euclid)\n"

@@ -42,6 +42,7 @@ from tresym.papers.definitions import (
 )
 from tresym.reals.decisions.claim_parsing import read, read_as, read_path
 from tresym.reals.decisions.statement import chained, functions
+from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import outermost
 from tresym.reals.language.calls import INFINITY, INTEGERS, KNOWN
 from tresym.reals.language.expression import (
@@ -60,6 +61,7 @@ from tresym.reals.language.latex_tokens import GREEK
 from tresym.reals.language.parsing import Compared, as_written, parse_claim, parse_given
 from tresym.reals.language.unicode_input import plain
 from tresym.reals.numbers.exact import InputError, parse_number
+from tresym.reals.signs.definedness import undefined
 
 MAX_BYTES = 2_000_000
 """The largest file that is read."""
@@ -75,6 +77,7 @@ KINDS["natural"] = (("in", INTEGERS), (">=", number(1)))
 
 _NAME = r"[A-Za-z]\w*"
 _HEADING = re.compile(r"(#{1,3})\s*(.*)")
+_WORD = re.compile(_NAME)
 _DECLARED = re.compile(
     rf"({_NAME}(?:\s*,\s*{_NAME})*)\s+({'|'.join(KINDS)})\s*(?:[;,]?\s*given\s+(.+?))?\s*;?"
 )
@@ -321,6 +324,8 @@ class _Reader:
         self.declared: dict[str, int] = {}
         self.given: list[Compared] = []
         self.definitions: dict[str, Definition] = {}
+        self.used: dict[str, int] = {}
+        """Where a variable or a function stands first."""
         self.claims: dict[str, PaperClaim] = {}
         self.failed: dict[str, int] = {}
         """Names and labels of lines that could not be read, whose uses need no second message."""
@@ -339,8 +344,14 @@ class _Reader:
 
     def _problem(self, line: int, statement: str, message: str, text: str) -> None:
         match = _DEFINED.fullmatch(statement) or _CLAIM.match(statement)
-        if match and match[1] not in {*self.declared, *self.definitions, *self.claims}:
-            self.failed.setdefault(match[1], line)
+        names = [match[1]] if match else []
+        if declared := _DECLARED.fullmatch(statement) or _GIVEN.fullmatch(statement):
+            names = _WORD.findall(declared[0])
+        for name in names:
+            if name not in {*self.definitions, *self.claims} and (
+                declared or name not in self.declared
+            ):
+                self.failed.setdefault(name, line)
         first = text.split("\n")[line - 1]
         column = len(first) - len(first.lstrip()) + 1
         quoted = re.search(r"'([^']+)'", message)
@@ -430,7 +441,7 @@ class _Reader:
         """Every name is declared, defined, or one of the usual letters."""
         known = {*self.declared, *self.definitions, *more}
         for name in sorted(names):
-            if name in self.failed:
+            if name in self.failed and name not in self.claims:
                 raise InputError(f"{name} stands on line {self.failed[name]}, which is not read")
             if name not in known and not _USUAL.fullmatch(name) and name.rstrip("_") not in GREEK:
                 raise InputError(
@@ -462,6 +473,8 @@ class _Reader:
                 f"{name} := root(f, x, a, b), the zero of f between a and b"
             )
         inside = {n: d for n, d in self.definitions.items() if n not in parameters}
+        if name in self.used:
+            raise InputError(f"{name} is used on line {self.used[name]}, above its definition")
         made = define(line, name, parameters, text, written, inside)
         self._need_functions((made.expression,))
         self.definitions[name] = replace(made, given=self._about(made.expression, ()))
@@ -472,12 +485,17 @@ class _Reader:
         for name, line in self.failed.items():
             if re.search(rf"(?<![\w\\]){re.escape(name)}\s*\(", text):
                 raise InputError(f"{name} stands on line {line}, which is not read")
-        return as_called(text, self.definitions)
+        return as_called(text, (d.name for d in self.definitions.values() if d.parameters))
 
     def _need_functions(self, trees: Iterable[Expr]) -> None:
         for tree in trees:
             for node in functions(tree):
                 name = node.args[0].args[0]
+                if name in self.definitions or name in self.declared:
+                    raise InputError(
+                        f"{name} is no function: write {name}*(…) for a product, or define "
+                        f"{name}(x) := …"
+                    )
                 if name.startswith("fn_"):
                     raise InputError(f"{name[3:]} is used with another number of arguments")
 
@@ -528,8 +546,16 @@ class _Reader:
                 raise InputError(
                     f"'{used.label}' holds given {shown}: add this condition to the claim"
                 )
+        where = Given(tuple(c for c in claim.conditions if c[1] not in ("==", "in"))).unfolded()
         for link in used.links:
             parse_given(chained((link,)))
+            for side in link[::2]:
+                gap = undefined(side, where)
+                if gap is not None:
+                    raise InputError(
+                        f"'{used.label}' says nothing where {side} has no value, which is not "
+                        f"excluded here ({gap}): add a condition to the claim"
+                    )
         return used.links
 
     def _formula(self, label: str, line: int, text: str, clauses: Mapping[str, str]) -> PaperClaim:
@@ -548,6 +574,11 @@ class _Reader:
         values = tuple(_values(clauses["at"])) if "at" in clauses else ()
         trees = [side for link in (*comparisons, *given) for side in link[::2]]
         trees += [value for _, value in values]
+        if path is not None and path.name in {value.name for value in values}:
+            raise InputError(f"'{path.name}' is the variable of the path, so it has no fixed value")
+        for tree in trees:
+            for used in names_in(tree):
+                self.used.setdefault(used, line)
         own = {INFINITY.args[0], DOTS.args[0], INTEGERS.args[0]}
         self._need_known(frozenset().union(*map(symbols, trees), (v.name for v in values)) - own)
         links = tuple(self._expanded(link) for link in comparisons)

@@ -1,0 +1,39 @@
+"""The example papers of the documentation: short, readable, and with the verdicts they expect."""
+
+from pathlib import Path
+
+import pytest
+
+from tresym.papers.reading import read_file
+from tresym.papers.verification import verify_paper
+
+FILES = sorted((Path(__file__).resolve().parents[2] / "docs" / "examples").glob("*.tresym"))
+SAMPLE = {
+    "damped": ("start", "frequency", "regular_bound"),
+    "kepler": ("equation", "slope", "value"),
+    "pendulum": ("at_45", "lima_at_90", "misprint"),
+    "stirling": ("recurrence", "at_10", "leading"),
+}
+
+
+def test_there_are_four_and_they_are_short() -> None:
+    assert {path.stem for path in FILES} == set(SAMPLE)
+    for path in FILES:
+        assert len(path.read_text(encoding="utf-8").splitlines()) <= 80
+        paper = read_file(path)
+        assert not paper.problems
+        assert paper.drawn("table")
+        assert paper.drawn("chart")
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
+def test_some_of_their_claims(path: Path) -> None:
+    report = verify_paper(read_file(path), SAMPLE[path.stem], cached=False, suggest=False)
+    assert report.as_expected, [row for row in report.rows if not row.as_expected]
+
+
+@pytest.mark.night
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
+def test_all_of_their_claims(path: Path) -> None:
+    report = verify_paper(read_file(path), limit=60, cached=False, suggest=False)
+    assert report.as_expected, [row for row in report.rows if not row.as_expected]
