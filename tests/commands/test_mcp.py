@@ -40,16 +40,21 @@ def test_claims_and_manuscripts_are_answered_as_on_the_command_line() -> None:
         ("check", {"claim": "sin(2*x) == sin(x)*cos(x)"}),
         ("check", {"claim": "sqrt(x**2) == x", "given": "x > 0"}),
         ("check", {"claim": "((("}),
+        ("table", {"exact": "tan(x)", "approx": "x", "path": "x -> 0", "at": "1/10, 1/100"}),
+        ("table", {"exact": "1/x", "approx": "x", "path": "nowhere"}),
         ("paper", {"latex": r"For all real $x$: \[ (x+1)^2 = x^2 + 2x + 1. \]"}),
     )
-    assert {"check", "paper"} <= tools
-    proved, refuted, conditional, unread, rows = answers
+    assert tools == {"check", "table", "paper"}
+    proved, refuted, conditional, unread, table, no_table, rows = answers
     assert proved["verdict"] in ("PROVED", "ENCLOSED")
     assert refuted["verdict"] == "REFUTED"
     assert refuted["witness"]
     assert "2*sin(x)*cos(x)" in json.dumps(refuted["instead"])
     assert conditional["verdict"] == "PROVED"
     assert unread["error"]
+    assert [row["at"] for row in table["rows"]] == [{"x": "1/10"}, {"x": "1/100"}]
+    assert table["claim"]["verdict"] == "ENCLOSED"
+    assert no_table["error"]
     assert [row["status"] for row in rows["result"]] == ["PROVED"]
 
 

@@ -24,7 +24,7 @@ def add(commands: Commands) -> None:
         "mcp",
         help="a server for agents: check claims and manuscripts over the Model Context Protocol",
         description="A server of the Model Context Protocol on standard input and output, to be "
-        "started by an agent or a chat client. Its tools are check and paper; they answer "
+        "started by an agent or a chat client. Its tools are check, table and paper; they answer "
         "with the JSON of the command line. It needs the extra tresym[mcp].",
     )
     parser.add_argument("--limit", default="5", metavar="SECONDS", help="for each claim (5)")
@@ -72,6 +72,29 @@ def _tools(limit: float) -> list[Any]:
             return {"error": str(error)}
         return answer.as_json()
 
+    def table(
+        exact: str, approx: str, path: str, given: str = "", at: str = "", digits: int = 30
+    ) -> dict[str, Any]:
+        """Compare an approximation with the exact expression: certified errors and a constant.
+
+        Args:
+            exact: the exact expression, such as "2/pi*elliptic_k(m)"; integrals and roots too.
+            approx: the approximation, such as "1 + m/4".
+            path: where the approximation holds, such as "m -> 0+".
+            given: values of parameters, such as "M == 1".
+            at: points, such as "1/10, 1/100"; empty for points chosen along the path.
+            digits: certified digits of each number.
+        """
+        import tresym
+
+        points = [point.strip() for point in at.split(",")] if at.strip() else []
+        try:
+            found = tresym.error_table(exact, approx, path, points, given, digits)
+        except InputError as error:
+            return {"error": str(error)}
+        value: dict[str, Any] = found.as_json()
+        return value
+
     def paper(latex: str) -> list[dict[str, Any]]:
         """Check the displayed formulas of a LaTeX manuscript, one answer for each relation.
 
@@ -97,4 +120,4 @@ def _tools(limit: float) -> list[Any]:
             except InputError as error:
                 return [{"error": str(error)}]
 
-    return [check, paper]
+    return [check, table, paper]
