@@ -69,6 +69,12 @@ exponent_gap = Claim(
     ),
 )
 
+inverse_by_cotangent = Claim(
+    says=equal(-cos(epsilon) / _root, -tanh(asinh(_cosine * cos(epsilon) / sin(epsilon)))),
+    given=(*shape, *defect),
+    proof=by(exponentials, inverses, roots, trigonometry),
+)
+
 sine_of_turn = Claim(
     says=equal(sin(_turn), sqrt(b / a) * sin(epsilon) ** 2 / (cos(epsilon) + _root)),
     given=(*shape, *defect),

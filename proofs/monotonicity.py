@@ -11,7 +11,7 @@ g = T − √(ab)(π + arctan(√(b/a) tanh T)). With S = cosh²T + (b/a) sinh²
 """
 
 from tresym.proofs.conditions import later, shape
-from tresym.proofs.separatrix import one_flip_defect, stable_equation
+from tresym.proofs.separatrix import defect_range, flip_defect
 
 from tresym.ledger.vocabulary import *
 from tresym.racket.notation import *
@@ -57,19 +57,78 @@ tangent_below = Claim(says=sinh(T) <= T * cosh(T), given=(T > 0,), proof=manifes
 
 increase_of_T = Claim(says=T / (2 * b) + _share / 2 > 0, given=(*shape, *later), proof=manifest)
 
+_root0 = sqrt(1 + b / a * sin(epsilon0) ** 2)
+_inverse0 = cos(epsilon0) / _root0
+_time0 = sqrt(a * b) * (pi + asin(sqrt(b / (a + b)) * cos(epsilon0)))
+_sine0 = sqrt(1 - b / (a + b) * cos(epsilon0) ** 2)
+
+positive_time = Claim(
+    says=_time0 > 0, given=shape, proof=by(citing(defect_range)), note="T at the root."
+)
+
+hyperbolic_tangent_below = Claim(says=tanh(x) < x, given=(x > 0,), proof=manifest)
+
+_below = Instance(hyperbolic_tangent_below, ((x, _time0),), (positive_time,))
+tangent_of_time = Claim(says=_below.says, given=shape, proof=_below)
+
+time_above = Claim(
+    says=_time0 > _inverse0,
+    given=shape,
+    proof=(step(_time0 - tanh(_time0), substituting(flip_defect), citing(tangent_of_time)),),
+    note="At the root tanh T = cos ε₀/√(1 + (b/a) sin²ε₀), and tanh T < T.",
+)
+
+_slope_a = (_time0 / (2 * a)) - b * cos(epsilon0) / (2 * (a + b) * _root0)
+_slope_b = _time0 / (2 * b) + a * cos(epsilon0) / (2 * (a + b) * _root0)
+_sech = sin(epsilon0) ** 2 * (1 + b / a) / _root0**2
+
 monotonicity = Claim(
-    says="ε₀ decreases strictly in a for fixed b, and in b for fixed a, for a > 0, 0 < b ≤ 1.",
-    proof=all_of(
-        stable_equation,
-        one_flip_defect,
-        slope_in_T,
-        slope_in_T_positive,
-        slope_in_a,
-        slope_in_b,
-        decrease_in_a,
-        tangent_below,
-        increase_of_T,
+    says=Tuple(StrictlyDecreasing(epsilon0, a), StrictlyDecreasing(epsilon0, b)),
+    given=shape,
+    proof=follows(
+        RootMonotone(
+            flip_defect,
+            (
+                step(
+                    (1 - tanh(_time0) ** 2) * _slope_a
+                    - b * sin(epsilon0) ** 2 * _inverse0 / (2 * a**2 * _root0**2),
+                    *(roots, exponentials, trigonometry, citing(defect_range)),
+                ),
+                step(
+                    (1 - _inverse0**2) * _slope_a
+                    - b * sin(epsilon0) ** 2 * _inverse0 / (2 * a**2 * _root0**2),
+                    *(substituting(flip_defect), roots, citing(defect_range)),
+                ),
+                step(
+                    sin(epsilon0) ** 2
+                    / (2 * a * _root0**2)
+                    * ((1 + b / a) * (_time0 - _inverse0) + (1 - b) * _inverse0),
+                    *(roots, trigonometry, citing(time_above, defect_range)),
+                ),
+            ),
+        ),
+        RootMonotone(
+            flip_defect,
+            (
+                step(
+                    (1 - tanh(_time0) ** 2) * _slope_b
+                    + sin(epsilon0) ** 2 * _inverse0 / (2 * a * _root0**2),
+                    *(roots, exponentials, trigonometry, citing(defect_range)),
+                ),
+                step(
+                    (1 - _inverse0**2) * _slope_b
+                    + sin(epsilon0) ** 2 * _inverse0 / (2 * a * _root0**2),
+                    *(substituting(flip_defect), roots, citing(defect_range)),
+                ),
+                step(
+                    _sech * _slope_b + sin(epsilon0) ** 2 * _inverse0 / (2 * a * _root0**2),
+                    *(roots, trigonometry, citing(positive_time, defect_range)),
+                ),
+            ),
+        ),
     ),
+    note="ε₀ is the zero of h = tanh T − cos ε/√(1 + (b/a) sin²ε), which increases with ε; where "
+    "h = 0, ∂h/∂a and ∂h/∂b are positive.",
 )
 
 label_claims(globals())

@@ -18,9 +18,10 @@ from __future__ import annotations
 from typing import Any
 
 from tresym.proofs.conditions import ordered_moments, shape
-from tresym.proofs.exponent import arsinh_concave, exponent_gap, residual_increases, share
+from tresym.proofs.euler_angles import d08
+from tresym.proofs.exponent import arsinh_concave, inverse_by_cotangent, share
 from tresym.proofs.monotonicity import monotonicity
-from tresym.proofs.separatrix import one_flip_defect
+from tresym.proofs.separatrix import flip_defect
 
 from tresym.ledger.vocabulary import *
 from tresym.racket.bounds.charts import arcsine_over
@@ -96,12 +97,38 @@ floor_candidate = Claim(
     note="Q(e) − log(e/ε*) at the candidate.",
 )
 
-_planar = (one_flip_defect, realizable, residual_increases, exponent_gap, planar_shape)
+planar_shapes = (a > 0, equal(b, 1 / (a + 2)))
+"""The shapes of planar bodies; see `planar_constraint`."""
+
+_at = 1 / (a + 1)
+_in_a = {_u: _at}
+_candidate = Instance(floor_candidate, ((_u, _at),))
+floor_in_a = Claim(says=_candidate.says, given=(a > 0,), proof=_candidate)
+
+_later = asinh(_c * sinh(pi)).xreplace(_in_a)
+_sooner = (_c / (1 + _u) * (pi + _turned)).xreplace(_in_a)
+
+tangent_grows = Claim(says=tanh(T + x) - tanh(T) > 0, given=(T > 0, x > 0), proof=manifest)
+
+positive_sooner = Claim(says=_sooner > 0, given=(a > 0,), proof=manifest)
+
+_tangents = Instance(
+    tangent_grows, ((T, _sooner), (x, _later - _sooner)), (floor_in_a, positive_sooner)
+)
+tangents_at_the_floor = Claim(says=_tangents.says, given=(a > 0,), proof=_tangents)
 
 rigid_body_floor = Claim(
-    says="ε₀ > 2 arctan e^{−π} = 0.08637… for every planar body, b = 1/(a + 2), a > 0.",
-    kind="bound",
-    proof=all_of(floor_candidate, *_planar, floor_angle),
+    says=epsilon0 > _angle,
+    given=planar_shapes,
+    proof=RootBound(
+        flip_defect,
+        (
+            step(
+                tanh(_sooner + (_later - _sooner)) - tanh(_sooner),
+                *(roots, exponentials, inverses, trigonometry, citing(tangents_at_the_floor)),
+            ),
+        ),
+    ),
     note="At fixed a the defect decreases in b, so planar bodies have the smallest.",
 )
 
@@ -121,18 +148,83 @@ excess_grows = Claim(
     proof=Evaluated(stored=certificate("excess_grows")),
 )
 
-floor_is_approached = Claim(
-    says="ε₀ < 2 arctan e^{−π} + 1/(a + 1) for every planar body with a ≥ 7.",
-    kind="bound",
-    proof=all_of(excess_grows, excess_at_infinity, *_planar),
-    note="log(e/ε*) − Q(e) at e = 2 arctan e^{−π} + u is 0 in the limit u = 0 and grows with u, so "
-    "that ε₀ < e. Hence the floor is the infimum, approached by planar bodies as a → ∞.",
+_first = (_u > 0, _u <= Rational(1, 8))
+
+excess = Claim(says=_excess > 0, given=_first, proof=FromSlope(excess_grows, excess_at_infinity))
+
+_excess_in_a = Instance(excess, ((_u, _at),))
+excess_in_a = Claim(says=_excess_in_a.says, given=(a >= 7,), proof=_excess_in_a)
+
+_beyond = (_c / (1 + _u) * (pi + asin(_u * cos(_above)))).xreplace(_in_a)
+_short = asinh(_c * cos(_above) / sin(_above)).xreplace(_in_a)
+
+_candidate_above = _angle + _at
+
+above_is_an_angle = Claim(
+    says=Tuple(
+        _candidate_above > 0,
+        _candidate_above < pi / 2,
+        sin(_candidate_above) > 0,
+        cos(_candidate_above) > 0,
+    ),
+    given=(a >= 7,),
+    proof=manifest,
 )
 
-floor_of_every_body = Claim(
-    says="2 arctan e^{−π} is the infimum of ε₀ over all rigid bodies, and none attains it.",
-    proof=all_of(realizable, monotonicity, rigid_body_floor, floor_is_approached),
+_inverse_above = Instance(
+    inverse_by_cotangent, ((epsilon, _candidate_above), (b, 1 / (a + 2))), (above_is_an_angle,)
+)
+inverse_above = Claim(says=_inverse_above.says, given=(a >= 7,), proof=_inverse_above)
+
+positive_short = Claim(says=_short > 0, given=(a >= 7,), proof=by(citing(above_is_an_angle)))
+
+_tangents_above = Instance(
+    tangent_grows, ((T, _short), (x, _beyond - _short)), (excess_in_a, positive_short)
+)
+tangents_above = Claim(says=_tangents_above.says, given=(a >= 7,), proof=_tangents_above)
+
+floor_is_approached = Claim(
+    says=epsilon0 < _candidate_above,
+    given=(a >= 7, equal(b, 1 / (a + 2))),
+    proof=RootBound(
+        flip_defect,
+        (
+            step(
+                tanh(_beyond) + _inverse_above.says.args[0],
+                *(roots, citing(above_is_an_angle)),
+            ),
+            step(
+                tanh(_beyond) + _inverse_above.says.args[1],
+                *(substituting(inverse_above), citing(above_is_an_angle)),
+            ),
+            step(
+                tanh(_short + (_beyond - _short)) - tanh(_short),
+                *(roots, citing(tangents_above, above_is_an_angle)),
+            ),
+        ),
+    ),
+    note="h at e = 2 arctan e^{−π} + u is 0 in the limit u = 1/(a + 1) = 0 and grows with u.",
+)
+
+floor_of_shapes = Claim(
+    says=epsilon0 > _angle,
+    given=(*shape, 1 - b * (a + 2) >= 0),
+    proof=FromTheEdge(monotonicity, rigid_body_floor, 1 / (a + 2)),
     note="Among the bodies with the same a, ε₀ decreases in b up to the planar body b = 1/(a + 2).",
+)
+
+_t = Symbol("t", real=True)
+
+floor_of_every_body = Claim(
+    says=Infimum(epsilon0, _angle),
+    given=(*ordered_moments, I1 + I2 - I3 >= 0),
+    proof=InfimumBy(
+        floor_of_shapes,
+        floor_is_approached,
+        ((I1, Integer(1)), (I2, 1 / _t), (I3, 1 + 1 / _t), (M, Integer(1))),
+        (d08,),
+    ),
+    note="Over all rigid bodies; it is approached by planar bodies as a → ∞.",
 )
 
 label_claims(globals())

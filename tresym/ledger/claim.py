@@ -242,9 +242,17 @@ class Printed:
 
 @dataclass(frozen=True)
 class AllOf:
-    """Evidence for a sentence that is the conjunction of formal claims."""
+    """Evidence for a conjunction of claims.
+
+    If the claim states a formula, each part of it must be a part of one of ``claims`` (`all_of`).
+    A sentence that says no more than its claims do has the conjunction of their formulas as its
+    own. With ``words`` the sentence says more than that (`in_words`): whether it follows is left
+    to the reader, and it counts neither as formal nor as proved in Coq.
+    """
 
     claims: tuple[Claim, ...]
+    words: bool = False
+    kind: ClassVar[str] = "statement"
 
     @property
     def expect(self) -> Ruling:
@@ -253,8 +261,225 @@ class AllOf:
 
 
 def all_of(*claims: Claim) -> AllOf:
-    """Return the evidence for a sentence that is the conjunction of ``claims``."""
+    """Return the evidence for a conjunction of ``claims``, or of some of their parts."""
     return AllOf(claims)
+
+
+def in_words(*claims: Claim) -> AllOf:
+    """Return the evidence for a sentence that says more than the conjunction of ``claims``."""
+    return AllOf(claims, words=True)
+
+
+@dataclass(frozen=True)
+class Follows:
+    """Evidence of any kind for each part of a statement, in order.
+
+    A part ``Under(φ, conditions)`` is judged under these conditions as well.
+    """
+
+    parts: tuple[Evidence, ...]
+
+    @property
+    def claims(self) -> tuple[Claim, ...]:
+        """The claims that the evidence for the parts names."""
+        named = {id(c): c for part in self.parts for c in _named(part)}  # unlabelled as yet
+        return tuple(named.values())
+
+    @property
+    def expect(self) -> Ruling:
+        """The usual verdict for the weakest of the parts."""
+        return min(map(_expected, self.parts), key=WEAKEST_FIRST.index)
+
+
+def follows(*parts: Evidence) -> Follows:
+    """Return the evidence for the parts of a statement, in order."""
+    return Follows(parts)
+
+
+@dataclass(frozen=True)
+class RootBound:
+    """Evidence for a bound on a root: the sign of the function at the bound.
+
+    The claim ``root`` defines a symbol as the only zero of h between two ends, where h is strictly
+    monotone. So the root lies above v exactly if h(v) has the sign that h has at the lower end.
+
+    Example: √2 is the zero of h = x² − 2 in (1, 2), and h(7/5) < 0, so √2 > 7/5.
+    """
+
+    root: Claim
+    sign: Chain
+    """A chain for h(v) < 0 or h(v) > 0, whichever is needed."""
+
+    @property
+    def chains(self) -> tuple[Chain, ...]:
+        """The chains of the evidence."""
+        return (self.sign,)
+
+    @property
+    def claims(self) -> tuple[Claim, ...]:
+        """The definition of the root."""
+        return (self.root,)
+
+
+@dataclass(frozen=True)
+class RootMonotone:
+    """Evidence that a root is strictly monotone in a parameter: the derivative by the parameter.
+
+    The claim ``root`` defines a symbol y as the only zero of h(y, x). By the implicit function
+    theorem dy/dx = −(∂h/∂x)/(∂h/∂y). If this has one sign at every zero, y is strictly monotone.
+
+    Example: y is the zero of h = y³ + y − x. As ∂h/∂x = −1 and ∂h/∂y > 0, y increases.
+    """
+
+    root: Claim
+    slope: Chain
+    """A chain for the sign of ∂h/∂x at the root; it may substitute the equation of the root."""
+
+    @property
+    def chains(self) -> tuple[Chain, ...]:
+        """The chains of the evidence."""
+        return (self.slope,)
+
+    @property
+    def claims(self) -> tuple[Claim, ...]:
+        """The definition of the root."""
+        return (self.root,)
+
+
+@dataclass(frozen=True)
+class MonotoneOf:
+    """Evidence that f(y) is strictly monotone in x because y is, and f in y.
+
+    Attributes:
+        inner: the claim that y is strictly monotone in x.
+        bounds: claims whose bounds on y may be used for the sign of f′(y).
+    """
+
+    inner: Claim
+    bounds: tuple[Claim, ...] = ()
+
+    @property
+    def claims(self) -> tuple[Claim, ...]:
+        """The claims used."""
+        return (self.inner, *self.bounds)
+
+
+@dataclass(frozen=True)
+class FromTheEdge:
+    """Evidence for a bound on e from the same bound at one value of x, because e is monotone in x.
+
+    Attributes:
+        monotone: the claim that e is strictly monotone in x.
+        bound: the claim with the bound.
+        at: the value of x at which ``bound`` is used, an expression without x.
+    """
+
+    monotone: Claim
+    bound: Claim
+    at: Expr
+
+    @property
+    def claims(self) -> tuple[Claim, ...]:
+        """The claims used."""
+        return (self.monotone, self.bound)
+
+
+@dataclass(frozen=True)
+class FromSlope:
+    """Evidence for f > 0 where x > p: f is 0 or positive at x = p, and has a positive derivative.
+
+    Attributes:
+        slope: a claim ∂f/∂x > 0.
+        start: a claim f(p) = 0, f(p) >= 0 or f(p) > 0, the left side written with `at`.
+    """
+
+    slope: Claim
+    start: Claim
+
+    @property
+    def claims(self) -> tuple[Claim, ...]:
+        """The claims used."""
+        return (self.slope, self.start)
+
+
+@dataclass(frozen=True)
+class InfimumBy:
+    """Evidence for an infimum: the bound, and points at which it is approached.
+
+    Attributes:
+        bound: the claim e > v.
+        above: a claim e < v + r.
+        along: the symbols as functions of ``t``; as t → 0 from above, r tends to 0.
+        claims: both, and the definitions of symbols that the path gives no value.
+    """
+
+    bound: Claim
+    above: Claim
+    along: tuple[tuple[Symbol, Any], ...]
+    using: tuple[Claim, ...] = ()
+
+    @property
+    def claims(self) -> tuple[Claim, ...]:
+        """The claims used."""
+        return (self.bound, self.above, *self.using)
+
+
+@dataclass(frozen=True)
+class Dominated:
+    """Evidence for an order as an expression t tends to a point: a bound with that very rate.
+
+    The claims bound the difference from above and from below by multiples of an expression m, where
+    m divided by the gauge depends on t only, and is O(1), or o(1), there.
+    """
+
+    above: Claim
+    """A claim d <= m or |d| <= m (or with <), d the difference of the order."""
+    below: Claim | None = None
+    """A claim d >= −m, such as d > 0; None if ``above`` is about |d|."""
+    expect: ClassVar[Ruling] = Verdict.ENCLOSED
+
+    @property
+    def claims(self) -> tuple[Claim, ...]:
+        """The claims used."""
+        return (self.above,) if self.below is None else (self.above, self.below)
+
+
+@dataclass(frozen=True)
+class Conservation:
+    """Evidence that an expression is conserved: its derivative along the system is 0."""
+
+    derivative: Chain = ()
+    """A chain from the derivative to 0; () if its normal form is 0."""
+
+    @property
+    def chains(self) -> tuple[Chain, ...]:
+        """The chains of the evidence."""
+        return (self.derivative or by(),)
+
+
+@dataclass(frozen=True)
+class Lyapunov:
+    """Evidence for stability: a conserved function with a strict minimum at the equilibrium.
+
+    That ``function`` is conserved, that its gradient vanishes at the point and that its Hessian is
+    positive definite there (leading principal minors) is checked. Lyapunov's theorem is quoted.
+
+    Example: x² + v² is conserved by dx/dt = v, dv/dt = −x and has its minimum at (0, 0).
+    """
+
+    function: Expr
+
+
+@dataclass(frozen=True)
+class Growing:
+    """Evidence for instability: a positive eigenvalue of the linearised system.
+
+    That ``eigenvalue`` solves the characteristic equation at the point is checked, and that it is
+    positive. The theorem on instability by the first approximation is quoted.
+    """
+
+    eigenvalue: Expr
+    theories: tuple[Reason, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -441,7 +666,7 @@ class Claim:
             return self.means
         if isinstance(self.says, Basic):
             return self.says
-        if not isinstance(self.proof, AllOf):
+        if not isinstance(self.proof, AllOf) or self.proof.words:
             return None
         parts = [(part.statement, part.given) for part in self.proof.claims]
         known = [(says, given) for says, given in parts if says is not None]
@@ -467,7 +692,9 @@ class Claim:
             >>> tresym.verify("eq_gamma")["eq_gamma"].claim.in_formulas
             True
         """
-        return isinstance(self.decided, Basic) and not isinstance(self.decided, Statement)
+        if not isinstance(self.decided, Basic):
+            return False
+        return not any(isinstance(part, Statement) for part in parts_of(self.decided))
 
     @cached_property
     def symbols(self) -> frozenset[Symbol]:
@@ -613,7 +840,8 @@ def _chains(proof: Evidence) -> tuple[Chain, ...]:
         case tuple():
             return (proof,)
         case _:
-            return ()
+            found: tuple[Chain, ...] = getattr(proof, "chains", ())
+            return found
 
 
 def with_reasons(proof: Evidence, changed: Callable[[Reason], Reason], *more: Reason) -> Evidence:

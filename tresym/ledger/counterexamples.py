@@ -29,6 +29,7 @@ from sympy import (
     Subs,
     Symbol,
     Tuple,
+    true,
 )
 from sympy.core.relational import Relational
 
@@ -265,7 +266,7 @@ def _world(given: Conditions, known: tuple[Basic, ...]) -> World:
     small = [c for c in asked if _size((c,), rules) <= LARGE]
     others = tuple(c for c in asked if c not in small)
     need_unbound((*implicit, *others), rules)
-    conditions = dict.fromkeys(put_in(c, rules) for c in small)
+    conditions = dict.fromkeys(c for c in (put_in(c, rules) for c in small) if c != true)
     return World(tuple(conditions), tuple(rules.items()), tuple(implicit), others)
 
 

@@ -25,14 +25,25 @@ from tresym.ledger.claim import (
     AllOf,
     Chain,
     Claim,
+    Conservation,
     Counterexample,
     Definition,
+    Dominated,
+    Follows,
     Formally,
+    FromSlope,
+    FromTheEdge,
+    Growing,
     ImplicitFunction,
+    InfimumBy,
     Instance,
+    Lyapunov,
     Monotone,
+    MonotoneOf,
     Printed,
     Root,
+    RootBound,
+    RootMonotone,
     Together,
     UniqueRoot,
     asked_by,
@@ -58,9 +69,20 @@ from tresym.ledger.evidence.asymptotics import Asymptotics, Squeezed, failing_or
 from tresym.ledger.evidence.box_bounds import Boxes
 from tresym.ledger.evidence.chain import check_chain, instantiated
 from tresym.ledger.evidence.chart_bounds import Charted, judge_charted
+from tresym.ledger.evidence.deductions import (
+    cited,
+    judge_dominated,
+    judge_from_slope,
+    judge_from_the_edge,
+    judge_infimum,
+    judge_monotone_of,
+    judge_root_bound,
+    judge_root_monotone,
+)
 from tresym.ledger.evidence.integrals import NotShownError, need, need_integrals, with_bounds
 from tresym.ledger.evidence.interval_evaluation import Evaluated, judge_evaluated
 from tresym.ledger.evidence.local_facts import by_facts, facts_of
+from tresym.ledger.evidence.motions import judge_conserved, judge_stable, judge_unstable
 from tresym.ledger.evidence.printed_numbers import judge_printed
 from tresym.ledger.evidence.refutation import Denied, denied_somewhere, judge_counterexample
 from tresym.ledger.evidence.sign_prover import is_manifest, undefined
@@ -78,7 +100,7 @@ from tresym.ledger.refutations import (
     refute,
     refuted_part,
 )
-from tresym.ledger.statements import Binding, ForSome
+from tresym.ledger.statements import Binding, ForSome, Under
 from tresym.reals.balls.branch_and_bound import CertificateError
 from tresym.reals.cross_check import STOPPED
 from tresym.reals.decisions.identity import decide_continuous
@@ -92,9 +114,10 @@ Findings = Mapping[str, Finding]
 
 NEVER_ATTACKED = (
     *(Definition, Root, ImplicitFunction, AllOf, UniqueRoot, Monotone, Asymptotics, Squeezed),
+    *(Follows, RootMonotone, MonotoneOf, InfimumBy, Dominated, Conservation, Lyapunov, Growing),
 )
 """Evidence whose claims skip the independent check: a single point cannot contradict their
-statements, or (for conjunctions) the parts have been checked already."""
+statements, or (for conjunctions) the parts are checked one by one."""
 ENCLOSED = Verdict.ENCLOSED
 
 
@@ -182,7 +205,8 @@ def _can_be_evaluated(says: Basic, claim: Claim) -> bool:
     term of higher order; such a claim can only be checked if its conditions name the symbol.
     """
     known = frozenset().union(*(condition.free_symbols for condition in claim.given))
-    attacked = isinstance(claim.proof, tuple | Together | Formally | Instance)
+    shown = tuple | Together | Formally | Instance | RootBound | FromSlope | FromTheEdge
+    attacked = isinstance(claim.proof, shown)
     return attacked or says.free_symbols <= known
 
 
@@ -236,7 +260,32 @@ def _by_kind(claim: Claim, found: Findings) -> Finding:
         case Printed():
             return judge_printed(claim)
         case AllOf(claims):
-            return _judge_all(claims, found)
+            finding = _judge_all(claims, found)
+            if finding.verdict.holds and isinstance(claim.says, Basic):
+                cited(claim, claims)
+            return finding
+        case Follows():
+            return _judge_parts(claim, claim.proof)
+        case RootBound():
+            return judge_root_bound(claim, claim.proof)
+        case RootMonotone():
+            return judge_root_monotone(claim, claim.proof)
+        case MonotoneOf():
+            return judge_monotone_of(claim, claim.proof)
+        case FromSlope():
+            return judge_from_slope(claim, claim.proof)
+        case FromTheEdge():
+            return judge_from_the_edge(claim, claim.proof)
+        case InfimumBy():
+            return judge_infimum(claim, claim.proof)
+        case Dominated():
+            return judge_dominated(claim, claim.proof)
+        case Conservation():
+            return judge_conserved(claim, claim.proof)
+        case Lyapunov():
+            return judge_stable(claim, claim.proof)
+        case Growing():
+            return judge_unstable(claim, claim.proof)
         case Formally():
             return _judge_relations(claim)
         case Counterexample():
@@ -322,6 +371,36 @@ def _judge_chains(claim: Claim, parts: tuple[tuple[Basic, Chain], ...] | None) -
             raise
         return replace(refuted, steps=steps)
     return Finding(PROVED, "every step follows from the reasons it names", steps=steps)
+
+
+def _judge_parts(claim: Claim, proof: Follows) -> Finding:
+    """Judge each part of the statement by its own evidence, under its own conditions.
+
+    Raises:
+        NotShownError: a part is not shown, or there is not one piece of evidence for each part.
+    """
+    parts = claim.parts
+    if len(parts) != len(proof.parts) or not parts:
+        raise NotShownError("there must be one piece of evidence for each part of the statement")
+    findings = []
+    for n, (part, evidence) in enumerate(zip(parts, proof.parts, strict=True), 1):
+        given = claim.given
+        while isinstance(part, Under):
+            part, given = part.args[0], (*given, *part.args[1].args)
+        alone = Claim(f"{claim.label}, part {n}", part, evidence, given=given)
+        if isinstance(evidence, AllOf):
+            need(cited(alone, evidence.claims) is not None, f"part {n} has no formula")
+            findings.append(Finding(PROVED, f"part {n} is one of a claim named"))
+            continue
+        finding = _guarded(alone, {})
+        if finding.verdict is REFUTED:
+            return replace(finding, why=f"part {n}: {finding.why}")
+        need(finding.verdict.holds, f"part {n}: {finding.why}", finding.steps)
+        findings.append(finding)
+    weakest = min((f.verdict for f in findings), key=WEAKEST_FIRST.index)
+    steps = tuple(s for f in findings for s in f.steps)
+    why = "; ".join(dict.fromkeys(f.why for f in findings))
+    return Finding(weakest, why, steps=steps)
 
 
 def _judge_all(claims: tuple[Claim, ...], found: Findings) -> Finding:

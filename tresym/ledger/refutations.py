@@ -5,7 +5,16 @@ from __future__ import annotations
 from sympy import Basic
 from sympy.core.relational import Relational
 
-from tresym.ledger.claim import Claim, Definition, ImplicitFunction, Root, parts_of
+from tresym.ledger.claim import (
+    Claim,
+    Definition,
+    FromSlope,
+    FromTheEdge,
+    ImplicitFunction,
+    InfimumBy,
+    Root,
+    parts_of,
+)
 from tresym.ledger.conversion import CircularError, conditions, known, put_into
 from tresym.ledger.counterexamples import violation
 from tresym.ledger.definitions import restrictions, table
@@ -19,6 +28,9 @@ from tresym.reals.language.binders import elementary
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
+ELSEWHERE = (FromSlope, FromTheEdge, InfimumBy)
+"""Evidence that uses claims at other points than the one at hand: their conditions need not hold
+here."""
 UNDECIDED, PROVED, REFUTED = Verdict.UNDECIDED, Verdict.PROVED, Verdict.REFUTED
 
 
@@ -88,12 +100,14 @@ def all_facts_behind(claim: Claim) -> tuple[Basic, ...]:
     same as `facts_used`.
     """
     defining = Definition | Root | ImplicitFunction
-    if all(isinstance(c.proof, defining) for c in claim.uses):
+    elsewhere = isinstance(claim.proof, ELSEWHERE)
+    uses = () if elsewhere else claim.uses
+    if not elsewhere and all(isinstance(c.proof, defining) for c in uses):
         return facts_used(claim)
     used = {c.label: c for c in claim.rests_on if isinstance(c.proof, defining)}
-    if any(used.get(c.label, c) is not c for c in claim.rests_on):
+    if not elsewhere and any(used.get(c.label, c) is not c for c in claim.rests_on):
         return facts_used(claim)
-    known = dict.fromkeys(c for d in (*used.values(), *claim.uses) for c in d.given)
+    known = dict.fromkeys(c for d in (*used.values(), *uses) for c in d.given)
     known.update((p, None) for d in used.values() for p in parts_of(d.says))
     return tuple(known)
 
@@ -105,6 +119,8 @@ def facts_used(claim: Claim) -> tuple[Basic, ...]:
     its conditions, so it restricts nothing, and whether its conditions hold is just what may be
     wrong.
     """
+    if isinstance(claim.proof, ELSEWHERE):
+        return all_facts_behind(claim)
     known: dict[Basic, None] = {}
     for used in claim.uses:
         if table((used, *used.rests_on)):

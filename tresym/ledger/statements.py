@@ -129,6 +129,43 @@ class ForSome(Statement):
     """``ForSome(φ)``: φ holds for at least one point that satisfies the claim's conditions."""
 
 
+class StrictlyIncreasing(Statement):
+    """``StrictlyIncreasing(e, x)``: a larger x gives a larger e, everything else unchanged.
+
+    For all values x < x′ that satisfy the conditions, with the same values of the other symbols:
+    e(x) < e(x′). Symbols that are defined by x change with it.
+    """
+
+
+class StrictlyDecreasing(Statement):
+    """``StrictlyDecreasing(e, x)``: for all x < x′ that satisfy the conditions, e(x) > e(x′)."""
+
+
+class Conserved(Statement):
+    """``Conserved(e, (x, …), (f, …))``: e is constant along every solution of dx/dt = f, ….
+
+    A solution is followed for as long as it satisfies the conditions of the claim.
+    """
+
+
+class StableEquilibrium(Statement):
+    """``StableEquilibrium((x, …), (f, …), (p, …))``: p is stable for the system dx/dt = f, ….
+
+    For every neighbourhood U of p there is one from which no solution leaves U (Lyapunov).
+    """
+
+
+class UnstableEquilibrium(Statement):
+    """``UnstableEquilibrium((x, …), (f, …), (p, …))``: an equilibrium that is not stable."""
+
+
+class Infimum(Statement):
+    """``Infimum(e, v)``: e > v where the conditions hold, and e < v + δ somewhere, for all δ > 0.
+
+    So v is the greatest lower bound of e, and e does not attain it.
+    """
+
+
 class As(Statement):
     """``As(φ, e, p, side)``: the order φ as e tends to p from above (1), below (−1) or both (0).
 

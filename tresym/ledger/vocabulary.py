@@ -19,9 +19,10 @@ from sympy import (
 
 from tresym.ledger.certificates import certificate
 from tresym.ledger.claim import (
-    Claim, Counterexample, Definition, Fault, ImplicitFunction, Instance, Monotone, Place, Printed,
-    Reason, Root, UniqueRoot, all_of, at, by, display, equal, equations, formally, label_claims,
-    line, manifest, parts_of, step, together,
+    Claim, Conservation, Counterexample, Definition, Dominated, Fault, FromSlope, FromTheEdge,
+    Growing, ImplicitFunction, InfimumBy, Instance, Lyapunov, Monotone, MonotoneOf, Place, Printed,
+    Reason, Root, RootBound, RootMonotone, UniqueRoot, all_of, at, by, display, equal, equations,
+    follows, formally, in_words, label_claims, line, manifest, parts_of, step, together,
 )
 from tresym.ledger.evidence.asymptotics import Asymptotics, Squeezed
 from tresym.ledger.evidence.box_bounds import Boxes
@@ -35,22 +36,27 @@ from tresym.ledger.reasons import (
     multiplying, roots, substituting, trigonometry,
 )
 from tresym.ledger.statements import (
-    AtMostOne, ExactlyOne, ForSome, Rounds, TheRoot, Under, order,
+    AtMostOne, Conserved, ExactlyOne, ForSome, Infimum, Rounds, StableEquilibrium,
+    StrictlyDecreasing, StrictlyIncreasing, TheRoot, Under, UnstableEquilibrium, order,
 )
 from tresym.reals.balls.branch_and_bound import Bound, box
 from tresym.reals.verdict import Verdict
 
 __all__ = [
     "Abs", "Asymptotics", "AtMostOne", "Basic", "Bound", "Boxes", "Charted", "Claim",
-    "Counterexample", "Definition", "Denied", "Derivative", "Equivalent", "Evaluated", "ExactlyOne",
-    "Expr", "Fault", "ForSome", "Function", "Ge", "Gt", "ImmutableMatrix", "ImplicitFunction",
-    "Instance", "Integer", "Integral", "Le", "Lt", "Meant", "Monotone", "Ne", "On", "Place",
-    "Printed", "Rational", "Reading", "Reason", "Root", "Rounds", "Shown", "Squeezed", "Subs",
-    "Symbol", "TheRoot", "Tuple", "Under", "UniqueRoot", "Verdict", "acos", "adding", "algebra",
-    "all_of", "applying", "arb", "asin", "asinh", "at", "atan", "atanh", "box", "by", "certificate",
+    "Conservation", "Conserved", "Counterexample", "Definition", "Denied", "Derivative",
+    "Dominated", "Equivalent", "Evaluated", "ExactlyOne", "Expr", "Fault", "ForSome", "FromSlope",
+    "FromTheEdge", "Function", "Ge", "Growing", "Gt", "ImmutableMatrix", "ImplicitFunction",
+    "Infimum", "InfimumBy", "Instance", "Integer", "Integral", "Le", "Lt", "Lyapunov", "Meant",
+    "Monotone", "MonotoneOf", "Ne", "On", "Place", "Printed", "Rational", "Reading", "Reason",
+    "Root", "RootBound", "RootMonotone", "Rounds", "Shown", "Squeezed", "StableEquilibrium",
+    "StrictlyDecreasing", "StrictlyIncreasing", "Subs", "Symbol", "TheRoot", "Tuple", "Under",
+    "UniqueRoot", "UnstableEquilibrium", "Verdict", "acos", "adding", "algebra", "all_of",
+    "applying", "arb", "asin", "asinh", "at", "atan", "atanh", "box", "by", "certificate",
     "changing_variable", "citing", "collecting", "cos", "cosh", "cutting", "det", "diff",
     "differentiating_integral", "differentiation", "display", "equal", "equations", "evaluating",
-    "exp", "exponentials", "eye", "fmpq", "formally", "integrating", "inverses", "label_claims",
-    "line", "log", "manifest", "multiplying", "oo", "order", "parts_of", "pi", "roots", "sin",
-    "sinh", "sqrt", "step", "substituting", "sympy", "tan", "tanh", "together", "trigonometry",
+    "exp", "exponentials", "eye", "fmpq", "follows", "formally", "in_words", "integrating",
+    "inverses", "label_claims", "line", "log", "manifest", "multiplying", "oo", "order",
+    "parts_of", "pi", "roots", "sin", "sinh", "sqrt", "step", "substituting", "sympy", "tan",
+    "tanh", "together", "trigonometry",
 ]

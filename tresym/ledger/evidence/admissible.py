@@ -19,14 +19,25 @@ from sympy.core.relational import Equality, Relational
 from tresym.ledger.claim import (
     AllOf,
     Claim,
+    Conservation,
     Counterexample,
     Definition,
+    Dominated,
+    Follows,
     Formally,
+    FromSlope,
+    FromTheEdge,
+    Growing,
     ImplicitFunction,
+    InfimumBy,
     Instance,
+    Lyapunov,
     Monotone,
+    MonotoneOf,
     Printed,
     Root,
+    RootBound,
+    RootMonotone,
     Together,
     UniqueRoot,
 )
@@ -53,7 +64,7 @@ from tresym.reals.language.formula import Relation
 from tresym.reals.numbers.arithmetic import ball_precision
 
 BITS = 400
-IN_WORDS = (AllOf, Denied)
+IN_WORDS = (Denied,)
 """Evidence for sentences in words; it proves no formula."""
 WITHOUT_CONDITIONS = (AllOf, Denied)
 """Evidence that cannot use the conditions of the claim."""
@@ -62,12 +73,15 @@ HOLDS_FUNCTIONS = (Boxes, Denied)
 DECIDING = (
     *(tuple, Together, UniqueRoot, Monotone, Printed, Formally, Counterexample),
     *(Asymptotics, Squeezed, Charted, Evaluated, Boxes),
+    *(RootBound, RootMonotone, MonotoneOf, FromSlope, FromTheEdge, InfimumBy, Dominated),
+    *(Conservation, Lyapunov, Growing, Follows),
 )
 """Evidence that decides the formula in ``means``, also if ``says`` is different."""
 KINDS = (
     *(tuple, Definition, Root, Instance, Charted, Together, UniqueRoot, ImplicitFunction),
     *(Printed, AllOf, Formally, Counterexample, Boxes, Asymptotics, Squeezed, Denied, Evaluated),
-    Monotone,
+    *(Monotone, Follows, RootBound, RootMonotone, MonotoneOf, FromSlope, FromTheEdge),
+    *(InfimumBy, Dominated, Conservation, Lyapunov, Growing),
 )
 """All accepted types of evidence. Subclasses are not accepted: they could judge themselves."""
 
@@ -108,7 +122,7 @@ def is_formal(claim: Claim) -> bool:
     sample points only.
     """
     if isinstance(claim.proof, AllOf):
-        return all(map(is_formal, claim.proof.claims))
+        return not claim.proof.words and all(map(is_formal, claim.proof.claims))
     if isinstance(claim.says, Basic) and is_open(claim.says) and not as_printed(claim):
         return False
     return claim.statement is not None and not isinstance(claim.proof, HOLDS_FUNCTIONS)
@@ -134,11 +148,11 @@ def unfit(claim: Claim) -> str | None:
             return BESIDE
         case _ if (why := untied(claim)) is not None:
             return why
-        case AllOf() if not in_words:
-            return "all_of is evidence for a sentence; a formula needs a chain"
+        case AllOf() if claim.proof.words and not in_words:
+            return "in_words is evidence for a sentence; a formula needs other evidence"
         case _ if isinstance(proof, IN_WORDS) and not in_words:
             return "this evidence is for a sentence in words, but the claim states a formula"
-        case _ if isinstance(proof, WITHOUT_CONDITIONS) and claim.given:
+        case _ if isinstance(proof, WITHOUT_CONDITIONS) and in_words and claim.given:
             return "this evidence cannot use conditions; remove `given`"
         case Counterexample() | Denied() if in_words and LOCAL.search(says):
             return "a single point cannot refute a statement about smoothness or a limit"
@@ -159,7 +173,7 @@ def _odd_condition(claim: Claim) -> object | None:
 
 def _left_open(claim: Claim) -> bool:
     """Return whether the statement contains an order but the evidence is not about orders."""
-    orders = (Boxes, Asymptotics, Squeezed)
+    orders = (Boxes, Asymptotics, Squeezed, Dominated, Follows)
     return is_open(claim.says) and not isinstance(claim.proof, orders)
 
 

@@ -50,9 +50,15 @@ ONE_TO_ONE = {
 """Injective functions that may be applied to an equation, and the signs that both sides may have
 (empty: any sign)."""
 
-MONOTONE = {"cos": (-1, ZERO, PI), "sin": (1, -PI * HALF, PI * HALF)}
+MONOTONE = {
+    "cos": (-1, ZERO, PI),
+    "sin": (1, -PI * HALF, PI * HALF),
+    "tan": (1, -PI * HALF, PI * HALF),
+}
 """Functions that may be applied to both sides of an inequality: the direction (−1 if decreasing),
 and the closed interval of strict monotonicity that must contain both sides."""
+OPEN = ("tan",)
+"""Those of them that have no value at the ends of the interval."""
 
 
 def check_chain(says: Formula, chain: Chain, given: Conditions) -> tuple[StepFinding, ...]:
@@ -143,7 +149,7 @@ def _compared(says: Relation, reasons: tuple[Reason, ...], given: Conditions) ->
         direction, low, high = MONOTONE[name]
         for side in sides:
             for distance in (side - low, high - side):
-                lies = manifest_sign(distance, given) in NON_NEGATIVE
+                lies = manifest_sign(distance, given) in (("+",) if name in OPEN else NON_NEGATIVE)
                 need(
                     lies,
                     f"could not show that {side} lies in [{low}, {high}], where {name} is monotone",

@@ -17,7 +17,7 @@ from functools import lru_cache
 from types import MappingProxyType
 from typing import NamedTuple
 
-from sympy import Basic
+from sympy import Basic, Eq
 
 from tresym.ledger.claim import Claim, Reason
 from tresym.ledger.conversion import (
@@ -106,6 +106,8 @@ def with_bounds(
     """
     bounds = {_in_order(condition): condition for condition in given}
     for claim in (c for reason in reasons if reason.name == "citing" for c in reason.claims):
+        if any(isinstance(condition, Eq) for condition in claim.given):
+            continue
         if all(_in_order(_put(c, put)) in bounds for c in conditions(claim.given)):
             for part in conjuncts(formula(claim.decided)) if claim.in_formulas else ():
                 if isinstance(part, Relation) and part.sign != "==":

@@ -27,7 +27,20 @@ from sympy.core.relational import Relational
 from sympy.printing.latex import LatexPrinter
 
 from tresym.ledger.paper import racket
-from tresym.ledger.statements import As, AtMostOne, ExactlyOne, ForSome, Rounds, Under
+from tresym.ledger.statements import (
+    As,
+    AtMostOne,
+    Conserved,
+    ExactlyOne,
+    ForSome,
+    Infimum,
+    Rounds,
+    StableEquilibrium,
+    StrictlyDecreasing,
+    StrictlyIncreasing,
+    Under,
+    UnstableEquilibrium,
+)
 from tresym.reals.functions.table import TABLE, names, written_after
 from tresym.reals.numbers.exact import printed
 
@@ -306,6 +319,22 @@ def says_latex(says: Basic | str) -> str:
         case ForSome(args=(inner,)):
             names = ", ".join(sorted(map(expression_latex, inner.free_symbols)))
             return rf"\exists\,{names}:\ {says_latex(inner)}"
+        case StrictlyIncreasing(args=(e, x)) | StrictlyDecreasing(args=(e, x)):
+            way = "increases" if isinstance(says, StrictlyIncreasing) else "decreases"
+            return rf"{expression_latex(e)}\text{{ {way} strictly in }}{expression_latex(x)}"
+        case Infimum(args=(e, value)):
+            return rf"\inf {expression_latex(e)} = {expression_latex(value)}\text{{, not attained}}"
+        case Conserved(args=(e, variables, rates)):
+            return rf"{expression_latex(e)}\text{{ is constant where }}{_system(variables, rates)}"
+        case (
+            StableEquilibrium(args=(variables, rates, point))
+            | UnstableEquilibrium(args=(variables, rates, point))
+        ):
+            kind = "a stable" if isinstance(says, StableEquilibrium) else "an unstable"
+            place = rf"({', '.join(map(expression_latex, point.args))})"
+            names = rf"({', '.join(map(expression_latex, variables.args))})"
+            rest = rf"\text{{ is {kind} equilibrium of }}{_system(variables, rates)}"
+            return rf"{names} = {place}{rest}"
         case As(args=(inner, x, point, side)):
             mark = {1: "^+", -1: "^-"}.get(int(side), "")
             passage = rf"{expression_latex(x)} \to {expression_latex(point)}{mark}"
@@ -314,6 +343,12 @@ def says_latex(says: Basic | str) -> str:
         left, right = map(expression_latex, says.args)
         return f"{left} {_RELATIONS[says.rel_op]} {right}"
     return expression_latex(says)
+
+
+def _system(variables: Basic, rates: Basic) -> str:
+    """Return the equations of motion, with a dot for the derivative."""
+    pairs = zip(variables.args, rates.args, strict=True)
+    return r",\ ".join(rf"\dot{{{expression_latex(x)}}} = {expression_latex(f)}" for x, f in pairs)
 
 
 def decimal_latex(text: str) -> str:
