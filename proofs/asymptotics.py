@@ -36,6 +36,7 @@ from tresym.proofs.near import (
     KAPPA,
     below,
     bound,
+    defect_by_phase,
     everywhere_shown,
     exponent_is_logarithm,
     first_coefficient,
@@ -46,6 +47,7 @@ from tresym.proofs.near import (
     misses_from_pi,
     newton_beyond_four,
     newton_beyond_pi,
+    phase,
     phase_by_defect,
     pi_readings,
     quarter,
@@ -59,7 +61,7 @@ from tresym.proofs.power_series import (
     lagrange_step,
     stays_inside,
 )
-from tresym.proofs.separatrix import flip_defect, one_flip_defect, stable_equation, vanishing_share
+from tresym.proofs.separatrix import defect_range, flip_defect, vanishing_share
 from tresym.proofs.sweeps import newton_4, newton_pi, sweep_from_pi
 
 from tresym.ledger.evidence.asymptotics import t
@@ -120,11 +122,10 @@ printed_error = below(
 )
 
 printed_leading_term = Claim(
-    says="The theorem's leading term is right: ε₀ ~ 2√(a/(a+b)) exp(−π√(ab) − b/√(1 + b/a)) as "
-    "ab → ∞, uniformly in 0 < b ≤ 1, for the logarithm of the ratio is at most 0.17/(ab) where "
-    "ab ≥ 1/4.",
+    says=order(equal(log(_printed / epsilon0), Function("O")(1 / (a * b))), a * b, oo),
+    given=shape,
+    proof=Dominated(printed_error),
     kind="order",
-    proof=all_of(printed_error),
     note="No rigid body has ab ≥ 1: for bodies the bound says more than the limit.",
 )
 
@@ -290,7 +291,7 @@ terms_decrease = bound(
 every_order = Claim(
     says="For ab ≥ 1/4: |ε₀/ε* − Σ_{n≤N} c_n ε*²ⁿ| ≤ 4^{−N}/(2N + 3) for every N = 0, 1, 2, …",
     kind="bound",
-    proof=all_of(terms_decrease, *coefficient_sizes, lagrange_step, stays_inside, geometric_tail),
+    proof=in_words(terms_decrease, *coefficient_sizes, lagrange_step, stays_inside, geometric_tail),
     note="c_n = [wⁿ] exp((2n + 1)Q)/(2n + 1), w = e². The terms are at most 2.6 τⁿ/(2n + 1) with "
     "τ ≤ 1/4, and their sum solves the equation of ε₀.",
     quotes=(DOUBLE_SERIES,),
@@ -562,26 +563,57 @@ balanced_newton = _improved(
 )
 
 uniform_formulas = Claim(
-    says=(
-        "For every a > 0, 0 < b ≤ 1 the relative error of ε₀ is at most 2.8 % (sweep from π), "
-        "0.65 % (sweep from 4), 0.01 % and 0.0004 % (these with one Newton step)."
-    ),
-    proof=all_of(one_line, balanced_line, newton_line, balanced_newton),
+    **jointly(one_line, balanced_line, newton_line, balanced_newton),
 )
 
 sweep_below = Claim(
     says=tanh(T + x) - tanh(T) > 0, given=(T > 0, x > 0, exp(x) - 1 > 0, exp(T) > 0), proof=manifest
 )
 
+_k, _r = sqrt(a * b), sqrt(b / a)
+_beyond_pi = asin(sqrt(b / (a + b)) * cos(epsilon0))
+_share_at_root = cos(epsilon0) / sqrt(1 + b / a * sin(epsilon0) ** 2)
+_at_root = citing(flip_defect, defect_range)
+
+tangent_rises = Claim(says=tanh(T + x) - tanh(T) > 0, given=(T > 0, x > 0), proof=manifest)
+
+phase_above = Claim(says=_beyond_pi > 0, given=shape, proof=by(_at_root))
+
+_grown = Instance(tangent_rises, ((T, pi * _k), (x, _k * _beyond_pi)), (phase_above,))
+tangent_beyond_pi = Claim(says=_grown.says, given=shape, proof=_grown)
+
+share_above = Claim(
+    says=_share_at_root > tanh(_k * pi),
+    given=shape,
+    proof=(
+        step(tanh(_k * (pi + _beyond_pi)) - tanh(_k * pi), substituting(flip_defect), _at_root),
+        step(
+            tanh(pi * _k + _k * _beyond_pi) - tanh(pi * _k),
+            *(exponentials, _at_root, citing(tangent_beyond_pi)),
+        ),
+    ),
+)
+
+swept_phase_below = Claim(
+    says=pi + atan(_r * tanh(_k * pi)) < P,
+    given=shape,
+    proof=(
+        step(
+            atan(_r * _share_at_root) - atan(_r * tanh(_k * pi)),
+            *(substituting(phase), inverses, roots, trigonometry, citing(share_above), _at_root),
+        ),
+    ),
+)
+
 one_line_side = Claim(
-    says="The sweep from π gives too large an ε₀, for every shape.",
-    proof=all_of(stable_equation, one_flip_defect, sweep_below),
+    says=epsilon_pi > epsilon0,
+    given=shape,
+    proof=by(substituting(sweep_from_pi, defect_by_phase), citing(swept_phase_below)),
     note="The phase P = π + arctan(r tanh kP) exceeds π, so P₁ = π + arctan(r tanh kπ) < P.",
 )
 
 newton_side = Claim(
-    says="A Newton step on the phase gives too small an ε₀, from wherever it starts.",
-    proof=all_of(
+    **jointly(
         slope_in_T_positive,
         phase_equation_convex,
         phase_steepness,

@@ -96,8 +96,7 @@ ethylene_plane = number(
 )
 
 ethylene = Claim(
-    says="From its rotational constants ethylene is a body as the paper considers it.",
-    proof=all_of(rotational_constants, rotational_order, ethylene_plane),
+    **jointly(rotational_constants, rotational_order, ethylene_plane),
     where=line(320),
 )
 

@@ -80,9 +80,7 @@ elimination_of_time = Claim(
 )
 
 rates_along_the_path = Claim(
-    says="Along a motion φ grows, so that time is a function of φ, and the quotients of the rates "
-    "are the derivatives of θ and ψ by φ.",
-    proof=all_of(precession_forward),
+    **jointly(precession_forward),
     where=line(126),
     quotes=(MOTION, INVERSE_FUNCTION),
 )
@@ -117,6 +115,10 @@ eq_gamma = Claim(
     where=display(10),
 )
 
+planar_variables = Tuple(theta, psi)
+planar_rates = Tuple(*(part.args[1] for part in eq_Euler.says.args))
+"""The planar system: its variables, and their rates by φ."""
+
 _gamma_of_angles = printed.depth(theta, psi, a, b, sympy)
 
 gamma_conserved = Claim(
@@ -140,8 +142,7 @@ range_of_gamma = Claim(
 )
 
 d11 = Claim(
-    says="0 ≤ b ≤ 1, 0 ≤ a < ∞ and −b ≤ γ ≤ a.",
-    proof=all_of(range_of_shape, range_of_gamma),
+    **jointly(range_of_shape, range_of_gamma),
     where=display(11),
 )
 

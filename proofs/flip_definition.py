@@ -45,8 +45,7 @@ full_turn = Claim(
 flip_angle = Claim(says=equal(Delta_psi, psi_f - psi0), proof=Definition())
 
 integrand_of_the_turn = Claim(
-    says="The integrand of the turn is dφ/dψ, with the sign S that the motion has.",
-    proof=all_of(eq_dpsidphi, d19),
+    **jointly(eq_dpsidphi, d19),
     where=line(201),
 )
 
@@ -54,7 +53,7 @@ integrand_of_the_turn = Claim(
 
 _inside = (psi > -pi / 2, psi < pi / 2, cos(psi) > 0)
 
-d33 = Claim(says="f, as the appendix repeats it, is dφ/dψ.", proof=all_of(d19), where=display(33))
+d33 = Claim(**jointly(d19), where=display(33))
 
 elementary_at_the_top = Claim(
     says=equal(
@@ -75,9 +74,7 @@ integrand_at_the_top = Claim(
 )
 
 elementary_levels = Claim(
-    says="For γ = 0 and for γ = a the equation of the flip angle is integrated by elementary "
-    "functions.",
-    proof=all_of(d36, integrand_at_the_top, elementary_at_the_top),
+    **jointly(d36, integrand_at_the_top, elementary_at_the_top),
 )
 
 not_elementary = Claim(
@@ -116,9 +113,7 @@ symmetric_turn = Claim(
 )
 
 fig_symtraj = Claim(
-    says="A curve from ε to π − ε belongs to one full turn of the handle where the integral of "
-    "dφ/dψ from one to the other is 2π; and then Δψ = π − 2ε.",
-    proof=all_of(symmetric_turn, eqdefect),
+    **jointly(symmetric_turn, eqdefect),
     where=line(227),
 )
 
@@ -221,7 +216,7 @@ turn_by_ends = Claim(
 symmetric_is_extreme = Claim(
     says="At fixed γ > 0 the symmetric start flips most in a given turn of the handle where its "
     "flip is below π, and least where it is between π and 2π, among all starts.",
-    proof=all_of(equal_rates, turn_by_ends, turn_gap, turn_is_steep, rotating_speed),
+    proof=in_words(equal_rates, turn_by_ends, turn_gap, turn_is_steep, rotating_speed),
     note="A flip by Ψ < π needs the least turn from there, and one by π < Ψ < 2π the most; and "
     "every turn grows with its flip.",
     quotes=(MOTION,),
@@ -246,13 +241,12 @@ symmetric_maximum = Claim(
 )
 
 eps0_shape_only = Claim(
-    says="ε₀ depends on a and b only.", proof=all_of(one_flip_defect), where=line(222)
+    **jointly(one_flip_defect),
+    where=line(222),
 )
 
 d25 = Claim(
-    says="The flip defect on the separatrix is given, without any approximation, by the "
-    "exponential equation of d37: it is equivalent to the condition of one turn.",
-    proof=all_of(d37, stable_equation, one_flip_defect),
+    **jointly(d37, stable_equation, one_flip_defect),
     where=display(25),
     note="ε₀ (here ε) is its only root.",
 )

@@ -22,7 +22,7 @@ from tresym.proofs.model import (
     rotation_orthogonal,
     spin,
 )
-from tresym.proofs.momentum import momentum_conserved
+from tresym.proofs.momentum import components, rates, two_first_integrals
 
 from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
@@ -38,8 +38,9 @@ handle = ImmutableMatrix([sin(theta) * cos(phi), sin(theta) * sin(phi), cos(thet
 """e₁ along (X, Y, Z)."""
 
 no_external_moment = Claim(
-    says="Without external moment the length of M does not change.",
-    proof=all_of(momentum_conserved),
+    says=Conserved(printed.momentum_squared(M1, M2, M3), components, rates),
+    given=ordered_moments,
+    proof=all_of(two_first_integrals),
     where=line(56),
     note=(
         "`torque_free` assumes that the vector M is fixed in space; "
@@ -61,14 +62,12 @@ cross_product = Claim(
 )
 
 one_component_is_parallel = Claim(
-    says="A rotation about a principal axis alone has M along that axis.",
-    proof=all_of(eq_omega, cross_product),
+    **jointly(eq_omega, cross_product),
     where=line(61),
 )
 
 fig_racket = Claim(
-    says="The three axes of the racket are perpendicular unit vectors, in every position.",
-    proof=all_of(rotation_orthogonal),
+    **jointly(rotation_orthogonal),
     where=line(53),
 )
 
@@ -117,8 +116,7 @@ near_intermediate_axis = Claim(
 )
 
 d02 = Claim(
-    says="At θ = π/2 and ψ = 0 the intermediate axis lies along M, and near there it is near M.",
-    proof=all_of(eq_Mi, near_intermediate_axis),
+    **jointly(eq_Mi, near_intermediate_axis),
     where=display(2),
     note="The same holds at ψ = π, with e₂ along M instead of against it.",
 )
@@ -170,15 +168,12 @@ flip_about_the_handle = Claim(
 )
 
 d03 = Claim(
-    says="A full turn of the handle with Δψ = π turns the racket by half a turn about its handle.",
-    proof=all_of(rotation_orthogonal, handle_in_space, perfect_flip),
+    **jointly(rotation_orthogonal, handle_in_space, perfect_flip),
     where=display(3),
 )
 
 flip_observed = Claim(
-    says="After a full turn of the handle and a half turn about it, the two faces have changed "
-    "places.",
-    proof=all_of(perfect_flip),
+    **jointly(perfect_flip),
     where=line(49),
 )
 

@@ -208,9 +208,7 @@ slopes_vanish = Claim(
 )
 
 defect_is_flat = Claim(
-    says="For λ → 0 from above ε₀(u, λ, μ) and its slopes vanish faster than λ¹⁰, for "
-    "0 ≤ μ ≤ 1/2 and −1 ≤ u ≤ 1: at the origin they are 0, from that side.",
-    proof=all_of(slopes_of_the_defect, defect_below_flat, slopes_vanish),
+    **jointly(slopes_of_the_defect, defect_below_flat, slopes_vanish),
 )
 
 # -- the derivatives of G -------------------------------------------------------------------------
@@ -267,7 +265,7 @@ G_at_origin = Claim(
 
 
 def _at_origin(
-    label: str, says: str, slope: Claim, value: int, *reasons: Reason, **rest: Any
+    label: str, slope: Claim, value: int, *reasons: Reason, **rest: Any
 ) -> tuple[Claim, Claim]:
     """The claim that a derivative of G, which ``slope`` states, has this value at the origin."""
     says_value = equal(at(parts_of(slope.says)[0].args[1], at_origin), value)
@@ -276,7 +274,7 @@ def _at_origin(
     shown = rf"\frac{{\partial G}}{{\partial {letter}}}(0, 0, 0) = {value}"
     proof = by(evaluating, *reasons)
     found = Claim(label=f"{label}_value", says=says_value, proof=proof, shown=shown)
-    return found, Claim(label=label, says=says, proof=all_of(slope, found), **rest)
+    return found, Claim(label=label, **jointly(slope, found), **rest)
 
 
 G_is_smooth = Claim(
@@ -295,19 +293,17 @@ G_is_smooth = Claim(
 
 G_u_value, G_u_at_origin = _at_origin(
     "G_u_at_origin",
-    "∂G/∂u(0, 0, 0) = 1, so the implicit function theorem applies.",
     slope_by_u,
     1,
     where=line(375),
 )
 
 G_lambda_value, G_lambda_at_origin = _at_origin(
-    "G_lambda_at_origin", "∂G/∂λ(0, 0, 0) = 0.", slope_by_lambda, 0, where=line(379)
+    "G_lambda_at_origin", slope_by_lambda, 0, where=line(379)
 )
 
 G_mu_value, G_mu_at_origin = _at_origin(
     "G_mu_at_origin",
-    "∂G/∂μ(0, 0, 0) = 0, because 1 − cos ε₀ = 0 there.",
     slope_by_mu,
     0,
     trigonometry,
@@ -357,8 +353,7 @@ deduced_from_the_chain_rule = Claim(
 )
 
 d45 = Claim(
-    says="dG/dλ = ∂G/∂λ + (∂G/∂μ)(∂μ/∂λ), which is 0 at the origin.",
-    proof=all_of(chain_rule_of_G, G_lambda_at_origin, G_mu_at_origin, dmu_dlambda),
+    **jointly(chain_rule_of_G, G_lambda_at_origin, G_mu_at_origin, dmu_dlambda),
     where=display(45),
     note="Both terms vanish, the second because ∂G/∂μ does.",
 )
@@ -374,8 +369,7 @@ implicit_rule = Claim(
 )
 
 d44 = Claim(
-    says="du/dλ = −(dG/dλ)/(dG/du) at the origin, where dG/du is not 0.",
-    proof=all_of(implicit_rule, G_at_origin, G_u_at_origin, defect_is_flat),
+    **jointly(implicit_rule, G_at_origin, G_u_at_origin, defect_is_flat),
     where=display(44),
     note="The implicit function theorem, on λ ≥ 0: with |λ| for λ G is smooth on both sides.",
     quotes=(IMPLICIT_FUNCTION,),

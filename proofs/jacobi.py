@@ -201,10 +201,7 @@ motions_part_slowly = Claim(
 )
 
 jacobi_solutions = Claim(
-    says="In each regime M is made of sin χ, cos χ and √(1 − k² sin²χ), with dχ/dt in proportion "
-    "to the last: these are Jacobi's sn, cn and dn. Every start is taken, and two motions with "
-    "one start are one.",
-    proof=all_of(
+    **jointly(
         rotating_solution,
         rotating_amplitudes,
         oscillating_solution,
@@ -244,15 +241,13 @@ meeting_point = Claim(
 )
 
 intersection_condition = Claim(
-    says="There is no solution unless 2I₁E ≤ M² ≤ 2I₃E, and then there is one.",
-    proof=all_of(momentum_between, meeting_point),
+    **jointly(momentum_between, meeting_point),
     where=line(96),
     quotes=(MOTION,),
 )
 
 solution_on_intersection = Claim(
-    says="A solution stays on the intersection of the ellipsoid and the sphere.",
-    proof=all_of(two_first_integrals),
+    **jointly(two_first_integrals),
     where=line(96),
 )
 

@@ -34,6 +34,7 @@ from tresym.proofs.turning import (
     flip_defect_on_level,
     near_right_angle,
     one_time,
+    one_turned_level,
     others_do_not,
     phase_at_bottom,
     phase_rises_in_gamma,
@@ -121,7 +122,7 @@ unturned_claims = _falling("unturned", unturned, unturned_rate)
 decrease_in_gamma = Claim(
     says="For a > 0 and 0 < b ≤ 1, ε(γ) decreases strictly up to γ = a, from the level with "
     "Φ(π, γ) = π where it is π/2, or from −b if there is none.",
-    proof=all_of(
+    proof=in_words(
         rotating_claims[-1],
         unturned_claims[-1],
         unfolded_motion,
@@ -135,16 +136,14 @@ decrease_in_gamma = Claim(
 )
 
 one_level = Claim(
-    says="A value below π/2 is taken by ε at one γ at most with Φ(2π, γ) > π, which is the "
-    "largest with that value.",
-    proof=all_of(decrease_in_gamma, phase_rises_in_gamma, beyond_right_angle),
+    **jointly(one_rotating_level, one_turned_level, phase_rises_in_gamma, beyond_right_angle),
     note="Φ(2π, γ) = 2Φ(π, γ), so these γ are exactly those above one level.",
 )
 
 decrease_of_bodies = Claim(
     says="ε(γ) decreases strictly on all of (−b, a] for b ≤ 1/(a+2), that is for every rigid "
     "body; for every other shape Φ(π, γ) < π near γ = −b.",
-    proof=all_of(
+    proof=in_words(
         decrease_in_gamma,
         phase_rises_in_gamma,
         phase_at_bottom,
@@ -205,7 +204,7 @@ standard_is_a_body = Claim(
 levels_of_the_thresholds = Claim(
     says="The standard racket has ε = π/12, 0 and −π/12 at one γ each in (−b, a]: −4.2·10⁻³, where "
     "the motion turns on the way, 3.20·10⁻³ and 1.04·10⁻².",
-    proof=all_of(
+    proof=in_words(
         decrease_of_bodies, standard_is_a_body, lower_level, perfect_level, upper_level_exact
     ),
 )

@@ -27,16 +27,28 @@ from tresym.proofs.orders import (
     remark1,
     u_exponentially_small,
 )
-from tresym.proofs.separatrix import one_flip_defect
+from tresym.proofs.separatrix import flip_defect
 from tresym.proofs.slope import d51
 from tresym.proofs.turn_integral import d53, eq_depsdgamma_form, slope_of_turn
 
 from tresym.ledger.vocabulary import *
 from tresym.racket.notation import *
 
+decay_at_most = Claim(
+    says=epsilon0 <= Rational(201, 100) * exp(-pi * sqrt(a * b)),
+    given=(*shape, a * b >= Rational(1, 4)),
+    proof=(
+        step(
+            exp(-pi * sqrt(a * b)) * (Rational(201, 100) - epsilon0 * exp(pi * sqrt(a * b))),
+            *(exponentials, citing(remark1)),
+        ),
+    ),
+)
+
 zero_asymptotic = Claim(
-    says="As ab → ∞ the root of the exact equation tends to 0.",
-    proof=all_of(one_flip_defect, remark1),
+    says=order(equal(epsilon0, Function("o")(Integer(1))), a * b, oo),
+    given=shape,
+    proof=Dominated(decay_at_most, flip_defect),
     where=line(342),
 )
 
@@ -55,9 +67,7 @@ cosine_below_one = Claim(
 )
 
 dominant_exponential = Claim(
-    says="For large ab the exponential dominates: its exponent is −2π√(ab) and a part that stays "
-    "between −2b and 0.",
-    proof=all_of(arcsine_by_arctangent, arctangent_below, cosine_below_one),
+    **jointly(arcsine_by_arctangent, arctangent_below, cosine_below_one),
     where=line(342),
     note="The two sides of the equation are equal at the root, so neither is larger there.",
 )
@@ -65,8 +75,7 @@ dominant_exponential = Claim(
 # -- the implicit function ------------------------------------------------------------------------
 
 implicit_solution = Claim(
-    says="The implicit function theorem gives a solution u with u(0, 0) = 0, on λ ≥ 0.",
-    proof=all_of(G_at_origin, G_u_at_origin, defect_is_flat, u_exponentially_small),
+    **jointly(G_at_origin, G_u_at_origin, defect_is_flat, u_exponentially_small),
     where=line(368),
     note="Not for λ < 0, where e^{−1/s} is not flat. With |λ| for λ the equation is smooth on both "
     "sides.",
@@ -74,14 +83,12 @@ implicit_solution = Claim(
 )
 
 solution_in_that_form = Claim(
-    says="So the reduced equation has a solution of the form that is searched.",
-    proof=all_of(implicit_solution, equ),
+    **jointly(implicit_solution, equ),
     where=line(369),
 )
 
 limit_of_eps0 = Claim(
-    says="As λ → 0, u and μ tend to 0 and so does ε₀.",
-    proof=all_of(small_together, u_exponentially_small, remark1),
+    **jointly(small_together, u_exponentially_small, zero_asymptotic),
     where=line(370),
 )
 
@@ -95,8 +102,7 @@ factor_that_vanishes = Claim(
 )
 
 any_delta = Claim(
-    says="For every δ > 0, ε₀ = o(e^{−(π − δ)/λ}) as λ → 0.",
-    proof=all_of(remark1, factor_that_vanishes, flat_from_above),
+    **jointly(decay_at_most, factor_that_vanishes, flat_from_above),
     where=line(370),
     note="ε₀ ≤ 2.01 e^{−π/λ}, and the factor e^{−δ/λ} tends to 0.",
 )
@@ -104,9 +110,7 @@ any_delta = Claim(
 # -- remarks on the slope -------------------------------------------------------------------------
 
 slope_is_variation = Claim(
-    says="dε/dγ at γ = 0 is −(∂ε/∂F)(∂F/∂γ); for the standard racket the printed line of that "
-    "kind is within 3 % of ε₀ for |γ| ≤ 1/500.",
-    proof=all_of(eq_depsdgamma_form, bend_carries),
+    **jointly(eq_depsdgamma_form, bend_carries),
     where=line(222),
     note=(
         "It is the derivative of ε at γ = 0; the range in which the "
@@ -115,8 +119,7 @@ slope_is_variation = Claim(
 )
 
 uniform_convergence = Claim(
-    says="F may be differentiated by γ under the integral sign at γ = 0.",
-    proof=all_of(d53),
+    **jointly(d53),
     where=line(407),
     note=(
         "The reason given is the convergence of F; what is needed is "
@@ -132,17 +135,13 @@ logarithm_stays = Claim(
 )
 
 more_difficult = Claim(
-    says="∂F/∂γ is the more difficult one: ∂ε/∂F is algebraic in sin ε₀, and ∂F/∂γ is an integral "
-    "with a logarithm in it, but for the shapes with a = b(1 + 2a).",
-    proof=all_of(d51, slope_of_turn, logarithm_stays),
+    **jointly(d51, slope_of_turn, logarithm_stays),
     where=line(407),
     note="Difficult is read as: needs an integration, and more than algebraic functions.",
 )
 
 terms_dominant = Claim(
-    says="For small ε₀ the term of order 1/ε₀² dominates ∂F/∂γ: for ab ≥ 1/4, 0 < b ≤ 1 all the "
-    "rest is at most 0.96 ε₀ times as large.",
-    proof=all_of(d56),
+    **jointly(d56),
     where=line(413),
     note="The term is −1/(4b√(ab) ε₀²), the rest by `d56` at most 0.96/(4b√(ab) ε₀).",
 )

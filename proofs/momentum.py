@@ -56,9 +56,18 @@ momentum_conserved = Claim(
     proof=by(substituting(eq_dMi)),
 )
 
+components = Tuple(M1, M2, M3)
+rates = Tuple(*printed.euler_equations(M1, M2, M3, I1, I2, I3))
+"""Euler's equations: the components of M, and their rates."""
+
 two_first_integrals = Claim(
-    says="The energy and the length of the angular momentum are constants of the motion.",
-    proof=all_of(eq_first_int, energy_conserved, momentum_conserved),
+    says=Tuple(
+        Conserved(printed.energy(M1, M2, M3, I1, I2, I3), components, rates),
+        Conserved(printed.momentum_squared(M1, M2, M3), components, rates),
+    ),
+    given=ordered_moments,
+    proof=follows(Conservation(), Conservation()),
+    note="They are E and M² by `eq_first_int`.",
     where=display(5),
 )
 

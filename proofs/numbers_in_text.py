@@ -15,7 +15,6 @@ from __future__ import annotations
 
 from tresym.proofs.conditions import STANDARD, defect, shape, shape_of_a_body, standard_racket
 from tresym.proofs.euler_angles import d08, elimination_of_time
-from tresym.proofs.flip_definition import eq_TRE, tre_only_if
 from tresym.proofs.flip_dynamics import d19, sign_of_tilt
 from tresym.proofs.model import angular_velocity
 from tresym.proofs.monotonicity import monotonicity
@@ -59,9 +58,8 @@ eps0_str_exact = number(
     note="The printed moments give 0.11494…; moments that round to them give 0.1150.",
 )
 d26 = Claim(
-    says="ε₀ = 0.1150 rad, by the formula and by the exact equation.",
     kind="number",
-    proof=all_of(eps0_str_formula, eps0_str_exact),
+    **jointly(eps0_str_formula, eps0_str_exact),
     where=display(26),
 )
 flip_str = number(
@@ -226,9 +224,8 @@ lower_level_unturned = Claim(
     note="With γ = d − b sin²e, d > 0; a, b and e = π/12 are in range: `standard_is_near`.",
 )
 d29 = Claim(
-    says="For the standard racket ε = −π/12 at γ = 1.09·10⁻² and ε = π/12 at γ = −4.2·10⁻³.",
     kind="number",
-    proof=all_of(upper_level, lower_level),
+    **jointly(upper_level, lower_level),
     where=display(29),
     amended_by=(
         upper_level_exact,
@@ -305,8 +302,10 @@ formula_shows_larger_ab = Claim(
 )
 
 robustness_at_fixed_b = Claim(
-    says="At fixed b the slope −1/(4bε₀) is the steeper the smaller ε₀ is, so the larger a is.",
-    proof=all_of(monotonicity),
+    says=StrictlyIncreasing(1 / (4 * b * epsilon0), a),
+    given=shape,
+    proof=MonotoneOf(monotonicity, (flip_defect,)),
+    note="At fixed b the slope −1/(4bε₀) is the steeper the larger a is.",
 )
 
 larger_ab_less_robust = Claim(
@@ -360,9 +359,7 @@ fig_roban = Claim(
 )
 
 fig_psiphi = Claim(
-    says="The red curves (γ < 0) are oscillating motions, which turn back at ψ_min and ψ_max; the "
-    "blue ones (γ > 0) are rotating motions, whose dψ/dφ keeps its sign.",
-    proof=all_of(three_regimes, sign_constant_rotating, eq_borne_psi),
+    **jointly(three_regimes, sign_constant_rotating, eq_borne_psi),
     where=line(281),
 )
 
@@ -383,9 +380,7 @@ linear_range_ends = Claim(
     note="In the linear formula the tolerance is reached at γ = 4bε₀(ε₀ ± π/12).",
 )
 close_to_separatrix = Claim(
-    says="By the linear formula the tolerance is met on a range of γ about the separatrix whose "
-    "width is 2πbε₀/3: it is small with ε₀, and grows with it.",
-    proof=all_of(linear_range, linear_range_ends),
+    **jointly(linear_range, linear_range_ends),
     where=line(269),
 )
 
@@ -480,25 +475,38 @@ separatrix_curve = Claim(
 )
 
 tre_if_eps0_small = Claim(
-    says="Along the separatrix the tolerance is met if ε₀ ≤ π/12.",
-    proof=all_of(eq_TRE, tre_only_if),
+    says=Tuple(Ge(pi - 2 * epsilon0, 5 * pi / 6), Le(pi - 2 * epsilon0, 7 * pi / 6)),
+    given=(*shape, epsilon0 <= pi / 12),
+    proof=by(citing(flip_defect)),
     where=line(291),
-)
-
-product_along_a_level = number(
-    "Along a level curve of ε₀ with ab ≥ 1/4, √(ab) varies by less than log(2.01/0.52)/π = {}.",
-    log(Rational(201, 52)) / pi,
-    "0.430",
-    (),
 )
 
 nearly_hyperbolic = Claim(
-    says="The level curves of ε₀ have a hyperbolic shape: on one with ab ≥ 1/4, √(ab) stays within "
-    "an interval of length 0.4305.",
-    proof=all_of(remark1, product_along_a_level, monotonicity),
+    says=Tuple(
+        sqrt(a * b) > log(Rational(13, 25) / epsilon0) / pi,
+        sqrt(a * b) < log(Rational(201, 100) / epsilon0) / pi,
+        Lt(log(Rational(201, 52)) / pi, Rational("0.4305"), evaluate=False),
+    ),
+    given=(*shape, a * b >= Rational(1, 4)),
+    proof=together(
+        (
+            step(
+                log(epsilon0 * exp(pi * sqrt(a * b)) * 25 / 13) / pi,
+                exponentials,
+                citing(remark1, flip_defect),
+            ),
+        ),
+        (
+            step(
+                -log(epsilon0 * exp(pi * sqrt(a * b)) * 100 / 201) / pi,
+                exponentials,
+                citing(remark1, flip_defect),
+            ),
+        ),
+        manifest,
+    ),
     where=line(291),
-    note="√(ab) = log(c/ε₀)/π with 0.52 < c < 2.01, so that the smaller ε₀ the nearer are the "
-    "curves to hyperbolas, relatively.",
+    note="On a level curve of ε₀ with ab ≥ 1/4, √(ab) stays within an interval of length 0.4305.",
 )
 
 hyperbolic_levels = Claim(

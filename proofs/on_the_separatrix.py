@@ -12,11 +12,12 @@ from __future__ import annotations
 
 from tresym.proofs.axioms import MOTION
 from tresym.proofs.conditions import defect, ordered_moments, shape, shape_of_a_body, tilted
-from tresym.proofs.euler_angles import gamma_conserved, precession_rate
+from tresym.proofs.euler_angles import precession_rate
 from tresym.proofs.flip_dynamics import eq_dpsidphi, moving, sign_of_tilt
+from tresym.proofs.near import phase_by_defect, phase_range
 from tresym.proofs.phase_portraits import separatrix_moves
-from tresym.proofs.regimes import separatrix_case
-from tresym.proofs.separatrix import stable_equation, unique_root
+from tresym.proofs.regimes import planar_system, separatrix_case
+from tresym.proofs.separatrix import defect_range, flip_defect
 
 from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
@@ -46,16 +47,15 @@ level_is_small = Claim(
 )
 
 near_separatrix = Claim(
-    says="Roughly speaking the effect is a motion near the separatrix: a start near an unstable "
-    "point with a small rate has a small γ, between −b sin²ψ₀ and (dψ/dφ)²/a.",
-    proof=all_of(level_of_a_start, level_is_small),
+    **jointly(level_of_a_start, level_is_small),
     where=line(164),
     note="Such starts are those from which the racket flips (`two_rectangles`).",
 )
 
 separatrix_is_followed = Claim(
-    says="A motion that starts on the separatrix stays on it.",
-    proof=all_of(gamma_conserved, separatrix_case),
+    says=Tuple(planar_system.says, Under(separatrix_case.says, Tuple(*ordered_moments))),
+    given=(*tilted, *shape_of_a_body),
+    proof=all_of(planar_system, separatrix_case),
     where=line(198),
     note="γ is conserved, and it is 0 on the separatrix.",
 )
@@ -103,18 +103,14 @@ time_of_a_turn = Claim(
 )
 
 separatrix_infinite_time = Claim(
-    says="On the separatrix an unstable point is reached only after infinitely many turns, and so "
-    "in infinite time.",
-    proof=all_of(turn_to_the_middle, time_of_a_turn),
+    **jointly(turn_to_the_middle, time_of_a_turn),
     where=line(198),
     note="From ε to π/2, and so back, it takes at least log(1/sin ε)/√(b(a+b)) − 1, whatever ε.",
     quotes=(MOTION,),
 )
 
 cannot_cross = Claim(
-    says="On the separatrix ψ reaches no unstable point in finite time, and between two of them "
-    "dψ/dφ is not 0: S stays what it was.",
-    proof=all_of(separatrix_infinite_time, separatrix_moves),
+    **jointly(separatrix_infinite_time, separatrix_moves),
     where=line(334),
     note="In between the rate is not 0.",
     quotes=(MOTION,),
@@ -169,20 +165,53 @@ angle_below_tangent = Claim(
     note="x ≤ tan x for x = π/2 − ε between 0 and π/2.",
 )
 
+_late = 3 * pi / 2 * sqrt(a * b)
+_soon = sqrt(a * b) * P
+_bounded = (*shape, a * b <= 1)
+
+cotangent_at_root = Claim(
+    says=equal(cos(epsilon0) / sin(epsilon0), sqrt(1 + b / a) * sinh(_soon)),
+    given=shape,
+    proof=(
+        step(
+            sqrt(1 + b / a) * sinh(asinh(sqrt(a / (a + b)) * cos(epsilon0) / sin(epsilon0))),
+            *(exponentials, inverses, roots, citing(flip_defect, defect_range)),
+        ),
+        step(None, substituting(phase_by_defect), citing(flip_defect, defect_range)),
+    ),
+)
+
+hyperbolic_sine_rises = Claim(
+    says=sinh(T + x) - sinh(T) >= 0, given=(T > 0, x >= 0), proof=manifest
+)
+
+_rises = Instance(hyperbolic_sine_rises, ((T, _soon), (x, _late - _soon)), (phase_range,))
+sine_of_the_time = Claim(says=_rises.says, given=shape, proof=_rises)
+
+_small = Instance(hyperbolic_sine_at_most, ((k, sqrt(a * b)),))
+sine_of_the_late = Claim(says=_small.says, given=_bounded, proof=_small)
+
+_below = Instance(angle_below_tangent, ((epsilon, epsilon0),), (flip_defect, defect_range))
+defect_below_tangent = Claim(says=_below.says, given=shape, proof=_below)
+
 b_to_zero = Claim(
-    says="ε₀ → π/2 as b → 0 at fixed a, and the flip π − 2ε₀ → 0: for ab ≤ 1 it is at most "
-    "112 √(1 + b/a) √(ab).",
-    proof=all_of(
-        stable_equation,
-        unique_root,
-        cotangent_form,
-        rest_of_the_time,
-        hyperbolic_sine_grows,
-        hyperbolic_sine_at_most,
-        angle_below_tangent,
+    says=Tuple(pi - 2 * epsilon0 > 0, pi - 2 * epsilon0 <= 112 * sqrt(1 + b / a) * sqrt(a * b)),
+    given=_bounded,
+    proof=follows(
+        by(citing(flip_defect)),
+        (
+            step(
+                2 * (cos(epsilon0) / sin(epsilon0) - (pi / 2 - epsilon0))
+                + 2 * sqrt(1 + b / a) * (sinh(_late) - sinh(_soon))
+                + 2 * sqrt(1 + b / a) * (56 * sqrt(a * b) - sinh(_late)),
+                substituting(cotangent_at_root),
+                citing(sine_of_the_time, sine_of_the_late, defect_below_tangent, defect_range),
+            ),
+        ),
     ),
     where=line(249),
-    note="0 < π/2 − ε₀ ≤ cot ε₀ ≤ √(1 + b/a) sinh(3π√(ab)/2) ≤ 56 √(1 + b/a) √(ab).",
+    note="0 < π/2 − ε₀ ≤ cot ε₀ ≤ √(1 + b/a) sinh(3π√(ab)/2) ≤ 56 √(1 + b/a) √(ab): ε₀ → π/2 as "
+    "b → 0 at fixed a.",
 )
 
 separatrix_horizontal = Claim(

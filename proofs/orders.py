@@ -180,8 +180,7 @@ u_flat_order = below(
 )
 
 dudlam = Claim(
-    says="du/dλ(0, 0, 0) = 0, from λ ≥ 0: |u/λ| ≤ 0.009 λ uniformly in b, where u(0, 0) = 0.",
-    proof=all_of(u_flat_order),
+    **jointly(u_flat_order),
     where=display(46),
     note=(
         "The paper obtains it by the implicit function theorem "
@@ -451,8 +450,7 @@ bend_everywhere = Claim(
 )
 
 prop1 = Claim(
-    says="The theorem: both formulas, each with its remainder, for every body.",
-    proof=all_of(eq_pavao, d24),
+    **jointly(eq_pavao, d24),
     where=line(231),
     amended_by=(printed_leading_term, printed_error, repaired, eq_epsilon_gen, slope_leading_term),
     note="The leading terms of ε₀ and of dε/dγ are correct; the remainders are not.",

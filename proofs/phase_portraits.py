@@ -13,7 +13,13 @@
 
 from tresym.proofs.axioms import MOTION
 from tresym.proofs.conditions import ordered_moments, shape_of_a_body, tilted
-from tresym.proofs.euler_angles import eq_Euler, eq_gamma, gamma_conserved, precession_forward
+from tresym.proofs.euler_angles import (
+    eq_Euler,
+    eq_gamma,
+    gamma_conserved,
+    planar_rates,
+    planar_variables,
+)
 from tresym.proofs.flip_dynamics import eq_dpsidphi
 from tresym.proofs.regimes import (
     depth_at_e3,
@@ -45,8 +51,7 @@ sign_constant_rotating = Claim(
 )
 
 second_equation_enough = Claim(
-    says="The flip angle alone obeys an equation: cos θ is eliminated by the constant γ.",
-    proof=all_of(gamma_conserved, eq_dpsidphi),
+    **jointly(gamma_conserved, eq_dpsidphi),
     where=line(143),
 )
 
@@ -68,8 +73,7 @@ turning_points = Claim(
 )
 
 sign_changes_oscillating = Claim(
-    says="For γ < 0 the sign of dψ/dφ changes where ψ is extremal.",
-    proof=all_of(sign_constant_rotating, turning_points, tilt_by_flip, psi_half_oscillating),
+    **jointly(sign_constant_rotating, turning_points, tilt_by_flip, psi_half_oscillating),
     where=line(160),
     quotes=(MOTION,),
 )
@@ -107,8 +111,7 @@ flip_between = Claim(
 )
 
 eq_borne_psi = Claim(
-    says="An oscillating motion with 0 < ψ < π stays between ψ_min and ψ_max and turns there.",
-    proof=all_of(flip_bounds, flip_between, tilt_by_flip, turning_points),
+    **jointly(flip_bounds, flip_between, tilt_by_flip, turning_points),
     where=display(14),
     note="One with −π < ψ < 0 stays between −ψ_max and −ψ_min.",
     quotes=(MOTION,),
@@ -198,17 +201,16 @@ momentum_at_rest = Claim(
 )
 
 equilibria_phase_portrait = Claim(
-    says="ψ = π/2 with dψ/dφ = 0 is stable and ψ = 0 with dψ/dφ = 0 unstable, modulo π.",
-    proof=all_of(
-        rest_points,
-        linear_at_e2,
-        linear_at_e3,
-        gamma_conserved,
-        depth_at_e3,
-        momentum_at_rest,
-        precession_forward,
-        unstable_e2,
-        symmetry_half,
+    says=Tuple(
+        StableEquilibrium(planar_variables, planar_rates, Tuple(pi / 2, pi / 2)),
+        *(
+            UnstableEquilibrium(planar_variables, planar_rates, Tuple(pi / 2, flip))
+            for flip in (Integer(0), pi)
+        ),
+    ),
+    given=shape_of_a_body,
+    proof=follows(
+        Lyapunov(b + printed.depth(theta, psi, a, b, sympy)), *(Growing(sqrt(a * b)),) * 2
     ),
     where=line(159),
     note=(
@@ -219,8 +221,7 @@ equilibria_phase_portrait = Claim(
 )
 
 correspond_e3_e2 = Claim(
-    says="These are the stable rotation about e₃ and the unstable one about e₂.",
-    proof=all_of(momentum_at_rest, stable_e3, unstable_e2),
+    **jointly(momentum_at_rest, stable_e3, unstable_e2),
     where=line(160),
 )
 
@@ -236,11 +237,7 @@ unstable_on_separatrix = Claim(
 )
 
 fig_ph_portrait = Claim(
-    says="Oscillating for γ < 0, rotating for γ > 0; the two unstable points lie on the "
-    "separatrix, and there the racket turns about e₂.",
-    proof=all_of(
-        three_regimes, unstable_on_separatrix, momentum_at_rest, equilibria_phase_portrait
-    ),
+    **jointly(three_regimes, unstable_on_separatrix, momentum_at_rest, equilibria_phase_portrait),
     where=line(157),
 )
 
@@ -262,8 +259,7 @@ width_of_pendulum = Claim(
 )
 
 amplitude_pi = Claim(
-    says="The racket swings over less than π, a pendulum over less than 2π.",
-    proof=all_of(width_of_flip, width_of_pendulum),
+    **jointly(width_of_flip, width_of_pendulum),
     where=line(164),
     note=(
         "The full width, which is twice what is often called the "
@@ -297,9 +293,7 @@ linear_pendulum = Claim(
 )
 
 similar_to_a_pendulum = Claim(
-    says="The portrait is like that of a pendulum: saddles and centres take turns, at γ = 0 and at "
-    "γ = −b, with rotating motions beyond the saddles; and ψ → −ψ and its period π are symmetries.",
-    proof=all_of(
+    **jointly(
         linear_at_e2,
         linear_at_e3,
         linear_pendulum,
@@ -318,9 +312,7 @@ separatrix_moves = Claim(
 )
 
 heteroclinic_pi = Claim(
-    says="On γ = 0 the unstable points are ψ = 0 and ψ = π, up to full turns, and dψ/dφ is not 0 "
-    "between them: a motion from one to the next turns by |Δψ| = π.",
-    proof=all_of(unstable_on_separatrix, separatrix_moves, sign_constant_rotating),
+    **jointly(unstable_on_separatrix, separatrix_moves, sign_constant_rotating),
     where=line(164),
     note="On γ = 0 there is no equilibrium between ψ = 0 and ψ = π. With S = −1 it is Δψ = −π.",
     quotes=(MOTION,),
@@ -366,9 +358,7 @@ eq_dthetadphi = Claim(
 )
 
 fig_portrait_theta = Claim(
-    says="An oscillating motion that comes to θ = π/2 crosses it; a rotating one never comes "
-    "there.",
-    proof=all_of(three_regimes, handle_crosses, handle_side, rest_points),
+    **jointly(three_regimes, handle_crosses, handle_side, rest_points),
     where=line(179),
     quotes=(MOTION,),
 )
@@ -457,10 +447,7 @@ bounds_are_reached = Claim(
 )
 
 eq_borne_theta = Claim(
-    says="The tilt of the handle stays between θ_min and θ_max. In a rotating motion it is θ_min "
-    "where cos ψ = 0, and θ_max where sin ψ = 0; in an oscillating one it is either where cos ψ = "
-    "0.",
-    proof=all_of(
+    **jointly(
         tilt_bounds_rotating,
         tilt_bounds_oscillating,
         cosines_of_bounds,
@@ -476,8 +463,7 @@ eq_borne_theta = Claim(
 )
 
 fig_thetamin = Claim(
-    says="The handle moves between the two bounds of θ.",
-    proof=all_of(eq_borne_theta),
+    **jointly(eq_borne_theta),
     where=line(193),
 )
 

@@ -7,13 +7,12 @@
 
 from tresym.proofs.asymptotics import printed_error, uniform_formulas
 from tresym.proofs.conclusion import ethylene, ethylene_flip_exact
-from tresym.proofs.conditions import defect, shape
+from tresym.proofs.conditions import defect, ordered_moments, shape
 from tresym.proofs.euler_angles import d08, precession_forward
 from tresym.proofs.frames import perfect_flip
 from tresym.proofs.numbers_in_text import flip_of_no_flip, flip_str_exact, tre_if_eps0_small
 from tresym.proofs.orders import bend_everywhere
 from tresym.proofs.regimes import realizable_shape
-from tresym.proofs.rigid_bodies import realizable
 from tresym.proofs.separatrix import one_flip_defect
 from tresym.proofs.table_of_objects import str_realizable
 
@@ -22,14 +21,14 @@ from tresym.racket.formulas import printed
 from tresym.racket.notation import *
 
 abstract_flip = Claim(
-    says="The effect is a turn of the head by π during a turn of the handle by 2π.",
-    proof=all_of(perfect_flip, precession_forward),
+    **jointly(perfect_flip, precession_forward),
     where=line(38),
 )
 
 planar_constraint = Claim(
-    says="The case studied before, I₃ = I₁ + I₂, is that of the shapes with b = 1/(a + 2).",
-    proof=all_of(d08, realizable),
+    says=Equivalent(equal(I3, I1 + I2), equal(1 / (a + 2), b)),
+    given=ordered_moments,
+    proof=by(multiplying(-I2 / (I3 * (I1 + I2))), adding(Integer(1)), substituting(d08)),
     where=line(45),
     note="These are the planar bodies; their shapes form a one-parameter family.",
 )
@@ -75,30 +74,25 @@ intro_any_body = Claim(
 )
 
 coincide_large_class = Claim(
-    says="Formula and exact values agree for a large class of bodies and starts: for ab ≥ 1/4 the "
-    "leading term within 0.17/(ab), and the linear formula while |γ| ≤ bε₀².",
-    proof=all_of(printed_error, bend_everywhere),
+    **jointly(printed_error, bend_everywhere),
     where=line(47),
     note="How well is said by the two bounds; the second has the exact ε₀.",
 )
 
 variety_of_bodies = Claim(
-    says="Bodies of several kinds flip within the tolerance: the standard racket and ethylene.",
-    proof=all_of(str_realizable, flip_str_exact, ethylene, ethylene_flip_exact, tre_if_eps0_small),
+    **jointly(str_realizable, flip_str_exact, ethylene, ethylene_flip_exact, tre_if_eps0_small),
     where=line(38),
     note="Both can exist. The other rackets of Table 1 cannot, by their printed moments.",
 )
 
 some_bodies = Claim(
-    says="A body with ε₀ ≤ π/12 shows the effect on its separatrix, and not every body has that.",
-    proof=all_of(tre_if_eps0_small, flip_str_exact, flip_of_no_flip),
+    **jointly(tre_if_eps0_small, flip_str_exact, flip_of_no_flip),
     where=line(318),
     note="The constraints on the moments that the conclusion speaks of.",
 )
 
 shapes_of_bodies = Claim(
-    says="Every rigid body has b ≤ 1/(a + 2) and b < 1/2, and equality in the first is a flat one.",
-    proof=all_of(realizable_shape, planar_constraint),
+    **jointly(realizable_shape, planar_constraint),
 )
 
 label_claims(globals())

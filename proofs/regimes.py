@@ -10,8 +10,14 @@
 """
 
 from tresym.proofs.axioms import MOTION
-from tresym.proofs.conditions import ordered_moments, shape_of_a_body
-from tresym.proofs.euler_angles import d08, eq_Euler, eq_gamma, gamma_conserved, precession_forward
+from tresym.proofs.conditions import ordered_moments, shape_of_a_body, tilted
+from tresym.proofs.euler_angles import (
+    d08,
+    eq_gamma,
+    planar_rates,
+    planar_variables,
+    precession_forward,
+)
 from tresym.proofs.frames import handle_in_space
 from tresym.proofs.jacobi import intersection_condition, solution_on_intersection
 from tresym.proofs.momentum import eq_dMi
@@ -72,16 +78,13 @@ separatrix_case = Claim(
 )
 
 three_regimes = Claim(
-    says="γ < 0 for oscillating motions, γ > 0 for rotating ones, γ = 0 on the separatrix.",
-    proof=all_of(energy_by_gamma, oscillating_case, rotating_case, separatrix_case),
+    **jointly(energy_by_gamma, oscillating_case, rotating_case, separatrix_case),
     where=line(124),
     note="The extreme values γ = a and γ = −b belong to the two stable rotations.",
 )
 
 fig_sphere_cases = Claim(
-    says="M moves where ellipsoid and sphere meet, oscillating for 2I₂E < M² < 2I₃E, "
-    "rotating for 2I₁E < M² < 2I₂E; p₊ and p₋ are stable, p_D is not.",
-    proof=all_of(
+    **jointly(
         solution_on_intersection,
         intersection_condition,
         three_regimes,
@@ -107,9 +110,7 @@ ellipsoid_radii = Claim(
 )
 
 precession_of_the_handle = Claim(
-    says="φ is the angle of precession of the handle about M, and it never turns back: it grows "
-    "wherever the handle is not along M.",
-    proof=all_of(handle_in_space, precession_forward),
+    **jointly(handle_in_space, precession_forward),
     where=line(70),
 )
 
@@ -144,9 +145,7 @@ tilt_near_flip = Claim(
 )
 
 delta_theta_zero = Claim(
-    says="When ψ has turned by π, cos²θ is what it was at first, and near that it is near it: so "
-    "is the tilt of a handle that is on the same side of the plane (X, Y).",
-    proof=all_of(tilt_by_flip, tilt_after_flip, tilt_near_flip),
+    **jointly(tilt_by_flip, tilt_after_flip, tilt_near_flip),
     where=line(78),
     note="This uses the energy: at given γ, cos²θ is a function of sin²ψ.",
 )
@@ -219,9 +218,7 @@ psi_unbounded = Claim(
 )
 
 handle_side = Claim(
-    says="In a rotating motion cos²θ is at least γ/a > 0, so that the handle stays above or below "
-    "the plane (X, Y), while ψ grows beyond all bounds: the racket turns about it.",
-    proof=all_of(handle_in_space, theta_half, rotating_speed, psi_unbounded),
+    **jointly(handle_in_space, theta_half, rotating_speed, psi_unbounded),
     where=line(103),
     quotes=(MOTION,),
 )
@@ -348,8 +345,7 @@ depth_at_the_points = Claim(
 )
 
 ends_of_gamma = Claim(
-    says="γ = a and γ = −b are the equilibria of M along e₁ and along e₃.",
-    proof=all_of(depth_at_e1, depth_at_e3, permanent_rotations),
+    **jointly(depth_at_e1, depth_at_e3, permanent_rotations),
     where=line(140),
 )
 
@@ -372,9 +368,9 @@ angles_rest_at_e1 = Claim(
 )
 
 planar_system = Claim(
-    says="The rates of θ and ψ by φ are functions of θ and ψ alone: their path depends neither on "
-    "time nor on φ, and γ is constant along it.",
-    proof=all_of(precession_forward, eq_Euler, gamma_conserved),
+    says=Conserved(printed.depth(theta, psi, a, b, sympy), planar_variables, planar_rates),
+    given=(*tilted, *shape_of_a_body),
+    proof=Conservation(),
     where=line(126),
     quotes=(MOTION,),
 )

@@ -191,20 +191,6 @@ contraction_bound = Claim(
     proof=manifest,
 )
 
-one_flip_defect = Claim(
-    says="The exact equation has exactly one root ε₀ in (0, π/2), and the map of its stable "
-    "form contracts: its derivative is b sin²ε, between 0 and 1.",
-    proof=all_of(
-        d37,
-        stable_equation,
-        auxiliary_angle,
-        unique_root,
-        no_root_beyond,
-        no_root_below,
-        contraction,
-        contraction_bound,
-    ),
-)
 
 _rate = (1 + b / a) * sinh(_time) ** 2 + (1 - b) + b / a * ((1 - b) + b * cos(epsilon) ** 2)
 
@@ -234,6 +220,29 @@ defect_is_one = Claim(
         at_high=(step(tanh(sqrt(a * b) * pi), exponentials, roots, trigonometry, inverses),),
     ),
     note="This is the stable equation, solved for tanh T.",
+)
+
+tangent_form = Claim(
+    says=Equivalent(_stable_equation, equal(_inverse, tanh(_time))),
+    given=(*shape, *defect),
+    proof=(
+        step(
+            equal(asinh(sqrt(a / (a + b)) * cos(epsilon) / sin(epsilon)), _time),
+            multiplying(cos(epsilon) * sinh(_time) / sin(epsilon)),
+            applying("asinh"),
+            *(exponentials, inverses, trigonometry),
+        ),
+        step(
+            equal(_inverse, tanh(_time)),
+            applying("tanh"),
+            *(exponentials, inverses, roots, trigonometry),
+        ),
+    ),
+)
+
+one_flip_defect = Claim(
+    **jointly(defect_is_one, d37, stable_equation, tangent_form, contraction, contraction_bound),
+    note="The exact equation has exactly one root, and the map of its stable form contracts.",
 )
 
 flip_defect = Claim(

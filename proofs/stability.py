@@ -16,10 +16,10 @@ from tresym.proofs.conditions import ordered_moments
 from tresym.proofs.model import eq_Mi, velocity_from_momentum
 from tresym.proofs.momentum import (
     along_euler,
-    energy_conserved,
+    components,
     energy_of_momentum,
     eq_dMi,
-    momentum_conserved,
+    rates,
 )
 
 from tresym.ledger.vocabulary import *
@@ -114,18 +114,20 @@ stays_near_e3 = Claim(
     note="As for e₁, in `stays_near_e1`.",
 )
 
-_conserved = (energy_conserved, momentum_conserved)
-
 stable_e1 = Claim(
-    says="The rotation about the handle is stable.",
-    proof=all_of(eigenvalues_e1, center_at_e1, *_conserved, energy_near_e1, stays_near_e1),
+    says=StableEquilibrium(components, rates, Tuple(M, 0, 0)),
+    given=ordered_moments,
+    proof=Lyapunov(_below_first + (M1**2 + M2**2 + M3**2 - M**2) ** 2),
+    note="The rotation about the handle. A constant is given by `stays_near_e1`.",
     where=line(49),
     quotes=(MOTION,),
 )
 
 stable_e3 = Claim(
-    says="The rotation about the normal of the face is stable.",
-    proof=all_of(eigenvalues_e3, center_at_e3, *_conserved, energy_near_e3, stays_near_e3),
+    says=StableEquilibrium(components, rates, Tuple(0, 0, M)),
+    given=ordered_moments,
+    proof=Lyapunov(_above_third + (M1**2 + M2**2 + M3**2 - M**2) ** 2),
+    note="The rotation about the normal of the face.",
     where=line(49),
     quotes=(MOTION,),
 )
@@ -146,17 +148,19 @@ leaves_e2 = Claim(
 )
 
 unstable_e2 = Claim(
-    says="The rotation about the intermediate axis is unstable: from starts as near to it as one "
-    "likes M leaves the region |M₂| ≥ m, for every m > 0.",
-    proof=all_of(eigenvalues_e2, saddle_at_e2, *_conserved, leaves_e2),
+    says=UnstableEquilibrium(components, rates, Tuple(0, -M, 0)),
+    given=ordered_moments,
+    proof=Growing(M * sqrt(1 / I1 - 1 / I2) * sqrt(1 / I2 - 1 / I3)),
     where=line(49),
-    note="Shown without linearisation: such are the starts with M₁M₂M₃ < 0, by `leaves_e2`.",
+    note="The rotation about the intermediate axis. How M leaves it is told by `leaves_e2`.",
     quotes=(MOTION,),
 )
 
 points_of_the_sphere = Claim(
-    says="p₋ is a stable rotation about e₃, and p_D an unstable one about e₂.",
+    says=Tuple(stable_e3.says, unstable_e2.says),
+    given=ordered_moments,
     proof=all_of(stable_e3, unstable_e2),
+    note="p₋ is the first point, p_D the second.",
     where=line(103),
 )
 
@@ -221,8 +225,10 @@ three_equilibria = Claim(
 )
 
 three_equilibria_and_opposites = Claim(
-    says="p₊ and p₋, where M lies along e₁ and e₃, are stable; p_D, along e₂, is unstable.",
-    proof=all_of(permanent_rotations, stable_e1, stable_e3, unstable_e2),
+    says=Tuple(stable_e1.says, stable_e3.says, unstable_e2.says),
+    given=ordered_moments,
+    proof=all_of(stable_e1, stable_e3, unstable_e2),
+    note="p₊, p₋ and p_D; that there are no others but their opposites is `permanent_rotations`.",
     where=line(110),
 )
 

@@ -41,8 +41,7 @@ no_oscillating_I2_I3 = Claim(
 )
 
 separatrix_equator = Claim(
-    says="For I₂ = I₃ the separatrix is the equator M₁ = 0.",
-    proof=all_of(depth_b_zero, no_oscillating_I2_I3),
+    **jointly(depth_b_zero, no_oscillating_I2_I3),
     where=line(112),
 )
 
@@ -117,8 +116,7 @@ rest_on_the_circle = Claim(
 )
 
 separatrix_circle_e1e2 = Claim(
-    says="For I₁ = I₂ the separatrix is the circle M₃ = 0.",
-    proof=all_of(depth_a_zero, only_oscillating_I1_I2, rest_on_the_circle),
+    **jointly(depth_a_zero, only_oscillating_I1_I2, rest_on_the_circle),
     where=line(112),
     note="Every point of it is an equilibrium.",
 )

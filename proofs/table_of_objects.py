@@ -171,9 +171,7 @@ racket_3_swapped_order = Claim(
 )
 
 racket_3_swapped = Claim(
-    says="With I₃ = 8118 for the printed 1818, two digits in each other's place, racket 3 has its "
-    "moments in order and b = 0.1222, printed 0.12.",
-    proof=all_of(racket_3_swapped_order, racket_3_swapped_b),
+    **jointly(racket_3_swapped_order, racket_3_swapped_b),
     note="No rigid body has these moments either.",
 )
 

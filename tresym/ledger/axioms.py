@@ -29,6 +29,7 @@ class Axiom:
     rule: str = ""
 
 
+KHALIL = "H. K. Khalil, Nonlinear Systems, 3rd ed. (2002), Theorem "
 RUDIN = "W. Rudin, Principles of Mathematical Analysis, 3rd ed. (1976), Theorem "
 
 RULES = (
@@ -90,7 +91,21 @@ RULES = (
         "solution nearby, which is smooth.",
         RUDIN + "9.28",
         r"\frac{dx}{dp} = -\frac{\partial L/\partial p}{\partial L/\partial x}",
-        "implicit function",
+        "implicit function; a root monotone in a parameter",
+    ),
+    Axiom(
+        "Lyapunov's theorem",
+        "An equilibrium is stable if a function that does not increase along the motion has a "
+        "strict minimum there.",
+        KHALIL + "4.1",
+        rule="stable equilibrium",
+    ),
+    Axiom(
+        "instability by the first approximation",
+        "An equilibrium is unstable if the linearised system has an eigenvalue with a positive "
+        "real part.",
+        KHALIL + "4.7",
+        rule="unstable equilibrium",
     ),
 )
 """Theorems that make the judge's rules sound; `tresym verify` quotes them for all claims."""

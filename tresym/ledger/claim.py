@@ -23,7 +23,7 @@ from sympy import And, Basic, Derivative, Eq, Expr, Ge, Gt, Le, Lt, Subs, Symbol
 
 from tresym.ledger.axioms import Axiom
 from tresym.ledger.finding import WEAKEST_FIRST, Premise, Ruling
-from tresym.ledger.statements import As, ExactlyOne, Statement, together_under
+from tresym.ledger.statements import As, ExactlyOne, Statement, Under, together_under
 from tresym.reals.notebook import html_table, in_one_line
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
@@ -263,6 +263,26 @@ class AllOf:
 def all_of(*claims: Claim) -> AllOf:
     """Return the evidence for a conjunction of ``claims``, or of some of their parts."""
     return AllOf(claims)
+
+
+def jointly(*claims: Claim) -> dict[str, Any]:
+    """Return statement, conditions and evidence of a claim that says what ``claims`` say together.
+
+    Conditions that all of them have in common become those of the new claim.
+
+    Example:
+        ``d11 = Claim(**jointly(range_of_shape, range_of_gamma))``
+    """
+    if any(claim.statement is None for claim in claims):
+        raise InputError("jointly combines claims that state formulas")
+    known = [(claim.statement, claim.given) for claim in claims if claim.statement is not None]
+    same = {given for _, given in known}
+    if len(same) == 1 and not any(
+        isinstance(part, Under) for s, _ in known for part in parts_of(s)
+    ):
+        says = Tuple(*dict.fromkeys(part for s, _ in known for part in parts_of(s)))
+        return {"says": says, "given": known[0][1], "proof": AllOf(claims)}
+    return {"says": together_under(known), "proof": AllOf(claims)}
 
 
 def in_words(*claims: Claim) -> AllOf:

@@ -22,7 +22,7 @@ from tresym.ledger.claim import (
     Claim, Conservation, Counterexample, Definition, Dominated, Fault, FromSlope, FromTheEdge,
     Growing, ImplicitFunction, InfimumBy, Instance, Lyapunov, Monotone, MonotoneOf, Place, Printed,
     Reason, Root, RootBound, RootMonotone, UniqueRoot, all_of, at, by, display, equal, equations,
-    follows, formally, in_words, label_claims, line, manifest, parts_of, step, together,
+    follows, formally, in_words, jointly, label_claims, line, manifest, parts_of, step, together,
 )
 from tresym.ledger.evidence.asymptotics import Asymptotics, Squeezed
 from tresym.ledger.evidence.box_bounds import Boxes
@@ -56,7 +56,7 @@ __all__ = [
     "changing_variable", "citing", "collecting", "cos", "cosh", "cutting", "det", "diff",
     "differentiating_integral", "differentiation", "display", "equal", "equations", "evaluating",
     "exp", "exponentials", "eye", "fmpq", "follows", "formally", "in_words", "integrating",
-    "inverses", "label_claims", "line", "log", "manifest", "multiplying", "oo", "order",
+    "inverses", "jointly", "label_claims", "line", "log", "manifest", "multiplying", "oo", "order",
     "parts_of", "pi", "roots", "sin", "sinh", "sqrt", "step", "substituting", "sympy", "tan",
     "tanh", "together", "trigonometry",
 ]

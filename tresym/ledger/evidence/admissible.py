@@ -122,6 +122,8 @@ def is_formal(claim: Claim) -> bool:
     sample points only.
     """
     if isinstance(claim.proof, AllOf):
+        if isinstance(claim.says, Basic):
+            return True
         return not claim.proof.words and all(map(is_formal, claim.proof.claims))
     if isinstance(claim.says, Basic) and is_open(claim.says) and not as_printed(claim):
         return False
