@@ -185,7 +185,13 @@ half_angle_above = Claim(
     proof=(
         step(
             tan(epsilon0 / 2) - epsilon_star / 2,
-            *(applying("tan"), inverses, citing(half_tangent_above, leading_positive), _at_root),
+            *(
+                applying("tan"),
+                inverses,
+                trigonometry,
+                citing(half_tangent_above, leading_positive),
+                _at_root,
+            ),
         ),
     ),
 )

@@ -202,11 +202,7 @@ standard_is_a_body = Claim(
 )
 
 levels_of_the_thresholds = Claim(
-    says="The standard racket has ε = π/12, 0 and −π/12 at one γ each in (−b, a]: −4.2·10⁻³, where "
-    "the motion turns on the way, 3.20·10⁻³ and 1.04·10⁻².",
-    proof=in_words(
-        decrease_of_bodies, standard_is_a_body, lower_level, perfect_level, upper_level_exact
-    ),
+    **jointly(lower_level, perfect_level, upper_level_exact, one_rotating_level, one_turned_level),
 )
 
 label_claims(globals())

@@ -75,7 +75,7 @@ dominant_exponential = Claim(
 # -- the implicit function ------------------------------------------------------------------------
 
 implicit_solution = Claim(
-    **jointly(G_at_origin, G_u_at_origin, defect_is_flat, u_exponentially_small),
+    **jointly(G_at_origin, G_u_at_origin, defect_is_flat),
     where=line(368),
     note="Not for λ < 0, where e^{−1/s} is not flat. With |λ| for λ the equation is smooth on both "
     "sides.",

@@ -174,10 +174,18 @@ cotangent_at_root = Claim(
     given=shape,
     proof=(
         step(
-            sqrt(1 + b / a) * sinh(asinh(sqrt(a / (a + b)) * cos(epsilon0) / sin(epsilon0))),
+            sqrt(1 + b / a)
+            * sinh(
+                sqrt(a * b)
+                * (asinh(sqrt(a / (a + b)) * cos(epsilon0) / sin(epsilon0)) / sqrt(a * b))
+            ),
             *(exponentials, inverses, roots, citing(flip_defect, defect_range)),
         ),
-        step(None, substituting(phase_by_defect), citing(flip_defect, defect_range)),
+        step(
+            None,
+            *(substituting(phase_by_defect), exponentials, inverses, roots),
+            citing(flip_defect, defect_range),
+        ),
     ),
 )
 
@@ -195,15 +203,15 @@ _below = Instance(angle_below_tangent, ((epsilon, epsilon0),), (flip_defect, def
 defect_below_tangent = Claim(says=_below.says, given=shape, proof=_below)
 
 b_to_zero = Claim(
-    says=Tuple(pi - 2 * epsilon0 > 0, pi - 2 * epsilon0 <= 112 * sqrt(1 + b / a) * sqrt(a * b)),
+    says=Tuple(pi / 2 - epsilon0 > 0, pi / 2 - epsilon0 <= 56 * sqrt(1 + b / a) * sqrt(a * b)),
     given=_bounded,
     proof=follows(
         by(citing(flip_defect)),
         (
             step(
-                2 * (cos(epsilon0) / sin(epsilon0) - (pi / 2 - epsilon0))
-                + 2 * sqrt(1 + b / a) * (sinh(_late) - sinh(_soon))
-                + 2 * sqrt(1 + b / a) * (56 * sqrt(a * b) - sinh(_late)),
+                (cos(epsilon0) / sin(epsilon0) - (pi / 2 - epsilon0))
+                + sqrt(1 + b / a) * (sinh(_late) - sinh(_soon))
+                + sqrt(1 + b / a) * (56 * sqrt(a * b) - sinh(_late)),
                 substituting(cotangent_at_root),
                 citing(sine_of_the_time, sine_of_the_late, defect_below_tangent, defect_range),
             ),

@@ -444,7 +444,8 @@ curve_within = Claim(
 
 bend_everywhere = Claim(
     says="|ε − (ε₀ − γ/(4bε₀))| ≤ 5.15 √(ab) ε₀ |γ|/b for ab ≥ 1/4 and |γ| ≤ bε₀².",
-    proof=all_of(eq_epsilon_gen, slope_leading_term, curve_within),
+    kind="bound",
+    proof=in_words(eq_epsilon_gen, slope_leading_term, curve_within),
     note="3.15 from the slope and 2 from the curve, where γ²/(b²ε₀) ≤ ε₀|γ|/b. It is a quarter of "
     "the way to −4bε₀², where the formula leaves what is possible.",
 )

@@ -11,7 +11,6 @@ from tresym.proofs.conditions import defect, ordered_moments, shape
 from tresym.proofs.euler_angles import d08, precession_forward
 from tresym.proofs.frames import perfect_flip
 from tresym.proofs.numbers_in_text import flip_of_no_flip, flip_str_exact, tre_if_eps0_small
-from tresym.proofs.orders import bend_everywhere
 from tresym.proofs.regimes import realizable_shape
 from tresym.proofs.separatrix import one_flip_defect
 from tresym.proofs.table_of_objects import str_realizable
@@ -74,7 +73,7 @@ intro_any_body = Claim(
 )
 
 coincide_large_class = Claim(
-    **jointly(printed_error, bend_everywhere),
+    **jointly(printed_error, uniform_formulas),
     where=line(47),
     note="How well is said by the two bounds; the second has the exact ε₀.",
 )

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from tresym.proofs.conditions import defect, shape_of_a_body, standard_racket
 from tresym.proofs.flip_definition import symmetric_is_extreme
-from tresym.proofs.numbers_in_text import fig_rob, lower_level, upper_level_exact
+from tresym.proofs.numbers_in_text import lower_level, upper_level_exact
 from tresym.proofs.on_the_separatrix import level_of_a_start
 from tresym.proofs.phase_portraits import flip_between
 from tresym.proofs.regimes import oscillating
@@ -84,7 +84,7 @@ share_of_the_rectangles = Claim(
 )
 
 likely_near = Claim(
-    **jointly(two_rectangles, share_of_the_rectangles, fig_rob),
+    **jointly(two_rectangles, share_of_the_rectangles),
     where=line(283),
     note=(
         "The rectangle about the unstable point corresponds to the "

@@ -56,7 +56,7 @@ from tresym.ledger.evidence.remainders import (
     untied,
 )
 from tresym.ledger.evidence.sign_prover import is_manifest
-from tresym.ledger.statements import Rounds
+from tresym.ledger.statements import As, Rounds
 from tresym.reals.domain.binder_values import enclosed
 from tresym.reals.domain.evaluation import stands
 from tresym.reals.language.expression import ZERO, number, substitute, symbols
@@ -125,7 +125,8 @@ def is_formal(claim: Claim) -> bool:
         if isinstance(claim.says, Basic):
             return True
         return not claim.proof.words and all(map(is_formal, claim.proof.claims))
-    if isinstance(claim.says, Basic) and is_open(claim.says) and not as_printed(claim):
+    stated = isinstance(claim.says, As)
+    if isinstance(claim.says, Basic) and is_open(claim.says) and not (stated or as_printed(claim)):
         return False
     return claim.statement is not None and not isinstance(claim.proof, HOLDS_FUNCTIONS)
 
@@ -175,7 +176,7 @@ def _odd_condition(claim: Claim) -> object | None:
 
 def _left_open(claim: Claim) -> bool:
     """Return whether the statement contains an order but the evidence is not about orders."""
-    orders = (Boxes, Asymptotics, Squeezed, Dominated, Follows)
+    orders = (Boxes, Asymptotics, Squeezed, Dominated, Follows, AllOf)
     return is_open(claim.says) and not isinstance(claim.proof, orders)
 
 
