@@ -575,22 +575,11 @@ _beyond_pi = asin(sqrt(b / (a + b)) * cos(epsilon0))
 _share_at_root = cos(epsilon0) / sqrt(1 + b / a * sin(epsilon0) ** 2)
 _at_root = citing(flip_defect, defect_range)
 
-tangent_rises = Claim(says=tanh(T + x) - tanh(T) > 0, given=(T > 0, x > 0), proof=manifest)
-
-phase_above = Claim(says=_beyond_pi > 0, given=shape, proof=by(_at_root))
-
-_grown = Instance(tangent_rises, ((T, pi * _k), (x, _k * _beyond_pi)), (phase_above,))
-tangent_beyond_pi = Claim(says=_grown.says, given=shape, proof=_grown)
-
 share_above = Claim(
     says=_share_at_root > tanh(_k * pi),
     given=shape,
     proof=(
         step(tanh(_k * (pi + _beyond_pi)) - tanh(_k * pi), substituting(flip_defect), _at_root),
-        step(
-            tanh(pi * _k + _k * _beyond_pi) - tanh(pi * _k),
-            *(exponentials, _at_root, citing(tangent_beyond_pi)),
-        ),
     ),
 )
 
@@ -600,7 +589,7 @@ swept_phase_below = Claim(
     proof=(
         step(
             atan(_r * _share_at_root) - atan(_r * tanh(_k * pi)),
-            *(substituting(phase), inverses, roots, trigonometry, citing(share_above), _at_root),
+            *(substituting(phase), inverses, roots, trigonometry, citing(share_above)),
         ),
     ),
 )

@@ -73,7 +73,7 @@ exponent_gap = Claim(
 inverse_by_cotangent = Claim(
     says=equal(-cos(epsilon) / _root, -tanh(asinh(_cosine * cos(epsilon) / sin(epsilon)))),
     given=(*shape, *defect),
-    proof=by(exponentials, inverses, roots, trigonometry),
+    proof=by(roots, trigonometry),
 )
 
 sine_of_turn = Claim(

@@ -62,9 +62,7 @@ _inverse0 = cos(epsilon0) / _root0
 _time0 = sqrt(a * b) * (pi + asin(sqrt(b / (a + b)) * cos(epsilon0)))
 _sine0 = sqrt(1 - b / (a + b) * cos(epsilon0) ** 2)
 
-positive_time = Claim(
-    says=_time0 > 0, given=shape, proof=by(citing(defect_range)), note="T at the root."
-)
+positive_time = Claim(says=_time0 > 0, given=shape, proof=manifest, note="T at the root.")
 
 hyperbolic_tangent_below = Claim(says=tanh(x) < x, given=(x > 0,), proof=manifest)
 

@@ -179,7 +179,7 @@ cotangent_at_root = Claim(
                 sqrt(a * b)
                 * (asinh(sqrt(a / (a + b)) * cos(epsilon0) / sin(epsilon0)) / sqrt(a * b))
             ),
-            *(exponentials, inverses, roots, citing(flip_defect, defect_range)),
+            *(roots, citing(flip_defect, defect_range)),
         ),
         step(
             None,

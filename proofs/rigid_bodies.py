@@ -176,7 +176,7 @@ _inverse_above = Instance(
 )
 inverse_above = Claim(says=_inverse_above.says, given=(a >= 7,), proof=_inverse_above)
 
-positive_short = Claim(says=_short > 0, given=(a >= 7,), proof=by(citing(above_is_an_angle)))
+positive_short = Claim(says=_short > 0, given=(a >= 7,), proof=manifest)
 
 _tangents_above = Instance(
     tangent_grows, ((T, _short), (x, _beyond - _short)), (excess_in_a, positive_short)

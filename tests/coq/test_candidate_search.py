@@ -28,6 +28,27 @@ def test_what_is_assumed_is_said() -> None:
     assert assumptions(reals) == "it rests on the classical reals alone"
     assert "machine" in assumptions(f"{reals}\nPrimFloat.add : float -> float")
     assert "Claim.mine" in assumptions(f"{reals}\nClaim.mine : 0 = 1")
+    said = "make[1]: Entering directory '/build'\nmake: Leaving directory '/build'"
+    assert assumptions(f"{said}\n{reals}") == "it rests on the classical reals alone"
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "make",
+        "make_it",
+        "makes.it",
+        "PrimFloat.mine",
+        "PrimInt63.add_spec",
+        "Uint63",
+        "sig_not_dec",
+    ],
+)
+def test_an_axiom_of_another_name_is_reported(name: str) -> None:
+    """Also one whose name begins as make's lines or as Coq's modules for machine numbers do."""
+    reals = "Axioms:\nClassicalDedekindReals.sig_not_dec : forall P"
+    assert assumptions(f"{reals}\n{name} : False") == f"it rests on {name}"
+    assert assumptions(f"{reals}\n{name}\n  : False") == f"it rests on {name}"
 
 
 @pytest.mark.coq

@@ -116,7 +116,6 @@ NUMBERS = [
     ("slope_str_formula", "34.5"),
     ("lower_level_exists", "-4.23e-3"),
     ("rate_at_the_top", "0.960"),
-    ("product_along_a_level", "0.431"),
     ("flip_of_no_flip", "1.2574"),
     ("table_str_a", "12.64"),
     ("table_str_b", "0.07"),

@@ -64,6 +64,20 @@ def run(args: argparse.Namespace) -> int:
     return 0
 
 
+def _need_compiled(source: Path, said: Path) -> None:
+    """Require that Coq compiled a file since it was written, and that make's output is later.
+
+    Raises:
+        InputError: it did not.
+    """
+    compiled = source.with_suffix(".vo")
+    written = source.stat().st_mtime_ns
+    if not compiled.is_file() or compiled.stat().st_mtime_ns < written:
+        raise InputError(f"export: Coq has not compiled {source} as it is now; run make")
+    if said.stat().st_mtime_ns < written:
+        raise InputError(f"export: {said} is older than {source}; run make")
+
+
 def _search(folder: Path, labels: Sequence[str]) -> dict[str, Any]:
     """Search for missing proofs, or those of the labels, and store each one found."""
     from tresym.coq.coqtop import version
@@ -123,6 +137,8 @@ def _check(folder: Path, store: dict[str, Any]) -> int:
                 f"export: {folder / name} is not what would be exported now; export again, and "
                 "run make"
             )
+        if name.endswith(".v"):
+            _need_compiled(folder / name, path)
     beyond = {name: text for name, text in found.items() if "it rests on the classical" not in text}
     changed = 0
     for label, row in store["claims"].items():

@@ -22,7 +22,7 @@ from tresym.commands.parser import (
 )
 from tresym.ledger.finding import RULINGS, Premise, Ruling
 from tresym.output import bold, colour_wanted, dim, show_progress, styled
-from tresym.reals.numbers.exact import InputError, fraction_text
+from tresym.reals.numbers.exact import InputError, fraction_text, quoted
 from tresym.reals.verdict import Verdict
 
 if TYPE_CHECKING:
@@ -53,6 +53,7 @@ def add(commands: Commands) -> None:
         ("--mutants", "judge false variants of the claims, none of which may pass"),
         ("--full", "search for the stored box proofs again instead of checking them"),
         ("--save-certificates", "with --full, store the box proofs that were found"),
+        ("--save-sentences", "store that the sentences of these claims fit their formulas"),
         ("--workers N", "number of processes (default: one per core)"),
         ("--limit SECONDS", "for each claim of a file (20)"),
     )
@@ -67,6 +68,8 @@ def run(args: argparse.Namespace) -> int:
         return _verify_file(args)
     if args.limit is not None:
         raise InputError("verify: --limit is for a file of claims: tresym verify FILE.tresym")
+    if args.save_sentences:
+        return _save_sentences(tuple(args.labels))
     if not args.full:
         return _verify_claims(args)
     from tresym.ledger.evidence.box_bounds import finding_anew
@@ -115,6 +118,36 @@ def _verify_claims(args: argparse.Namespace) -> int:
     if args.save_certificates:
         verification.save_certificates(report)
     return 0 if report.as_expected else UNEXPECTED
+
+
+def _save_sentences(labels: tuple[str, ...]) -> int:
+    """Store the sentences of claims, and of theorems of the article, as compared."""
+    from tresym.ledger.paper import all_claims
+    from tresym.ledger.sentences import digest, save, stored
+    from tresym.report.pages.templates import theorems
+
+    if not labels:
+        raise InputError("--save-sentences needs the labels of the claims that were compared")
+    claims = {claim.label: claim for claim in all_claims()}
+    for label in labels:
+        if label not in claims:
+            raise InputError(f"no claim is labelled {quoted(label)}")
+    found = {
+        label: digest(claim.says, claim)
+        for label, claim in claims.items()
+        if isinstance(claim.says, str) and label in labels
+    }
+    every = theorems()
+    found |= {
+        f"theorem {label}": digest(text, claims[label])
+        for label, text in every.items()
+        if label in labels
+    }
+    kept = {c.label for c in claims.values() if isinstance(c.says, str)}
+    kept |= {f"theorem {label}" for label in every}
+    save(found, gone={*(stored() or ())} - kept)
+    print(f"{len(found)} sentences stored")
+    return 0
 
 
 def _verify_mutants(labels: tuple[str, ...], args: argparse.Namespace, workers: int) -> int:
@@ -236,7 +269,7 @@ def _row_lines(row: Row, named: bool, width: int, colour: bool) -> list[str]:
     if row.requested and named:
         for stated in _stated(claim):
             say(stated)
-        if proved := coq_page.sentence(claim):
+        if proved := coq_page.sentence(row):
             say(proved)
     if not row.as_expected:
         say(f"expected {claim.expect.value}: {finding.why}", BAD)

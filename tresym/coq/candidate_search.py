@@ -17,9 +17,10 @@ from dataclasses import dataclass
 from importlib.resources import files
 from pathlib import Path
 
+from tresym.coq.allowed_axioms import MACHINE, REALS
 from tresym.coq.bound_proofs import Prove, bound_proofs
 from tresym.coq.bound_statements import BoundTheorem
-from tresym.coq.coqtop import HEAD, TEXT_SECONDS, Dialogue, prelude, version
+from tresym.coq.coqtop import HEAD, TEXT_SECONDS, Dialogue, library, prelude, version
 from tresym.coq.equations import equation_proofs
 from tresym.coq.inequalities import inequality_proofs
 from tresym.coq.statement import Theorem
@@ -27,12 +28,8 @@ from tresym.coq.stepwise_equations import stepwise
 from tresym.reals.numbers.exact import InputError
 
 MISSING = "coqc is not installed, so the proof has not been checked by Coq"
-_REALS = {
-    "ClassicalDedekindReals.sig_not_dec",
-    "ClassicalDedekindReals.sig_forall_dec",
-    "FunctionalExtensionality.functional_extensionality_dep",
-    "Classical_Prop.classic",
-}
+_ENTRIES = re.compile(r"^make(\[\d+\])?: (Entering|Leaving) directory .*$", re.MULTILINE)
+"""Lines in which make says where it is, beside what Coq prints."""
 
 
 @dataclass(frozen=True)
@@ -90,7 +87,8 @@ def export(theorems: Sequence[Theorem | BoundTheorem], seconds: float = 120) -> 
                 return Outcome(False, says, file_of(theorems, found))
             found.append(proof)
     text = file_of(theorems, found)
-    accepted, output, took = run(text, seconds)
+    # Coq reads the same text as a compiled file; it is long, and compiled once for all claims.
+    accepted, output, took = run(HEAD + proved(theorems, found), seconds, library())
     if not accepted:
         return Outcome(False, f"Coq does not accept the proof ({output})", text)
     return Outcome(
@@ -106,7 +104,12 @@ def bound(theorems: Iterable[Theorem | BoundTheorem]) -> str:
 
 def file_of(theorems: Sequence[Theorem | BoundTheorem], found: Sequence[str | None]) -> str:
     """Return the file: prelude, statements, proofs, and ``Print Assumptions`` commands."""
-    parts = ["(* Written by tresym. *)\n", prelude(), bound(theorems)]
+    return f"(* Written by tresym. *)\n\n{prelude()}\n{proved(theorems, found)}"
+
+
+def proved(theorems: Sequence[Theorem | BoundTheorem], found: Sequence[str | None]) -> str:
+    """Return what follows the prelude in the file."""
+    parts = [bound(theorems)]
     for theorem, proof in zip(theorems, found, strict=False):
         if proof is not None:
             parts.append(
@@ -151,7 +154,7 @@ def by_steps(theorem: Theorem, coq: Dialogue, deadline: float) -> str | None:
     return proof if held else None
 
 
-def run(text: str, seconds: float) -> tuple[bool, str, float]:
+def run(text: str, seconds: float, options: tuple[str, ...] = ()) -> tuple[bool, str, float]:
     """Run coqc on the text; return whether it accepts it, its output or error, and the time."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "claim.v"
@@ -159,7 +162,7 @@ def run(text: str, seconds: float) -> tuple[bool, str, float]:
         start = time.perf_counter()
         try:
             done = subprocess.run(
-                ["coqc", "-q", path.name],
+                ["coqc", "-q", *options, path.name],
                 cwd=folder,
                 capture_output=True,
                 text=True,
@@ -175,15 +178,12 @@ def run(text: str, seconds: float) -> tuple[bool, str, float]:
 
 
 def assumptions(output: str) -> str:
-    """Summarise the output of ``Print Assumptions`` in a sentence."""
-    found = set(re.findall(r"^([^\s:]+)\s*:", output, re.MULTILINE)) - {"Axioms"}
-    names = {name for name in found if not name.startswith("make")}
-    others = sorted(name for name in names if name not in _REALS)
-    numbers = [
-        name for name in others if re.match(r"(PrimInt63|PrimFloat|Uint63|FloatAxioms|Int63)", name)
-    ]
-    if len(numbers) < len(others):
+    """Summarise the output of ``Print Assumptions`` in a sentence; it names every other axiom."""
+    said = _ENTRIES.sub("", output)
+    names = set(re.findall(r"^([^\s:]+)\s*:", said, re.MULTILINE)) - {"Axioms"}
+    others = sorted(names - REALS - MACHINE)
+    if others:
         return f"it rests on {', '.join(others)}"
-    if numbers:
+    if names & MACHINE:
         return "it rests on the classical reals and on Coq's machine integers and floats"
     return "it rests on the classical reals alone"

@@ -21,7 +21,16 @@ from typing import Any, NamedTuple
 from tresym.coq import stamps
 from tresym.coq.candidate_search import assumptions
 from tresym.coq.coqtop import HEAD, prelude
-from tresym.coq.ledger_statements import Exported, Joint, lemmas, name_of, stamp, stem, theorem_of
+from tresym.coq.ledger_statements import (
+    DEDUCED,
+    Exported,
+    Joint,
+    lemmas,
+    name_of,
+    stamp,
+    stem,
+    theorem_of,
+)
 from tresym.coq.statement import NotExportedError, Theorem, condition
 from tresym.ledger.claim import AllOf, Claim
 from tresym.ledger.paper import all_claims, file_of, racket, sections
@@ -79,9 +88,21 @@ class Entry(NamedTuple):
         return tuple(condition(*part) for part in whole.defined)
 
     @property
+    def closed(self) -> bool:
+        """Whether Coq proves the theorem, with no premise left."""
+        return self.script is not None and not self.premises
+
+    @property
     def status(self) -> str:
-        """``"proved"``, ``"partial"`` if a premise is not proved, or ``"none"``."""
-        return "none" if self.script is None else "partial" if self.premises else "proved"
+        """What Coq proves: ``"proved"``, ``"parts"``, ``"partial"`` or ``"none"``.
+
+        ``"parts"`` means that the theorem is the conjunction of claims from which the claim
+        follows, or which support its sentence; ``"partial"``, that a premise is not proved.
+        """
+        if self.script is None:
+            return "none"
+        whole = not isinstance(self.theorem, Joint) or self.theorem.whole
+        return "partial" if self.premises else "proved" if whole else "parts"
 
 
 def stored() -> dict[str, Any]:
@@ -104,15 +125,16 @@ def entries(
         unchecked: whether proofs whose stamp does not hold count too, to be checked.
     """
     found: dict[str, Entry] = {}
-    claims = {claim.label: claim for claim in all_claims()}
-    needed, stack = set(), [*(claims if wanted is None else wanted)]
+    asked = None if wanted is None else (*wanted,)
+    claims = {claim.label: claim for claim in all_claims(_with_applied(asked, store))}
+    needed, stack = set(), [*(claims if asked is None else asked)]
     while stack:
         label = stack.pop()
         if label in claims and label not in needed:
             needed.add(label)
             proof = claims[label].proof
             stack += store["claims"].get(label, {}).get("uses", ())
-            stack += [part.label for part in proof.claims] if isinstance(proof, AllOf) else []
+            stack += [c.label for c in claims[label].uses] if _is_joint(proof) else []
     for claim in (c for label, c in claims.items() if label in needed):
         try:
             whole = theorem_of(claim)
@@ -135,7 +157,7 @@ def entries(
             why = "Coq has not checked its stored proof since that or a lemma it uses was changed"
             found[claim.label] = Entry(whole, "", None, (), why)
             continue
-        open_ = tuple(used for used in proof_row["uses"] if found[used].status != "proved")
+        open_ = tuple(used for used in proof_row["uses"] if not found[used].closed)
         if any(found[used].theorem is None for used in open_):
             found[claim.label] = Entry(
                 whole, "", None, (), "its proof applies a theorem that is not exported"
@@ -152,12 +174,28 @@ def entries(
     return found
 
 
+def _is_joint(proof: Any) -> bool:
+    """Return whether the theorem of a claim with this evidence combines those of other claims."""
+    return isinstance(proof, (AllOf, *DEDUCED))
+
+
+def _with_applied(asked: tuple[str, ...] | None, store: Mapping[str, Any]) -> tuple[str, ...]:
+    """Return labels with those whose theorems their stored proofs apply; none for all claims."""
+    found, stack = set(), [*(asked or ())]
+    while stack:
+        label = stack.pop()
+        if label not in found:
+            found.add(label)
+            stack += store["claims"].get(label, {}).get("uses", ())
+    return tuple(found)
+
+
 def strengthened(label: str, known: Mapping[str, Entry]) -> bool:
     """Whether a theorem with fewer premises of definedness is proved for a claim."""
     entry = known[label]
     if isinstance(entry.theorem, Joint):
         parts = [part.label for part in entry.theorem.parts]
-        return entry.status == "proved" and any(strengthened(part, known) for part in parts)
+        return entry.closed and any(strengthened(part, known) for part in parts)
     return entry.stronger is not None
 
 

@@ -35,14 +35,25 @@ from tresym.coq.theorem_trees import Part, defined
 from tresym.ledger.claim import (
     AllOf,
     Claim,
+    Conservation,
     Counterexample,
     Definition,
+    Dominated,
+    Follows,
+    FromSlope,
+    FromTheEdge,
+    Growing,
     ImplicitFunction,
+    InfimumBy,
+    Lyapunov,
+    MonotoneOf,
     Printed,
     Root,
+    RootMonotone,
 )
 from tresym.ledger.conversion import conditions
 from tresym.ledger.evidence.box_bounds import Boxes
+from tresym.ledger.evidence.deductions import parts_under
 from tresym.ledger.evidence.refutation import denied_part
 from tresym.ledger.paper import file_of
 from tresym.ledger.statements import Rounds
@@ -62,13 +73,26 @@ from tresym.reals.language.formula import Conjunction, Equivalence, Relation
 from tresym.reals.numbers.exact import InputError, printed
 from tresym.reals.verdict import Verdict
 
+DEDUCED = (
+    *(Follows, RootMonotone, MonotoneOf, FromSlope, FromTheEdge, InfimumBy, Dominated),
+    *(Conservation, Lyapunov, Growing),
+)
+"""Evidence whose last step has no statement in Coq yet; the claims that it names may have."""
+
 
 @dataclass(frozen=True)
 class Joint:
-    """The conjunction of the theorems of other claims."""
+    """The conjunction of the theorems of other claims.
+
+    Attributes:
+        name: the name of the theorem.
+        parts: the other claims.
+        whole: whether the conjunction is what the claim states. If not, Coq proves parts of it.
+    """
 
     name: str
     parts: tuple[Claim, ...]
+    whole: bool = True
 
     @property
     def body(self) -> str:
@@ -132,11 +156,14 @@ def _theorem_of(claim: Claim) -> Exported:
         )
     if isinstance(proof, Boxes) and proof.meant is not None:  # its statement alone may be false
         raise NotExportedError("what its symbols mean on the boxes is not exported to Coq yet")
-    if isinstance(proof, AllOf):
-        parts = (p for p in proof.claims if not _assumed(p))
+    if isinstance(proof, (AllOf, *DEDUCED)):
+        parts = (p for p in claim.uses if not _assumed(p) and not isinstance(p.proof, Root))
         if claim.expect is Verdict.REFUTED:  # since some of its parts are
             parts = (p for p in parts if p.expect is Verdict.REFUTED)
-        return Joint(name_of(claim.label), tuple(parts))
+        found = tuple(parts)
+        if not found:
+            raise NotExportedError("its evidence names no claim that Coq could prove")
+        return Joint(name_of(claim.label), found, _is_their_conjunction(claim))
     statement = claim.statement
     if statement is None:
         raise NotExportedError("a sentence without a formula cannot be exported to Coq")
@@ -162,6 +189,22 @@ def _theorem_of(claim: Claim) -> Exported:
         raise NotExportedError(
             f"the statement cannot be converted to real expressions ({error})"
         ) from None
+
+
+def _is_their_conjunction(claim: Claim) -> bool:
+    """Return whether a claim states no more than all the claims that it names, as they state it."""
+    proof = claim.proof
+    if not isinstance(proof, AllOf) or proof.words or claim.statement is None:
+        return False
+    if claim.expect is Verdict.REFUTED:
+        return True
+    known = {
+        pair
+        for part in proof.claims
+        if part.statement is not None and not _assumed(part)
+        for pair in parts_under(part.statement, part.given)
+    }
+    return {*parts_under(claim.statement, claim.given)} <= known
 
 
 def _implicit(claim: Claim, proof: ImplicitFunction) -> Implicit:

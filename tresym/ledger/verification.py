@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import BrokenExecutor
 from contextlib import nullcontext
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from typing import Any
 
@@ -20,6 +20,7 @@ from tresym.ledger.evidence.interval_evaluation import Evaluated
 from tresym.ledger.finding import RULINGS, Finding, Ruling
 from tresym.ledger.judge import judge, judge_evidence
 from tresym.ledger.paper import Paper
+from tresym.ledger.sentences import uncompared
 from tresym.reals.notebook import html_table, in_one_line
 from tresym.reals.numbers.exact import InputError, quoted
 from tresym.reals.processes import Processes, checked_workers
@@ -245,7 +246,8 @@ def verify(
         _need_coherent(claims)
         chosen, requested = _choose(claims, asked)
         for claim, evidence in zip(chosen, _evidence(chosen, workers, of), strict=True):
-            found[claim.label] = judge(claim, found, evidence)
+            finding = judge(claim, found, evidence)
+            found[claim.label] = _compared(claim, finding) if of is None else finding
             rows.append(Row(claim, found[claim.label], claim.label in requested))
             if on_row is not None:
                 on_row(rows[-1])
@@ -259,6 +261,12 @@ _PAPERS: dict[str, Paper] = {}
 def _claims_of(of: Paper | None, labels: Iterable[str]) -> tuple[Claim, ...]:
     """Return the claims of a paper; those of the paper on the racket if it is None."""
     return paper.all_claims(labels) if of is None else of.all_claims(labels)
+
+
+def _compared(claim: Claim, finding: Finding) -> Finding:
+    """Return the finding, or UNDECIDED if the sentence was not compared with its formula."""
+    why = uncompared(claim)
+    return finding if why is None else replace(finding, verdict=Verdict.UNDECIDED, why=why)
 
 
 def _labels(asked: tuple[Any, ...]) -> tuple[Any, ...]:

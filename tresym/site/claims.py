@@ -143,7 +143,8 @@ def _quoted(axiom: Record) -> Iterator[str]:
 
 def _item(label: str, claim: Record) -> str:
     place = f" [{claim['place']}]{{.place}}" if claim["place"] else ""
-    coq = " [Coq]{.mark .coq}" if claim["coq"] and not claim["coq"]["premises"] else ""
+    proved = claim["coq"] and claim["coq"]["status"] == "proved"
+    coq = " [Coq]{.mark .coq}" if proved else ""
     axioms = " [quoted theorem]{.mark .axioms}" if claim["axioms"] else ""
     kind = f" [{claim['kind']}]{{.kind}}"
     return f"{titled(label, claim)}{place}{coq}{axioms}{kind}\\\n{inline(claim)}"
@@ -348,10 +349,14 @@ def _coq(claim: Record) -> Iterator[str]:
         return
     yield "## [Proof in Coq](/pages/coq.md)"
     what = "the refutation" if claim["verdict"] == "REFUTED" else "this claim"
+    if coq["status"] == "parts":
+        what = "not this claim but those that it is derived from"
     rests = f"; {coq['assumptions']}" if coq["assumptions"] else ""
     if coq["premises"]:
         premises = ", ".join(map(link, coq["premises"]))
         rests = f", assuming {premises}, which are not proved in Coq"
+    if coq["quoted"]:
+        rests += f"; the claim also quotes, without proof: {', '.join(coq['quoted'])}"
     yield f"Coq has proved {what} ({coq['checked']}){rests}:"
     yield f"```coq\n{coq['text']}\n```"
     if coq["undefined"]:

@@ -12,10 +12,11 @@ from tresym.coq import export
 from tresym.coq.coqtop import prelude
 from tresym.coq.definedness import satisfiable
 from tresym.coq.export import Entry, entries, stored
-from tresym.coq.ledger_statements import name_of
+from tresym.coq.ledger_statements import Joint, name_of
 from tresym.coq.statement import Theorem
 from tresym.ledger.claim import Claim
 from tresym.ledger.paper import sections
+from tresym.ledger.verification import Row
 from tresym.reals.verdict import Verdict
 from tresym.report.pages.trusted_code import trusted
 
@@ -60,38 +61,50 @@ def found(labels: tuple[str, ...] | None = None) -> dict[str, Entry]:
     return entries(stored(), labels)
 
 
-def mark(label: str, known: dict[str, Entry]) -> dict[str, Any] | None:
-    """Return the theorem of a claim and its status.
+def mark(row: Row, known: dict[str, Entry]) -> dict[str, Any] | None:
+    """Return the theorem of a claim and its status, with the theorems that the claim quotes.
 
     Returns:
-        None if Coq has proved nothing about the claim.
+        None if Coq has proved nothing about the claim, or its verdict is not the expected one.
     """
-    entry = known.get(label)
-    if entry is None or entry.theorem is None or entry.status == "none":
+    entry = known.get(row.claim.label)
+    if entry is None or entry.theorem is None or entry.status == "none" or not row.as_expected:
         return None
-    return {"theorem": entry.theorem.name, "status": entry.status, "checked": entry.checked}
+    return {
+        "theorem": entry.theorem.name,
+        "status": entry.status,
+        "checked": entry.checked,
+        "quoted": [axiom.name for axiom in row.claim.axioms],
+    }
 
 
-def sentence(claim: Claim) -> str:
-    """Return what Coq has proved about a claim, in a sentence; empty if nothing."""
+def sentence(row: Row) -> str:
+    """Return what Coq has proved about a claim, in a sentence; empty if nothing.
+
+    Nothing is said about a claim whose verdict is not the expected one: it was changed, or it is
+    refuted or undecided.
+    """
+    claim = row.claim
     entry = found((claim.label,))[claim.label]
-    if entry.status == "none":
+    if entry.status == "none" or not row.as_expected:
         return ""
     what = "its refutation is proved" if claim.expect is Verdict.REFUTED else "proved"
+    what = "only the claims it is derived from are proved" if entry.status == "parts" else what
     by = f" from {', '.join(entry.premises)}" if entry.premises else ""
-    return f"{what} in Coq{by} ({entry.checked})"
+    quoted = f"; quoted and not proved: {', '.join(a.name for a in claim.axioms)}"
+    return f"{what} in Coq{by} ({entry.checked}){quoted if claim.axioms else ''}"
 
 
-def shown(label: str, known: dict[str, Entry]) -> dict[str, Any] | None:
+def shown(of: Row, known: dict[str, Entry]) -> dict[str, Any] | None:
     """Return :func:`mark` with the text, premises and assumptions of the theorem, for its page."""
-    marked = mark(label, known)
+    marked, label = mark(of, known), of.claim.label
     if marked is None:
         return None
     entry, row = known[label], stored()["claims"][label]
     assert entry.theorem is not None
     text = f"Theorem {name_of(label)} :\n{export.stated(label, known)}."
     return marked | {
-        "text": text if entry.status == "proved" else entry.theorem.text,
+        "text": text if entry.closed else entry.theorem.text,
         "premises": list(entry.premises),
         "undefined": list(entry.undefined),
         "assumptions": row.get("assumptions", ""),
@@ -114,31 +127,63 @@ def page() -> str:
 
 def _counted(known: dict[str, Entry], store: Mapping[str, Any]) -> Iterator[str]:
     """How many claims Coq proves, and what the proofs depend on."""
+    claims = {claim.label: claim for _, stated in sections() for claim in stated}
     counts = Counter(entry.status for entry in known.values())
-    kinds = Counter(
-        row.get("assumptions", "")
-        for label, row in store["claims"].items()
-        if label in known and known[label].status == "proved"
-    )
+    proved = [label for label, entry in known.items() if entry.status == "proved"]
+    kinds = Counter(store["claims"][label].get("assumptions", "") for label in proved)
+    says = Counter(_form(claims[label], known[label]) for label in proved if label in claims)
+    quoting = [label for label in proved if label in claims and claims[label].axioms]
     days = sorted({entry.checked for entry in known.values() if entry.checked})
     partial = (
         f"It proves {counts['partial']} more (marked *partial*) from premises that are not proved "
         "in Coq. "
     )
+    derived = (
+        f"For {counts['parts']} claims it proves only the claims from which they are derived, "
+        "not the last step (marked *parts*). "
+    )
     yield (
         f"Coq proves {counts['proved']} of the {len(known)} claims ({'; '.join(days)}). "
-        f"{partial if counts['partial'] else ''}"
+        f"{partial if counts['partial'] else ''}{derived if counts['parts'] else ''}"
         "The tables below give the reason wherever a proof is missing. A claim counts "
         "only while its statement, its proof, the lemmas it uses and Coq's version are those of "
         "that check; `tresym verify` compares their hashes."
     )
     yield ""
+    yield "What the theorems say:"
+    yield ""
+    yield from (f"- {n}: {form}." for form, n in says.most_common())
+    yield ""
+    yield "What they rest on:"
+    yield ""
     yield from (f"- {n} theorems: {text}." for text, n in kinds.most_common() if text)
+    if quoting:
+        yield (
+            f"- {len(quoting)} of these claims also quote theorems that nothing here proves: the "
+            f"formulas are proved, the quoted theorem is not ({', '.join(map(_code, quoting))})."
+        )
     yield (
         f"- For {len(store['possible'])} sets of conditions Coq proves that some point satisfies "
         "them, so that no theorem holds only because its conditions contradict each other."
     )
     yield ""
+
+
+def _code(label: str) -> str:
+    return f"`{label}`"
+
+
+def _form(claim: Claim, entry: Entry) -> str:
+    """Return what kind of statement the theorem of a claim is."""
+    if claim.expect is Verdict.REFUTED:
+        return "refutations: some point satisfies the conditions and violates the statement"
+    if claim.kind == "definition":
+        return "definitions: the defined value exists"
+    if isinstance(entry.theorem, Joint):
+        return "conjunctions of other theorems, which together are the claim"
+    if isinstance(entry.theorem, Theorem) and entry.theorem.exists:
+        return "existential: some inputs that round to the printed ones give the printed value"
+    return "universal: for all values that satisfy the conditions"
 
 
 def _defined(known: dict[str, Entry], store: Mapping[str, Any]) -> Iterator[str]:

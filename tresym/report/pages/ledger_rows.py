@@ -18,7 +18,7 @@ def report_json(report: Report) -> dict[str, Any]:
     lines = display_lines()
     labels = tuple(row.claim.label for row in report.rows)
     known = coq_page.found(labels)
-    coq = {label: coq_page.mark(label, known) for label in labels}
+    coq = {row.claim.label: coq_page.mark(row, known) for row in report.rows}
     return {
         "version": JSON_VERSION,
         "counts": report.counts,

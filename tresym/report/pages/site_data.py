@@ -78,7 +78,7 @@ def record(report: Report) -> dict[str, Any]:
         "rules": {axiom.name: _axiom(axiom) | {"rule": axiom.rule} for axiom in RULES},
         "claims": {
             row.claim.label: _claim(row, lines, quotes)
-            | {"coq": coq_page.shown(row.claim.label, twice)}
+            | {"coq": coq_page.shown(row, twice)}
             | {"used_by": used_by[row.claim.label], "amends": amends[row.claim.label]}
             for row in report.rows
         },

@@ -23,6 +23,7 @@ from sympy import Basic, Rational
 from tresym.ledger.claim import Claim, parts_of
 from tresym.ledger.finding import Premise
 from tresym.ledger.paper import file_of
+from tresym.ledger.sentences import changed as compared
 from tresym.ledger.verification import Row
 from tresym.reals.numbers.exact import InputError, fraction_text
 from tresym.report.pages.derivation import LINE, aligned_rows, alone, chosen_lines, continued, prose
@@ -65,6 +66,16 @@ def labels_in(text: str) -> tuple[str, ...]:
     return tuple(dict.fromkeys(args[0] for kind, args in found if kind not in _UNLABELLED))
 
 
+def theorems() -> dict[str, str]:
+    """Return the sentences of the theorems of the article, by the label of their claim."""
+    return {
+        m[2].split()[0]: " ".join(m[3].split())
+        for name in names()
+        for m in BLOCK.finditer(text_of(name))
+        if m[1] == "theorem"
+    }
+
+
 def figures_in(text: str) -> tuple[str, ...]:
     """Return the names of the figures in a template."""
     return tuple(m[2].strip() for m in BLOCK.finditer(text) if m[1] == "figure")
@@ -89,6 +100,13 @@ def changed(text: str, rows: Mapping[str, Row]) -> Iterator[str]:
         found = rows[label].finding.verdict.value if label in rows else "not in the ledger"
         if found != declared and not (declared == "" and found in HOLDS):
             yield f"{label} is {found}; the text expects {declared or 'that it holds'}"
+    for kind, args, inside in (m.groups() for m in BLOCK.finditer(text)):
+        label = args.split()[0]
+        if kind == "theorem" and label in rows:
+            key, sentence = f"theorem {label}", " ".join(inside.split())
+            why = compared(key, sentence, rows[label].claim)
+            if why is not None:
+                yield f"theorem {label}: {why}"
 
 
 class Templates:

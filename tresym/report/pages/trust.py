@@ -72,14 +72,20 @@ def _answer(report: Report) -> list[str]:
     """The answer in one paragraph."""
     labels = tuple(row.claim.label for row in report.rows)
     known = coq_page.found(labels)
-    marks = [coq_page.mark(label, known) for label in labels]
-    checked = sum(mark is not None and mark["status"] == "proved" for mark in marks)
+    marks = [coq_page.mark(row, known) for row in report.rows]
+    whole = [mark for mark in marks if mark is not None and mark["status"] == "proved"]
+    checked, quoting = len(whole), sum(bool(mark["quoted"]) for mark in whole)
     statements = trusted(coq_page.STATEMENTS)[0].total
     proved, enclosed = trusted(LEDGER)
     return [
         f"**For {checked} of {len(labels)} claims** you have to trust Coq, its libraries, and the "
         f"{statements:,} lines of Python that turn a claim into a Coq statement; such a statement "
-        "says nothing about points at which one of its parts is undefined. **For the other "
+        "says nothing about points at which one of its parts is undefined"
+        + (
+            f", and {quoting} of these claims also quote theorems that are not proved"
+            * bool(quoting)
+        )
+        + ". **For the other "
         f"{len(labels) - checked}** you have to trust Python, the libraries named below, and "
         f"{proved.total:,} lines of tresym for the verdict PROVED, or {enclosed.total:,} more for "
         "ENCLOSED. **For all of them** you have to agree that the formula shown beside a sentence "
@@ -175,12 +181,18 @@ def _quoted(report: Report) -> list[str]:
 
 def _sentences(report: Report) -> list[str]:
     prose = [row.claim.label for row in report.rows if not is_formal(row.claim)]
+    worded = [row for row in report.rows if isinstance(row.claim.says, str)]
     functions = [row.claim.label for row in report.rows if isinstance(row.claim.proof, Boxes)]
     return [
         "## What is left to the reader",
         "",
         f"For {len(prose)} claims, sentences or asymptotic formulas, no single formula expresses "
-        f"the whole statement: {_names(prose) or 'none'}. Compare the evidence with the sentence.",
+        f"the whole statement: {_names(prose) or 'none'}. Compare the evidence with the sentence. "
+        "They do not count as proved in Coq.",
+        "",
+        f"{len(worded)} claims have a sentence beside their formula. Somebody compared the two; a "
+        "claim becomes UNDECIDED when either is changed. The statements of all other "
+        "claims are printed from their formulas.",
         "",
         f"The evidence of {len(functions)} claims contains a Python function in place of a "
         f"formula: {_names(functions) or 'none'}. Tests compare the two at sample points.",
