@@ -11,15 +11,12 @@
 - `exponent_gap`: Q(e) − log(e/ε*) without logarithms, for candidates e that are angles;
 - `arctangent_concave`, `arsinh_concave`: f(tx) ≥ t f(x) for these concave functions, 0 ≤ t ≤ 1;
 - `half_exponent`, `half_tangent`: log(tan(ε₀/2)/(ε*/2)) is a sum of two terms, positive by
-  `root_above_one` and by `turn_increases`, as the turn vanishes at e = 0. Hence `leading_below`:
-  ε₀ > 2 arctan(ε*/2), and by `arctangent_above` ε₀/ε* > 1 − ε*²/12, for every shape.
+  `root_above_one` and by `turn_increases`, as the turn vanishes at e = 0; see `leading_below`.
 """
 
 from __future__ import annotations
 
 from tresym.proofs.conditions import defect, shape
-from tresym.proofs.near import exponent_of_defect, leading_by_defect, leading_term
-from tresym.proofs.separatrix import defect_range, flip_defect
 
 from tresym.ledger.vocabulary import *
 from tresym.racket.notation import *
@@ -131,91 +128,5 @@ arctangent_concave = Claim(
 )
 
 arsinh_concave = Claim(says=asinh(share * x) - share * asinh(x) >= 0, given=_part, proof=manifest)
-
-_at_root = citing(flip_defect, defect_range)
-_sine0, _cosine0 = sin(epsilon0), cos(epsilon0)
-_root0 = sqrt(1 + b / a * _sine0**2)
-_turn0 = asin(sqrt(b / a) * _sine0**2 / (_cosine0 + _root0))
-
-leading_positive = Claim(says=epsilon_star > 0, given=shape, proof=by(substituting(leading_term)))
-
-half_tangent_at_root = Claim(
-    says=equal(
-        tan(epsilon0 / 2),
-        epsilon_star / 2 * (_cosine0 + _root0) / (1 + _cosine0) * exp(sqrt(a * b) * _turn0),
-    ),
-    given=shape,
-    proof=(
-        step(_sine0 / (1 + _cosine0), trigonometry, _at_root),
-        step(
-            epsilon0
-            * exp(-Q)
-            / 2
-            * (_cosine0 + _root0)
-            / (1 + _cosine0)
-            * exp(sqrt(a * b) * _turn0),
-            *(substituting(exponent_of_defect), exponentials, _at_root),
-        ),
-        step(None, substituting(leading_by_defect), _at_root),
-    ),
-)
-
-half_tangent_above = Claim(
-    says=tan(epsilon0 / 2) > epsilon_star / 2,
-    given=shape,
-    proof=(
-        step(
-            epsilon_star
-            / 2
-            * (
-                (_root0 - 1) / (1 + _cosine0) * exp(sqrt(a * b) * _turn0)
-                + (exp(sqrt(a * b) * _turn0) - 1)
-            ),
-            *(substituting(half_tangent_at_root), citing(leading_positive), _at_root),
-        ),
-    ),
-)
-
-_half = Instance(arctangent_above, ((x, epsilon_star / 2),), (leading_positive,))
-arctangent_at_half = Claim(says=_half.says, given=shape, proof=_half)
-
-half_angle_above = Claim(
-    says=epsilon0 / 2 > atan(epsilon_star / 2),
-    given=shape,
-    proof=(
-        step(
-            tan(epsilon0 / 2) - epsilon_star / 2,
-            *(
-                applying("tan"),
-                inverses,
-                trigonometry,
-                citing(half_tangent_above, leading_positive),
-                _at_root,
-            ),
-        ),
-    ),
-)
-
-leading_below = Claim(
-    says=Tuple(
-        epsilon0 / 2 > atan(epsilon_star / 2), epsilon0 / epsilon_star > 1 - epsilon_star**2 / 12
-    ),
-    given=shape,
-    proof=follows(
-        all_of(half_angle_above),
-        (
-            step(
-                2
-                / epsilon_star
-                * (
-                    (epsilon0 / 2 - atan(epsilon_star / 2))
-                    + (epsilon_star**3 / 24 - epsilon_star / 2 + atan(epsilon_star / 2))
-                ),
-                citing(half_angle_above, arctangent_at_half, leading_positive),
-            ),
-        ),
-    ),
-    note="Equality would be attained in the limit b → 0, b/a → 0, where tan(ε₀/2) = e^{−π√(ab)}.",
-)
 
 label_claims(globals())

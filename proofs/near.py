@@ -4,7 +4,10 @@
   `exponent_of_defect` Q = log(ε₀/ε*), `first_coefficient` c₁, `second_coefficient` c₂;
 - `phase_equation`, `defect_by_phase`, `leading_by_defect`: the relations between them;
 - the readings identify the steps of the formulas in `tresym.racket.bounds` with these symbols, in
-  the two charts (b, κ), κ = 1/√(ab), and (b, k), k = √(ab).
+  the two charts (b, κ), κ = 1/√(ab), and (b, k), k = √(ab);
+- `half_tangent_at_root`: tan(ε₀/2) by ε*, hence `leading_below`: ε₀ > 2 arctan(ε*/2), and
+  ε₀/ε* > 1 − ε*²/12, for every shape;
+- `cotangent_at_root`: cot ε₀ by the phase, hence `b_to_zero`: ε₀ → π/2 as b → 0.
 """
 
 from collections.abc import Callable
@@ -13,6 +16,8 @@ from typing import Any
 
 from sympy import Mul, Pow
 from tresym.proofs.conditions import shape
+from tresym.proofs.exponent import arctangent_above
+from tresym.proofs.on_the_separatrix import angle_below_tangent, hyperbolic_sine_at_most
 from tresym.proofs.separatrix import defect_range, flip_defect
 from tresym.proofs.sweeps import newton_from_four, newton_from_pi, sweep_from_four, sweep_from_pi
 
@@ -557,6 +562,152 @@ four_readings, newton_beyond_four = _newton(
     lambda m: fmpq(4),
     (_from_four, misses_from_four[1]),
     newton_from_four,
+)
+
+# -- bounds for every shape ----------------------------------------------------------------------
+
+_everywhere = citing(flip_defect, defect_range)
+_sine0, _cosine0 = sin(epsilon0), cos(epsilon0)
+_root0 = sqrt(1 + b / a * _sine0**2)
+_turn0 = asin(sqrt(b / a) * _sine0**2 / (_cosine0 + _root0))
+
+leading_positive = Claim(says=epsilon_star > 0, given=shape, proof=by(substituting(leading_term)))
+
+half_tangent_everywhere = Claim(
+    says=equal(
+        tan(epsilon0 / 2),
+        epsilon_star / 2 * (_cosine0 + _root0) / (1 + _cosine0) * exp(sqrt(a * b) * _turn0),
+    ),
+    given=shape,
+    proof=(
+        step(_sine0 / (1 + _cosine0), trigonometry, _everywhere),
+        step(
+            epsilon0
+            * exp(-Q)
+            / 2
+            * (_cosine0 + _root0)
+            / (1 + _cosine0)
+            * exp(sqrt(a * b) * _turn0),
+            *(substituting(exponent_of_defect), exponentials, _everywhere),
+        ),
+        step(None, substituting(leading_by_defect), _everywhere),
+    ),
+)
+
+half_tangent_above = Claim(
+    says=tan(epsilon0 / 2) > epsilon_star / 2,
+    given=shape,
+    proof=(
+        step(
+            epsilon_star
+            / 2
+            * (
+                (_root0 - 1) / (1 + _cosine0) * exp(sqrt(a * b) * _turn0)
+                + (exp(sqrt(a * b) * _turn0) - 1)
+            ),
+            *(substituting(half_tangent_everywhere), citing(leading_positive), _everywhere),
+        ),
+    ),
+)
+
+_half = Instance(arctangent_above, ((x, epsilon_star / 2),), (leading_positive,))
+arctangent_at_half = Claim(says=_half.says, given=shape, proof=_half)
+
+half_angle_above = Claim(
+    says=epsilon0 / 2 > atan(epsilon_star / 2),
+    given=shape,
+    proof=(
+        step(
+            tan(epsilon0 / 2) - epsilon_star / 2,
+            *(
+                applying("tan"),
+                inverses,
+                trigonometry,
+                citing(half_tangent_above, leading_positive),
+                _everywhere,
+            ),
+        ),
+    ),
+)
+
+leading_below = Claim(
+    says=Tuple(
+        epsilon0 / 2 > atan(epsilon_star / 2), epsilon0 / epsilon_star > 1 - epsilon_star**2 / 12
+    ),
+    given=shape,
+    proof=follows(
+        all_of(half_angle_above),
+        (
+            step(
+                2
+                / epsilon_star
+                * (
+                    (epsilon0 / 2 - atan(epsilon_star / 2))
+                    + (epsilon_star**3 / 24 - epsilon_star / 2 + atan(epsilon_star / 2))
+                ),
+                citing(half_angle_above, arctangent_at_half, leading_positive),
+            ),
+        ),
+    ),
+    note="Equality would be attained in the limit b → 0, b/a → 0, where tan(ε₀/2) = e^{−π√(ab)}.",
+)
+
+
+_late = 3 * pi / 2 * sqrt(a * b)
+_soon = sqrt(a * b) * P
+_bounded = (*shape, a * b <= 1)
+
+cotangent_at_root = Claim(
+    says=equal(cos(epsilon0) / sin(epsilon0), sqrt(1 + b / a) * sinh(_soon)),
+    given=shape,
+    proof=(
+        step(
+            sqrt(1 + b / a)
+            * sinh(
+                sqrt(a * b)
+                * (asinh(sqrt(a / (a + b)) * cos(epsilon0) / sin(epsilon0)) / sqrt(a * b))
+            ),
+            *(roots, citing(flip_defect, defect_range)),
+        ),
+        step(
+            None,
+            *(substituting(phase_by_defect), exponentials, inverses, roots),
+            citing(flip_defect, defect_range),
+        ),
+    ),
+)
+
+hyperbolic_sine_rises = Claim(
+    says=sinh(T + x) - sinh(T) >= 0, given=(T > 0, x >= 0), proof=manifest
+)
+
+_rises = Instance(hyperbolic_sine_rises, ((T, _soon), (x, _late - _soon)), (phase_range,))
+sine_of_the_time = Claim(says=_rises.says, given=shape, proof=_rises)
+
+_small = Instance(hyperbolic_sine_at_most, ((k, sqrt(a * b)),))
+sine_of_the_late = Claim(says=_small.says, given=_bounded, proof=_small)
+
+_below = Instance(angle_below_tangent, ((epsilon, epsilon0),), (flip_defect, defect_range))
+defect_below_tangent = Claim(says=_below.says, given=shape, proof=_below)
+
+b_to_zero = Claim(
+    says=Tuple(pi / 2 - epsilon0 > 0, pi / 2 - epsilon0 <= 56 * sqrt(1 + b / a) * sqrt(a * b)),
+    given=_bounded,
+    proof=follows(
+        by(citing(flip_defect)),
+        (
+            step(
+                (cos(epsilon0) / sin(epsilon0) - (pi / 2 - epsilon0))
+                + sqrt(1 + b / a) * (sinh(_late) - sinh(_soon))
+                + sqrt(1 + b / a) * (56 * sqrt(a * b) - sinh(_late)),
+                substituting(cotangent_at_root),
+                citing(sine_of_the_time, sine_of_the_late, defect_below_tangent, defect_range),
+            ),
+        ),
+    ),
+    where=line(249),
+    note="0 < π/2 − ε₀ ≤ cot ε₀ ≤ √(1 + b/a) sinh(3π√(ab)/2) ≤ 56 √(1 + b/a) √(ab): ε₀ → π/2 as "
+    "b → 0 at fixed a.",
 )
 
 label_claims(globals())

@@ -14,10 +14,8 @@ from tresym.proofs.axioms import MOTION
 from tresym.proofs.conditions import defect, ordered_moments, shape, shape_of_a_body, tilted
 from tresym.proofs.euler_angles import precession_rate
 from tresym.proofs.flip_dynamics import eq_dpsidphi, moving, sign_of_tilt
-from tresym.proofs.near import phase_by_defect, phase_range
 from tresym.proofs.phase_portraits import separatrix_moves
 from tresym.proofs.regimes import planar_system, separatrix_case
-from tresym.proofs.separatrix import defect_range, flip_defect
 
 from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
@@ -165,62 +163,6 @@ angle_below_tangent = Claim(
     note="x ≤ tan x for x = π/2 − ε between 0 and π/2.",
 )
 
-_late = 3 * pi / 2 * sqrt(a * b)
-_soon = sqrt(a * b) * P
-_bounded = (*shape, a * b <= 1)
-
-cotangent_at_root = Claim(
-    says=equal(cos(epsilon0) / sin(epsilon0), sqrt(1 + b / a) * sinh(_soon)),
-    given=shape,
-    proof=(
-        step(
-            sqrt(1 + b / a)
-            * sinh(
-                sqrt(a * b)
-                * (asinh(sqrt(a / (a + b)) * cos(epsilon0) / sin(epsilon0)) / sqrt(a * b))
-            ),
-            *(roots, citing(flip_defect, defect_range)),
-        ),
-        step(
-            None,
-            *(substituting(phase_by_defect), exponentials, inverses, roots),
-            citing(flip_defect, defect_range),
-        ),
-    ),
-)
-
-hyperbolic_sine_rises = Claim(
-    says=sinh(T + x) - sinh(T) >= 0, given=(T > 0, x >= 0), proof=manifest
-)
-
-_rises = Instance(hyperbolic_sine_rises, ((T, _soon), (x, _late - _soon)), (phase_range,))
-sine_of_the_time = Claim(says=_rises.says, given=shape, proof=_rises)
-
-_small = Instance(hyperbolic_sine_at_most, ((k, sqrt(a * b)),))
-sine_of_the_late = Claim(says=_small.says, given=_bounded, proof=_small)
-
-_below = Instance(angle_below_tangent, ((epsilon, epsilon0),), (flip_defect, defect_range))
-defect_below_tangent = Claim(says=_below.says, given=shape, proof=_below)
-
-b_to_zero = Claim(
-    says=Tuple(pi / 2 - epsilon0 > 0, pi / 2 - epsilon0 <= 56 * sqrt(1 + b / a) * sqrt(a * b)),
-    given=_bounded,
-    proof=follows(
-        by(citing(flip_defect)),
-        (
-            step(
-                (cos(epsilon0) / sin(epsilon0) - (pi / 2 - epsilon0))
-                + sqrt(1 + b / a) * (sinh(_late) - sinh(_soon))
-                + sqrt(1 + b / a) * (56 * sqrt(a * b) - sinh(_late)),
-                substituting(cotangent_at_root),
-                citing(sine_of_the_time, sine_of_the_late, defect_below_tangent, defect_range),
-            ),
-        ),
-    ),
-    where=line(249),
-    note="0 < π/2 − ε₀ ≤ cot ε₀ ≤ √(1 + b/a) sinh(3π√(ab)/2) ≤ 56 √(1 + b/a) √(ab): ε₀ → π/2 as "
-    "b → 0 at fixed a.",
-)
 
 separatrix_horizontal = Claim(
     says=equal(at(printed.psi_rate(psi, a, b, 0, S, sympy), {b: 0}), 0),

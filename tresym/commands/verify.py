@@ -21,7 +21,7 @@ from tresym.commands.parser import (
     worker_count,
 )
 from tresym.ledger.finding import RULINGS, Premise, Ruling
-from tresym.output import bold, colour_wanted, dim, show_progress, styled
+from tresym.output import bold, colour_wanted, dim, show_progress, styled, write_text
 from tresym.reals.numbers.exact import InputError, fraction_text, quoted
 from tresym.reals.verdict import Verdict
 
@@ -122,8 +122,8 @@ def _verify_claims(args: argparse.Namespace) -> int:
 
 def _save_sentences(labels: tuple[str, ...]) -> int:
     """Store the sentences of claims, and of theorems of the article, as compared."""
-    from tresym.ledger.paper import all_claims
-    from tresym.ledger.sentences import digest, save, stored
+    from tresym.ledger.paper import all_claims, file_of
+    from tresym.ledger.sentences import STORE, digest, stored, updated
     from tresym.report.pages.templates import theorems
 
     if not labels:
@@ -145,7 +145,7 @@ def _save_sentences(labels: tuple[str, ...]) -> int:
     }
     kept = {c.label for c in claims.values() if isinstance(c.says, str)}
     kept |= {f"theorem {label}" for label in every}
-    save(found, gone={*(stored() or ())} - kept)
+    write_text(str(file_of(STORE)), updated(found, gone={*(stored() or ())} - kept))
     print(f"{len(found)} sentences stored")
     return 0
 

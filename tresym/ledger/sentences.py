@@ -21,7 +21,6 @@ from pathlib import Path
 
 from tresym.ledger.claim import AllOf, Claim
 from tresym.ledger.paper import file_of
-from tresym.output import write_text
 
 STORE = "sentences.json"
 
@@ -69,10 +68,8 @@ def changed(key: str, sentence: str, claim: Claim) -> str | None:
     )
 
 
-def save(hashes: dict[str, str], gone: Iterable[str] = ()) -> None:
-    """Store that sentences were compared with their formulas, and forget those that are gone."""
+def updated(hashes: dict[str, str], gone: Iterable[str] = ()) -> str:
+    """Return the text of the file with more sentences compared, without those that are gone."""
     known = stored() or {}
     kept = {label: found for label, found in known.items() if label not in {*gone}}
-    text = json.dumps(kept | hashes, indent=0, ensure_ascii=False, sort_keys=True)
-    write_text(str(file_of(STORE)), text + "\n")
-    _read.cache_clear()
+    return json.dumps(kept | hashes, indent=0, ensure_ascii=False, sort_keys=True) + "\n"

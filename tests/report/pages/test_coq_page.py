@@ -10,6 +10,7 @@ from tresym.coq.coqtop import prelude
 from tresym.coq.ledger_statements import Joint
 from tresym.coq.statement import Theorem
 from tresym.ledger.paper import all_claims
+from tresym.ledger.verification import verify
 from tresym.reals.verdict import Verdict
 from tresym.report.pages import coq_page
 from tresym.report.pages.trusted_code import trusted
@@ -44,7 +45,7 @@ def test_the_page_says_what_is_proved_and_which_premises_stay() -> None:
 
 def test_the_theorem_of_a_claim_is_shown_without_the_premises_that_are_proved() -> None:
     label = next(n for n, e in coq_page.found().items() if e.left == () and e.status == "proved")
-    found = coq_page.shown(label, coq_page.found())
+    found = coq_page.shown(verify(label)[label], coq_page.found())
     assert found
     assert "(* defined *)" not in found["text"]
     assert found["undefined"] == []
@@ -53,7 +54,7 @@ def test_the_theorem_of_a_claim_is_shown_without_the_premises_that_are_proved() 
         for n, e in coq_page.found().items()
         if isinstance(e.theorem, Joint) and export.strengthened(n, coq_page.found())
     )
-    found = coq_page.shown(joint, coq_page.found())
+    found = coq_page.shown(verify(joint)[joint], coq_page.found())
     assert found
     assert "stronger_" in found["text"]
 
