@@ -42,10 +42,10 @@ from tresym.reals.signs.interior import is_zero
 from tresym.reals.values.growth import DivergesError
 
 MAX_DIGITS = 10_000
-TRIES = 6
-"""How often the precision is raised."""
 SMALLEST = 4
-"""A value below 10^(−4 digits − 100) cannot be told apart from 0."""
+"""A value below 10^(−4 digits − 100) is not told apart from 0, if nothing else is asked for."""
+AGAIN = 2
+"""How often an expression is tried again, at higher precision, that has no value."""
 GRID = 400
 """The number of points at which an equation without a proved root is looked at."""
 
@@ -187,35 +187,41 @@ def placed(e: Expr, at: Mapping[str, Expr]) -> Expr:
     return substitute(e, at)
 
 
-def certified(e: Expr, digits: int, least: int = 0) -> arb:
+def certified(e: Expr, digits: int, smallest: int | None = None) -> arb:
     """Return a ball around a closed expression that proves ``digits`` digits; exactly 0 if it is.
 
     Args:
         e: the expression, without variables.
         digits: the number of significant digits.
-        least: how many bits more than usual the first attempt has.
+        smallest: a value below 2 to the power of minus this is not told apart from 0; if it is not
+            given, this depends on the digits.
 
     Raises:
         InputError: no value is proved to exist, or the value cannot be told apart from 0.
     """
-    wanted, more = bits(digits, 8), least
-    for _ in range(TRIES):
+    wanted, more, undefined = bits(digits, 8), 0, 0
+    limit = SMALLEST * bits(digits) + 400 if smallest is None else smallest
+    found: arb | None = None
+    while more <= limit:
         with ball_precision(bits(digits, 48) + more):
             walker = enclosing()
             try:
                 found = walker.value(e)
             except DivergesError as error:
                 raise InputError(str(error)) from None
-            except UndefinedError:
-                raise InputError(_without_value(e, walker)) from None
+            except UndefinedError:  # perhaps only because a divisor is not told apart from 0
+                if undefined == AGAIN:
+                    raise InputError(_without_value(e, walker)) from None
+                undefined += 1
+                more = min(max(3 * more, 2 * bits(digits, 48)), limit)
+                continue
             if found.is_zero() or found.rel_accuracy_bits() >= wanted:
                 return found
             lost = wanted - found.rel_accuracy_bits() if not found.contains(0) else 0
         if found.contains(0) and not more and is_zero(e, Given()):
             return arb(0)
         more += max(lost + 16, more, 64) if lost else max(2 * more, bits(digits, 64))
-        if more > SMALLEST * bits(digits) + 400:
-            break
+    assert found is not None
     if found.contains(0):
         raise InputError(
             f"the value could not be told apart from 0: it is at most {found.abs_upper().str(3)}"

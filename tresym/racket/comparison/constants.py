@@ -10,10 +10,10 @@ from typing import NamedTuple
 
 from flint import arb, fmpq
 
-from tresym.racket.flip.separatrix import solve
+from tresym.accuracy.values import certified
+from tresym.racket.comparison.errors import SMALLEST, exact_defect
 from tresym.racket.formulas import stable
-from tresym.racket.result import proves
-from tresym.reals.numbers.arithmetic import ball_precision, balls
+from tresym.reals.language.expression import number, trees
 
 
 class Constants(NamedTuple):
@@ -41,15 +41,9 @@ a = ∞."""
 
 def excesses(a: fmpq, b: fmpq, digits: int = 6) -> tuple[arb, arb]:
     """Compute (ε₀/ε* − 1)/ε*² and (ε₀/ε* − 1 − c₁ε*²)/ε*⁴ to ``digits`` certified digits."""
-    working = 30
-    while True:
-        exact = solve(a, b, working).defect
-        with ball_precision(4 * working + 64):
-            k, r = arb(a * b).sqrt(), arb(b / a).sqrt()
-            leading = stable.leading_term(k, r, balls)
-            square = leading * leading
-            first = (exact / leading - 1) / square
-            second = (first - stable.first_coefficient(k, r)) / square
-            if proves(first, digits) and proves(second, digits):
-                return first, second
-        working *= 2
+    k, r = trees.sqrt(number(a * b)), trees.sqrt(number(b / a))
+    leading = stable.leading_term(k, r, trees)
+    first = (exact_defect(a, b) / leading - 1) / leading**2
+    second = (first - stable.first_coefficient(k, r)) / leading**2
+    one, other = (certified(e, digits, smallest=SMALLEST) for e in (first, second))
+    return one, other

@@ -1,7 +1,7 @@
 """Certified errors of each formula for ε₀, shape by shape.
 
-The relative error of a formula is formula/ε₀ − 1, computed as a ball at increasing precision until
-it proves the digits asked for.
+The relative error of a formula is formula/ε₀ − 1. The exact ε₀ is an expression, by the root of the
+phase equation, and so is each formula; :func:`tresym.accuracy.values.certified` encloses them.
 """
 
 from __future__ import annotations
@@ -11,11 +11,11 @@ from typing import Any
 
 from flint import arb, fmpq
 
+from tresym.accuracy.values import certified
 from tresym.racket.flip import series, uniform
-from tresym.racket.flip.separatrix import solve
 from tresym.racket.formulas import printed, stable
-from tresym.racket.result import proves
-from tresym.reals.numbers.arithmetic import ball_precision, balls
+from tresym.reals.language.binders import root
+from tresym.reals.language.expression import PI, Expr, number, symbol, trees
 
 Formula = Callable[[Any, Any, Any], Any]
 
@@ -38,21 +38,26 @@ WIDTHS = (fmpq(1), fmpq(1, 2), fmpq(1, 10), fmpq(1, 100))
 """The values of b."""
 
 
+SMALLEST = 20_000
+"""An error below 2 to the power of minus this is not told apart from 0."""
+
+
+def exact_defect(a: fmpq, b: fmpq) -> Expr:
+    """Return ε₀ of a shape as an expression with the root of the phase equation."""
+    k, r = trees.sqrt(number(a * b)), trees.sqrt(number(b / a))
+    phase = symbol("P")
+    equation = phase - stable.phase_map(phase, k, r, trees)
+    return stable.defect_at(root(equation, "P", PI, 3 * PI / 2), k, r, trees)
+
+
 def relative_error(formula: Formula, a: fmpq, b: fmpq, digits: int = 4) -> arb:
     """Compute formula/ε₀ − 1 at a shape, to ``digits`` certified digits.
 
     Raises:
-        ArithmeticError: the error is smaller than 10⁻⁶⁰⁰⁰⁰ of ε₀ (it may be zero).
+        InputError: the error is smaller than 10⁻⁶⁰⁰⁰ (it may be zero).
     """
-    working = 60
-    while working < 70_000:
-        exact = solve(a, b, working).defect
-        with ball_precision(4 * working + 64):
-            error = formula(arb(a), arb(b), balls) / exact - 1
-            if proves(error, digits) and not error.contains(0):
-                return error
-        working *= 2
-    raise ArithmeticError("the relative error is too small to be told from zero")
+    shown = formula(number(a), number(b), trees)
+    return certified(shown / exact_defect(a, b) - 1, digits, smallest=SMALLEST)
 
 
 def errors_at(a: fmpq, b: fmpq, digits: int = 4) -> dict[str, arb]:
@@ -60,14 +65,18 @@ def errors_at(a: fmpq, b: fmpq, digits: int = 4) -> dict[str, arb]:
     return {name: relative_error(formula, a, b, digits) for name, formula in FORMULAS.items()}
 
 
+def _slopes(a: fmpq, b: fmpq) -> tuple[Expr, Expr]:
+    """Return dε/dγ at γ = 0 as expressions: the closed form, and its leading term."""
+    exact, p, q = exact_defect(a, b), number(a), number(b)
+    rate = -printed.defect_per_turn(exact, p, q, number(1), trees)
+    slope = rate * stable.turn_slope(exact, p, q, trees)
+    return slope, printed.defect_slope_asymptotic(exact, q)
+
+
 def slope_at(a: fmpq, b: fmpq, digits: int = 20) -> tuple[arb, arb]:
     """Return dε/dγ at γ = 0 in closed form, and its leading term −1/(4bε₀)."""
-    exact = solve(a, b, digits + 10).defect
-    with ball_precision(4 * digits + 128):
-        p, q = arb(a), arb(b)
-        rate = -printed.defect_per_turn(exact, p, q, 1, balls)
-        slope = rate * stable.turn_slope(exact, p, q, balls)
-        return slope, printed.defect_slope_asymptotic(exact, q)
+    slope, leading = (certified(e, digits) for e in _slopes(a, b))
+    return slope, leading
 
 
 def slope_with_error(a: fmpq, b: fmpq, digits: int = 4) -> tuple[arb, arb, arb]:
@@ -75,19 +84,13 @@ def slope_with_error(a: fmpq, b: fmpq, digits: int = 4) -> tuple[arb, arb, arb]:
 
     The error decreases like ε₀², so the precision is raised until it is distinguished from 0.
     """
-    working = 20
-    while True:
-        slope, leading = slope_at(a, b, working)
-        with ball_precision(4 * working + 128):
-            error = leading / slope - 1
-        if proves(error, digits) and not error.contains(0):
-            return slope, leading, error
-        working *= 2
+    slope, leading = _slopes(a, b)
+    error = certified(leading / slope - 1, digits, smallest=SMALLEST)
+    return *slope_at(a, b), error
 
 
 def linear_thresholds(a: fmpq, b: fmpq, digits: int = 20) -> tuple[arb, arb]:
     """Return the γ for which the printed linear formula gives ε = ∓π/12, from the exact ε₀."""
-    exact = solve(a, b, digits + 10).defect
-    with ball_precision(4 * digits + 128):
-        edge = balls.pi / 12
-        return 4 * arb(b) * exact * (exact + edge), 4 * arb(b) * exact * (exact - edge)
+    exact, edge = exact_defect(a, b), PI / 12
+    low, high = (certified(4 * number(b) * exact * (exact + e), digits) for e in (edge, -edge))
+    return low, high

@@ -22,6 +22,7 @@ from typing import TYPE_CHECKING, Any
 from flint import arb, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from tresym.racket.formulas import stable
+from tresym.reals.language.expression import number, trees
 from tresym.reals.numbers.arithmetic import to_mp
 
 if TYPE_CHECKING:
@@ -94,6 +95,8 @@ def _reciprocal(u: list[fmpq]) -> list[fmpq]:
 
 def _number(q: fmpq, m: Any) -> Any:
     """An exact rational in the arithmetic ``m``."""
+    if m is trees:
+        return number(q)
     if hasattr(m, "Rational"):
         return m.Rational(int(q.p), int(q.q))
     if hasattr(m, "mpf"):
