@@ -21,7 +21,7 @@ NO_CLAIMS = {
     r"\[ v = \frac{dx}{dt} \]": "DEFINED",
     r"\[ g = 9.81\,\mathrm{m/s^2} \]": "DEFINED",
     r"\[ x_\pm = 1 \]": "DEFINED DEFINED",
-    r"\[ y' + 2xy = x, \qquad y(0) = 1 \] \[ y(x) = x^2 \]": "EQUATION EQUATION DEFINED",
+    r"\[ y' + 2xy = x, \qquad y(0) = 1 \] \[ y(x) = x^2 \]": "EQUATION EQUATION UNDECIDED",
     r"With $\Delta > 0$ \[ z = \Delta x \]": "UNREAD",
     r"\[ x = \frac{-b \pm \sqrt{b^2-4ac}}{2a} \]": "DEFINED DEFINED",
     r"\[ y(x) = C_1 e^x + C_2 e^{-x} \]": "ASSUMED",

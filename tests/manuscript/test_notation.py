@@ -93,16 +93,16 @@ def test_a_false_closed_form_or_expansion_is_refuted(text: str, tmp_path: Path) 
         # an expansion of a quantity with an equation is not defined by it
         (
             r"From \[ y e^y = x \] we get for large $x$ \[ y = \ln x + 3\ln\ln x + O(1) \]",
-            "UNDECIDED",
+            "REFUTED",
         ),
         (
             r"Kepler: \[ E - k\sin E = M \] Hence \[ E = M + 2k\sin M + O(k^2) \]",
-            "UNDECIDED",
+            "REFUTED",
         ),
         (
             r"The root of \[ z^3 + \epsilon z = 1 \] is"
             r" \[ z \sim 1 + \epsilon \qquad (\epsilon\to 0) \]",
-            "UNDECIDED",
+            "REFUTED",
         ),
         # operators that look like factors
         (r"Along the flow \[ \frac{D}{Dt}(s^2) = \frac{s^2}{t} \]", "UNREAD"),

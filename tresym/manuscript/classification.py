@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from enum import Enum
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from flint import fmpq
 
@@ -111,6 +111,7 @@ class Link:
         counted: symbols that are indices elsewhere, and so are positive integers.
         ground: the evidence that decides whether a refutation is reported.
         obstacle: what the author can remove, if it is not decided.
+        solves: the equation that it solves, if its claims are those of a solution.
     """
 
     display: Display
@@ -126,6 +127,7 @@ class Link:
     unknown: bool = False
     ground: Ground = field(default_factory=Ground)
     obstacle: Obstacle | None = None
+    solves: Any = None
     shown: str = field(default="", repr=False)
     around: tuple[str, str, int] = field(default=("", "", 0), repr=False)
     noted: str = ""
@@ -184,7 +186,7 @@ def claim(
         if relation == "~" and not symbols(left) | symbols(right):
             return _printed(link, compared, pieces[1])
         path = memory.path_for(symbols(left) | symbols(right), under)
-        path = path or _usual_path(right) or _path_of_index(left, right)
+        path = path or usual_path(right) or _path_of_index(left, right)
         if not path:
             advice = "write % tresym: as x -> 0 (or another path) before the display"
             why = f"it has no path: {advice}"
@@ -460,7 +462,7 @@ def _printed(link: Link, compared: Compared, piece: Piece) -> Link:
     )
 
 
-def _usual_path(right: Expr) -> str:
+def usual_path(right: Expr) -> str:
     """Return the usual path of a remainder: ``x -> 0`` for O(x**3), ``n -> oo`` for O(1/n)."""
     (*_, gauge) = [None, *(node.args[0] for node in outermost(right) if node.op == "O")]
     if gauge is None:

@@ -13,6 +13,8 @@ from tresym.manuscript.attempts import answers_to
 from tresym.manuscript.classification import EQUATION, UNREAD, Attempt, Link, Obstacle
 from tresym.manuscript.instances import instances
 from tresym.manuscript.mentions import names_in
+from tresym.manuscript.solutions import Solves
+from tresym.manuscript.terms import base_of
 from tresym.reals.decisions.answer import Alternative, Answer
 from tresym.reals.decisions.statement import chained
 from tresym.reals.language.binders import elementary
@@ -93,6 +95,7 @@ def decided(
     answers = answers_to(asked, limit, processes, progress, keep)
     own = [(link, answers.get(n, [])) for n, link in enumerate(asked)]
     rows = [_failing(_row(link, found, limit), found) for link, found in own]
+    rows = _solving(rows, limit, processes)
     rows = _varied(rows, answers, limit, processes)
     found = [(row, answers.get(n, [])) for n, row in enumerate(rows)]
     seconds = iter(found[len(links) :])
@@ -100,6 +103,81 @@ def decided(
         row if link.second is None else _of_both((row, own), next(seconds))
         for link, (row, own) in zip(links, found[: len(links)], strict=True)
     ]
+
+
+def _solving(rows: list[Row], limit: float, processes: int | None) -> list[Row]:
+    """Return the rows; a solution of what turned out to be no equation is a definition again, and
+    one that does not take the stated initial values is none."""
+    tasks = [
+        (n, shown, Task(text, line=n))
+        for n, row in enumerate(rows)
+        if row.link.solves is not None and row.status in PASSES
+        for text, shown in row.link.solves.beside
+    ]
+    if tasks:
+        answers = check_all([task for *_, task in tasks], limit, processes)
+        for (n, shown, task), (_, found) in zip(tasks, answers, strict=True):
+            if isinstance(found, Answer) and found.verdict is Verdict.REFUTED:
+                why = f"it does not take the value {shown}"
+                status = Verdict.REFUTED if rows[n].link.solves.called else Verdict.UNDECIDED
+                rows[n] = replace(rows[n], status=status.value, why=why, refuted=str(task.claim))
+            elif not isinstance(found, Answer) or not found:
+                why = f"it solves the equation, but the value {shown} is not decided"
+                rows[n] = replace(rows[n], status=Verdict.UNDECIDED.value, why=why)
+    equations = {
+        (row.link.display.number, row.link.shown)
+        for row in rows
+        if row.status == EQUATION or (row.status == "DEFINED" and _is_of_derivative(row.link))
+    }
+    result = []
+    for row in rows:
+        solves: Solves | None = row.link.solves
+        if solves is not None and (solves.display, solves.shown) not in equations:
+            status, why = solves.otherwise
+            row = Row(row.link, status, why, seconds=row.seconds)
+        result.append(row)
+    return result
+
+
+def _is_of_derivative(link: Link) -> bool:
+    """Whether a link gives the value of a derivative, and so is a differential equation."""
+    left = str(link.sides[0]) if link.sides else ""
+    return base_of(left) != left
+
+
+def _solution_row(link: Link, answers: Sequence[Answer | InputError]) -> Row:
+    """Return the row of a solution: its residual vanishes, does not, or is not decided."""
+    solves: Solves = link.solves
+    status, why = solves.otherwise
+    read = [
+        (asked, answer)
+        for asked, answer in zip(link.claims, answers, strict=False)
+        if isinstance(answer, Answer)
+    ]
+    seconds = sum(answer.seconds for _, answer in read)
+    held = next(((asked, answer) for asked, answer in read if answer), None)
+    failed = next((one for one in read if one[1].verdict is Verdict.REFUTED), None)
+    if held is not None:
+        asked, answer = held
+        why = f"it solves the equation of line {solves.line}: {_told(answer.why, '')}"
+        row = Row(link, answer.verdict.value, why, None, answer.given, seconds)
+        return replace(row, cause=answer.cause)
+    if failed is not None and not solves.complete:
+        return replace(
+            Row(link, status, why, seconds=seconds), refuted="", fails_at=_named(failed[1].witness)
+        )
+    if failed is None:
+        if status == Verdict.UNDECIDED.value and read:
+            why = f"{why}; {_told(read[-1][1].why, '')}"
+        return Row(link, status, why, seconds=seconds)
+    asked, answer = failed
+    told = f"it does not solve the equation of line {solves.line}: {_told(answer.why, '')}"
+    witness = _named(answer.witness)
+    row = Row(link, Verdict.UNDECIDED.value, told, None, answer.given, seconds)
+    row = replace(row, cause=answer.cause, refuted=asked.text, fails_at=witness)
+    if solves.called:
+        return replace(row, status=Verdict.REFUTED.value, witness=witness)
+    return row
 
 
 def _varied(
@@ -249,6 +327,8 @@ def _row(link: Link, answers: list[Answer | InputError], limit: float) -> Row:
     if not answers:
         status, why = (link.status, link.why) if link.status else link.otherwise
         return Row(link, status, why, obstacle=link.obstacle)
+    if link.solves is not None:
+        return _solution_row(link, answers)
     read = [answer for answer in answers if isinstance(answer, Answer)]
     if not read:
         return Row(link, UNREAD, str(answers[0]))

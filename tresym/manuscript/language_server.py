@@ -295,7 +295,7 @@ def serve(limit: float) -> int:
             signal.signal(getattr(signal, name), end)
     source = ProtocolInput(lambda: os.read(0, 1 << 16))
     with open(os.dup(1), "wb") as target, suppress(ValueError):  # the library closes its stream
-        made.start_io(source, target)  # type: ignore[arg-type]
+        made.start_io(source, target)
     made.end_checks()
     return 1 if made.left and not made.asked_to_end else 0
 

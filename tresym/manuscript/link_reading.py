@@ -11,6 +11,7 @@ from tresym.manuscript.classification import (
     CONSTANTS,
     DEFINED,
     EQUATION,
+    NO_VARIABLES,
     UNREAD,
     Attempt,
     Link,
@@ -18,13 +19,25 @@ from tresym.manuscript.classification import (
     TwoReadings,
     claim,
     read_so,
+    usual_path,
 )
 from tresym.manuscript.context import Memory, Under
 from tresym.manuscript.directives import Orders
 from tresym.manuscript.display import STRANGE, Said
 from tresym.manuscript.display_text import OR, WORDS
 from tresym.manuscript.kinds import Kinds
-from tresym.manuscript.mentions import names_in
+from tresym.manuscript.mentions import about, names_in
+from tresym.manuscript.solutions import (
+    Solves,
+    Stated,
+    Value,
+    at_points,
+    equation_for,
+    expansion_claims,
+    is_called_solution,
+    is_complete,
+    residual,
+)
 from tresym.manuscript.source import Display, Event, Prose
 from tresym.manuscript.terms import (
     SIGNS,
@@ -58,6 +71,8 @@ class LinkReader:
 
     Attributes:
         equations: the lines of the last equations for symbols, by symbol.
+        stated: the equalities of the section that may be equations.
+        values: the initial and boundary values that the section states.
     """
 
     def __init__(self, events: Sequence[Event]) -> None:
@@ -68,6 +83,8 @@ class LinkReader:
         self.orders = Orders()
         self.cases: list[tuple[tuple[str, ...], tuple[Compared, ...]]] = []
         self.equations: dict[str, int] = {}
+        self.stated: list[Stated] = []
+        self.values: list[Value] = []
 
     def either_reading(self, blank: Link, said: Said, under: Under, why: str) -> Iterator[Link]:
         """Yield the links of a chain that has two readings, each link with both readings."""
@@ -109,7 +126,11 @@ class LinkReader:
         """Classify one link: the first of a chain by its form; later ones are claims."""
         left, right = sides
         relation = RELATIONS.get(op, op)
-        if relation == "==" and n == 0 and (value := self.initial_value(link, said.terms[0])):
+        if (
+            relation == "=="
+            and n == 0
+            and (value := self.initial_value(link, said.terms[0], said.terms[1]))
+        ):
             return value
         head = self.memory.head(said.terms[0]) if n == 0 and relation == "==" else None
         if n and op in ("\\equiv", ":="):  # x = f(t) \equiv the value of f
@@ -126,7 +147,11 @@ class LinkReader:
             left = Piece(symbol(head.name))
         if isinstance(left, str):
             return replace(link, status=UNREAD, why=left)
-        if relation == "~" and n == 0 and (found := self.approximation(link, said, right.tree)):
+        if (
+            relation == "~"
+            and n == 0
+            and (found := self.approximation(link, said, right.tree, under))
+        ):
             return found
         if relation in ("<<", ">>") and n == 0:
             link = read_so(link, (left.tree, relation, right.tree))
@@ -162,7 +187,16 @@ class LinkReader:
         if problem:
             link = replace(link, obstacle=Obstacle.CONDITION)
             return replace(read_so(link, compared), status=UNREAD, why=problem)
-        return claim(self.memory, link, n, said, compared, (left, right), under, head, signed)
+        before = self.memory.lines.get(head.name, 0) if head is not None else 0
+        found = claim(self.memory, link, n, said, compared, (left, right), under, head, signed)
+        equation = equation_for(self.stated, head.name) if head is not None else None
+        if head is None or equation is None or found.otherwise[0] != DEFINED:
+            return found
+        if equation.line <= before:
+            return found
+        why = "defined differently before; this definition holds from here on"
+        named = replace(link, read_as=f"{head.name} == {right.tree}", sides=compared)
+        return self.solution(named, head, right.tree, under, why) or found
 
     def is_of_defined(self, said: Said) -> bool:
         """Whether a chain bounds a symbol that has a definition, so that it is true or false."""
@@ -215,7 +249,7 @@ class LinkReader:
         )
         link = replace(link, sides=(symbol(head.name), "==", value), read_as=f"{shown} == {value}")
         if any(node.op in ("O", "o") for node in outermost(value)):
-            return self.expansion(link, head)
+            return self.expansion(link, head, "==", value, under)
         constants = sorted(
             name
             for name in symbols(value) - self.memory.seen - {*head.parameters}
@@ -228,16 +262,20 @@ class LinkReader:
             self.memory.define(head, value, under.passing)
         self.memory.seen |= symbols(value) | {head.name}
         if constants and head.parameters and not under.noted:
+            if found := self.solution(link, head, value, under, "an ansatz"):
+                return replace(found, otherwise=(ASSUMED, "an ansatz with free constants"))
             why = f"an ansatz, with the free constants {', '.join(constants)}"
             return replace(link, status=ASSUMED, why=why)
         if under.kind == prose.ASSUME:
             return replace(link, status=ASSUMED, why="an assumption")
         why = "a definition; it is substituted later if that decides a link"
+        if not several and (found := self.solution(link, head, value, under, why)):
+            return found
         return replace(
             link, status=DEFINED, why="one of several values of its left side" if several else why
         )
 
-    def approximation(self, link: Link, said: Said, value: Expr) -> Link | None:
+    def approximation(self, link: Link, said: Said, value: Expr, under: Under) -> Link | None:
         """Return the link of an approximation of a symbol that is defined nowhere, else None."""
         head = self.memory.head(said.terms[0])
         if head is None or head.derived or head.name in self.memory.functions:
@@ -246,19 +284,71 @@ class LinkReader:
             return None
         link = replace(link, sides=None, read_as=f"{head.name} ~ {value}")
         if head.base in self.equations:
-            return self.expansion(link, head)
+            return self.expansion(link, head, "~", value, under)
         why = f"an approximation of {head.name}, which is defined nowhere"
         return replace(link, status=ASSUMED, why=why)
 
-    def expansion(self, link: Link, head: Head) -> Link:
-        """Return the link of an expansion; that of a quantity with an equation is not decided."""
+    def solution(self, link: Link, head: Head, value: Expr, under: Under, why: str) -> Link | None:
+        """Return the link of a solution, whose claim is that it solves the equation before it."""
+        equation = equation_for(self.stated, head.name)
+        if equation is None or head.derived or not symbols(value) or under.noted:
+            return None
+        if head.name not in self.memory.functions and not head.parameters:
+            return None
+
+        fixed = symbols(value) | equation.names
+
+        def read(term: Sequence[str]) -> Expr:
+            tree = read_term(term, self.memory.author).tree
+            return self.memory.under_binders(tree, self.memory.known(under), fixed)
+
+        found = residual(read, equation, head.name, value)
+        if found is None or {node.op for node in outermost(found[0], found[2])} - {"derivative"}:
+            return None
+        left, _, right = found
+        given = chained(about(symbols(left) | symbols(right), under.given))
+        text = f"{left} == {right}" + (f" given {given}" if given else "")
+        how = f"put into the equation of line {equation.line}"
+        complete = is_complete(equation, head.name, value)
+        called = is_called_solution(self.words)
+        asked = Attempt(text, how, link.read_as, sides=found)
+        at = equation.display, equation.shown, equation.line
+        solves = Solves(*at, complete, called, (DEFINED, why))
+        points = [one for one in self.values if one.name == head.name]
+        beside = tuple(at_points(equation, points, head.parameters, value, self.read_value))
+        solves = solves._replace(beside=beside)
+        return replace(link, claims=(asked,), otherwise=(DEFINED, why), solves=solves)
+
+    def expansion(self, link: Link, head: Head, relation: str, value: Expr, under: Under) -> Link:
+        """Return the link of an expansion; that of a quantity with an equation is a claim."""
         line = self.equations.get(head.base)
         if line is None:
             return replace(link, status=DEFINED, why="a definition up to the order given")
+        equation = equation_for(self.stated, head.name)
+        names = symbols(value) - NO_VARIABLES
+        path = self.memory.path_for(names, under) or usual_path(value)
+        if equation is not None and path:
+            asked = tuple(expansion_claims(equation, head.name, relation, value, path))
+            if asked:
+                told = f"for which line {equation.line} states an equation"
+                why = f"an expansion of {head.name}, {told}"
+                complete = is_complete(equation, head.name, value)
+                fallback = Verdict.UNDECIDED.value, why
+                at = equation.display, equation.shown, equation.line
+                solves = Solves(*at, complete, True, fallback)
+                return replace(link, claims=asked, otherwise=fallback, solves=solves)
         why = f"an expansion of {head.base}, for which line {line} states an equation: not checked"
         return replace(link, status=Verdict.UNDECIDED.value, why=why)
 
-    def initial_value(self, link: Link, term: Sequence[str]) -> Link | None:
+    def read_value(self, term: Sequence[str]) -> Expr:
+        """Return the expression that tokens stand for.
+
+        Raises:
+            InputError: they cannot be read.
+        """
+        return read_term(term, self.memory.author).tree
+
+    def initial_value(self, link: Link, term: Sequence[str], value: Sequence[str]) -> Link | None:
         """Return the link of a value at a point, ``x(0) = 0`` or ``\\dot{x}(0) = v``, else None.
 
         It belongs to an equation for the function, unless the function is defined.
@@ -269,11 +359,17 @@ class LinkReader:
         if len(rest) != 4 or rest[1] != "(" or rest[3] != ")" or not rest[2][0].isdigit():
             return None
         head = self.memory.head([rest[0]])
-        if head is None or head.name in self.memory.functions or rest[0] == "\\pi":
+        if head is None or rest[0] == "\\pi":
+            return None
+        equation = equation_for(self.stated, head.name)
+        line = equation.line if equation is not None else -1
+        if head.name in self.memory.functions and line < self.memory.lines.get(head.name, 0):
             return None
         known = head.name in self.equations or head.name in self.memory.dependent
         if not (accents or known or head.name in self.memory.called):
             return None
+        order = sum({"\\ddot": 2}.get(token, 1) for token in accents)
+        self.values.append(Value(head.name, order, rest[2], value, link.shown))
         why = f"a value of {head.name} at a point, which belongs to an equation for it"
         return replace(link, status=EQUATION, why=why)
 

@@ -32,6 +32,7 @@ from tresym.manuscript.display_text import OR, OTHERWISE, between
 from tresym.manuscript.files import Note
 from tresym.manuscript.link_reading import EITHER, LinkReader
 from tresym.manuscript.mentions import names_in
+from tresym.manuscript.solutions import Stated, names_of
 from tresym.manuscript.source import Display, Event, Missing, Prose, Scope, Section
 from tresym.manuscript.symbols import mentions
 from tresym.manuscript.terms import (
@@ -39,7 +40,6 @@ from tresym.manuscript.terms import (
     base_of,
     is_plain,
     plain,
-    unknown_in,
     variables_of_integrals,
 )
 from tresym.reals.decisions.statement import chained
@@ -82,6 +82,8 @@ class _Reading(LinkReader):
                 self.note(event)
             elif isinstance(event, Section):
                 self.memory.section(event.chapter)
+                self.stated.clear()
+                self.values.clear()
                 if event.chapter:
                     self.equations.clear()
                 before = ""
@@ -248,7 +250,8 @@ class _Reading(LinkReader):
         pieces = [self.piece(term, said) for term in said.terms]
         strange = [self.strange(said, n, blank.display.line) for n in range(len(said.ops))]
         doubts = [piece for piece in pieces if isinstance(piece, TwoReadings)]
-        if self.initial_value(blank, said.terms[0]):
+        if doubts and self.initial_value(blank, said.terms[0], said.terms[1]):
+            self.values.pop()  # it is read again below
             doubts = []
         if doubts and not any(strange) and not self.memory.shorter:
             links = list(self.either_reading(blank, said, under, doubts[0]))
@@ -256,7 +259,7 @@ class _Reading(LinkReader):
                 yield from links
                 return
         for n, op in enumerate(said.ops):
-            shown = " ".join((*said.terms[n], op, *said.terms[n + 1]))
+            shown = _shown_link(said, n)
             if strange[n]:
                 yield replace(blank, shown=shown, status=UNREAD, why=strange[n])
                 continue
@@ -283,13 +286,19 @@ class _Reading(LinkReader):
             if self.memory.head(said.terms[0]) is None:
                 self.equations |= {base_of(one.name): line for one in mentions(said.tokens)}
             return
-        if link.sides is None or link.sides[1] != "==" or link.status in (DEFINED, ASSUMED):
+        if link.sides is None or link.sides[1] != "==" or link.solves is not None:
             return
-        if link.otherwise[0] == DEFINED:
+        left = str(link.sides[0])
+        defines = link.status in (DEFINED, ASSUMED) or link.otherwise[0] == DEFINED
+        if defines and base_of(left) == left:  # a derivative is given by an equation
             return
-        names = (symbols(e) | unknown_in(e) for e in (link.sides[0], link.sides[2]))
-        for name in frozenset().union(*names):
-            self.equations[base_of(name)] = line
+        names = names_of(link.sides[0], link.sides[2])
+        self.equations |= dict.fromkeys(names, line)
+        at = next((k for k in range(len(said.ops)) if _shown_link(said, k) == link.shown), None)
+        if at is not None:
+            terms = said.terms[at], said.terms[at + 1]
+            number = link.display.number
+            self.stated.append(Stated(line, number, link.shown, terms, link.sides, names))
 
     def list_of_values(self, blank: Link, said: Said) -> Link:
         """Return the link of a list such as ``n = 1, 2, ...``, a condition if it is one."""
@@ -359,6 +368,11 @@ class _Reading(LinkReader):
         if not cases or any(len(given) != 1 for given in cases):
             return None
         return tuple((a, NEGATED[r], b) for ((a, r, b),) in cases), (), ""
+
+
+def _shown_link(said: Said, n: int) -> str:
+    """Return the text of a link of a chain."""
+    return " ".join((*said.terms[n], said.ops[n], *said.terms[n + 1]))
 
 
 def _grouped(found: list[Said]) -> Iterator[Group]:

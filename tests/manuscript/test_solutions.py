@@ -1,0 +1,69 @@
+"""Solutions are put into the equation before them: proved, refuted, or left undecided."""
+
+from pathlib import Path
+
+import pytest
+from hangs import HANGS
+
+from tresym.manuscript.deciding import Row, decided
+from tresym.manuscript.links import read_links
+from tresym.manuscript.source import read_manuscript
+
+
+def read(folder: Path, text: str) -> list[Row]:
+    (folder / "m.tex").write_text(text)
+    return decided(read_links(read_manuscript(folder / "m.tex")), HANGS, 1)
+
+
+OSCILLATOR = r"The oscillator \[ \ddot{x} + \omega^2 x = 0 \] has the solution "
+FALL = r"A ball obeys \[ \ddot{z} = -g, \qquad z(0) = h, \qquad \dot{z}(0) = v \] The solution is "
+CUBIC = r"For small $\epsilon$ the cubic \[ y^3 + \epsilon y = 1 \] has the root "
+
+QUADRATIC = r"The quadratic \[ a x^2 + 2 b x + c = 0 \] has the root "
+
+CASES = {
+    OSCILLATOR + r"\[ x = A\cos\omega t + B\sin\omega t . \]": "PROVED",
+    OSCILLATOR + r"\[ x = A\cos 2\omega t . \]": "REFUTED",
+    r"We know \[ \ddot{x} + \omega^2 x = 0 . \] Put \[ x = A\cos 2\omega t . \]": "UNDECIDED",
+    r"The decay \[ N'(t) = -\lambda N(t) \] has the solution \[ N(t) = N_0 e^{-\lambda t} \]": (
+        "PROVED"
+    ),
+    r"The decay \[ N'(t) = -\lambda N(t) \] has the solution \[ N(t) = N_0 e^{\lambda t} \]": (
+        "REFUTED"
+    ),
+    r"The heat flow \[ \frac{d^2 u}{ds^2} = k^2 u \] is solved by \[ u = C e^{-ks} \]": "PROVED",
+    QUADRATIC + r"\[ x = \frac{-b + \sqrt{b^2-ac}}{a} \]": "PROVED",
+    QUADRATIC + r"\[ x = \frac{-b + \sqrt{b^2-ac}}{2a} \]": "REFUTED",
+    FALL + r"\[ z = h + v t - \frac{g t^2}{2} \]": "PROVED",
+    FALL + r"\[ z = h - v t - \frac{g t^2}{2} \]": "REFUTED",
+    FALL + r"\[ z = v t - \frac{g t^2}{2} \]": "REFUTED",
+    # a part of a system, and letters that mean something else, refute nothing
+    r"The circle \[ p^2 + q^2 = r^2 \] is described by the solution \[ p = r\cos\varphi \]": (
+        "DEFINED"
+    ),
+    # what was no equation is not solved
+    r"Note that \[ (x+1)^2 = x^2 + 2x + 1 . \] Let \[ x = r s \]": "DEFINED",
+    # expansions of roots
+    CUBIC + r"\[ y = 1 - \frac{\epsilon}{3} + O(\epsilon^2) \]": "ENCLOSED",
+    CUBIC + r"\[ y = 1 + \frac{\epsilon}{3} + O(\epsilon^2) \]": "REFUTED",
+    CUBIC + r"\[ y \sim 1 - \frac{\epsilon}{3} \]": "ENCLOSED",
+    r"Kepler's equation \[ E - k\sin E = M \] gives for small $k$ \[ E = M + k\sin M + O(k^2) \]": (
+        "PROVED"
+    ),
+}
+
+
+@pytest.mark.parametrize("text", CASES)
+def test_a_solution_is_put_into_its_equation(text: str, tmp_path: Path) -> None:
+    row = read(tmp_path, text)[-1]
+    assert row.status == CASES[text], row.why
+    if row.status in ("PROVED", "ENCLOSED"):
+        assert "it solves the equation of line 1" in row.why
+
+
+def test_the_branch_near_the_first_term_is_meant(tmp_path: Path) -> None:
+    """Two roots of this cubic stay finite; without a branch the claim is not decided."""
+    text = r"""For small $\epsilon$ \[ \epsilon x^3 + x^2 - 1 = 0 \] has the root
+    \[ x = 1 - \frac{\epsilon}{2} + %s\epsilon^2 + O(\epsilon^3) \]"""
+    assert read(tmp_path, text % r"\frac58")[-1].status == "ENCLOSED"
+    assert read(tmp_path, text % r"\frac38")[-1].status == "REFUTED"
