@@ -47,6 +47,7 @@ tresym: the tennis racket effect, verified. Examples:
   tresym flip --inertia 1210 16380 17480  the same for your own body
   tresym verify eq_gamma                  a statement, and what it depends on
   tresym check 'exp(x) >= 1 + x'          a claim of your own
+  tresym new mine                         a file of claims, for a paper of your own
   tresym paper MANUSCRIPT.tex             the formulas of your manuscript
   tresym verify                           every statement (half a minute)
 
