@@ -280,7 +280,12 @@ def _verdict(row: Row, item: PaperClaim, look: _Style) -> str:
         )
         return text
     words = "proved" if row.verdict is Verdict.PROVED else "proved in ball arithmetic"
+    if answer is not None and answer.lemma:
+        reason = f"by {look.words(answer.lemma)}"
     text = f"{head}{words}: {reason}."
+    if item.has_parameters and answer is not None:
+        uniform = "all values of the parameters at once" if answer.uniform else ""
+        text += f" It holds for {uniform or 'each fixed value of the parameters'}."
     if answer is not None and answer.constant is not None:
         text += f" The constant is {look.words(ball_text(answer.constant))}."
     if answer is not None and answer.region:
