@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Collection, Iterator, Mapping
+from functools import partial
 from typing import NamedTuple
 
 from tresym.ledger.finding import Premise
@@ -35,7 +36,8 @@ from tresym.reals.language.expression import (
     unknown,
 )
 from tresym.reals.language.parsing import Compared
-from tresym.reals.language.typesetting import expression_in_latex, to_latex
+from tresym.reals.language.typesetting import expression_in_latex as any_expression
+from tresym.reals.language.typesetting import to_latex as any_formula
 from tresym.reals.verdict import Verdict
 from tresym.report.pages import notebook
 
@@ -67,6 +69,10 @@ _PREAMBLE = r"""\documentclass[a4paper,11pt]{article}
 \emergencystretch=2em
 \allowdisplaybreaks
 """
+
+
+to_latex = partial(any_formula, upright=True)
+expression_in_latex = partial(any_expression, upright=True)
 
 
 class Pictures(NamedTuple):
