@@ -49,6 +49,7 @@ HUNTS = {
     "kills": Hunt(("tests/commands/test_kills.py", "tests/sweep/test_sweep.py", "-k", "kill"), 5),
     "claims": Hunt((), 2000, ("tests/hunt.py",)),
     "asymptotic": Hunt((), 20, ("tests/asymptotic_claims.py",)),
+    "exceptional": Hunt((), 40, ("tests/exceptional_claims.py",)),
     "finite": Hunt((), 1000, ("tests/finite_claims.py",)),
     "known": Hunt((), 200, ("tests/known.py",)),
 }

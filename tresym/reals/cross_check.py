@@ -251,7 +251,8 @@ def exceptional_points(
                         if root is None
                         else tried._moved([*point[:n], root, *point[n + 1 :]], k, n)
                     )
-                if point is not None and tried.holds(point):
+                left = None if point is None else sides(point)
+                if point is not None and left and left[0].contains(0) and tried.holds(point):
                     found += 1
                     yield e, n, point
                 if found == EACH:
