@@ -32,7 +32,7 @@ FINE, COARSE = 250, 60
 """Up to these orders the phases of waves are looked at, the latter for inequalities."""
 SETTLED = 14
 """From this order on growth is taken for that of the end."""
-WHOLE = (14, 9, 6)
+WHOLE = (60, 30, 14, 9, 6)
 """The orders for a path through the integers."""
 MOST_BITS = 12_000
 WAVES = frozenset(("sin", "cos", "tan", "cot", "sec", "csc"))

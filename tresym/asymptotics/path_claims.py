@@ -272,7 +272,8 @@ def _through_integers(
 
 def _at_integers(found: Answer, claim: Comparison, path: Path, period: int, rest: int) -> Answer:
     """The refutation of a residue as one at integers; UNDECIDED if it is one at a phase."""
-    if any(node.op in PERIODIC for node in operations((claim.left, claim.right))):
+    waves = (node for node in operations((claim.left, claim.right)) if node.op in PERIODIC)
+    if any(path.name in symbols(node) for node in waves):
         return Answer(
             Verdict.UNDECIDED, f"undecided for integers; it is false for real values: {found.why}"
         )

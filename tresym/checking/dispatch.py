@@ -219,9 +219,11 @@ def _decide(comparison: Comparison, statement: Statement) -> Answer:
             with stage(_spoken(procedure.__name__)):
                 return decide_with_jumps(procedure, comparison, statement, _bounded)
     real = comparison.differentiated, comparison.by
-    if left.op == "abs" and relation in ("<", "<=") and not symbols(right):
+    if left.op == "abs" and relation in ("<", "<="):
         halves = (replace(comparison, left=side * left.args[0]) for side in (1, -1))
-        return worst([_decide(half, statement) for half in halves])
+        answer = worst([_decide(half, statement) for half in halves])
+        if answer.verdict is not Verdict.UNDECIDED or not symbols(right):
+            return answer
     if relation == "==":
         with stage("equality"):
             found = decide_equality(left, right, statement.given, *real)

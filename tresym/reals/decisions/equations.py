@@ -86,6 +86,10 @@ def _without_variables(
     if is_zero(e, Given()) and undefined(e, statement.given) is None:
         others = tuple(other for other in statement.equations if other is not pair)
         return decided(claim, replace(statement, equations=others))
+    if is_zero(e, Given()) and symbols(e):  # x/x == 1 says that x is not 0
+        others = tuple(other for other in statement.equations if other is not pair)
+        given = statement.given & Given(tuple(bound(*part) for part in needs((left, right))))
+        return decided(claim, replace(statement, equations=others, given=given))
     return Answer(
         Verdict.UNDECIDED,
         f"no point was found that satisfies the condition {left} == {right}; check the conditions",

@@ -234,6 +234,8 @@ def _at_jumps(sides: tuple[Expr, ...], given: Given, theories: frozenset[str]) -
         if found.verdict is Verdict.PROVED:
             continue
         why = f"it is proved except {case}; there, {found.why}"
+        if not case.values:  # the variables are arbitrary in that claim
+            why = f"it is proved except {case}, and could not be decided there"
         point = case.point(found.witness)
         if point is not None and found.values is not None:
             return _refutation(point, found.values)

@@ -27,7 +27,7 @@ from tresym.reals.decisions.exceptional_values import also_at_holes, also_at_zer
 from tresym.reals.decisions.hypergeometric import folded
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.known_values import known_value
-from tresym.reals.decisions.readable_witnesses import decided_at, tidied
+from tresym.reals.decisions.readable_witnesses import decided_at, exact_witness, tidied
 from tresym.reals.decisions.statement import Comparison, Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.operation_domains import operations, singularities
@@ -349,7 +349,12 @@ def _induction(
     step = worst(smaller) if smaller and all(smaller) else decided(after, under)
     if not step:
         meant = ", ".join(f"{mark} = {node}" for node, mark in now.items())
+        found = _beyond_a_failing_step(claim, statement, n, step, decided)
+        if found is not None:
+            return found
         why = f"the induction step could not be proved (with {meant}: {step.why})"
+        if step.verdict is Verdict.REFUTED:
+            why = f"the claim at {n} alone does not imply the claim at {n} + 1 (with {meant})"
         return Answer(Verdict.UNDECIDED, why)
     weaker = base if base.verdict is Verdict.ENCLOSED else step
     begin = f"{n} = {least}"
@@ -357,6 +362,18 @@ def _induction(
         begin += ", where a sum is empty and below which no claim is made"
     why = f"by induction from {begin}: {base.why}; step from {n} to {n} + 1: {step.why}"
     return replace(weaker, why=why, region=None, constant=None)
+
+
+def _beyond_a_failing_step(
+    claim: Comparison, statement: Statement, n: str, step: Answer, decided: Decide
+) -> Answer | None:
+    """Return a refutation of the claim beside the n at which the induction step fails, or None."""
+    point = exact_witness(step) or {}
+    start = integer(point[n]) if n in point else None
+    if start is None or start > TERMS:
+        return None
+    near = ({n: number(k)} for k in range(start, start + 3))
+    return decided_at(near, claim, statement, decided)[0]
 
 
 def _smaller_step(now: Comparison, after: Comparison, nodes: list[Expr]) -> list[Comparison]:

@@ -19,8 +19,8 @@ from math import lcm, prod
 
 from flint import arb, fmpq
 
-from tresym.reals.decisions.answer import Answer, Decide, exactly, refuted, worst
-from tresym.reals.decisions.readable_witnesses import constants_hold, decided_at
+from tresym.reals.decisions.answer import Answer, Decide, exact_text, exactly, refuted, worst
+from tresym.reals.decisions.readable_witnesses import constants_hold, decided_at, exact_witness
 from tresym.reals.decisions.statement import Comparison, Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
@@ -56,6 +56,8 @@ SMALL = 3
 """Up to where, on both sides of 0, integers are looked at one by one."""
 LOOKED_AT = (1, 2, 0, 3, -1, 4, -2, 5, 7, -3, 10, 20, 100)
 MOST_POINTS, SHOWN = 120, 14
+AT_AN_END, BESIDE = 4, 2
+"""How many integers are looked at from the end of a range, and beside a real counterexample."""
 MODULI = (2, 3, 4, 5, 7, 8, 9, 11, 13, 16, 25, 27)
 MOST_TRIED, MOST_SIZE = 5000, 200
 
@@ -88,6 +90,9 @@ def decide_whole(claim: Comparison, statement: Statement, decided: Decide) -> An
         beyond = _beyond(claim, statement, names[0], decided)
         found = found if beyond is None else beyond
     if found.verdict is Verdict.REFUTED:  # at what need be no integer
+        near = decided_at(_beside(found, names, statement.given), claim, plain, decided)[0]
+        if near is not None:
+            return near
         return Answer(
             Verdict.UNDECIDED, (f"undecided for integers; it is false for real values: {found.why}")
         )
@@ -113,13 +118,46 @@ def with_integer_bounds(given: Given, integers: Iterable[str]) -> Given:
 def _small(names: list[str], given: Given) -> Iterator[dict[str, Expr]]:
     """Small integers that the conditions on them alone allow."""
     count = 0
-    for values in islice(product(LOOKED_AT, repeat=len(names)), MOST_POINTS):
+    ends = [_from_end(name, given) for name in names]
+    for values in islice(product(*ends), MOST_POINTS):
         at = dict(zip(names, map(number, values), strict=True))
         if _given_at(given, at) is not None:
             yield at
             count += 1
             if count == SHOWN:
                 return
+
+
+def _from_end(name: str, given: Given) -> list[int]:
+    """Integers that are looked at, the first ones from an end of a range among them."""
+    low, high = given.box.get(name, Interval())[:2]
+    found: list[int] = []
+    if low is not None and abs(low) > LOOKED_AT[3]:
+        start = int(low.ceil())
+        found += range(start, start + AT_AN_END)
+    if high is not None and abs(high) > LOOKED_AT[3]:
+        start = int(high.floor())
+        found += range(start, start - AT_AN_END, -1)
+    return list(dict.fromkeys((*found, *LOOKED_AT)))
+
+
+def _beside(found: Answer, names: list[str], given: Given) -> Iterator[dict[str, Expr]]:
+    """Integers next to the point of a refutation for real values, the nearest first."""
+    point = exact_witness(found) or {}
+    if not all(name in point and point[name].op == "number" for name in names):
+        return
+    values = [point[name].args[0] for name in names]
+    around = (
+        sorted(
+            range(int(x.floor()) - BESIDE, int(x.ceil()) + BESIDE + 1),
+            key=lambda k, x=x: abs(k - x),
+        )
+        for x in values
+    )
+    for near in islice(product(*around), MOST_POINTS):
+        at = dict(zip(names, map(number, near), strict=True))
+        if _given_at(given, at) is not None:
+            yield at
 
 
 def _given_at(given: Given, at: dict[str, Expr]) -> Given | None:
@@ -185,11 +223,28 @@ def _by_residues(
     nodes = outermost(claim.left, claim.right)
     integers = tuple(names) if any(node.op != "unknown" for node in nodes) else ()
     answers = []
-    for case, inside in cases:
+    for number_of, (case, inside) in enumerate(cases):
         answers.append(decided(case, replace(inside, integers=integers)))
         if not answers[-1]:
+            answers[-1] = _in_class(answers[-1], claim, statement, names, number_of)
             break
     return worst(answers)
+
+
+def _in_class(
+    found: Answer, claim: Comparison, statement: Statement, names: Sequence[str], place: int
+) -> Answer:
+    """Return a refutation in one of the residue classes with its values of the integers."""
+    point = exact_witness(found)
+    if found.verdict is not Verdict.REFUTED or point is None:
+        return found
+    moved = _moduli(claim, statement, names, statement.given)
+    rests = list(product(*map(range, moved)))[place]
+    witness = dict(found.witness or {})
+    for name, period, rest in zip(names, moved, rests, strict=True):
+        if name in point:
+            witness[name] = exact_text(point[name] * period + rest)
+    return replace(found, witness=witness, why=found.why if max(moved) == 1 else "it fails")
 
 
 def residues(
@@ -201,10 +256,7 @@ def residues(
         names: the integers, n = M m + r, whose names then stand for the numbers m.
         given: what is known of them.
     """
-    ends = (INFINITY, -INFINITY)
-    trees = [e for e in (claim.left, claim.right) if e not in ends]
-    trees += [*claim.differentiated, *statement.said]
-    periods = [period_of(trees, name, given) or MOST_RESIDUES + 1 for name in names]
+    periods = _moduli(claim, statement, names, given)
     if prod(periods) > MOST_RESIDUES:
         return None
     found = []
@@ -215,6 +267,16 @@ def residues(
         change = partial(residue_of, at=at, names=names, given=moved)
         found.append((claim.mapped(change), statement.mapped(change)))
     return found
+
+
+def _moduli(
+    claim: Comparison, statement: Statement, names: Sequence[str], given: Given
+) -> list[int]:
+    """Return the modulus M of each integer; more than the largest one where there is none."""
+    ends = (INFINITY, -INFINITY)
+    trees = [e for e in (claim.left, claim.right) if e not in ends]
+    trees += [*claim.differentiated, *statement.said]
+    return [period_of(trees, name, given) or MOST_RESIDUES + 1 for name in names]
 
 
 def residue_of(e: Expr, at: dict[str, Expr], names: Sequence[str], given: Given) -> Expr:

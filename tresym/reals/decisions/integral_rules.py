@@ -211,19 +211,21 @@ class Antiderivatives:
         """The value of an antiderivative of ``g``, a function of ``t``, at the point."""
         if g == ONE:
             return point
-        if g.op == "unknown" and g.args[1:] == (symbol(t),):
+        slope = differentiate(g.args[1], t) if g.op == "unknown" and len(g.args) == 2 else ZERO
+        if slope.op == "number" and slope != ZERO:  # of f(c t + d)
             name, (order,) = g.args[0].args
+            place = substitute(g.args[1], {t: point})
             if order:
-                return unknown(name, (point,), (order - 1,))
+                return unknown(name, (place,), (order - 1,)) / slope
             self.any_values = False  # a point says nothing of the integral of f
-            return unknown(f"∫{name}", (point,))
+            return unknown(f"integral_{name}", (place,)) / slope
         self.any_values = False
         body = bind(g, (t,))
         for other, end, variable in self.known:
             is_there = end == point or _are_equal(end, point)
             if is_there and (other == body or _are_equal(instantiate(other, (symbol(t),)), g)):
                 return variable
-        self.known.append((body, point, symbol(f"[∫ {g} d{t} at {point}]")))
+        self.known.append((body, point, symbol(f"[integral of {g} by {t} at {point}]")))
         return self.known[-1][2]
 
 

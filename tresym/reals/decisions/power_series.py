@@ -142,7 +142,11 @@ def decide_power_series(side: Expr, node: Expr, given: Given) -> Answer:
         given: the conditions.
     """
     s = series_of(node, symbols(side) | given.names)
-    if s is None or not elementary(side) or any(True for _ in functions(side)):
+    if s is not None:
+        why = "a series is compared only with elementary functions"
+        if not elementary(side) or any(True for _ in functions(side)):
+            return Answer(Verdict.UNDECIDED, f"{node}: {why}, not with {side}")
+    if s is None:
         return Answer(
             Verdict.UNDECIDED,
             (

@@ -55,12 +55,24 @@ def decide_unknown(claim: Comparison, statement: Statement, decided: Decide) -> 
         return Answer(Verdict.UNDECIDED, why)
     atoms: Atoms = {}
 
+    def is_same(one: Expr, other: Expr) -> bool:
+        """Whether both are the same function at arguments that are equal under the conditions."""
+        if one.args[0] != other.args[0] or len(one.args) != len(other.args):
+            return False
+        pairs = list(zip(one.args[1:], other.args[1:], strict=True))
+        if any(e.hidden for pair in pairs for e in pair):
+            return _is_same(one, other)
+        plain = not (statement.given.comparisons or statement.equations)
+        return _is_same(one, other) or (
+            not plain and all(decided(Comparison(x, "==", y), statement) for x, y in pairs)
+        )
+
     def variable(e: Expr) -> Expr:
         """``e`` with variables for the values of unknown functions, inner ones first."""
         while inner := [node for node in functions(e) if not any(functions_inside(node))]:
             for node in inner:
                 if node not in atoms:
-                    same = next((v for a, v in atoms.items() if _is_same(a, node)), None)
+                    same = next((v for a, v in atoms.items() if is_same(a, node)), None)
                     atoms[node] = symbol(str(node)) if same is None else same
             e = replaced(e, {node: atoms[node] for node in inner})
         return e
@@ -76,7 +88,8 @@ def decide_unknown(claim: Comparison, statement: Statement, decided: Decide) -> 
         answer = _realised(atoms, answer)
     if answer.verdict is Verdict.REFUTED and not found.any_values:
         why = (
-            f"the claim seems false ({answer.why}), but integrals may not take all of these values"
+            f"it fails for independent values of the integrals ({answer.why}), "
+            "but integrals may not take all of these values"
         )
         answer = Answer(Verdict.UNDECIDED, why)
     names = sorted({node.args[0].args[0] for node in atoms})
@@ -107,7 +120,8 @@ def _realised(atoms: Atoms, answer: Answer) -> Answer:
             shown = {name: str(value) for name, value in free.items()}
             return replace(answer, witness=dict(answer.witness or {}) | shown)
     why = (
-        f"the claim seems false ({answer.why}), but no function with all of these values was found"
+        f"it fails for independent values of the functions ({answer.why}), "
+        "but no functions with all of these values were found"
     )
     return Answer(Verdict.UNDECIDED, why)
 
