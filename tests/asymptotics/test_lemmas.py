@@ -18,7 +18,7 @@ EXPECTED = {
     "false": (Verdict.REFUTED,),
     "open": (Verdict.UNDECIDED,),
 }
-SAMPLE = 5
+SAMPLE = 12
 """Every so many claims of the list are decided by default, all of them at night."""
 
 

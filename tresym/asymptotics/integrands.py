@@ -48,7 +48,7 @@ class Exponential(NamedTuple):
 def exponentials(body: Expr, t: str, end: End) -> list[Exponential] | None:
     """Return the integrand as such a sum, or None."""
     found = []
-    for term in _summands(body, t, end.name):
+    for term in _summands(body, t, end):
         part = _exponential(term, t, end)
         if part is None:
             return None
@@ -56,8 +56,9 @@ def exponentials(body: Expr, t: str, end: End) -> list[Exponential] | None:
     return found
 
 
-def _summands(body: Expr, t: str, x: str) -> Iterator[Expr]:
+def _summands(body: Expr, t: str, end: End) -> Iterator[Expr]:
     """Yield the terms of the integrand, products of sums with x multiplied out."""
+    x = end.name
     factors = body.args if body.op == "*" else (body,)
     choices = []
     for f in factors:
@@ -67,7 +68,9 @@ def _summands(body: Expr, t: str, x: str) -> Iterator[Expr]:
             last = apply("exp", -u) / 2 * (1 if f.op == "cosh" else -1)
             choices.append([apply("exp", u) / 2, last])
         elif both and f.op == "+":
-            choices.append([part for arg in f.args for part in _summands(arg, t, x)])
+            choices.append([part for arg in f.args for part in _summands(arg, t, end)])
+        elif both and f.op == "log" and (parts := separated(f, t, end)):
+            choices.append([of_x * of_t for of_x, of_t in parts])
         else:
             choices.append([f])
     for combination in product(*choices):

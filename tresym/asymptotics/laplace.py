@@ -21,6 +21,7 @@ N. G. de Bruijn, *Asymptotic Methods in Analysis* (1958), ch. 4; DLMF 2.3(ii), 2
 
 from __future__ import annotations
 
+from itertools import pairwise
 from math import factorial
 from typing import NamedTuple
 
@@ -79,6 +80,8 @@ SCALES = tuple(
     fmpq(*r) for r in ((1, 1), (1, 2), (-1, 2), (-1, 1), (1, 3), (-1, 3), (2, 1), (2, 3))
 )
 """Powers of the variable by which the variable of integration is rescaled, for moving maxima."""
+UNKNOWN, BOUNDS = 7, arb((1, -40))
+"""Terms whose values of Γ are looked at, and how closely these are bounded."""
 EXTRA = (ONE, number(10))
 
 
@@ -169,13 +172,11 @@ class _Series:
         """Return the sum of the first terms in s."""
         return add(ZERO, *(a * raised(self.v, e) for e, a in self.found[:order]))
 
-    def integral(self, exponent: fmpq) -> Expr | None:
-        """Return ∫₀^∞ e^(−λ v^μ) v^e dv; None where Γ is not known there."""
+    def integral(self, exponent: fmpq) -> Expr:
+        """Return ∫₀^∞ e^(−λ v^μ) v^e dv."""
         assert self.degree is not None
         at = (exponent + 1) / self.degree
-        value = gamma(at)
-        if value is None:
-            return None
+        value = gamma(at) or symbol(unknown_gamma(at))
         return value / number(self.degree) * power(self.rate, number(-at))
 
     def size(self, exponent: fmpq) -> tuple[Expr, fmpq]:
@@ -213,6 +214,11 @@ def raised(v: Expr, exponent: fmpq) -> Expr:
     return power(v, number(exponent))
 
 
+def unknown_gamma(x: fmpq) -> str:
+    """Return the name of a symbol for the value of Γ at a number."""
+    return f"Gamma_{x.p}_{x.q}"
+
+
 def gamma(x: fmpq) -> Expr | None:
     """Return Γ at a positive multiple of 1/2 (DLMF 5.4.1, 5.4.6), or None."""
     if x.q == 1:
@@ -232,6 +238,21 @@ class Laplace(Expansion):
         """Prepare the series of every side."""
         self.sides, self.end, self.lemma = sides, end, lemma
         self.series = [_Series(side, end) for side in sides]
+        for series in self.series:
+            for exponent, _ in series.upto(UNKNOWN) if series.degree is not None else ():
+                at = (exponent + 1) / series.degree
+                if gamma(at) is None:
+                    self._know(at)
+
+    def _know(self, x: fmpq) -> None:
+        """Take a symbol for the value of Γ at a number, with bounds by balls."""
+        name = unknown_gamma(x)
+        self.unknown |= {name}
+        with ball_precision():
+            value = arb(x).gamma()
+            low, high = -exact_upper(-value * (1 - BOUNDS)), exact_upper(value * (1 + BOUNDS))
+        bounds = ((symbol(name), ">", number(low)), (symbol(name), "<", number(high)))
+        self.constants = self.constants & Given(bounds)
 
     def terms(self, order: int) -> tuple[Expr, Expr] | None:
         """Return the first terms of all sides together, and the size of the first omitted one."""
@@ -245,10 +266,7 @@ class Laplace(Expansion):
             before = multiply(side.factor, apply("exp", -side.rate * side.least))
             before = side.factor if side.least == ZERO else before
             for exponent, a in found[:order]:
-                value = series.integral(exponent)
-                if value is None:
-                    return None
-                main.append(a * before * value)
+                main.append(a * before * series.integral(exponent))
             if len(found) > order:
                 size, _ = series.size(found[order][0])
                 plain = sign(before, Given(((symbol(self.end.name), ">", ZERO),)) & self.end.given)
@@ -384,7 +402,7 @@ def laplace(node: Expr, end: End) -> Laplace | None:
             if sides is not None:
                 plain = all(_is_straight(side) for side in sides) and alpha is None
                 found = Laplace(sides, end, WATSON if plain else LAPLACE)
-                if all(series.degree is not None for series in found.series):
+                if found.terms(1) is not None:
                     return found
     except (InputError, ZeroDivisionError, OverflowError):
         return None
@@ -430,37 +448,47 @@ def _beyond(end: End) -> Given:
 def _around_minimum(
     part: Exponential, t: str, low: Expr, high: Expr, end: End
 ) -> list[Side] | None:
-    """Return one side for a minimum at an end, two for one inside."""
-    at = _minimum(part.p, t, low, high, end.given)
-    if at is None:
+    """Return one side for a minimum at an end, two for one inside; equal minima are parted."""
+    found = _minima(part.p, t, low, high, end.given)
+    if found is None:
         return None
-    point, least = at
-    s = fresh("s" if t != "s" else "u", {*symbols(part.p), *symbols(part.q), t, *end.taken})
+    points, least = found
+    cuts = [normal_form((a + b) / 2, end.given) for a, b in pairwise(points)]
+    starts, stops = [low, *cuts], [*cuts, high]
     sides = []
-    for direction, far in ((1, high), (-1, low)):
-        if far == point:
-            continue
-        width = None if far in _INFINITE else normal_form(direction * (far - point), end.given)
-        if point == ZERO and direction == 1:
-            s_name, p, q = t, part.p - least, part.q
-        else:
-            s_name = s
-            put = {t: point + direction * symbol(s)}
-            p, q = substitute(part.p, put) - least, substitute(part.q, put)
-        sides.append(Side(part.factor, part.rate, least, p, q, s_name, width))
+    for point, start, stop in zip(points, starts, stops, strict=True):
+        for direction, far in ((1, stop), (-1, start)):
+            if far != point:
+                sides.append(_side(part, t, point, least, direction, far, end))
     return sides
 
 
-def _minimum(p: Expr, t: str, low: Expr, high: Expr, given: Given) -> tuple[Expr, Expr] | None:
-    """Return where p is least, as numbers tell, and its value there."""
+def _side(
+    part: Exponential, t: str, point: Expr, least: Expr, direction: int, far: Expr, end: End
+) -> Side:
+    """Return the part of the range between a minimum and another point, as a side."""
+    width = None if far in _INFINITE else normal_form(direction * (far - point), end.given)
+    if point == ZERO and direction == 1:
+        p = part.p if least == ZERO else part.p - least
+        return Side(part.factor, part.rate, least, p, part.q, t, width)
+    s = fresh("s" if t != "s" else "u", {*symbols(part.p), *symbols(part.q), t, *end.taken})
+    put = {t: point + direction * symbol(s)}
+    p, q = substitute(part.p, put), substitute(part.q, put)
+    p = p if least == ZERO else p - least
+    return Side(part.factor, part.rate, least, p, q, s, width)
+
+
+def _minima(p: Expr, t: str, low: Expr, high: Expr, given: Given) -> tuple[list[Expr], Expr] | None:
+    """Return where p is least, as numbers tell, in increasing order, and its value there."""
     places: list[tuple[Expr, int]] = []
     if low not in _INFINITE:
         places.append((low, 1))
     if high not in _INFINITE:
         places.append((high, -1))
     slope = differentiate(p, t)
-    inner = [ZERO, ONE, *solutions(slope, t), *solutions(normal_form(slope, given), t)]
-    places += [(e, 1) for e in dict.fromkeys(inner) if t not in symbols(e)]
+    inner = [*solutions(slope, t), *solutions(normal_form(slope, given), t)]
+    inner = [ZERO, ONE, *(normal_form(e, given) for e in inner if t not in symbols(e))]
+    places += [(e, 1) for e in dict.fromkeys(inner)]
     found: list[tuple[Expr, Expr, arb]] = []
     at = next(
         given.points(frozenset().union(*(symbols(e) for e, _ in places), symbols(p)) - {t}, 1), {}
@@ -480,12 +508,15 @@ def _minimum(p: Expr, t: str, low: Expr, high: Expr, given: Given) -> tuple[Expr
         if not found:
             return None
         best = min(found, key=lambda item: item[2].mid())
-        others = [x for x in found if x[2].overlaps(best[2])]
-    for e in (low, high):
-        for other in others:
-            if other[0] == e:
-                best = other
-    return best[0], best[1]
+        equal = {e: value for e, value, size in found if size.overlaps(best[2])}
+        if len(equal) > 1 and any(symbols(e) for e in equal):
+            return None
+        points = sorted(equal, key=lambda e: evaluate(e, at).mid())
+        kept: list[Expr] = []
+        for e in points:
+            if not kept or evaluate(e, at) > evaluate(kept[-1], at):
+                kept.append(e)
+    return kept, equal[kept[0]]
 
 
 def _is_inside(e: Expr, low: Expr, high: Expr, at: dict[str, fmpq]) -> bool:

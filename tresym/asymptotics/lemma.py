@@ -34,12 +34,15 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.resource_limits import TimeUp, time_limit
 from tresym.reals.signs.definedness import continuous_on
 from tresym.reals.signs.sign import proof
 from tresym.reals.verdict import Verdict
 
 _ORDER = (Verdict.PROVED, Verdict.ENCLOSED)
 NONE = Given()
+SECONDS = 3.0
+"""The processor time that an obligation may take, where there is no other limit."""
 SLACK = fmpq(51, 50)
 """A constant that is tried: so much above the largest value found."""
 
@@ -114,7 +117,11 @@ class Obligations:
         whole = replace(
             self.statement, given=given, path=path, equations=(), integers=tuple(integers)
         )
-        answer = self.decided(claim, whole)
+        try:
+            with time_limit(SECONDS):
+                answer = self.decided(claim, whole)
+        except TimeUp:
+            answer = Answer(Verdict.UNDECIDED, f"stopped after {SECONDS} s of processor time")
         end = f" as {path}" if path is not None else ""
         self.keep(f"{left} {relation} {right}{end}", given, answer.verdict)
         return answer

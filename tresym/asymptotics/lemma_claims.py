@@ -66,6 +66,8 @@ from tresym.reals.verdict import Verdict
 
 MOST = 6
 """The orders that are tried."""
+MOST_FAILURES = 2
+"""Orders at which a lemma is not proved, after which no further one is tried."""
 WAVES = frozenset(("sin", "cos", "tan", "cot", "sec", "csc"))
 _INFINITE = (INFINITY, -INFINITY)
 Lemma = Callable[[Expr, End], Expansion | None]
@@ -176,6 +178,7 @@ class _Claim:
             given = self.end.given & found.constants
             self.end = self.end._replace(given=given, names=self.end.names | found.unknown)
         why = "the expansions are not long enough to settle the claim"
+        failures = 0
         for order in range(1, MOST + 1):
             known = self._terms(order)
             if known is None:
@@ -187,6 +190,9 @@ class _Claim:
             if answer.verdict is not Verdict.UNDECIDED:
                 return answer
             why = answer.why
+            failures += 1
+            if failures == MOST_FAILURES:
+                break
         return Answer(Verdict.UNDECIDED, why)
 
     def _expansion(self, node: Expr) -> Expansion | None:

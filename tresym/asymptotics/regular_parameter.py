@@ -16,7 +16,15 @@ from math import factorial
 
 from flint import arb, fmpq
 
-from tresym.asymptotics.lemma import SLACK, Bound, End, Expansion, Obligations, rounded_up
+from tresym.asymptotics.lemma import (
+    SLACK,
+    Bound,
+    End,
+    Expansion,
+    Obligations,
+    rounded_up,
+    supremum,
+)
 from tresym.reals.decisions.integrals import without_integrals
 from tresym.reals.decisions.known_values import known_value
 from tresym.reals.domain.conditions import Given
@@ -44,6 +52,8 @@ from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 
 LEMMA = "Taylor's formula under the integral sign (DLMF 1.5(iv))"
+LONG = 120
+"""Derivatives of more operations get no constant."""
 GRID = 24
 """Points in each direction at which the largest derivative is looked for."""
 RANGES = (fmpq(1, 2), fmpq(1, 10), fmpq(1, 100))
@@ -149,6 +159,8 @@ class RegularParameter(Expansion):
         """Return a constant for a finite range, if one is proved for a bound found by numbers."""
         if symbols(e) - {self.t, self.small} or symbols(self.low) | symbols(self.high):
             return None
+        if e.size > LONG:
+            return None
         with ball_precision():
             low, high = evaluate(self.low, {}), evaluate(self.high, {})
             largest = arb(0)
@@ -167,11 +179,26 @@ class RegularParameter(Expansion):
     def _majorised(self, e: Expr, t: Expr, inside: Given, ask: Obligations) -> bool:
         """Prove |∂ⁿf| ≤ C w for a function w whose integral or sum converges."""
         at_zero = substitute(e, {self.small: ZERO})
+        reach = inside.box[self.small]
+        places = [ZERO, *(number(end) for end in (reach.low, reach.high) if end is not None)]
         for w in self._majorants(at_zero, t):
-            for c in (1, 4, 100):
-                if ask.holds(apply("abs", e), "<=", number(c) * w, inside):
-                    return True
+            ratios = (substitute(e / w, {self.small: place}) for place in places)
+            sizes = [self._supremum(ratio) for ratio in ratios]
+            known = [size for size in sizes if size is not None]
+            if len(known) < len(sizes):
+                continue
+            c = max(rounded_up(size * arb(SLACK)) for size in known)
+            if ask.holds(apply("abs", e), "<=", number(c) * w, inside):
+                return True
         return False
+
+    def _supremum(self, e: Expr) -> arb | None:
+        """Return about the largest |e| on the range of the variable of integration."""
+        if symbols(e) - {self.t} or self.low in _INFINITE:
+            return None
+        moved = substitute(e, {self.t: self.low + symbol(self.t)})
+        width = None if self.high in _INFINITE else normal_form(self.high - self.low, Given())
+        return supremum(moved, self.t, width)
 
     def _majorants(self, at_zero: Expr, t: Expr) -> list[Expr]:
         """Return nonnegative functions with a finite integral over the range."""

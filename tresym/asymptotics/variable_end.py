@@ -55,6 +55,8 @@ from tresym.reals.verdict import Verdict
 
 CONTINUOUS = "Cauchy's mean value theorem and de l'Hôpital's rule (Olver 1974, ch. 2, §1)"
 DISCRETE = "the Stolz–Cesàro theorem"
+MOST_NEW = 4
+"""The most terms by which a sum changes from n to n + 1."""
 FAR = (3, 10, 100)
 """How near to the end the ends of an integral must be in order."""
 _INFINITE = (INFINITY, -INFINITY)
@@ -136,7 +138,7 @@ def _quotient(f: Expr, g: Expr, end: End) -> _Quotient | None:
             is not Verdict.PROVED
         ):
             return None
-        change = _change_of_sum(node, end) if discrete else _change(node, end)
+        change = change_of_sum(node, end) if discrete else change_of(node, end)
         if change is None:
             return None
         h = h + share * node
@@ -152,8 +154,12 @@ def _difference(e: Expr, end: End) -> Expr:
     return substitute(e, {end.name: x + 1}) - e
 
 
-def _change(node: Expr, end: End) -> Expr | None:
-    """Return the derivative of an integral by Leibniz's rule; its body must not hold x."""
+def change_of(node: Expr, end: End, where: Given | None = None) -> Expr | None:
+    """Return the derivative of an integral by Leibniz's rule; its body must not hold x.
+
+    Args:
+        where: conditions under which the integral must exist; near the end of the path unless told.
+    """
     (t,), body = opened(node, end.taken)
     low, high = node.args[1:]
     if body.hidden or end.name in symbols(body) or low.hidden or high.hidden:
@@ -162,15 +168,15 @@ def _change(node: Expr, end: End) -> Expr | None:
     for place, side in ((high, 1), (low, -1)):
         if place not in _INFINITE and end.name in symbols(place):
             change = change + side * substitute(body, {t: place}) * differentiate(place, end.name)
-    if not _is_integrable(node, t, body, end):
+    if not _is_integrable(node, t, body, end, where):
         return None
     return change
 
 
-def _is_integrable(node: Expr, t: str, body: Expr, end: End) -> bool:
-    """Return whether the integral exists near the end of the path."""
+def _is_integrable(node: Expr, t: str, body: Expr, end: End, where: Given | None) -> bool:
+    """Return whether the integral exists near the end of the path, or under conditions."""
     low, high = node.args[1:]
-    for near in _near(end):
+    for near in _near(end) if where is None else (where,):
         backward = not sign_between(low, high, near)
         smaller, larger = (high, low) if backward else (low, high)
         if backward and not sign_between(smaller, larger, near):
@@ -223,21 +229,27 @@ def sign_between(low: Expr, high: Expr, near: Given) -> bool:
     return sign(high - low, near, ">") == "+"
 
 
-def _change_of_sum(node: Expr, end: End) -> Expr | None:
+def change_of_sum(node: Expr, end: End) -> Expr | None:
     """Return Δ of a sum to n + c or from n + c on; its terms must not hold n."""
     (k,), body = opened(node, end.taken)
     low, high = node.args[1:]
     if body.hidden or end.name in symbols(body) or end.point is not None or end.side < 0:
         return None
-    x = symbol(end.name)
-    if integer(low) is not None and high not in _INFINITE:
-        if integer(high - x) is None and differentiate(high, end.name) != ONE:
+    slopes = [integer(differentiate(e, end.name)) for e in (low, high) if e not in _INFINITE]
+    if any(slope is None or not 0 <= slope <= MOST_NEW for slope in slopes):
+        return None
+    change = ZERO
+    if high == INFINITY:
+        if not _tail_converges(body, k, End(k, None, 1, end.given)):
             return None
-        return substitute(body, {k: high + 1}) if differentiate(high, end.name) == ONE else None
-    if high == INFINITY and differentiate(low, end.name) == ONE:
-        far = End(k, None, 1, end.given)
-        return -substitute(body, {k: low}) if _tail_converges(body, k, far) else None
-    return None
+    elif low not in _INFINITE:
+        for n in range(slopes[1] or 0):
+            change = change + substitute(body, {k: high + (n + 1)})
+    else:
+        return None
+    for n in range(slopes[0] or 0):
+        change = change - substitute(body, {k: low + n})
+    return change
 
 
 def _last(node: Expr, end: End) -> Expr | None:

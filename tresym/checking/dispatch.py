@@ -347,13 +347,29 @@ def _nth_derivatives(*claim: Any) -> Answer:
 def _finite_sums(*claim: Any) -> Answer:
     from tresym.reals.decisions.induction import decide_totals
 
-    return decide_totals(*claim)
+    return _or_by_lemmas(decide_totals, *claim)
+
+
+def _or_by_lemmas(
+    procedure: Procedure, comparison: Comparison, statement: Statement, decided: Decide
+) -> Answer:
+    """Decide by a procedure; if it is undecided, at small integers or by monotony."""
+    found = procedure(comparison, statement, decided)
+    if found.verdict is not Verdict.UNDECIDED:
+        return found
+    from tresym.asymptotics.monotone import decide_by_monotony
+    from tresym.asymptotics.small_integers import refuted_at_integers
+
+    other = refuted_at_integers(comparison, statement)
+    if other is None:
+        other = decide_by_monotony(comparison, statement, decided)
+    return found if other is None else other
 
 
 def _factorials(*claim: Any) -> Answer:
     from tresym.reals.decisions.factorials import decide_factorials
 
-    return decide_factorials(*claim)
+    return _or_by_lemmas(decide_factorials, *claim)
 
 
 def _gamma_forms(*claim: Any) -> Answer:
@@ -377,7 +393,7 @@ def _unknown_functions(*claim: Any) -> Answer:
 def _integrals(*claim: Any) -> Answer:
     from tresym.reals.decisions.integrals import decide_integrals
 
-    return decide_integrals(*claim)
+    return _or_by_lemmas(decide_integrals, *claim)
 
 
 def _lemmas(comparison: Comparison, statement: Statement, decided: Decide) -> Answer:

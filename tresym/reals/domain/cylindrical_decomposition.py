@@ -18,6 +18,8 @@ from tresym.reals.numbers.factoring import TooLargeError, factors_of
 
 MAX_POLYNOMIALS = 40
 MAX_DEGREE = 40
+MOST_BITS = 10**6
+"""Degree times bits of a coefficient of the polynomials whose roots are computed."""
 
 
 def _everything(point: tuple[fmpq, ...]) -> bool:
@@ -129,6 +131,8 @@ def between(p: fmpz_poly) -> list[fmpq]:
     """
     if p.degree() < 1:
         return [fmpq(0)]
+    if p.degree() * max(int(c).bit_length() for c in p.coeffs()) > MOST_BITS:
+        raise TooLargeError("a polynomial is too large for its roots to be computed")
     squarefree = p // p.gcd(p.derivative())
     with ball_precision(128):
         roots = [root.real for root, _ in squarefree.complex_roots() if root.imag.is_zero()]
