@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from flint import arb, arb_series, ctx, fmpq_series
 
@@ -111,6 +111,10 @@ class Gradients:
     sqrt = _lifted(balls.sqrt, lambda x, y: 1 / (2 * y))
     expm1 = _lifted(balls.expm1, lambda x, y: x.exp())
     log1p = _lifted(balls.log1p, lambda x, y: 1 / (1 + x))
+
+    if TYPE_CHECKING:  # the other functions come from their rows
+
+        def __getattr__(self, name: str) -> Callable[[Any], Any]: ...
 
 
 for _row in TABLE.values():

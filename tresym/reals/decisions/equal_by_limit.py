@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from contextlib import suppress
 from itertools import pairwise
+from typing import Any, TypeAlias
 
 from flint import fmpq
 
@@ -33,7 +34,8 @@ from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.signs.interior import PROVING
 from tresym.reals.signs.sign import sign_by
 
-End = fmpq | None
+End: TypeAlias = Any
+"""A rational number, or None for an infinite end."""
 INSIDE = (fmpq(0), fmpq(1), fmpq(1, 2), fmpq(-1), fmpq(2))
 MAX_SIZE = 300
 
@@ -115,7 +117,8 @@ def _pieces(parts: list[Expr], given: Given, name: str) -> list[tuple[End, End]]
 
 def _inside(low: End, high: End, name: str) -> Given:
     x = symbol(name)
-    comparisons = [(x, ">", number(low))] if low is not None else []
+    comparisons: list[tuple[Expr, str, Expr]] = []
+    comparisons += [(x, ">", number(low))] if low is not None else []
     comparisons += [(x, "<", number(high))] if high is not None else []
     return Given(tuple(comparisons))
 

@@ -22,7 +22,8 @@ from tresym.reals.signs.sign import sign_by
 _ONTO = {
     row.name: row.inverse
     for row in TABLE.values()
-    if row.inverse in TABLE and TABLE[row.inverse].entire and row.image(trees)[:2] == (None, None)
+    if row.image is not None and row.inverse in TABLE
+    if TABLE[row.inverse].entire and row.image(trees)[:2] == (None, None)
 }
 """The function of which each is the inverse, at every number."""
 _RANGES = {

@@ -366,7 +366,7 @@ def _harmonic_series(times: int) -> Any:
 def _regular(name: str, times: int) -> Function:
     term, value = _harmonic_series(times)
     return Function(
-        name=name, family="factors of expansions", derivatives=(
+        name=name, family="factors of expansions", latex="S'" if times else "S", derivatives=(
             (lambda z, m: m.harmonic_slope(z)) if times == 0 else None,), ball=value, entire=True,
         taylor=lambda k, m: term(k), internal=True, source="DLMF 10.31.2",
         remainder=lambda s, n: 2 * arb(term(n)) / (1 - s) if s < 1 else NAN,
@@ -477,6 +477,7 @@ BESSEL = (
     parametric("bessel_q", _q_term, _modulus("q"), _q_rest, "DLMF 10.17.3 and 10.17(iii)"),
     Function(
         name="hyp0f1", family="Bessel functions", arity=2, internal=True, source="DLMF 16.2.1",
+        latex=r"{}_0F_1",
         definition=r"{}_0F_1(; b; z) = \sum_k z^k/(k!\,(b)_k)",
         derivatives=(None, lambda b, z, m: m.hyp0f1(b + 1, z) / b), entire=True,
         ball=lambda b, z: z.hypgeom_0f1(b),

@@ -135,6 +135,7 @@ def _decreasing(name: str, term: Callable[[int, Any], Any]) -> Function:
     return Function(
         name=name, family="factors of expansions", needs=positive, derivatives=(None,), ball=value,
         taylor=term, remainder=bound, internal=True, source="DLMF 19.12",
+        latex=rf"T_{{\mathrm{{{name.replace('_', ' ')}}}}}",
     )  # fmt: skip
 
 

@@ -108,6 +108,11 @@ def derived(jets: Callable[[arb, int], list[arb]], times: int) -> Callable[[arb,
     return found
 
 
+def _factor_name(name: str) -> str:
+    """Return the name of a factor as it is printed: T with the name as its subscript."""
+    return rf"T_{{\mathrm{{{name.replace('_tail', '').replace('_', ' ')}}}}}"
+
+
 def positive(v: Any, m: Any) -> Conditions:
     """Return the condition of a factor of an expansion: v > 0."""
     return ((v, ">"),)
@@ -162,6 +167,7 @@ def factor(
     return Function(
         name=name, family="factors of expansions", needs=positive, derivatives=(None,), ball=value,
         taylor=lambda k, m: coefficient(k), remainder=bound, internal=True, source=source,
+        latex=_factor_name(name),
     )  # fmt: skip
 
 
@@ -196,4 +202,5 @@ def parametric(name: str, term: Any, exact: Any, rest: Any, source: str) -> Func
         needs=lambda nu, v, m: positive(v, m), derivatives=(None, None), ball=value,
         taylor=lambda nu, k, m: term(nu if literal(nu) is None else literal(nu), k),
         remainder=lambda nu, s, n: rest(nu, s, n), internal=True, source=source,
+        latex=_factor_name(name),
     )  # fmt: skip

@@ -218,6 +218,7 @@ EXPONENTIAL_INTEGRALS = (
     ),
     Function(
         name="ein", family="exponential integrals", source="DLMF 6.6.2", internal=True,
+        latex=r"\operatorname{Ein}^{*}",
         definition=r"\sum_{k \ge 1} x^k/(k\,k!)", rising=True, vanishes_with_argument=True,
         derivatives=(lambda x, m: (m.exp(x) - 1) / x,), ball=_ein, taylor=_ein_taylor, entire=True,
         series=lambda s: composed(_ein_jets, s),
@@ -258,6 +259,7 @@ EXPONENTIAL_INTEGRALS = (
     ),
     Function(
         name="cin", family="exponential integrals", source="DLMF 6.6.6", internal=True, even=True,
+        latex=r"\operatorname{Cin}^{*}",
         definition=r"\operatorname{Ci} x - \gamma - \ln x", ball=_cin, taylor=_cin_taylor,
         derivatives=(lambda x, m: (m.cos(x) - 1) / x,), entire=True,
         series=lambda s: composed(_cin_jets, s),

@@ -249,7 +249,7 @@ ZETA = (
     ),
     Function(
         name="zeta_regular", family="factors of expansions", internal=True, source="DLMF 25.2.4",
-        derivatives=(None,), ball=_regular, remainder=_regular_rest,
+        derivatives=(None,), ball=_regular, remainder=_regular_rest, latex=r"T_{\gamma}",
         taylor=lambda k, m: fmpq((-1) ** k, factorial(k)) * m.stieltjes(k) if k
         else m.EulerGamma(1),
     ),
@@ -257,6 +257,7 @@ ZETA = (
         name="zeta_tail", family="factors of expansions", internal=True, source="DLMF 25.2.1",
         needs=lambda v, m: ((v, ">"),), derivatives=(None,), ball=_zeta_tail, terms=1,
         taylor=lambda k, m: fmpq(1) if k == 0 else None, remainder=_zeta_tail_rest,
+        latex=r"T_{\zeta}",
     ),
     Function(
         name="stieltjes", family="zeta functions", internal=True, source="DLMF 25.2.5",

@@ -122,6 +122,8 @@ def call(name: str, values: list[Expr]) -> Expr:
         return _GUDERMANNIAN[name](values[0])
     if name == FACTORIAL and len(values) == 1:
         return unknown(name, tuple(values))
+    if given == 1 and (bessel := re.fullmatch(r"([JYIK])_?(\d+)", name)):
+        return apply(f"bessel{bessel[1].lower()}", number(int(bessel[2])), values[0])
     if name in MODULUS:
         read = MODULUS[name]
         raise InputError(

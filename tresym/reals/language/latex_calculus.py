@@ -16,7 +16,7 @@ from tresym.reals.language.binders import (
     outermost,
     total,
 )
-from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.calls import INFINITY, call
 from tresym.reals.language.expression import (
     MAX_DERIVATIVES,
     ORDERS,
@@ -51,7 +51,9 @@ from tresym.reals.language.latex_operands import (
 )
 from tresym.reals.language.latex_tokens import (
     EXTREMES,
+    OF_GREEK,
     RELATIONS,
+    WITH_ORDER,
 )
 
 TOTALS = {"\\sum": "sum", "\\prod": "product"}
@@ -311,6 +313,9 @@ class CalculusReader(Cursor):
         if token in ORDERS and self.peek(1) == "(":
             self.take()
             return Piece(order(token, self.enclosed().tree))
+        special = None if self.guesses else self.special_function()
+        if special is not None:
+            return special
         if self.author and self.is_term():
             return self.term()
         name = self.symbol()
@@ -320,6 +325,44 @@ class CalculusReader(Cursor):
         if self.author and self.peek() == "(" and (self.is_list() or self.is_argument(name)):
             return self.value(name, self.author.functions.get(name))
         return Piece(symbol(name), symbol=name)
+
+    def special_function(self) -> Piece | None:
+        """``\\Gamma(x)``, ``\\zeta(s)``, ``J_0(x)``, ``\\operatorname{Li}_2(x)``, or None.
+
+        A letter keeps the meaning that it has elsewhere: it must stand before a bracket wherever
+        it occurs. Bessel functions are not read in an author's text, where J, K and I are usual
+        names of other things.
+        """
+        start, token = self.at, self.peek()
+        order: list[Expr] = []
+        if token in OF_GREEK and self.peek(1) in ("(", "^"):
+            letter = token.lstrip("\\")
+            if self.author and (letter in self.author.bare or letter in self.author.functions):
+                return None
+            places = [n for n, other in enumerate(self.tokens) if other == token]
+            if any(self.tokens[n + 1 : n + 2] not in (["("], ["^"]) for n in places):
+                return None
+            name = OF_GREEK[token]
+            self.at += 1
+        elif token.lstrip("\\") in WITH_ORDER and self.peek(1) == "_":
+            if self.author and not token.startswith("\\"):
+                return None
+            name = WITH_ORDER[token.lstrip("\\")]
+            if name == "expint":  # E_1 is usual for energies
+                return None
+            self.at += 2
+            order = [self.script().tree]
+        else:
+            return None
+        exponent = None
+        if self.peek() == "^":
+            self.at += 1
+            exponent = self.script().tree
+        if self.peek() != "(":
+            self.at = start
+            return None
+        tree = call(name, [*order, *self.arguments()])
+        return Piece(tree) if exponent is None else Piece(tree**exponent, 3)
 
     def indices_below(self) -> list[Expr]:
         """The indices in the subscript here."""

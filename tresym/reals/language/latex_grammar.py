@@ -55,6 +55,7 @@ from tresym.reals.language.latex_tokens import (
     LETTERS_OF_FUNCTIONS,
     RELATIONS,
     STOPS,
+    WITH_ORDER,
 )
 from tresym.reals.language.parsing import sum_of
 from tresym.reals.numbers.exact import InputError
@@ -305,6 +306,11 @@ class Reader(FunctionReader):
             return self.dotted()
         if token.lstrip("\\") in FUNCTIONS and token.startswith("\\"):
             return self.function()
+        if token.lstrip("\\") in WITH_ORDER and token.startswith("\\"):
+            found = self.special_function()
+            if found is None:
+                self.refuse("the order and the argument of this function are missing")
+            return found
         if re.fullmatch(r"\d.*|\.\d+", token):
             return decimal(self.take())
         if is_letter(token) or token in ("\\pi", "\\Delta", "\\partial") or token.isalpha():

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from tresym.reals.functions.table import TABLE, upright, written_after
+from tresym.reals.functions.table import SPECIAL, TABLE, upright, written_after
 from tresym.reals.numbers.exact import InputError
 
 MAX_CHARACTERS = 10_000
@@ -23,8 +23,22 @@ FUNCTIONS = {
     **{word: row.of_reciprocal[0] for row in _NAMED for word in row.of_reciprocal},
     **{f"ar{a[1:]}": a for row in _NAMED for a in row.of_reciprocal[:1] if a.endswith("h")},
     "gd": "gd",
+    **{
+        upright(row): name
+        for name, row in TABLE.items()
+        if name in SPECIAL and row.arity == 1 and not row.internal and "operatorname" in row.latex
+        if upright(row).isalpha()
+    },
 }
 """Commands and upright words that apply a function, and the function."""
+WITH_ORDER = {
+    row.latex.strip("\\").removeprefix("operatorname{").rstrip("}"): name
+    for name, row in TABLE.items()
+    if row.subscripted
+}
+"""Letters and words that denote a special function where a subscript gives its order."""
+OF_GREEK = {"\\Gamma": "gamma", "\\zeta": "zeta"}
+"""Greek letters that denote a special function before an argument in brackets."""
 GREEK = _words(
     "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi rho sigma tau "
     "upsilon phi chi psi omega varepsilon vartheta varphi varpi varrho varsigma "
@@ -143,7 +157,7 @@ def _text(match: re.Match[str]) -> str:
     word = match[2].strip()
     if match.string[: match.start()].rstrip().endswith(("_", "_{")):
         return f"{{{word}}}" if match.string[match.start() - 1] == "_" else f"{word} "
-    if word in FUNCTIONS:
+    if word in FUNCTIONS or word in WITH_ORDER:
         return f"\\{word} "
     if word in ("d", "e", "i"):
         return f" {word} "

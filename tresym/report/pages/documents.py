@@ -32,6 +32,7 @@ from tresym.report.pages import coq_page
 from tresym.report.pages.article import article, passages
 from tresym.report.pages.check_tables import by_kind, by_source, measured
 from tresym.report.pages.corrections import corrections
+from tresym.report.pages.functions import page as functions_page
 from tresym.report.pages.methods import methods
 from tresym.report.pages.numbers import numbers
 from tresym.report.pages.site_data import record
@@ -92,6 +93,7 @@ def pages(report: Report) -> Iterator[tuple[str, str]]:
     yield "numbers.json", _json(numbers(report))
     yield "symbols.md", symbols(report)
     yield "methods.md", methods()
+    yield "functions.md", functions_page()
     yield "coq_proofs.md", coq_page.page()
     measured_tests = [*map(saved.load, ("guards", "hunts", "mutants"))]
     yield "trust.md", trust(report, *measured_tests)
