@@ -42,7 +42,6 @@ NO_CLAIMS = {
     r"Suppose that \[ a^2 + b^2 = c^2. \]": "ASSUMED",
     r"\[ \vec F = m\vec a \]": "UNREAD",
     r"\[ e^{i\pi} = -1 \]": "UNREAD",
-    r"\[ \Gamma(x+1) = x\Gamma(x) \]": "UNREAD",
     r"\[ \sin\theta \approx \theta \]": "UNREAD",
     r"\[ \sin\theta(1 + x) = y \]": "UNREAD",
     r"\[ r = a(1 - e\cos E), \quad e^{x} = b \]": "DEFINED UNREAD",

@@ -375,7 +375,6 @@ TWO_READINGS = {
     r"\psi_0(t)": ("psi0*t", "psi0_1 for the value of a function psi0"),
     r"x^2(y)": ("x**2*y", "x_1 for the value of a function x"),
     r"f(x+1)": ("f*(x + 1)", "f_1 for the value of a function f"),
-    r"\Gamma(x+1)": ("Gamma*(x + 1)", "Gamma_1 for the value of a function Gamma"),
 }
 
 NO_VARIABLES = {
