@@ -40,8 +40,10 @@ def checked(answer: Answer, claim: Comparison, statement: Statement) -> Answer:
     path = statement.path
     if path is None:
         raise TypeError("a claim along a path needs its path")
-    if statement.implicit or statement.has_initial_values:
+    if statement.implicit or statement.has_initial_values or path.together:
         return answer  # the explicit claim to which it was reduced was confirmed itself
+    if answer.uniform is False:
+        return answer  # it fails uniformly in the parameters, by the limit of the ratio
     names = parameters(claim, statement)
     point = _exact_values(answer.witness or {})
     at = {name: point[name] for name in names if name in point}

@@ -252,6 +252,14 @@ def _fails_near_the_end(link: Compared, statement: Statement, decided: Decide) -
     return _holds_near_the_end((left, opposite, right), statement, decided)
 
 
+def decide_beside_conditions(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
+    """Decide a claim along a path whose conditions contain the variable of the path."""
+    try:
+        return _along(claim, statement, (), decided)
+    except _OpenError as error:
+        return Answer(Verdict.UNDECIDED, str(error))
+
+
 # Families of roots
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
 from functools import partial
 from itertools import islice
 
@@ -23,6 +24,7 @@ from tresym.reals.cross_check import (
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.readable_witnesses import tidied
 from tresym.reals.decisions.statement import Comparison, Path, Statement, implied_integers
+from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import is_infinite, outermost
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.derivatives import differentiate
@@ -77,8 +79,16 @@ def attack(
         return None  # the claim with a variable in place of the root was attacked itself
     if statement.has_initial_values:
         return None  # what was shown of the equation and the initial values was attacked itself
+    if statement.path is not None and statement.path.together:
+        return None  # the claim on each face of a cube around the point was attacked itself
+    if comparison.relation == "O" and statement.path is None:
+        return _attack_root(comparison, statement, replace(answer, region="0 < 1"))
     if statement.implicit:
         return _attack_root(comparison, statement, answer)
+    if statement.path is not None and statement.path.name in statement.given.names:
+        links = statement.given.comparisons  # what is left holds for all values near the end
+        kept = [x for x in links if statement.path.name not in symbols(x[0]) | symbols(x[2])]
+        statement = replace(statement, given=Given(tuple(kept)))
     if statement.path is not None:
         against = _attack_order(comparison, statement, answer)
         return against or _attack_path(comparison, statement, statement.path)
@@ -111,7 +121,7 @@ def _attack_root(claim: Comparison, statement: Statement, answer: Answer) -> str
 
     The claim without a constant was attacked after the root was eliminated.
     """
-    if answer.constant is None or answer.region is None or statement.path is None:
+    if answer.constant is None or answer.region is None:
         return None
     high = parse_number(answer.constant.mid) + parse_number(answer.constant.rad)
     size = apply("abs", claim.left) - number(high) * apply("abs", claim.right)

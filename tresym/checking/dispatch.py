@@ -411,13 +411,46 @@ def _lemmas(comparison: Comparison, statement: Statement, decided: Decide) -> An
 def _paths(comparison: Comparison, statement: Statement, decided: Decide) -> Answer:
     from tresym.asymptotics.path_claims import decide_tending
 
-    return decide_tending(comparison, statement, decided)
+    found = decide_tending(comparison, statement, decided)
+    if comparison.relation != "O":
+        return found
+    from tresym.asymptotics.uniformity import with_uniformity
+
+    return with_uniformity(found, comparison, statement, decided)
+
+
+def _beside_conditions(*claim: Any) -> Answer:
+    from tresym.asymptotics.roots import decide_beside_conditions
+
+    return decide_beside_conditions(*claim)
+
+
+def _monomials(comparison: Comparison, statement: Statement, _: Decide) -> Answer:
+    from tresym.asymptotics.monomials import decide_monomials
+
+    return decide_monomials(comparison, statement)
+
+
+def _together(*claim: Any) -> Answer:
+    from tresym.asymptotics.uniformity import decide_together
+
+    return decide_together(*claim)
 
 
 Procedure = Callable[[Comparison, Statement, Decide], Answer]
 """Decides a claim by simpler ones, which it hands to its last argument."""
 ORDER: tuple[tuple[Procedure, Callable[[_Parts], bool], str], ...] = (
     (_ellipses, lambda p: p.has_dots, "its general term must be found before it is a sum"),
+    (
+        _monomials,
+        lambda p: p.comparison.relation == "O" and p.statement.path is None,
+        "an order without a path is one for all positive parameters",
+    ),
+    (
+        _together,
+        lambda p: p.statement.path is not None and bool(p.statement.path.together),
+        "a point of several variables is a distance times a direction",
+    ),
     (
         _initial_values,
         lambda p: p.statement.has_initial_values,
@@ -451,6 +484,11 @@ ORDER: tuple[tuple[Procedure, Callable[[_Parts], bool], str], ...] = (
         decide_under_equations,
         lambda p: bool(p.statement.equations),
         "solving them leaves free variables",
+    ),
+    (
+        _beside_conditions,
+        lambda p: p.statement.path is not None and p.statement.path.name in p.statement.given.names,
+        "conditions on what tends must hold near the end of the path",
     ),
     (_paths, lambda p: p.statement.path is not None, "limits need expansions, at integers too"),
     (_integrals, lambda p: "integral" in p.nodes, "antiderivatives leave no integrals"),

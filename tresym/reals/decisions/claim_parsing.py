@@ -8,6 +8,7 @@ from dataclasses import replace
 from functools import cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.path_regions import reach_of
 from tresym.reals.decisions.statement import (
     Comparison,
@@ -41,6 +42,8 @@ from tresym.reals.language.typesetting import to_latex
 from tresym.reals.language.unicode_input import plain
 from tresym.reals.language.variable_names import explain, without_declaration
 from tresym.reals.numbers.exact import InputError
+from tresym.reals.signs.sign import sign as sign_of
+from tresym.reals.verdict import Verdict
 
 if TYPE_CHECKING:
     from tresym.reals.language.latex import Relations
@@ -56,6 +59,8 @@ _LATEX = re.compile(r"[\\{}]")
 _PATH = re.compile(r"\s*([A-Za-z_]\w*)\s*->\s*(.+?)\s*")
 _AND = re.compile(r"\band\b|;|&&?|∧")
 _DANGLING = re.compile(r"\b(and|or)\s*$")
+_TOGETHER = re.compile(r"\s*\(([\w\s,]+)\)\s*->\s*\((.+)\)\s*")
+_UNIFORMLY = re.compile(r"\suniformly\b")
 _INFINITE = re.compile(r"([-+]?)(?:oo|inf|infinity)")
 _SIDES = {"+": (1,), "-": (-1,), "": (1, -1)}
 _LONE = "a limit must stand alone on one side and be compared by == with its value"
@@ -75,10 +80,12 @@ class _Written(NamedTuple):
     given: tuple[Compared, ...]
     path: Path | None
     on: tuple[Compared, ...] = ()
+    uniformly: bool = False
 
     def __str__(self) -> str:
         parts = (("", chained(self.comparisons)), (" given ", chained(self.given)))
         text = "".join(word + part for word, part in parts if part)
+        text += " uniformly" if self.uniformly else ""
         text = text if self.path is None else f"{text} as {self.path}"
         return f"{text} on {chained(self.on)}" if self.on else text
 
@@ -86,7 +93,7 @@ class _Written(NamedTuple):
 def in_latex(text: str) -> str:
     """Return a claim in the grammar of text as LaTeX; empty if it cannot be read."""
     try:
-        comparisons, given, path, _ = _written(text, "", None)
+        comparisons, given, path, _, _ = _written(text, "", None)
     except InputError:
         return ""
     shown = to_latex(comparisons)
@@ -154,16 +161,22 @@ def _is_plain(text: str) -> bool:
 
 def _read_again(shown: str) -> _Written:
     """What is written in the text that is shown: of LaTeX and of SymPy just that is decided."""
-    shown, _, on = shown.partition(" on ")
+    uniformly = _UNIFORMLY.search(shown) is not None
+    shown, _, on = _UNIFORMLY.sub("", shown).partition(" on ")
     claim, _, end = shown.partition(" as ")
     claim, _, under = claim.partition(" given ")
     path = read_path(end) if end else None
-    return _Written(tuple(parse_claim(claim)), tuple(parse_given(under)), path, _given(on))
+    parts = tuple(parse_claim(claim)), tuple(parse_given(under))
+    return _Written(*parts, path, _given(on), uniformly)
 
 
 def _stated(written: _Written, shown: str, text: str) -> Statement:
     """What is decided of what is written."""
-    parts, said, path, on = written
+    parts, said, path, on, uniformly = written
+    if uniformly and (path is None or not _is_order(parts)):
+        raise InputError("uniformly belongs to an order with a path: f == g + O(h) as x -> 0")
+    if path is not None and path.expression is not None:
+        parts, said, path = _along_expression(parts, said, path)
     if on:
         if path is None or not _is_order(parts):
             raise InputError("on REGION belongs to an order with a path: f == g + O(h) as x -> 0")
@@ -184,7 +197,7 @@ def _stated(written: _Written, shown: str, text: str) -> Statement:
     else:
         found = tuple(_comparison(*part) for part in parts)
     _need_apart(found, said)
-    return Statement(found, given, path, text, shown, equations, integers)
+    return Statement(found, given, path, text, shown, equations, integers, uniformly)
 
 
 def _need_apart(comparisons: Iterable[Comparison], said: Iterable[Compared]) -> None:
@@ -235,10 +248,11 @@ def _written(claim: Any, given: Any, path: str | None) -> _Written:
 
 def _strictly(claim: str, given: Any, path: str | None) -> _Written:
     """A claim of text or LaTeX in the grammar as it stands."""
-    text, own, own_path, region = _split(claim)
+    uniformly = _UNIFORMLY.search(claim) is not None
+    text, own, own_path, region = _split(_UNIFORMLY.sub("", claim))
     under, end, on = (*_given(given), *_given(own)), _path(own_path or path), _given(region)
     if not _LATEX.search(text):
-        return _Written(tuple(parse_claim(plain(text))), under, end, on)
+        return _Written(tuple(parse_claim(plain(text))), under, end, on, uniformly)
     from tresym.reals.language.latex import read_latex
 
     chains = read_latex(text.strip().strip("$"))
@@ -253,7 +267,7 @@ def _strictly(claim: str, given: Any, path: str | None) -> _Written:
         end = _path_of(said)
     elif said is not None:
         under = (*under, *map(_condition, said.links))
-    return _Written(tuple(chains[0].links), under, end, on)
+    return _Written(tuple(chains[0].links), under, end, on, uniformly)
 
 
 def _split(text: str) -> tuple[str, str, str, str]:
@@ -267,6 +281,41 @@ def _split(text: str) -> tuple[str, str, str, str]:
             raise InputError(f"a claim can have only one part that begins with the word {word}")
         found[word] = part.strip().strip("'\"")
     return claim.strip(), found["given"], found["as"], found["on"]
+
+
+def _along_expression(
+    parts: tuple[Compared, ...], said: tuple[Compared, ...], path: Path
+) -> tuple[tuple[Compared, ...], tuple[Compared, ...], Path]:
+    """Put s/b for a in a claim as a*b -> oo, so that s is the variable that tends to oo.
+
+    The variable that is eliminated is the first one without an upper bound by a constant.
+    """
+    assert path.expression is not None
+    given = Given(tuple(link for link in said if link[1] not in ("==", "in")))
+    taken = {n for left, _, right in (*parts, *said) for n in symbols(left) | symbols(right)}
+    for name in sorted(symbols(path.expression)):
+        factor = differentiate(path.expression, name)
+        bounded = name in given.box and given.box[name].high is not None
+        rest = expression.substitute(path.expression, {name: ZERO})
+        whole = decide(rest, ZERO, given).verdict is Verdict.PROVED
+        if bounded or name in symbols(factor) or not whole or sign_of(factor, given, ">") != "+":
+            continue
+        s = expression.fresh("s", taken)
+        put = {name: symbol(s) / factor}
+
+        def change(link: Compared, put: dict[str, Expr] = put) -> Compared:
+            left, relation, right = (
+                expression.substitute(link[0], put),
+                link[1],
+                expression.substitute(link[2], put),
+            )
+            return left, relation, right
+
+        moved = tuple(map(change, parts)), tuple(map(change, said))
+        return *moved, replace(path, name=s)
+    raise InputError(
+        f"the path {path} is supported if {path.expression} is a variable times a positive factor"
+    )
 
 
 def _is_order(parts: tuple[Compared, ...]) -> bool:
@@ -470,6 +519,15 @@ def read_path(text: str) -> Path:
         InputError: anything else.
     """
     match = _PATH.fullmatch(plain(text)) if len(text) <= MAX_PATH else None
+    several = _TOGETHER.fullmatch(plain(text)) if len(text) <= MAX_PATH else None
+    if several is not None:
+        return _several(several[1], several[2])
+    if match is None and len(text) <= MAX_PATH and plain(text).count("->") == 1:
+        left, _, right = plain(text).partition("->")
+        what = parse(left)
+        far = _INFINITE.fullmatch(right.replace(" ", ""))
+        if symbols(what) and far is not None and not far[1].startswith("-") and elementary(what):
+            return Path("", None, (1,), expression=what)
     if match is None:
         raise InputError("write a path like x -> 0+ (or 0, 0-, 1/2, pi, oo, -oo)")
     name, end = match[1], match[2].replace(" ", "")
@@ -480,6 +538,31 @@ def read_path(text: str) -> Path:
     return _ending(name, parse(end.removesuffix(side).removesuffix("^") if side else end), side)
 
 
+def _without_path(statement: Statement) -> bool:
+    """Return whether an order compares sums of powers of parameters that are said positive."""
+    (claim,) = statement.comparisons
+    names = symbols(claim.left) | symbols(claim.right)
+    box = statement.given.box
+    return (
+        bool(names)
+        and all(n in box and (box[n].low or 0) >= 0 for n in names)
+        and all(box[n].low is not None for n in names)
+    )
+
+
+def _several(names: str, points: str) -> Path:
+    """Return the path of several variables that tend to a point together."""
+    variables = tuple(name.strip() for name in names.split(","))
+    ends = tuple(parse(part) for part in points.split(","))
+    if len({*variables}) < len(variables) or len(ends) != len(variables) or len(ends) < 2:
+        raise InputError("write a path in several variables like (x, y) -> (0, 0)")
+    if not all(name.isidentifier() and symbol(name) == parse(name) for name in variables):
+        raise InputError("write a path in several variables like (x, y) -> (0, 0)")
+    if any(symbols(e) or not elementary(e) for e in ends):
+        raise InputError("a path in several variables must end at constants")
+    return Path("", ZERO, (1,), together=variables, points=ends)
+
+
 def _checked(statement: Statement) -> Statement:
     """The statement, if its parts belong together."""
     kinds = [c.relation for c in statement.comparisons]
@@ -488,7 +571,7 @@ def _checked(statement: Statement) -> Statement:
         raise InputError(NO_CHAIN)
     path = statement.path
     if path is None:
-        if near:
+        if near and not (near == ["O"] and _without_path(statement)):
             raise InputError("an order claim needs its path, such as --as 'x -> 0+'")
         return statement
     if not near and "==" in kinds:
@@ -500,7 +583,8 @@ def _checked(statement: Statement) -> Statement:
         raise InputError(f"{path.name} is an integer, so its path must end at oo or -oo")
     said = [*statement.given.names]
     said += [name for sides in statement.equations for e in sides for name in symbols(e)]
-    if path.name in said and not statement.implicit:
+    free = statement.implicit or path.expression is not None
+    if path.name in said and not free:
         raise InputError(
             f"leave out the conditions on {path.name}: the path says where the claim holds"
         )

@@ -101,17 +101,27 @@ class Path:
         point: where it tends, None for infinity.
         sides: +1 for from above or to +∞, −1 for from below or to −∞.
         reach: the constant of an order is asked for where |x − point|, or 1/|x|, is at most this.
+        together, points: the variables that tend to a point together, and the point; the name is
+            then empty.
+        expression: what tends there in place of the variable, such as a*b; a variable of it was
+            eliminated.
     """
 
     name: str
     point: Expr | None
     sides: tuple[int, ...]
     reach: fmpq | None = None
+    together: tuple[str, ...] = ()
+    points: tuple[Expr, ...] = ()
+    expression: Expr | None = None
 
     def __str__(self) -> str:
+        if self.together:
+            return f"({', '.join(self.together)}) -> ({', '.join(map(str, self.points))})"
+        name = self.name if self.expression is None else str(self.expression)
         side = "" if len(self.sides) > 1 else "+-"[self.sides[0] < 0]
         end = f"{self.point}{side}" if self.point is not None else f"{side.strip('+')}oo"
-        return f"{self.name} -> {end}"
+        return f"{name} -> {end}"
 
 
 @dataclass(frozen=True)
@@ -124,6 +134,7 @@ class Statement:
         path: for orders, limits, and what holds near its end alone.
         equations: the conditions that are equations, a pair of sides each.
         integers: the variables that take the values of integers alone.
+        uniformly: whether one constant is asked for all values of the parameters.
         text: how it was written.
         read_as: the same in the grammar of expressions, conditions and path included.
     """
@@ -135,6 +146,7 @@ class Statement:
     read_as: str = ""
     equations: tuple[tuple[Expr, Expr], ...] = ()
     integers: tuple[str, ...] = ()
+    uniformly: bool = False
 
     def __str__(self) -> str:
         return self.text
