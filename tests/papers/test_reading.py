@@ -1,5 +1,8 @@
 """Files of claims: what is read of each kind of line, and what is refused with which words."""
 
+import re
+from pathlib import Path
+
 import pytest
 
 from tresym.papers.reading import OwnPaper, read_file, read_paper
@@ -102,3 +105,16 @@ def test_files_that_are_no_text(tmp_path) -> None:  # type: ignore[no-untyped-de
         read_file(bad)
     with pytest.raises(InputError, match="No such file"):
         read_file(tmp_path / "none.tresym")
+
+
+LISTS = Path(__file__).resolve().parents[1] / "data" / "claims"
+_KIND = re.compile(r"(?:true|false)\s*\|\s*|(?:HOLDS|UNIFORM|FALSE|NONE)\s+")
+
+
+@pytest.mark.parametrize("name", ["inequalities", "orders", "roots", "special", "initial_values"])
+def test_what_check_reads_is_read_in_a_file(name: str) -> None:
+    lines = (LISTS / f"{name}.txt").read_text(encoding="utf-8").splitlines()
+    claims = [_KIND.sub("", line, count=1) for line in lines if _KIND.match(line)][::5]
+    found = read_paper("\n".join(f"c{n}: {claim}" for n, claim in enumerate(claims)))
+    assert not found.problems
+    assert len(found.claims) == len(claims) > 5

@@ -11,6 +11,7 @@ from functools import partial
 from itertools import chain
 from typing import TYPE_CHECKING, TypeAlias
 
+from tresym.commands.claims_file import ENDING
 from tresym.commands.parser import Commands, add_options, add_output, json_line, parse_seconds
 from tresym.output import bold, colour_wanted, dim, say_if_waiting, show_progress, writing
 from tresym.reals.numbers.exact import InputError
@@ -79,8 +80,11 @@ def run(args: argparse.Namespace) -> int:
         raise InputError("check: give either one claim or -f FILE")
     if args.file is None and args.scheduler is not None:
         raise InputError("check: --scheduler is for many claims; give them with -f FILE")
-    if args.file is None and args.claim.strip().endswith(".tex"):
+    named = (args.claim if args.file is None else args.file).strip()
+    if args.file is None and named.endswith(".tex"):
         raise InputError(f"check: {MANUSCRIPT}")
+    if named.endswith(ENDING):
+        raise InputError(f"check: to verify a file of claims, use: tresym verify {named}")
     given = ", ".join(part for part in args.given if part.strip())
     if args.on is not None and args.file is not None:
         raise InputError("check: --on is for one claim; in a file, end a line with on REGION")

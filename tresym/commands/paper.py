@@ -131,6 +131,9 @@ def _manuscripts(args: argparse.Namespace) -> tuple[list[Path], Settings]:
 
     from tresym.manuscript.settings import settings_for
 
+    for name in args.papers:
+        if name.endswith(ENDING):
+            raise InputError(f"paper: to verify a file of claims, use: tresym verify {name}")
     papers = [Path(name) for name in args.papers]
     settings = settings_for(papers[0].parent if papers else Path())
     papers = papers or settings.manuscripts()
