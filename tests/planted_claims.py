@@ -18,3 +18,17 @@ def verdict(claim: Claim, **found: Finding) -> Verdict:
 
 def claim(says: object, proof: object, given: tuple = (), **rest: object) -> Claim:
     return Claim(label="planted", says=says, proof=proof, given=given, **rest)
+
+
+def judged(claim: Claim) -> Finding:
+    """The finding on a claim, after those on all that it depends on, which must hold."""
+    found: dict[str, Finding] = {}
+    for one in claim.rests_on:
+        found[one.label] = judge(one, found)
+        assert found[one.label].verdict.holds, (one.label, found[one.label].why)
+    return judge(claim, found)
+
+
+def verdict_on(says: object, proof: object, *given: object) -> Verdict:
+    """The verdict on a planted claim, after those on all that it depends on."""
+    return judged(claim(says, proof, given)).verdict
