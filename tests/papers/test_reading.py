@@ -45,6 +45,8 @@ def test_the_kinds_of_lines() -> None:
         ("u := ", "needs an expression"),
         ("a <= 2", "without a label"),
         ("Note: words", "no relation"),
+        ("a > 0", "has no label"),
+        ("b, E real; given b > 0\nc: b + E > 2*pi*b given q** > 0", "is not an expression"),
         ("c: a** <= 2", "is not an expression"),
         ("c: eps <= 2", "eps is not declared"),
         ("c: a <= 2 expect proved", "only 'expect refuted'"),
@@ -105,6 +107,12 @@ def test_files_that_are_no_text(tmp_path) -> None:  # type: ignore[no-untyped-de
         read_file(bad)
     with pytest.raises(InputError, match="No such file"):
         read_file(tmp_path / "none.tresym")
+
+
+def test_a_refused_name_leaves_the_others_declared() -> None:
+    found = read_paper("b, E real; given b > 0\nc: b > 0\n")
+    assert [problem.line for problem in found.problems] == [1]
+    assert given_of(found, "c") == 1
 
 
 LISTS = Path(__file__).resolve().parents[1] / "data" / "claims"

@@ -313,6 +313,10 @@ def read_paper(text: str, name: str = "paper.tresym") -> OwnPaper:
     return _Reader(name).read(text)
 
 
+class _OneNameError(InputError):
+    """One name of a declaration is refused; the others are declared."""
+
+
 class _Reader:
     """Read the lines of a file from top to bottom; what is declared holds from there on."""
 
@@ -335,6 +339,8 @@ class _Reader:
         for line, statement in _statements(text):
             try:
                 self._statement(line, statement)
+            except _OneNameError as error:
+                self._problem(line, "", str(error), text)
             except InputError as error:
                 self._problem(line, statement, str(error), text)
         self._need_labels(text)
@@ -398,6 +404,11 @@ class _Reader:
                 f"'{unlabelled[0]}' stands in a line without a label: write a claim as "
                 f"label: {text[:60]}, and prose with such a sign as > {text[:20]} …"
             )
+        elif _is_comparison(text):
+            raise InputError(
+                f"'{text[:60]}' has no label: write a condition as given {text[:60]}, and a claim "
+                f"as label: {text[:60]}"
+            )
         else:
             self._prose(line, text)
 
@@ -409,10 +420,17 @@ class _Reader:
             self.items.append(Prose(line, text))
 
     def _declare(self, line: int, written: str, kind: str, given: str) -> None:
-        names = tuple(name.strip() for name in written.split(","))
-        for name in names:
-            self._need_new(name)
-        self._conditions(line, names, kind, given)
+        names: list[str] = []
+        refused: list[InputError] = []
+        for name in (name.strip() for name in written.split(",")):
+            try:
+                self._need_new(name)
+                names.append(name)
+            except InputError as error:
+                refused.append(error)
+        self._conditions(line, tuple(names), kind, given)
+        if refused:
+            raise _OneNameError(str(refused[0]))
 
     def _conditions(self, line: int, names: tuple[str, ...], kind: str, given: str) -> None:
         given = ", ".join(filter(None, (part.strip() for part in _AND_GIVEN.split(given))))
@@ -629,6 +647,14 @@ def _statements(text: str) -> Iterator[tuple[int, str]]:
             found.append((line, stripped))
         fresh = False
     yield from found
+
+
+def _is_comparison(text: str) -> bool:
+    """Whether a line is nothing but a comparison, such as ``g > 0``."""
+    try:
+        return bool(re.search("[<>=~]", text)) and bool(parse_claim(plain(text)))
+    except InputError:
+        return False
 
 
 def _clauses(written: str) -> tuple[str, dict[str, str]]:
