@@ -147,3 +147,9 @@ def test_one_bad_display_does_not_stop_the_file(tmp_path: Path) -> None:
 )
 def test_other_notation_stays(text: str) -> None:
     assert plain_notation(text) == text
+
+
+def test_symbols_without_letters_are_compared_as_well(tmp_path: Path) -> None:
+    """Dots and infinity are symbols to the reader, and a second definition is compared."""
+    text = r"\[ s = 1 + x + \dots \] and later \[ s = 1 - x + \dots \] and \[ s = 2 + x + \dots \]"
+    assert len(proofread(read(tmp_path, text), 1.0, 1)) == 3

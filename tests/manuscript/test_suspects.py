@@ -1,6 +1,7 @@
 """Proof-reading: misprints are SUSPECT, and nothing that is meant otherwise is."""
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -10,7 +11,7 @@ from tresym.commands import main
 from tresym.manuscript.deciding import Row, decided
 from tresym.manuscript.links import read_links
 from tresym.manuscript.source import read_manuscript
-from tresym.manuscript.suspects import proofread
+from tresym.manuscript.suspects import may_be, proofread
 from tresym.reals.verdict import Cause
 
 
@@ -236,3 +237,13 @@ def test_an_integral_without_a_known_value_is_suspect_if_a_neighbour_has_the_val
     )
     assert (row.status, row.cause) == ("SUSPECT", Cause.NO_VALUE)
     assert row.instead[0].claim == "integral(x**3/(exp(x) + 1), x, 0, oo) == 7*pi**4/120"
+
+
+def test_what_stopped_a_decision_says_whether_a_misprint_is_sought(tmp_path: Path) -> None:
+    """An integral without a known value may be misprinted; what was stopped says nothing."""
+    (tmp_path / "m.tex").write_text(r"Hence \[ \int_0^a e^{-x^2}\,dx = a^2 . \]")
+    (link,) = read_links(read_manuscript(tmp_path / "m.tex"))
+    row = Row(link, "UNDECIDED", "some reason in words", cause=Cause.NO_VALUE)
+    assert may_be(row)
+    assert may_be(replace(row, cause=Cause.NO_POINT))
+    assert not may_be(replace(row, cause=Cause.STOPPED))

@@ -119,8 +119,8 @@ def _solving(rows: list[Row], limit: float, processes: int | None) -> list[Row]:
         for (n, shown, task), (_, found) in zip(tasks, answers, strict=True):
             if isinstance(found, Answer) and found.verdict is Verdict.REFUTED:
                 why = f"it does not take the value {shown}"
-                status = Verdict.REFUTED if rows[n].link.solves.called else Verdict.UNDECIDED
-                rows[n] = replace(rows[n], status=status.value, why=why, refuted=str(task.claim))
+                ruling = Verdict.REFUTED if rows[n].link.solves.called else Verdict.UNDECIDED
+                rows[n] = replace(rows[n], status=ruling.value, why=why, refuted=str(task.claim))
             elif not isinstance(found, Answer) or not found:
                 why = f"it solves the equation, but the value {shown} is not decided"
                 rows[n] = replace(rows[n], status=Verdict.UNDECIDED.value, why=why)

@@ -369,7 +369,8 @@ class LinkReader:
         if not (accents or known or head.name in self.memory.called):
             return None
         order = sum({"\\ddot": 2}.get(token, 1) for token in accents)
-        self.values.append(Value(head.name, order, rest[2], value, link.shown))
+        number = link.display.number
+        self.values.append(Value(head.name, order, rest[2], number, value, link.shown))
         why = f"a value of {head.name} at a point, which belongs to an equation for it"
         return replace(link, status=EQUATION, why=why)
 

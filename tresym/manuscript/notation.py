@@ -37,6 +37,7 @@ _SHOCK = re.compile(
 )
 _UPPER_FIRST = re.compile(r"\\(sum|prod|int|iint|oint)(?![a-zA-Z])\s*(?:\\limits\s*)?\^")
 _EULER = re.compile(r"\\(?:mathrm|text|textrm|operatorname|mathup)\s*\{\s*e\s*\}")
+_PARTIAL = re.compile(r"\\pd(?![a-zA-Z])(?!\s*[\[{*])")
 _DIFFERENTIAL = re.compile(r"\\(?:dif|dd|diff)(?![a-zA-Z])\s*")
 _DERIVATIVE = re.compile(
     r"\\(dv|od|pdv|pd|odv)(?![a-zA-Z])\s*\*?\s*(?:\[\s*([1-9])\s*\])?\s*(?=\{)"
@@ -59,6 +60,7 @@ def plain_notation(text: str) -> str:
     text = _ACCENTED.sub(lambda m: rf"\{m[1]}{{{m[2]}_{m[3]}}}", text)
     text = _with_numbers(text)
     text = _with_derivatives(text)
+    text = _PARTIAL.sub(r"\\partial ", text)
     text = _DIFFERENTIAL.sub(lambda m: r"\mathrm{d}", text)
     text = _with_limits_in_order(text)
     text = _with_euler(text)

@@ -61,12 +61,13 @@ class Stated(NamedTuple):
 
 
 class Value(NamedTuple):
-    """An initial or boundary value: the symbol, the order of its derivative, the tokens of the
-    point and of the value, and the text."""
+    """An initial or boundary value: the symbol, the order of its derivative, the token of the
+    point, the display, the tokens of the value, and the text."""
 
     name: str
     order: int
     point: str
+    display: int
     value: Sequence[str]
     shown: str
 
@@ -165,7 +166,13 @@ def at_points(
     by = by or next((v for v in _VARIABLES if v in symbols(solution)), "")
     if not by or not elementary(solution):
         return
+    if any(
+        CONSTANTS.fullmatch(name) for name in symbols(solution) - names_of(*equation.sides[::2])
+    ):
+        return  # the values determine the constants
     for one in values:
+        if one.display != equation.display:
+            continue  # it may be that of another part of the problem
         try:
             slope, point, value = solution, read([one.point]), read(one.value)
         except InputError:

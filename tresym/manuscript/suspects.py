@@ -364,8 +364,8 @@ def _differ(first: Link, second: Link) -> bool:
 
 def _without_subscripts(e: Expr) -> Expr:
     """Return an expression with the bare letters in place of subscripted symbols."""
-    bare = {name: symbol(re.match(r"[A-Za-z]+", name)[0]) for name in symbols(e)}  # type: ignore[index]
-    return substitute(e, bare)
+    letters = {name: re.match(r"[A-Za-z]+", name) for name in symbols(e)}
+    return substitute(e, {name: symbol(m[0]) for name, m in letters.items() if m is not None})
 
 
 _SKIPPED = re.compile(r"[\s&{}]|\\(?:left|right|,|;|:|!|quad|qquad|nonumber|notag|label\{[^}]*\})")
