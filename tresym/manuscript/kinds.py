@@ -67,7 +67,7 @@ class Evidence:
         section: the number of the section; -1 for a directive.
         said: whether it is stated in words or by a directive, not only by notation.
         local: whether it counts in its section only.
-        onward: whether it does not count before it.
+        onward: whether it does not count in earlier sections.
     """
 
     kind: str
@@ -247,7 +247,7 @@ class Kinds:
         found = [
             e
             for e in found
-            if (e.section == section or not e.local) and not (e.onward and e.place > place)
+            if e.section == section or not (e.local or (e.onward and e.place > place))
         ]
         here = [e for e in found if e.said and e.section == section]
         before = [e for e in here if e.place <= place]
