@@ -21,12 +21,15 @@ Example: ``sum(1/k, k, 1, n) == log(n) + O(1)`` needs that 2/k³ is positive for
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import lru_cache
 from math import factorial
 
 from flint import arb, fmpq
 
-from tresym.asymptotics.lemma import Bound, End, Expansion, Obligations, exact_upper
+from tresym.asymptotics.integrands import separated
+from tresym.asymptotics.laplace import gamma
+from tresym.asymptotics.lemma import Bound, End, Expansion, Obligations, exact_upper, folded
 from tresym.asymptotics.stirling import bernoulli
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.integrals import without_integrals
@@ -34,11 +37,12 @@ from tresym.reals.decisions.known_values import known_value
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.expansions.limit_values import limit_of
-from tresym.reals.language.binders import integral
+from tresym.reals.language.binders import integral, total
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     ONE,
+    PI,
     ZERO,
     Expr,
     add,
@@ -67,6 +71,8 @@ STARTS = (0, 1, 3, 9, 30)
 """How far beyond the first term the sign of the derivative is looked for."""
 MOST = 5
 """By how many pairs of derivatives the formula begins later, until one tends to 0."""
+HALF = fmpq(1, 2)
+SHIFTS = tuple(fmpq(n, 2) for n in (0, -1, 1, -2, 2, -3, 3))
 FAR, TERMS = 60, 4
 """Where the constant is computed, and with how many derivatives."""
 SCALES = tuple(fmpq(*r) for r in ((1, 1), (1, 2), (2, 1), (1, 3)))
@@ -155,11 +161,7 @@ class PartialSum(Expansion):
         """
         self.summand, self.top, self.primitive, self.end = terms, top, primitive, end
         self.constant: Expr = self._named() or symbol(name)
-        if "EulerGamma" in symbols(self.constant):
-            low, high = (number(fmpq(n, 10**9)) for n in (577215664, 577215665))
-            gamma = symbol("EulerGamma")
-            self.constants = Given(((gamma, ">", low), (gamma, "<", high)))  # DLMF 5.2.3
-        self.unknown = frozenset((name, "EulerGamma")) & symbols(self.constant)
+        self.unknown = frozenset((name,)) & symbols(self.constant)
         if self.constant == symbol(name):
             try:
                 found = self._enclosed()
@@ -176,6 +178,9 @@ class PartialSum(Expansion):
         half = substitute(s.f, {s.k: at}) / 2
         return add(substitute(self.primitive, {s.k: at}), half, *s.corrections(order, at))
 
+    def _error(self, order: int) -> Expr:
+        return folded(self.summand.error(order, self.top))
+
     def _named(self) -> Expr | None:
         """Return the constant where a theorem gives it."""
         s = self.summand
@@ -184,25 +189,42 @@ class PartialSum(Expansion):
         if last is not None and last not in _INFINITE:
             total = known_value("sum", s.f, s.k, number(s.low), INFINITY, s.given)
             return None if total is None else total.value - last
-        if s.low != 1:
+        if s.first is not None and self._error(1) == ZERO:  # of a polynomial: it is exact
+            return substitute(s.f, {s.k: number(s.low)}) - self._main(1, number(s.low))
+        if symbols(s.f) != {s.k}:
             return None
-        for body, primitive, value in _TABLE:
-            k = symbol(s.k)
-            pattern = substitute(body, {"k": k})
-            point = {s.k: fmpq(7, 2)}
-            if symbols(s.f) != {s.k}:
-                return None
-            with ball_precision():
-                ratio = evaluate(s.f / pattern, point)
-            if not ratio.is_finite():
-                continue
-            c = normal_form(s.f / pattern, given)
-            if symbols(c):
-                continue
-            if decide(s.f, c * pattern, given).verdict is Verdict.PROVED:
-                shift = normal_form(c * substitute(primitive, {"k": k}) - self.primitive, given)
-                return None if symbols(shift) else c * parse(value) + shift
+        for kind in ("log", "reciprocal"):
+            for shift in SHIFTS:
+                found = self._shifted(kind, shift, given)
+                if found is not None:
+                    return found
         return None
+
+    def _shifted(self, kind: str, shift: fmpq, given: Given) -> Expr | None:
+        """Return the constant of c log(k + b) or c/(k + b) for 2b whole (DLMF 5.4, 5.11)."""
+        s, k = self.summand, symbol(self.summand.k)
+        moved = k + number(shift)
+        start = s.low + shift
+        if not start > 0:
+            return None
+        if kind == "log":
+            pattern, primitive = apply("log", moved), moved * apply("log", moved) - k
+        else:
+            pattern, primitive = 1 / moved, apply("log", moved)
+        with ball_precision():
+            points = [{s.k: fmpq(n, 2) + s.low} for n in (5, 9)]
+            values = [evaluate(s.f / pattern, point) for point in points]
+            if not all(value.is_finite() for value in values) or not values[0].overlaps(values[1]):
+                return None
+        c = normal_form(s.f / pattern, given)
+        if symbols(c) or decide(s.f, c * pattern, given).verdict is not Verdict.PROVED:
+            return None
+        if kind == "log":
+            value = apply("log", 2 * PI) / 2 - number(shift) - apply("log", _gamma(start))
+        else:
+            value = -_digamma(start)
+        rest = normal_form(c * primitive - self.primitive, given)
+        return None if symbols(rest) else c * value + rest
 
     def _enclosed(self) -> tuple[fmpq, fmpq] | None:
         """Return rational bounds of the constant, by the formula at a large index."""
@@ -341,6 +363,42 @@ class Convergent(Expansion):
         return Bound() if fits else None
 
 
+class Exact(Expansion):
+    """A series that is known in closed form near the end of the path."""
+
+    def __init__(self, value: Expr, lemma: str) -> None:
+        """Take a value, by a theorem."""
+        self.value, self.lemma = value, lemma
+
+    def terms(self, order: int) -> tuple[Expr, Expr] | None:
+        """Return the value, without an error."""
+        return self.value, ZERO
+
+    def prove(self, order: int, ask: Obligations) -> Bound | None:
+        """Quote the theorem."""
+        return Bound(fmpq(0))
+
+
+class Scaled(Expansion):
+    """A function of x times a sum that is expanded."""
+
+    def __init__(self, factor: Expr, inner: Expansion) -> None:
+        """Take a factor before an expansion."""
+        self.factor, self.inner, self.lemma = factor, inner, inner.lemma
+        self.unknown, self.constants = inner.unknown, inner.constants
+
+    def terms(self, order: int) -> tuple[Expr, Expr] | None:
+        """Return the terms of the sum, times the factor."""
+        found = self.inner.terms(order)
+        if found is None:
+            return None
+        return self.factor * found[0], apply("abs", self.factor) * found[1]
+
+    def prove(self, order: int, ask: Obligations) -> Bound | None:
+        """Prove the bound of the sum."""
+        return self.inner.prove(order, ask)
+
+
 class RiemannSum(Expansion):
     """Σ c g(k/λ) over 0 ≤ k ≤ βλ or k ≥ 0, where λ tends to ∞; less the terms before the first."""
 
@@ -431,7 +489,16 @@ def _expansion(node: Expr, end: End) -> Expansion | None:
     if body.hidden or low.hidden or high.hidden:
         return None
     start = integer(low)
+    near = end.given & Given(tuple(_beside(end)))
+    if high == INFINITY and start is not None:
+        known = known_value("sum", body, k, low, high, near)
+        if known is not None:
+            return Exact(known.value, f"the value by {known.source}")
     if end.name in symbols(body):
+        split = separated(body, k, end)
+        if split is not None and len(split) == 1 and split[0][0] != ONE:
+            inner = _expansion(total("sum", split[0][1], k, low, high), end)
+            return None if inner is None else Scaled(split[0][0], inner)
         return None if start is None else _riemann(body, k, start, high, end)
     if start is not None and high != INFINITY and end.tends_to_infinity(high):
         terms = _Terms(body, k, start, end.given)
@@ -456,6 +523,16 @@ def _expansion(node: Expr, end: End) -> Expansion | None:
             return None
         return Tail(terms, low, last - primitive, end)
     return None
+
+
+def _beside(end: End) -> Iterator[tuple[Expr, str, Expr]]:
+    """Yield conditions that hold near the end of the path: within 1/2, or beyond 2."""
+    x = symbol(end.name)
+    if end.point is None:
+        yield end.side * x, ">", number(2)
+    else:
+        yield end.side * (x - end.point), ">", ZERO
+        yield end.side * (x - end.point), "<", number(HALF)
 
 
 def _convergent(body: Expr, k: str, low: int, high: Expr, end: End, name: str) -> Convergent | None:
@@ -506,6 +583,9 @@ def _riemann(body: Expr, k: str, low: int, high: Expr, end: End) -> Expansion | 
 def _factored(e: Expr, s: str, end: End, near: Given) -> tuple[Expr, Expr] | None:
     """Return c(x) and g(s) with e = c g, or None."""
     positive = near & Given(((symbol(s), ">", ZERO),))
+    form = normal_form(e, positive)
+    if end.name not in symbols(form):
+        return ONE, form
     point = next(near.points({end.name}, 1), None)
     for place in (ZERO, ONE, number(fmpq(1, 2)), number(2)):
         at = substitute(e, {s: place})
@@ -519,9 +599,17 @@ def _factored(e: Expr, s: str, end: End, near: Given) -> tuple[Expr, Expr] | Non
     return None
 
 
-_K = symbol("k")
-_TABLE = (
-    (power(_K, number(-1)), apply("log", _K), "EulerGamma"),
-    (apply("log", _K), _K * apply("log", _K) - _K, "log(2*pi)/2"),
-)
-"""Summand, its antiderivative, and the constant that belongs to it (DLMF 5.2.3 and 5.11.1)."""
+def _gamma(x: fmpq) -> Expr:
+    """Return Γ at a positive multiple of 1/2."""
+    value = gamma(x)
+    assert value is not None
+    return value
+
+
+def _digamma(x: fmpq) -> Expr:
+    """Return ψ at a positive multiple of 1/2 (DLMF 5.4.12, 5.4.13, 5.5.2)."""
+    euler = parse("EulerGamma")
+    value, at = (-euler, fmpq(1)) if x.q == 1 else (-euler - 2 * apply("log", number(2)), HALF)
+    while at < x:
+        value, at = value + number(1 / at), at + 1
+    return value

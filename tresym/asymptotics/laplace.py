@@ -495,7 +495,7 @@ def _minima(p: Expr, t: str, low: Expr, high: Expr, given: Given) -> tuple[list[
     )
     with ball_precision():
         for e, side in places:
-            if e not in (low, high) and not _is_inside(e, low, high, at):
+            if e not in (low, high) and not is_between(e, low, high, at):
                 continue
             value = limit_of(p, t, e, side, given)
             if value is None or value in _INFINITE:
@@ -519,7 +519,8 @@ def _minima(p: Expr, t: str, low: Expr, high: Expr, given: Given) -> tuple[list[
     return kept, equal[kept[0]]
 
 
-def _is_inside(e: Expr, low: Expr, high: Expr, at: dict[str, fmpq]) -> bool:
+def is_between(e: Expr, low: Expr, high: Expr, at: dict[str, fmpq]) -> bool:
+    """Return whether numbers show that ``e`` lies strictly between two ends, perhaps infinite."""
     value = evaluate(e, at)
     above = low == -INFINITY or value > evaluate(low, at)
     below = high == INFINITY or value < evaluate(high, at)

@@ -21,6 +21,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
+from math import factorial
 
 from flint import arb, fmpq
 
@@ -35,22 +36,26 @@ from tresym.asymptotics.lemma import (
     smallest,
 )
 from tresym.asymptotics.order_claims import region
+from tresym.asymptotics.rational_functions import over, roots_of
 from tresym.reals.decisions.answer import Answer, Decide, constant_ball, worst
 from tresym.reals.decisions.claim_parsing import LIMIT
+from tresym.reals.decisions.hypergeometric import OpenError, polynomial
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.statement import Comparison, Path, Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.operation_domains import operations
 from tresym.reals.language.binders import is_infinite, outermost, total
-from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.calls import FACTORIAL, INFINITY
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     LEAVES,
     ONE,
     ZERO,
     Expr,
+    add,
     apply,
+    integer,
     number,
     opened,
     rebuild,
@@ -58,6 +63,7 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
+from tresym.reals.normal.to_expression import in_lowest_terms
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import Decimal, InputError, parse_number
 from tresym.reals.signs.interior import PROVING
@@ -66,6 +72,8 @@ from tresym.reals.verdict import Verdict
 
 MOST = 6
 """The orders that are tried."""
+LARGEST = 200
+"""The largest integer whose factorial is put in."""
 MOST_FAILURES = 2
 """Orders at which a lemma is not proved, after which no further one is tried."""
 WAVES = frozenset(("sin", "cos", "tan", "cot", "sec", "csc"))
@@ -97,7 +105,27 @@ def _regular_parameter(node: Expr, end: End) -> Expansion | None:
     return regular_parameter(node, end)
 
 
-LEMMAS: tuple[Lemma, ...] = (_laplace, _stirling, _euler_maclaurin, _regular_parameter)
+def _stationary_phase(node: Expr, end: End) -> Expansion | None:
+    from tresym.asymptotics.stationary_phase import stationary_phase
+
+    return stationary_phase(node, end)
+
+
+def _complement(node: Expr, end: End) -> Expansion | None:
+    """Return a known integral to infinity less the expansion of what is beyond the end."""
+    from tresym.asymptotics.complement import complement
+
+    return complement(node, end, (_laplace, _stationary_phase))
+
+
+LEMMAS: tuple[Lemma, ...] = (
+    _complement,
+    _laplace,
+    _stirling,
+    _euler_maclaurin,
+    _stationary_phase,
+    _regular_parameter,
+)
 """The lemmas in the order in which they are tried; each applies to its own shape."""
 
 
@@ -137,6 +165,16 @@ def _on_one_side(claim: Comparison, statement: Statement, decided: Decide) -> An
     return found if other is None or other.verdict is Verdict.UNDECIDED else other
 
 
+def _without_fixed(e: Expr) -> Expr:
+    """Return ``e`` with the values of factorials of integers."""
+    fixed = {}
+    for node in outermost(e):
+        n = integer(node.args[-1]) if node.op == "unknown" else None
+        if n is not None and 0 <= n <= LARGEST and node.args[0].args == (FACTORIAL, (0,)):
+            fixed[node] = number(factorial(n))
+    return replaced(e, fixed) if fixed else e
+
+
 def _logarithms(e: Expr, given: Given) -> Expr:
     """Return ``e`` with exp of the sum of logarithms for products of positive factors."""
     if not e.hidden or e.op in LEAVES:
@@ -146,18 +184,42 @@ def _logarithms(e: Expr, given: Given) -> Expr:
         low, high = e.args[1:]
         inside = given & Given(((symbol(k), ">=", low),))
         if not body.hidden and sign(body, inside) == "+":
-            return apply("exp", total("sum", apply("log", body), k, low, high))
+            parts = (total("sum", part, k, low, high) for part in _log_terms(body, k, inside))
+            return apply("exp", add(ZERO, *parts))
         return e
     if e.names or e.op == "unknown":
         return e
     return rebuild(e, tuple(_logarithms(arg, given) for arg in e.args))
 
 
+def _log_terms(e: Expr, k: str, inside: Given) -> list[Expr]:
+    """Return terms whose sum is log e: of positive linear factors, where ``e`` has such factors."""
+    try:
+        form = in_lowest_terms(e)
+        above, below = (polynomial(part, k) for part in over(form))
+    except (InputError, OpenError, ZeroDivisionError):
+        return [apply("log", e)]
+    terms: list[Expr] = []
+    scale = fmpq(1)
+    for p, side in ((above, 1), (below, -1)):
+        for root, times in roots_of(p):
+            factor = symbol(k) - number(root)
+            if sign(factor, inside) != "+":
+                return [apply("log", e)]
+            terms.append(number(side * times) * apply("log", factor))
+        if sum(times for _, times in roots_of(p)) != p.degree():
+            return [apply("log", e)]
+        scale = scale * p[p.degree()] if side > 0 else scale / p[p.degree()]
+    if scale != 1:
+        terms.append(apply("log", number(scale)))
+    return terms or [ZERO]
+
+
 class _Claim:
     """A claim on one side of its path."""
 
     def __init__(self, claim: Comparison, statement: Statement, decided: Decide) -> None:
-        claim = claim.mapped(partial(_logarithms, given=statement.given))
+        claim = claim.mapped(_without_fixed).mapped(partial(_logarithms, given=statement.given))
         self.claim, self.statement, self.decided = claim, statement, decided
         path = statement.path
         assert path is not None
