@@ -90,3 +90,15 @@ def test_sums_of_terms_of_unknown_sequences(claim: str) -> None:
 )
 def test_unknown_functions_of_integers(claim: str, verdict: str) -> None:
     assert tresym.check(claim).verdict.value == verdict
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        "y(t) == t**3 given diff(y(t), t) == 3*cbrt(y(t))**2, y(0) == 0, t >= 0",
+        "y(t) == 1/(1 - t) given diff(y(t), t) == y(t)**2, y(0) == 1, t >= 0",
+        "y(t) == sin(t) given diff(y(t), t, 2) == -4*y(t), y(0) == 0",
+    ],
+)
+def test_conditions_on_the_function_itself_are_not_asked_for_without_end(claim: str) -> None:
+    assert tresym.check(claim).verdict is Verdict.UNDECIDED

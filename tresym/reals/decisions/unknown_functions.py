@@ -54,6 +54,10 @@ def decide_unknown(claim: Comparison, statement: Statement, decided: Decide) -> 
         why = "integrals, sums, limits and orders of arbitrary functions are not supported"
         return Answer(Verdict.UNDECIDED, why)
     atoms: Atoms = {}
+    # Equations about the functions themselves would be asked for again, without end.
+    numbers = [pair for pair in statement.equations if not any(map(_has_functions, pair))]
+    compared = [c for c in statement.given.comparisons if not any(map(_has_functions, c[::2]))]
+    known = replace(statement, equations=tuple(numbers), given=Given(tuple(compared)))
 
     def is_same(one: Expr, other: Expr) -> bool:
         """Whether both are the same function at arguments that are equal under the conditions."""
@@ -62,9 +66,9 @@ def decide_unknown(claim: Comparison, statement: Statement, decided: Decide) -> 
         pairs = list(zip(one.args[1:], other.args[1:], strict=True))
         if any(e.hidden for pair in pairs for e in pair):
             return _is_same(one, other)
-        plain = not (statement.given.comparisons or statement.equations)
+        plain = not (known.given.comparisons or known.equations)
         return _is_same(one, other) or (
-            not plain and all(decided(Comparison(x, "==", y), statement) for x, y in pairs)
+            not plain and all(decided(Comparison(x, "==", y), known) for x, y in pairs)
         )
 
     def variable(e: Expr) -> Expr:
@@ -95,6 +99,10 @@ def decide_unknown(claim: Comparison, statement: Statement, decided: Decide) -> 
     names = sorted({node.args[0].args[0] for node in atoms})
     what = "some" if answer.verdict is Verdict.REFUTED else "all"
     return replace(answer, why=f"for {what} smooth {', '.join(names)}: {answer.why}")
+
+
+def _has_functions(e: Expr) -> bool:
+    return any(functions(e))
 
 
 def functions_inside(node: Expr) -> Iterator[Expr]:

@@ -40,6 +40,7 @@ _MEANT = {
     **dict.fromkeys(("cm", "mm", "km", "kg", "ms", "Hz", "nm"), "units are not supported"),
     **dict.fromkeys(("EulerGamma", "euler_gamma"), "Euler's constant is not supported"),
     **dict.fromkeys(("Infinity", "infty"), "infinity is written oo"),
+    "uniformly": "it stands after the claim, as in sin(a*x) == O(x) uniformly as x -> 0",
     **dict.fromkeys(("True", "False", "None"), "it is no number"),
     **dict.fromkeys(("a", "an", "the", "is", "of", "to", "be"), "words are not read here"),
 }
