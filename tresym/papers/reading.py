@@ -40,7 +40,7 @@ from tresym.papers.definitions import (
     expanded,
     names_in,
 )
-from tresym.reals.decisions.claim_parsing import read, read_as, read_path
+from tresym.reals.decisions.claim_parsing import read, read_as, read_path, spread
 from tresym.reals.decisions.statement import chained, functions
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import outermost
@@ -171,6 +171,7 @@ class PaperClaim:
         left, relation, right = self.links[0]
         if relation not in ("==", "~", "<=", "<"):
             return None
+        right = spread(right)
         terms = right.args if right.op == "+" else (right,)
         orders = [term for term in terms if term.op in ORDERS]
         if relation in ("<=", "<"):

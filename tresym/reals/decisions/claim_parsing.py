@@ -320,13 +320,13 @@ def _along_expression(
 
 def _is_order(parts: tuple[Compared, ...]) -> bool:
     """Whether a claim is an order with a constant, O(…) at its right end."""
-    right = _spread(parts[0][2])
+    right = spread(parts[0][2])
     return len(parts) == 1 and any(term.op == "O" for term in _terms(right))
 
 
 def _comparison(left: Expr, relation: str, right: Expr) -> Comparison:
     """What is decided of a comparison: derivatives carried out, an order as its gauge."""
-    right = _spread(right)
+    right = spread(right)
     terms = right.args if right.op == "+" else (right,)
     orders = [term for term in terms if term.op in expression.ORDERS]
     if relation == "==" and len(orders) == 1:
@@ -348,10 +348,10 @@ def _comparison(left: Expr, relation: str, right: Expr) -> Comparison:
     return Comparison(work(left), relation, work(right), written, primitives)
 
 
-def _spread(e: Expr) -> Expr:
+def spread(e: Expr) -> Expr:
     """``c (f + O(g))`` as ``c f + O(c g)``."""
     if e.op == "+":
-        return add(*map(_spread, e.args))
+        return add(*map(spread, e.args))
     parts = e.args if e.op == "*" and not elementary(e) else ()
     factors = [part for part in parts if not elementary(part)]
     terms = _terms(factors[0]) if len(factors) == 1 else ()
