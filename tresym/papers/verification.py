@@ -36,6 +36,8 @@ from tresym.reals.language.expression import (
     Expr,
     fresh,
     instantiate,
+    replaced,
+    substitute,
     symbol,
     symbols,
 )
@@ -46,8 +48,8 @@ from tresym.reals.signs.definedness import continuous_on, undefined
 from tresym.reals.verdict import Verdict
 from tresym.repair import suggestions
 
-LIMIT = 20.0
-"""The seconds for one claim."""
+LIMIT = 40.0
+"""The processor time in seconds for one claim."""
 DEFINEDNESS = 2.0
 """The seconds in which a definition is shown to have a value."""
 UNDECIDED = Verdict.UNDECIDED
@@ -223,12 +225,15 @@ def verify_paper(
             if isinstance(item, PaperClaim | Definition) and _key(item) in wanted
         ]
         answers = _answers(items, limit, processes)
+        wider: dict[Expr, Expr] = {}
         for item in items:
-            row = (
-                _claim_row(item, next(answers), rows)
-                if isinstance(item, PaperClaim)
-                else _definition_row(item, next(answers), rows)
-            )
+            found = next(answers)
+            if isinstance(item, PaperClaim):
+                found = _with_wider_roots(item, found, wider, limit, processes)
+                row = _claim_row(item, found, rows)
+            else:
+                row = _definition_row(item, found, rows)
+                wider |= _wider_roots(item, found) if row.verdict.holds else {}
             if suggest and row.verdict is Verdict.REFUTED:
                 row = replace(row, instead=_instead(row, processes))
             row = replace(row, requested=not labels or _key(item) in asked)
@@ -296,6 +301,56 @@ def _answered(pair: tuple[Task, Answer | InputError]) -> Answer:
     return found
 
 
+PER_ROOT = 8
+"""The number of statements about each root of a definition."""
+
+
+def _wider_roots(definition: Definition, found: list[Answer]) -> dict[Expr, Expr]:
+    """Return the roots whose ends do not matter, and the same roots between −∞ and ∞.
+
+    A function that is smooth and strictly monotone on the whole line has no other zero.
+    """
+    same: dict[Expr, Expr] = {}
+    for n, root in enumerate(_roots(definition.expression)):
+        slopes = found[PER_ROOT * n + 6 : PER_ROOT * n + PER_ROOT]
+        name = fresh(root.names[0], symbols(root))
+        body = instantiate(root.args[0], (symbol(name),))
+        if any(a.verdict.holds for a in slopes) and _is_smooth(body, _given(definition.given)):
+            same[root] = Expr("root", (root.args[0], -INFINITY, INFINITY), root.names)
+    return same
+
+
+def _is_smooth(body: Expr, given: Given) -> bool:
+    try:
+        with time_limit(DEFINEDNESS):
+            return continuous_on(body, given) is None
+    except TimeUp:
+        return False
+
+
+def _with_wider_roots(
+    claim: PaperClaim,
+    found: list[Answer],
+    wider: Mapping[Expr, Expr],
+    limit: float,
+    processes: int | None,
+) -> list[Answer]:
+    """Decide the undecided steps of an asymptotic claim again with the ends of roots left out."""
+    values = {value.name: value.value for value in claim.at}
+    put = {substitute(x, values): substitute(y, values) for x, y in wider.items()}
+    again = {}
+    for n, (left, relation, right) in enumerate(claim.links):
+        other = replaced(left, put), relation, replaced(right, put)
+        if claim.path and found[n].verdict is UNDECIDED and other != (left, relation, right):
+            again[n] = _task(other, claim.conditions, claim.path, claim.line)
+    answers = [*found]
+    for n, pair in zip(again, check_all(again.values(), limit, processes), strict=True):
+        answer = _answered(pair)
+        if answer.verdict is not UNDECIDED:
+            answers[n] = answer
+    return answers
+
+
 def _claim_row(claim: PaperClaim, found: list[Answer], rows: Mapping[str, Row]) -> Row:
     """The row of a claim, once everything it uses has one."""
     steps = tuple(found[: len(claim.links)])
@@ -355,7 +410,8 @@ def _root_tasks(root: Expr, definition: Definition) -> list[Task]:
     """The statements that show that there is exactly one root.
 
     They are, for an increasing function and for a decreasing one: its sign at the lower end, at the
-    upper end, and that of its slope between.
+    upper end, and that of its slope between; and last the sign of its slope everywhere, which is
+    not needed for the root.
     """
     low, high = root.args[1:]
     said = (symbols(side) for link in definition.given for side in link[::2])
@@ -375,6 +431,7 @@ def _root_tasks(root: Expr, definition: Definition) -> list[Task]:
         between = (*given, *_between(name, root))
         text = f"diff({body}, {name}) {above} 0"
         tasks.append(Task(text, chained(between), None, line))
+    tasks += [Task(f"diff({body}, {name}) {sign} 0", chained(given), None, line) for sign in "><"]
     return tasks
 
 
@@ -396,7 +453,7 @@ def _definition_row(definition: Definition, found: list[Answer], rows: Mapping[s
             return Row(definition, UNDECIDED, why, seconds=seconds)
     roots = _roots(definition.expression)
     for n, root in enumerate(roots):
-        six = found[6 * n : 6 * n + 6]
+        six = found[PER_ROOT * n : PER_ROOT * n + 6]
         increases, decreases = (all(a.verdict.holds for a in part) for part in (six[:3], six[3:]))
         why = _gap_of_root(root, definition, six, increases, decreases)
         if why and not _is_enclosed(root):
