@@ -15,6 +15,8 @@ WORKLOADS = {
     "atlas": "digits lost by each printed formula and by its stable form",
     "sweep": "seconds per row of a sweep in one process, on processes and on Dask; memory of long "
     "runs",
+    "values": "integrals, roots and special functions to 50 digits: quad, findroot, functions of "
+    "mpmath, and tresym",
     "scaling": "time against digits, starts (with memory) and claims",
 }
 """What each workload measures, by name."""

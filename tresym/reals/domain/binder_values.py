@@ -20,7 +20,7 @@ from tresym.reals.domain.evaluation import InBalls, UndefinedError
 from tresym.reals.domain.integrands import Integrand
 from tresym.reals.language.binders import worked_out
 from tresym.reals.language.expression import LEAVES, MINUS_ONE, Expr, opened, symbol, symbols
-from tresym.reals.numbers.arithmetic import ball_precision, balls, side
+from tresym.reals.numbers.arithmetic import WORKING, ball_precision, balls, side
 from tresym.reals.resource_limits import held
 
 At = Mapping[str, arb | fmpq]
@@ -36,7 +36,9 @@ ENDS = (*range(2, 25), 32, 48, 72, 108, 162, 243, 364)
 """The search for a change of sign looks 2^−n of the width from each end, for these n."""
 STEPS = 60
 EVALUATIONS = 20_000
-"""The maximal number of evaluations for one integral."""
+"""The maximal number of evaluations for one integral, at a low precision."""
+MORE_EVALUATIONS = 100
+"""How many more there may be for each bit of accuracy beyond the usual precision."""
 SPARE = 6
 """The bits requested of an integral beyond the accuracy of its integrand."""
 WIDER = 8
@@ -122,8 +124,10 @@ def quadrature(
         low, high: the ends.
         accuracy: the accuracy in bits that is tried for; None for the working precision.
     """
-    tolerance = arb((1, -ctx.prec if accuracy is None else -min(accuracy, ctx.prec)))
-    fine = {"rel_tol": tolerance, "abs_tol": tolerance, "eval_limit": EVALUATIONS}
+    wanted = ctx.prec if accuracy is None else min(accuracy, ctx.prec)
+    tolerance = arb((1, -wanted))
+    most = EVALUATIONS + MORE_EVALUATIONS * max(0, wanted - WORKING)
+    fine = {"rel_tol": tolerance, "abs_tol": tolerance, "eval_limit": most}
     with held():
         return acb.integral(integrand, acb(low), acb(high), **fine).real
 

@@ -22,6 +22,7 @@ MEROMORPHIC = names(lambda row: row.theory and (row.entire or row.quotient))
 OFF_CUTS = {row.name: row.off_cuts for row in TABLE.values() if row.off_cuts is not None}
 """Whether a complex ball avoids the branch cuts, where they are analytic."""
 Done = Callable[..., Any]
+HALF = fmpq(1, 2)
 
 
 class Integrand:
@@ -66,7 +67,13 @@ class Integrand:
         values = [x, *self.start[1:]]
         try:
             for place, args, done, _ in self.steps:
-                found = values[place] = done(*[values[n] for n in args])
+                if len(args) == 1:  # written out, as this is where quadrature spends its time
+                    found = done(values[args[0]])
+                elif len(args) == 2:
+                    found = done(values[args[0]], values[args[1]])
+                else:
+                    found = done(*[values[n] for n in args])
+                values[place] = found
                 if not found.is_finite():
                     return arb.nan()
         except UndefinedError:
@@ -77,7 +84,12 @@ class Integrand:
         """Return the value at a complex ball; not finite unless proved holomorphic on it."""
         values = [z, *self.start[1:]]
         for place, args, _, done in self.steps:
-            values[place] = done(*[values[n] for n in args])
+            if len(args) == 1:
+                values[place] = done(values[args[0]])
+            elif len(args) == 2:
+                values[place] = done(values[args[0]], values[args[1]])
+            else:
+                values[place] = done(*[values[n] for n in args])
         return acb(values[self.end])
 
     def __call__(self, z: acb, analytic: bool) -> acb:
@@ -90,18 +102,40 @@ class Integrand:
 def _step(e: Expr) -> tuple[tuple[Expr, ...], Done, Done]:
     """Return the operands of a part, and its operation in real and in complex balls."""
     if e.op == "+":
-        return e.args, _sum, _sum
+        add = operator.add if len(e.args) == 2 else _sum
+        return e.args, add, add
     if e.op == "*":
         below = [factor.args[0] for factor in e.args if _is_reciprocal(factor)]
         above = [factor for factor in e.args if not _is_reciprocal(factor)]
-        quotient = partial(_quotient, len(above))
+        quotient: Done = partial(_quotient, len(above))
+        if len(e.args) == 2 and above:
+            quotient = operator.truediv if below else operator.mul
         return (*above, *below), quotient, quotient
     if e.op == "^" and e.args[1].op == "number":
         r = e.args[1].args[0]
-        return e.args[:1], lambda x: rational_power(x, r), lambda z: _power(acb(z), r)
+        real = _square_root if r == HALF else _reciprocal if r == -1 else None
+        return (
+            e.args[:1],
+            real or (lambda x: rational_power(x, r)),
+            lambda z: _power(acb(z), r),
+        )
     if e.op == "^":
         return e.args, real_power, lambda z, w: (w * acb(z).log(analytic=True)).exp()
-    return e.args, partial(applied, e.op), partial(_holomorphic, e.op)
+    row = TABLE.get(e.op)
+    real = partial(applied, e.op) if row is None or row.ball is None else row.ball
+    return e.args, real, partial(_holomorphic, e.op)
+
+
+def _square_root(x: arb) -> arb:
+    if not x >= 0:
+        raise UndefinedError
+    return x.sqrt()
+
+
+def _reciprocal(x: arb) -> arb:
+    if x.contains(0):
+        raise UndefinedError
+    return 1 / x
 
 
 def _is_reciprocal(e: Expr) -> bool:

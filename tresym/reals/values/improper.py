@@ -35,13 +35,18 @@ from tresym.reals.language.binders import worked_out
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import (
     FUNCTIONS,
+    LEAVES,
     ONE,
+    UNWORKED,
     ZERO,
     Expr,
+    add,
     apply,
+    multiply,
     number,
     opened,
     power,
+    rebuild,
     substitute,
     symbol,
     symbols,
@@ -114,7 +119,8 @@ def _to_infinity(body: Expr, name: str, low: Expr, outer: Enclosing) -> arb:
         while cut < FARTHEST:
             rest = _tail(growth, terms, cut)
             if _small(rest):
-                return _finite(body, name, low, number(cut.fmpq()), outer) + _within(rest)
+                near = _scaled_down(body, name, growth)
+                return _finite(near, name, low, number(cut.fmpq()), outer) + _within(rest)
             cut = (cut * (fmpq(5, 4) if cut > 64 else 2)).ceil().mid()
     if not terms:
         return _finite(body, name, low, number(growth.start), outer)
@@ -123,6 +129,39 @@ def _to_infinity(body: Expr, name: str, low: Expr, outer: Enclosing) -> arb:
     inverted = substitute(body, {name: 1 / v}) / v**2
     near = _finite(body, name, low, number(beyond), outer)
     return near + _singular(inverted, name, number(fmpq(1, beyond)), outer)
+
+
+def _scaled_down(e: Expr, name: str, growth: Growth) -> Expr:
+    """Return an expression with exp(−g) taken out of denominators that grow like exp(g).
+
+    Of 1/(exp(t) − 1) a complex ball with an imaginary part beyond ±π/2 has no value, as its
+    denominator may vanish; of exp(−t)/(1 − exp(−t)) it has one.
+    """
+    if e.op in LEAVES or name not in symbols(e) or e.op in UNWORKED:
+        return e
+    if e.op != "^" or e.args[1].op != "number" or e.args[0].op != "+" or e.args[1].args[0] > 0:
+        return rebuild(e, tuple(_scaled_down(arg, name, growth) for arg in e.args))
+    base, exponent = e.args
+    try:
+        exps = growth.terms(base)[0].scale.exps
+    except UndefinedError:
+        return e
+    if not exps or not all(isinstance(c, fmpq) for _, c in exps) or not exps[0][1] > 0:
+        return e
+    g = add(*(number(c) * power(symbol(name), number(r)) for r, c in exps))
+    scaled = add(*(_times_exponential(term, -g) for term in base.args))
+    return apply("exp", exponent * g) * power(scaled, exponent)
+
+
+def _times_exponential(term: Expr, g: Expr) -> Expr:
+    """Return a term times exp(g), joined with an exponential in it."""
+    factors = list(term.args) if term.op == "*" else [term]
+    for n, factor in enumerate(factors):
+        if factor.op == "exp":
+            u = _normal(factor.args[0] + g, Given())
+            factors[n] = ONE if u == ZERO else apply("exp", u)
+            return multiply(*factors)
+    return multiply(*factors, apply("exp", g))
 
 
 def _growth(
@@ -276,9 +315,10 @@ def _singular(written: Expr, name: str, width: Expr, outer: Enclosing) -> arb:
     else:
         raise UndefinedError
     decay = apply("exp", -u)
+    falling = _normal(substitute(body, {name: decay}) * decay, Given())
     with ball_precision(2 * ctx.prec + 64) as _:
         again = Enclosing(outer.at, outer.root, outer.own)
-        compiled = Integrand(substitute(body, {name: decay}) * decay, name, again.value)
+        compiled = Integrand(falling, name, again.value)
         ends = -again.value(width).log(), cut.log()
         accuracy = (ctx.prec - 64) // 2
         found = quadrature(compiled, *ends, accuracy)

@@ -43,6 +43,7 @@ CHARTS = {
     "many": Chart("A million ε₀ in float64", "many", "times"),
     "turn": Chart("F(ε, γ) to 50 digits", "turn", "times"),
     "defect": Chart("ε(γ) to 50 digits", "defect", "times"),
+    "values": Chart("Integrals, roots and functions to 50 digits", "values", "times"),
     "flipmap": Chart("The flip of very many starts", "flipmap", "times"),
 }
 """The charts of ``tresym chart``, by name."""
