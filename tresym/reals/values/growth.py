@@ -44,9 +44,9 @@ from tresym.reals.language.expression import (
 )
 from tresym.reals.values.exact_values import rational
 
-KEPT = 6
+KEPT = 4
 """The number of terms of a sum that are kept apart."""
-TAYLOR = 5
+TAYLOR = 4
 """The number of Taylor coefficients of an analytic function."""
 EXACT_BITS = 512
 """A coefficient of at most this size that is exact stays a rational number."""
