@@ -31,6 +31,7 @@ from tresym.accuracy.values import (
     point_text,
     read,
     rounded,
+    rounded_number,
 )
 from tresym.asymptotics.constants import Constant
 from tresym.checking import check
@@ -55,7 +56,14 @@ from tresym.reals.language.parsing import parse_given
 from tresym.reals.language.unicode_input import plain
 from tresym.reals.notebook import in_one_line
 from tresym.reals.numbers.arithmetic import ball_precision, bits
-from tresym.reals.numbers.exact import Decimal, InputError, decimal_ball, whole_number
+from tresym.reals.numbers.exact import (
+    Decimal,
+    InputError,
+    as_rational,
+    decimal_ball,
+    shortened,
+    whole_number,
+)
 from tresym.reals.verdict import Verdict
 
 FEW = 6
@@ -65,6 +73,8 @@ POINTS = (fmpq(1, 2), fmpq(1, 10), fmpq(1, 100), fmpq(1, 1000), fmpq(1, 10000))
 MOST_ROWS = 10_000
 SECONDS = 20.0
 """The limit of the order claim."""
+LONGEST = 160
+"""Characters of the reason that are shown."""
 WIDEST = fmpq(1, 50)
 """The relative width that the enclosure of the constant should have."""
 
@@ -178,7 +188,7 @@ class ErrorTable:
         found = [f"at {_where(row.at)}: {row.note}" for row in self.rows if row.note]
         if self.claim is not None:
             guessed = " (the order was guessed from the last rows)" if self.guessed else ""
-            sentence = self.claim.in_text()[0]
+            sentence = shortened(self.claim.in_text()[0], LONGEST)
             found.append(
                 f"{self.claim.verdict.value}: {self.claim.read_as or self.claim.statement}"
                 f"{guessed}: {sentence}"
@@ -186,9 +196,9 @@ class ErrorTable:
         if self.constant is not None:
             found.append(
                 f"smallest constant on {self.constant.region}: between {self.constant.low} and "
-                f"{self.constant.high} (largest {_place(self.constant.where)})"
+                f"{self.constant.high}{_place(self.constant.where)}"
             )
-        elif self.claim is not None:
+        elif self.claim is not None and self.claim.verdict is not Verdict.REFUTED:
             found.append("no enclosure of the smallest constant was found on a region")
         return tuple(found)
 
@@ -571,7 +581,29 @@ def _decided(question: Question, gauge: Expr, region: str) -> tuple[Answer, Cons
     answer = check(claim, path=str(question.path), limit=SECONDS)
     if answer.verdict is Verdict.REFUTED:
         return answer, None
-    return answer, best_constant(question.exact, question.approx, gauge, question.path, region)
+    best = best_constant(question.exact, question.approx, gauge, question.path, region)
+    return answer, best or _of_answer(answer, region)
+
+
+def _of_answer(answer: Answer, region: str) -> Constant | None:
+    """Return the constant of an answer, where that encloses the supremum sharply."""
+    if answer.constant is None or answer.region is None or region:
+        return None
+    middle, radius = (as_rational(x) for x in answer.constant)
+    low, high = middle - radius, middle + radius
+    if not low > 0 or high - low > WIDEST * high:
+        return None
+    with ball_precision():
+        ends = (_outward(x, side) for x, side in ((low, -1), (high, 1)))
+        return Constant(*ends, answer.region, "")
+
+
+def _outward(x: fmpq, side: int) -> str:
+    """Return a positive number to 6 digits, rounded down or up."""
+    near = rounded_number(x, FEW)
+    if (as_rational(near) - x) * side >= 0:
+        return near
+    return rounded_number(x * (1 + side * fmpq(1, 10 ** (FEW - 1))), FEW)
 
 
 def _where(at: Mapping[str, str]) -> str:
@@ -579,4 +611,6 @@ def _where(at: Mapping[str, str]) -> str:
 
 
 def _place(where: str) -> str:
-    return where if where.startswith("as ") else f"at {where}"
+    if not where:
+        return ""
+    return f" (largest {where if where.startswith('as ') else f'at {where}'})"

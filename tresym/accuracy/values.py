@@ -289,11 +289,11 @@ def rounded(x: arb, digits: int) -> str:
     with ball_precision(bits(digits) + 128):
         low, high = x.lower().fmpq(), x.upper().fmpq()
         middle = x.mid().fmpq()
-    one, other = (_rounded(end, digits) for end in (low, high))
-    return one if one == other else _rounded(middle, digits)
+    one, other = (rounded_number(end, digits) for end in (low, high))
+    return one if one == other else rounded_number(middle, digits)
 
 
-def _rounded(x: fmpq, digits: int) -> str:
+def rounded_number(x: fmpq, digits: int) -> str:
     """Return a rational number rounded to ``digits`` significant digits, half away from zero."""
     if x == 0:
         return "0"

@@ -156,6 +156,11 @@ def row_lines(row: Row, full: bool, width: int, colour: bool) -> list[str]:
     if answer is not None and answer.constant is not None and (full or row.verdict.holds):
         region = f" on {answer.region}" if answer.region else ""
         say(f"constant: {ball_text(answer.constant)}{region}", "2")
+    if full and answer is not None and answer.lemma:
+        say(f"lemma: {answer.lemma}", "2")
+    if full and claim is not None and claim.has_parameters and answer is not None:
+        uniform = "all values of the parameters at once" if answer.uniform else ""
+        say(f"for {uniform or 'each fixed value of the parameters'}", "2")
     for one in row.instead[:1]:
         say(f"true instead: {one.claim}{' given ' + one.given if one.given else ''}", "2")
     if row.axioms:

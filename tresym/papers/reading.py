@@ -164,6 +164,14 @@ class PaperClaim:
         return len(self.links) > 1
 
     @property
+    def has_parameters(self) -> bool:
+        """Whether the claim is an order or a limit with variables besides that of its path."""
+        if self.path is None:
+            return False
+        names = frozenset().union(*map(_names, self.links)) - {INFINITY.args[0]}
+        return bool(names - {read_path(self.path).name})
+
+    @property
     def asymptotic(self) -> tuple[Expr, Expr, Expr | None] | None:
         """The exact side, the approximation and the order's comparison function, if it has them."""
         if len(self.links) != 1:

@@ -193,7 +193,7 @@ def _on(
         return next(made) < PIECES and next(spent) < MOST
 
     made = count()
-    first = _short_below(upto)
+    first = upto if how is EXPLICIT else _short_below(upto)
     if not (add(fmpq(0), first) and (first == upto or add(first, upto))):
         return None
     while True:

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping
 from html import unescape
 
 from tresym.reals.functions.table import CONSTANTS, TABLE, names, upright, written_after
-from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.calls import FACTORIAL, INFINITY
 from tresym.reals.language.expression import (
     DOTS,
     HALF,
@@ -50,6 +50,7 @@ LATEX: Mapping[str, str] = {
     "fraction": r"\frac{{{}}}{{{}}}", "power": "{}^{{{}}}", "sqrt": r"\sqrt{{{}}}",
     "cbrt": r"\sqrt[3]{{{}}}", "abs": r"\left|{}\right|", "function": r"\operatorname{{{}}}",
     "brackets": "({})", "tall": r"\left({}\right)", "comma": ", ", "partial": r"\partial ",
+    "factorial": "{}!",
     **{name: _escaped(row.latex) for name, row in TABLE.items() if written_after(row)},
     "O": "O", "o": "o",
 }  # fmt: skip
@@ -78,7 +79,8 @@ MATHML: Mapping[str, str] = {
     "times": "<mo>&#x2062;</mo>", "dot": "<mo>·</mo>", "fraction": f"<mfrac>{_ROW}{_ROW}</mfrac>",
     "power": f"<msup>{_ROW}{_ROW}</msup>", "sqrt": f"<msqrt>{_ROW}</msqrt>",
     "cbrt": f"<mroot>{_ROW}<mn>3</mn></mroot>", "abs": "<mrow><mo>|</mo>{}<mo>|</mo></mrow>",
-    "function": "<mi>{}</mi>", "brackets": "<mrow><mo>(</mo>{}<mo>)</mo></mrow>",
+    "function": "<mi>{}</mi>", "factorial": "<mrow>{}<mo>!</mo></mrow>",
+    "brackets": "<mrow><mo>(</mo>{}<mo>)</mo></mrow>",
     "comma": "<mo>,</mo>", "partial": "<mi>∂</mi>",
     **{name: f"<mi>{upright(row)}</mi>" for name, row in TABLE.items() if written_after(row)},
     "O": "<mi>O</mi>", "o": "<mi>o</mi>",
@@ -92,9 +94,18 @@ _DIGIT = re.compile(r"(?:<m(?:row|sup|n)>)*\d")
 """The start of a text that begins with a digit, which a dot separates from a number before it."""
 
 
-def to_latex(comparisons: Iterable[Compared]) -> str:
-    r"""Return comparisons in LaTeX, ``0 < x \le 1`` for two with a side in common."""
-    return _Printer(LATEX).chain(comparisons)
+UPRIGHT = {**LATEX, "e": r"\mathrm{{e}}"}
+"""With an upright letter for the base of exponentials, where e may be a variable."""
+
+
+def to_latex(comparisons: Iterable[Compared], upright: bool = False) -> str:
+    r"""Return comparisons in LaTeX, ``0 < x \le 1`` for two with a side in common.
+
+    Args:
+        comparisons: the comparisons.
+        upright: whether the base of exponentials is an upright e, because e may be a variable.
+    """
+    return _Printer(UPRIGHT if upright else LATEX).chain(comparisons)
 
 
 def to_mathml(comparisons: Iterable[Compared], block: bool = True) -> str:
@@ -219,6 +230,8 @@ class _Printer:
         args = e.args
         if e.op == "unknown":
             (name, orders), args = e.args[0].args, e.args[1:]
+            if name == FACTORIAL and len(args) == 1:
+                return self.put("factorial", self.shown(args[0], ATOM))
             head = self.name(name) + self.put("prime") * sum(orders)
         else:
             head = self.put(e.op) if e.op in self.templates else self.put("function", e.op)
@@ -287,7 +300,9 @@ class _Printer:
         """A Greek letter by its name, and any other name as it is."""
         if name not in GREEK:
             return self.put(template, name)
-        return rf"\{name}" if self.templates is LATEX else self.put(template, unescape(f"&{name};"))
+        return (
+            rf"\{name}" if "tall" in self.templates else self.put(template, unescape(f"&{name};"))
+        )
 
 
 def _is_negative(e: Expr) -> bool:
@@ -295,12 +310,12 @@ def _is_negative(e: Expr) -> bool:
     return bool(first.op == "number" and first.args[0] < 0)
 
 
-def expression_in_latex(e: Expr) -> str:
-    r"""Return an expression in LaTeX.
+def expression_in_latex(e: Expr, upright: bool = False) -> str:
+    r"""Return an expression in LaTeX; ``upright`` as for :func:`to_latex`.
 
     Example:
         >>> from tresym.reals.language.parsing import parse
         >>> expression_in_latex(parse("x/2"))
         '\\frac{x}{2}'
     """
-    return _Printer(LATEX).shown(e)
+    return _Printer(UPRIGHT if upright else LATEX).shown(e)
