@@ -176,7 +176,14 @@ def _stated(written: _Written, shown: str, text: str) -> Statement:
     if uniformly and (path is None or not _is_order(parts)):
         raise InputError("uniformly belongs to an order with a path: f == g + O(h) as x -> 0")
     if path is not None and path.expression is not None:
+        whole = path
         parts, said, path = _along_expression(parts, said, path)
+        # All variables move along such a path together, so that one constant must serve.
+        uniformly = bool({n for link in parts for e in link[::2] for n in symbols(e)} - {path.name})
+        if uniformly and not _is_order(parts):
+            raise InputError(
+                f"the path {whole} is supported for orders with a constant, f == g + O(h)"
+            )
     if on:
         if path is None or not _is_order(parts):
             raise InputError("on REGION belongs to an order with a path: f == g + O(h) as x -> 0")
