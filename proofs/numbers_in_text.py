@@ -116,6 +116,13 @@ slope_str_exact = number(
     STR,
     *(*EXACTLY, closed_slope),
 )
+slope_str_leading = number(
+    "With the exact ε₀ the leading term −1/(4bε₀) is {}, for the standard racket.",
+    printed.defect_slope_asymptotic(epsilon0, b),
+    "-34.6",
+    STR,
+    *EXACTLY,
+)
 d27 = number(
     "For the standard racket dε/dγ = {} at γ = 0.",
     _slope,
@@ -124,8 +131,9 @@ d27 = number(
     *(*EXACTLY, closed_slope),
     where=display(27),
     expect=Verdict.REFUTED,
-    amended_by=(slope_str_exact, slope_str_formula),
-    note="The statement is about ε(γ) itself; the printed number is −1/(4bε₀).",
+    amended_by=(slope_str_exact, slope_str_formula, slope_str_leading),
+    note="The statement is about ε(γ) itself; the printed number is −1/(4bε₀), with ε₀ by the "
+    "formula of the theorem.",
     fault=Fault.ROUNDING,
 )
 

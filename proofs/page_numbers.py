@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from flint import arb, fmpq
-from tresym.proofs.tables import digits_of
+from tresym.proofs.tables import digits_of, rounded_to
 
 from tresym.racket.body import NAMED_BODIES
 from tresym.reals.numbers.arithmetic import ball_precision, balls
@@ -15,19 +15,21 @@ def named_numbers() -> dict[str, str]:
     """Compute the numbers that do not depend on verdicts.
 
     Returns:
-        Text by name: for each named body ``defect_NAME`` (ε₀ in radians), ``degrees_NAME`` (the
-        same in degrees), ``misses_NAME`` (2ε₀ in degrees), ``share_NAME`` (x in Δψ = π(1 − x)) and
-        ``paper_error_NAME`` (error of the paper's formula, in per cent); the smallest defect of
-        rigid bodies; and how many operations F and the float64 map take.
+        Text by name, rounded to the nearest, and under ``NAME_down`` and ``NAME_up`` rounded to
+        either side, for sentences with "more than" or "at most": for each named body
+        ``defect_NAME`` (ε₀ in radians), ``degrees_NAME`` (the same in degrees), ``misses_NAME``
+        (2ε₀ in degrees), ``share_NAME`` (x in Δψ = π(1 − x)) and ``paper_error_NAME`` (error of the
+        paper's formula, in per cent); the smallest defect of rigid bodies; and how many operations
+        F and the float64 map take.
     """
     found: dict[str, str] = {}
     for name in NAMED_BODIES:
         found |= _of_body(name)
     with ball_precision(128):
         floor = 2 * (-arb.pi()).exp().atan()
-        found["floor"] = digits_of(floor, DIGITS)
-        found["floor_degrees"] = digits_of(180 * floor / arb.pi(), 3)
-        found["floor_misses"] = digits_of(360 * floor / arb.pi(), 3)
+        found |= _each_way("floor", floor, DIGITS)
+        found |= _each_way("floor_degrees", 180 * floor / arb.pi(), 3)
+        found |= _each_way("floor_misses", 360 * floor / arb.pi(), 3)
     from tresym.racket.comparison.operation_counts import map_operations, turn_calls
 
     found["calls_near"], found["calls_far"] = (str(turn_calls(g)) for g in (fmpq(0), fmpq(1, 100)))
@@ -44,11 +46,20 @@ def _of_body(name: str) -> dict[str, str]:
     with ball_precision(256):
         estimate = printed.asymptotic_defect(arb(shape.a), arb(shape.b), balls)
         values = {
-            "defect": digits_of(defect, DIGITS),
-            "degrees": digits_of(180 * defect / arb.pi(), 3),
-            "misses": digits_of(360 * defect / arb.pi(), 3),
-            "share": digits_of(2 * defect / arb.pi(), 3),
-            "paper_error": digits_of(100 * (estimate / defect - 1), 2),
+            "defect": (defect, DIGITS),
+            "degrees": (180 * defect / arb.pi(), 3),
+            "misses": (360 * defect / arb.pi(), 3),
+            "share": (2 * defect / arb.pi(), 3),
+            "paper_error": (100 * (estimate / defect - 1), 2),
         }
-    key = name.replace("-", "_")
-    return {f"{kind}_{key}": value for kind, value in values.items()}
+        key, found = name.replace("-", "_"), {}
+        for kind, (value, digits) in values.items():
+            found |= _each_way(f"{kind}_{key}", value, digits)
+    return found
+
+
+def _each_way(name: str, x: arb, digits: int) -> dict[str, str]:
+    """Return a number as text, rounded to the nearest, down and up."""
+    return {name: digits_of(x, digits)} | {
+        f"{name}_{way}": rounded_to(x, digits, way) for way in ("down", "up")
+    }

@@ -6,7 +6,10 @@ Every digit in them is proved by a ball (an interval given by midpoint and radiu
 from __future__ import annotations
 
 from collections.abc import Callable
+from decimal import Decimal
 from difflib import get_close_matches
+from fractions import Fraction
+from math import ceil, floor, log10
 
 from flint import arb, fmpq
 
@@ -25,6 +28,22 @@ def digits_of(x: arb, digits: int) -> str:
         digits: the most digits to show. The last one shown is correct to within one unit.
     """
     return str(x.str(digits, radius=False))
+
+
+def rounded_to(x: arb, digits: int, way: str) -> str:
+    """Return ``x`` as a decimal with so many significant digits that is not above, or not below, x.
+
+    Args:
+        x: a ball that does not contain 0.
+        digits: the number of significant digits.
+        way: ``"down"`` or ``"up"``.
+    """
+    mantissa, power = (x.lower() if way == "down" else x.upper()).man_exp()
+    exact = Fraction(int(mantissa)) * Fraction(2) ** int(power)
+    scale = digits - 1 - floor(log10(abs(exact)))
+    scaled = exact * Fraction(10) ** scale
+    whole = floor(scaled) if way == "down" else ceil(scaled)
+    return f"{Decimal(whole).scaleb(-scale):f}"
 
 
 def _percent(x: arb) -> str:

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping
-from decimal import Decimal
+from decimal import ROUND_CEILING, ROUND_FLOOR, ROUND_HALF_EVEN, Decimal
 from functools import cache
 
 from sympy import Basic, Rational
@@ -42,6 +42,8 @@ EXPECTS = re.compile(r"^% expects: (.+)$", re.MULTILINE)
 _UNLABELLED = frozenset(["figure", "number", "count", "piece", "end"])
 """The kinds whose first argument is not the label of a claim."""
 _RELATION = re.compile(r" (=|<|>|\\le|\\ge|\\iff) ")
+WAYS = {"down": ROUND_FLOOR, "up": ROUND_CEILING}
+"""The ways in which a number is rounded that stands in an inequality in words."""
 SHARE = 0.86
 """The width of a line of the article relative to that of the ledger."""
 HOLDS = frozenset(["PROVED", *(premise.value for premise in Premise)])
@@ -226,19 +228,29 @@ class Templates:
         return ", ".join(map(in_dollars, chosen))
 
     def says(self, label: str) -> str:
-        """Return the sentence of a claim."""
-        return prose(said(self._claim(label)).says or "")
+        """Return the sentence of a claim, or its formula with its conditions."""
+        found = said(self._claim(label))
+        if found.says:
+            return prose(found.says)
+        given = ", ".join(map(in_dollars, found.given))
+        return f"${found.formula}$" + (f" for {given}." if given else ".")
 
     def note(self, label: str) -> str:
         """Return the note of a claim."""
         return prose(self._claim(label).note)
 
-    def value(self, label: str, digits: str) -> str:
-        """Return the value of a number claim, rounded to so many significant digits."""
+    def value(self, label: str, digits: str, way: str = "") -> str:
+        """Return the value of a number claim, rounded to so many significant digits.
+
+        After "more than" or "at most" it must be rounded ``down`` or ``up``.
+        """
         found = self.rows[label].finding.value
         if found is None:
             raise InputError(f"article: {label} has no value")
-        return rounded(Decimal(found.mid), int(digits))
+        if not way:
+            return rounded(Decimal(found.mid), int(digits))
+        end = Decimal(found.rad) if way == "up" else -Decimal(found.rad)
+        return rounded(Decimal(found.mid) + end, int(digits), WAYS[way])
 
     def printed(self, label: str) -> str:
         """Return the decimal that the paper prints, which a number claim decides."""
@@ -279,9 +291,12 @@ class Templates:
         """Return the number of the equation that displays a claim."""
         return rf"\eqref{{eq:{label}}}"
 
-    def number(self, name: str) -> str:
-        """Return a number by name, such as the count of claims with a verdict."""
-        return self.numbers[name]
+    def number(self, name: str, way: str = "") -> str:
+        """Return a number by name, such as the count of claims with a verdict.
+
+        After "more than" or "at most" it must be rounded ``down`` or ``up``.
+        """
+        return self.numbers[f"{name}_{way}" if way else name]
 
     count = number
 
@@ -296,8 +311,10 @@ def _aligned(formulas: list[str]) -> str:
     return f"\\begin{{aligned}}\n{body}\n\\end{{aligned}}"
 
 
-def rounded(x: Decimal, digits: int) -> str:
+def rounded(x: Decimal, digits: int, way: str = ROUND_HALF_EVEN) -> str:
     """Return a decimal in LaTeX with so many significant digits."""
+    if x:
+        x = x.quantize(Decimal(1).scaleb(x.adjusted() - digits + 1), rounding=way)
     return scientific(f"{x:.{digits}g}" if abs(x) >= Decimal("0.001") else f"{x:.{digits - 1}e}")
 
 
