@@ -23,6 +23,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:  # for editors and type checkers, which would accept any name without it
     from tresym.accuracy.constants import constant
     from tresym.accuracy.error_table import error_table
+    from tresym.accuracy.expansion import expand
     from tresym.accuracy.values import value
     from tresym.ledger.verification import verify
     from tresym.proofs.python_api import figure
@@ -49,6 +50,7 @@ _HOMES = {
     "constant": "tresym.accuracy.constants",
     "derive": "tresym.report.pages.python_api",
     "error_table": "tresym.accuracy.error_table",
+    "expand": "tresym.accuracy.expansion",
     "figure": "tresym.proofs.python_api",
     "flip_angle": "tresym.racket.flip",
     "flip_defect": "tresym.racket.flip",
@@ -71,6 +73,7 @@ __all__ = [
     "constant",
     "derive",
     "error_table",
+    "expand",
     "figure",
     "flip_angle",
     "flip_defect",

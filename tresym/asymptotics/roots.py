@@ -21,7 +21,7 @@ shifted by the multiple of π that grows with n; by the periods n may then be re
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 from itertools import pairwise
@@ -42,7 +42,7 @@ from tresym.reals.domain.binder_values import jumps
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.operation_domains import bound, needs, operations
-from tresym.reals.expansions.leading_terms import sharp_constant
+from tresym.reals.expansions.leading_terms import leading_term, sharp_constant
 from tresym.reals.expansions.limit_values import limit_of
 from tresym.reals.expansions.scale import T
 from tresym.reals.language.binders import elementary
@@ -450,7 +450,90 @@ class _Branch:
     side: int
 
 
+class _Alive(NamedTuple):
+    """The one branch that the conditions select.
+
+    Attributes:
+        branch: how the root approaches the end.
+        inside: the conditions on the parameters, with the path of the unknown.
+        put: substitutes the solution for the path variable.
+        low, high: the ends between which constant conditions keep the unknown.
+        single: whether no other branch and no further condition was looked at.
+    """
+
+    branch: _Branch
+    inside: Statement
+    put: Callable[[Expr], Expr]
+    low: Expr
+    high: Expr
+    single: bool
+
+
+def start_of_root(statement: Statement, decided: Decide) -> tuple[str, Expr, Expr]:
+    """Return the unknown of a statement, its equation, and its leading behaviour along the path.
+
+    Raises:
+        InputError: no single branch is found, or its leading behaviour is no power.
+    """
+    path = statement.path
+    assert path is not None
+    try:
+        claim, statement = _with_explicit(Comparison(ZERO, "==", ZERO), statement)
+        if len(statement.equations) != 1:
+            raise _OpenError("one equation must determine the root")
+        name = _unknown(claim, statement)
+        alive = _selected(statement, name, decided)
+    except _OpenError as error:
+        raise InputError(str(error)) from None
+    left, right = statement.equations[0]
+    branch = alive.branch
+    gap = branch.solution if path.point is None else branch.solution - path.point
+    first = leading_term(gap, name, branch.point, branch.side, Given())
+    if first is None or set(first.powers) != {T} or first.powers[T].op != "number":
+        raise InputError("the root does not begin with a power of the path variable")
+    # |e − e₀|, or |e|, is |c| s^p with s = |y − y₀|, or 1/|y|.
+    p, c = first.powers[T].args[0], first.coefficient
+    with ball_precision():
+        size = c if evaluate(c, {}) > 0 else -c
+    e = symbol(path.name)
+    distance = path.sides[0] * (e if path.point is None else e - path.point)
+    if branch.point is None:
+        return name, left - right, branch.side * (distance / size) ** number(-1 / p)
+    return name, left - right, branch.point + branch.side * (distance / size) ** number(1 / p)
+
+
 def _by_elimination(claim: Comparison, statement: Statement, name: str, decided: Decide) -> Answer:
+    path = statement.path
+    assert path is not None
+    branch, inside, put, low, high, single = _selected(statement, name, decided)
+    moved = claim.mapped(put)
+    where = f"with {path.name} = {branch.solution} as {inside.path}"
+    at_zero = _at_zero(moved, inside, name)
+    answer = decided(moved, inside) if at_zero is None else decided(*at_zero)
+    if at_zero is not None and answer.witness and name in answer.witness:
+        moved_to = branch.point + branch.side * parse(answer.witness[name])
+        answer = replace(answer, witness=dict(answer.witness) | {name: exact_text(moved_to)})
+    if answer and claim.relation == "O" and single:
+        shown = _sharp(moved, inside, branch, path, low, high)
+        if shown is not None:
+            constant, region_ = shown
+            said = answer.why.partition("; ")[2] or answer.why
+            why = f"|left| <= C |right| with C = {constant.high}; {where}, {said}"
+            return replace(
+                answer, why=why, region=region_, constant=_as_ball(constant), lemma=ELIMINATED
+            )
+    witness = answer.witness and _moved_witness(answer.witness, branch, name, path.name)
+    return replace(
+        answer,
+        why=f"{where}: {answer.why}",
+        witness=witness,
+        region=None,
+        constant=None,
+        lemma=ELIMINATED,
+    )
+
+
+def _selected(statement: Statement, name: str, decided: Decide) -> _Alive:
     path = statement.path
     assert path is not None
     left, right = statement.equations[0]
@@ -492,32 +575,7 @@ def _by_elimination(claim: Comparison, statement: Statement, name: str, decided:
         alive.append((branch, inside, put))
     if len(alive) != 1:
         raise _OpenError(_count(len(alive), name))
-    branch, inside, put = alive[0]
-    moved = claim.mapped(put)
-    where = f"with {path.name} = {branch.solution} as {inside.path}"
-    at_zero = _at_zero(moved, inside, name)
-    answer = decided(moved, inside) if at_zero is None else decided(*at_zero)
-    if at_zero is not None and answer.witness and name in answer.witness:
-        moved_to = branch.point + branch.side * parse(answer.witness[name])
-        answer = replace(answer, witness=dict(answer.witness) | {name: exact_text(moved_to)})
-    if answer and claim.relation == "O" and len(found) == 1 and not others:
-        shown = _sharp(moved, inside, branch, path, low, high)
-        if shown is not None:
-            constant, region_ = shown
-            said = answer.why.partition("; ")[2] or answer.why
-            why = f"|left| <= C |right| with C = {constant.high}; {where}, {said}"
-            return replace(
-                answer, why=why, region=region_, constant=_as_ball(constant), lemma=ELIMINATED
-            )
-    witness = answer.witness and _moved_witness(answer.witness, branch, name, path.name)
-    return replace(
-        answer,
-        why=f"{where}: {answer.why}",
-        witness=witness,
-        region=None,
-        constant=None,
-        lemma=ELIMINATED,
-    )
+    return _Alive(*alive[0], low, high, len(found) == 1 and not others)
 
 
 class _Sharp(NamedTuple):

@@ -198,6 +198,11 @@ def _hides(comparison: Comparison) -> bool:
     return comparison.left.hidden or comparison.right.hidden
 
 
+def decide_within_limits(comparison: Comparison, statement: Statement) -> Answer:
+    """Decide a comparison as part of another decision; see :data:`Decide`."""
+    return _bounded(comparison, statement)
+
+
 def _decide(comparison: Comparison, statement: Statement) -> Answer:
     left, relation, right = comparison.left, comparison.relation, comparison.right
     hiding = {node.op for node in outermost(*comparison.differentiated)} - {"unknown", "root"}

@@ -26,6 +26,7 @@ COMMANDS = (
     "docs",
     "flip",
     "check",
+    "expand",
     "export",
     "paper",
     "new",

@@ -36,6 +36,7 @@ from tresym.repair.edits import (
     edits,
     lone_variables,
 )
+from tresym.repair.expansions import true_expansions
 from tresym.repair.floating import Points, UnsupportedError
 from tresym.repair.like_terms import collected, is_trivial, loses_names
 from tresym.repair.regions import holding
@@ -114,6 +115,8 @@ def alternatives(
             continue
         if more and any(one.edit.startswith(GIVEN) for one in found):
             continue  # a stricter condition than one already found
+        if any(one.claim == candidate.says() for one in found) and not more:
+            continue
         tried += 1
         verdict = _decided(candidate.text(more), left if hard else min(left, SHARE * seconds))
         if verdict:
@@ -130,6 +133,7 @@ def _parsed(text: str) -> Claim:
     Raises:
         InputError: it is not in the text grammar.
     """
+    text, _, _ = text.replace(" uniformly", "").partition(" on ")
     claim, _, end = text.partition(" as ")
     claim, _, under = claim.partition(" given ")
     links = parse_claim(claim)
@@ -152,6 +156,8 @@ def _decided(text: str, seconds: float) -> str:
 
 def _candidates(claim: Claim, until: float) -> Iterator[tuple[float, Claim, str, str]]:
     """Yield candidates: the rank, the claim, one more condition or "", and the edit in words."""
+    for candidate, edit in true_expansions(claim):
+        yield -1.0, candidate, "", edit
     grid = _grid(claim)
     under = _regions(claim, grid)
     if _is_inequality(claim):  # an inequality nearly always holds on some part

@@ -219,6 +219,47 @@ def leading_sign(e: Expr, name: str, point: Expr | None, side: int, given: Given
         return None
 
 
+def leading_term(e: Expr, name: str, point: Expr | None, side: int, given: Given) -> Leading | None:
+    """Return the leading term of ``e`` near the end of a path in the small parameter ``T``.
+
+    None for a function that vanishes, oscillates or has no such expansion.
+    """
+    t = symbol(T)
+    along = substitute(e, {name: side / t if point is None else point + side * t})
+    found = Rewritten(T, given)
+    try:
+        with ball_precision():
+            (f,) = found.all_of(along)
+            return None if found.scale.waves else found.expansions.leading(f)
+    except _FAILS:
+        return None
+
+
+def written_term(
+    e: Expr, name: str, point: Expr | None, side: int, given: Given
+) -> tuple[Expr, Expr] | None:
+    """Return the leading term of ``e`` in its variable, and the same without its coefficient.
+
+    None for a function that vanishes, oscillates or has no such expansion.
+    """
+    t, x = symbol(T), symbol(name)
+    along = substitute(e, {name: side / t if point is None else point + side * t})
+    found = Rewritten(T, given)
+    small = 1 / (side * x) if point is None else side * (x - point)
+    large = side * x if point is None else 1 / small
+    try:
+        with ball_precision():
+            (f,) = found.all_of(along)
+            first = None if found.scale.waves else found.expansions.leading(f)
+            if first is None:
+                return None
+            found.scale.sign(first.coefficient)
+            whole = found.scale.written(first, small, large)
+            return whole, found.scale.written(Leading(ONE, first.powers), small, large)
+    except _FAILS:
+        return None
+
+
 def sign_near(e: Expr) -> tuple[int, fmpq] | None:
     """The sign of ``e`` for 0 < t ≤ r, and r."""
     found = Rewritten(T)

@@ -1,0 +1,102 @@
+"""Suggest the expansion or the limit that is true instead of a refuted one.
+
+For ``sin(x) == x - x**3/5 + O(x**5) as x -> 0`` the terms of the left side are computed up to the
+order of the claim; for ``f -> L`` it is the limit, and for ``f ~ g`` the leading terms. The
+suggestion is decided like any claim.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from tresym.asymptotics.expansion import Terms, explicit_terms, root_terms
+from tresym.checking.dispatch import decide_within_limits
+from tresym.reals.decisions.claim_parsing import LIMIT, read
+from tresym.reals.decisions.statement import Comparison, Statement
+from tresym.reals.domain.conditions import Given
+from tresym.reals.expansions.limit_values import limit_of
+from tresym.reals.language.binders import elementary
+from tresym.reals.language.expression import ORDERS, ZERO, Expr, add, rebuild
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.signs.interior import is_zero
+from tresym.repair.agreement import Claim
+
+MORE = 3
+"""How many terms more than those of the claim are looked for."""
+
+
+def true_expansions(claim: Claim) -> Iterator[tuple[Claim, str]]:
+    """Yield the claim with the true expansion or limit of its left side, and the edit in words."""
+    if claim.path is None or claim.path.together or len(claim.terms) != 2:
+        return
+    try:
+        statement = read(claim.text(""))
+    except InputError:
+        return
+    (compared,) = statement.comparisons
+    f, relation = claim.terms[0], claim.relations[0]
+    if statement.path is None or compared.derivatives:
+        return
+    if relation == LIMIT:
+        value = _limit(f, statement)
+        if value is not None:
+            yield claim._replace(terms=(f, value)), f"the limit is {value}"
+        return
+    right = claim.terms[1]
+    parts = right.args if right.op == "+" else (right,)
+    orders = [part for part in parts if part.op in ORDERS]
+    count = len(parts) - len(orders)
+    if relation == "~" and not orders:
+        found = _terms(f, statement, count)
+        if found is not None and found.terms:
+            yield claim._replace(terms=(f, add(*found.terms))), "the leading terms are these"
+        return
+    if relation != "==" or len(orders) != 1 or orders[0].op not in ("O", "o"):
+        return
+    order = orders[0]
+    stated = add(ZERO, *(part for part in parts if part.op not in ORDERS))
+    same = _terms(f, statement, count) if count else None
+    if same is not None and same.gauge and is_zero(add(*same.terms) - stated, Given()):
+        weaker = rebuild(order, (same.gauge,))
+        edited = tuple(weaker if part == order else part for part in parts)
+        yield claim._replace(terms=(f, add(*edited))), f"the error is of the order {same.gauge}"
+    for more in range(count + MORE):
+        found = _terms(f, statement, more) if more or count else None
+        if found is None:
+            continue
+        gauge = found.gauge
+        if gauge is None or _is_small(gauge, order, statement):
+            terms = add(*found.terms, order) if found.terms else order
+            yield claim._replace(terms=(f, terms)), f"the expansion is {add(*found.terms)}"
+            return
+
+
+def _is_small(gauge: Expr, order: Expr, statement: Statement) -> bool:
+    """Return whether the error of the terms is of the order of the claim."""
+    claim = Comparison(gauge, order.op, order.args[0])
+    plain = Statement((), statement.given, statement.path, "")
+    return bool(decide_within_limits(claim, plain))
+
+
+def _limit(f: Expr, statement: Statement) -> Expr | None:
+    path = statement.path
+    assert path is not None
+    if statement.equations or not elementary(f):
+        return None
+    ends = (path.name, path.point)
+    found = [limit_of(f, *ends, side, statement.given) for side in path.sides]
+    return found[0] if None not in found and len({*found}) == 1 else None
+
+
+def _terms(f: Expr, statement: Statement, count: int) -> Terms | None:
+    path = statement.path
+    assert path is not None
+    if statement.implicit:
+        try:
+            found = root_terms(statement, count, decide_within_limits)
+        except InputError:
+            return None
+        return found[1] if found is not None and str(f) == found[0] else None
+    if statement.equations or not elementary(f):
+        return None
+    return explicit_terms(f, path, statement.given, count)
