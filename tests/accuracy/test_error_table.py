@@ -1,7 +1,9 @@
 """Error tables of unseen pairs: every digit, sign and order against mpmath at 80 digits."""
 
 import json
+import sqlite3
 from collections.abc import Callable
+from pathlib import Path
 
 import mpmath
 import pytest
@@ -152,3 +154,28 @@ def test_many_cells_on_several_processes_are_the_same() -> None:
     there = decoded(computed(encoded(question, number(3), 40)))
     here = cell(question, number(3), 40)
     assert str(there) == str(here)
+
+
+def test_finished_cells_are_kept_and_damage_is_no_answer(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("TRESYM_CACHE", str(tmp_path))
+    points = ",".join(f"1/{n}" for n in range(2, 22))
+    asked = ["table", "tan(x)", "x", "--as", "x -> 0+", "--at", points, "--json", "--digits", "20"]
+    assert main(asked) == 0
+    first = json.loads(capsys.readouterr().out)
+    with monkeypatch.context() as nothing:
+
+        def fail(*_: object) -> None:
+            raise AssertionError("computed again")
+
+        nothing.setattr("tresym.accuracy.cells.computed", fail)
+        assert main(asked) == 0
+    again = json.loads(capsys.readouterr().out)
+    assert again["rows"] == first["rows"]
+    file = sqlite3.connect(tmp_path / "cells.sqlite")
+    file.execute("UPDATE cells SET value = replace(value, '[', '[1, ')")
+    file.commit()
+    file.close()
+    assert main(asked) == 0
+    assert json.loads(capsys.readouterr().out)["rows"] == first["rows"]

@@ -18,7 +18,7 @@ from tresym.commands.parser import (
 from tresym.reals.numbers.exact import InputError
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Sequence
+    from collections.abc import Iterator, Sequence
 
     from tresym.accuracy.error_table import Cell, Question
     from tresym.reals.language.expression import Expr
@@ -149,26 +149,33 @@ def cells(
     question: Question, points: Sequence[Expr], digits: int, scheduler: str | None = None
 ) -> Iterator[Cell | InputError]:
     """Yield the cells of a table, on all cores or by a scheduler's workers, with progress."""
-    from tresym.accuracy.cells import computed, decoded, encoded
+    from contextlib import ExitStack
+
+    from tresym.accuracy.cells import computed, decoded, encoded, kept_cells
     from tresym.output import show_progress
     from tresym.reals.processes import cores
     from tresym.sweep.workers import cluster, processes
 
-    asked = (encoded(question, x, digits) for x in points)
-    if scheduler is not None:
-        with cluster(scheduler) as workers:
-            yield from _counted(map(decoded, workers.in_order(computed, asked)), len(points))
-    elif len(points) <= FEW_CELLS or cores() == 1:
-        yield from _counted((decoded(computed(each)) for each in asked), len(points))
-    else:
-        with processes(cores()) as workers:
-            yield from _counted(map(decoded, workers.in_order(computed, asked)), len(points))
+    asked = [encoded(question, x, digits) for x in points]
+    with ExitStack() as opened:
+        many = len(points) > FEW_CELLS or scheduler is not None
+        store = opened.enter_context(kept_cells()) if many else None
+        known = {} if store is None else {n: store.get(one) for n, one in enumerate(asked)}
+        missing = [one for n, one in enumerate(asked) if known.get(n) is None]
+        if scheduler is not None:
+            workers = opened.enter_context(cluster(scheduler))
+            results = workers.in_order(computed, iter(missing))
+        elif many and cores() > 1 and missing:
+            workers = opened.enter_context(processes(cores()))
+            results = workers.in_order(computed, iter(missing))
+        else:
+            results = map(computed, missing)
+        for n, one in enumerate(asked):
+            found: Cell | InputError | None = known.get(n)
+            if found is None:
+                found = decoded(next(results))
+                if store is not None and not isinstance(found, InputError):
+                    store.put(one, found)
+            show_progress(f"{n + 1} of {len(points)} cells")
+            yield found
     show_progress("")
-
-
-def _counted(found: Iterable[Cell | InputError], total: int) -> Iterator[Cell | InputError]:
-    from tresym.output import show_progress
-
-    for n, one in enumerate(found, 1):
-        show_progress(f"{n} of {total} cells")
-        yield one
