@@ -37,7 +37,7 @@ from tresym.reals.language.expression import (
 )
 from tresym.reals.language.parsing import Compared, parse, parse_claim, parse_given
 from tresym.reals.language.sentences import spelled, spelled_conditions
-from tresym.reals.language.sympy import RELATIONS, atoms, unworked
+from tresym.reals.language.sympy import RELATIONS, atoms, order_paths, unworked
 from tresym.reals.language.typesetting import to_latex
 from tresym.reals.language.unicode_input import plain
 from tresym.reals.language.variable_names import explain, without_declaration
@@ -60,6 +60,8 @@ _PATH = re.compile(r"\s*([A-Za-z_]\w*)\s*->\s*(.+?)\s*")
 _AND = re.compile(r"\band\b|;|&&?|∧")
 _DANGLING = re.compile(r"\b(and|or)\s*$")
 _TOGETHER = re.compile(r"\s*\(([\w\s,]+)\)\s*->\s*\((.+)\)\s*")
+_MEANT = re.compile(r",\s*\((\w+),\s*([\w./+-]+)\)\s*\)\s*$")
+"""The end of an order as SymPy prints it: O(x**(-4), (x, oo))."""
 _UNIFORMLY = re.compile(r"\suniformly\b")
 _INFINITE = re.compile(r"([-+]?)(?:oo|inf|infinity)")
 _SIDES = {"+": (1,), "-": (-1,), "": (1, -1)}
@@ -240,7 +242,10 @@ def read_as(claim: Any, given: Any = "", path: str | None = None) -> str:
 def _written(claim: Any, given: Any, path: str | None) -> _Written:
     if not isinstance(claim, str):
         comparison, conditions = _from_sympy(claim)
-        return _Written((comparison,), (*_given(given), *conditions), _path(path))
+        tends = _path(path) or _path_of_orders(claim)
+        if tends is not None:
+            conditions, tends = _without_sign(conditions, tends)
+        return _Written((comparison,), (*_given(given), *conditions), tends)
     try:
         return _strictly(claim, given, path)
     except InputError:
@@ -257,6 +262,10 @@ def _strictly(claim: str, given: Any, path: str | None) -> _Written:
     """A claim of text or LaTeX in the grammar as it stands."""
     uniformly = _UNIFORMLY.search(claim) is not None
     text, own, own_path, region = _split(_UNIFORMLY.sub("", claim))
+    meant = _MEANT.search(text)
+    if meant is not None and not (own_path or path):
+        own_path = f"{meant[1]} -> {meant[2]}"
+    text = text if meant is None else f"{text[: meant.start()]})"
     under, end, on = (*_given(given), *_given(own)), _path(own_path or path), _given(region)
     if not _LATEX.search(text):
         return _Written(tuple(parse_claim(plain(text))), under, end, on, uniformly)
@@ -275,6 +284,35 @@ def _strictly(claim: str, given: Any, path: str | None) -> _Written:
     elif said is not None:
         under = (*under, *map(_condition, said.links))
     return _Written(tuple(chains[0].links), under, end, on, uniformly)
+
+
+def _path_of_orders(claim: Any) -> Path | None:
+    """Return where the orders of a SymPy relation are meant, as in O(r**(-5), (r, oo))."""
+    found = order_paths(claim)
+    if len(found) > 1:
+        raise InputError("the orders of a claim must belong to one path")
+    if not found:
+        return None
+    ((name, point, sign),) = found
+    return Path(name, point, (sign,) if point is None else (1, -1))
+
+
+def _without_sign(
+    conditions: tuple[Compared, ...], path: Path
+) -> tuple[tuple[Compared, ...], Path]:
+    """Use the assumption that the variable of the path is positive for its side."""
+    x = symbol(path.name)
+    signs = [link for link in conditions if link[0] == x and link[1] != "in"]
+    for link in signs:
+        if link[1] == "!=":
+            continue  # so it is beside the end
+        side = 1 if link[1][0] == ">" else -1
+        if path.point == ZERO and side in path.sides:
+            path = replace(path, sides=(side,))
+        elif path.sides != (side,) and path.point is None:
+            return conditions, path
+    inside = path.point is None or path.point.op == "number"
+    return (tuple(x for x in conditions if x not in signs), path) if inside else (conditions, path)
 
 
 def _split(text: str) -> tuple[str, str, str, str]:

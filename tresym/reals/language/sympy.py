@@ -188,11 +188,34 @@ def _order_as_written(node: Any, walk: Any) -> Expr:
     return order(type(node).__name__, *map(walk, node.args))
 
 
+def _own_order_as_written(node: Any, walk: Any) -> Expr:
+    """Return SymPy's own O(f, (x, a)); where it is meant belongs to the path of the claim."""
+    if len(node.args) != 2:
+        raise InputError(f"{node} is an order in several variables")
+    return order("O", walk(node.args[0]))
+
+
+def order_paths(e: Any) -> list[tuple[str, Expr | None, int]]:
+    """Return where the orders O(f, (x, a)) of a SymPy expression are meant.
+
+    Returns:
+        The variable, the point (None for infinity), and the sign of an infinite point, else 0.
+    """
+    found = []
+    for node in atoms(e, "Order"):
+        for variable, point in node.args[1:]:
+            infinite = point.is_infinite
+            sign = (1 if point.is_extended_positive else -1) if infinite else 0
+            found.append((variable.name, None if infinite else unworked(point), sign))
+    return list(dict.fromkeys(found))
+
+
 _UNWORKED: dict[str, Callable[[Any, Any], Expr]] = {
     "Derivative": _derivative_as_written,
     "Integral": _integral_as_written,
     "Subs": _value_as_written,
     "Limit": _limit_as_written,
     "TheRoot": _root_as_written,
+    "Order": _own_order_as_written,
     **dict.fromkeys(ORDERS, _order_as_written),
 }
