@@ -20,7 +20,7 @@ from tresym.reals.decisions.statement import Comparison, Statement, functions, i
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.operation_domains import bound, needs, operations
-from tresym.reals.functions.table import SPECIAL
+from tresym.reals.functions.table import SPECIAL, TABLE
 from tresym.reals.language.binders import is_infinite, outermost
 from tresym.reals.language.calls import FACTORIAL
 from tresym.reals.language.expression import DOTS, ZERO, Expr, symbols
@@ -72,7 +72,9 @@ def decide_claim(claim: Any, given: Any = "", path: str | None = None) -> Answer
         answer = replace(answer, why=which + answer.why)
     if not answer:
         answer = replace(answer, why=answer.why + _mistaken(statement))
-    elif answer.region is None and statement.path is None:
+    if answer and (quoted := _quoted(statement, answer)):
+        answer = replace(answer, why=f"{answer.why}; it quotes {quoted}")
+    if answer and answer.region is None and statement.path is None:
         answer = replace(answer, region=_part_spoken_of(statement))
     return replace(
         answer,
@@ -109,6 +111,20 @@ def _of_all_terms(answer: Answer, parts: list[Comparison], answers: list[Answer]
     if answer.verdict is Verdict.REFUTED:
         why = f"the error, {broken.left}, is not o({broken.right}): {answer.why}"
     return replace(answer, why=why)
+
+
+def _quoted(statement: Statement, answer: Answer) -> str:
+    """Return the theorems on which expansions and signs of the special functions here rest."""
+    if statement.path is None and answer.verdict is not Verdict.ENCLOSED:
+        return ""
+    sides = [side for c in statement.comparisons for side in (c.left, c.right)]
+    found = {
+        theorem: None
+        for node in operations(sides)
+        if node.op in SPECIAL
+        for theorem in TABLE[node.op].theorems
+    }
+    return "; ".join(sorted(found))
 
 
 def _part_spoken_of(statement: Statement) -> str | None:

@@ -13,10 +13,14 @@ from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
+from flint import arb
+
+from tresym.reals.functions.row import Function
 from tresym.reals.functions.table import TABLE
 from tresym.reals.language.binders import worked_out
 from tresym.reals.language.calls import FACTORIAL, INFINITY
 from tresym.reals.language.expression import Expr, opened, symbols
+from tresym.reals.numbers.arithmetic import ball_precision
 
 NAN = math.nan
 Row = list[float]
@@ -286,9 +290,22 @@ def _power(x: float, y: float) -> float:
     return x**y if x > 0 or y == round(y) else NAN
 
 
+def _by_ball(row: Function) -> Callable[..., float]:
+    """Return a special function in double precision, by its ball."""
+
+    def value(*args: float) -> float:
+        if not all(map(math.isfinite, args)):
+            return NAN
+        with ball_precision(64):
+            found = row.ball(*map(arb, args))
+        return float(found.mid()) if found.is_finite() else NAN
+
+    return value
+
+
 _OPERATIONS: dict[str, Callable[..., float]] = {
     "+": lambda *terms: sum(terms),
     "*": lambda *factors: math.prod(factors),
     "^": _power,
-    **{name: row.double for name, row in TABLE.items() if row.double is not None},
+    **{name: row.double or _by_ball(row) for name, row in TABLE.items()},
 }

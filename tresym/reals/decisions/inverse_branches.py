@@ -3,7 +3,8 @@
 The normal form writes asin and acos by arc tangents and roots. It loses the branch if the sign of a
 root is not constant on the region, or if a is not a rational function. Here the inverse function is
 eliminated: the claim becomes an identity between a and the sine, cosine or tangent of b, and a
-condition that b lies in the range, which is proved by signs. log and asinh have no range condition.
+condition that b lies in the range, which is proved by signs. log and the
+inverse hyperbolic sine have no range condition.
 """
 
 from __future__ import annotations

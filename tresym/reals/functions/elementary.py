@@ -393,3 +393,9 @@ INVERSES = (
 )  # fmt: skip
 
 ELEMENTARY = (*POWERS, *EXPONENTIALS, *TRIGONOMETRIC, *HYPERBOLIC, *INVERSES)
+
+ABBREVIATIONS = {
+    ("gd", 1): lambda x, m: 2 * m.atan(m.tanh(x / 2)),
+    ("agd", 1): lambda x, m: m.asinh(m.tan(x)),
+}
+"""The Gudermannian function and its inverse (DLMF 4.23.39 and 4.23.41)."""

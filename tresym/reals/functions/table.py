@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from typing import Any
 
 from tresym.reals.functions.bessel import BESSEL
+from tresym.reals.functions.elementary import ABBREVIATIONS as ELEMENTARY_ABBREVIATIONS
 from tresym.reals.functions.elementary import ELEMENTARY
 from tresym.reals.functions.elliptic import ELLIPTIC
 from tresym.reals.functions.error import ERROR
 from tresym.reals.functions.exponential_integrals import EXPONENTIAL_INTEGRALS
 from tresym.reals.functions.gamma import GAMMA
-from tresym.reals.functions.row import Function
+from tresym.reals.functions.row import Formula, Function
 from tresym.reals.functions.zeta import ZETA
 
 TABLE: dict[str, Function] = {
@@ -27,6 +29,22 @@ TABLE: dict[str, Function] = {
     )
 }
 """Every row by the name of its function."""
+
+
+def _beta(x: Any, y: Any, m: Any) -> Any:
+    return m.gamma(x) * m.gamma(y) / m.gamma(x + y)
+
+
+ABBREVIATIONS: dict[tuple[str, int], Formula] = {
+    **ELEMENTARY_ABBREVIATIONS,
+    ("E1", 1): lambda x, m: m.expint(1, x),
+    ("beta", 2): _beta,
+    ("Beta", 2): _beta,
+    ("trigamma", 1): lambda x, m: m.polygamma(1, x),
+    ("dilog", 1): lambda x, m: m.polylog(2, 1 - x),
+    ("jv", 2): lambda n, x, m: m.besselj(n, x),
+}
+"""Names, with the number of arguments, that are replaced by other functions where they are read."""
 
 
 def names(fact: Callable[[Function], object]) -> frozenset[str]:

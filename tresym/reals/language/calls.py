@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
 
-from tresym.reals.functions.table import CONSTANTS, SPECIAL, TABLE
+from tresym.reals.functions.table import ABBREVIATIONS, CONSTANTS, SPECIAL, TABLE
 from tresym.reals.language.expression import (
     FUNCTIONS,
     MINUS_ONE,
@@ -14,10 +13,12 @@ from tresym.reals.language.expression import (
     Expr,
     angle,
     apply,
+    as_expr,
     extreme,
     number,
     sqrt,
     symbol,
+    trees,
     unknown,
 )
 from tresym.reals.language.suggestions import about_function
@@ -26,11 +27,6 @@ from tresym.reals.numbers.exact import InputError
 _ALIASES = {alias: row.name for row in TABLE.values() for alias in row.aliases}
 _RECIPROCALS = {alias: row.name for row in TABLE.values() for alias in row.of_reciprocal}
 """Names for the function of the reciprocal argument: asec(x) is acos(1/x)."""
-_GUDERMANNIAN: dict[str, Callable[[Expr], Expr]] = {
-    "gd": lambda x: 2 * apply("atan", apply("tanh", x / 2)),
-    "agd": lambda x: apply("asinh", apply("tan", x)),
-}
-"""Source: DLMF 4.23.39 and 4.23.41."""
 _OVERLOADED = {
     ("elliptic_e", 2): "elliptic_e_inc",
     ("gamma", 2): "uppergamma",
@@ -40,22 +36,13 @@ _OVERLOADED = {
     ("Psi", 2): "polygamma",
 }
 """Names whose meaning depends on the number of arguments."""
-_SHORT: dict[tuple[str, int], Callable[..., Expr]] = {
-    ("E1", 1): lambda x: apply("expint", ONE, x),
-    ("beta", 2): lambda x, y: apply("gamma", x) * apply("gamma", y) / apply("gamma", x + y),
-    ("Beta", 2): lambda x, y: apply("gamma", x) * apply("gamma", y) / apply("gamma", x + y),
-    ("trigamma", 1): lambda x: apply("polygamma", ONE, x),
-    ("dilog", 1): lambda x: apply("polylog", number(2), 1 - x),
-    ("jv", 2): lambda n, x: apply("besselj", n, x),
-}
-"""Functions that are written by others where they are read."""
 _FOLDED = {"max": 1, "min": -1, "Max": 1, "Min": -1}
 SPECIAL_NAMES = frozenset(
     name
     for row in TABLE.values()
     if row.name in SPECIAL and not row.internal and not row.constant
     for name in (row.name, *row.aliases)
-) | {name for name, _ in _SHORT}
+) | {name for name, _ in ABBREVIATIONS}
 """The names of special functions. Without parentheses, such a name is a variable."""
 MODULUS = {
     "EllipticK": "elliptic_k",
@@ -65,7 +52,7 @@ MODULUS = {
 }
 """Names that take the parameter m in Mathematica and the modulus k in Maple."""
 KNOWN = FUNCTIONS.union(
-    *(_ALIASES, _RECIPROCALS, _FOLDED, _GUDERMANNIAN, ("sqrt", "atan2", "diff", "Derivative")),
+    *(_ALIASES, _RECIPROCALS, _FOLDED, ("sqrt", "atan2", "diff", "Derivative")),
     SPECIAL_NAMES,
 )
 """The names of functions."""
@@ -102,8 +89,8 @@ def call(name: str, values: list[Expr]) -> Expr:
         InputError: the function is unknown, or the number of arguments is wrong.
     """
     given = len(values)
-    if (name, given) in _SHORT:
-        return _SHORT[name, given](*values)
+    if (name, given) in ABBREVIATIONS:
+        return as_expr(ABBREVIATIONS[name, given](*values, trees))
     name = _OVERLOADED.get((name, given), _ALIASES.get(name, name))
     if name == "lambertw" and given == 2 and values[1] in (ZERO, MINUS_ONE):
         return apply("lambertwm1" if values[1] == MINUS_ONE else name, values[0])
@@ -118,8 +105,6 @@ def call(name: str, values: list[Expr]) -> Expr:
         return apply("log", values[0]) / apply("log", values[1])
     if name in _FOLDED and len(values) > 1:
         return extreme(_FOLDED[name], values)
-    if name in _GUDERMANNIAN and len(values) == 1:
-        return _GUDERMANNIAN[name](values[0])
     if name == FACTORIAL and len(values) == 1:
         return unknown(name, tuple(values))
     if given == 1 and (bessel := re.fullmatch(r"([JYIK])_?(\d+)", name)):

@@ -12,6 +12,7 @@ from sympy import Basic, Derivative, Eq, Equivalent, Tuple
 
 from tresym.ledger.claim import Chain, Claim, Reason, Step, Together, UniqueRoot, chains_of, equal
 from tresym.ledger.statements import ExactlyOne
+from tresym.reals.functions.table import TABLE, upright
 from tresym.report.typesetting.latex import bracketed, expression_latex, says_latex
 
 EQUIVALENT = r"\iff{}"
@@ -112,7 +113,10 @@ def _said(reason: Reason) -> Because:
         labels = tuple(claim.label for claim in reason.claims)
         return Because(_VERBS.get(reason.name, f"{reason.name},"), labels=labels)
     if reason.function is not None:
-        return Because(f"{reason.function.replace('asinh', 'arsinh')} of both sides")
+        row = TABLE.get(reason.function)
+        printed = row is not None and row.family == "inverse hyperbolic"
+        name = upright(row) if printed and row else reason.function
+        return Because(f"{name} of both sides")
     if reason.factor is not None:
         return Because("times", bracketed(expression_latex(reason.factor)))
     if reason.term is not None:
