@@ -52,7 +52,8 @@ def _of_body(name: str) -> dict[str, str]:
             "share": (2 * defect / arb.pi(), 3),
             "paper_error": (100 * (estimate / defect - 1), 2),
         }
-        key, found = name.replace("-", "_"), {}
+        key = name.replace("-", "_")
+        found: dict[str, str] = {}
         for kind, (value, digits) in values.items():
             found |= _each_way(f"{kind}_{key}", value, digits)
     return found

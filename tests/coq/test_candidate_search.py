@@ -83,3 +83,40 @@ def test_what_is_not_exported_is_said(
     assert answer["coq"]["accepted"] is None
     assert says in answer["coq"]["says"]
     assert not target.exists()
+
+
+@pytest.mark.parametrize(
+    ("claim", "word"),
+    [
+        ("sum(x**k, k, 0, oo) == 1/(1 - x) given -1 < x < 1", "series"),
+        ("integral(exp(-x**2), x, 0, 1) < 1", "one side of an equation"),
+        ("integral(x, x, 0, 1) + integral(x**2, x, 0, 1) == 5/6", "one side of an equation"),
+    ],
+)
+def test_a_kind_without_a_search_is_said_at_once(
+    claim: str, word: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("tresym.coq.candidate_search.Dialogue", None)  # Coq is not started
+    found = export(theorems(read(claim)))
+    assert found.accepted is False
+    assert word in found.says
+    assert "Theorem claim :" not in found.text
+
+
+@pytest.mark.coq
+@pytest.mark.parametrize(
+    "claim",
+    [
+        "sum(k, k, 1, n) == n*(n + 1)/2 given n >= 1",
+        "sum(k**2, k, 1, n) == n*(n + 1)*(2*n + 1)/6 given n >= 0, n > -1",
+    ],
+)
+def test_a_condition_on_n_that_is_not_needed_does_not_stop_an_induction(claim: str) -> None:
+    assert export(theorems(read(claim))).accepted
+
+
+@pytest.mark.coq
+def test_a_sum_that_holds_only_under_its_condition_gets_no_proof() -> None:
+    assert (
+        export(theorems(read("sum(k, k, 1, n) == n*(n + 1)/2 + 1 given n >= 1"))).accepted is False
+    )

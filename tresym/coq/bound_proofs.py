@@ -6,6 +6,7 @@ parts and L'Hôpital's rule. Equations on the way are lemmas for the provers of 
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator
 
 from tresym.coq.bound_statements import (
@@ -50,18 +51,38 @@ def bound_proofs(theorem: BoundTheorem, prove: Prove) -> Iterator[str]:
         prove: a prover of elementary relations; None if it finds no proof.
     """
     claim = theorem.claim
+    if no_search(theorem) is not None:
+        return
     if theorem.statement.path is not None:
         yield from _of_limit(theorem)
         return
-    nodes = [e for e in dict.fromkeys(outermost(claim.left, claim.right)) if e.op != "unknown"]
-    if len(nodes) != 1 or claim.relation != "==" or nodes[0] not in (claim.left, claim.right):
-        return
-    (node,) = nodes
+    (node,) = _bound_nodes(theorem)
     value = claim.right if node == claim.left else claim.left
     if node.op == "integral":
         yield from _of_integral(theorem, node, value, prove)
-    elif node.args[2] != INFINITY:
+    else:
         yield from _of_sum(theorem, node, value, prove)
+
+
+def _bound_nodes(theorem: BoundTheorem) -> list[Expr]:
+    """Return the integrals and sums of a theorem, each once."""
+    found = dict.fromkeys(outermost(theorem.claim.left, theorem.claim.right))
+    return [e for e in found if e.op != "unknown"]
+
+
+def no_search(theorem: Theorem | BoundTheorem) -> str | None:
+    """Return why no proof of this kind of theorem is searched for, or None if one is."""
+    if isinstance(theorem, Theorem) or theorem.statement.path is not None:
+        return None
+    claim, nodes = theorem.claim, _bound_nodes(theorem)
+    if any(node.op == "sum" and node.args[2] == INFINITY for node in nodes):
+        return "the file states the claim; tresym does not search for Coq proofs about series"
+    if len(nodes) != 1 or claim.relation != "==" or nodes[0] not in (claim.left, claim.right):
+        return (
+            "the file states the claim; tresym searches for Coq proofs only where an integral or a "
+            "finite sum is one side of an equation"
+        )
+    return None
 
 
 def _intros(theorem: BoundTheorem) -> str:
@@ -98,7 +119,11 @@ def _of_sum(bound: BoundTheorem, node: Expr, value: Expr, prove: Prove) -> Itera
     names, v = {n, k}, variable(n)
     shown, total = (term(naturally(e, names)) for e in (body, value))
     functions = f"(fun {variable(k)} : nat => {shown}) {low} (fun {v} : nat => {total})"
-    whole = f"apply (sum_induction {more} {functions}); clear {v}; [equal_terms | intros {v}; "
+    # Conditions on n itself are not needed: the sum is proved for every natural n.
+    about = [i for i, text in enumerate(bound.premises) if re.search(rf"\b{v}\b", text)]
+    gone = f"clear {' '.join(f'G_{i}' for i in about)}; " if about else ""
+    whole = f"{gone}apply (sum_induction {more} {functions}); clear {v}; "
+    whole += f"[equal_terms | intros {v}; "
     found = _step(node, value, n, more, bound, prove)
     if found is not None:
         lemma, step = found
@@ -120,7 +145,10 @@ def _step(
 
     left = exchanged(value, {symbol(n): Expr("+", (symbol(n), ONE))})
     right = Expr("+", (value, exchanged(body, {symbol(k): last(symbol(n))})))
-    given = (*bound.statement.given.comparisons, (symbol(n), ">=", ZERO))
+    others = (
+        c for c in bound.statement.given.comparisons if n not in symbols(c[0]) | symbols(c[2])
+    )
+    given = (*others, (symbol(n), ">=", ZERO))
     lemma = theorem(Comparison(left, "==", right), given, "step")
     script = prove(lemma)
     if script is None:

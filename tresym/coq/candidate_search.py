@@ -18,7 +18,7 @@ from importlib.resources import files
 from pathlib import Path
 
 from tresym.coq.allowed_axioms import MACHINE, REALS
-from tresym.coq.bound_proofs import Prove, bound_proofs
+from tresym.coq.bound_proofs import Prove, bound_proofs, no_search
 from tresym.coq.bound_statements import BoundTheorem
 from tresym.coq.coqtop import HEAD, TEXT_SECONDS, Dialogue, library, prelude, version
 from tresym.coq.equations import equation_proofs
@@ -73,6 +73,9 @@ def export(theorems: Sequence[Theorem | BoundTheorem], seconds: float = 120) -> 
         theorems: the theorems.
         seconds: wall time for the search, and again for the final check.
     """
+    unsearched = next((why for theorem in theorems if (why := no_search(theorem))), None)
+    if unsearched is not None:
+        return Outcome(False, unsearched, file_of(theorems, [None] * len(theorems)))
     if shutil.which("coqc") is None:
         found = [next(proofs(theorem), None) for theorem in theorems]
         return Outcome(None, MISSING, file_of(theorems, found))
