@@ -116,7 +116,7 @@ eq_gamma = Claim(
 )
 
 planar_variables = Tuple(theta, psi)
-planar_rates = Tuple(*(part.args[1] for part in eq_Euler.says.args))
+planar_rates = Tuple(*(part.args[1] for part in eq_Euler.parts))
 """The planar system: its variables, and their rates by φ."""
 
 _gamma_of_angles = printed.depth(theta, psi, a, b, sympy)

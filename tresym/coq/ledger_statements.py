@@ -160,10 +160,10 @@ def _theorem_of(claim: Claim) -> Exported:
         parts = (p for p in claim.uses if not _assumed(p) and not isinstance(p.proof, Root))
         if claim.expect is Verdict.REFUTED:  # since some of its parts are
             parts = (p for p in parts if p.expect is Verdict.REFUTED)
-        found = tuple(parts)
-        if not found:
+        joined = tuple(parts)
+        if not joined:
             raise NotExportedError("its evidence names no claim that Coq could prove")
-        return Joint(name_of(claim.label), found, _is_their_conjunction(claim))
+        return Joint(name_of(claim.label), joined, _is_their_conjunction(claim))
     statement = claim.statement
     if statement is None:
         raise NotExportedError("a sentence without a formula cannot be exported to Coq")

@@ -151,7 +151,7 @@ def unfit(claim: Claim) -> str | None:
             return BESIDE
         case _ if (why := untied(claim)) is not None:
             return why
-        case AllOf() if claim.proof.words and not in_words:
+        case AllOf(words=True) if not in_words:
             return "in_words is evidence for a sentence; a formula needs other evidence"
         case _ if isinstance(proof, IN_WORDS) and not in_words:
             return "this evidence is for a sentence in words, but the claim states a formula"

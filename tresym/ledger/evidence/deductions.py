@@ -513,8 +513,9 @@ def judge_from_slope(claim: Claim, proof: FromSlope) -> Finding:
     need_possible(claim)
     f, slope, start = says.lhs, proof.slope.decided, proof.start.decided
     rising = isinstance(slope, Gt | Ge) and isinstance(slope.lhs, Derivative) and slope.rhs == 0
-    need(rising and slope.lhs.expr == f, f"{proof.slope.label} is not about the derivative of f")
+    need(rising, f"{proof.slope.label} does not say that a derivative is positive")
     assert isinstance(slope, Relational)
+    need(slope.lhs.expr == f, f"{proof.slope.label} is not about the derivative of f")
     names = slope.lhs.variables
     need(len(names) == 1, "a first derivative is needed")
     (x,) = names
@@ -602,9 +603,9 @@ def judge_infimum(claim: Claim, proof: InfimumBy) -> Finding:
         raise NotShownError("could not show that the path satisfies the conditions near t = 0")
     close = conditions((t > 0, t < Rational(1, near)))
     for equation in equations:
-        sides = [along(put_in(tree(side), rules)) for side in equation.args]
-        same = decide(*sides, Given(close)).verdict is PROVED
-        need(same and symbols(sides[0]) <= {t.name}, f"could not show {equation} on the path")
+        left, right = (along(put_in(tree(side), rules)) for side in equation.args)
+        same = decide(left, right, Given(close)).verdict is PROVED
+        need(same and symbols(left) <= {t.name}, f"could not show {equation} on the path")
     shrinks = decide_order(Comparison(rest, "o", ONE), Path(t.name, ZERO, (1,)))
     need(shrinks.verdict.holds, f"could not show that the excess tends to 0: {shrinks.why}")
     return Finding(PROVED, f"{proof.bound.label}, and {proof.above.label} as t tends to 0")
