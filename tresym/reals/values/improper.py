@@ -179,7 +179,7 @@ def _growth(
 
 def _vanishes(e: Expr) -> bool:
     """Return whether an expression without variables is exactly 0."""
-    return evaluate(e, {}).is_finite() and _normal(e, Given()) == ZERO
+    return not symbols(e) and evaluate(e, {}).is_finite() and _normal(e, Given()) == ZERO
 
 
 def _tail(growth: Growth, terms: Sum, cut: arb) -> arb:

@@ -6,8 +6,8 @@ the rest is
 - at most |a(N)|/(1 − q), if |a(k + 1)/a(k)| ≤ q < 1 for all k ≥ N. The ratio is formed
   symbolically, so that factorials and powers cancel. Example: Σ 1/k!.
 - else given by the Euler–Maclaurin formula (DLMF 2.10.1), with the remainder
-  |R| ≤ 4 (2π)^(−2m) ∫ |f^(2m)| from N to ∞ and Cauchy's bound of the derivative on |z − t| = t/4:
-  |R| ≤ 4 (2m)! (2/π)^(2m) ∫ t^(−2m) max |f(z)|. Example: Σ 1/k². If the signs alternate, two
+  |R| ≤ 4 (2π)^(−2m) ∫ |f^(2m)| from N to ∞ and Cauchy's bound of the derivative on |z − t| = t/8:
+  |R| ≤ 4 (2m)! (4/π)^(2m) ∫ t^(−2m) max |f(z)|. Example: Σ 1/k². If the signs alternate, two
   successive terms are one term.
 
 Both bounds hold for all k ≥ N by :mod:`tresym.reals.values.growth`. An infinite product of positive
@@ -268,13 +268,16 @@ def _euler_maclaurin(body: Expr, name: str, first: int, outer: Enclosing, step: 
     for begin in STARTS:
         flat = Growth(name, fmpq(max(begin, first)), outer.value)
         try:
-            flat.tail(flat.terms(body), flat.top)
-            break
+            terms = flat.terms(body)
+            flat.tail(terms, flat.top)
         except FartherError:
             continue
+        if not terms or terms[0].scale.exps:
+            return _exponential(body, name, first, flat, terms, outer, step)
+        break
     m = ctx.prec // 6 + 4
-    start = first + step * max(4 * m, -first)
-    turn = acb(arb(1, 0.25), arb(0, 0.25))
+    start = first + step * max(8 * m, -first)
+    turn = acb(arb(1, 0.125), arb(0, 0.125))
     for _ in STARTS:
         growth = Growth(name, fmpq(start), outer.value, turn=turn)
         try:
@@ -284,7 +287,7 @@ def _euler_maclaurin(body: Expr, name: str, first: int, outer: Enclosing, step: 
             start += step * start
     else:
         raise UndefinedError
-    rest = 4 * rest / step * factorial(2 * m) * (2 * step / arb.pi()) ** (2 * m)
+    rest = 4 * rest / step * factorial(2 * m) * (4 * step / arb.pi()) ** (2 * m)
     found = _added("sum", body, name, first, start - 1, outer, step)
     tail = integral(integral_node(body, name, number(start), INFINITY), outer)
     jet = _jet(body, name, arb(start), 2 * m, outer)
@@ -292,6 +295,20 @@ def _euler_maclaurin(body: Expr, name: str, first: int, outer: Enclosing, step: 
     for j in range(1, m + 1):  # f^(2j−1)(N)/(2j−1)! is the coefficient of the jet
         found -= arb.bernoulli(2 * j) / (2 * j) * jet[2 * j - 1] * step ** (2 * j - 1)
     return found + arb(0, rest.upper())
+
+
+def _exponential(
+    body: Expr, name: str, first: int, growth: Growth, terms: Sum, outer: Enclosing, step: int
+) -> arb:
+    """Return a sum whose terms decay exponentially: the rest is below the integral of its bound."""
+    cut = max(first, int(growth.start.p))
+    while cut - first < MOST * step:
+        rest = growth.tail(terms, arb(cut)) if terms else arb(0)
+        if rest < arb((1, -ctx.prec)):
+            last = first + (cut - first) // step * step + step
+            return _added("sum", body, name, first, last, outer, step) + arb(0, rest.upper())
+        cut += max(step, cut // 4)
+    raise UndefinedError
 
 
 def _damped(terms: Sum, n: int) -> Sum:
