@@ -594,8 +594,7 @@ def _of_answer(answer: Answer, region: str) -> Constant | None:
     if not low > 0 or high - low > WIDEST * high:
         return None
     with ball_precision():
-        ends = (_outward(x, side) for x, side in ((low, -1), (high, 1)))
-        return Constant(*ends, answer.region, "")
+        return Constant(_outward(low, -1), _outward(high, 1), answer.region, "")
 
 
 def _outward(x: fmpq, side: int) -> str:
