@@ -330,7 +330,8 @@ def table(path: str, label: str, form: str, as_json: bool, target: str | None) -
         rows = [one._asdict() for one in found]
         deliver(json.dumps(rows, ensure_ascii=False, indent=1) + "\n", target)
     else:
-        deliver("\n".join(written(one, form) for one in found), target)
+        words = own_tables.latex_words
+        deliver("\n".join(written(one, form, words) for one in found), target)
     return 0
 
 

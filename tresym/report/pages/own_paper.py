@@ -28,6 +28,7 @@ from tresym.reals.decisions.claim_parsing import in_latex, read_path
 from tresym.reals.language.calls import INFINITY, INTEGERS
 from tresym.reals.language.expression import (
     LEAVES,
+    ORDERS,
     Expr,
     bind,
     instantiate,
@@ -47,6 +48,10 @@ _TEX = {
     "_": r"\_", "^": r"\textasciicircum{}", "~": r"\textasciitilde{}", "<": r"\textless{}",
     ">": r"\textgreater{}", "|": r"\textbar{}",
 }  # fmt: skip
+_POINTS = re.compile(
+    "; (?:both sides are defined|the differentiated functions|the equations are satisfied at)"
+)
+"""Where a reason begins to name points, which are left out."""
 _PIECES = re.compile(r"\$[^$\n]+\$|`[^`\n]+`")
 _KINDS = {
     "real": ("a real number", "real numbers"),
@@ -63,7 +68,7 @@ _PREAMBLE = r"""\documentclass[a4paper,11pt]{article}
 \else
   \usepackage{fontspec}
 \fi
-\usepackage{amsmath,amssymb,graphicx,booktabs,geometry,microtype}
+\usepackage{amsmath,amssymb,array,graphicx,booktabs,rotating,geometry,microtype}
 \usepackage[hidelinks]{hyperref}
 \geometry{margin=28mm}
 \emergencystretch=2em
@@ -307,7 +312,7 @@ def _with_given(claim: str, given: str) -> str:
 
 def _reason(why: str, look: _Style) -> str:
     """The reason of a verdict up to the points that were tried, in words."""
-    first = why.split("; both sides are defined at")[0].split("; the differentiated functions")[0]
+    first = _POINTS.split(why)[0]
     return (
         look.code(first)
         if look is _MARKDOWN and re.search(r"[*_^<>|]", first)
@@ -383,7 +388,12 @@ def _plain(e: Expr) -> Expr:
     if e.names:
         inside = _plain(instantiate(e.args[0], tuple(map(symbol, e.names))))
         return Expr(e.op, (bind(inside, e.names), *map(_plain, e.args[1:])), e.names)
-    return rebuild(e, tuple(map(_plain, e.args)))
+    parts = tuple(map(_plain, e.args))
+    if e.op == "+" and any(part.op in ORDERS for part in parts):
+        # as expansions are written: the constant first, and the order last
+        ranks = {"number": 0} | dict.fromkeys(ORDERS, 2)
+        return Expr("+", tuple(sorted(parts, key=lambda part: ranks.get(part.op, 1))))
+    return rebuild(e, parts)
 
 
 def _summary(report: PaperReport, look: _Style) -> str:

@@ -6,13 +6,15 @@ import math
 import re
 from typing import Any
 
-from tresym.accuracy.table import Table, written
+from tresym.accuracy.table import Table, latex_text, written
 from tresym.papers.error_rows import chart_points, error_rows, rounded, sides_of
 from tresym.papers.reading import Drawn, OwnPaper, PaperClaim
 from tresym.reals.decisions.claim_parsing import read_path
 from tresym.reals.numbers.exact import InputError
 
-_RAISED = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
+_SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
+_RAISED = str.maketrans("0123456789", _SUPERSCRIPTS)
+_PLAIN = str.maketrans(_SUPERSCRIPTS, "0123456789")
 FEW = 4
 """The digits of errors in a table, whose other columns have as many as the file asks for."""
 
@@ -52,6 +54,20 @@ def in_signs(text: str) -> str:
     return raised.replace("**", "^").replace("*", " ")
 
 
+def latex_words(text: str) -> str:
+    r"""Return words of a table in LaTeX, with raised exponents.
+
+    Example:
+        >>> latex_words("error/(e³)")
+        'error/(e\\textsuperscript{3})'
+    """
+    parts = re.split(f"([{_SUPERSCRIPTS}]+)", text)
+    return "".join(
+        rf"\textsuperscript{{{part.translate(_PLAIN)}}}" if n % 2 else latex_text(part)
+        for n, part in enumerate(parts)
+    )
+
+
 def tables_of(paper: OwnPaper, label: str) -> list[Table]:
     """Return the tables that the file asks for of a claim.
 
@@ -83,7 +99,7 @@ def all_tables(paper: OwnPaper, style: str) -> tuple[dict[int, str], tuple[str, 
     errors = []
     for drawn in paper.drawn("table"):
         try:
-            found[drawn.line] = written(error_table(paper, drawn), form)
+            found[drawn.line] = written(error_table(paper, drawn), form, latex_words)
         except InputError as error:
             errors.append(f"{paper.name}:{drawn.line}:1: {error}")
     return found, tuple(errors)
