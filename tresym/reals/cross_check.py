@@ -22,7 +22,7 @@ from math import comb, factorial
 from typing import Any, NamedTuple
 from zlib import crc32
 
-from flint import acb, acb_series, arb, fmpq
+from flint import acb, acb_series, arb, ctx, fmpq
 
 from tresym.reals.language.expression import (
     DOTS,
@@ -65,6 +65,8 @@ EXPONENTS = (arb(2), arb(1) / 2, arb(-1), arb(1), arb(3))
 BASES = (arb(-1), arb(-2), arb(2), arb(-1) / 2)
 POWERS = 40
 """The number of first points for powers; they combine ``BASES`` and ``EXPONENTS``."""
+MOST_BITS = 640
+"""The precision at which special functions are evaluated at most, since they become slow."""
 ROUGH = arb((1, -20))
 """The largest radius of a ball that counts as known."""
 TOLERANCE = arb((1, -60))
@@ -745,10 +747,14 @@ _BY_NAME: dict[str, Callable[..., arb]] = (
 
 
 def _finite(function: Callable[..., arb]) -> Callable[..., arb]:
-    """Return a function that has no value where it is not finite."""
+    """Return a function that has no value where it is not finite, at not too high a precision."""
 
     def value(*args: arb) -> arb:
-        found = function(*args)
+        if ctx.prec > MOST_BITS:  # the ball is wider, and still right
+            with ball_precision(MOST_BITS):
+                found = function(*args)
+        else:
+            found = function(*args)
         if not found.is_finite():
             raise _UndefinedError
         return found
