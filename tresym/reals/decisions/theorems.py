@@ -127,9 +127,9 @@ TABLES = {
         Theorem("1/(a + b*sin(t))", "2*pi/sqrt(a**2 - b**2)", "a > 0, a > abs(b)", "GR 3.613.1"),
     ),
     "integral 0 pi/4": (Theorem("log(1 + tan(t))", "pi*log(2)/8", "", "GR 4.227.9"),),
-    "sum 0 oo": (Theorem("(-1)**n/(2*n + 1)**2", "Catalan", "", "DLMF 25.11.40"),),
     "sum 1 oo": (
         Theorem("1/n**a", "zeta(a)", "a > 1", "DLMF 25.2.1"),
+        Theorem("(-1)**n/(2*n - 1)**2", "-Catalan", "", "DLMF 25.11.40"),
         Theorem("1/n**2", "pi**2/6", "", "DLMF 25.6.1"),
         Theorem("1/n**4", "pi**4/90", "", "DLMF 25.6.1"),
         Theorem("1/n**6", "pi**6/945", "", "DLMF 25.6.1"),

@@ -266,6 +266,27 @@ def _lower_value(s: Any, x: Any, m: Any) -> Any:
     return m.gamma(s) - m.uppergamma(s, x)
 
 
+def _lower_near(s: Any, x: Any, m: Any) -> Any:
+    """x^s Σ (−x)^k/(k!(s + k)) (DLMF 8.7.1)."""
+    return x**s * m.lower_series(s, x)
+
+
+def _upper_near(s: Any, x: Any, m: Any) -> Any:
+    r = literal(s)
+    if r is not None and r.q == 1 and r <= 0:
+        return None
+    return m.gamma(s) - _lower_near(s, x, m)
+
+
+def _lower_series_term(s: Any, k: int) -> Any:
+    return fmpq((-1) ** k, fmpz.fac_ui(k)) / (s + k)
+
+
+def _lower_series(s: arb, x: arb) -> arb:
+    found: arb = (-x).hypgeom_1f1(s, s + 1) / s
+    return found
+
+
 def _gamma_upper(s: arb, x: arb) -> arb:
     if not x > 0:
         return NAN
@@ -364,7 +385,11 @@ GAMMA = (
             lambda y, k: jets_of_upper(n[0], y, k), s),
         recurrence=lambda s, x, m: (s - 1) * m.uppergamma(s - 1, x) + x ** (s - 1) * m.exp(-x),
         raising=lambda s, x, m: (m.uppergamma(s + 1, x) - x**s * m.exp(-x)) / s,
-        near={"oo": lambda s, x, m: x ** (s - 1) * m.exp(-x) * m.uppergamma_tail(s, 1 / x)},
+        near={
+            "oo": lambda s, x, m: x ** (s - 1) * m.exp(-x) * m.uppergamma_tail(s, 1 / x),
+            "0+": _upper_near,
+        },
+        near_needs=lambda s, x, m: s if literal(s) is None else None,
         theorems=("DLMF 8.11(i): the expansion is enveloping from the term s − 1 on",),
         latex=r"\Gamma", mathml="Γ", mathematica="Gamma", maple="GAMMA", sympy="uppergamma",
         falsehoods=("uppergamma(2, x) <= exp(-x) given x > 0",
@@ -372,16 +397,34 @@ GAMMA = (
     ),
     parametric("uppergamma_tail", _tail_term, _upper_exact, _tail_rest, "DLMF 8.11.1"),
     Function(
+        name="lower_series", family="incomplete gamma", arity=2, internal=True,
+        source="DLMF 8.7.1", derivatives=(None, None), entire=True, ball=_lower_series,
+        taylor=lambda s, k, m: _lower_series_term(s, k), latex=r"\gamma^{*}",
+        series=lambda n, s: composed(lambda y, k: _lower_jets(n[0], y, k), s),
+    ),
+    Function(
         name="lowergamma", family="incomplete gamma", arity=2, source="DLMF 8.2.1",
         definition=r"\gamma(s, x) = \int_0^x t^{s-1} e^{-t}\,dt",
         needs=lambda s, x, m: ((s, ">"), (x, ">=")), singular=lambda s, x, m: ((s, ">"), (x, ">")),
         smooth=False, range=Interval(fmpq(0)),
         derivatives=(None, lambda s, x, m: x ** (s - 1) * m.exp(-x)), ball=_gamma_lower,
+        near={"0+": _lower_near},
         rewritten=_lower_value, latex=r"\gamma", mathml="γ", mathematica="Gamma", maple="GAMMA",
         sympy="lowergamma", falsehoods=("lowergamma(2, x) >= x**2/2 given x > 0",
                                         "lowergamma(1, x) == exp(-x)"),
     ),
 )  # fmt: skip
+
+
+def _lower_jets(s: arb, x: arb, n: int) -> list[arb]:
+    """Return Taylor coefficients of Σ (−x)^k/(k!(s + k)) = ∫₀¹ t^(s−1) e^(−xt) dt for s > 0."""
+    if not s > 0:
+        return [NAN] * n
+    size = arb(abs(x).upper()).exp()
+    return [
+        _lower_series(s, x),
+        *(size * arb(0, 1) / (arb(fmpz.fac_ui(k)) * (s + k)) for k in range(1, n)),
+    ]
 
 
 def jets_of_upper(s: arb, x: arb, n: int) -> list[arb]:
