@@ -67,3 +67,19 @@ def test_the_branch_near_the_first_term_is_meant(tmp_path: Path) -> None:
     \[ x = 1 - \frac{\epsilon}{2} + %s\epsilon^2 + O(\epsilon^3) \]"""
     assert read(tmp_path, text % r"\frac58")[-1].status == "ENCLOSED"
     assert read(tmp_path, text % r"\frac38")[-1].status == "REFUTED"
+
+
+def test_a_value_drawn_from_a_constraint_does_not_prove_it(tmp_path: Path) -> None:
+    text = (
+        r"Matching gives \begin{align} -X\sqrt{s} &= -7A X \\ A &= \frac{\sqrt{s}}{7} \end{align}"
+    )
+    assert [row.status for row in read(tmp_path, text)] == ["EQUATION", "PROVED"]
+
+
+def test_a_definition_is_not_put_in_for_the_variable_of_the_path(tmp_path: Path) -> None:
+    """Along X -> -oo the scaled variable X = x/s stands for itself."""
+    text = r"""The inner variable is \[ X = \frac{x}{s} . \] As $X \to 0$,
+    \[ \sin X \sim X \]"""
+    row = read(tmp_path, text)[-1]
+    assert row.status in ("PROVED", "ENCLOSED")
+    assert "substituted" not in row.why

@@ -217,8 +217,12 @@ def claim(
     worked = worked or DOTS.args[0] in symbols(left) | symbols(right)
     firm = not said.before and (sure or goes_on or numeric) and (under.noted or not as_path)
     stated = stated_path and relation in ("==", "~") and not unknown_in(left, right)
+    waves = relation == "~" and any(
+        f"{name}(" in str(side) for side in (left, right) for name in ("sin", "cos")
+    )  # the zeros of both sides do not coincide, and nobody means that they do
     firm = firm or bool(
         as_path
+        and not (waves and as_path.endswith("oo"))
         and stated
         and same
         and head is None
@@ -297,6 +301,8 @@ def _attempts(
         spoken = chained(about(symbols(left) | symbols(right), conditions))
         said_so = f"{left} {relation} {right}" + (f" given {spoken}" if spoken else "") + as_path
         for one, other, given, how, put in _forms(memory, left, right, conditions, under):
+            if end in put:
+                continue  # the variable of the path stands for itself
             given = [
                 c for c in given if end not in names_in((c,))
             ]  # the path says where the claim holds

@@ -105,6 +105,7 @@ class Memory(ConditionReader):
         own: symbols that the sentence of the next display defines.
         line: the line of the current display, 0 in running text.
         lines: the lines in which symbols were defined.
+        withheld: symbols whose definition further on is drawn from the link that is read.
         paths: the paths that the section has stated, by variable, the latest last.
         counts_derivatives: whether ``f^{(4)}(x)`` is a derivative, not an iterate of f.
     """
@@ -133,6 +134,7 @@ class Memory(ConditionReader):
         self.told: dict[str, Expr] = {}
         self.where: dict[str, tuple[Compared, ...]] = {}
         self.paths: dict[str, str] = {}
+        self.withheld: frozenset[str] = frozenset()
 
     @property
     def functions(self) -> dict[str, Function]:
@@ -217,7 +219,8 @@ class Memory(ConditionReader):
         """Return the definitions that may be substituted, the latest last."""
         unclear = self.scopes.now.ambiguous - self.own
         functions = {n: f.body for n, f in self.functions.items() if n not in unclear}
-        known = self.ahead | functions
+        ahead = {n: value for n, value in self.ahead.items() if n not in self.withheld}
+        known = ahead | functions
         for name, body in under.sources:
             known.pop(name, None)
             known[name] = body

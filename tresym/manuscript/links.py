@@ -220,6 +220,7 @@ class _Reading(LinkReader):
                 if DOTS.args[0] in names:
                     continue
                 if names and head.name not in names and head.name not in self.memory.functions:
+                    self.rows_ahead[head.name] = said.row
                     yield head.name, value.tree
 
     def chain(
