@@ -31,6 +31,26 @@ def test_claims_about_roots(kind: str, claim: str) -> None:
     assert found in allowed[kind]
 
 
+UNSEEN = DATA.parent / "perturbation_unseen.txt"
+
+
+def _unseen() -> list[tuple[str, str]]:
+    lines = (line.partition(" ") for line in UNSEEN.read_text().splitlines())
+    return [(kind, claim) for kind, _, claim in lines if kind in ("H", "F", "N")]
+
+
+@pytest.mark.parametrize(
+    ("kind", "claim"),
+    [
+        pytest.param(*row, marks=[pytest.mark.night] if k % 6 else [])
+        for k, row in enumerate(_unseen())
+    ],
+)
+def test_statements_of_textbooks(kind: str, claim: str) -> None:
+    allowed = {"H": ("PROVED", "ENCLOSED"), "F": ("REFUTED",), "N": ("UNDECIDED",)}
+    assert decide_claim(claim).verdict.value in allowed[kind]
+
+
 @pytest.mark.parametrize(
     ("claim", "region", "function"),
     [
