@@ -551,6 +551,14 @@ def _selected(statement: Statement, name: str, decided: Decide) -> _Alive:
         tuple(x for x in others if not {name, path.name} & (symbols(x[0]) | symbols(x[2])))
     )
     others = [x for x in others if x not in parameters.comparisons]
+    plain = replace(statement, equations=(), given=parameters)
+    for end in _closed_ends(name, statement, left - right, (low, high)):
+        at_end = substitute(left - right, {name: end})
+        if not _holds_near_the_end((at_end, "!=", ZERO), plain, decided):
+            raise _OpenError(
+                f"{name} = {end} is not shown to be no root: exclude it by {name} != {end}, or by "
+                "a strict condition"
+            )
     found: list[tuple[_Branch, tuple[Compared, ...]]] = []
     between = Given(_links(name, low, high))
     for case in cases:
@@ -782,6 +790,21 @@ def _interval(name: str, statement: Statement, equation: Expr) -> tuple[Expr, Ex
         _outermost(ends[1], -1) if ends[1] else INFINITY,
         others,
     )
+
+
+def _closed_ends(
+    name: str, statement: Statement, equation: Expr, ends: tuple[Expr, Expr]
+) -> list[Expr]:
+    """Return the finite ends of the interval that the conditions do not exclude."""
+    found = [end for end in ends if end not in _OPEN_ENDS]
+    domain = [bound(*part) for part in needs((equation,)) if symbols(part[0]) == {name}]
+    for left, relation, right in (*statement.given.comparisons, *domain):
+        if relation not in (">", "<", "!="):
+            continue
+        gap = left - right
+        if symbols(gap) == {name}:
+            found = [e for e in found if not is_zero(substitute(gap, {name: e}), Given())]
+    return found
 
 
 def _outermost(values: list[Expr], sign_: int) -> Expr:
