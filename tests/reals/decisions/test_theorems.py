@@ -64,6 +64,12 @@ def _integral(g: Any, end: str, text: str, a: Any, b: Any) -> Any:
         return mpmath.quad(g, mpmath.linspace(0, 20, 9)) + far + g_mean(text) / 20
     if text in ("sin(a*t)/t", "cos(a*t)/(t**2 + b**2)", "t*sin(a*t)/(t**2 + b**2)"):
         return mpmath.quadosc(g, [0, mpmath.inf], omega=a)
+    if text.startswith("besselj"):
+        return mpmath.quadosc(g, [0, mpmath.inf], omega=b)
+    if text in ("t**(a - 1)*sin(t)", "t**(a - 1)*cos(t)"):
+        return mpmath.quad(g, [0, 1]) + mpmath.quadosc(g, [1, mpmath.inf], omega=1)
+    if any(name in text for name in ("besselj", "besselk", "airyai", "erfc", "expint")):
+        return mpmath.quad(g, [0, 1, 4, 10, 40])
     if "cosh(t))" in text and text.startswith("exp"):
         return mpmath.quad(g, [0, 1, 3, 6])
     return mpmath.quad(g, [0, 1]) + mpmath.quad(lambda u: g(1 / u) / u**2, [0, 0.1, 1])

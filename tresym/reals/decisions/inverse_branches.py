@@ -36,6 +36,10 @@ _RANGES = {
 """The function of which each is the inverse, the ends of its values, and whether it takes them."""
 
 
+_LAMBERT = {"lambertw": 1, "lambertwm1": -1}
+"""The sign of W + 1 on each branch."""
+
+
 def without_inverse(
     left: Expr, right: Expr, given: Given, theories: frozenset[str]
 ) -> Iterator[tuple[Expr, Expr]]:
@@ -45,6 +49,11 @@ def without_inverse(
     for term in terms:
         scale, inverse = scaled(term)
         theory = "exponentials" if inverse.op in _ONTO else "trigonometry"
+        if inverse.op in _LAMBERT:  # W(a) = b if b e^b = a and b is on the branch
+            value = collected((term - difference) * number(1 / scale))
+            if _holds(_LAMBERT[inverse.op] * (value + 1), ">=", given):
+                yield value * apply("exp", value), inverse.args[0]
+            continue
         if inverse.op not in (*_RANGES, *_ONTO) or not theories >= {theory, "inverses"}:
             continue
         value = collected((term - difference) * number(1 / scale))

@@ -56,6 +56,24 @@ TABLES = {
         Theorem("exp(-a*t)/(t + b)", "exp(a*b)*expint(1, a*b)", "a > 0, b > 0", "DLMF 6.2.2"),
         Theorem("exp(-a*cosh(t))", "besselk(0, a)", "a > 0", "DLMF 10.32.9"),
         Theorem("exp(-t)*log(t)", "-EulerGamma", "", "DLMF 5.9.16"),
+        Theorem("exp(-a*t)*besselj(0, b*t)", "1/sqrt(a**2 + b**2)", "a > 0", "DLMF 10.22.49"),
+        Theorem("besselj(a, b*t)", "1/b", "a > -1, b > 0", "DLMF 10.22.41"),
+        Theorem(
+            "t**(a - 1)*besselk(b, t)",
+            "2**(a - 2)*gamma((a - b)/2)*gamma((a + b)/2)",
+            "a > b, a > -b",
+            "DLMF 10.43.19",
+        ),
+        Theorem("besselj(0, b*t)", "1/b", "b > 0", "DLMF 10.22.41"),
+        Theorem("besselk(0, b*t)", "pi/(2*b)", "b > 0", "DLMF 10.43.19"),
+        Theorem("airyai(t)", "1/3", "", "DLMF 9.10.11"),
+        Theorem("t**(a - 1)*erfc(t)", "gamma((a + 1)/2)/(a*sqrt(pi))", "a > 0", "DLMF 7.2.2"),
+        Theorem("t**(a - 1)*expint(1, t)", "gamma(a)/a", "a > 0", "DLMF 8.19.2"),
+        Theorem("t**(a - 1)*sin(t)", "gamma(a)*sin(pi*a/2)", "0 < a, a < 1", "DLMF 5.9.7"),
+        Theorem("t**(a - 1)*cos(t)", "gamma(a)*cos(pi*a/2)", "0 < a, a < 1", "DLMF 5.9.6"),
+        Theorem(
+            "t**(a - 1)/(exp(t) + 1)", "gamma(a)*zeta(a)*(1 - 2**(1 - a))", "a > 1", "DLMF 25.5.3"
+        ),
         Theorem(
             "t**(a - 1)/(1 + t)**(a + b)",
             "gamma(a)*gamma(b)/gamma(a + b)",
@@ -86,6 +104,9 @@ TABLES = {
         Theorem("log(t)/(1 + t**2)", "-Catalan", "", "GR 4.231.12"),
         Theorem("atan(t)/t", "Catalan", "", "GR 4.531.1"),
         Theorem("log(log(1/t))", "-EulerGamma", "", "DLMF 5.9.16"),
+        Theorem("log(1/t)**(a - 1)", "gamma(a)", "a > 0", "DLMF 5.2.1"),
+        Theorem("elliptic_k(t**2)", "2*Catalan", "", "GR 6.141.1"),
+        Theorem("elliptic_e(t**2)", "Catalan + 1/2", "", "GR 6.148.1"),
         Theorem("log(1 - a*t)/t", "-polylog(2, a)", "a < 1", "DLMF 25.12.2"),
         Theorem("1/sqrt((1 - t**2)*(1 - a*t**2))", "elliptic_k(a)", "a < 1", "DLMF 19.2.8"),
     ),
@@ -100,6 +121,8 @@ TABLES = {
         Theorem("1/(a**2*cos(t)**2 + b**2*sin(t)**2)", "pi/(2*a*b)", "a > 0, b > 0", "GR 3.642.1"),
         Theorem("sqrt(tan(t))", "pi/sqrt(2)", "", "GR 3.622.1"),
         Theorem("1/sqrt(1 - a*sin(t)**2)", "elliptic_k(a)", "a < 1", "DLMF 19.2.8"),
+        Theorem("cos(a*sin(t))", "pi*besselj(0, a)/2", "", "DLMF 10.9.1"),
+        Theorem("cos(a*cos(t))", "pi*besselj(0, a)/2", "", "DLMF 10.9.1"),
         Theorem("sqrt(1 - a*sin(t)**2)", "elliptic_e(a)", "a < 1", "DLMF 19.2.8"),
         Theorem(
             "sin(t)**a", "sqrt(pi)*gamma((a + 1)/2)/(2*gamma(a/2 + 1))", "a > -1", "DLMF 5.12.2"
@@ -108,6 +131,7 @@ TABLES = {
     "integral 0 pi": (
         Theorem("cos(a*sin(t))", "pi*besselj(0, a)", "", "DLMF 10.9.1"),
         Theorem("exp(a*cos(t))", "pi*besseli(0, a)", "", "DLMF 10.32.1"),
+        Theorem("cos(a*cos(t))", "pi*besselj(0, a)", "", "DLMF 10.9.1"),
         Theorem("log(sin(t))", "-pi*log(2)", "", "GR 4.224.3"),
         Theorem("t*sin(t)/(1 + cos(t)**2)", "pi**2/4", "", "GR 3.79"),
         Theorem("t*log(sin(t))", "-pi**2*log(2)/2", "", "GR 4.322.1"),
@@ -130,6 +154,7 @@ TABLES = {
     "sum 1 oo": (
         Theorem("1/n**a", "zeta(a)", "a > 1", "DLMF 25.2.1"),
         Theorem("(-1)**n/(2*n - 1)**2", "-Catalan", "", "DLMF 25.11.40"),
+        Theorem("(-1)**n/n**a", "(2**(1 - a) - 1)*zeta(a)", "a > 1", "DLMF 25.2.3"),
         Theorem("1/n**2", "pi**2/6", "", "DLMF 25.6.1"),
         Theorem("1/n**4", "pi**4/90", "", "DLMF 25.6.1"),
         Theorem("1/n**6", "pi**6/945", "", "DLMF 25.6.1"),

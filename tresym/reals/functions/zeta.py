@@ -61,6 +61,13 @@ def _zeta_sign(n: Any, x: Any, m: Any) -> Any:
     return x - 1 if order is not None and order % 2 == 0 else x * 0 - 1
 
 
+def _zetaderiv_value(n: Any, x: Any, m: Any) -> Any:
+    """ζ′(0) = −ln(2π)/2 (DLMF 25.6.11)."""
+    if whole(n) == 0:
+        return m.zeta(x)
+    return -m.log(2 * m.pi) / 2 if whole(n) == 1 and literal(x) == 0 else None
+
+
 def _zeta_minus(n: Any, x: Any, m: Any) -> Any:
     order = whole(n)
     return x - 1 if order is not None and order % 2 else x * 0 - 1
@@ -89,6 +96,11 @@ def _regular_rest(s: arb, n: int) -> arb:
 def _stieltjes(n: arb) -> arb:
     k = whole(n)
     return NAN if k is None or k < 0 else real_part(acb.stieltjes(k))
+
+
+def _zeta_mirror(x: Any, m: Any) -> Any:
+    """The functional equation (DLMF 25.4.1)."""
+    return 2 * (2 * m.pi) ** (x - 1) * m.sin(m.pi * x / 2) * m.gamma(1 - x) * m.zeta(1 - x)
 
 
 def _zeta_far(x: Any, m: Any) -> Any:
@@ -234,6 +246,7 @@ ZETA = (
         definition=r"\zeta(s) = \sum_{n \ge 1} n^{-s},\ s > 1; continued to s \ne 1",
         needs=lambda x, m: ((x - 1, "!="),), derivatives=(lambda x, m: m.zetaderiv(1, x),),
         ball=_zeta, series=lambda s: composed(_zeta_jets, s), positive_where=lambda x, m: x - 1,
+        mirror=_zeta_mirror,
         rewritten=_zeta_value, near={"1+": _near_one, "1-": _near_one, "oo": _zeta_far},
         latex=r"\zeta", mathml="ζ", mathematica="Zeta", maple="Zeta", sympy="zeta",
         aliases=("Zeta",),
@@ -243,8 +256,8 @@ ZETA = (
         name="zetaderiv", family="zeta functions", arity=2, source="DLMF 25.2.6",
         definition=r"\zeta^{(n)}(s)", needs=lambda n, x, m: ((x - 1, "!="),),
         derivatives=(None, lambda n, x, m: m.zetaderiv(n + 1, x)), ball=_zeta_derivative,
-        positive_where=_zeta_sign, negative_where=_zeta_minus, latex=r"\zeta'",
-        mathml="ζ′", mathematica="Zeta'", maple="Zeta", sympy="",
+        rewritten=_zetaderiv_value, positive_where=_zeta_sign, negative_where=_zeta_minus,
+        latex=r"\zeta'", mathml="ζ′", mathematica="Zeta'", maple="Zeta", sympy="",
         falsehoods=("zetaderiv(1, s) < -1 given s > 1", "diff(zeta(s), s) == zetaderiv(2, s)"),
     ),
     Function(

@@ -28,6 +28,7 @@ from tresym.reals.language.expression import (
     trees,
 )
 from tresym.reals.language.like_terms import collected, scaled
+from tresym.reals.numbers.exact import InputError
 
 MAX_TIMES = 4
 """The largest multiple to which a multiplication formula is applied."""
@@ -47,6 +48,13 @@ def reduced(e: Expr) -> Expr | None:
         >>> str(reduced(apply("gamma", symbol("x") + 1)))
         'gamma(x)*x'
     """
+    try:
+        return _reduced(e)
+    except InputError:  # a number that is too long to write
+        return None
+
+
+def _reduced(e: Expr) -> Expr | None:
     row = TABLE[e.op]
     if row.constant:
         return None
