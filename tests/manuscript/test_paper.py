@@ -119,3 +119,21 @@ def test_check_names_the_command_for_a_manuscript(
     (tmp_path / "m.tex").write_text(SMALL.strip())
     assert main(["check", *asked, str(tmp_path / "m.tex")]) == 2
     assert "tresym paper FILE" in capsys.readouterr().err
+
+
+def test_a_long_report_is_one_screen_unless_all_is_asked_for(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """What was found to fail is shown, whatever word near it keeps it from being called false."""
+    unread = "\n".join(rf"\[ x_{{{n}}} \propto y_{{{n}}} + {n} \]" for n in range(10, 40))
+    text = rf"""Pick $t$ in some interval.
+    \begin{{align}} y &= (1-x)(1-t) + xt \\ &= 1 - x - t - 2xt \end{{align}}
+    {unread}"""
+    (tmp_path / "m.tex").write_text(text)
+    assert main(["paper", str(tmp_path / "m.tex"), "--no-suggest"]) == 0
+    short = capsys.readouterr().out
+    assert short.count("\n") < 30
+    assert "fails     m.tex:2  (1 - x)*(1 - t) + x*t == 1 - x - t - 2*x*t" in short
+    assert "30 links: the relation \\propto is not supported, first at m.tex:3" in short
+    assert main(["paper", str(tmp_path / "m.tex"), "--no-suggest", "--all"]) == 0
+    assert capsys.readouterr().out.count("\\propto is not supported") == 30

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import re
 import sys
 import time
 from collections import Counter
@@ -54,6 +55,7 @@ def add(commands: Commands) -> None:
         ("--html DIR", "write a page with every display as read"),
         ("--claims FILE.tresym", "write what was read as a file of claims, for you to complete"),
         ("--marks FILE", "write marks for the margin, and tresym.sty beside them"),
+        ("--all", "show every link; without it a long report is one screen"),
         ("--suspect-ok", "do not count SUSPECT as a failure"),
     )
     parser.add_argument(
@@ -187,7 +189,8 @@ def _show(
         kept = [r for r in rows if not compared or r.status not in PROBLEMS or id(r) in fresh]
         shown += [(row, paper) for row in kept]
         if kind == "text":
-            text += as_text(kept, colour_wanted() and args.path is None, paper.name)
+            colour = colour_wanted() and args.path is None
+            text += as_text(kept, colour, paper.name, args.all or args.path is not None)
         elif kind == "json":
             several = len(found) > 1
             for row in kept:
@@ -240,19 +243,28 @@ def _write_pages(args: argparse.Namespace, paper: Path, rows: list[Row]) -> None
         write_text(str(Path(args.marks).with_name("tresym.sty")), html.STYLE)
 
 
-def as_text(rows: list[Row], colour: bool = False, name: str = "") -> str:
+SCREEN = 40
+"""The lines of a report that is shown in full; a longer one is summed up."""
+MOST_HINTS, MOST_REASONS = 10, 8
+"""The lines about links that fail somewhere, and about reasons why links were not read."""
+
+
+def as_text(rows: list[Row], colour: bool = False, name: str = "", every: bool = True) -> str:
     """Return the report as text: problems first, then the rest, then helpful directives.
 
     Args:
         colour: whether to use terminal colours.
         name: the name of the manuscript.
+        every: whether to show every link; else a long report is one screen: what is wrong, what
+            fails somewhere, and why links were not read.
     """
     from tresym.manuscript.suspects import attention
 
     first = attention(rows)
     rest = [row for row in rows if row not in first and row.status not in _QUIET]
     result = [line for row in first for line in _shown(row, colour, name)]
-    result += [line for row in rest for line in _shown(row, colour, name)]
+    full = [line for row in rest for line in _shown(row, colour, name)]
+    result += full if every or len(full) <= SCREEN else _summed_up(rest, colour, name)
     for status in _QUIET:
         displays = [row.link.display.number for row in rows if row.status == status]
         if displays:
@@ -261,6 +273,43 @@ def as_text(rows: list[Row], colour: bool = False, name: str = "") -> str:
             where = f"{links}: {several} {_ranges(displays)}"
             result.append(f"{bold(f'{status:<9}', colour)} {where}")
     return "\n".join(result) + "\n" + "".join(advice(rows))
+
+
+def _summed_up(rows: list[Row], colour: bool, name: str) -> Iterator[str]:
+    """Yield a line for each link that fails somewhere, then for each reason not to decide one."""
+    known = (row for row in rows if row.link.same or row.link.solves is not None)
+    failing = [row for row in known if row.status == "UNDECIDED" and row.fails_at is not None]
+    for row in failing[:MOST_HINTS]:
+        at = ", ".join(f"{symbol} = {value}" for symbol, value in (row.fails_at or {}).items())
+        place = f"{row.link.display.file or name}:{row.link.display.line}"
+        yield f"{bold('fails', colour)}     {place}  {abbreviated(row.link.read_as)[:100]}"
+        yield f"  {dim('at      ', colour)} {at[:100] or 'the constants themselves'}"
+    if len(failing) > MOST_HINTS:
+        yield f"          {len(failing) - MOST_HINTS} more fail somewhere (--all shows them)"
+    reasons: dict[tuple[str, str], list[Row]] = {}
+    for row in rows:
+        if row not in failing:
+            reasons.setdefault((row.status, _reason(row)), []).append(row)
+    ranked = sorted(reasons.items(), key=lambda item: -len(item[1]))
+    for (status, reason), found in ranked[:MOST_REASONS]:
+        place = f"{found[0].link.display.file or name}:{found[0].link.display.line}"
+        links = "1 link" if len(found) == 1 else f"{len(found)} links"
+        yield f"{bold(f'{status:<9}', colour)} {links}: {reason}, first at {place}"
+    others = sum(len(found) for _, found in ranked[MOST_REASONS:])
+    if others:
+        yield f"          {others} links for {len(ranked) - MOST_REASONS} other reasons"
+    yield "          (--all shows every link)"
+
+
+def _reason(row: Row) -> str:
+    """Return the reason of a row without the names and formulas that are its own."""
+    if row.obstacle is not None and row.status != "EQUATION":
+        return row.obstacle.value.partition(";")[0]
+    if row.status == "EQUATION":
+        return "an equation, or a statement about unknown symbols"
+    text = re.split(r"[;:(]|, near | at '", row.why)[0]
+    text = re.sub(r"^\S+ is (?=an? )", "a symbol is ", text)
+    return text[:80].strip(" ,")
 
 
 _QUIET = ("PROVED", "ENCLOSED", "DEFINED", "ASSUMED")
