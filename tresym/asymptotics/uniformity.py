@@ -224,7 +224,8 @@ def _uniform(
         for side in path.sides:
             sample = _sampled(claim, statement, side, far)
             bound = _by_taylor(claim, statement, side, far, names)
-            if bound is None or (best is None and bound > arb(sample * BLUNT)):
+            searched = statement.uniformly or _is_algebraic(claim)
+            if searched and (bound is None or (best is None and bound > arb(sample * BLUNT))):
                 other = _by_inequality(claim, statement, side, far, sample, decided)
                 bound = bound if other is None else other
             if bound is None:
@@ -249,6 +250,21 @@ def _uniform(
             return answer
         best = best or answer
     return best
+
+
+def _is_algebraic(claim: Comparison) -> bool:
+    """Return whether both sides are free of functions, so that their inequality is decided fast.
+
+    For other claims the search for a constant takes far longer than the order itself, and is left
+    out unless the claim asks for one constant.
+    """
+    return all(map(_without_functions, (claim.left, claim.right)))
+
+
+def _without_functions(e: Expr) -> bool:
+    if e.op in ("number", "symbol", "pi"):
+        return True
+    return e.op in ("+", "*", "^", "abs") and all(map(_without_functions, e.args))
 
 
 def _sampled(claim: Comparison, statement: Statement, side: int, far: fmpq) -> float:
