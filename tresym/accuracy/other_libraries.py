@@ -22,21 +22,15 @@ from typing import Any
 from flint import fmpq
 
 from tresym.reals.domain.evaluation import Walker
+from tresym.reals.functions.table import TABLE
 from tresym.reals.language.binders import worked_out
 from tresym.reals.language.calls import FACTORIAL, INFINITY
 from tresym.reals.language.expression import Expr, opened
 from tresym.reals.numbers.exact import InputError, shortened
 
-_NUMPY = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "atan2": "arctan2"} | {
-    "asinh": "arcsinh",
-    "acosh": "arccosh",
-    "atanh": "arctanh",
-    "abs": "fabs",
-}
-_RECIPROCAL = {"cot": "tan", "sec": "cos", "csc": "sin", "coth": "tanh"} | {
-    "sech": "cosh",
-    "csch": "sinh",
-}
+_NUMPY = {row.name: row.aliases[0] for row in TABLE.values() if row.branched}
+_NUMPY |= {"atan2": "arctan2", "abs": "fabs"}
+_RECIPROCAL = {row.name: row.reciprocal for row in TABLE.values() if row.reciprocal}
 FAR = 50.0
 """The end that a root finder gets for an infinite one."""
 

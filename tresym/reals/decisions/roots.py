@@ -22,6 +22,8 @@ from tresym.reals.decisions.statement import Comparison, Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import stands
 from tresym.reals.domain.operation_domains import operations
+from tresym.reals.functions.row import everywhere
+from tresym.reals.functions.table import names
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.derivatives import differentiate
@@ -157,7 +159,7 @@ def _is_entire(op: Expr) -> bool:
     return op.op in _ENTIRE or (op.op == "^" and integer(op.args[1]) is not None)
 
 
-_ENTIRE = frozenset(("+", "*", "exp", "sin", "cos", "sinh", "cosh", "tanh", "atan", "asinh"))
+_ENTIRE = {"+", "*"} | names(lambda row: row.smooth and row.needs is everywhere)
 
 
 def _constants(claim: Comparison, at: dict[str, fmpq]) -> Answer | None:
