@@ -26,6 +26,7 @@ JUMPS = (
     "1/x + 1 - sign(a - b)**2 -> 0 as x -> oo given a > b - 1",
     "1/x + 1 - sign(a**2 - 2)**2 -> 0 as x -> oo",
     "f(sign(a)**2) == f(1)",
+    "(-1)**n/n + 1 - sign(a - 9)**2 -> 0 as n -> oo given n integer",
 )
 ZEROS = (
     "a*diff(exp(x), x, n) == a*exp(x) + b given a*b == 0",

@@ -343,7 +343,7 @@ def _needs_outside(claim: Comparison) -> list[tuple[Expr, str]]:
     nodes = list(outermost(claim.left, claim.right))
     marks = {node: symbol(f"[{n}]") for n, node in enumerate(nodes) if not node.loose}
     hidden = frozenset(str(mark) for mark in marks.values())
-    found = needs(replaced(side, marks) for side in (claim.left, claim.right))
+    found = needs((replaced(side, marks) for side in (claim.left, claim.right)), powers=False)
     return [part for part in found if symbols(part[0]).isdisjoint(hidden) and not part[0].hidden]
 
 
