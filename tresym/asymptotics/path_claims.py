@@ -21,6 +21,7 @@ from tresym.asymptotics.recurring_failures import failure_where_waves_return
 from tresym.reals.decisions.answer import Answer, Decide, exact_text, worst
 from tresym.reals.decisions.claim_parsing import LIMIT
 from tresym.reals.decisions.derivative_domains import where_real
+from tresym.reals.decisions.equations import is_empty
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.inequalities_on_regions import is_isolated
 from tresym.reals.decisions.integer_variables import (
@@ -44,6 +45,7 @@ from tresym.reals.language.expression import (
     Expr,
     apply,
     number,
+    replaced,
     substitute,
     symbol,
     symbols,
@@ -194,7 +196,8 @@ def _with_parameters(
             "no values of the parameters were found that satisfy the "
             "conditions; check the conditions",
         )
-    points = (*simple_points(names, given, PARAMETERS), *_at_ends(claim, path, names, given))
+    simple = simple_points(names, given, PARAMETERS)
+    points = (*simple, *_at_ends(claim, path, names, given), *_with_zeros(names))
     exact = ({name: number(value) for name, value in at.items()} for at in points)
     found, _ = decided_at(exact, claim, statement, partial(decide_tending, decided=decided))
     if found is not None:
@@ -207,6 +210,13 @@ def _with_parameters(
         or _by_signs(claim, path, given)
         or _from_somewhere_on(claim, path, statement, decided)
     )
+
+
+def _with_zeros(names: list[str]) -> Iterator[dict[str, fmpq]]:
+    """Values of the parameters of which all, or one, are 0."""
+    yield dict.fromkeys(names, fmpq(0))
+    for zero in names if len(names) > 1 else ():
+        yield {name: fmpq(2 * (name != zero)) for name in names}
 
 
 # Integers
@@ -344,9 +354,10 @@ def _by_signs(claim: Comparison, path: Path, given: Given) -> Answer | None:
     if not open_ or len(open_) > MOST_SPLIT:
         return None
     name, x = open_[0], symbol(open_[0])
-    cases = [(claim, given & Given(((x, relation, ZERO),))) for relation in ("<", ">")]
+    sides = (given & Given(((x, relation, ZERO),)) for relation in ("<", ">"))
+    cases = [(claim, inside) for inside in sides if not is_empty(inside)]
     if signs[name] not in PROVING["!="]:
-        put_in = partial(substitute, mapping={name: ZERO})
+        put_in = partial(_at_zero, name=name, path=path)
         there = (part for part in given.mapped(put_in).comparisons if symbols(part[0] - part[2]))
         cases.append((claim.mapped(put_in), Given(tuple(there))))
     if all(_by_exact_limit(c, path, g) or _by_signs(c, path, g) for c, g in cases):
@@ -354,6 +365,13 @@ def _by_signs(claim: Comparison, path: Path, given: Given) -> Answer | None:
             Verdict.PROVED, f"the limit, {_EXACT}, confirms the claim for each sign of {name}"
         )
     return None
+
+
+def _at_zero(e: Expr, name: str, path: Path) -> Expr:
+    """Return ``e`` where a parameter is 0; 0**x is 0 far out on a path x → oo."""
+    x, moved = symbol(path.name), substitute(e, {name: ZERO})
+    far = path.point is None and path.sides == (1,)
+    return replaced(moved, {Expr("^", (ZERO, x)): ZERO}) if far else moved
 
 
 def allows(relation: str, value: Expr, right: Expr, given: Given, same: Same | None = None) -> bool:

@@ -14,7 +14,7 @@ from tresym.reals.decisions.answer import Answer, Decide, exact_text, refuted, w
 from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.decisions.equalities import decide_equality
 from tresym.reals.decisions.equations import among_integers, decide_under_equations
-from tresym.reals.decisions.exceptional_values import decide_with_jumps
+from tresym.reals.decisions.exceptional_values import decide_with_jumps, refuted_at_jumps
 from tresym.reals.decisions.identity import JUMP
 from tresym.reals.decisions.statement import Comparison, Statement, functions, implied_integers
 from tresym.reals.domain.conditions import Given
@@ -250,6 +250,10 @@ def _decide(comparison: Comparison, statement: Statement) -> Answer:
             found = decide_equality(left, right, statement.given, *real)
         if found.witness is not None and found.values is not None:
             return refuted(found.why, found.witness, *found.values)
+        if found.verdict is Verdict.UNDECIDED and not comparison.derivatives:
+            at_jump = refuted_at_jumps(comparison, statement, _bounded)
+            if at_jump is not None:
+                return at_jump
         return Answer(found.verdict, found.why, cause=found.cause)
     with stage("inequality"):
         return _decide_inequality(left, relation, right, statement.given, *real)

@@ -29,11 +29,13 @@ from tresym.reals.decisions.readable_witnesses import constants_hold, simple_poi
 from tresym.reals.decisions.statement import Comparison, Statement, functions
 from tresym.reals.domain.binder_values import jumps
 from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.operation_domains import operations
 from tresym.reals.language.binders import elementary, outermost, worked_out
 from tresym.reals.language.calls import FACTORIAL, INFINITY
 from tresym.reals.language.expression import (
     DOTS,
     ONE,
+    ZERO,
     Expr,
     number,
     rebuild,
@@ -116,7 +118,7 @@ def _at_point(answer: Answer, claim: Comparison, statement: Statement) -> None:
     orders = {name: taken[name] for node in nodes for name in symbols(node.args[2])}
 
     def fixed(e: Expr) -> Expr:
-        return _known(substitute(with_orders(e, orders), taken), values)
+        return _with_zero_signs(_known(substitute(with_orders(e, orders), taken), values))
 
     links = [(fixed(x), relation, fixed(y)) for x, relation, y in statement.given.comparisons]
     if constants_hold(links) is None:
@@ -192,6 +194,18 @@ def _known(e: Expr, values: Values) -> Expr:
             put[node] = same[0] if same else ONE
         e = replaced(e, put)
     return e
+
+
+def _with_zero_signs(e: Expr) -> Expr:
+    """Return ``e`` with sign(u) as 0 for constants u that are exactly 0, as sqrt(2)**2 - 2."""
+    nodes = {n for n in operations((e,)) if n.op == "sign" and not (symbols(n) or n.loose)}
+    zero = {}
+    for node in nodes:
+        with ball_precision():
+            found = program(node.args, [])([])
+        if found is not None and found[0].contains(0) and equal_at(node.args[0], ZERO, {}):
+            zero[node] = ZERO
+    return replaced(e, zero) if zero else e
 
 
 def _inside_known(node: Expr, values: Values) -> Expr:

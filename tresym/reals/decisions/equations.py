@@ -38,6 +38,7 @@ from tresym.reals.language.expression import (
 )
 from tresym.reals.language.formula import NEGATED
 from tresym.reals.language.parsing import Compared
+from tresym.reals.normal.to_expression import in_lowest_terms
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.signs.definedness import undefined
@@ -192,7 +193,8 @@ def _split(claim: Comparison, statement: Statement, decided: Decide) -> Answer |
         links = tuple(bound(*part) for part in needs((left, right)))
         if factors is None:
             continue
-        if len(factors) == 1 and len(needs((factors[0],))) >= len(links):
+        same = len(factors) == 1 and not symbols(in_lowest_terms((left - right) / factors[0]))
+        if same and len(needs((factors[0],))) >= len(links):
             continue  # the only case is this equation again, defined where it was
         zero = (f for f in factors if sign(f, statement.given, "!=") not in PROVING["!="])
         cases = [Case(None, (), ((factor, ZERO),)) for factor in zero]

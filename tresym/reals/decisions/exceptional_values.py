@@ -126,6 +126,17 @@ def also_at_zeros(
     return weakest
 
 
+def refuted_at_jumps(claim: Comparison, statement: Statement, decided: Decide) -> Answer | None:
+    """Return a refutation where ``sign`` or ``atan2`` jumps, at a root of an equation, or None."""
+    for node in _parameter_jumps(claim, statement):
+        for part in zeros(node.args[0], statement.given):
+            if value_at_zero(part) is None:
+                for found in _under_equation(part, claim, statement, decided):
+                    if _is_refuted(found):
+                        return found
+    return None
+
+
 def also_at_holes(
     found: Answer,
     known: Mapping[Expr, Expr],

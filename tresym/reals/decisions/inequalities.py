@@ -12,7 +12,7 @@ from dataclasses import replace
 from itertools import chain, islice, pairwise, product
 from operator import itemgetter
 
-from flint import arb, fmpq
+from flint import arb, fmpq, fmpq_mat
 
 from tresym.reals.decisions.algebraic_witnesses import (
     equal_at_algebraic,
@@ -20,6 +20,7 @@ from tresym.reals.decisions.algebraic_witnesses import (
 )
 from tresym.reals.decisions.answer import Answer, exactly, refuted
 from tresym.reals.decisions.derivative_domains import where_real
+from tresym.reals.decisions.ideals import follows
 from tresym.reals.decisions.identity import decide, no_point, sampled_values
 from tresym.reals.decisions.inequalities_on_regions import is_isolated, search
 from tresym.reals.decisions.variable_reduction import by_one_variable
@@ -28,16 +29,28 @@ from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.local_search import low_points
 from tresym.reals.domain.operation_domains import with_domain
 from tresym.reals.domain.sample_points import corners
-from tresym.reals.language.expression import PI, Expr, number, substitute, symbol, symbols
+from tresym.reals.language.derivatives import differentiate
+from tresym.reals.language.expression import (
+    ONE,
+    PI,
+    ZERO,
+    Expr,
+    fresh,
+    number,
+    substitute,
+    symbol,
+    symbols,
+)
 from tresym.reals.language.parsing import parse
 from tresym.reals.normal.at_point import equal_at, satisfies
+from tresym.reals.normal.to_expression import in_lowest_terms
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import fraction_text
 from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.resource_limits import stage
 from tresym.reals.signs.closure import ONLY_INSIDE, is_regular
 from tresym.reals.signs.definedness import at_domain_ends
-from tresym.reals.signs.interior import PROVING
+from tresym.reals.signs.interior import PROVING, sign_inside
 from tresym.reals.signs.polynomials import cells
 from tresym.reals.signs.sign import proof, sign
 from tresym.reals.verdict import Cause, Verdict
@@ -96,6 +109,17 @@ def decide_inequality(
     zero = equal_at_algebraic(left, right, inside) if relation != ">=" else None
     if zero is not None:
         return zero
+    strict = relation in (">", "!=") and is_regular(given)
+    if strict and _vanish_nowhere_together(left - right, region):
+        why = (
+            "no term of the difference is negative, and they do not vanish together (Gröbner basis)"
+        )
+        return Answer(Verdict.PROVED, exactly(f"{why}; both sides are defined", defined))
+    if not differentiated and (again := in_positive_variables((left, right), given)) is not None:
+        (first, second), positive, said = again
+        answer = decide_inequality(first, relation, second, positive)
+        if answer:
+            return replace(answer, why=f"with {said} > 0: {answer.why}", region=None)
     if relation == "!=":
         answer = _shown_under(given, _apart(left, right, region, inside, defined))
         split = None if differentiated or answer.verdict is not Verdict.UNDECIDED else _sides(given)
@@ -114,6 +138,63 @@ def decide_inequality(
     if partly and answer.verdict is Verdict.UNDECIDED:
         return replace(answer, why=ONLY_INSIDE)
     return answer
+
+
+def _vanish_nowhere_together(difference: Expr, region: Given) -> bool:
+    """Whether a sum has terms that are not negative and have no common zero."""
+    if difference.op != "+":
+        return False
+    terms = [term for term in difference.args if symbols(term)]
+    if any(sign_inside(term, region) not in ("+", ">=0", "0") for term in difference.args):
+        return False
+    nonzero = [c.expression for c in region.conditions if c.relation != ">="]
+    return follows(ONE, terms, nonzero, vanishes=True)
+
+
+def in_positive_variables(
+    sides: tuple[Expr, Expr], given: Given
+) -> tuple[tuple[Expr, Expr], Given, str] | None:
+    """Return the sides in new variables that are positive, where n linear conditions allow that.
+
+    Of a triangle, ``a + b > c, b + c > a, c + a > b`` become u > 0, v > 0, w > 0 with
+    ``u = a + b - c`` and so on.
+
+    Returns:
+        The sides, the conditions on the new variables, and the variables in words; None unless the
+        conditions are as many strict linear inequalities as there are variables, independent ones.
+    """
+    names = sorted(frozenset().union(*map(symbols, sides)) | given.names)
+    forms = [c.expression for c in given.conditions]
+    if len(forms) != len(names) or not 1 < len(names) <= MOST_LINEAR:
+        return None
+    if any(c.relation != ">" for c in given.conditions) or all(f.op == "symbol" for f in forms):
+        return None
+    rows = []
+    for form in forms:
+        slopes = [differentiate(form, name) for name in names]
+        start = substitute(form, dict.fromkeys(names, ZERO))
+        if any(slope.op != "number" for slope in slopes) or start.op != "number":
+            return None
+        rows.append([slope.args[0] for slope in slopes] + [start.args[0]])
+    matrix = fmpq_mat([row[:-1] for row in rows])
+    if matrix.det() == 0:
+        return None
+    inverse, taken, new = matrix.inv(), {*names}, []
+    for n in range(len(names)):
+        new.append(symbol(fresh("uvwz"[n], taken)))
+        taken.add(str(new[-1]))
+    put = {}
+    for i, name in enumerate(names):
+        terms = (number(inverse[i, j]) * (new[j] - number(rows[j][-1])) for j in range(len(names)))
+        put[name] = sum(terms, ZERO)
+    positive = Given(tuple((x, ">", ZERO) for x in new))
+    said = ", ".join(f"{x} = {form}" for x, form in zip(new, forms, strict=True))
+    first, second = (in_lowest_terms(substitute(side, put)) for side in sides)
+    return (first, second), positive, said
+
+
+MOST_LINEAR = 4
+"""The largest number of linear conditions that become positive variables."""
 
 
 def _refuted_at_lowest(

@@ -20,6 +20,7 @@ from math import lcm, prod
 from flint import arb, fmpq
 
 from tresym.reals.decisions.answer import Answer, Decide, exact_text, exactly, refuted, worst
+from tresym.reals.decisions.exceptional_values import may_be_defined
 from tresym.reals.decisions.readable_witnesses import constants_hold, decided_at, exact_witness
 from tresym.reals.decisions.statement import Comparison, Statement
 from tresym.reals.domain.conditions import Given
@@ -414,10 +415,10 @@ def _beyond(claim: Comparison, statement: Statement, name: str, decided: Decide)
     for value in range(-SMALL, SMALL + 1):
         at = {name: number(value)}
         given = _given_at(plain.given, at)
+        there = claim.mapped(partial(substitute, mapping=at))
         if given is not None:
-            near.append(
-                decided(claim.mapped(partial(substitute, mapping=at)), replace(plain, given=given))
-            )
+            if may_be_defined(there):
+                near.append(decided(there, replace(plain, given=given)))
         elif _may_hold(plain.given, at):
             return None
     for side in (((n, ">=", number(SMALL + 1)),), ((n, "<=", number(-SMALL - 1)),)):

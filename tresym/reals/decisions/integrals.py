@@ -22,8 +22,9 @@ from typing import NamedTuple
 
 from flint import arb, fmpq
 
-from tresym.reals.decisions.answer import Answer, Decide, refuted
-from tresym.reals.decisions.exceptional_values import also_at_holes
+from tresym.reals.decisions.answer import Answer, Decide, refuted, worst
+from tresym.reals.decisions.equations import is_empty
+from tresym.reals.decisions.exceptional_values import also_at_holes, also_at_zeros
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.integral_rules import Antiderivatives
 from tresym.reals.decisions.integration_pieces import (
@@ -117,6 +118,7 @@ def decide_integrals(claim: Comparison, statement: Statement, decided: Decide) -
         found = _without_value(claim, error)
         found = _by_identity(claim, statement, decided) if found is None else found
         found = _at_parameters(claim, statement, decided) if found is None else found
+        found = _for_each_sign(claim, statement, decided) if found is None else found
         if found is not None:
             return found
         return Answer(Verdict.UNDECIDED, str(error), cause=Cause.NO_VALUE)
@@ -162,6 +164,16 @@ def _where_defined(claim: Comparison, given: Given) -> Given:
 
 def _infinite(relation: str, sides: list[Expr], said: str, points: list[dict[str, fmpq]]) -> Answer:
     """Decide an equation in which a side is infinite wherever the conditions hold."""
+    ordered = {INFINITY: 1, MINUS_INFINITY: -1}
+    gap = ordered.get(sides[0], 0) - ordered.get(sides[1], 0)
+    if relation != "==" and points and gap:
+        holds = relation == "!=" or (gap > 0) == (relation[0] == ">")
+        said = f"{said}; the left side is {sides[0]} and the right side is {sides[1]}"
+        finite = [side for side in sides if not _ends(side)]
+        with ball_precision():
+            at = next((x for x in points if all(evaluate(e, x).is_finite() for e in finite)), None)
+        if at is not None:
+            return Answer(Verdict.PROVED, said) if holds else refuted(said, at)
     if relation != "==" or not points:
         return Answer(
             Verdict.UNDECIDED,
@@ -218,9 +230,32 @@ def _at_parameters(claim: Comparison, statement: Statement, decided: Decide) -> 
     if not names or claim.derivatives or claim.relation not in NEGATED:
         return None  # the variable of a path is no parameter
     points = simple_points(names, statement.given, PARAMETERS, statement.integers)
+    points += [dict.fromkeys(names, fmpq(0))] + [
+        {name: fmpq(2 * (name != other)) for name in names} for other in names[: len(names) > 1]
+    ]
     at = ({name: number(value) for name, value in point.items()} for point in points)
     inner = partial(decide_integrals, decided=decided)
     return decided_at(at, claim, statement, inner)[0]
+
+
+def _for_each_sign(claim: Comparison, statement: Statement, decided: Decide) -> Answer | None:
+    """Return a proof for a parameter that is positive, that is negative, and that is 0, or None."""
+    given, integers = statement.given, statement.integers
+    for name in _parameters(claim):
+        if name in integers or sign(symbol(name), given, "!=") in ("+", "-"):
+            continue
+        parts = []
+        for relation in (">", "<"):
+            there = given & Given(((symbol(name), relation, ZERO),))
+            if not is_empty(there):
+                parts.append(decided(claim, replace(statement, given=there)))
+                if not parts[-1]:
+                    return None
+        found = worst(parts) if parts else Answer(Verdict.UNDECIDED, "")
+        found = replace(found, why=f"for each sign of {name}: {found.why}")
+        whole = also_at_zeros(found, [symbol(name)], claim, statement, decided) if found else found
+        return whole if whole else None
+    return None
 
 
 def _parameters(claim: Comparison) -> list[str]:
@@ -393,7 +428,43 @@ def _piece(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Work)
             where = f" for {inside}" if inside.comparisons else ""
             work.notes.append(f"{candidate} is an antiderivative of {f}{where}")
             return infinite.pop() if infinite else add(*shown)
+    infinite_value = _infinite_by_an_end(name, plain, low, high, inside)
+    if infinite_value is not None:
+        work.notes.append(f"the integral of {f} from {low} to {high} is {infinite_value}")
+        return infinite_value
     raise _OpenError(f"integral of {f}: {_OPEN}")
+
+
+def _infinite_by_an_end(name: str, f: Expr, low: Expr, high: Expr, inside: Given) -> Expr | None:
+    """Return oo or -oo if the integrand grows like 1/(x - c), or faster, at one of its ends c.
+
+    Then the integral up to c is infinite. At the other end the integrand must be bounded, or grow
+    in the same way with the same sign, and in between it must be continuous.
+    """
+    if symbols(f) - {name} or continuous_on(f, inside, proof) is not None:
+        return None
+    signs = []
+    for end, side in ((low, 1), (high, -1)):
+        infinite = _ends(end)
+        point = None if infinite else end
+        way = (1 if end == INFINITY else -1) if infinite else side
+        x = symbol(name)
+        scaled = limit_of(f * (x if infinite else x - end), name, point, way, Given())
+        bounded = None if infinite else limit_of(f, name, point, way, Given())
+        if scaled is None:
+            return None
+        if scaled == ZERO:
+            if bounded is None or _ends(bounded):
+                return None
+            signs.append(0)
+            continue
+        found = {INFINITY: "+", MINUS_INFINITY: "-"}.get(scaled) or sign(scaled, Given(), "!=")
+        if found not in ("+", "-"):
+            return None
+        signs.append(way if found == "+" else -way)
+    if not any(signs) or {1, -1} <= {*signs}:
+        return None
+    return INFINITY if 1 in signs else MINUS_INFINITY
 
 
 def _of_waves(f: Expr, name: str) -> Iterator[Expr]:

@@ -215,7 +215,22 @@ class Parts:
             weak = ">=0" if up == "+" else "<=0"
             if signs <= {up, weak, "0"} and signs:
                 return up if up in signs else weak if weak in signs else "0"
-        return self._algebraic(e)
+        return self._angle_sign(e) or self._algebraic(e)
+
+    def _angle_sign(self, e: Expr) -> str | None:
+        """Return the sign of ±atan2(y, x) plus a constant, by its range from −π, excluded, to π."""
+        angles = [part for part in e.args if symbols(part)]
+        if len(angles) != 1 or "atan2" not in (angles[0].op, (-angles[0]).op):
+            return None
+        rest = sum((part for part in e.args if part != angles[0]), number(0))
+        if angles[0].op != "atan2":
+            found = self._angle_sign(-angles[0] - rest)
+            return {"+": "-", "-": "+", ">=0": "<=0", "<=0": ">=0"}.get(found or "")
+        above = "0" if rest == PI else constant_sign(rest - PI)
+        if above in ("+", "0"):
+            return "+"
+        below = "0" if rest == -PI else constant_sign(rest + PI)
+        return {"-": "-", "0": "<=0"}.get(below or "")
 
     def _in_half_turn(self, e: Expr) -> str | None:
         """Return the sign of a sine or cosine whose angle lies between two neighbouring zeros."""
