@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
-from itertools import islice
+from itertools import chain, islice
 
 from flint import arb, fmpq
 
@@ -197,7 +197,7 @@ def _with_parameters(
             "conditions; check the conditions",
         )
     simple = simple_points(names, given, PARAMETERS)
-    points = (*simple, *_at_ends(claim, path, names, given), *_with_zeros(names))
+    points = (*simple, *_at_ends(claim, path, names, given))
     exact = ({name: number(value) for name, value in at.items()} for at in points)
     found, _ = decided_at(exact, claim, statement, partial(decide_tending, decided=decided))
     if found is not None:
@@ -297,12 +297,13 @@ def _at_integers(found: Answer, claim: Comparison, path: Path, period: int, rest
 def _at_ends(
     claim: Comparison, path: Path, names: list[str], given: Given
 ) -> Iterator[dict[str, fmpq]]:
-    """Values of the parameters that satisfy a condition by equality, as 0 does ``a >= 0``.
+    """Values of the parameters that satisfy a condition by equality, as 0 does ``a >= 0``, and 0.
 
     Left out are those beside which no side is defined: no claim speaks of them.
     """
     step = number(fmpq(path.sides[0], FAR[-1]))
-    for at in islice(corners(names, given.box), MOST_ENDS) if given.comparisons else ():
+    at_ends = islice(corners(names, given.box), MOST_ENDS) if given.comparisons else ()
+    for at in chain(at_ends, _with_zeros(names)):
         with ball_precision():
             if not all(c.holds_exactly(at) for c in given.conditions):
                 continue

@@ -36,7 +36,6 @@ FALSE = (
     "integral(cos(n*x)**2, x, 0, pi) == pi/2 given n integer",
     "integral(1/x, x, 1, oo) < 100",
     "integral(exp(x)/x, x, 0, 1) == 2",
-    "integral(sin(x)/x**2, x, 0, 1) < 5",
     "sum(k**2, k, 1, n) <= 40*n given n >= 1",
     "sin(x) ~ x - x**3/4 as x -> 0",
     "x**2 + x + 1 ~ x**2 + 5*x as x -> oo",
