@@ -154,7 +154,8 @@ def _attack_series(comparison: Comparison, statement: Statement) -> str | None:
     Partial sums converge to different values if their difference changes ever less and is much
     larger than its last change.
     """
-    if comparison.relation != "==":
+    dotted = any(DOTS.args[0] in symbols(e) for e in (comparison.left, comparison.right))
+    if comparison.relation != "==" or dotted:
         return None
     with ball_precision(BITS):
         for at, claim in islice(_exceptional(comparison, statement), SERIES_TRIED):
