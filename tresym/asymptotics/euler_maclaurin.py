@@ -507,7 +507,8 @@ def _expansion(node: Expr, end: End) -> Expansion | None:
         if terms.first is None or primitive is None:
             return _convergent(body, k, start, high, end, name)
         return PartialSum(terms, high, primitive, end, name)
-    if start is None and end.tends_to_infinity(low) and end.tends_to_infinity(high):
+    moving = start is None and high != INFINITY and end.tends_to_infinity(low)
+    if moving and end.tends_to_infinity(high):
         terms = _Terms(body, k, 1, end.given)
         primitive = _primitive(body, k, ONE, end.given)
         if terms.first is None or primitive is None:

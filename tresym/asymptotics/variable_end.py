@@ -235,6 +235,8 @@ def change_of_sum(node: Expr, end: End) -> Expr | None:
     low, high = node.args[1:]
     if body.hidden or end.name in symbols(body) or end.point is not None or end.side < 0:
         return None
+    if not _has_terms(body, k, low, end):
+        return None
     slopes = [integer(differentiate(e, end.name)) for e in (low, high) if e not in _INFINITE]
     if any(slope is None or not 0 <= slope <= MOST_NEW for slope in slopes):
         return None
@@ -250,6 +252,16 @@ def change_of_sum(node: Expr, end: End) -> Expr | None:
     for n in range(slopes[0] or 0):
         change = change - substitute(body, {k: low + n})
     return change
+
+
+def _has_terms(body: Expr, k: str, low: Expr, end: End) -> bool:
+    """Return whether all terms are defined, from the first index on."""
+    start = integer(low)
+    starts = FAR if start is None else (start,)
+    return any(
+        continuous_on(body, end.given & Given(((symbol(k), ">=", number(n)),)), proof) is None
+        for n in starts
+    )
 
 
 def _last(node: Expr, end: End) -> Expr | None:
