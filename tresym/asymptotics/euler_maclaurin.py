@@ -86,10 +86,11 @@ def weight(m: int) -> fmpq:
 
 
 @lru_cache(maxsize=256)
-def _derivative(f: Expr, name: str, times: int) -> Expr:
+def derivative(f: Expr, name: str, times: int) -> Expr:
+    """Return a derivative of any order, simplified where it gets long."""
     if not times:
         return f
-    slope = differentiate(_derivative(f, name, times - 1), name)
+    slope = differentiate(derivative(f, name, times - 1), name)
     if slope.size < LONG:
         return slope
     form = in_lowest_terms(slope)
@@ -105,7 +106,7 @@ class _Terms:
 
     def _vanishes(self, m: int) -> bool:
         try:
-            slope = _derivative(self.f, self.k, 2 * m - 1)
+            slope = derivative(self.f, self.k, 2 * m - 1)
         except InputError:
             return False
         return limit_of(slope, self.k, None, 1, self.given) == ZERO
@@ -115,21 +116,21 @@ class _Terms:
         assert self.first is not None
         return [
             number(bernoulli(2 * j) / factorial(2 * j))
-            * substitute(_derivative(self.f, self.k, 2 * j - 1), {self.k: at})
+            * substitute(derivative(self.f, self.k, 2 * j - 1), {self.k: at})
             for j in range(1, self.first + order - 1)
         ]
 
     def error(self, order: int, at: Expr) -> Expr:
         """Return |f^(2m−1)| at a point."""
         assert self.first is not None
-        slope = _derivative(self.f, self.k, 2 * (self.first + order - 1) - 1)
+        slope = derivative(self.f, self.k, 2 * (self.first + order - 1) - 1)
         return substitute(slope, {self.k: at})
 
     def from_where(self, order: int, ask: Obligations) -> int | None:
         """Prove that f^(2m) has one sign from some integer on; return it."""
         assert self.first is not None
         m = self.first + order - 1
-        e, k = _derivative(self.f, self.k, 2 * m), symbol(self.k)
+        e, k = derivative(self.f, self.k, 2 * m), symbol(self.k)
         defined = self.given & Given(((k, ">=", number(self.low)),))
         if not ask.continuous(self.f, defined):
             return None
@@ -232,7 +233,7 @@ class PartialSum(Expansion):
         if symbols(s.f) != {s.k} or s.first is None:
             return None
         m = s.first + TERMS - 1
-        e = _derivative(s.f, s.k, 2 * m)
+        e = derivative(s.f, s.k, 2 * m)
         beyond = Given(((symbol(s.k), ">=", number(FAR)),))
         if sign(e, beyond, ">=") not in ("+", ">=0") and sign(e, beyond, "<=") not in ("-", "<=0"):
             return None
@@ -426,7 +427,7 @@ class RiemannSum(Expansion):
         self.area = None if found is None or found[0][0] in _INFINITE else found[0][0]
 
     def _ends(self, times: int) -> Expr:
-        e = _derivative(self.g, self.s, times)
+        e = derivative(self.g, self.s, times)
         first = substitute(e, {self.s: ZERO})
         if self.top is None:
             return -first
@@ -462,12 +463,12 @@ class RiemannSum(Expansion):
         """Prove that g is smooth, and bound the integral of |g^(2m)|."""
         if not ask.continuous(self.g, self.closed):
             return None
-        e, s = _derivative(self.g, self.s, 2 * order), symbol(self.s)
+        e, s = derivative(self.g, self.s, 2 * order), symbol(self.s)
         if self.top is not None:
             return Bound()  # a continuous function is bounded on a closed interval
         far = End(self.s, None, 1, self.end.given)
         for times in range(2 * order):
-            slope = _derivative(self.g, self.s, times)
+            slope = derivative(self.g, self.s, times)
             if far.limit(slope) != ZERO:
                 return None
         return Bound() if ask.holds(e, "O", power(s, number(-2)), far.given, far.path) else None

@@ -15,8 +15,8 @@ from flint import arb
 
 from tresym.reals.decisions.answer import Answer, refuted
 from tresym.reals.decisions.statement import Comparison, Statement
-from tresym.reals.domain import binder_values
-from tresym.reals.domain.evaluation import evaluate, stands
+from tresym.reals.domain.binder_values import Enclosing
+from tresym.reals.domain.evaluation import UndefinedError, evaluate, stands
 from tresym.reals.language.binders import outermost
 from tresym.reals.language.calls import FACTORIAL
 from tresym.reals.language.expression import (
@@ -32,6 +32,7 @@ from tresym.reals.language.expression import (
 from tresym.reals.language.formula import NEGATED
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
+from tresym.reals.values import improper
 
 BITS = 128
 FARTHEST, FARTHEST_INSIDE = 390, 24
@@ -109,7 +110,10 @@ class _Values:
             m = evaluate(substitute(node.args[1], put), {}).unique_fmpz()
             return None if m is None or m < 0 else arb(int(m) + 1).gamma()
         if node.op == "integral":
-            return binder_values.value(substitute(node, put), {}, lambda *_: False)
+            try:
+                return improper.integral(substitute(node, put), Enclosing({}))
+            except UndefinedError:
+                return None
         if node.op not in ("sum", "product"):
             return None
         (k,), body = opened(node, {self.name})

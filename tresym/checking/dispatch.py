@@ -22,7 +22,7 @@ from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.operation_domains import bound, needs, operations
 from tresym.reals.functions.table import SPECIAL, TABLE
 from tresym.reals.language.binders import is_infinite, outermost
-from tresym.reals.language.calls import FACTORIAL
+from tresym.reals.language.calls import FACTORIAL, INFINITY
 from tresym.reals.language.expression import DOTS, ZERO, Expr, symbols
 from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.arithmetic import ball_precision
@@ -334,10 +334,22 @@ def _ellipses(*claim: Any) -> Answer:
     return decide_dotted(*claim)
 
 
-def _infinite_sums(*claim: Any) -> Answer:
+def _infinite_sums(comparison: Comparison, statement: Statement, decided: Decide) -> Answer:
+    from tresym.asymptotics.series import decide_series
     from tresym.reals.decisions.power_series import decide_infinite
 
-    return decide_infinite(*claim)
+    if comparison.right == INFINITY:  # the partial sums decide
+        other = decide_series(comparison, statement, decided)
+        if other is not None:
+            return other
+        if comparison.relation == "==":
+            why = "neither convergence nor divergence of the series is shown"
+            return Answer(Verdict.UNDECIDED, why)
+    found = decide_infinite(comparison, statement, decided)
+    if found.verdict is not Verdict.UNDECIDED:
+        return found
+    other = decide_series(comparison, statement, decided)
+    return found if other is None else other
 
 
 def _roots(*claim: Any) -> Answer:
@@ -425,6 +437,11 @@ def _lemmas(comparison: Comparison, statement: Statement, decided: Decide) -> An
     from tresym.asymptotics.integral_limits import decide_integral_limits
     from tresym.asymptotics.lemma_claims import decide_by_lemmas
 
+    path = statement.path
+    outer = list(outermost(comparison.left, comparison.right))
+    moving = path is not None and any(path.name in symbols(node) for node in outer)
+    if any(map(is_infinite, outer)) and not moving:
+        return _infinite_sums(comparison, statement, decided)
     found = decide_by_lemmas(comparison, statement, decided)
     nodes = {node.op for node in outermost(comparison.left, comparison.right)}
     if found.verdict is Verdict.UNDECIDED and nodes == {"integral"}:

@@ -206,7 +206,6 @@ def test_how_a_series_is_decided(claim: str, said: str) -> None:
     "claim",
     [
         "diff(sum(x**n, n, 0, oo), x) == 1",
-        "sum(x**n, n, 0, oo) -> 1 as x -> 0",
         "sum(x**n, n, 0, oo) > 0 given 0 < x < 1",
         "sum(x**n, n, 0, oo)**2 == 1/(1 - x)**3 given 0 < x < 1",
         "sum(sin(n), n, 0, oo) == 1",

@@ -382,7 +382,7 @@ def _comparison(left: Expr, relation: str, right: Expr) -> Comparison:
         return _without_ends(left, right)
     if relation == LIMIT and right in (INFINITY, -INFINITY):
         return replace(_comparison(left, relation, ZERO), right=right)
-    if relation == "==" and right in (INFINITY, -INFINITY) and left.op == "integral":
+    if relation == "==" and right in (INFINITY, -INFINITY) and left.op in ("integral", "sum"):
         return replace(_comparison(left, relation, ZERO), right=right)
     work = cache(worked_out)
     written = tuple(
