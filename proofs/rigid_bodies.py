@@ -174,14 +174,28 @@ above_is_an_angle = Claim(
 _inverse_above = Instance(
     inverse_by_cotangent, ((epsilon, _candidate_above), (b, 1 / (a + 2))), (above_is_an_angle,)
 )
-inverse_above = Claim(says=_inverse_above.says, given=(a >= 7,), proof=_inverse_above)
+inverse_above = Claim(
+    says=_inverse_above.says,
+    given=(a >= 7,),
+    proof=_inverse_above,
+    shown=r"-\frac{\cos e}{\sqrt{1+\frac ba\sin^2e}} = -\tanh\operatorname{arsinh}\left("
+    r"\sqrt{\tfrac{a}{a+b}}\cot e\right),\quad e = 2\arctan e^{-\pi}+\tfrac{1}{a+1},\quad "
+    r"b = \tfrac{1}{a+2}",
+)
 
 positive_short = Claim(says=_short > 0, given=(a >= 7,), proof=manifest)
 
 _tangents_above = Instance(
     tangent_grows, ((T, _short), (x, _beyond - _short)), (excess_in_a, positive_short)
 )
-tangents_above = Claim(says=_tangents_above.says, given=(a >= 7,), proof=_tangents_above)
+tangents_above = Claim(
+    says=_tangents_above.says,
+    given=(a >= 7,),
+    proof=_tangents_above,
+    shown=r"\tanh\bigl(\sqrt{ab}\,(\pi+\arcsin(u\cos e))\bigr)-\tanh\operatorname{arsinh}"
+    r"\bigl(\sqrt{1-u^2}\cot e\bigr) > 0,\quad e = 2\arctan e^{-\pi}+u,\quad u = \tfrac{1}{a+1},"
+    r"\quad b = \tfrac{1}{a+2}",
+)
 
 floor_is_approached = Claim(
     says=epsilon0 < _candidate_above,

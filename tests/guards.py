@@ -31,6 +31,7 @@ DECISIONS = (
     *("integration_pieces", "statement", "written_derivatives"),
     *("inverse_branches", "variable_reduction", "algebraic_witnesses", "integrals"),
     *("induction", "integer_variables", "equations", "unknown_functions"),
+    *("exceptional_values", "removable_holes"),
     *("readable_witnesses", "variable_exponents", "ellipsis_series", "hypergeometric"),
     *("power_series", "known_values", "factorials"),
     *("derivative_domains", "point_check", "definedness_check", "asymptotics/*"),

@@ -82,6 +82,23 @@ def test_the_claim_and_the_constant() -> None:
     assert low <= supremum <= high <= low * mpmath.mpf("1.02")
 
 
+def test_a_constant_that_a_lemma_rounds_up_is_no_lower_bound() -> None:
+    """The supremum of x³ |∫ t² e^(−xt)/(1 + t²) dt| is 2; the lemma proves 2.06."""
+    found = tresym.error_table(
+        "integral(exp(-x*t)/(1 + t**2), t, 0, oo)", "1/x + O(1/x**3)", "x -> oo", digits=20
+    )
+    assert found.claim is not None
+    assert found.claim.verdict.holds
+    assert found.constant is not None
+    assert 1.99 < float(found.constant.low) <= 2 <= float(found.constant.high)
+
+
+def test_an_infinite_end_is_not_differentiated_under() -> None:
+    found = tresym.error_table("integral(exp(-t)/(1 + x*t), t, 0, oo)", "1 - x", "x -> 0+",
+                               at=["1/10", "1/100"], order="x**2", digits=10)  # fmt: skip
+    assert found.constant is None or float(found.constant.low) <= 2 <= float(found.constant.high)
+
+
 def test_a_false_order_is_refuted() -> None:
     found = tresym.error_table("tan(x)", "x + x**3/4", "x -> 0+", order="x**5")
     assert found.claim is not None

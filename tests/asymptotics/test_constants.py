@@ -13,7 +13,7 @@ import tresym
 from tresym.asymptotics.constants import constant
 from tresym.reals.numbers.exact import InputError
 
-DATA = Path(__file__).parent.parent / "data" / "claims" / "constants.txt"
+DATA = Path(__file__).parent.parent / "data" / "asymptotics" / "constants.txt"
 POINTS, DIGITS = 60, 60
 
 

@@ -9,7 +9,7 @@ import pytest
 
 from tresym.checking.dispatch import decide_claim
 
-DATA = Path(__file__).parent.parent / "data" / "claims" / "initial_values.txt"
+DATA = Path(__file__).parent.parent / "data" / "asymptotics" / "initial_values.txt"
 KINDS = {
     "HOLDS": ("PROVED", "ENCLOSED"),
     "UNIFORM": ("PROVED", "ENCLOSED"),

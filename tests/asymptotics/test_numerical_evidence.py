@@ -3,8 +3,9 @@
 import pytest
 from flint import arb
 
-from tresym.asymptotics.numerical_evidence import Ray, fails, oscillating
+from tresym.asymptotics.numerical_evidence import Ray, fails, follows_a_law, oscillating
 from tresym.reals.decisions.claim_parsing import read
+from tresym.reals.numbers.arithmetic import ball_precision
 
 
 def ray(claim: str, side: int = 1, **at: int) -> Ray:
@@ -92,3 +93,17 @@ def test_waves_are_those_of_arguments_that_grow() -> None:
         ("sin(exp(-x)) == O(1) as x -> oo", 0),
     ):
         assert len(oscillating(ray(claim))) == count, claim
+
+
+@pytest.mark.parametrize(
+    ("sizes", "law"),
+    [
+        *(([1, 1, 1], True), ([2**90, 2**30, 2**10], True), ([3, 2, 1], False)),  # u^(1/10), none
+        *(([90, 30, 10], True), ([5, 3, 2], False), ([0, 0, 0], False)),  # log(u)
+    ],
+)
+def test_only_a_simple_law_speaks_against_a_limit(sizes: list[int], law: bool) -> None:
+    """Sizes at the distances 2**900, 2**300 and 2**100, the farthest first."""
+    orders = [arb(900), arb(300), arb(100)]
+    with ball_precision(200):
+        assert follows_a_law(orders, [arb(size) for size in sizes]) is law

@@ -10,7 +10,7 @@ import pytest
 import tresym
 from tresym.checking.dispatch import decide_claim
 
-DATA = Path(__file__).parent.parent / "data" / "claims" / "roots.txt"
+DATA = Path(__file__).parent.parent / "data" / "asymptotics" / "roots.txt"
 
 
 def _rows() -> list[tuple[str, str]]:

@@ -10,7 +10,7 @@ import tresym
 from tresym.checking.dispatch import decide_claim
 from tresym.reals.numbers.exact import InputError
 
-DATA = Path(__file__).parent.parent / "data" / "claims" / "uniformity.txt"
+DATA = Path(__file__).parent.parent / "data" / "asymptotics" / "uniformity.txt"
 KINDS = {
     "UNIFORM": ("PROVED", "ENCLOSED"),
     "FIXED": ("PROVED", "ENCLOSED"),

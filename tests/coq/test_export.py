@@ -14,6 +14,7 @@ import pytest
 from flint import arb
 
 from tresym.commands import main
+from tresym.commands.export import _need_compiled
 from tresym.coq import export
 from tresym.coq.coqtop import accepted
 from tresym.coq.ledger_statements import conditions_of, theorem_of
@@ -255,3 +256,22 @@ def test_no_falsehood_is_proved() -> None:
         texts.append(f"Theorem false_{n} :\n{lemma.body}.\nProof.\n{proof}\nQed.")
     held = accepted(texts)
     assert not any(held), [t for t, ok in zip(texts, held, strict=True) if ok]
+
+
+def test_a_file_that_coq_has_not_compiled_since_is_noticed(tmp_path: Path) -> None:
+    source, compiled, said = (tmp_path / name for name in ("Model.v", "Model.vo", "said.txt"))
+    for path in (source, compiled, said):
+        path.write_text("")
+        os.utime(path, (1000, 1000))
+    _need_compiled(source, said)
+    os.utime(source, (2000, 2000))
+    with pytest.raises(InputError, match="has not compiled"):
+        _need_compiled(source, said)
+    os.utime(compiled, (3000, 3000))
+    with pytest.raises(InputError, match="older than"):
+        _need_compiled(source, said)
+    os.utime(said, (3000, 3000))
+    _need_compiled(source, said)
+    compiled.unlink()
+    with pytest.raises(InputError, match="has not compiled"):
+        _need_compiled(source, said)

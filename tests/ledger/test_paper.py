@@ -1,6 +1,11 @@
 """The paper's claims in order, and the files beside them."""
 
-from tresym.ledger.paper import all_claims, display_lines, file_of, index, sections
+from sympy import Ge, Symbol, exp, sin
+
+from tresym.ledger.claim import Claim, formally
+from tresym.ledger.paper import Paper, all_claims, display_lines, file_of, index, sections
+from tresym.ledger.verification import graph, verify
+from tresym.report.pages import fragments
 
 
 def test_every_claim_comes_after_all_that_it_rests_on() -> None:
@@ -30,3 +35,38 @@ def test_the_index_holds_hashes_and_no_text() -> None:
     for display in index()["displays"]:
         assert len(display["sha256"]) == 64
         assert "text" not in display
+
+
+X, Y = Symbol("x", real=True), Symbol("y", real=True)
+HOLDS = Claim(label="square", says=Ge(X**2, 0, evaluate=False), proof=formally())
+OPEN = Claim(
+    label="open", says=Ge(exp(sin(X)) * Y**4 + X * Y + 2, sin(X * Y), evaluate=False),
+    proof=formally(),
+)  # fmt: skip
+
+
+def _parts(names: tuple[str, ...] = ()) -> tuple[tuple[str, tuple[Claim, ...]], ...]:
+    return (("Part one", (HOLDS, OPEN)),)
+
+
+def test_another_paper_is_passed_and_needs_nothing_but_its_claims() -> None:
+    own = Paper("own", _parts)
+    report = verify(of=own)
+    assert [row.claim.label for row in report.rows] == ["square", "open"]
+    assert report["square"].finding.verdict.value == "PROVED"
+    assert [row.claim.label for row in verify("square", of=own).rows] == ["square"]
+    assert "square" in graph(of=own)
+    assert own.index == {"displays": [], "others": [], "sections": []}
+    assert own.titles == {}
+    assert own.corrections() == ()
+    assert own.written.latex == {}
+
+
+def test_an_undecided_claim_is_typeset_as_not_proved() -> None:
+    report = verify(of=Paper("own", _parts))
+    assert report["open"].finding.verdict.value == "UNDECIDED"
+    for style in ("article", "markdown"):
+        text = fragments.written([report["open"]], style)
+        assert "Not proved" in text
+        assert "Reason: " in text
+        assert "Not proved" not in fragments.written([report["square"]], style)

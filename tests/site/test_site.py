@@ -31,6 +31,7 @@ SOME = (
     "d27",
     "slope_str_exact",
     "slope_str_formula",
+    "slope_str_leading",
 )
 """Of every kind one, with what is true instead of it."""
 

@@ -26,9 +26,11 @@ from tresym.reals.decisions.root_values import by_leibniz, enclosed_root
 from tresym.reals.decisions.statement import Path
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import UndefinedError
+from tresym.reals.domain.operation_domains import operations
 from tresym.reals.expansions.scale import T
 from tresym.reals.expansions.suprema import Evaluation, Supremum, supremum
 from tresym.reals.language.binders import elementary, outermost
+from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     ZERO,
@@ -87,7 +89,7 @@ def constant(
     way = read_path(path) if isinstance(path, str) else path
     if elementary(f, g):
         return of_explicit(f, g, way, region)
-    if (symbols(f) | symbols(g)) - {way.name, "oo"}:
+    if (symbols(f) | symbols(g)) - {way.name, INFINITY.args[0]} or _has_infinite_end(f):
         return None
     asked = reach_of(parse_given(region), way) if region else way.reach
     for reach in (asked,) if asked else RANGES:
@@ -96,6 +98,15 @@ def constant(
         if len(kept) == len(found):
             return as_constant(kept, way, reach)
     return None
+
+
+def _has_infinite_end(f: Expr) -> bool:
+    """Return whether an integral is not over a bounded range; its coefficients are not computed."""
+    return any(
+        node.op == "integral" and INFINITY.args[0] in symbols(end)
+        for node in operations((f,))
+        for end in node.args[1:]
+    )
 
 
 def _one_sided(f: Expr, g: Expr, path: Path, side: int, reach: fmpq) -> Supremum | None:
@@ -158,7 +169,7 @@ def _at_end(f: Expr) -> Expr | None:
 
 def _root_value(node: Expr) -> Expr | None:
     """Return a root without variables as an exact number, if a simple one is shown to be it."""
-    if symbols(node) - {"oo"}:
+    if symbols(node) - {INFINITY.args[0]}:
         return None
     try:
         near = certified(node, 30)

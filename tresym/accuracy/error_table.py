@@ -75,8 +75,6 @@ SECONDS = 20.0
 """The limit of the order claim."""
 LONGEST = 160
 """Characters of the reason that are shown."""
-WIDEST = fmpq(1, 50)
-"""The relative width that the enclosure of the constant should have."""
 
 
 class Row(NamedTuple):
@@ -354,7 +352,7 @@ def error_table(
         guessed = gauge is not None
     claim = best = None
     if decide and gauge is not None:
-        claim, best = _decided(question, gauge, region)
+        claim, best = _decided(question, gauge, region, kept)
     return ErrorTable(
         *question.shown,
         str(question.path),
@@ -575,26 +573,52 @@ def _guessed(path: Path, order: Decimal) -> Expr | None:
     return ONE if exponent == 0 else power(base, number(exponent))
 
 
-def _decided(question: Question, gauge: Expr, region: str) -> tuple[Answer, Constant | None]:
+def _decided(
+    question: Question, gauge: Expr, region: str, cells: Sequence[tuple[Expr, Cell]]
+) -> tuple[Answer, Constant | None]:
     """Return the answer to the order claim, and the best constant."""
     claim = f"{question.exact} == {question.approx} + O({gauge})"
     answer = check(claim, path=str(question.path), limit=SECONDS)
     if answer.verdict is Verdict.REFUTED:
         return answer, None
     best = best_constant(question.exact, question.approx, gauge, question.path, region)
-    return answer, best or _of_answer(answer, region)
+    return answer, best or _from_rows(answer, question, gauge, region, cells)
 
 
-def _of_answer(answer: Answer, region: str) -> Constant | None:
-    """Return the constant of an answer, where that encloses the supremum sharply."""
-    if answer.constant is None or answer.region is None or region:
+def _from_rows(
+    answer: Answer,
+    question: Question,
+    gauge: Expr,
+    region: str,
+    cells: Sequence[tuple[Expr, Cell]],
+) -> Constant | None:
+    """Return the constant of an answer as the upper bound, and the largest ratio of a row.
+
+    The constant of an answer need not be the best one: a lemma proves one that is rounded up.
+    """
+    if not answer or answer.constant is None or answer.region is None or region:
         return None
     middle, radius = (as_rational(x) for x in answer.constant)
-    low, high = middle - radius, middle + radius
-    if not low > 0 or high - low > WIDEST * high:
+    name = question.path.name
+    try:
+        inside = Given.parse(answer.region.replace(f"|{name}|", f"abs({name})"))
+    except InputError:
         return None
-    with ball_precision():
-        return Constant(_outward(low, -1), _outward(high, 1), answer.region, "")
+    best: tuple[fmpq, str] | None = None
+    for x, one in cells:
+        at = certified(x, 20)
+        with ball_precision():
+            if one.error is None or not all(c.holds_exactly({name: at}) for c in inside.conditions):
+                continue
+            ratio = abs(one.error) / abs(certified(substitute(gauge, {name: x}), 20))
+            low = ratio.lower().fmpq()
+        if best is None or low > best[0]:
+            best = low, str(x)
+    if best is None or not best[0] > 0:
+        return None
+    low, where = best
+    found = Constant(_outward(low, -1), _outward(middle + radius, 1), answer.region, "")
+    return found._replace(where=f"{name} = {where}, of the points of the table")
 
 
 def _outward(x: fmpq, side: int) -> str:

@@ -123,7 +123,7 @@ def _verify_claims(args: argparse.Namespace) -> int:
 def _save_sentences(labels: tuple[str, ...]) -> int:
     """Store the sentences of claims, and of theorems of the article, as compared."""
     from tresym.ledger.paper import all_claims, file_of
-    from tresym.ledger.sentences import STORE, digest, stored, updated
+    from tresym.ledger.sentences import STORE, digest, sentence_of, stored, updated
     from tresym.report.pages.templates import theorems
 
     if not labels:
@@ -133,9 +133,9 @@ def _save_sentences(labels: tuple[str, ...]) -> int:
         if label not in claims:
             raise InputError(f"no claim is labelled {quoted(label)}")
     found = {
-        label: digest(claim.says, claim)
+        label: digest(sentence, claim)
         for label, claim in claims.items()
-        if isinstance(claim.says, str) and label in labels
+        if label in labels and (sentence := sentence_of(claim)) is not None
     }
     every = theorems()
     found |= {
@@ -143,7 +143,7 @@ def _save_sentences(labels: tuple[str, ...]) -> int:
         for label, text in every.items()
         if label in labels
     }
-    kept = {c.label for c in claims.values() if isinstance(c.says, str)}
+    kept = {c.label for c in claims.values() if sentence_of(c) is not None}
     kept |= {f"theorem {label}" for label in every}
     write_text(str(file_of(STORE)), updated(found, gone={*(stored() or ())} - kept))
     print(f"{len(found)} sentences stored")

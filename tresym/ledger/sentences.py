@@ -51,9 +51,15 @@ def _read(path: Path) -> dict[str, str] | None:
     return found
 
 
+def sentence_of(claim: Claim) -> str | None:
+    """Return the sentence of a claim in words, or None if it states a formula."""
+    return claim.says if isinstance(claim.says, str) else None
+
+
 def uncompared(claim: Claim) -> str | None:
     """Return why the sentence of a claim does not count, or None if it was compared."""
-    return changed(claim.label, claim.says, claim) if isinstance(claim.says, str) else None
+    sentence = sentence_of(claim)
+    return None if sentence is None else changed(claim.label, sentence, claim)
 
 
 def changed(key: str, sentence: str, claim: Claim) -> str | None:

@@ -13,6 +13,7 @@ from tresym.manuscript.attempts import answers_to
 from tresym.manuscript.classification import EQUATION, UNREAD, Attempt, Link, Obstacle
 from tresym.manuscript.instances import instances
 from tresym.manuscript.mentions import names_in
+from tresym.manuscript.multiples import Multiple, multiple_of
 from tresym.manuscript.solutions import Solves
 from tresym.manuscript.terms import base_of
 from tresym.reals.decisions.answer import Alternative, Answer
@@ -22,6 +23,8 @@ from tresym.reals.language.expression import ONE, ZERO, Expr, symbols
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Cause, Verdict
 
+NEAR = 6
+"""The links before an equation among which the one is sought that it follows from."""
 PASSES = (Verdict.PROVED.value, Verdict.ENCLOSED.value)
 STATUSES = (*(v.value for v in Verdict), "SUSPECT", "DEFINED", "ASSUMED", EQUATION, UNREAD)
 
@@ -96,6 +99,7 @@ def decided(
     own = [(link, answers.get(n, [])) for n, link in enumerate(asked)]
     rows = [_failing(_row(link, found, limit), found) for link, found in own]
     rows = _solving(rows, limit, processes)
+    rows = _following(rows, limit, processes)
     rows = _varied(rows, answers, limit, processes)
     found = [(row, answers.get(n, [])) for n, row in enumerate(rows)]
     seconds = iter(found[len(links) :])
@@ -137,6 +141,35 @@ def _solving(rows: list[Row], limit: float, processes: int | None) -> list[Row]:
             row = Row(row.link, status, why, seconds=row.seconds)
         result.append(row)
     return result
+
+
+def _following(rows: list[Row], limit: float, processes: int | None) -> list[Row]:
+    """Return the rows; an equation that is an earlier one times a factor is PROVED from it."""
+    tasks: list[Task] = []
+    found: list[tuple[int, Row, Multiple]] = []
+    for n, row in enumerate(rows):
+        if row.status != EQUATION or row.link.sides is None:
+            continue
+        for before in reversed(rows[max(n - NEAR, 0) : n]):
+            near = row.link.display.number - before.link.display.number <= 2
+            if before.status != EQUATION or before.link.sides is None or not near:
+                continue
+            candidate = multiple_of(before.link.sides, row.link.sides)
+            if candidate is not None:
+                found.append((n, before, candidate))
+                tasks.append(Task(candidate.claim, line=n))
+                break
+    if tasks:
+        for (n, before, candidate), (_, answer) in zip(
+            found, check_all(tasks, limit, processes), strict=True
+        ):
+            if isinstance(answer, Answer) and answer.verdict is Verdict.PROVED:
+                factor = candidate.factor
+                times = "" if factor == ONE else f", times {factor}"
+                why = f"it is the equation of line {before.link.display.line}{times}"
+                status = answer.verdict.value
+                rows[n] = replace(rows[n], status=status, why=why, refuted="", fails_at=None)
+    return rows
 
 
 def _is_of_derivative(link: Link) -> bool:

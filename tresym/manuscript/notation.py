@@ -23,6 +23,10 @@ _EMPTY = re.compile(r"(?<![_^a-zA-Z}\]])\{\s*\}")
 _CANCELLED = re.compile(r"\\(?:b|x)?cancel(?![a-zA-Z])")
 _WORDS = re.compile(r"\\mathit\s*\{\s*((?:[^{}~\\]*~[^{}\\]*)|(?:if|for|and|or|otherwise)\s*)\}")
 _ITALIC = re.compile(r"\\(?:mathit|mathnormal)\s*\{\s*([a-zA-Z])([a-zA-Z]*)\s*\}")
+_GREEK = re.compile(r"\\(?:mathit|mathnormal)\s*\{\s*(\\[a-zA-Z]+)\s*\}")
+_POWER_FIRST = re.compile(
+    r"(?<![a-zA-Z\\])([a-zA-Z]|\\[a-zA-Z]+)\s*\^\s*(\d|\{\s*\d+\s*\})\s*_\s*(\w|\{[^{}]*\})"
+)
 _VARIANT = re.compile(
     r"\\var(Gamma|Delta|Theta|Lambda|Xi|Pi|Sigma|Upsilon|Phi|Psi|Omega)(?![a-zA-Z])"
 )
@@ -56,6 +60,8 @@ def plain_notation(text: str) -> str:
     text = _CANCELLED.sub(" ", text)
     text = _WORDS.sub(lambda m: rf"\text{{{m[1].replace('~', ' ')}}}", text)
     text = _ITALIC.sub(lambda m: f"{m[1]}_{{{m[2]}}}" if m[2] else f" {m[1]} ", text)
+    text = _GREEK.sub(r" \1 ", text)
+    text = _POWER_FIRST.sub(r"\1_\3^\2", text)
     text = _VARIANT.sub(r"\\\1 ", text)
     text = _ACCENTED.sub(lambda m: rf"\{m[1]}{{{m[2]}_{m[3]}}}", text)
     text = _with_numbers(text)

@@ -177,7 +177,7 @@ def _value(node: Expr, given: Given) -> Known | None:
         "sum(1/factorial(n), n, -1, oo)",  # its first term is none
         "sum(x**n/(2*n + 1), n, 0, oo)",  # of atanh(sqrt(x)), not of atanh(x)
         "sum(x**n*factorial(n), n, 0, oo)",
-        "sum((-1)**n/(2*n - 1)**2, n, 1, oo)",  # Catalan's constant
+        "sum((-1)**n/(2*n - 1)**4, n, 1, oo)",
         "sum((1/2)**n/n**2, n, 1, oo)",
         "sum(atan2(-1, n)/n**2, n, 1, oo)",
         "product(cos(z/3**n), n, 1, oo)",

@@ -26,11 +26,24 @@ def test_special_functions_in_latex(text: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "text", [r"K(k) = \frac{\pi}{2}", r"\zeta(x+1) = \zeta x + 1", "EllipticK(1/2) > 0"]
+    "text",
+    [
+        r"K(k) = \frac{\pi}{2}",
+        r"\zeta(x+1) = \zeta x + 1",
+        "EllipticK(1/2) > 0",
+        "γ(1 + x) > 0",
+        "gamma(1 + x) > gamma",
+    ],
 )
 def test_two_meanings_are_refused(text: str) -> None:
     with pytest.raises(InputError, match="two readings"):
         tresym.check(text)
+
+
+def test_unicode() -> None:
+    assert tresym.check("Γ(x+1) == x*Γ(x)").read_as == "gamma(x + 1) == x*gamma(x)"
+    assert tresym.check("ζ(2) == π²/6").read_as == "zeta(2) == pi**2/6"
+    assert tresym.check("J₀(x) ≤ 1").read_as == "besselj(0, x) <= 1"
 
 
 def test_a_constant_is_never_a_variable() -> None:

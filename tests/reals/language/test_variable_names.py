@@ -1,8 +1,11 @@
 """Names in typed claims that are no variables are refused, with what to write instead."""
 
+from pathlib import Path
+
 import pytest
 
 import tresym
+from tresym.commands import main
 from tresym.reals.numbers.exact import InputError
 
 
@@ -45,6 +48,17 @@ def test_it_is_refused(claim: str, advice: str) -> None:
 )
 def test_letters_greek_names_and_what_is_declared_are_read(claim: str) -> None:
     assert tresym.check(claim)
+
+
+def test_conditions_that_are_repeated_hold_together(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["check", "x > 0", "--given", "x > 1", "--given", "x < 5"]) == 0
+    assert "x > 1, x < 5" in capsys.readouterr().out
+    assert main(["check", "x > 2", "--given", "x > 1", "--given", "x < 5", "--no-suggest"]) == 1
+
+
+def test_names_in_a_file_are_refused_line_by_line(tmp_path: Path) -> None:
+    (tmp_path / "claims").write_text("x**2 >= 0\n30 Degree == pi/6\n", encoding="utf-8")
+    assert main(["check", "-f", str(tmp_path / "claims"), "--no-cache", "--json"]) == 2
 
 
 @pytest.mark.parametrize("claim", ["Log[2, 8] == 3", "log[2](8) == 3", "log(8, 2) == 3"])

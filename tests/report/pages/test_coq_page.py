@@ -9,8 +9,10 @@ from tresym.coq import export
 from tresym.coq.coqtop import prelude
 from tresym.coq.ledger_statements import Joint
 from tresym.coq.statement import Theorem
+from tresym.ledger.claim import AllOf, Dominated, Follows, InfimumBy, RootMonotone
+from tresym.ledger.finding import Finding
 from tresym.ledger.paper import all_claims
-from tresym.ledger.verification import verify
+from tresym.ledger.verification import Row, verify
 from tresym.reals.verdict import Verdict
 from tresym.report.pages import coq_page
 from tresym.report.pages.trusted_code import trusted
@@ -83,3 +85,29 @@ def test_verify_says_nothing_where_the_stamp_does_not_hold(
         assert "in Coq" not in capsys.readouterr().out
     finally:
         coq_page.found.cache_clear()
+
+
+def test_a_claim_without_its_verdict_is_not_called_proved_in_coq() -> None:
+    row = verify("eq_gamma")["eq_gamma"]
+    known = coq_page.found()
+    assert "proved in Coq" in coq_page.sentence(row)
+    assert coq_page.mark(row, known)
+    for verdict in (Verdict.UNDECIDED, Verdict.REFUTED):
+        other = Row(row.claim, Finding(verdict, "as a test"))
+        assert coq_page.sentence(other) == ""
+        assert coq_page.mark(other, known) is None
+        assert coq_page.shown(other, known) is None
+
+
+def test_no_sentence_in_words_is_proved_in_coq() -> None:
+    """Nor one whose last step has no statement in Coq; and quoted theorems are named."""
+    known = coq_page.found()
+    for claim in all_claims():
+        proof = claim.proof
+        if isinstance(proof, AllOf | Follows | RootMonotone | InfimumBy | Dominated):
+            whole = isinstance(proof, AllOf) and not proof.words
+            assert whole or known[claim.label].status != "proved", claim.label
+    quoting = next(c for c in all_claims() if c.axioms and known[c.label].status == "proved")
+    row = verify(quoting.label)[quoting.label]
+    assert f"quoted and not proved: {quoting.axioms[0].name}" in coq_page.sentence(row)
+    assert f"`{quoting.label}`" in coq_page.page().partition("also quote theorems")[2]

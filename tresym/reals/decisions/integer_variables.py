@@ -148,17 +148,16 @@ def _beside(found: Answer, names: list[str], given: Given) -> Iterator[dict[str,
     if not all(name in point and point[name].op == "number" for name in names):
         return
     values = [point[name].args[0] for name in names]
-    around = (
-        sorted(
-            range(int(x.floor()) - BESIDE, int(x.ceil()) + BESIDE + 1),
-            key=lambda k, x=x: abs(k - x),
-        )
-        for x in values
-    )
-    for near in islice(product(*around), MOST_POINTS):
+    for near in islice(product(*map(_around, values)), MOST_POINTS):
         at = dict(zip(names, map(number, near), strict=True))
         if _given_at(given, at) is not None:
             yield at
+
+
+def _around(x: fmpq) -> list[int]:
+    """Return the integers next to ``x``, the nearest first."""
+    near = range(int(x.floor()) - BESIDE, int(x.ceil()) + BESIDE + 1)
+    return sorted(near, key=lambda k: abs(k - x))
 
 
 def _given_at(given: Given, at: dict[str, Expr]) -> Given | None:

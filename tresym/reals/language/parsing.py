@@ -255,6 +255,11 @@ class _Reader:
             return limit(self._read(args[0]), self._name(args[1]), self._end(args[2]), side)
         if args and UNKNOWN.fullmatch(name) and not self._stands_alone(name):
             return unknown(name, tuple(self._read(arg) for arg in args))
+        if name in SPECIAL_NAMES and self._stands_alone(name):
+            raise InputError(
+                f"two readings remain: {name} is a variable and a function here; write {name}*(…) "
+                "for a product, or give the variable another name"
+            )
         return call(name, [self._read(arg) for arg in args])
 
     def _stands_alone(self, name: str) -> bool:

@@ -14,7 +14,7 @@ _GREEK = (
 _SIGNS = str.maketrans(
     {
         **{chr(0x3B1 + k): f" {name} " for k, name in enumerate(_GREEK)},
-        **{"ϕ": " phi ", "ϵ": " epsilon ", "∞": " oo ", "√": " sqrt ", "′": "'"},
+        **{"Γ": " Gamma ", "ϕ": " phi ", "ϵ": " epsilon ", "∞": " oo ", "√": " sqrt ", "′": "'"},
         **{"≤": "<=", "⩽": "<=", "≥": ">=", "⩾": ">=", "≠": "!=", "→": "->", "∼": "~", "≡": "=="},
         **dict.fromkeys("·⋅×∙∗", "*"),
         **dict.fromkeys("−–‒", "-"),
@@ -48,6 +48,11 @@ def signs(text: str) -> str:
     """Return ``text`` as :func:`plain` does, with bars unchanged."""
     if text.isascii():
         return text
+    if re.search(r"γ\s*\(", text):
+        raise InputError(
+            "two readings remain: write γ*(…) for a product, gamma(…) for the gamma function, or "
+            "lowergamma(s, x) for the incomplete one"
+        )
     text = re.sub("[⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺]+", lambda m: f"**({m[0].translate(_UPPER)})", text)
     text = re.sub("(?<=[A-Za-zα-ω])[₀-₉]+", lambda m: "_" + m[0].translate(_LOWER), text)
     text = re.sub("([α-ω])(?=_)", lambda m: m[0].translate(_SIGNS).strip(), text)

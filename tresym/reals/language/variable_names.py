@@ -17,7 +17,7 @@ import re
 from collections.abc import Iterable
 from difflib import get_close_matches
 
-from tresym.reals.language.calls import KNOWN
+from tresym.reals.language.calls import KNOWN, NAMED_CONSTANTS, SPECIAL_NAMES
 from tresym.reals.language.expression import symbols
 from tresym.reals.language.parsing import Compared
 
@@ -38,7 +38,7 @@ _MEANT = {
         ("and", "or", "not", "xor"), "conditions are separated by commas, claims go one by one"
     ),
     **dict.fromkeys(("cm", "mm", "km", "kg", "ms", "Hz", "nm"), "units are not supported"),
-    **dict.fromkeys(("EulerGamma", "euler_gamma"), "Euler's constant is not supported"),
+    **dict.fromkeys(("euler_gamma", "eulergamma"), "Euler's constant is written EulerGamma"),
     **dict.fromkeys(("Infinity", "infty"), "infinity is written oo"),
     "uniformly": "it stands after the claim, as in sin(a*x) == O(x) uniformly as x -> 0",
     **dict.fromkeys(("True", "False", "None"), "it is no number"),
@@ -78,7 +78,9 @@ def _advice(name: str) -> str:
         return _MEANT[name]
     if re.fullmatch(r"d[A-Za-z]", name):
         return f"a derivative is written diff(f, {name[1]}), an integral integral(f, {name[1]})"
-    near = get_close_matches(name, [*sorted(KNOWN), "pi"], 1, 0.8)
+    if name in SPECIAL_NAMES:
+        return f"as a function it needs its argument, {name}(x); for a variable state {name} > 0"
+    near = get_close_matches(name, [*sorted({*KNOWN, *NAMED_CONSTANTS}), "pi"], 1, 0.8)
     if near:
         return f"did you mean {near[0]}?"
     variable = f"for a variable, state a condition on it, such as {name} > 0, or write"

@@ -145,7 +145,7 @@ def _is_negative(e: Expr) -> bool:
 
 def exponential(e: Expr) -> Expr | None:
     """Return exp(n W(u)) as (u/W(u))ⁿ, from the equation of Lambert's W; None for others."""
-    scale, inner = scaled(collected(e.args[0]))
+    scale, inner = scaled(e.args[0])
     if inner.op not in ("lambertw", "lambertwm1") or scale.q != 1:
         return None
     return power(inner.args[0] / inner, number(scale))

@@ -12,11 +12,12 @@ from tresym.coq import export
 from tresym.coq.coqtop import prelude
 from tresym.coq.definedness import satisfiable
 from tresym.coq.export import Entry, entries, stored
-from tresym.coq.ledger_statements import Joint, name_of
+from tresym.coq.ledger_statements import Joint, name_of, relations
 from tresym.coq.statement import Theorem
 from tresym.ledger.claim import Claim
 from tresym.ledger.paper import sections
 from tresym.ledger.verification import Row
+from tresym.reals.language.formula import Conjunction, Relation
 from tresym.reals.verdict import Verdict
 from tresym.report.pages.trusted_code import trusted
 
@@ -173,6 +174,14 @@ def _code(label: str) -> str:
     return f"`{label}`"
 
 
+def _is_premise(theorem: Theorem) -> bool:
+    """Return whether each relation that a theorem concludes is one of its premises."""
+    premises = [equation for _, equation in theorem.definitions]
+    said = [*relations(theorem.says)]
+    whole = isinstance(theorem.says, Relation | Conjunction)
+    return whole and not theorem.exists and all(relation in premises for relation in said)
+
+
 def _form(claim: Claim, entry: Entry) -> str:
     """Return what kind of statement the theorem of a claim is."""
     if claim.expect is Verdict.REFUTED:
@@ -181,6 +190,8 @@ def _form(claim: Claim, entry: Entry) -> str:
         return "definitions: the defined value exists"
     if isinstance(entry.theorem, Joint):
         return "conjunctions of other theorems, which together are the claim"
+    if isinstance(entry.theorem, Theorem) and _is_premise(entry.theorem):
+        return "what their own definitions or assumptions state, so that nothing is left to prove"
     if isinstance(entry.theorem, Theorem) and entry.theorem.exists:
         return "existential: some inputs that round to the printed ones give the printed value"
     return "universal: for all values that satisfy the conditions"

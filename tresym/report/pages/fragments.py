@@ -1,7 +1,8 @@
 """Write single derivations to paste, in LaTeX, as slides, in Markdown, or as a notebook.
 
 A fragment reads as a short derivation: the hypotheses, the equations that it uses, and the steps
-with their reasons in words. Verdicts are left out; a refuted claim is marked as refuted.
+with their reasons in words. Verdicts are left out; a refuted claim is marked as refuted, and an
+UNDECIDED one as not proved.
 """
 
 from __future__ import annotations
@@ -93,6 +94,10 @@ def _paragraphs(row: Row, style: Style, shown: set[str], gap: str = "") -> str:
     claim = row.claim
     if row.finding.verdict is Verdict.REFUTED:
         return "".join(f"{paragraph}\n{gap}" for paragraph in _refuted(row, style, shown))
+    if row.finding.verdict is Verdict.UNDECIDED:
+        marked = [*_marked("Not proved", claim, style)]
+        marked.append(style.words(f"Reason: {readable(row.finding.why[:LONGEST])}."))
+        return "".join(f"{paragraph}\n{gap}" for paragraph in marked)
     found = [tuple(_folded(display)) for display in displays(claim)]
     cited = [c for c in _cited(claim) if c.label not in shown and said(c).formula]
     shown.update(c.label for c in cited)

@@ -15,6 +15,7 @@ from tresym.ledger.axioms import RULES
 from tresym.ledger.evidence.admissible import is_formal
 from tresym.ledger.evidence.box_bounds import Boxes
 from tresym.ledger.paper import racket
+from tresym.ledger.sentences import sentence_of
 from tresym.ledger.verification import MUTANTS, Report
 from tresym.reals.balls.gradient import Divided
 from tresym.reals.balls.tracing import Named
@@ -181,7 +182,7 @@ def _quoted(report: Report) -> list[str]:
 
 def _sentences(report: Report) -> list[str]:
     prose = [row.claim.label for row in report.rows if not is_formal(row.claim)]
-    worded = [row for row in report.rows if isinstance(row.claim.says, str)]
+    worded = [row for row in report.rows if sentence_of(row.claim) is not None]
     functions = [row.claim.label for row in report.rows if isinstance(row.claim.proof, Boxes)]
     return [
         "## What is left to the reader",

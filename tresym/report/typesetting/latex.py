@@ -22,6 +22,7 @@ from sympy import (
     Symbol,
     Tuple,
     exp,
+    oo,
 )
 from sympy.core.relational import Relational
 from sympy.printing.latex import LatexPrinter
@@ -336,7 +337,7 @@ def says_latex(says: Basic | str) -> str:
             rest = rf"\text{{ is {kind} equilibrium of }}{_system(variables, rates)}"
             return rf"{names} = {place}{rest}"
         case As(args=(inner, x, point, side)):
-            mark = {1: "^+", -1: "^-"}.get(int(side), "")
+            mark = "" if point in (oo, -oo) else {1: "^+", -1: "^-"}.get(int(side), "")
             passage = rf"{expression_latex(x)} \to {expression_latex(point)}{mark}"
             return rf"{says_latex(inner)}\quad({passage})"
     if isinstance(says, Relational):

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
 
-from tresym.ledger.claim import AllOf, Claim, asked_by, parts_of
+from tresym.ledger.claim import AllOf, Claim, asked_by, jointly, parts_of
 from tresym.report.typesetting.conditions import gathered
 from tresym.report.typesetting.finding_text import readable
 from tresym.report.typesetting.formula_width import width
@@ -59,11 +59,23 @@ class Said(NamedTuple):
 def said(claim: Claim) -> Said:
     """Return the statement of a claim with its conditions."""
     in_words = isinstance(claim.says, str)
-    formula = claim.shown or (None if in_words else says_latex(claim.says))
+    formula = claim.shown or (None if in_words else _joined(claim) or says_latex(claim.says))
     given, parts = _of_parts(claim) if not claim.given else (tuple(gathered(claim.given)), ())
     region = "" if given or parts else getattr(claim.proof, "region", "")
     says = str(claim.says) if in_words else None
     return Said(says, formula, given, parts, region, _meant(claim) if in_words else ())
+
+
+def _joined(claim: Claim) -> str | None:
+    """The formulas of the parts of a conjunction, whose conditions are listed beside them."""
+    proof = claim.proof
+    if not isinstance(proof, AllOf) or any(p.statement is None for p in proof.claims):
+        return None
+    whole = jointly(*proof.claims)
+    if claim.says != whole["says"] or claim.given != whole.get("given", ()):
+        return None
+    quoted = [(part, said(part)) for part in proof.claims]
+    return r",\quad ".join(q.formula or says_latex(part.statement or "") for part, q in quoted)
 
 
 def _meant(claim: Claim) -> tuple[str, ...]:
