@@ -9,7 +9,7 @@ from tresym.papers.verification import verify_paper
 
 FILES = sorted((Path(__file__).resolve().parents[2] / "docs" / "examples").glob("*.tresym"))
 SAMPLE = {
-    "damped": ("start", "frequency", "regular_bound"),
+    "damped": ("start", "velocity", "frequency", "regular_bound"),
     "kepler": ("equation", "slope", "value"),
     "pendulum": ("at_45", "lima_at_90", "misprint"),
     "stirling": ("recurrence", "at_10", "leading"),
