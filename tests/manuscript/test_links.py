@@ -32,7 +32,7 @@ NO_CLAIMS = {
     r"\[ \tan x = x \]": "EQUATION",
     r"\[ x^3 + y^3 = 3xy \]": "EQUATION",
     r"\[ x^2 = 4 \implies x = 2 \]": "EQUATION DEFINED",
-    r"\[ x^2 - 2x = 0, \quad x(x - 2) = 0 \]": "EQUATION EQUATION",
+    r"\[ x^2 - 2x = 0, \quad x(x - 2) = 0 \]": "EQUATION PROVED",
     r"\[ \cos^2 t = 1 - \sin^2 t \Rightarrow \sin t = \sqrt{1-\cos^2 t} \]": "PROVED EQUATION",
     r"\[ n_1\sin\theta_1 = n_2\sin\theta_2 \]": "EQUATION",
     r"\[ T = 2\pi\sqrt{\ell/g} \] and then \[ T = 3 m a \]": "DEFINED DEFINED",

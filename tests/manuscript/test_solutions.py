@@ -43,6 +43,11 @@ CASES = {
     ),
     # what was no equation is not solved
     r"Note that \[ (x+1)^2 = x^2 + 2x + 1 . \] Let \[ x = r s \]": "DEFINED",
+    r"The Lagrangian is \[ L = T - U \] or \[ L = T - W . \] With $W = U$, the solution is"
+    r" \[ L = T - W \]": "DEFINED",
+    r"Here \[ \frac{\partial L}{\partial q} - \frac{d p}{dt} = -\frac{dp}{dt} \] with the solution"
+    r" \[ L = T - U \]": "DEFINED",
+    r"Here $\dot{s} = 1$ and \[ \ddot{x} = 0 \] has the solution \[ x = s^2 + t \]": "DEFINED",
     # expansions of roots
     CUBIC + r"\[ y = 1 - \frac{\epsilon}{3} + O(\epsilon^2) \]": "ENCLOSED",
     CUBIC + r"\[ y = 1 + \frac{\epsilon}{3} + O(\epsilon^2) \]": "REFUTED",

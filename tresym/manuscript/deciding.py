@@ -154,6 +154,8 @@ def _following(rows: list[Row], limit: float, processes: int | None) -> list[Row
             near = row.link.display.number - before.link.display.number <= 2
             if before.status != EQUATION or before.link.sides is None or not near:
                 continue
+            if before.link.sides[2] == row.link.sides[0]:
+                continue  # the next link of one chain says something new
             candidate = multiple_of(before.link.sides, row.link.sides)
             if candidate is not None:
                 found.append((n, before, candidate))

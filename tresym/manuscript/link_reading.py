@@ -311,6 +311,9 @@ class LinkReader:
         if head.name not in self.memory.functions and not head.parameters:
             return None
 
+        varying = self.memory.dependent.keys() & symbols(value) - {*head.parameters}
+        if varying - {head.name}:
+            return None  # what it depends on is differentiated elsewhere, so it is no constant
         fixed = symbols(value) | equation.names
 
         def read(term: Sequence[str]) -> Expr:

@@ -17,7 +17,7 @@ from flint import arb, arb_mat, fmpq
 
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.binders import elementary
-from tresym.reals.language.expression import Expr, multiply, number, power, symbol, symbols
+from tresym.reals.language.expression import ONE, Expr, multiply, number, power, symbol, symbols
 from tresym.reals.language.parsing import Compared
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
@@ -39,6 +39,8 @@ def multiple_of(first: Compared, second: Compared) -> Multiple | None:
         names = sorted(symbols(one) | symbols(other))
         if not (elementary(one, other) and 0 < len(names) <= MOST_SYMBOLS and one != other):
             return None
+        if _factor(ONE, one, names) is not None:
+            return None  # any product of powers is another one times a factor: x = 0 and y = 0
         factor = _factor(one, other, names)
         return None if factor is None else Multiple(f"{other} == {multiply(factor, one)}", factor)
     except (InputError, ZeroDivisionError):

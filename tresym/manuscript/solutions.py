@@ -113,6 +113,11 @@ def residual(
         read: reads the tokens of a side, with the definition of the solution known.
         name, value: the solution.
     """
+    lone = [str(side) for side in equation.sides[::2]]
+    if name in lone and lone.count(name) == 1 and len(equation.names) > 1:
+        other = equation.sides[2 if lone[0] == name else 0]
+        if name not in symbols(other) | unknown_in(other):
+            return None  # it defines the symbol, and is no equation for it
     try:
         sides = [read(term) for term in equation.terms]
         sides = [_with_derivatives(side, name, value) for side in sides]
@@ -142,8 +147,8 @@ def _with_derivatives(e: Expr, name: str, value: Expr) -> Expr:
             by = next(iter(v for v in _VARIABLES if v in symbols(value)), "")
         else:
             raise LookupError(one)
-        if not by or not elementary(value):
-            raise LookupError(one)
+        if by not in symbols(value) or not elementary(value):
+            raise LookupError(one)  # its symbols may depend on the variable
         slope = value
         for _ in range(times):
             slope = differentiate(slope, by)
