@@ -3,7 +3,7 @@
 - `level_of_a_start`: γ from the initial flip angle and rate;
 - `turn_to_the_middle`, `time_of_a_turn`: reaching the unstable points takes infinite time, and they
   are never crossed;
-- `cotangent_form`, `rest_of_the_time`, `hyperbolic_sine_at_most`, `angle_below_tangent`: ε₀ → π/2
+- `cotangent_form`, `hyperbolic_sine_at_most`, `angle_below_tangent`: ε₀ → π/2
   as b → 0;
 - `separatrix_horizontal`, `separatrix_equilibria`: the separatrix of a top with I₂ = I₃.
 """
@@ -130,20 +130,6 @@ cotangent_form = Claim(
         *(roots, trigonometry),
     ),
     note="The reciprocal of the stable equation.",
-)
-
-rest_of_the_time = Claim(
-    says=equal(
-        3 * pi / 2 * sqrt(a * b) - _time, sqrt(a * b) * acos(sqrt(b / (a + b)) * cos(epsilon))
-    ),
-    given=(*shape, *defect),
-    proof=by(inverses),
-    note="Not negative: with T = √(ab)(π + arcsin(√(b/(a+b)) cos ε₀)) and this for 2x, T + 2x is "
-    "3π√(ab)/2.",
-)
-
-hyperbolic_sine_grows = Claim(
-    says=sinh(T + 2 * x) - sinh(T) >= 0, given=(T > 0, x > 0), proof=manifest
 )
 
 hyperbolic_sine_at_most = Claim(
