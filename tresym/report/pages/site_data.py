@@ -46,6 +46,18 @@ _EVIDENCE = {
     "Asymptotics": "an asymptotic expansion that contradicts the stated order",
     "Squeezed": "an inequality that holds on the whole side of the point",
     "Denied": "a proved claim that contradicts it",
+    "Follows": "evidence for each of its parts",
+    "RootBound": "the sign, at the bound, of the monotone function whose zero the root is",
+    "RootMonotone": "the implicit function theorem: the derivative of the root by the parameter has "
+    "one sign",
+    "MonotoneOf": "an earlier claim that its variable is monotone, and the sign of a derivative",
+    "FromSlope": "a positive derivative, from a point where the function is not negative",
+    "FromTheEdge": "the same bound at one value, and an earlier claim on monotone dependence",
+    "InfimumBy": "a bound, and points at which it is approached",
+    "Dominated": "a bound that depends on the variable of the limit alone",
+    "Conservation": "the derivative along the system, which is 0",
+    "Lyapunov": "a conserved function with a strict minimum at the point",
+    "Growing": "a positive eigenvalue of the linearised system",
 }
 """The kind of evidence, by the type of a claim's proof; pages put "By" in front of it."""
 
