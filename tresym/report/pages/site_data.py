@@ -48,8 +48,7 @@ _EVIDENCE = {
     "Denied": "a proved claim that contradicts it",
     "Follows": "evidence for each of its parts",
     "RootBound": "the sign, at the bound, of the monotone function whose zero the root is",
-    "RootMonotone": "the implicit function theorem: the derivative of the root by the parameter has "
-    "one sign",
+    "RootMonotone": "the implicit function theorem, since the derivative of the root has one sign",
     "MonotoneOf": "an earlier claim that its variable is monotone, and the sign of a derivative",
     "FromSlope": "a positive derivative, from a point where the function is not negative",
     "FromTheEdge": "the same bound at one value, and an earlier claim on monotone dependence",
