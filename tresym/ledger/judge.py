@@ -78,6 +78,7 @@ from tresym.ledger.evidence.deductions import (
     judge_monotone_of,
     judge_root_bound,
     judge_root_monotone,
+    parts_under,
 )
 from tresym.ledger.evidence.integrals import NotShownError, need, need_integrals, with_bounds
 from tresym.ledger.evidence.interval_evaluation import Evaluated, judge_evaluated
@@ -261,6 +262,10 @@ def _by_kind(claim: Claim, found: Findings) -> Finding:
             return judge_printed(claim)
         case AllOf(claims):
             finding = _judge_all(claims, found)
+            if finding.verdict is REFUTED:
+                false = next(c for c in claims if found[c.label].verdict is REFUTED)
+                if not _contains(claim, false):
+                    return Finding(UNDECIDED, f"{false.label}, which it names, is refuted")
             if finding.verdict.holds and isinstance(claim.says, Basic):
                 cited(claim, claims)
             return finding
@@ -371,6 +376,14 @@ def _judge_chains(claim: Claim, parts: tuple[tuple[Basic, Chain], ...] | None) -
             raise
         return replace(refuted, steps=steps)
     return Finding(PROVED, "every step follows from the reasons it names", steps=steps)
+
+
+def _contains(claim: Claim, part: Claim) -> bool:
+    """Return whether a conjunction states all that one of the claims that it names states."""
+    if claim.statement is None or part.statement is None:
+        return claim.statement is None and not getattr(claim.proof, "words", False)
+    stated = {*parts_under(claim.statement, claim.given)}
+    return {*parts_under(part.statement, part.given)} <= stated
 
 
 def _judge_parts(claim: Claim, proof: Follows) -> Finding:

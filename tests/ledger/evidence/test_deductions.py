@@ -35,9 +35,12 @@ from tresym.ledger.claim import (
     by,
     equal,
     follows,
+    in_words,
+    jointly,
     manifest,
     step,
 )
+from tresym.ledger.judge import judge
 from tresym.ledger.reasons import algebra, citing, differentiation, evaluating
 from tresym.ledger.statements import (
     ExactlyOne,
@@ -222,3 +225,16 @@ def test_each_part_needs_evidence_of_its_own() -> None:
     assert verdict(
         Tuple(Under(x > 2, Tuple(x > 3)), x > 2), follows(manifest, manifest), x > 1
     ) is (REFUTED)
+
+
+def test_a_refuted_claim_refutes_only_what_contains_it() -> None:
+    true = Claim("true", x**2 > 0, manifest, given=(x > 0,))
+    false = Claim("false", x > 1, manifest, given=(x > 0,))
+    found = {one.label: judge(one, {}) for one in (true, false)}
+    assert found["false"].verdict is REFUTED
+    both = Claim("both", **jointly(true, false))
+    assert judge(both, found).verdict is REFUTED
+    one = Claim("one", x**2 > 0, all_of(true, false), given=(x > 0,))
+    assert judge(one, found).verdict is UNDECIDED
+    words = Claim("words", "x is not small.", in_words(true, false))
+    assert judge(words, found).verdict is UNDECIDED
