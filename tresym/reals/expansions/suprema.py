@@ -119,7 +119,9 @@ def _germ(f: Expr, g: Expr, order: int, how: Evaluation) -> Near | None:
     The coefficients of t^k for k < ``order`` are zero.
     """
     start = [_coefficients(e, arb(0), how) for e in (f, g)]
-    if start[0] is None or start[1] is None or start[1][order].contains(0):
+    if start[0] is None or start[1] is None or order >= len(start[1]):
+        return None
+    if start[1][order].contains(0):
         return None
     limit = abs(start[0][order] / start[1][order])
 
