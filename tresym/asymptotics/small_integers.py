@@ -10,11 +10,12 @@ Example: ``sum(1/k, k, 1, n) < 5`` fails at n = 83, where the sum is 5.002….
 from __future__ import annotations
 
 from collections.abc import Iterator
+from math import factorial
 
 from flint import arb
 
 from tresym.reals.decisions.answer import Answer, refuted
-from tresym.reals.decisions.statement import Comparison, Statement
+from tresym.reals.decisions.statement import Comparison, Statement, factorial_arguments
 from tresym.reals.domain.binder_values import Enclosing
 from tresym.reals.domain.evaluation import UndefinedError, evaluate, stands
 from tresym.reals.language.binders import outermost
@@ -52,11 +53,14 @@ def refuted_at_integers(claim: Comparison, statement: Statement) -> Answer | Non
     (name,) = names
     if name not in statement.integers or claim.relation not in NEGATED:
         return None
+    arguments = factorial_arguments((claim.left, claim.right))
     values = _Values(claim, name, name in statement.given.names)
     with ball_precision(BITS):
         for n in _integers(values.farthest):
             at = {name: number(n)}
             if not all(c.holds_exactly({name: arb(n)}) for c in statement.given.conditions):
+                continue
+            if any(evaluate(e, {name: arb(n)}) < 0 for e in arguments):
                 continue
             try:
                 left, right = (values.side(e, n) for e in (claim.left, claim.right))
@@ -73,6 +77,16 @@ def refuted_at_integers(claim: Comparison, statement: Statement) -> Answer | Non
 def _integers(farthest: int) -> Iterator[int]:
     yield from range(farthest + 1)
     yield from range(-1, -NEGATIVE - 1, -1)
+
+
+def _without_factorials(e: Expr) -> Expr:
+    """Return a constant with the values of its factorials; what has none is left."""
+    fixed = {}
+    for node in outermost(e):
+        n = integer(node.args[-1]) if node.args[0].args == (FACTORIAL, (0,)) else None
+        if n is not None and 0 <= n <= FARTHEST:
+            fixed[node] = number(factorial(n))
+    return replaced(e, fixed) if fixed else e
 
 
 class _Values:
@@ -118,7 +132,7 @@ class _Values:
             return None
         (k,), body = opened(node, {self.name})
         ends = [evaluate(substitute(e, put), {}).unique_fmpz() for e in node.args[1:]]
-        if None in ends or body.hidden:
+        if None in ends or any(n.op != "unknown" for n in outermost(body)):
             return None
         low, high = (int(end) for end in ends if end is not None)
         if not (-1 if self.empty else 0) <= high - low <= FARTHEST:
@@ -129,7 +143,7 @@ class _Values:
         total = before if start != low and before is not None else None
         result = total if total is not None else arb(0 if node.op == "sum" else 1)
         for j in range(start, high + 1):
-            term = evaluate(substitute(body, {**put, k: number(j)}), {})
+            term = evaluate(_without_factorials(substitute(body, {**put, k: number(j)})), {})
             result = result + term if node.op == "sum" else result * term
         if fixed:
             self.partial[node, high] = result

@@ -23,7 +23,13 @@ from tresym.reals.cross_check import (
 )
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.readable_witnesses import tidied
-from tresym.reals.decisions.statement import Comparison, Path, Statement, implied_integers
+from tresym.reals.decisions.statement import (
+    Comparison,
+    Path,
+    Statement,
+    factorial_arguments,
+    implied_integers,
+)
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import is_infinite, outermost
 from tresym.reals.language.calls import INFINITY
@@ -100,6 +106,7 @@ def attack(
     equations = tuple((x, "==", y) for x, y in statement.equations)
     given = (*statement.given.comparisons, *equations)
     trees = (*claim[::2], *statement.said)
+    given = (*given, *((e, ">=", ZERO) for e in factorial_arguments(trees)))
     integers = implied_integers(trees, statement.integers)
     orders = {
         node.args[2] for node in outermost(comparison.left, comparison.right) if node.op == "nth"

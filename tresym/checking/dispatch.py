@@ -400,6 +400,10 @@ def _or_by_lemmas(
     other = refuted_at_integers(comparison, statement)
     if other is None:
         other = decide_by_monotony(comparison, statement, decided)
+    if other is None and statement.path is None:
+        from tresym.asymptotics.telescoping import decide_by_telescoping
+
+        other = decide_by_telescoping(comparison, statement, decided)
     return found if other is None else other
 
 

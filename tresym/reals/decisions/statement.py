@@ -215,6 +215,19 @@ def functions(e: Expr) -> Iterator[Expr]:
             yield e
 
 
+def factorial_arguments(trees: Iterable[Expr]) -> list[Expr]:
+    """Return the arguments of factorials without bound variables, also those inside sums.
+
+    A claim says nothing where one of them is negative, even if it stands in an empty sum.
+    """
+    found: dict[Expr, None] = {}
+    for e in trees:
+        for node in functions(e):
+            if node.args[0].args[0] == FACTORIAL and not node.args[1].loose:
+                found[node.args[1]] = None
+    return list(found)
+
+
 def implied_integers(trees: Iterable[Expr], known: Iterable[str] = ()) -> tuple[str, ...]:
     """Return the variables that must be integers: in ends of sums, orders and factorials.
 
