@@ -16,7 +16,8 @@ from tresym.reals.verdict import Verdict
 DATA = Path(__file__).parents[1] / "data" / "claims"
 CASES = [line.split(" | ", 1) for line in (DATA / "lemmas.txt").read_text().splitlines()]
 FALSEHOODS = [
-    line.split(" | ", 1) for line in (DATA / "lemma_falsehoods.txt").read_text().splitlines()
+    line.split(" | ", 1)
+    for line in (DATA.parent / "asymptotics" / "lemma_falsehoods.txt").read_text().splitlines()
 ]
 GUARDS = [(guard, claim) for guard, claim in dict(map(tuple, reversed(FALSEHOODS))).items()]
 EXPECTED = {

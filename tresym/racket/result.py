@@ -40,7 +40,13 @@ class Flip(NamedTuple):
 
     @property
     def rung(self) -> str:
-        """The old name of ``model``."""
+        """The old name of ``model``.
+
+        Example:
+            >>> import tresym
+            >>> tresym.flip_defect("1", "1/10", digits=6).rung
+            'separatrix'
+        """
         return self.model
 
     @property
@@ -126,7 +132,13 @@ class Journey(NamedTuple):
 
     @property
     def rung(self) -> str:
-        """The old name of ``model``."""
+        """The old name of ``model``.
+
+        Example:
+            >>> import tresym
+            >>> tresym.flip_angle("1", "1/10", "1", rate="0", digits=6).rung
+            'planar'
+        """
         return self.model
 
     @property

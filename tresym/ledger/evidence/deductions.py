@@ -91,7 +91,7 @@ from tresym.ledger.statements import (
     StrictlyIncreasing,
     Under,
 )
-from tresym.reals.decisions.identity import decide
+from tresym.reals.decisions.identity import decide_continuous
 from tresym.reals.decisions.statement import Comparison, Path
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import elementary, worked_out
@@ -349,7 +349,7 @@ def _need_interval(given: Conditions, name: str) -> None:
     for condition in given:
         slope = differentiate(condition.left - condition.right, name)
         bend = differentiate(slope, name)
-        flat = decide(bend, ZERO, Given(())).verdict is PROVED
+        flat = decide_continuous(bend, ZERO, Given(())).verdict is PROVED
         need(
             flat and condition.sign != "!=",
             f"could not show that the values of {name} with {condition} form an interval",
@@ -482,7 +482,7 @@ def _beyond(
     for written in equations:
         if written.lhs != x or x in written.rhs.free_symbols:
             return f"{written} gives {x} no value"
-        same = decide(tree(written.rhs), edge, Given(given)).verdict is PROVED
+        same = decide_continuous(tree(written.rhs), edge, Given(given)).verdict is PROVED
         if not same:
             return f"could not show {written} at the edge"
     plain = tuple(c for c in bounds[0] if c not in equations)
@@ -604,11 +604,12 @@ def judge_infimum(claim: Claim, proof: InfimumBy) -> Finding:
     close = conditions((t > 0, t < Rational(1, near)))
     for equation in equations:
         left, right = (along(put_in(tree(side), rules)) for side in equation.args)
-        same = decide(left, right, Given(close)).verdict is PROVED
+        same = decide_continuous(left, right, Given(close)).verdict is PROVED
         need(same and symbols(left) <= {t.name}, f"could not show {equation} on the path")
     shrinks = decide_order(Comparison(rest, "o", ONE), Path(t.name, ZERO, (1,)))
     need(shrinks.verdict.holds, f"could not show that the excess tends to 0: {shrinks.why}")
-    return Finding(PROVED, f"{proof.bound.label}, and {proof.above.label} as t tends to 0")
+    why = f"{proof.bound.label}, and {proof.above.label} as t tends to 0"
+    return Finding(shrinks.verdict, why)
 
 
 # Orders

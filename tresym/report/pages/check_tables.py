@@ -29,6 +29,11 @@ KINDS = {
         "SymPy, Herbie, Fungrim",
     ),
     "tables": ("antiderivatives", "Rubi"),
+    "lemmas": ("limits, orders and bounds of integrals, sums and factorials", "none known to us"),
+    "special": (
+        "special functions: identities, values, inequalities, limits",
+        "Mathematica, Fungrim",
+    ),
 }
 """Lists in tests/data/claims: the kind of claims, and tools made for such claims."""
 _VERDICTS = ("PROVED", "ENCLOSED", "REFUTED", "UNDECIDED")
