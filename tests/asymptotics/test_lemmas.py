@@ -25,7 +25,7 @@ EXPECTED = {
     "false": (Verdict.REFUTED,),
     "open": (Verdict.UNDECIDED,),
 }
-SAMPLE = 23
+SAMPLE = 40
 """Every so many claims of the list are decided by default, all of them at night."""
 
 
