@@ -1018,6 +1018,9 @@ def _on_part(
     """
     low, high = ends
     inside = parameters & Given(_links(name, low, high))
+    for e, relation in needs((g,)):
+        if relation in (">", ">=") and sign(e, inside, "<") == "-":
+            return  # G is not real here
     if continuous_on(g, inside, proof) is not None:
         raise _OpenError(f"{g} is not shown to be smooth for {inside or 'all ' + name}")
     if low not in _OPEN_ENDS and high not in _OPEN_ENDS and symbols(g) == {name}:
