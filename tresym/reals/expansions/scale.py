@@ -201,6 +201,8 @@ class Scale:
             if w in at:
                 falls = r.op == "number" and r.args[0] < 0 and at[w][1].op != "^"
                 return power(at[w][1], -r) if falls else power(at[w][0], r)
+            if w not in self.heights:  # a parameter
+                return e
             return apply("exp", collected(-r * walk(self.heights[w])))
 
         powers = (power(symbol(w), x) for w, x in first.powers.items())
