@@ -15,7 +15,7 @@ from tresym.reals.numbers.arithmetic import ball_precision
 
 DIGITS = 50
 DIGITS_OF_ROOTS = 30
-"""The digits of the root of a shape at which an existential theorem holds."""
+"""The digits of the root of a shape at which an existential statement holds."""
 BITS, PRECISION = 260, 240
 HEAD = """Require Import Reals Lra Lia Psatz.
 From Coquelicot Require Import Coquelicot.
