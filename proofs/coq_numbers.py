@@ -34,7 +34,7 @@ def numbers() -> str:
 
 
 def of_body(name: str) -> str:
-    """Return the theorem for one body: every solution of the equation has these digits."""
+    """Return the statement for one body: every solution of the equation has these digits."""
     shape = NAMED_BODIES[name].shape
     defect = solve(shape.a, shape.b, DIGITS + 4).defect
     with ball_precision(BITS):
