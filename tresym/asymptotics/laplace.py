@@ -209,8 +209,9 @@ def raised(v: Expr, exponent: fmpq) -> Expr:
     """Return v^e; powers of roots of integers are powers of what is under the root."""
     if exponent == 0:
         return ONE
-    if v.op == "^" and v.args[1].op == "number" and (inner := v.args[1].args[0] * exponent).q == 1:
-        return power(v.args[0], number(inner))
+    own = v.args[1].args[0] if v.op == "^" and v.args[1].op == "number" else fmpq(1)
+    if own.q != 1 and (own * exponent).q == 1:  # of a root, whose radicand is not negative
+        return power(v.args[0], number(own * exponent))
     return power(v, number(exponent))
 
 
