@@ -26,11 +26,17 @@ def add(commands: Commands) -> None:
     parser = commands.add_parser(
         "bench",
         help="time tresym against other tools",
-        description="Time workloads, with each tool in turn; compare times only within one run.",
+        description=(
+            "Time the workloads with each tool in turn. Compare only times of the same run."
+        ),
         epilog="\n".join(
             ["workloads (default: all):"]
             + [f"  {name:<{width}}  {says}" for name, says in WORKLOADS.items()]
-            + ["", "Interrupted with Ctrl-C, it shows (and with --save keeps) what it has."]
+            + [
+                "",
+                "After Ctrl-C, the measurements made so far are shown, and "
+                "with --save they are stored.",
+            ]
         ),
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
@@ -59,7 +65,7 @@ def run_all(names: Sequence[str], save: bool, as_json: bool, path: str | None) -
     for name in chosen:
         if name not in WORKLOADS:
             raise InputError(
-                f"workload: {quoted(name)} is not known; known: {', '.join(WORKLOADS)}"
+                f"workload: {quoted(name)} is unknown; the workloads are {', '.join(WORKLOADS)}"
             )
     home = workloads.folder() if save else None
     done: list[Measurement] = []

@@ -15,9 +15,10 @@ def add(commands: Commands) -> None:
         "chart",
         help="a chart of saved measurements",
         description="Draw errors of your own approximations (chart error EXACT APPROX ...), time "
-        "against true digits (chart work-precision EXPRESSION), the digits that double precision "
-        "loses (chart stability EXPRESSION), or one chart of what tresym bench --save kept; "
-        "without a name, list those.",
+        "against true digits (chart work-precision EXPRESSION), the digits that "
+        "double precision loses (chart stability EXPRESSION), or one chart of the "
+        "measurements stored by tresym bench --save. Without a name, list these "
+        "charts.",
         epilog="Needs matplotlib: pip install -e '.[docs]'.",
     )
     parser.add_argument(
@@ -27,15 +28,18 @@ def add(commands: Commands) -> None:
         help="a chart, such as work-precision; a file of claims",
     )
     parser.add_argument(
-        "more", nargs="*", metavar="EXPRESSION | LABEL", help="what is drawn; a claim of the file"
+        "more",
+        nargs="*",
+        metavar="EXPRESSION | LABEL",
+        help="the expressions to compare, or the label of a claim of the file",
     )
     parser.add_argument("--as", dest="tends", metavar="PATH", help="error: x -> 0+, oo, 1/2")
     add_options(
         parser,
-        ("--at POINTS", "error: values of the variable of the path: 1/10,1/100"),
+        ("--at POINTS", "error: values of the variable that tends to the limit point: 1/10,1/100"),
         ("--given CONDITIONS", "parameters: 'M == 1'; stability: the region '0 < x <= 1'"),
         ("--order GAUGE", "error: the comparison function"),
-        ("--on REGION", "error: where the constant is taken"),
+        ("--on REGION", "error: the region for which the constant is computed"),
     )
     parser.add_argument(
         "--mine",

@@ -31,10 +31,11 @@ def add(commands: Commands) -> None:
         help="check a claim: an identity, a bound, an order, a limit, an integral, a sum",
         description="Decide claims such as 'diff(F, x) == f', 'exp(x) >= 1 + x', "
         "'integral(f, x, 0, oo) == V', 'integral(f, x) == F', 'sum(f, k, 1, n) == S', "
-        "'product(f, k, 1, n) == P' or, with a path, 'sin(x) == x + O(x**3)' (O, o, Theta, omega, "
+        "'product(f, k, 1, n) == P' or, with a limit process, "
+        "'sin(x) == x + O(x**3)' (O, o, Theta, omega, "
         "~), 'f -> L', 'f > g' (eventually): PROVED, ENCLOSED, REFUTED or UNDECIDED, and why.",
-        epilog="Exit status: 0 if it holds, 1 if refuted, 3 if undecided, 2 if it cannot be read; "
-        "for many claims the first of 2, 1, 3 that occurs.",
+        epilog="Exit status: 0 if the claim holds, 1 if it is refuted, 3 if it is undecided, 2 if"
+        " it cannot be parsed. For many claims, it is the first of 2, 1, 3 that occurs.",
     )
     parser.add_argument("claim", nargs="?", metavar="CLAIM", help="text or LaTeX")
     parser.add_argument(
@@ -42,17 +43,32 @@ def add(commands: Commands) -> None:
         default=[],
         action="append",
         metavar="CONDITIONS",
-        help="a > 0, 0 < b <= 1, a + b == 1, n integer; if repeated, all of them hold",
-    )
-    parser.add_argument("--as", dest="tends", metavar="PATH", help="x -> 0+, 0-, 0, 1/2, oo, -oo")
-    parser.add_argument(
-        "--on", metavar="REGION", help="where the constant of an order is asked for: 0 < x <= 1/2"
-    )
-    parser.add_argument(
-        "-f", dest="file", metavar="FILE", help="one claim a line; # comments; - reads input"
+        help=(
+            "conditions: a > 0, 0 < b <= 1, a + b == 1, n integer; all "
+            "conditions of repeated options hold"
+        ),
     )
     parser.add_argument(
-        "--coq", metavar="PROOF.v", help="write statement and proof for Coq; coqc is run if there"
+        "--as",
+        dest="tends",
+        metavar="PATH",
+        help="the limit process (path): x -> 0+, 0-, 0, 1/2, oo, -oo",
+    )
+    parser.add_argument(
+        "--on",
+        metavar="REGION",
+        help="the region for which the constant of an order is computed: 0 < x <= 1/2",
+    )
+    parser.add_argument(
+        "-f",
+        dest="file",
+        metavar="FILE",
+        help="a file with one claim per line; # starts a comment; - reads standard input",
+    )
+    parser.add_argument(
+        "--coq",
+        metavar="PROOF.v",
+        help="write the statement and its proof for Coq; coqc checks them if it is installed",
     )
     parser.add_argument(
         "--limit", default="5", metavar="SECONDS", help="processor time for each claim (5)"

@@ -164,7 +164,7 @@ def row_lines(row: Row, full: bool, width: int, colour: bool) -> list[str]:
     for one in row.instead[:1]:
         say(f"true instead: {one.claim}{' given ' + one.given if one.given else ''}", "2")
     if row.axioms:
-        say(f"it rests on {', '.join(row.axioms)}, which is quoted and not proved here", "2")
+        say(f"quoted from the literature, not proved here: {', '.join(row.axioms)}", "2")
     return lines
 
 
@@ -177,7 +177,7 @@ def summary(report: PaperReport, colour: bool) -> str:
     ]
     unexpected = sum(not row.as_expected for row in report.rows)
     problems = len(report.paper.problems)
-    lines = "1 line is not read" if problems == 1 else f"{problems} lines are not read"
+    lines = "1 line cannot be parsed" if problems == 1 else f"{problems} lines cannot be parsed"
     parts = [f"{unexpected} not as expected"] if unexpected else []
     parts += [lines] if problems else []
     outcome = "; ".join(parts) or "every verdict is as expected"

@@ -36,7 +36,7 @@ def add(commands: Commands) -> None:
         description="Print a script that completes commands, options, labels and names.",
         epilog="For bash: tresym completion bash >> ~/.bashrc",
     )
-    parser.add_argument("shell", choices=("bash", "zsh"), help="the shell that is to read it")
+    parser.add_argument("shell", choices=("bash", "zsh"), help="the shell that reads the script")
 
 
 def run(args: argparse.Namespace) -> int:

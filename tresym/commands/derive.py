@@ -30,8 +30,9 @@ def add(commands: Commands) -> None:
         help="the article with its figures, slides, a notebook, or single derivations to paste",
         description=(
             "Without labels, write the article about the paper, in LaTeX. With labels, write the "
-            "derivation of each of these claims, to paste into a text of your own. With a file "
-            "of claims first, write its document, or the derivations of these claims of it."
+            "derivation of each named claim, to paste into your own text. With a file of claims "
+            "as the first argument, write the document of this file, or the derivations of its "
+            "named claims."
         ),
         epilog="With -o article.tex the figures are written to the folder article-figures. They "
         "need matplotlib: pip install -e '.[docs]'. "
@@ -49,7 +50,9 @@ def add(commands: Commands) -> None:
         default="article",
         help="LaTeX (the default), ten slides, Markdown, or a notebook that computes the numbers",
     )
-    parser.add_argument("-o", dest="path", metavar="PATH", help="write to a file instead")
+    parser.add_argument(
+        "-o", dest="path", metavar="PATH", help="write to a file instead of standard output"
+    )
     parser.add_argument(
         "--figures",
         action=argparse.BooleanOptionalAction,
@@ -59,7 +62,7 @@ def add(commands: Commands) -> None:
     add_options(
         where,
         ("--ledger", "also write every claim with its proof, to PATH-ledger.tex"),
-        ("--appendix", "the same as an appendix of the article"),
+        ("--appendix", "write every claim with its proof as an appendix of the article"),
     )
     parser.add_argument(
         "--refuted",
@@ -168,7 +171,8 @@ def _drawing(figures: dict[str, str], kind: str) -> Iterator[dict[str, Future[by
 
     if find_spec("matplotlib") is None:
         raise InputError(
-            "derive: figures need matplotlib (pip install -e '.[docs]'); --no-figures omits them"
+            "derive: figures need matplotlib (pip install -e '.[docs]'); "
+            "--no-figures omits the figures"
         )
     with Processes(1) as processes:
         yield {

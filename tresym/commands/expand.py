@@ -1,4 +1,4 @@
-"""``tresym expand``: find the expansion of an expression along a path, with its constant."""
+"""``tresym expand``: expand an expression in a limit process, with the constant of the error."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def add(commands: Commands) -> None:
     """Add `tresym expand` to the command line."""
     parser = commands.add_parser(
         "expand",
-        help="find the expansion of an expression along a path, with its constant",
+        help="expand an expression in a limit process, with the constant of the error",
         description="Find the first terms of the expansion of an explicit expression or of a root "
         "of an equation, decide the statement with them, and give the constant of the error.",
         epilog="Example: tresym expand y --given 'y**5 + e*y == 1, y > 0' --as 'e -> 0' --terms 3. "
@@ -25,12 +25,17 @@ def add(commands: Commands) -> None:
         "input or if none is found.",
     )
     parser.add_argument("exact", metavar="EXACT", help="an expression, or an unknown")
-    parser.add_argument("--as", dest="tends", metavar="PATH", help="x -> 0+, 0-, 0, 1/2, oo, -oo")
+    parser.add_argument(
+        "--as",
+        dest="tends",
+        metavar="PATH",
+        help="the limit process (path): x -> 0+, 0-, 0, 1/2, oo, -oo",
+    )
     add_options(
         parser,
         ("--given CONDITIONS", "conditions, or an equation that determines the unknown EXACT"),
         ("--terms N=3", "the number of terms (3)"),
-        ("--on REGION", "where the constant is taken: 0 < e <= 1/2"),
+        ("--on REGION", "the region for which the constant is computed: 0 < e <= 1/2"),
     )
     parser.add_argument("--format", choices=("text", "latex"), default="text", help="default: text")
     add_output(parser)
@@ -41,7 +46,7 @@ def run(args: argparse.Namespace) -> int:
     from tresym.accuracy.expansion import expand
 
     if args.tends is None:
-        raise InputError("expand: give a path, such as --as 'x -> 0+'")
+        raise InputError("expand: give a limit process, such as --as 'x -> 0+'")
     text = str(args.terms)
     if not (text.isascii() and text.isdecimal() and len(text) < 4):
         raise InputError("--terms: give an integer, such as 3")

@@ -35,8 +35,12 @@ def add(commands: Commands) -> None:
     parser.add_argument("--coq", required=True, metavar="DIR", help="the folder to write")
     add_options(
         parser,
-        ("--search", "search for missing proofs with coqtop, and store them"),
-        ("--check", "store that Coq has checked the files there, whose make printed into said.txt"),
+        ("--search", "search for missing proofs with coqtop, and store the proofs that are found"),
+        (
+            "--check",
+            "store that Coq has checked the files in the folder; "
+            "said.txt must hold the output of make",
+        ),
     )
 
 
@@ -59,7 +63,7 @@ def run(args: argparse.Namespace) -> int:
     counts = Counter(row["status"] for row in index.values())
     print(
         f"{args.coq}: {counts['proved']} of {len(index)} claims proved, {counts['partial']} in "
-        f"part, {counts['none']} not; run make there to have Coq check them"
+        f"part, {counts['none']} not; run make in this folder to let Coq check the proofs"
     )
     return 0
 

@@ -28,7 +28,7 @@ def add(commands: Commands) -> None:
     parser = commands.add_parser(
         "figure",
         help="draw a figure of the paper, also for your own body",
-        description="Draw one figure; without a name, list them. flip-portrait, flip-map, "
+        description="Draw one figure. Without a name, list all figures. flip-portrait, flip-map, "
         "flip-curves and racket-flip can be drawn for any body.",
         epilog="Needs matplotlib: pip install -e '.[docs]'; for an MP4 imageio-ffmpeg: "
         "pip install -e '.[docs,video]'.",

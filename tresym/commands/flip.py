@@ -47,17 +47,20 @@ def add(commands: Commands) -> None:
         "--rung",
         dest="model",
         metavar="NAME",
-        help="use this model instead of the cheapest sufficient one",
+        help=(
+            "use this model (method of computation) instead of the "
+            "cheapest model that gives the digits"
+        ),
     )
     where = parser.add_mutually_exclusive_group()
     add_options(
         where,
         (
             "--gamma G",
-            "distance from the separatrix, -b to a (default: 0); on a rigid body a larger one "
-            "always flips further",
+            "distance from the separatrix, -b to a (default: 0); on a rigid body, a larger "
+            "distance always gives a larger flip",
         ),
-        ("--psi0 P", "start at this psi, in radians, instead of on the symmetric motion"),
+        ("--psi0 P", "start at this psi, in radians, instead of following the symmetric motion"),
     )
     how = parser.add_mutually_exclusive_group()
     how.add_argument("--rate", metavar="V", help="with --psi0: dpsi/dphi at the start")

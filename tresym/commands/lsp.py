@@ -20,7 +20,12 @@ def add(commands: Commands) -> None:
         "--limit", default="2", metavar="SECONDS", help="processor time for each claim (2)"
     )
     parser.add_argument(
-        "--stdio", action="store_true", help=("accepted because editors pass it; it is always on")
+        "--stdio",
+        action="store_true",
+        help=(
+            "accepted because editors pass this option; the server "
+            "always uses standard input and output"
+        ),
     )
 
 

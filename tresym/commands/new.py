@@ -30,7 +30,7 @@ below: sin(a) > a - a**3/6
 value: T(a) ~= 1.0156 at a == 1/2
 
 ## Expansions
-% An order needs a path, here a -> 0 from above.
+% An order needs a limit process, here a -> 0 from above.
 series: sin(a) == a - a**3/6 + O(a**5) as a -> 0+
 
 % A chain is a derivation; an indented line continues the line above.

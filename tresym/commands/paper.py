@@ -37,11 +37,12 @@ def add(commands: Commands) -> None:
     parser = commands.add_parser(
         "paper",
         help="check the displayed formulas of a manuscript",
-        description="Read every display of a manuscript's LaTeX and give each link of its chains a "
-        "status: PROVED, ENCLOSED, REFUTED, SUSPECT (a likely misprint), UNDECIDED, DEFINED, "
-        "ASSUMED, EQUATION or UNREAD. Comments such as '% tresym: given a > 0' add information.",
-        epilog="Exit status: 1 if something is REFUTED or SUSPECT, with --strict also if "
-        "something is UNDECIDED or UNREAD; 2 if the file cannot be read.",
+        description="Read every display of a manuscript's LaTeX and give each equality or "
+        "inequality (link) in it a status: PROVED, ENCLOSED, REFUTED, SUSPECT (a "
+        "likely misprint), UNDECIDED, DEFINED, ASSUMED, EQUATION or UNREAD. Comments "
+        "such as '% tresym: given a > 0' add information.",
+        epilog="Exit status: 1 if a formula is REFUTED or SUSPECT, with --strict also if a "
+        "formula is UNDECIDED or UNREAD; 2 if the file cannot be read.",
     )
     parser.add_argument(
         "papers",
@@ -52,10 +53,13 @@ def add(commands: Commands) -> None:
     add_options(
         parser,
         ("--notes FILE", "a file of directives, by display number and hash"),
-        ("--html DIR", "write a page with every display as read"),
-        ("--claims FILE.tresym", "write what was read as a file of claims, for you to complete"),
-        ("--marks FILE", "write marks for the margin, and tresym.sty beside them"),
-        ("--all", "show every link; without it a long report is one screen"),
+        ("--html DIR", "write an HTML page with every display and how it was read"),
+        ("--claims FILE.tresym", "write the formulas as a file of claims, for you to complete"),
+        (
+            "--marks FILE",
+            "write the marks for the margin to FILE, and tresym.sty to the same folder",
+        ),
+        ("--all", "show every link; without this option, a long report is shortened to one screen"),
         ("--suspect-ok", "do not count SUSPECT as a failure"),
     )
     parser.add_argument(
@@ -77,7 +81,7 @@ def add(commands: Commands) -> None:
     )
     add_options(
         parser,
-        ("--baseline FILE", "a file of known problems: report new ones only"),
+        ("--baseline FILE", "a file of known problems: report only new problems"),
         ("--update-baseline", "write the current problems to FILE"),
         ("--no-cache", "do not use cached answers"),
         ("--clear-cache", "delete the cached answers"),

@@ -19,7 +19,7 @@ UNEXPECTED = 1
 BAD_INPUT = 2
 INTERRUPTED = 130
 CLOSED_PIPE = 141
-PICTURE_PATH = "write to a file instead: .svg, .pdf or .png"
+PICTURE_PATH = "write to a file (.svg, .pdf or .png) instead of standard output"
 
 
 class Parser(argparse.ArgumentParser):
@@ -107,7 +107,9 @@ def add_options(
 def add_output(parser: argparse.ArgumentParser) -> None:
     """Add --json and -o."""
     add_options(parser, ("--json", "print JSON"))
-    parser.add_argument("-o", dest="path", metavar="PATH", help="write to a file instead")
+    parser.add_argument(
+        "-o", dest="path", metavar="PATH", help="write to a file instead of standard output"
+    )
 
 
 def worker_count(text: str | None) -> int:

@@ -17,8 +17,8 @@ def add(commands: Commands) -> None:
         description="Compute the flip defect of every row of a grid or of a CSV file, and the "
         "errors of the formulas, into an SQLite table. Run the same command again to continue a "
         "sweep that was interrupted.",
-        epilog="VALUES: 0.1,1/3 or LOW:HIGH:COUNT, with log after it for equal ratios. Exit status "
-        "1 if some rows have a problem; line and reason are in the table.",
+        epilog="VALUES: 0.1,1/3 or LOW:HIGH:COUNT, with log after it for equal ratios. Exit "
+        "status: 1 if a row has a problem; the table shows the line and the reason.",
     )
     parser.add_argument("-o", dest="path", metavar="TABLE", required=True, help="the SQLite file")
     parser.add_argument("--csv", metavar="FILE", help="columns a, b or I1, I2, I3 or body; gamma")
@@ -50,7 +50,7 @@ def run(args: argparse.Namespace) -> int:
 
     if args.path.lower().endswith((".csv", ".parquet", ".json", ".txt")):
         raise InputError(
-            f"{args.path}: a sweep keeps its rows in an SQLite file, so that it can be continued; "
+            f"{args.path}: a sweep stores its rows in an SQLite file, so that it can be continued; "
             f"write -o TABLE.sqlite --export {args.path}"
         )
     grid = (args.a, args.b, args.gamma)

@@ -31,9 +31,10 @@ def add(commands: Commands) -> None:
     parser = commands.add_parser(
         "table",
         help=f"certified tables: EXACT APPROX, or {TABLES}",
-        description="Compare an approximate expression with the exact one along a path: certified "
-        "values and errors, empirical order, verdict of the order, smallest constant. Or print a "
-        "certified table by its name, or one that a file of claims asks for.",
+        description="Compare an approximate expression with the exact expression in a limit "
+        "process: certified values and errors, empirical order, verdict on the order,"
+        " smallest constant. Or print a certified table by its name, or a table that "
+        "a file of claims defines.",
         epilog="Example: tresym table 'root(y - e*sin(y) - 1, y, 0, 4)' '1 + e*sin(1)' "
         "--as 'e -> 0+' --order 'e**2'. Exit status: 0, 1 if a printed cell "
         "is wrong, 2 for bad input.",
@@ -47,14 +48,19 @@ def add(commands: Commands) -> None:
     parser.add_argument(
         "label", nargs="?", metavar="APPROX | LABEL", help="an expression; a claim of the file"
     )
-    parser.add_argument("--as", dest="tends", metavar="PATH", help="x -> 0+, 0-, 0, 1/2, oo, -oo")
+    parser.add_argument(
+        "--as",
+        dest="tends",
+        metavar="PATH",
+        help="the limit process (path): x -> 0+, 0-, 0, 1/2, oo, -oo",
+    )
     add_options(
         parser,
-        ("--at POINTS", "exact values of the variable of the path: 1/10,1/100"),
+        ("--at POINTS", "exact values of the variable that tends to the limit point: 1/10,1/100"),
         ("--given CONDITIONS", "'M == 1', or an equation that defines an unknown of EXACT"),
         ("--digits N=50", "digits of the values (50)"),
         ("--order GAUGE", "the comparison function; guessed from the last rows if not given"),
-        ("--on REGION", "where the constant is taken: 0 < e <= 1/2"),
+        ("--on REGION", "the region for which the constant is computed: 0 < e <= 1/2"),
         ("--against FILE.csv", "check the printed cells of a file against the formula EXACT"),
         ("--column NAME", "with --against: the column that the formula gives"),
         ("--scheduler ADDRESS", "the workers of a Dask scheduler, as tcp://HOST:PORT"),
@@ -101,7 +107,7 @@ def check_printed(args: argparse.Namespace) -> int:
     from tresym.accuracy.printed_tables import against
 
     if args.label is not None or args.tends is not None:
-        raise InputError("table: --against takes one formula and no path")
+        raise InputError("table: --against takes one formula and no --as")
     found = against(args.against, args.name, args.column)
     text = json_line(found.as_json()) if args.json else table.written(found.table(), args.format)
     deliver(text, args.path)
@@ -113,7 +119,7 @@ def compare(args: argparse.Namespace) -> int:
     from tresym.accuracy.error_table import error_table
 
     if args.tends is None:
-        raise InputError("table: two expressions need a path, such as --as 'x -> 0+'")
+        raise InputError("table: two expressions need a limit process, such as --as 'x -> 0+'")
     points = [part for part in (args.at or "").split(",") if part.strip()]
     found = error_table(
         args.name,

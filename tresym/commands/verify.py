@@ -50,12 +50,15 @@ def add(commands: Commands) -> None:
     add_options(
         parser,
         ("--graph", "print the dependencies of the claims as a Mermaid graph"),
-        ("--mutants", "judge false variants of the claims, none of which may pass"),
-        ("--full", "search for the stored box proofs again instead of checking them"),
-        ("--save-certificates", "with --full, store the box proofs that were found"),
-        ("--save-sentences", "store that the sentences of these claims fit their formulas"),
+        ("--mutants", "judge false variants of the claims; no variant may pass"),
+        ("--full", "search for the box proofs again instead of checking the stored proofs"),
+        ("--save-certificates", "with --full, store the box proofs that the search finds"),
+        (
+            "--save-sentences",
+            "store that the sentences of these claims say the same as their formulas",
+        ),
         ("--workers N", "number of processes (default: one per core)"),
-        ("--limit SECONDS", "for each claim of a file (20)"),
+        ("--limit SECONDS", "processor time for each claim of a file (20)"),
     )
     add_output(parser)
 
@@ -299,8 +302,9 @@ def _summary(report: Report, colour: bool) -> str:
     kinds = report.refuted
     if any(kinds.values()):
         lines.append(
-            f"refuted: {kinds['paper']} statements of the paper, {kinds['stricter']} readings "
-            f"stricter than its words, {kinds['sharpness']} checks that a bound of ours is sharp"
+            f"refuted: {kinds['paper']} statements of the paper, {kinds['stricter']} "
+            "interpretations stricter than its words, "
+            f"{kinds['sharpness']} checks that a bound of ours is sharp"
         )
     unexpected = sum(not row.as_expected for row in report.rows)
     outcome = "every verdict is as expected" if not unexpected else f"{unexpected} not as expected"

@@ -297,7 +297,7 @@ def _columns(header: str, path: str) -> tuple[str, ...]:
     if len(given) != 1 or len(set(columns)) < len(columns):
         raise InputError(
             f"{path}: the first line must name the columns: a, b or I1, I2, I3 or body, each once; "
-            "gamma and name if wanted"
+            "the columns gamma and name are optional"
         )
     return columns
 

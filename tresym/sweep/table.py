@@ -216,10 +216,11 @@ def _begin(connection: sqlite3.Connection, path: str, request: dict[str, Any]) -
             connection.execute(statement)
         connection.execute("INSERT INTO sweep VALUES (?)", (asked,))
     elif connection.execute("PRAGMA application_id").fetchone() != (APPLICATION,):
-        raise InputError(f"{path}: is a database of something else; name another file")
+        raise InputError(f"{path}: is a database of something else than a sweep; name another file")
     elif connection.execute("SELECT request FROM sweep").fetchone() != (asked,):
         raise InputError(
-            f"{path}: was begun with other rows or other digits; name another file, or delete it"
+            f"{path}: holds a sweep with other rows or other digits; name "
+            "another file, or delete this file"
         )
     connection.execute("COMMIT")
 

@@ -164,7 +164,7 @@ def _knock(address: str) -> None:
             raise ValueError("the address must have the form tcp://HOST:PORT")
         with socket.create_connection((parts.hostname, parts.port), timeout=PATIENCE) as line:
             if parts.scheme == "tcp" and not 0 < _size(line) < LARGEST_GREETING:
-                raise ValueError("something else than a Dask scheduler answers there")
+                raise ValueError("the program that answers is not a Dask scheduler")
     except (OSError, ValueError) as error:
         raise _no_answer(address, error) from None
 
