@@ -18,8 +18,8 @@ def add(commands: Commands) -> None:
         "audit",
         help="compare the paper's LaTeX with the claims",
         description="List the claims that cover each display, theorem, table and figure of the "
-        "paper, and each line of its text with a formula or on the motion; compare them "
-        "with its LaTeX.",
+        "paper, and each line of the text with a formula or a statement about the motion. "
+        "Compare the claims with the LaTeX of the paper.",
         epilog="Exit status: 1 unless all of the paper is covered, unaltered and copied correctly.",
     )
     parser.add_argument("paper", metavar="PAPER.tex", help="the LaTeX source of the paper")
