@@ -114,7 +114,7 @@ def test_pages_are_the_same_twice(report: Report) -> None:
 
 README = (Path(__file__).resolve().parents[3] / "README.md").read_text(encoding="utf-8")
 _ROW = re.compile(r"^\| (.+) \| (PROVED|ENCLOSED|REFUTED) \| (.+) \|$", re.MULTILINE)
-_NUMBER = re.compile(r"(?<![\w^(.])\d+(?:\.\d+)?(?![\w)])")
+_NUMBER = re.compile(r"(?<![\w^(.])\d+(?:\.\d+|/\d+)?(?![\w)])")
 FINDINGS = [row for row in _ROW.findall(README) if "`" in row[0]]
 
 
