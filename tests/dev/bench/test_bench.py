@@ -211,7 +211,7 @@ def test_unknown_workloads_are_refused(capsys: pytest.CaptureFixture[str]) -> No
     with pytest.raises(InputError, match="workload: 'x' is not known"):
         workloads.measure("x")
     assert main(["bench", "turn", "x"]) == 2
-    assert capsys.readouterr().err.startswith("tresym: workload: 'x' is not known")
+    assert capsys.readouterr().err.startswith("tresym: workload: 'x' is unknown")
 
 
 def test_help_lists_every_workload(capsys: pytest.CaptureFixture[str]) -> None:

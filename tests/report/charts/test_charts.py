@@ -40,6 +40,7 @@ def test_a_saved_chart_is_a_picture_that_can_stand_anywhere(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", ["work-precision", "honesty", "scaling"])
+@pytest.mark.slow
 def test_a_measurement_of_another_shape_is_one_line(name: str, tmp_path: Path) -> None:
     known = data(charts.CHARTS[name].workload)
     path = tmp_path / "measured.json"
@@ -152,6 +153,7 @@ def test_times_have_units() -> None:
 # The command
 
 
+@pytest.mark.slow
 def test_the_command_lists_the_charts_and_draws_one(capsys, tmp_path: Path) -> None:
     assert main(["chart"]) == 0
     listed = capsys.readouterr().out.splitlines()
@@ -169,7 +171,7 @@ def test_bad_input_is_one_line(capsys, tmp_path: Path) -> None:
     hollow = tmp_path / "hollow.json"
     hollow.write_text('{"workload": "turn"}', encoding="utf-8")
     for words, message in (
-        (["chart", "nosuch"], "known: work-precision"),
+        (["chart", "nosuch"], "known: deciders, work-precision"),
         (["chart", "turn", "--from", other], "is not a measurement of the workload turn"),
         (["chart", "turn", "--from", str(broken)], "is not JSON"),
         (["chart", "turn", "--from", str(hollow)], "is not a measurement of the workload turn"),

@@ -16,6 +16,7 @@ DRAWN = (
 
 
 @pytest.mark.parametrize("asked", DRAWN)
+@pytest.mark.slow
 def test_it_is_drawn(asked: list[str], tmp_path: Path) -> None:
     path = tmp_path / "chart.svg"
     assert main(["chart", *asked, "-o", str(path)]) == 0

@@ -17,6 +17,8 @@ WORKLOADS = {
     "runs",
     "values": "integrals, roots and special functions to 50 digits: quad, findroot, functions of "
     "mpmath, and tresym",
+    "deciders": "claims decided within a time, and how many wrongly: SymPy, Maxima, z3, numerical "
+    "testing, and tresym",
     "scaling": "time against digits, starts (with memory) and claims",
 }
 """What each workload measures, by name."""

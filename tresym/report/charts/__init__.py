@@ -26,6 +26,11 @@ class Chart(NamedTuple):
 
 
 CHARTS = {
+    "deciders": Chart(
+        "Claims decided within a time, and wrong answers: SymPy, Maxima, z3, testing, tresym",
+        "deciders",
+        "deciders",
+    ),
     "work-precision": Chart(
         "Correct digits against time, six scenes", "precision", "work_precision"
     ),
