@@ -59,7 +59,7 @@ from tresym.reals.verdict import Verdict
 Rules = dict[Basic, Basic]
 LOOKS = ((BITS, POINTS), (1024, 2))
 """Pairs of a precision in bits and the number of points tried with it."""
-ENOUGH, TRIED = (6, 1), (16, 2)
+ENOUGH, TRIED = (6, 1), (16, 12)
 """Effort of the independent check: points evaluated and points tried, each for cheap relations and
 for those with an integral or an implicit equation. They do not depend on time, so that a busy
 machine checks as much as an idle one."""
