@@ -7,7 +7,7 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from decimal import Context
 
 from tresym.ledger.axioms import Axiom
-from tresym.ledger.claim import Claim
+from tresym.ledger.claim import AllOf, Claim
 from tresym.ledger.finding import Finding
 from tresym.ledger.verification import Row
 from tresym.reals.numbers.exact import fraction_text
@@ -127,7 +127,7 @@ def entry(row: Row, known: Collection[str]) -> str:
         lines.append(rf"\textsf{{\small The paper:}} {prose(claim.paper_says)}\par")
     lines += [rf"{{\raggedright {words}\par}}" for words in in_words(claim, code)]
     lines += _decided(claim, said(claim).means)
-    lines += [rf"\fitted{{{body}}}" for body in set_displays(claim)]
+    lines += _fitting(claim)
     if claim.note:
         lines.append(rf"{prose(claim.note)}\par")
     if claim.axioms:
@@ -135,6 +135,24 @@ def entry(row: Row, known: Collection[str]) -> str:
         lines.append(rf"\textsf{{\small Quoted:}} {cited}.\par")
     lines += outcome(row, known)
     return "\n".join(lines) + "\n"
+
+
+def _fitting(claim: Claim) -> Iterator[str]:
+    """The displays of a claim; in place of those that are too wide, where they are printed."""
+    left_out = False
+    for body in set_displays(claim):
+        if any(width(line) > TOO_WIDE for line in body.split(r" \\ ")):
+            left_out = True
+        else:
+            yield rf"\fitted{{{body}}}"
+    if left_out:
+        shown = rf"\texttt{{tresym verify {_lettered(claim.label)} -{{}}-json}}"
+        parts = ""
+        if isinstance(claim.proof, AllOf):
+            named = ", ".join(rf"\texttt{{{_lettered(c.label)}}}" for c in claim.proof.claims)
+            parts = f"The claim states all of {named}. "
+        long = f"{parts}A formula that is too long for this page is left out; {shown} prints it."
+        yield rf"{{\raggedright\textsf{{\small {long}}}\par}}"
 
 
 def _decided(claim: Claim, means: Collection[str]) -> Iterator[str]:
