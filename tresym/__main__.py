@@ -81,6 +81,12 @@ def main() -> int:
         if not interrupts.heard:
             raise
         leave(128 + interrupts.heard)
+    if interrupts.heard:
+        # Where the interrupt struck while Python compiled the methods of a class from text, it
+        # would end the process by SIGINT after all; making another such class undoes that.
+        from collections import namedtuple
+
+        namedtuple("Undone", "x")
     return 128 + interrupts.heard if interrupts.heard and status == INTERRUPTED else status
 
 
