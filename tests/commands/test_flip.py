@@ -90,6 +90,7 @@ def _never_a_thousand(args: argparse.Namespace, digits: int, colour: bool) -> st
     return _told(args, digits, colour)
 
 
+@pytest.mark.slow
 def test_what_is_known_when_time_is_over(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

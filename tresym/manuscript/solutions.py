@@ -116,7 +116,7 @@ def residual(
     lone = [str(side) for side in equation.sides[::2]]
     if name in lone and lone.count(name) == 1 and len(equation.names) > 1:
         other = equation.sides[2 if lone[0] == name else 0]
-        if name not in symbols(other) | unknown_in(other):
+        if isinstance(other, Expr) and name not in symbols(other) | unknown_in(other):
             return None  # it defines the symbol, and is no equation for it
     try:
         sides = [read(term) for term in equation.terms]

@@ -100,9 +100,15 @@ def about_function(name: str, known: frozenset[str]) -> str:
     if len(name) == 1:
         return f"{name} is not a function; for a product write {name}*(…)"
     near = get_close_matches(name, sorted(known), 1, 0.75)
-    shown = sorted(n for n in known if n.islower() and not n.startswith(("arc", "ag", "gd")))
-    names = (*shown, "integral", "sum", "product", "limit", "factorial", "binomial")
-    return f"did you mean {near[0]}?" if near else f"known functions are {', '.join(names)}"
+    return f"did you mean {near[0]}?" if near else _SOME
+
+
+_SOME = (
+    "known functions are abs, sqrt, cbrt, exp, log, sin and its kin, sinh and its kin, asin, "
+    "atan2, max, min, sign, gamma, zeta, erf, Ei, Si, besselj, airyai, elliptic_k, lambertw, "
+    "polylog, integral, sum, product, limit, root, factorial, binomial and others (page Functions)"
+)
+"""Shown where no known name is near."""
 
 
 def about_name(name: str) -> str:
