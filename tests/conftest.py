@@ -61,7 +61,10 @@ def state_folder(tmp_path_factory: pytest.TempPathFactory) -> None:
 TESTS = Path(__file__).parent
 SUGGESTING = ("repair/", "checking/test_answer_cache.py")
 """Tests of the core that read the true claims which are suggested in place of a refuted one."""
-CORE = ("reals/", "racket/", "ledger/", "dev/corpus/", "dev/mutants/")
+CORE = (
+    *("reals/", "asymptotics/", "checking/", "racket/", "ledger/"),
+    *("dev/corpus/", "dev/mutants/"),
+)
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -116,6 +119,20 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 def pytest_runtest_logreport(report: pytest.TestReport) -> None:
     if report.when == "call":
         chunks.record(report.nodeid, report.outcome, report.duration)
+
+
+CORE_ALONE = "not slow and not coq and not night"
+"""The tests that ``pytest`` runs without ``-m``."""
+
+
+def pytest_terminal_summary(
+    terminalreporter: pytest.TerminalReporter, config: pytest.Config
+) -> None:
+    if config.option.markexpr == CORE_ALONE:
+        terminalreporter.write_line(
+            "These were the core tests. The others: pytest -m slow (minutes), pytest -m night "
+            "(an hour), pytest -m coq (needs Coq); .ci/run runs core and slow."
+        )
 
 
 @pytest.fixture

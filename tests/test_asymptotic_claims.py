@@ -21,6 +21,7 @@ def test_zeros_of_waves() -> None:
 
 
 @pytest.mark.parametrize("kind", asymptotic_claims.KINDS[1:], ids=lambda kind: kind.__name__)
+@pytest.mark.slow
 def test_no_verdict_on_a_sample_is_wrong(kind: object) -> None:
     assert callable(kind)
     dice = random.Random(2026)

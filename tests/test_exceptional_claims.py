@@ -15,6 +15,7 @@ FALSE = [line for line in LINES.splitlines() if line and not line.startswith("#"
 
 
 @pytest.mark.parametrize("claim", FALSE[::6])
+@pytest.mark.slow
 def test_no_false_claim_is_accepted(claim: str) -> None:
     assert not tresym.check(claim)
 
@@ -28,6 +29,7 @@ def test_none_of_all_is_accepted_or_laid_at_our_door(claim: str) -> None:
 
 
 @pytest.mark.parametrize("kind", dict.fromkeys(exceptional_claims.KINDS))
+@pytest.mark.slow
 def test_no_verdict_on_a_sample_is_wrong(
     kind: Callable[[random.Random], tuple[str, bool | None]],
 ) -> None:

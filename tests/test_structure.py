@@ -94,6 +94,7 @@ def layer_of(package: str, layers: tuple[tuple[str, ...], ...]) -> int:
     return layer
 
 
+@pytest.mark.slow
 def test_a_file_imports_only_from_its_own_package_and_those_below() -> None:
     for path in FILES:
         here = name_of(path)
@@ -112,6 +113,7 @@ RACKET = {
 """The packages and commands of the paper on the racket; no other module knows it."""
 
 
+@pytest.mark.slow
 def test_only_the_paper_on_the_racket_imports_the_racket() -> None:
     for path in FILES:
         here = name_of(path)
@@ -198,6 +200,7 @@ def test_the_readme_names_the_packages() -> None:
         assert f"`{package}/`" in text, package
 
 
+@pytest.mark.slow
 def test_no_generator_waits_while_it_holds_the_precision() -> None:
     """What its caller does meanwhile would run at that precision, and other threads would wait."""
     for path in FILES:

@@ -61,6 +61,7 @@ def test_a_good_function_passes() -> None:
         (lambda x: math.nan, "x", "x > 1"),
     ],
 )
+@pytest.mark.slow
 def test_a_bad_function_fails_at_a_point_that_is_named(
     function: object, expression: str, region: str
 ) -> None:

@@ -34,6 +34,7 @@ KNOWN: tuple[tuple[tuple[str, str, str, str, str], Of], ...] = (
 
 
 @pytest.mark.parametrize(("asked", "difference"), KNOWN)
+@pytest.mark.slow
 def test_the_supremum_is_enclosed(asked: tuple[str, ...], difference: Of) -> None:
     found = tresym.constant(*asked)
     assert found is not None
@@ -64,5 +65,6 @@ def test_the_supremum_is_enclosed(asked: tuple[str, ...], difference: Of) -> Non
         ("root(y**2 - 1 - e, y, -3, 3)", "1 + e/2", "e**2", "e -> 0+", "0 < e <= 1/2"),
     ],
 )  # fmt: skip
+@pytest.mark.slow
 def test_no_constant_without_a_proof(asked: tuple[str, ...]) -> None:
     assert tresym.constant(*asked) is None

@@ -25,6 +25,7 @@ KNOWN = [
 
 
 @pytest.mark.parametrize(("exact", "given", "path", "count", "terms", "gauge"), KNOWN)
+@pytest.mark.slow
 def test_expansions_are_found_and_certified(
     exact: str, given: str, path: str, count: int, terms: tuple[str, ...], gauge: str
 ) -> None:

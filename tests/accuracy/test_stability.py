@@ -3,6 +3,7 @@
 import math
 from pathlib import Path
 
+import mpmath
 import pytest
 
 import tresym
@@ -67,11 +68,14 @@ def test_what_cannot_be_measured_is_refused(text: str, given: str, mine: str | N
     assert "\n" not in str(error.value)
 
 
-def test_no_method_is_judged_by_its_own_estimate(tmp_path: Path) -> None:
+def test_no_method_is_judged_by_its_own_estimate(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(mpmath.mp, "dps", mpmath.mp.dps)  # what the user's function leaves behind
     path = tmp_path / "mine.py"
     path.write_text(
         "def wrong(x):\n    return 1.25\n"
-        "def exact(x, digits):\n    import mpmath\n    mpmath.mp.dps = digits + 3\n"
+        "def exact(x, digits):\n    import mpmath\n    mpmath.mp.dps = digits + 3  # as users do\n"
         "    return mpmath.exp(mpmath.mpf(x.numerator)/x.denominator)\n"
     )
     asked = [f"{path}:wrong", f"{path}:exact"]

@@ -13,11 +13,10 @@ import pytest
 import tresym
 from tresym.reals.verdict import Verdict
 
-DATA = Path(__file__).parents[1] / "data" / "claims"
+DATA = Path(__file__).parents[1] / "data" / "asymptotics"
 CASES = [line.split(" | ", 1) for line in (DATA / "lemmas.txt").read_text().splitlines()]
 FALSEHOODS = [
-    line.split(" | ", 1)
-    for line in (DATA.parent / "asymptotics" / "lemma_falsehoods.txt").read_text().splitlines()
+    line.split(" | ", 1) for line in (DATA / "lemma_falsehoods.txt").read_text().splitlines()
 ]
 GUARDS = [(guard, claim) for guard, claim in dict(map(tuple, reversed(FALSEHOODS))).items()]
 EXPECTED = {
@@ -30,6 +29,7 @@ SAMPLE = 40
 
 
 @pytest.mark.parametrize(("truth", "claim"), CASES[::SAMPLE])
+@pytest.mark.slow
 def test_a_sample_is_decided(truth: str, claim: str) -> None:
     assert tresym.check(claim).verdict in EXPECTED[truth]
 
@@ -41,6 +41,7 @@ def test_all_are_decided(truth: str, claim: str) -> None:
 
 
 @pytest.mark.parametrize(("guard", "claim"), GUARDS)
+@pytest.mark.slow
 def test_no_false_claim_passes_a_guard(guard: str, claim: str) -> None:
     assert not tresym.check(claim), guard
 

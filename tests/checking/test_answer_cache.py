@@ -139,6 +139,7 @@ def other_table(path: Path) -> None:
 
 
 @pytest.mark.parametrize("damage", [poison, truncate, replace_by_text, empty, other_table])
+@pytest.mark.slow
 def test_a_damaged_cache_changes_no_answer(damage, folder: Path) -> None:  # type: ignore[no-untyped-def]
     first, _ = run(CLAIMS)
     for beside in folder.glob("*-*"):

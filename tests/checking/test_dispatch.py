@@ -326,6 +326,7 @@ SHAPES = st.sampled_from(
     st.integers(-3, 2),
     st.integers(1, 4),
 )
+@pytest.mark.slow
 def test_random_inequalities(
     terms: list[tuple[int, str]], bound: int, relation: str, low: int, width: int
 ) -> None:

@@ -15,6 +15,7 @@ from tresym.reals.decisions.claim_parsing import read
 BEYOND = re.compile(r"\b(Admitted|Axiom|Axioms|Parameter|Parameters|Conjecture|admit|Abort)\b")
 
 
+@pytest.mark.slow
 def test_nothing_is_assumed_in_what_is_exported() -> None:
     assert not BEYOND.search(prelude())
     for claim in [*(k.claim for k in known("inequalities")[::9]), *(p.claim for p in pairs()[::9])]:

@@ -50,6 +50,7 @@ def test_a_premise_that_was_dropped_by_hand_is_not_proved() -> None:
     assert export.entries(store, [label])[label].status == "none"
 
 
+@pytest.mark.slow
 def test_the_theorem_of_a_claim_is_the_stronger_one(tmp_path: Path) -> None:
     joint = next(
         label

@@ -5,6 +5,7 @@ from fractions import Fraction
 from typing import Any
 
 import numpy as np
+import pytest
 from flint import arb, fmpq
 from hypothesis import assume, example
 from hypothesis import strategies as st
@@ -84,6 +85,7 @@ def test_the_defect_falls_in_a_and_in_b(shape: Shape, more: Fraction) -> None:
 @example(Shape(fmpq(1), fmpq(1, 3)), (Fraction(0), Fraction(1)))
 @example(Shape(fmpq(2), fmpq(1)), (Fraction(0), Fraction(1, 10**6)))
 @example(Shape(fmpq(2), fmpq(1)), (1 - Fraction(1, 10**6), Fraction(1)))
+@pytest.mark.slow
 def test_the_defect_falls_in_gamma_up_to_a_right_angle(
     shape: Shape, parts: tuple[Fraction, Fraction]
 ) -> None:
@@ -182,6 +184,7 @@ def test_the_models_agree(at: tuple[Shape, fmpq]) -> None:
 
 
 @law(shapes(-3, 1), st.fractions(Fraction(1, 1000), 1, max_denominator=1000))
+@pytest.mark.slow
 def test_the_integral_of_f_is_half_a_turn(shape: Shape, part: Fraction) -> None:
     """FLINT's rigorous integral of the printed f, which knows no elliptic function."""
     a, b = shape

@@ -12,6 +12,7 @@ EXAMPLES = Path(__file__).resolve().parents[2] / "docs" / "examples"
 
 
 @pytest.mark.parametrize(("name", "refuted"), [("pendulum", []), ("kepler-wrong", ["display_5_2"])])
+@pytest.mark.slow
 def test_a_manuscript_as_a_file_of_claims(
     name: str, refuted: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -22,6 +22,7 @@ def rows(path: Path, capsys: pytest.CaptureFixture[str], *words: str) -> tuple[i
 
 
 @pytest.mark.parametrize(("name", "planted"), [("pendulum", (7, 1)), ("kepler", (5, 2))])
+@pytest.mark.slow
 def test_an_example_is_right_and_its_copy_is_refuted_where_it_is_wrong(
     name: str, planted: tuple[int, int], capsys: pytest.CaptureFixture[str]
 ) -> None:

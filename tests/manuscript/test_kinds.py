@@ -40,6 +40,7 @@ def all_rows(folder: Path, texts: list[str]) -> Iterator[tuple[str, Row]]:
     return zip((text for text, _ in found), rows, strict=True)
 
 
+@pytest.mark.slow
 def test_nothing_is_decided_where_a_symbol_is_no_real_number(tmp_path: Path) -> None:
     texts = manuscripts("not_real.txt")
     assert len(texts) > 250
@@ -51,6 +52,7 @@ def test_nothing_is_decided_where_a_symbol_is_no_real_number(tmp_path: Path) -> 
     assert bad == []
 
 
+@pytest.mark.slow
 def test_true_elementary_displays_are_still_decided(tmp_path: Path) -> None:
     texts = manuscripts("elementary.txt")
     lost = {

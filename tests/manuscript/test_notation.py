@@ -120,6 +120,7 @@ def test_a_false_closed_form_or_expansion_is_refuted(text: str, tmp_path: Path) 
         (r"The period is \[ P = \frac{7\pi}{\dot{\phi}} = \frac{K(k_1)}{\omega_0} \]", "DEFINED"),
     ],
 )
+@pytest.mark.slow
 def test_what_looks_true_by_its_form_does_not_pass(
     text: str, expected: str, tmp_path: Path
 ) -> None:

@@ -115,13 +115,19 @@ def test_a_refused_name_leaves_the_others_declared() -> None:
     assert given_of(found, "c") == 1
 
 
-LISTS = Path(__file__).resolve().parents[1] / "data" / "claims"
+DATA = Path(__file__).resolve().parents[1] / "data"
 _KIND = re.compile(r"(?:true|false)\s*\|\s*|(?:HOLDS|UNIFORM|FALSE|NONE)\s+")
 
 
-@pytest.mark.parametrize("name", ["inequalities", "orders", "roots", "special", "initial_values"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        *("claims/inequalities", "claims/orders", "claims/special"),
+        *("asymptotics/roots", "asymptotics/initial_values"),
+    ],
+)
 def test_what_check_reads_is_read_in_a_file(name: str) -> None:
-    lines = (LISTS / f"{name}.txt").read_text(encoding="utf-8").splitlines()
+    lines = (DATA / f"{name}.txt").read_text(encoding="utf-8").splitlines()
     claims = [_KIND.sub("", line, count=1) for line in lines if _KIND.match(line)][::5]
     found = read_paper("\n".join(f"c{n}: {claim}" for n, claim in enumerate(claims)))
     assert not found.problems

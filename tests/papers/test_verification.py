@@ -49,6 +49,7 @@ def test_kepler() -> None:
         "u := root(x - a, x, -1, 1)",  # none for a > 1
     ],
 )
+@pytest.mark.slow
 def test_a_root_that_does_not_exist_or_is_not_the_only_one(definition: str) -> None:
     found = verdicts(f"a real\n{definition}\nbound: u**2 <= 4\ncopy := 2*u\n")
     assert set(found.values()) == {"UNDECIDED"}

@@ -219,6 +219,7 @@ WRONG = [
 
 
 @pytest.mark.parametrize(("margins_", "sides"), WRONG)
+@pytest.mark.slow
 def test_constants_beyond_the_supremum_are_never_enclosed(margins_, sides):
     verdicts = {
         decide_bound(Bound(margin, box(*sides)), budget=1500).verdict for margin in margins_
@@ -317,6 +318,7 @@ def test_a_constant_does_not_reach_below_its_least_a(order, a0, row):
     st.fractions(min_value="1/100", max_value=50, max_denominator=10**4),
     st.fractions(min_value="1/1000", max_value=1, max_denominator=10**4),
 )
+@pytest.mark.slow
 def test_the_constants_hold_at_every_shape(a, b):
     shape = fmpq(a.numerator, a.denominator), fmpq(b.numerator, b.denominator)
     first, second = excesses(*shape)

@@ -218,6 +218,7 @@ def _with_constant(label: str, right: str, wrong: str) -> Claim:
 
 
 @pytest.mark.parametrize(("label", "right", "wrong"), CONSTANTS)
+@pytest.mark.slow
 def test_no_wrong_constant(label: str, right: str, wrong: str) -> None:
     assert not _verdict(_with_constant(label, right, wrong)).holds
 

@@ -15,6 +15,7 @@ LONG = fmpq(10), fmpq(1, 2)
 
 
 @pytest.mark.parametrize("level", ["-7/15", "-19/60", "-3/20", "-1/60"])
+@pytest.mark.slow
 def test_a_motion_that_turns_several_times(level: str) -> None:
     gamma = fmpq(*map(int, level.split("/")))
     at = {"a": LONG[0], "b": LONG[1], "gamma": gamma}

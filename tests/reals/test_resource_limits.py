@@ -36,6 +36,7 @@ def test_within_a_limit_the_outer_one_holds() -> None:
         forever()
 
 
+@pytest.mark.slow
 def test_the_limit_leaves_no_precision_behind() -> None:
     """The exception never comes while a precision is set or restored.
 

@@ -223,6 +223,7 @@ def test_hard_levels_agree_too(open_page: Open) -> None:
 
 
 @needs_browser
+@pytest.mark.slow
 def test_every_body_shows_its_numbers(open_page: Open) -> None:
     page = open_page()
     for name, body in NAMED_BODIES.items():
@@ -264,6 +265,7 @@ def throw(page: "playwright.Page", start: tuple[str, str, str, str]) -> None:
 
 
 @needs_browser
+@pytest.mark.slow
 def test_throws_from_a_start_agree_with_the_certified_flip(open_page: Open) -> None:
     page = open_page()
     for start in THROWS:
@@ -301,6 +303,7 @@ def test_the_attitude_is_that_of_the_package(open_page: Open) -> None:
 
 
 @needs_browser
+@pytest.mark.slow
 def test_the_momentum_obeys_eulers_equations(open_page: Open) -> None:
     """Integrated by steps in Python, which know nothing of the closed form."""
     from scipy.integrate import solve_ivp
@@ -376,6 +379,7 @@ def test_bad_input_gets_one_clear_line(open_page: Open) -> None:
 
 
 @needs_browser
+@pytest.mark.slow
 def test_the_keyboard_is_enough(open_page: Open) -> None:
     page = open_page()
     reached = []
@@ -443,6 +447,7 @@ def drag(page: "playwright.Page", name: str, start: list[float], end: list[float
 
 
 @needs_browser
+@pytest.mark.slow
 def test_pictures_can_be_dragged(open_page: Open) -> None:
     page = open_page("#body=book&gamma=0")
     drag(page, "portrait", [0.1, 0.2], [1.0, -0.3])
@@ -488,6 +493,7 @@ DRAWN = """names => names.filter((name) => {
 
 @needs_browser
 @pytest.mark.parametrize("width", [1280, 390])
+@pytest.mark.slow
 def test_the_story_sets_the_stage(open_page: Open, width: int) -> None:
     page = open_page("", viewport={"width": width, "height": 800 if width > 400 else 844})
     for name, pictures in SCENES.items():
@@ -573,6 +579,7 @@ def test_who_wants_less_motion_gets_none_unasked(open_page: Open) -> None:
 
 
 @needs_browser
+@pytest.mark.slow
 def test_a_choice_can_be_sent_as_an_address(open_page: Open) -> None:
     page = open_page()
     page.select_option("#body", "racket-3")
@@ -596,6 +603,7 @@ def test_a_choice_can_be_sent_as_an_address(open_page: Open) -> None:
 
 
 @needs_browser
+@pytest.mark.slow
 def test_pictures_and_words_can_be_kept(open_page: Open) -> None:
     page = open_page("#body=str&gamma=0.001", accept_downloads=True)
     for name in PICTURES:

@@ -34,6 +34,7 @@ def page() -> Iterator[Any]:
         browser.close()
 
 
+@pytest.mark.slow
 def test_nothing_is_cut_off(page: Any) -> None:
     assert len(PICTURES) > 20
     for picture in PICTURES:

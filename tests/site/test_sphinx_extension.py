@@ -67,6 +67,7 @@ def built(folder: Path, rest: str = REST, myst: str = MYST) -> "subprocess.Compl
     )
 
 
+@pytest.mark.slow
 def test_pages_show_verdicts_tables_and_charts(tmp_path: Path) -> None:
     done = built(tmp_path)
     assert done.returncode == 0, done.stderr
@@ -95,6 +96,7 @@ def test_pages_show_verdicts_tables_and_charts(tmp_path: Path) -> None:
         (".. tresym-table:: tan(x)\n   :approx: y\n   :as: x -> 0\n", "give the value of y"),
     ],
 )
+@pytest.mark.slow
 def test_a_build_ends_with_the_place(directive: str, why: str, tmp_path: Path) -> None:
     done = built(tmp_path, f"Own\n===\n\n{directive}", "# Other\n")
     assert done.returncode == 2

@@ -134,6 +134,7 @@ POINTS = [{"x": x, "y": y} for x, y in product(sorted(set(GRID)), repeat=2)]
     CONDITIONS,
     st.sampled_from([">=", ">", "!="]),
 )
+@pytest.mark.slow
 def test_signs_of_polynomials_hold_at_every_point(
     terms: dict[tuple[int, int], int], squared: bool, conditions: str, relation: str
 ) -> None:

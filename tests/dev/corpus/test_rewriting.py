@@ -4,6 +4,7 @@ from collections.abc import Callable
 from fractions import Fraction
 from random import Random
 
+import pytest
 from hypothesis import given as over
 from hypothesis import strategies as st
 
@@ -94,6 +95,7 @@ def true_identities(draw: st.DrawFn) -> tuple[Expr, Expr]:
 
 
 @over(true_identities(), st.sampled_from(CONDITIONS))
+@pytest.mark.slow
 def test_true_is_never_refuted(sides: tuple[Expr, Expr], given: Given) -> None:
     decision = decide(*sides, given)
     assert decision.verdict is not Verdict.REFUTED, (str(sides[0]), str(sides[1]), decision)

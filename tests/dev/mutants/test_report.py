@@ -79,6 +79,7 @@ def test_what_is_false_may_deny_nothing() -> None:
     assert not _survives(denied, Verdict.UNDECIDED)
 
 
+@pytest.mark.slow
 def test_processes_find_what_one_finds() -> None:
     labels = ("eq_gamma", "d08", "ratios_of_moments")
     alone, together = (verify_mutants(labels, 1, workers=n) for n in (1, 2))

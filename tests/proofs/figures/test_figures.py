@@ -180,6 +180,7 @@ def test_the_words_of_a_narrow_picture_stand_within_it_and_apart(name, monkeypat
     assert style._apart(boxes, drawn[0].bbox)
 
 
+@pytest.mark.slow
 def test_a_strip_of_a_column_has_letters_of_a_caption():
     from tresym.report.figures import style
 
@@ -204,6 +205,7 @@ PRINTED = [
 
 
 @pytest.mark.parametrize("name", PRINTED)
+@pytest.mark.slow
 def test_a_figure_for_an_article_has_the_fonts_of_latex_and_room_for_its_words(name, monkeypatch):
     style = pytest.importorskip("tresym.report.figures.style")
     pytest.importorskip("matplotlib")
@@ -630,6 +632,7 @@ def test_a_body_of_ones_own_flips_exactly_in_its_animation():
         racket_flip.data((1e-6, 1e-6))
 
 
+@pytest.mark.slow
 def test_the_animation_as_a_picture_that_moves_and_as_a_strip(tmp_path):
     image = pytest.importorskip("PIL.Image")
     paths = [tmp_path / "flip.gif", tmp_path / "strip.png"]

@@ -34,6 +34,7 @@ def elementary(given: Shape) -> mpmath.mpf:
 
 
 @pytest.mark.parametrize("route", QUICK, ids=lambda route: route.run.__name__)
+@pytest.mark.slow
 def test_on_the_separatrix_every_route_solves_the_elementary_equation(route: routes.Route) -> None:
     given = shape("2", "1/3")
     truth = elementary(given)

@@ -11,7 +11,8 @@ from tresym.reals.resource_limits import time_limit
 def test_suggestions_are_trees() -> None:
     assert parse("x**2/2") in suggested(parse("x"), "x", frozenset())
     assert parse("log(abs(x))") in suggested(parse("1/x"), "x", frozenset())
-    assert suggested(parse("exp(-x**2)"), "x", frozenset()) == []
+    assert parse("sqrt(pi)*erf(x)/2") in suggested(parse("exp(-x**2)"), "x", frozenset())
+    assert suggested(parse("exp(-x**2)*sin(sin(x))"), "x", frozenset()) == []
     assert suggested(parse("atan2(x, 1)"), "x", frozenset()) is not None
 
 

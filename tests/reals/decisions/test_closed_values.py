@@ -30,6 +30,7 @@ FALSE = (
 
 
 @pytest.mark.parametrize("claim", TRUE)
+@pytest.mark.slow
 def test_a_printed_number_that_is_right_holds(claim: str) -> None:
     assert tresym.check(claim).verdict.holds
 

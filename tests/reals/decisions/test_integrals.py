@@ -86,6 +86,7 @@ def test_a_false_value_is_refuted(claim: str) -> None:
 
 
 @pytest.mark.parametrize("claim", OPEN)
+@pytest.mark.slow
 def test_what_has_no_value_that_is_shown(claim: str) -> None:
     assert tresym.check(claim).verdict is Verdict.UNDECIDED
 

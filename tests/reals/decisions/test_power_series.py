@@ -144,6 +144,7 @@ NOWHERE_FALSE = [
 
 
 @pytest.mark.parametrize("claim", HOLD)
+@pytest.mark.slow
 def test_series_that_hold(claim: str) -> None:
     assert tresym.check(claim).verdict is Verdict.PROVED
 
@@ -156,6 +157,7 @@ def test_series_that_are_false(claim: str) -> None:
 
 
 @pytest.mark.parametrize("claim", NEVER)
+@pytest.mark.slow
 def test_series_that_are_not_proved(claim: str) -> None:
     assert tresym.check(claim).verdict in (Verdict.UNDECIDED, Verdict.REFUTED)
 

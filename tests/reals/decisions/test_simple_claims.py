@@ -43,6 +43,7 @@ FALSE = (
 
 
 @pytest.mark.parametrize("claim", TRUE)
+@pytest.mark.slow
 def test_it_holds(claim: str) -> None:
     assert tresym.check(claim)
 

@@ -19,6 +19,7 @@ ENTRIES = [(key, row) for key, table in TABLES.items() for row in table]
 
 
 @pytest.mark.parametrize(("key", "row"), ENTRIES, ids=lambda e: str(e)[:60])
+@pytest.mark.slow
 def test_the_tables_against_quadrature_and_partial_sums(key: str, row: Theorem) -> None:
     f, value = parse(row.body), parse(row.value)
     given = Given.parse(row.given) if row.given else Given()

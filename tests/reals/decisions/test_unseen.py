@@ -19,11 +19,13 @@ PARTS = [
 
 
 @pytest.mark.parametrize(("truth", "claim"), PARTS)
+@pytest.mark.slow
 def test_a_part_of_each_list(truth: bool, claim: str) -> None:
     assert is_right(truth, tresym.check(claim))
 
 
 @pytest.mark.parametrize("n", range(3 * len(KINDS)))
+@pytest.mark.slow
 def test_random_claims_of_finite_objects(n: int) -> None:
     _, claim, truth = built(3 * len(KINDS), 1, KINDS)[n]
     assert not is_wrong(truth, tresym.check(claim).verdict.value), claim

@@ -95,6 +95,7 @@ def test_what_is_said_of_one_variable_holds_of_several(claim: str, why: str) -> 
 
 
 @pytest.mark.parametrize("claim", FAIL)
+@pytest.mark.slow
 def test_what_fails_is_not_reduced_to_what_holds(claim: str) -> None:
     assert tresym.check(claim).verdict in (Verdict.REFUTED, Verdict.UNDECIDED)
     for method in METHODS:

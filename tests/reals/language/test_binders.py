@@ -166,6 +166,7 @@ def _point() -> dict[str, acb]:
 
 @given(TERMS)
 @settings(max_examples=60)
+@pytest.mark.slow
 def test_a_tree_is_the_term(term: Term) -> None:
     with ball_precision(64):
         _same(term, named(tree(term)), _point(), _point())
@@ -173,6 +174,7 @@ def test_a_tree_is_the_term(term: Term) -> None:
 
 @given(TERMS, NAMES, FLAT)
 @settings(max_examples=150)
+@pytest.mark.slow
 def test_substitution_agrees_with_evaluation(term: Term, name: str, put: Term) -> None:
     """What is put in names the variables that are bound there, again and again."""
     with ball_precision(64):
@@ -200,6 +202,7 @@ def test_what_is_worked_out_has_the_same_value(term: Term) -> None:
 
 @given(TERMS, NAMES)
 @settings(max_examples=60)
+@pytest.mark.slow
 def test_the_derivative_is_the_derivative(term: Term, name: str) -> None:
     """Also of integrals, whose derivative is a node."""
     with ball_precision(64):

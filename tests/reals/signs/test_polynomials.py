@@ -234,6 +234,7 @@ def test_what_one_point_of_each_cell_shows(claim: str) -> None:
 
 
 @pytest.mark.parametrize("claim", FALSE)
+@pytest.mark.slow
 def test_near_falsehoods_are_not_proved(claim: str) -> None:
     assert is_false_at(claim, FALSE[claim])
     assert not proves(sign_of_polynomial, claim)

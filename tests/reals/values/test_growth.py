@@ -89,6 +89,7 @@ def bound(growth: Growth, terms: Sum, t: arb) -> arb:
 @pytest.mark.parametrize(("text", "at_zero"), [(x, False) for x in AT_INFINITY]
                          + [(x, True) for x in AT_ZERO])  # fmt: skip
 @given(st.fractions(0, 1, max_denominator=1000))
+@pytest.mark.slow
 def test_the_enclosure_contains_the_value(text: str, at_zero: bool, far: object) -> None:
     with ball_precision(200):
         growth, terms = found(text, at_zero=at_zero)
@@ -104,6 +105,7 @@ def test_the_enclosure_contains_the_value(text: str, at_zero: bool, far: object)
 
 @pytest.mark.parametrize("text", ON_DISCS)
 @given(st.fractions(0, 1, max_denominator=500), st.fractions(-1, 1, max_denominator=500))
+@pytest.mark.slow
 def test_on_a_disc_it_contains_complex_values(text: str, size: object, turn: object) -> None:
     with ball_precision(200):
         growth, terms = found(text, at_zero=True, disc=True)

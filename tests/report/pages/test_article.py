@@ -83,6 +83,7 @@ def test_what_a_template_states_itself_is_proved(name: str) -> None:
         assert tresym.check(claim, given=given).verdict is Verdict.PROVED, line
 
 
+@pytest.mark.slow
 def test_the_counts_are_those_of_the_verification(report: Report) -> None:
     counts = _counts()
     assert all(counts.get(name.lower(), "0") == str(n) for name, n in report.counts.items())

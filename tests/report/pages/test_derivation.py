@@ -63,6 +63,7 @@ def test_one_statement_to_paste() -> None:
 
 
 @pytest.mark.parametrize("labels", [["d24"], ["eq_gamma", "d24"], ["d24", "eq_pavao"]])
+@pytest.mark.slow
 def test_what_is_refuted_is_not_printed_unasked(
     labels: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -111,6 +111,7 @@ def test_there_are_ten_slides_with_figures(report: Report) -> None:
     assert "{{" not in text
 
 
+@pytest.mark.slow
 def test_the_cells_of_the_notebook_compute_the_numbers_of_its_text(report: Report) -> None:
     pytest.importorskip("matplotlib")
     book = json.loads(documents.written(report, "jupyter"))
@@ -219,6 +220,7 @@ def test_options_that_do_not_fit_together_are_refused(capsys: pytest.CaptureFixt
         assert err.count("\n") == 1
 
 
+@pytest.mark.slow
 def test_slides_are_written_with_their_figures_and_no_file_of_the_user_is_replaced(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

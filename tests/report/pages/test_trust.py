@@ -2,6 +2,8 @@
 
 from collections.abc import Callable
 
+import pytest
+
 from tresym.ledger.verification import Report
 from tresym.report.pages.coq_page import STATEMENTS
 from tresym.report.pages.trust import trust, trust_details
@@ -19,6 +21,7 @@ GUARDS = {
 }
 
 
+@pytest.mark.slow
 def test_the_page_opens_with_the_answer(judged: Callable[..., Report]) -> None:
     page = trust(judged("eq_gamma"), GUARDS)
     proved, enclosed = trusted(LEDGER)

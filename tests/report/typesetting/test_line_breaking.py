@@ -26,6 +26,7 @@ def letters(formula: str) -> str:
 
 
 @pytest.mark.parametrize("limit", [66, 40])
+@pytest.mark.slow
 def test_nothing_is_lost(limit: int) -> None:
     for formula in formulas():
         lines = broken(formula, limit)

@@ -31,6 +31,7 @@ def test_formulas(formula: str, shown: str) -> None:
     assert plain(formula) == shown
 
 
+@pytest.mark.slow
 def test_no_command_is_left_in_any_statement() -> None:
     for claim in all_claims():
         for says in (claim.shown, claim.statement, *claim.given):

@@ -129,6 +129,7 @@ ONLY_CORRECTIONS = ("each_eps0_one_a", "monotonicity", "d24", "printed_error")
 
 @pytest.mark.parametrize("place", PLACES)
 @pytest.mark.parametrize("label", QUOTED)
+@pytest.mark.slow
 def test_the_conditions_stand_where_the_claim_is_quoted(
     place: str, label: str, report: Report
 ) -> None:
@@ -178,6 +179,7 @@ def test_nobody_else_reads_what_a_claim_says() -> None:
     assert found <= set(READ_BY)
 
 
+@pytest.mark.slow
 def test_every_condition_of_every_claim_is_said() -> None:
     for claim in all_claims():
         found = said(claim)
