@@ -29,7 +29,6 @@ KINDS = {
         "SymPy, Herbie, Fungrim",
     ),
     "tables": ("antiderivatives", "Rubi"),
-    "lemmas": ("limits, orders and bounds of integrals, sums and factorials", "none known to us"),
     "special": (
         "special functions: identities, values, inequalities, limits",
         "Mathematica, Fungrim",
