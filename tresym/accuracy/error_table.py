@@ -138,7 +138,7 @@ class ErrorTable:
         claim: the answer to ``exact == approx + O(gauge)``; None without a gauge.
         gauge: the comparison function; it is guessed from the empirical order if none was given.
         guessed: whether it was.
-        constant: the supremum of |exact − approx|/|gauge| on the region; None if it is not found.
+        constant: the supremum of ``abs((exact - approx)/gauge)`` on the region, or None.
         digits: the digits of the values.
         seconds: processor time.
     """

@@ -453,9 +453,9 @@ class Dominated:
     """
 
     above: Claim
-    """A claim d <= m or |d| <= m (or with <), d the difference of the order."""
+    """A claim ``d <= m`` or ``abs(d) <= m`` (or with <), d the difference of the order."""
     below: Claim | None = None
-    """A claim d >= −m, such as d > 0; None if ``above`` is about |d|."""
+    """A claim ``d >= -m``, such as ``d > 0``; None if ``above`` is about the absolute value."""
     expect: ClassVar[Ruling] = Verdict.ENCLOSED
 
     @property
