@@ -3,15 +3,19 @@
 import json
 import subprocess
 import sys
+from importlib.metadata import entry_points
 from pathlib import Path
 
+# In an environment where tresym is installed pytest has loaded the plugin already.
+NAMES = {point.name for point in entry_points(group="pytest11")}
+PYTEST = ("-m", "pytest", *(() if "tresym" in NAMES else ("-p", "tresym.pytest_plugin")))
 TEXT = "x real\ntrue: x**2 >= 0\nfalse: x > 0\nknown: x > 1 expect refuted\nbad: x** > 0\n"
 
 
 def test_pytest_runs_a_test_for_each_claim_and_each_bad_line(tmp_path: Path) -> None:
     (tmp_path / "own.tresym").write_text(TEXT)
     done = subprocess.run(
-        [sys.executable, *("-m", "pytest", "-p", "tresym.pytest_plugin"), "own.tresym"],
+        [sys.executable, *PYTEST, "own.tresym"],
         cwd=tmp_path,
         capture_output=True,
         text=True,
@@ -26,7 +30,7 @@ def test_pytest_runs_a_file_of_single_claims(tmp_path: Path) -> None:
     text = "# facts\nexp(x) >= 1 + x\nx**2 > 0\nsin(x) == x + O(x**3) as x -> 0\nx** > 0\n"
     (tmp_path / "own.claims").write_text(text)
     done = subprocess.run(
-        [sys.executable, *("-m", "pytest", "-p", "tresym.pytest_plugin", "-v"), "own.claims"],
+        [sys.executable, *PYTEST, "-v", "own.claims"],
         cwd=tmp_path,
         capture_output=True,
         text=True,

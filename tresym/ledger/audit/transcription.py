@@ -161,9 +161,9 @@ def _statements(claim: Claim) -> Iterator[_Statement]:
         numbers = [claim.statement.text]
     if isinstance(claim.says, str):
         says = [claim.means] if isinstance(claim.proof, Formally) else []
-        if isinstance(claim.proof, AllOf):
-            for part in claim.proof.claims:
-                yield from _statements(part)
+    if isinstance(claim.proof, AllOf):
+        for part in claim.proof.claims:
+            yield from _statements(part)
     trees = [_tree(relation) for statement in says for relation in _relations(statement)]
     yield _Statement(_conditions(claim), [tree for tree in trees if tree is not None], numbers)
 
