@@ -26,7 +26,6 @@ import re
 import resource
 import subprocess
 import sys
-import time
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from pathlib import Path
@@ -384,12 +383,10 @@ def timed(method: Callable[[Claim], Answered], claim: Claim) -> tuple[str, float
         os._exit(0)
     os.close(writing)
     data = b""
-    started = time.monotonic()
     while block := os.read(reading, 4096):
         data += block
     os.close(reading)
     os.waitpid(pid, 0)
-    del started
     if not data:
         return "stopped", float(LIMIT)
     answer, seconds = json.loads(data)
