@@ -4,6 +4,7 @@ from collections.abc import Callable
 
 import mpmath
 import pytest
+from cases import cases
 
 import tresym
 
@@ -50,20 +51,7 @@ def test_the_supremum_is_enclosed(asked: tuple[str, ...], difference: Of) -> Non
 
 @pytest.mark.parametrize(
     "asked",
-    [
-        # a coefficient below the order of the gauge that is not 0
-        ("integral(exp(-x**2*t**2), t, 0, 1)", "1 - x**2/4", "x**4", "x -> 0+", "0 < x <= 1"),
-        ("root(y - e*sin(y) - 1, y, -oo, oo)", "1 + e", "e**2", "e -> 0+", "0 < e <= 1/2"),
-        # nearly 0: less than any ball of the coefficients would show
-        (
-            "integral(exp(-x**2*t**2), t, 0, 1)", "1 + 10**(-200)", "x", "x -> 0+", "0 < x <= 1",
-        ),
-        # not analytic at the end
-        ("integral(exp(-x*t)/(1 + t), t, 0, oo)", "1/x", "1/x**2", "x -> 0+", "0 < x <= 1"),
-        ("integral(sqrt(t + x), t, 0, 1)", "2/3", "x", "x -> 0+", "0 < x <= 1"),
-        # two roots for every e
-        ("root(y**2 - 1 - e, y, -3, 3)", "1 + e/2", "e**2", "e -> 0+", "0 < e <= 1/2"),
-    ],
+    cases(__file__, "no_constant_without_a_proof"),
 )  # fmt: skip
 @pytest.mark.slow
 def test_no_constant_without_a_proof(asked: tuple[str, ...]) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 
 import pytest
+from cases import cases
 
 import tresym
 from tresym.accuracy.expansion import expand
@@ -67,15 +68,7 @@ def test_the_command(capsys: pytest.CaptureFixture[str]) -> None:
 
 @pytest.mark.parametrize(
     ("claim", "instead"),
-    [
-        ("sin(x) == x - x**3/5 + O(x**5) as x -> 0", "sin(x) == x - x**3/6 + O(x**5)"),
-        ("sqrt(x**2 + x) - x -> 1 as x -> oo", "sqrt(x**2 + x) - x -> 1/2"),
-        ("log(1 + x) == x + x**2/2 + o(x**2) as x -> 0", "log(x + 1) == x - x**2/2 + o(x**2)"),
-        (
-            "y == 1 - e/4 + O(e**2) given y**5 + e*y == 1, y > 0 as e -> 0",
-            "y == 1 - e/5 + O(e**2)",
-        ),
-    ],
+    cases(__file__, "the_right_coefficient_comes_first"),
 )
 def test_the_right_coefficient_comes_first(claim: str, instead: str) -> None:
     assert tresym.check(claim).instead[0].claim == instead

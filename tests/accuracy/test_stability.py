@@ -5,6 +5,7 @@ from pathlib import Path
 
 import mpmath
 import pytest
+from cases import cases
 
 import tresym
 from tresym.accuracy.stability import stability
@@ -51,16 +52,7 @@ def test_a_function_of_ones_own(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("text", "given", "mine"),
-    [
-        ("x + y + z", "0 < x < 1", None),
-        ("integral(exp(t), t, 0, x)", "0 < x < 1", None),
-        ("x", "", None),
-        ("log(-x)", "0 < x < 1", None),
-        ("x", "0 < x < 1", "nowhere:f"),
-        ("x", "0 < x < 1", "math:nothing"),
-        ("x", "0 < x < 1", "math"),
-        ("x", "0 < x < 1", "missing.py:f"),
-    ],
+    cases(__file__, "what_cannot_be_measured_is_refused"),
 )
 def test_what_cannot_be_measured_is_refused(text: str, given: str, mine: str | None) -> None:
     with pytest.raises(tresym.InputError) as error:

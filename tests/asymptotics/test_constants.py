@@ -8,6 +8,7 @@ from statistics import median
 
 import mpmath
 import pytest
+from cases import cases
 
 import tresym
 from tresym.asymptotics.constants import constant
@@ -115,15 +116,7 @@ def test_no_constant_beyond_a_singularity(claim: str) -> None:
 
 @pytest.mark.parametrize(
     "claim",
-    [
-        "tan(x) == x + O(x**3) as x -> 0 on x >= 2",
-        "tan(x) == x + O(x**3) as x -> 0 on -1 <= x <= 2",
-        "tan(x) == x + O(x**3) as x -> 0 on 1 < x < 2",
-        "log(x) == O(x) as x -> oo on x < 100",
-        "log(x) == O(x) as x -> oo on x**3 > 1",
-        "tan(x) > x given 0 < x < 1 on x < 1/2",
-        "sin(x) == o(1) as x -> 0 on abs(x) < 1/2",
-    ],
+    cases(__file__, "a_region_reaches_the_end_of_the_path_of_an_order"),
 )
 def test_a_region_reaches_the_end_of_the_path_of_an_order(claim: str) -> None:
     with pytest.raises(InputError):

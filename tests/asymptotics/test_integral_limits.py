@@ -1,35 +1,13 @@
 """Limits and orders of what holds integrals."""
 
 import pytest
+from cases import cases
 
 import tresym
 from tresym.reals.verdict import Verdict
 
-HOLD = [
-    "limit(integral(t**2, t, 0, x)/x**3, x, 0) == 1/3",
-    "limit(integral(t**2, t, 0, x)/x**3, x, 0) == 1/3 given w > 0",
-    "limit(1/b*integral(cos(w*t), t, 0, b), b, 0) == 1",
-    "limit(1/x*integral(exp(-t**2), t, 0, x), x, 0) == 1",
-    "integral(exp(t**2), t, 0, x) ~ x as x -> 0",
-    "limit(integral(exp(t**2), t, 0, x**2)/x**2, x, 0) == 1",
-    "limit(integral(1/t, t, 1, x)/log(x), x, oo) == 1",
-    "limit(integral(1/t, t, x, 2*x), x, 0) == log(2)",
-    "limit(integral(cos(t**2), t, a, x)/(x - a), x, a) == cos(a**2)",
-    "limit(integral(a*t, t, 0, x)/x**2, x, 0) == a/2",
-    "limit(integral(sin(x*t), t, 0, 1)/x, x, 0) == 1/2",
-    "limit(integral(exp(-t), t, 0, x), x, oo) == 1",
-]
-FAIL = [
-    "limit(1/x*integral(exp(-t**2), t, 0, x), x, 0) == 2",
-    "limit(integral(a*t, t, 0, x)/x**2, x, 0) == a",
-    "limit(integral(t**2, t, 0, x)/x**3, x, 0) == oo",
-    "integral(t**2, t, 0, x) == o(x**3) as x -> 0",
-    "limit(integral(exp(t**2), t, 0, abs(x))/x, x, 0) == 1",
-    "limit(integral(exp(t**2), t, 0, x)/cos(x), x, 0) == 1",
-    "limit(integral(exp(t**2), t, 1, x)/x, x, 0) == 1",
-    "limit(integral(exp(x*t**2), t, 0, x)/x, x, 0) == 2",
-    "limit(integral(exp(t**2), t, 0, x)/(x + x**2*sin(1/x)), x, 0) == 2",
-]
+HOLD = cases(__file__, "HOLD")
+FAIL = cases(__file__, "FAIL")
 OPEN = [
     "limit(integral(1/t, t, 0, x)*x, x, 0) == 0",  # it has no value
     "limit(integral(1/t, t, -x, x)/x, x, 0) == 0",

@@ -1,6 +1,7 @@
 """What numbers along a path show: failing, holding, or neither."""
 
 import pytest
+from cases import cases
 from flint import arb
 
 from tresym.asymptotics.numerical_evidence import Ray, fails, follows_a_law, oscillating
@@ -15,40 +16,8 @@ def ray(claim: str, side: int = 1, **at: int) -> Ray:
     return Ray(statement.comparisons[0], statement.path, side, values, statement.integers)
 
 
-FAILS = [
-    "sin(x) == O(sin(x)**2) as x -> oo",
-    "sin(x) == O(sin(2*x)) as x -> oo",
-    "log(log(x)) == O(1) as x -> oo",
-    "log(log(log(x))) == O(1) as x -> oo",
-    "exp(exp(x)) -> 0 as x -> oo",
-    "sin(x)/x -> 1 + 1/10**9 as x -> 0",
-    "sin(log(x)) -> 0 as x -> oo",
-    "sin(exp(x)) -> 0 as x -> oo",
-    "tan(x)/x -> 0 as x -> oo",
-    "x*sin(x) -> oo as x -> oo",
-    "sin(1/x) > 0 as x -> 0+",
-    "sin(x) ~ sin(2*x) as x -> oo",
-    "sin(n) -> 0 as n -> oo given n integer",
-    "(-1)**n*n == o(n) as n -> oo given n integer",
-    "(-1)**n*n > 0 as n -> oo given n integer",
-    "x*sin(x) == Theta(x) as x -> oo",
-    "x == omega(x*sin(x)) as x -> oo",
-]
-HOLDS = [
-    "sin(2*x) == O(sin(x)) as x -> oo",
-    "sin(2*x) ~ 2*sin(x)*cos(x) as x -> oo",
-    "sqrt(sin(x) - 1/2) == O(sin(x)) as x -> oo",
-    "exp(-exp(x)) -> 0 as x -> oo",
-    "x*sin(1/x) -> 0 as x -> 0+",
-    "sin(exp(x))/x -> 0 as x -> oo",
-    "sin(x)*sin(x**2) == O(sin(x)) as x -> oo",
-    "x + sin(x) > 1 as x -> oo",
-    "exp(x)/x**100 -> oo as x -> oo",
-    "sin(n*pi) -> 0 as n -> oo given n integer",
-    "cos(2*n*pi) == O(1) as n -> oo given n integer",
-    "x*(2 + sin(x)) == Theta(x) as x -> oo",
-    "x*(2 + sin(x)) == omega(log(x)) as x -> oo",
-]
+FAILS = cases(__file__, "FAILS")
+HOLDS = cases(__file__, "HOLDS")
 OPEN = [
     "sqrt(x) -> 0 as x -> 0-",  # not real there
     "f(x) -> 0 as x -> 0",

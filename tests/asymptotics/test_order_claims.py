@@ -1,6 +1,7 @@
 """Orders from each side of a path: constants that bound, ranges that hold, and near falsehoods."""
 
 import pytest
+from cases import cases
 from flint import arb, fmpq
 
 from tresym.asymptotics.order_claims import decide_order
@@ -24,34 +25,7 @@ def decided(claim: str) -> Answer:
     return decide_order(statement.comparisons[0], statement.path)
 
 
-PAIRS = [
-    ("sin(x) - x == O(x**3) as x -> 0", "sin(x) - x == O(x**4) as x -> 0"),
-    ("sin(x) - x == o(x**2) as x -> 0", "sin(x) - x == o(x**3) as x -> 0"),
-    ("sin(x) - x ~ -x**3/6 as x -> 0", "sin(x) - x ~ -x**3/7 as x -> 0"),
-    ("1 - cos(x) ~ x**2/2 as x -> 0", "1 - cos(x) ~ x**2/2 + x**2/10**9 as x -> 0"),
-    ("abs(x) ~ x as x -> 0+", "abs(x) ~ x as x -> 0"),
-    ("abs(x) ~ -x as x -> 0-", "abs(x) ~ x as x -> 0-"),
-    ("exp(1/x) == O(1) as x -> 0-", "exp(1/x) == O(1) as x -> 0"),
-    ("sqrt(x) == O(1) as x -> 0+", "sqrt(x) == O(x) as x -> 0+"),
-    ("x*log(x) == o(sqrt(x)) as x -> 0+", "x*log(x) == O(x) as x -> 0+"),
-    ("log(x) == o(x**(1/10)) as x -> oo", "log(x) == O(1) as x -> oo"),
-    ("exp(-x) == o(x**(-3)) as x -> oo", "exp(-x) == O(exp(-2*x)) as x -> oo"),
-    ("sqrt(x**2 + 1) - x ~ 1/(2*x) as x -> oo", "sqrt(x**2 + 1) - x ~ 1/(2*x) as x -> -oo"),
-    ("sqrt(x**2 + 1) + x ~ -1/(2*x) as x -> -oo", "sqrt(x**2 + 1) + x ~ 1/x as x -> -oo"),
-    ("cos(x) ~ pi/2 - x as x -> pi/2", "cos(x) ~ x - pi/2 as x -> pi/2"),
-    ("log(x) ~ x - 1 as x -> 1", "log(x) ~ 2*x - 2 as x -> 1"),
-    ("x**2 - 2 == O(x - sqrt(2)) as x -> sqrt(2)", "x**2 - 2 == o(x - sqrt(2)) as x -> sqrt(2)"),
-    ("tanh(x) - 1 ~ -2*exp(-2*x) as x -> oo", "tanh(x) - 1 == o(exp(-2*x)) as x -> oo"),
-    ("0*x == o(x) as x -> 0", "x == o(0*x + x) as x -> 0"),
-    ("1/x == O(1/x**2) as x -> 0", "1/x**2 == O(1/x) as x -> 0"),
-    ("sin(x)*log(x) == O(log(x)) as x -> oo", "sin(x)*log(x) == o(log(x)) as x -> oo"),
-    ("log(log(x)) == o(log(x)) as x -> oo", "log(log(x)) == O(1) as x -> oo"),
-    ("exp(1/2*log(log(x)**2)) ~ -log(x) as x -> 0+", "exp(1/2*log(log(x)**2)) ~ log(x) as x -> 0+"),
-    (
-        "exp(1/2*log(log(x)**2)) + log(x) == O(1) as x -> 0+",
-        "exp(1/2*log(log(x)**2)) - log(x) == O(1) as x -> 0+",
-    ),
-]
+PAIRS = cases(__file__, "PAIRS")
 
 
 @pytest.mark.parametrize(("true", "_"), PAIRS, ids=[p[0] for p in PAIRS])
@@ -111,18 +85,7 @@ def test_the_constant_bounds_the_ratio_on_the_whole_range(claim: str, point: int
         assert largest > (mid - rad) * 0.9  # and no more than it must be
 
 
-OPEN = [
-    "x == O(x*sin(1/x)) as x -> 0",  # zeros of the gauge towards the end
-    "sqrt(x) == O(x) as x -> 0-",  # not real there
-    "log(x) == O(log(x)) as x -> -oo",
-    "x == O(0*x) as x -> 0",
-    "1/(x - x) == O(1) as x -> 0",
-    "acos(1 + x) == O(1) as x -> 0",  # real on one side only
-    "diff(log(-x), x) == O(1/x) as x -> 0+",  # the formal derivative of what is not real
-    "diff(log(x**2 - 1), x) == O(1) as x -> 0",
-    "diff(acos(x), x)**2 == O(1) as x -> 3",
-    "diff(log(x*sin(1/x)), x) == O(1/x**2) as x -> 0+",
-]
+OPEN = cases(__file__, "OPEN")
 
 
 @pytest.mark.parametrize("claim", OPEN)
@@ -163,30 +126,7 @@ def test_a_witness_is_on_the_path(path: str) -> None:
     assert ratio == x**2 + 3
 
 
-SMOOTH = [
-    ("sin(x) - x == O(x**3) as x -> 0", True),
-    ("sin(x) - x == O(x**4) as x -> 0", False),
-    ("sin(x) - x == o(x**2) as x -> 0", True),
-    ("sin(x) - x == o(x**3) as x -> 0", False),
-    ("sin(x) - x ~ -x**3/6 as x -> 0", True),
-    ("sin(x) - x ~ x**3/6 as x -> 0", False),
-    ("sin(x) - x ~ -x**3/6*(1 + 10**(-30)) as x -> 0", False),
-    ("x**2 - 2 ~ 2*sqrt(2)*(x - sqrt(2)) as x -> sqrt(2)", True),
-    ("x**2 - 2 ~ 3*(x - sqrt(2)) as x -> sqrt(2)", False),
-    ("log(x/3) ~ x/3 - 1 as x -> 3", True),
-    ("tan(x) - 2 == O(x - atan(2)) as x -> atan(2)", True),
-    ("tan(x) - 2 == O((x - atan(2))**2) as x -> atan(2)", False),
-    ("cos(x) == O(1) as x -> pi/2", True),
-    ("sin(x) == O(x*(1/8 - x)) as x -> 0", True),
-    ("cos(x) == o(1) as x -> pi/2", True),
-    ("x**2 ~ 2*x as x -> 0", False),
-    ("sin(x) ~ x**3/6 + x**2/2 as x -> 0", False),
-    ("x**2 == O(2*x) as x -> 0", True),
-    ("x == O(x**2/2) as x -> 0", False),
-    ("x + abs(x)**3 ~ x as x -> 0", True),
-    ("(1/x + 1/2)*log(1 + x) - 1 ~ x**2/12 as x -> 0", True),  # a step of Stirling's series
-    ("(1/x + 1/2)*log(1 + x) - 1 == O(x**3) as x -> 0", False),
-]
+SMOOTH = cases(__file__, "SMOOTH")
 
 
 @pytest.mark.parametrize(("claim", "truth"), SMOOTH)
@@ -194,14 +134,7 @@ def test_smooth_functions_compare_by_their_first_derivatives(claim: str, truth: 
     assert decided(claim).verdict is (Verdict.ENCLOSED if truth else Verdict.REFUTED)
 
 
-SUPREMA = [
-    ("exp(-x) == O(1) as x -> 0+", "1"),
-    ("x**2*exp(-3*x) == O(x) as x -> 0+", "exp(-1)/3"),
-    ("x + 3*x**3 == O(x) as x -> 0+", "4"),
-    ("x*(1 - x)*(1 - x) == O(1) as x -> 0+", "4/27"),
-    ("0*x == O(x) as x -> 0+", "0"),
-    ("sin(x) - x == O(x**3) as x -> 0", "1/6"),
-]
+SUPREMA = cases(__file__, "SUPREMA")
 """The supremum of the ratio on (0, 1]: in the limit, inside, at the end."""
 
 

@@ -1,6 +1,7 @@
 """Claims along a path: true ones hold, false ones are refuted, and none is proved of nothing."""
 
 import pytest
+from cases import cases
 
 import tresym
 from tresym.asymptotics.path_claims import (
@@ -18,87 +19,9 @@ from tresym.reals.language.expression import ZERO
 from tresym.reals.language.parsing import parse
 from tresym.reals.verdict import Verdict
 
-HOLD = [
-    "limit(sin(x)/x, x, 0) == 1",
-    "1 == limit(sin(x)/x, x, 0)",
-    "sin(a*x)/x -> a as x -> 0",
-    "(1 + a/x)**x -> exp(a) as x -> oo",
-    "1/x -> oo as x -> 0+",
-    "1/x -> -oo as x -> 0-",
-    "1/x**2 -> oo as x -> 0",
-    "-x**3 -> -oo as x -> oo",
-    "abs(x)/x -> 1 as x -> 0+",
-    "limit(tan(x), x, pi/2, -1) == oo",
-    "limit((x**2 - a**2)/(x - a), x, a) == 2*a",
-    "exp(-a*x) -> 0 given a > 0 as x -> oo",
-    "x**2 > 100*x as x -> oo",
-    "sin(x) < 2 as x -> oo",
-    "a*x > b given a > 0 as x -> oo",
-    "x == Theta(2*x + 1) as x -> oo",
-    "x**2 == omega(x) as x -> oo",
-    "a*x == O(x) given a > 0 as x -> 0",
-    "x**a == o(1) given a > 0 as x -> 0+",
-    "log(x) -> -oo as x -> 0+",
-    "x**a*log(x) -> 0 given a > 0 as x -> 0+",  # the end is not allowed
-    "sin(a*x)/sin(b*x) -> a/b given b != 0 as x -> 0",  # by the signs of both
-    "(a*x + 1)/(a*x + 2) -> 1 given a != 0 as x -> oo",
-    "atan(a*x) -> pi/2*sign(a) as x -> oo",
-    "x*(2 + sin(1/x)) > 0 as x -> 0+",
-    "x*(2 + sin(1/x)) < 0 as x -> 0-",
-    "x*(2 + sin(x)) > 500 as x -> oo",  # not from the first place on
-    "x*(2 + sin(x)) < -500 as x -> -oo",
-    "x*(2 + cos(1/x)) < 1/50 as x -> 0+",
-    "sqrt(x) -> 0 as x -> 0",  # from below it is not real
-    "x*log(x) -> 0 as x -> 0",
-    "log(1 - x) -> -oo as x -> 1",
-    "sqrt(a*x) -> 0 given a < 0 as x -> 0",
-    "x*sqrt(x) == o(x) as x -> 0",
-    "log(x) < 0 as x -> 0",
-]
-FAIL = [
-    "limit(sin(x)/x, x, 0) == 2",
-    "sin(a*x)/x -> 2*a as x -> 0",
-    "limit(x**2, x, a) == a**3",
-    "1/x -> oo as x -> 0",  # from below it is -oo
-    "abs(x)/x -> 1 as x -> 0",
-    "x**3 -> -oo as x -> oo",
-    "limit(tan(x), x, pi/2) == oo",
-    "exp(-a*x) -> 0 as x -> oo",  # not of a < 0
-    "sin(x) -> 0 as x -> oo",
-    "cos(x) -> 1/2 as x -> oo",
-    "cos(1/x) -> 1/2 as x -> 0+",
-    "tan(x) -> oo as x -> oo",
-    "x*sin(x) -> 0 as x -> oo",
-    "sin(x) > 0 as x -> oo",
-    "x > 100*x as x -> oo",
-    "1/x > 0 as x -> 0",
-    "x > x as x -> oo",
-    "x == Theta(x**2) as x -> oo",
-    "x**2 == Theta(x) as x -> oo",
-    "x == omega(x) as x -> oo",
-    "a*x == o(x) given a > 0 as x -> 0",
-    "a*atan(1/x) -> a*pi/2 given a > 0 as x -> 0",  # from above alone
-    "sin(x) + 1/2 > 0 as x -> oo",
-    "sin(1/x) > -1/2 as x -> 0+",
-    "cos(1/(x - 1))**2 < 9/10 as x -> 1-",
-    "x**a*log(x) -> 0 given a >= 0 as x -> 0+",  # at the end alone
-    "sin(a*x)/sin(b*x) -> -abs(a)/b given b != 0 as x -> 0",  # not of a > 0
-    "log(x)**a == o(x**b) given b >= 0 as x -> oo",
-    "sqrt(x) -> 1 as x -> 0",
-    "sqrt(x) > x**2 + 1/10 as x -> 0",
-    "x**a/x -> oo given 0 <= a <= 1 as x -> 0+",
-    "(a*x + 1)/(a*x + 2) -> 1 as x -> oo",  # of a = 0 it is 1/2
-]
-OPEN = [
-    "a**2*x + sqrt(a**2*(a - 2)) -> oo given a >= 0 as x -> oo",  # a = 0 is alone
-    "log(-1 - x**2) -> 0 as x -> 0",
-    "a*x -> 0 given a > 1, a < 0 as x -> 0",  # no such parameter
-    "a*x == O(x) given a > 1, a < 0 as x -> 0",
-    "sqrt(-1 - a**2)*x -> 0 as x -> 0",
-    "diff(log(-x), x) > 0 as x -> oo",  # not real on the way
-    "log(-x) < 0 as x -> 0+",
-    "sin(a*x)/sin(b*x) -> abs(a)/b given a != 0, b != 0 as x -> 0",  # not of a < 0
-]
+HOLD = cases(__file__, "HOLD")
+FAIL = cases(__file__, "FAIL")
+OPEN = cases(__file__, "OPEN")
 
 
 @pytest.mark.parametrize("claim", HOLD)

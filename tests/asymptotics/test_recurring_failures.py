@@ -1,6 +1,7 @@
 """What oscillates: failures that return again and again, and limits that do not exist."""
 
 import pytest
+from cases import cases
 
 import tresym
 from tresym.asymptotics.recurring_failures import failure_where_waves_return
@@ -21,33 +22,9 @@ FAIL = [
     "-x - x**2*cos(2*x) > 0 as x -> -oo",
 ]
 TOUCH = ["cos(x) < 1 as x -> oo", "x*sin(x) != 0 as x -> oo"]
-TRUE = [  # the last three would be refuted where waves are taken to return together
-    "x + sin(x) > 5 as x -> oo",
-    "2*x > x*sin(x) as x -> oo",
-    "x*(2 + cos(x)) > sqrt(x) as x -> oo",
-    "x*cos(x) + x*cos(sqrt(2)*x) < 2*x as x -> oo",
-    "x*(cos(x) + cos(pi*x)) < 2*x as x -> oo",
-    "x*(sin(x) + sin(sqrt(3)*x)) != 2*x as x -> oo",
-]
-OSCILLATES = [
-    "sin(x)",
-    "x*sin(x)",
-    "exp(x)*sin(x)**2",
-    "sin(pi*x) + 1/x",
-    "sin(3*x)/3 - cos(2*x)/2",
-    "atan(x*sin(x))",
-]
-DOES_NOT = [
-    "sin(x)/x",
-    "exp(-x)*sin(x)",
-    "x + sin(x)",  # it goes to infinity
-    "sin(x)**2 + cos(x)**2",
-    "cos(2*x) - 2*cos(x)**2",
-    "sin(x) - sin(x + 2*pi)",
-    "sin(1/x)",
-    "a*sin(x)",  # a may be 0
-    "sin(a*x)",
-]
+TRUE = cases(__file__, "TRUE")
+OSCILLATES = cases(__file__, "OSCILLATES")
+DOES_NOT = cases(__file__, "DOES_NOT")
 VALUES = [
     ("integral(1/x, x, -1, 1) == 0", "REFUTED"),
     ("2*integral(1/x, x, -1, 2) == 2*log(2)", "REFUTED"),
@@ -67,18 +44,7 @@ VALUES = [
 
 @pytest.mark.parametrize(
     ("difference", "end", "fails"),
-    [
-        ("sin(x)", "oo", True),
-        ("sin(x) + sin(2*x) + 1/2", "-oo", True),
-        ("sin(1/x) + 1/2", "0", True),
-        ("2 + sin(x)", "oo", False),
-        ("sin(x/2) + 1/2", "oo", True),
-        ("x*sin(x)", "oo", True),
-        ("tan(x) + 1/2", "oo", True),
-        ("1 - x*sin(1/x)", "0", False),
-        ("sin(x) + a", "oo", False),
-        ("sqrt(sin(x)) - 2", "-oo", True),  # where it is real
-    ],
+    cases(__file__, "what_has_a_period_fails_again_and_again"),
 )
 def test_what_has_a_period_fails_again_and_again(difference: str, end: str, fails: bool) -> None:
     found = failure_where_waves_return(parse(difference), ">", SIDES[end])

@@ -1,6 +1,7 @@
 """Refutations of asymptotic claims: none leaves that the complete statement does not support."""
 
 import pytest
+from cases import cases
 
 import tresym
 from tresym.asymptotics import path_claims, refutation_check
@@ -11,23 +12,7 @@ from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.expansions import leading_terms
 from tresym.reals.verdict import Verdict
 
-DEPENDENT_WAVES = [
-    "sin(2*x) ~ 2*sin(x)*cos(x) as x -> oo",
-    "sin(2*x) == O(sin(x)) as x -> oo",
-    "1 - cos(2*x) == O(sin(x)**2) as x -> oo",
-    "limit(sin(2*x)/sin(x)/x, x, oo) == 0",
-    "sqrt(sin(x)**2) == O(sin(x)) as x -> oo",
-    "sin(2/x) == O(sin(1/x)) as x -> 0",
-    "sin(3*x) == O(sin(x)) as x -> oo",
-    "sin(x)*cos(x) ~ sin(2*x)/2 as x -> oo",
-    "sqrt(1 - cos(x)) == O(sin(x/2)) as x -> oo",
-    "abs(sin(x)) == O(sin(x)) as x -> oo",
-    "sin(x)**3 == O(sin(x)**2) as x -> oo",
-    "sin(2*log(x)) == O(sin(log(x))) as x -> oo",
-    "sin(2*x**2) == O(sin(x**2)) as x -> oo",
-    "x*sin(2*x) == O(x*sin(x)) as x -> -oo",
-    "sin(x)**2 - 1 == O(cos(x)**2) as x -> oo",
-]
+DEPENDENT_WAVES = cases(__file__, "DEPENDENT_WAVES")
 """True: one phase determines the other."""
 NESTED = ["sin(sin(2*x)) == O(sin(x)) as x -> oo", "exp(sin(2*x)) - 1 == O(sin(x)) as x -> oo"]
 NOT_REAL = [

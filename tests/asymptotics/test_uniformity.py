@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from cases import cases
 
 import tresym
 from tresym.checking.dispatch import decide_claim
@@ -63,16 +64,7 @@ def test_uniformly_is_read_and_written_again() -> None:
 
 @pytest.mark.parametrize(
     "claim",
-    [
-        "sin(x) > 0 uniformly as x -> 0+",
-        "sin(x) == x uniformly",
-        "x == O(x**2)",
-        "x == O(y) as (x, y) -> (0, 0, 0)",
-        "x == O(y) as (x, x) -> (0, 0)",
-        "x == O(y) as (x, y) -> (0, z)",
-        "a == O(b) as a*b + b -> oo",
-        "a == O(b) given a < 1, b < 1 as a*b -> oo",
-    ],
+    cases(__file__, "what_is_no_claim_is_refused"),
 )
 def test_what_is_no_claim_is_refused(claim: str) -> None:
     with pytest.raises(InputError):

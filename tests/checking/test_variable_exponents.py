@@ -1,25 +1,12 @@
 """Powers with a variable as exponent, where their bases are not positive."""
 
 import pytest
+from cases import cases
 
 import tresym
 from tresym.reals.verdict import Verdict
 
-FAIL = [  # each was PROVED where its bases are positive
-    "x**a >= 0",
-    "x**a > 0",
-    "abs(x)**a > 0",
-    "x**x > 0",
-    "(x**2)**a == x**(2*a)",
-    "(x**a)**b == x**(a*b)",
-    "sqrt(x**a) == x**(a/2)",
-    "abs(x**a) == x**a",
-    "asin(x)**a*sqrt(x**2) == asin(x)**a*x",
-    "x**a >= 1 + a*(x - 1) given a >= 1",
-    "(1 + x)**a >= 1 + a*x given a > 1",
-    "x**n >= 0 given n**2 == 9, n > 0",
-    "x**n*x**a == abs(x**n*x**a) given n integer",
-]
+FAIL = cases(__file__, "FAIL")
 HOLD = [
     "x**a*x**b == x**(a + b)",
     "x**a*y**a == (x*y)**a",
@@ -27,14 +14,7 @@ HOLD = [
     "abs(x)**a >= 0",
     "diff(x**a, x) == a*x**(a - 1)",
 ]
-CLOSED = [
-    "x**a >= 0 given x > 0",
-    "(x**2)**a == x**(2*a) given x > 0",
-    "(1 + x)**a >= 1 + a*x given a > 1, x > -1",
-    "2**x > x",
-    "log(x**a) == a*log(x)",
-    "diff(a**x/log(a), x) == a**x",
-]
+CLOSED = cases(__file__, "CLOSED")
 
 
 @pytest.mark.parametrize("claim", FAIL)

@@ -23,6 +23,7 @@ from typing import Any, NamedTuple
 import chunks
 import numpy as np
 import pytest
+from cases import cases
 from flint import ctx, fmpq, fmpz
 from hangs import HANGS
 
@@ -751,23 +752,7 @@ def test_ten_thousand_digits_take_little_memory(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     "words",
-    [
-        "check x==x",
-        "check x==x --json",
-        "flip --shape 1 1/10 --digits 5",
-        "flip --shape 1 1/10 --digits 5 --json",
-        "flip --shape 1 1/10 --digits 5 --psi0 1 --rate 1",
-        "verify d34 --json",
-        "verify d34 --graph",
-        "verify momentum_along_z --mutants --json",
-        "derive d36",
-        "table constants",
-        "table constants --json",
-        "table constants --format markdown",
-        "table constants --format latex",
-        "figure",
-        "chart",
-    ],
+    cases(__file__, "an_output_is_replaced_by_the_next"),
 )
 def test_an_output_is_replaced_by_the_next(words: str, tmp_path) -> None:
     target = tmp_path / "out"

@@ -4,6 +4,7 @@ import time
 from pathlib import Path
 
 import pytest
+from cases import cases
 
 from tresym.coq.bound_statements import BoundTheorem
 from tresym.coq.candidate_search import bound, found_by
@@ -23,16 +24,7 @@ def of_kind(kind: str) -> list[str]:
 
 @pytest.mark.parametrize(
     ("claim", "said"),
-    [
-        ("integral(x^2, x, 0, 1) == 1/3", "is_RInt (fun x : R => x ^ 2) 0 1 (1 / 3)"),
-        ("integral(1/x, x, 1, 2) == log(2)", "forall x : R, Rmin 1 2 < x < Rmax 1 2 -> x <> 0"),
-        ("integral(exp(-x), x, 0, oo) == 1", "(at_point 0) (Rbar_locally p_infty) 1"),
-        ("integral(1/sqrt(x), x, 0, 1) == 2", "(at_right 0) (at_point 1) 2"),
-        ("sum(2^k, k, 0, n) == 2^(n + 1) - 1", "terms (fun k : nat => 2 ^ k) 0 (S n)"),
-        ("sum(1/k, k, 1, 4) == 25/12", "(k < 1 + 4)%nat -> INR k <> 0"),
-        ("1/x -> oo as x -> 0+", "(at_right 0) (Rbar_locally p_infty)"),
-        ("sqrt(x) -> 0 as x -> 0", "(locally' 0) (fun x : R => 0 <= x)"),
-    ],
+    cases(__file__, "a_statement_says_what_is_claimed_and_that_its_parts_are_defined"),
 )
 def test_a_statement_says_what_is_claimed_and_that_its_parts_are_defined(
     claim: str, said: str

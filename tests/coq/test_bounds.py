@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 
 import pytest
+from cases import cases
 
 from tresym.coq.coqtop import Dialogue
 from tresym.coq.export import stored
@@ -10,19 +11,7 @@ from tresym.coq.ledger_statements import Theorem, lemmas, theorem_of
 from tresym.ledger.paper import all_claims
 
 SECONDS = 12
-SHARPER = (
-    ("corner_margin", ">= (3 / 8) *", ">= (2 / 5) *"),  # at b = 1, x = 1/10
-    ("decay_at_least", "(-3) * PI", "(-2) * PI"),  # everywhere
-    ("majorant_exists", "^ 2 < 1", "^ 2 < 2 / 5"),  # at a = 1/4, b = 1
-    ("bend_leaves", "> (7 / 2) *", "> (11 / 2) *"),  # everywhere
-    ("newton_pi_goes_on", "v_P_pi > 3", "v_P_pi > 4"),  # where b is small
-    ("newton_four_goes_on", "v_P_4 > 3", "v_P_4 > 4"),
-    ("terms_decrease", "13 / 5", "5 / 4"),  # at a = 1/4, b = 1
-    ("printed_error", "17 / 100", "166 / 1000"),  # at a = 400, b = 1
-    ("repaired_from_10", "443 / 1000", "441 / 1000"),  # at a = 10, b = 1
-    ("repaired_from_1", "669 / 1000", "667 / 1000"),  # at a = 1, b = 1
-    ("repaired_from_1_100", "219 / 5", "218 / 5"),  # at a = 1/100, b = 1
-)
+SHARPER = tuple(cases(__file__, "SHARPER"))
 """A bound and a sharper one; the constants stand in the statement and, mostly, in its proof."""
 
 

@@ -5,6 +5,7 @@ import re
 from pathlib import Path
 
 import pytest
+from cases import cases
 
 from tresym.commands import main
 from tresym.coq.candidate_search import assumptions, export, file_of, prelude, proofs
@@ -35,15 +36,7 @@ def test_what_is_assumed_is_said() -> None:
 
 @pytest.mark.parametrize(
     "name",
-    [
-        "make",
-        "make_it",
-        "makes.it",
-        "PrimFloat.mine",
-        "PrimInt63.add_spec",
-        "Uint63",
-        "sig_not_dec",
-    ],
+    cases(__file__, "an_axiom_of_another_name_is_reported"),
 )
 def test_an_axiom_of_another_name_is_reported(name: str) -> None:
     """Also one whose name begins as make's lines or as Coq's modules for machine numbers do."""

@@ -1,6 +1,7 @@
 """The rules of Tresym.v in use: an integral, Leibniz's rule, one root, and what each refuses."""
 
 import pytest
+from cases import cases
 
 from tresym.coq.candidate_search import prelude, run
 
@@ -42,18 +43,7 @@ Proof.
   - rewrite exp_0; pose proof (exp_ineq1 1 ltac:(lra)); lra.
 Qed.
 """
-REFUSED = [  # a pole inside; a jump of the antiderivative; a product of integrals
-    "RInt (fun x => / x ^ 2) (-1) 1 = -2. Proof. "
-    "rewrite (fundamental_closed _ (fun x => - / x)); [lra | |]; intros x; "
-    "rewrite Rmin_left, Rmax_right by lra; intros T; [continues; side | "
-    "eapply d_eq; [derive; side | tidy; field; lra]].",
-    "RInt (fun x => 1) (-1) 1 = 4. Proof. "
-    "rewrite (fundamental_closed _ (fun x => x + sign x)); "
-    "[rewrite sign_pos, sign_neg; lra | |]; intros x X; [continues | "
-    "eapply d_eq; [derive; side | ring]].",
-    "RInt (fun x => x) 0 1 = RInt (fun x => 1) 0 1 * RInt (fun x => 1) 0 1 / 2. Proof. "
-    "rewrite integral_const, (integral_scale 1); lra.",
-]
+REFUSED = cases(__file__, "REFUSED")
 
 
 @pytest.mark.coq

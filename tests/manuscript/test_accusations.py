@@ -3,6 +3,7 @@
 from pathlib import Path
 
 import pytest
+from cases import cases
 from hangs import HANGS
 
 from tresym.manuscript.deciding import Row, decided
@@ -15,18 +16,7 @@ def read(tmp_path: Path, text: str) -> list[Row]:
     return decided(read_links(read_manuscript(tmp_path / "m.tex")), HANGS, 1)
 
 
-NOT_FREE = (
-    r"There is an $M$ such that for all $n \ge M$, \[ e^{-n} < \frac{1}{100} \]",
-    r"Let $N$ be such that for all $n \geq N$, \[ 4n e^{-n} < \frac12 \]",
-    r"Choose $d > 0$ with $d < h/2$. For all real $h$, \[ d^2 < h d \]",
-    r"Find a number $q$ with $q > 2$. We have for $q > 0$ \[ q^2 > 2q \]",
-    r"Let $r$ be a root of the cubic. Then for all $x$, \[ (x - r)^2 = x^2 - r^2 \]",
-    r"Fix some $k$. Then for $x > 0$, \[ x^2 + k^2 \ge 2x \]",
-    r"Suppose for contradiction that $w > 0$. For all real $v$, \[ v + w = v - w \]",
-    r"We know that $p^2 + q^2 = 1$. Hence \[ z = p^4 - q^4 = p^2 - q^2 \]",
-    r"In the case $a = 2$, \[ y = a^2 = 2a \]",
-    r"Let $u$ be a fixed angle. \[ y = \sin 2u = 2\sin u \]",
-)
+NOT_FREE = tuple(cases(__file__, "NOT_FREE"))
 """The last link fails for some numbers, and none of these texts says that it holds for all."""
 
 
@@ -68,15 +58,7 @@ def test_other_words_do_not(before: str, tmp_path: Path) -> None:
     assert read(tmp_path, f"{before} {SQUARE}")[-1].status == "REFUTED"
 
 
-FREE = (
-    r"\[ y = \sin 2u = 2\sin u \]",
-    r"Let $u$ be an angle. \[ y = \sin 2u = 2\sin u \]",
-    r"For all real $x$ and $r$, \[ (x - r)^2 = x^2 - r^2 \]",
-    r"There is an $M$ such that $M > 0$. \[ y = \sin 2u = 2\sin u \]",
-    r"\begin{proof} Choose $u > 0$. \end{proof} \[ y = \sin 2u = 2\sin u \]",
-    r"We see $u > 0$. Put $dx = 2u\,du$. \[ y = \sin 2u = 2\sin u \]",
-    r"The ratio $w = \frac{a}{b}$ counts. \[ y = (w+1)^2 = w^2 + 1 \]",
-)
+FREE = tuple(cases(__file__, "FREE"))
 
 
 @pytest.mark.parametrize("text", FREE)
@@ -117,16 +99,7 @@ def test_what_holds_elsewhere_or_rests_on_more_is_not_called_false(
 
 @pytest.mark.parametrize(
     "text",
-    [
-        r"\[ y = \frac{c\tan t}{1 + c\tan^2 t} = \frac{c\tan t}{1 - c\tan^2 t} \]",
-        r"\[ y = \int_0^\infty e^{-st}\,dt = \frac2s \]",
-        r"\[ y = 10\times 0.0164 = 0.154 \]",
-        r"\[ \lim_{n\to\infty} \left(1 + \frac1n\right)^n = 2 \]",
-        r"\[ \pi \approx 3.8 \]",
-        r"Let $y = \sin x$. We get \[ A = y^2 = 2\sin x \]",
-        r"For all real $x$, \[ \sqrt{x^2} = x \]",
-        r"\[ |x| = x \quad \text{for all } x > -1 \]",
-    ],
+    cases(__file__, "a_falsehood_is_still_told"),
 )
 def test_a_falsehood_is_still_told(text: str, tmp_path: Path) -> None:
     assert read(tmp_path, text)[-1].status == "REFUTED"
@@ -202,14 +175,7 @@ def test_a_condition_behind_a_formula_is_read_or_stops_it(
 
 @pytest.mark.parametrize(
     "text",
-    [
-        r"\[ f(t) = \begin{cases} t & t < 0 \\ 2t & t \ge 0 \end{cases} \]",
-        r"\[ f(t) = \left\{\begin{array}{ll} t & t < 0 \\ 2t & t \ge 0 \end{array}\right. \]",
-        r"Let $f(t) = t$ for $t < 0$, and $f(t) = 2t$ otherwise.",
-        r"For $t < 0$ let \[ f(t) = t \]",
-        r"Let $f(t) = t$. Put \[ f(t) = \begin{cases} t & t < 0 \\ 2t & t > 0 \end{cases} \]",
-        r"Let $f(t) = t$. Now let $f(t)$ be the position.",
-    ],
+    cases(__file__, "no_piece_of_a_function_stands_for_it"),
 )
 def test_no_piece_of_a_function_stands_for_it(text: str, tmp_path: Path) -> None:
     rows = read(tmp_path, text + r" Then \[ \int_{-1}^1 f(t)\,dt = 0 \] and \[ f(5) = 5 \]")

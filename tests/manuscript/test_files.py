@@ -4,6 +4,7 @@ import os
 from pathlib import Path
 
 import pytest
+from cases import cases
 
 from tresym.commands import main
 from tresym.manuscript.source import Display, Missing, read_manuscript
@@ -79,18 +80,7 @@ def test_a_pipe_is_refused_or_left_out(tmp_path: Path, name: str) -> None:
 
 @pytest.mark.parametrize(
     ("text", "found"),
-    [
-        (r"\newif\ifx \ifdraft \[ a \] \else \[ b \] \fi", "a b"),  # declared nowhere
-        (r"\newif\ifdraft \ifdraft \[ a \] \else \[ b \] \fi \[ c \]", "b c"),
-        (r"\newif\ifdraft \drafttrue \ifdraft \[ a \] \else \[ b \] \fi", "a"),
-        (r"\newif\ifdraft \drafttrue\draftfalse \ifdraft \[ a \]\fi \[ b \]", "b"),
-        (r"\newif\ifd \ifd \dtrue \[ a \]\fi \ifd \[ b \] \fi \[ c \]", "c"),
-        (r"\newif\ifd \ifd \ifnum 1=1 \[ a \] \else \[ b \] \fi \[ c \] \fi \[ e \]", "e"),
-        (r"\iffalse \[ a \] \ifx\p\q \[ b \] \fi \[ c \] \fi \[ e \]", "e"),
-        (r"\iffalse \[ a \] \else \[ b \] \fi", "b"),
-        (r"\iftrue \[ a \] \else \[ b \] \fi", "a"),
-        (r"\[ a \iff b \] \iffalse \[ c \]", r"a \iff b"),
-    ],
+    cases(__file__, "the_branch_that_is_taken"),
 )
 def test_the_branch_that_is_taken(tmp_path: Path, text: str, found: str) -> None:
     (tmp_path / "m.tex").write_text(text)

@@ -3,6 +3,7 @@
 from pathlib import Path
 
 import pytest
+from cases import cases
 from hangs import HANGS
 
 from tresym.manuscript.deciding import Row, decided
@@ -311,14 +312,7 @@ IN_A_PROOF = r"""Let $h(x) = x$. \begin{proof} Let $h(x) = x^2 + 1$. Put $c = x^
 
 @pytest.mark.parametrize(
     ("text", "found"),
-    [
-        (r"Then for all $x$ \[ h(x) \ge 1 \]", "REFUTED x >= 1"),
-        (r"We have for all real $y$ \[ y^2 < y \]", "REFUTED y**2 < y"),
-        (r"It follows that \[ \sqrt{c^2} = c \]", "EQUATION sqrt(c**2) == c"),
-        (r"\begin{proof} It follows that \[ \sqrt{c^2} = c \]", "EQUATION sqrt(c**2) == c"),
-        (r"\[ c = 2x \]", "DEFINED c == 2*x"),
-        (r"\begin{Proof*} Put $c = 2x$. \end{Proof*} \[ c = 3x \]", "DEFINED c == 3*x"),
-    ],
+    cases(__file__, "what_is_said_in_a_proof_ends_with_it"),
 )
 def test_what_is_said_in_a_proof_ends_with_it(text: str, found: str, tmp_path: Path) -> None:
     *within, row = read(tmp_path, IN_A_PROOF + text)
@@ -382,15 +376,7 @@ def test_a_condition_is_of_its_own_row(text: str, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("text", "found"),
-    [
-        (r"Let $t \ge 1$ or $t \le 0$. Then \[ t \ge 1 \]", "UNDECIDED t >= 1"),
-        (r"Assume $x > 0$ or not. We get \[ |x| = x \]", "EQUATION abs(x) == x"),
-        (r"\[ |x| = x \] and for $x > 0$, \[ x > 0 \]", "EQUATION abs(x) == x, PROVED x > 0"),
-        (
-            r"For all real $x$, \[ w(x) > 0 \] Then \[ |w(x)| = w(x) \]",
-            "UNREAD w(x) > 0, UNREAD abs(w(x)) == w(x)",
-        ),
-    ],
+    cases(__file__, "what_is_claimed_is_not_assumed"),
 )
 def test_what_is_claimed_is_not_assumed(text: str, found: str, tmp_path: Path) -> None:
     rows = read(tmp_path, text)

@@ -3,6 +3,7 @@
 from pathlib import Path
 
 import pytest
+from cases import cases
 from hangs import HANGS
 
 from tresym.manuscript.deciding import decided
@@ -33,16 +34,7 @@ def test_an_equation_follows_from_the_one_before(text: str, status: str, tmp_pat
 
 @pytest.mark.parametrize(
     ("first", "second", "factor"),
-    [
-        ("a*x == b", "3*a*x**2/2 == 3*b*x/2", "3*x/2"),
-        ("a*x == b", "sqrt(x)*a*x == sqrt(x)*b", "sqrt(x)"),
-        ("x == 0", "y == 0", None),
-        ("2*a*x == 0", "b*y**2 == 0", None),
-        ("a*x == b", "a*x == b", None),  # nothing follows from itself
-        ("a*x == b", "a*x == 2*b", None),
-        ("a*x == b", "(a*x - b)**2 == 0", None),
-        ("sin(x) == y", "sin(x)*cos(x) == y*cos(x)", None),  # the factor is no product of powers
-    ],
+    cases(__file__, "the_factor_is_a_product_of_powers"),
 )
 def test_the_factor_is_a_product_of_powers(first: str, second: str, factor: str | None) -> None:
     found = multiple_of(parse_claim(first)[0], parse_claim(second)[0])

@@ -7,6 +7,7 @@ neighbours that is true beside it.
 from pathlib import Path
 
 import pytest
+from cases import cases
 from hangs import HANGS
 
 from tresym.manuscript.deciding import Row, decided
@@ -25,40 +26,7 @@ def statuses(folder: Path, text: str) -> list[str]:
     return [row.status for row in read(folder, text)]
 
 
-READ = (
-    r"\[ (\dot{\theta}_1 - \dot{\theta}_2)^2 = \dot{\theta}_1^2 - 2\dot{\theta}_1\dot{\theta}_2"
-    r" + \dot{\theta}_2^2 \]",
-    r"\[ (p_1^- + p_1^+)^2 = (p_1^-)^2 + 2 p_1^- p_1^+ + (p_1^+)^2 \]",
-    r"\[ \sum^{n}_{k=1} k = \frac{n(n+1)}{2} \]",
-    r"\[ \int^{1}_{0} x\,dx = \frac12 \]",
-    r"\[ (\varpi - 2)(\varpi + 2) = \varpi^2 - 4 \]",
-    r"\[ (\varTheta - 2)(\varTheta + 2) = \varTheta^2 - 4 \]",
-    r"\[ \frac{\cancel{k} p}{\cancel{k} q} = \frac{p}{q} \]",
-    r"\[ (p - q)^2 \> = \enskip p^2 - 2pq + q^2 \]",
-    r"\[ (\mathnormal{\Omega} + 1)^2 = \Omega^2 + 2\Omega + 1 \]",
-    r"\[ (x_1 - 1)(x_1 + 1) = x^2_1 - 1 \]",
-    r"\[ (1 + \mathnormal{x})^2 = 1 + 2x + x^2 \]",
-    r"\[ \frac{\dif}{\dif x} x^3 = 3x^2 \]",
-    r"\[ \dv{x} x^3 = 3x^2 \]",
-    r"\[ \dv[2]{x} x^3 = 6x \]",
-    r"\[ \pdv{x} (x^2 y) = 2xy \]",
-    r"\[ (u + w)^2 = u^2 + \underbrace{2uw}_\text{mixed} + w^2 \]",
-    r"With the variable $e$ of the orbit, $e = c/a$, \[ \mathrm{e}^{2x}\,\mathrm{e}^{-x} ="
-    r" \mathrm{e}^{x} \]",
-    r"With $k_J$ and $k_{J0}$, \[ (k_J - k_{J0})(k_J + k_{J0}) = k_J^2 - k_{J0}^2 \]",
-    r"\[ \pi(3) - \pi(2) = \pi \]",
-    # kinds
-    r"With the rate $\Gamma$, a little algebra gives \[ (\Gamma + 1)^2 = \Gamma^2 + 2\Gamma + 1 \]",
-    r"The derivatives commute, so \[ (B + 1)^2 = B^2 + 2B + 1 \]",
-    r"The mach number is $\mathcal{M} = u/c$. \[ (\mathcal{M}-1)(\mathcal{M}+1) = \mathcal{M}^2-1"
-    r" \]",
-    r"The state is $(u, v)^\intercal$. \[ (u + v)^2 = u^2 + 2uv + v^2 \]",
-    r"Here $b_x \sim (b_2 - b_1)/h$. \[ (b_2 - b_1)^2 = b_2^2 - 2 b_1 b_2 + b_1^2 \]",
-    r"\section{A} The matrix product is $C^\top$. \section{B} \[ (C + 1)^2 = C^2 + 2C + 1 \]",
-    # paths
-    r"As $x \to 0$, \[ \cos x \sim 1 - \frac{x^2}{2} \]",
-    r"For small $\epsilon$ we expand. \[ a + a = 2a \] \[ e^{\epsilon} = 1 + \epsilon + \dots \]",
-)
+READ = tuple(cases(__file__, "READ"))
 """Texts whose last link holds."""
 
 
@@ -68,15 +36,7 @@ def test_the_notation_of_physicists_is_read(text: str, tmp_path: Path) -> None:
     assert row.status in ("PROVED", "ENCLOSED"), row.why
 
 
-WRONG = (
-    r"\[ (\dot{\theta}_1 - \dot{\theta}_2)^2 = \dot{\theta}_1^2 - \dot{\theta}_2^2 \]",
-    r"\[ (p^+ - p^-)^2 = (p^+)^2 - (p^-)^2 \]",
-    r"Show that \[ \sum_{k=1}^{n} k = \frac{n(n-1)}{2} \]",
-    r"As $x \to 0$, \[ \tan x \sim 2x \]",
-    r"\[ \cos x \sim 1 - x^2 \qquad (x \to 0) \]",
-    r"As $\epsilon \to 0$, \[ \sqrt{1+\epsilon} = 1 + \epsilon + O(\epsilon^2) \]",
-    r"For $\epsilon \to 0$, \[ \frac{1}{1-\epsilon} = 1 - \epsilon + \dots \]",
-)
+WRONG = tuple(cases(__file__, "WRONG"))
 
 
 @pytest.mark.parametrize("text", WRONG)

@@ -3,6 +3,7 @@
 from pathlib import Path
 
 import pytest
+from cases import cases
 from hangs import HANGS
 
 from tresym.manuscript.deciding import Row, decided
@@ -65,16 +66,7 @@ def test_and_not_before(text: str, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     "text",
-    [
-        r"Let $f$ be such that $f(a) = f(b)$. \[ f(a) - f(b) = 0 \]",
-        r"For some $x_0$ we have $g(x_0) = x_0$. \[ g(2) = 2 \]",
-        r"Here $a = b$ would be false. \[ a - b = 0 \]",
-        r"Unless $a = b$ there is nothing to do. \[ a - b = 0 \]",
-        r"If $a = b$ then we are done. \[ a - b = 0 \]",
-        r"Suppose that there is a point with $a = b$. \[ a - b = 0 \]",
-        r"If the limit were $L = a$, then \[ L - a = 0 \]",
-        r"We look for $y$ that satisfies $y = x^2$. \[ y - x^2 = 0 \]",
-    ],
+    cases(__file__, "a_condition_at_a_point_or_a_hypothesis_defines_nothing"),
 )
 def test_a_condition_at_a_point_or_a_hypothesis_defines_nothing(text: str, tmp_path: Path) -> None:
     assert read(tmp_path, text)[-1].status not in ("PROVED", "REFUTED")

@@ -5,6 +5,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from cases import cases
 from hangs import HANGS
 
 from tresym.commands import main
@@ -26,17 +27,7 @@ def statuses(folder: Path, text: str) -> list[str]:
 
 @pytest.mark.parametrize(
     ("text", "instead"),
-    [
-        (r"We have \[ \cos 2x = 2\cos^2 x + 1. \]", "cos(2*x) == 2*cos(x)**2 - 1"),
-        (r"Note that \[ \sin 2x = 2\sin x\sin x. \]", "sin(2*x) == 2*cos(x)*sin(x)"),
-        (r"\[ (x + y)^2 = x^2 + 2xy + y^3 \]", "(x + y)**2 == x**2 + 2*x*y + y**2"),
-        (r"It is well known that \[ e^{x+y} = e^x + e^y. \]", "exp(x + y) == exp(x)*exp(y)"),
-        (r"One has \[ \sqrt{x^2} = x. \]", "sqrt(x**2) == x"),
-        (r"Hence \[ 1 + \tan^2 x = \csc^2 x. \]", "tan(x)**2 + 1 == sec(x)**2"),
-        (r"\[ \frac{1}{x-1} - \frac{1}{x+1} = \frac{2}{x^2+1} \]", ""),
-        (r"By the addition law we get \[ \sin(x+y) = \sin x\cos y - \cos x\sin y. \]", ""),
-        (r"\[ \sinh^2 x - \cosh^2 x = 1 \]", "sinh(x)**2 - cosh(x)**2 == -1"),
-    ],
+    cases(__file__, "a_misprint_is_suspect_with_what_is_true_instead"),
 )
 def test_a_misprint_is_suspect_with_what_is_true_instead(
     text: str, instead: str, tmp_path: Path

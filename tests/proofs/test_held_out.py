@@ -9,6 +9,7 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
+from cases import cases
 from flint import fmpq
 from sympy import Function, Integer, Rational, exp, oo, sympify
 
@@ -24,50 +25,7 @@ BY_LABEL = {claim.label: claim for claim in all_claims()}
 o = Function("o")
 quarter = a * b >= Rational(1, 4)
 
-CONSTANTS = [
-    ("printed_error", "17/100", "3/20"),
-    ("printed_relative_error", "133/1000", "1/2"),
-    ("repaired", "1451/1000", "7/5"),
-    ("second_order", "149/50", "29/10"),
-    ("third_order", "184/25", "7"),
-    ("d57", "9/50", "17/100"),
-    ("one_line", "7/250", "27/1000"),
-    ("balanced_line", "13/2000", "3/500"),
-    ("newton_line", "1/10000", "1/20000"),
-    ("balanced_newton", "1/250000", "1/500000"),
-    ("repaired_from_1_100", "219/5", "43"),
-    ("repaired_from_1", "669/1000", "33/50"),
-    ("second_order_from_2", "297/500", "29/50"),
-    ("d38", "23/50", "9/20"),
-    ("eqnew", "23/25", "9/10"),
-    ("u_exponentially_small", "36/25", "7/5"),
-    ("u_flat_order", "9/1000", "1/125"),
-    ("d52", "31/100", "3/10"),
-    ("remark1", "13/25", "11/20"),
-    ("remark1", "201/100", "199/100"),
-    ("bend_leaves", "7/2", "4"),
-    ("bend_leaves", "6", "5"),
-    ("printed_relative_error", "21/125", "3/20"),
-    ("everywhere", "10/3", "5/2"),
-    ("third_order", "184/25", "6"),
-    ("repaired_from_1_100", "219/5", "30"),
-    ("repaired_from_1_30", "1013/100", "8"),
-    ("repaired_from_1_10", "637/200", "5/2"),
-    ("repaired_from_1_2", "37/40", "4/5"),
-    ("repaired_from_2", "543/1000", "1/2"),
-    ("repaired_from_5", "117/250", "2/5"),
-    ("repaired_from_10", "443/1000", "2/5"),
-    ("second_order_from_1_100", "1165", "900"),
-    ("second_order_from_1_30", "887/10", "70"),
-    ("second_order_from_1_10", "23/2", "9"),
-    ("second_order_from_1", "83/100", "7/10"),
-    ("second_order_from_5", "467/1000", "2/5"),
-    ("second_order_from_10", "107/250", "7/20"),
-    ("d52_true_order", "1/4", "1"),
-    ("d56", "6/25", "1/5"),
-    ("majorant_exists", "1", "1/2"),
-    ("d57_true_order", "1/4", "1/40"),
-]
+CONSTANTS = cases(__file__, "CONSTANTS")
 """Label, the constant that is said, and a wrong one."""
 
 REGIONS: list[tuple[str, Any, Any]] = [
@@ -107,48 +65,7 @@ REGIONS: list[tuple[str, Any, Any]] = [
 ]
 """Label, the condition that is given, and a wider one, or none."""
 
-NUMBERS = [
-    ("eps0_str_formula", "0.1160"),
-    ("eps0_str_exact", "0.1140"),
-    ("flip_str", "0.074"),
-    ("flip_str_exact", "0.072"),
-    ("slope_str_formula", "-35.5"),
-    ("slope_str_formula", "34.5"),
-    ("lower_level_exists", "-4.23e-3"),
-    ("rate_at_the_top", "0.960"),
-    ("flip_of_no_flip", "1.2574"),
-    ("table_str_a", "12.64"),
-    ("table_str_b", "0.07"),
-    ("table_racket_1_a", "17.54"),
-    ("table_racket_1_epsilon0", "0.0262"),
-    ("table_racket_2_b", "0.10"),
-    ("table_racket_3_flip", "0.0262"),
-    ("racket_3_swapped_b", "0.1223"),
-    ("table_book_epsilon0", "0.2189"),
-    ("book_length", "1.49"),
-    ("book_height", "0.29"),
-    ("ethylene_flip_exact", "0.0880"),
-    ("ethylene_without_prefactor", "0.0538"),
-    ("wilson_a", "13.5372"),
-    ("wilson_b", "0.0639"),
-    ("accuracy", "0.002"),
-    ("accuracy_relative", "0.010"),
-    ("slope_str_exact", "-34.5"),
-    ("upper_level_linear", "1.04e-2"),
-    ("lower_level_linear", "4.2e-3"),
-    ("table_str_flip", "0.0723"),
-    ("table_racket_1_b", "0.12"),
-    ("table_racket_1_flip", "0.0106"),
-    ("table_racket_2_a", "9.97"),
-    ("table_racket_2_flip", "0.0699"),
-    ("racket_3_a", "14.88"),
-    ("table_racket_3_epsilon0", "0.0302"),
-    ("table_book_flip", "0.1432"),
-    ("book_a", "1.19"),
-    ("book_b", "0.30"),
-    ("ethylene_flip_formula", "0.0528"),
-    ("wilson_I3", "17490"),
-]
+NUMBERS = cases(__file__, "NUMBERS")
 """Label, and another number than is printed."""
 
 

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from cases import cases
 
 from tresym.ledger.axioms import RULES, Axiom
 from tresym.ledger.claim import Claim, Definition
@@ -94,15 +95,7 @@ def test_a_docstring_names_no_theorem_that_no_claim_lists() -> None:
 
 @pytest.mark.parametrize(
     "note",
-    [
-        "By Rouché's theorem it has one root.",
-        "By Lagrange's inversion formula.",
-        "The lemma of Bessel.",
-        "So by linearisation it is unstable.",
-        "The logarithm is concave.",
-        "By the residue theorem.",
-        "By the implicit function theorem of Nash.",
-    ],
+    cases(__file__, "a_theorem_that_is_not_listed_is_found"),
 )
 def test_a_theorem_that_is_not_listed_is_found(note: str) -> None:
     claim = Claim("planted", "A sentence.", Definition(), note=note)

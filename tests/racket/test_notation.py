@@ -1,6 +1,7 @@
 """The paper's symbols: one name each, real and nothing more, and one way to write each."""
 
 import pytest
+from cases import cases
 from sympy import Symbol, latex
 
 from tresym.racket import notation
@@ -32,15 +33,7 @@ def test_every_symbol_is_written_in_its_own_way() -> None:
 
 @pytest.mark.parametrize(
     ("name", "text"),
-    [
-        ("I1", "I_{1}"),
-        ("W3", r"\Omega_{3}"),
-        ("lam", r"\lambda"),
-        ("epsilon0", r"\epsilon_0"),
-        ("theta_min", r"\theta_{\min}"),
-        ("dpsi_dphi", r"\frac{d\psi}{d\phi}"),
-        ("dM2_dt", r"\dot M_2"),
-    ],
+    cases(__file__, "as_the_paper_writes_them"),
 )
 def test_as_the_paper_writes_them(name: str, text: str) -> None:
     assert latex(SYMBOLS[name], symbol_names=notation.LATEX) == text

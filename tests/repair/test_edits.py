@@ -1,6 +1,7 @@
 """Edits: each kind of misprint has its repair among the trees one edit away."""
 
 import pytest
+from cases import cases
 
 from tresym.reals.language.parsing import parse, parse_claim
 from tresym.repair.edits import SIGN, edits, is_one_edit
@@ -14,34 +15,7 @@ def one_edit_away(claim: str, indices: tuple[str, ...] = ()) -> list[str]:
 
 @pytest.mark.parametrize(
     ("wrong", "right"),
-    [
-        ("cos(2*x) == 2*cos(x)**2 + 1", "cos(2*x) == 2*cos(x)**2 - 1"),  # + and -
-        ("sin(-x) == sin(x)", "sin(-x) == -sin(x)"),  # a sign in front
-        ("exp(x - y) == exp(x)*exp(y)", "exp(x - y) == exp(x)*1/exp(y)"),  # times and divided by
-        ("tan(2*x) == 3*tan(x)/(1 - tan(x)**2)", "tan(2*x) == 2*tan(x)/(1 - tan(x)**2)"),  # ±1
-        ("log(x**4) == 2*log(x**2)*x/x", "log(x**4) == 4*log(x**2)*x/x"),  # doubled
-        ("2*x == 21*x", "2*x == 12*x"),  # digits swapped
-        ("(x + y)**2 == x**2 + 2*x*y + y**3", "(x + y)**2 == x**2 + 2*x*y + y**2"),  # an exponent
-        ("sin(2*x) == 2*sin(x)*sin(x)", "sin(2*x) == 2*sin(x)*cos(x)"),  # a function's partner
-        ("sinh(2*x) == 2*sin(x)*cosh(x)", "sinh(2*x) == 2*sinh(x)*cosh(x)"),
-        ("1 + tan(x)**2 == csc(x)**2", "tan(x)**2 + 1 == sec(x)**2"),
-        ("asin(x) + asin(x) == pi/2", "acos(x) + asin(x) == pi/2"),
-        ("log(x*y) == log(x) + log(x)", "log(x*y) == log(x) + log(y)"),  # a variable
-        ("x == sin(x)", "x == 2*sin(x)"),  # a factor
-        ("x == 2*sin(x)", "x == sin(x)"),
-        ("x == sin(x)", "x == sin(pi*x)"),
-        ("cos(x) == 1 - 2*sin(x/2)", "cos(x) == 1 - 2*sin(x/2)**2"),  # a square
-        ("abs(x) == x**2", "abs(x) == sqrt(x**2)"),  # a root
-        ("tan(x) == cot(x)", "tan(x) == 1/cot(x)"),  # a reciprocal
-        ("sqrt(x**2) == x", "sqrt(x**2) == abs(x)"),  # bars
-        ("(1 - x)/(1 + x) == x", "(x + 1)/(1 - x) == x"),  # upside down
-        ("sum(k, k, 0, n) == n", "sum(k, k, 1, n) == n"),  # an end
-        ("sum(k, k, 1, n) == n", "sum(k, k, 1, n - 1) == n"),
-        ("integral(x**2, x, 0, 1) == 1/2", "integral(x, x, 0, 1) == 1/2"),
-        ("x < x**2", "x <= x**2"),  # relations
-        ("x < x**2", "x > x**2"),
-        ("sin(x) == x + O(x**4)", "sin(x) == x + O(x**3)"),
-    ],
+    cases(__file__, "each_kind_of_misprint_is_one_edit"),
 )
 def test_each_kind_of_misprint_is_one_edit(wrong: str, right: str) -> None:
     ((left, relation, side),) = parse_claim(right)

@@ -1,6 +1,7 @@
 """Natural conditions: the widest on which a claim is seen to hold comes first."""
 
 import pytest
+from cases import cases
 
 from tresym.reals.language.parsing import parse_claim
 from tresym.repair.regions import holding
@@ -9,15 +10,7 @@ from tresym.repair.samples import sampled
 
 @pytest.mark.parametrize(
     ("claim", "first"),
-    [
-        ("sqrt(x**2) == x", "x >= 0"),
-        ("sqrt(x**2) == -x", "x <= 0"),
-        ("abs(x + y) == abs(x) + abs(y)", "x*y >= 0"),
-        ("acos(cos(x)) == x", "0 <= x, x <= pi"),
-        ("atan(tan(x)) == x", "-pi/2 < x, x < pi/2"),
-        ("abs(x - y) == y - x", "x <= y"),
-        ("abs(x**2 - 1) == 1 - x**2", "abs(x) <= 1"),
-    ],
+    cases(__file__, "the_widest_region_comes_first"),
 )
 def test_the_widest_region_comes_first(claim: str, first: str) -> None:
     links = parse_claim(claim)

@@ -13,6 +13,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from cases import cases
 from flint import fmpq
 from hangs import HANGS
 
@@ -30,18 +31,7 @@ playwright = pytest.importorskip("playwright.sync_api", reason="Playwright is no
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "explorer" / "index.html"
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
 
-HARD = (
-    ("12.5372", "0.0629", "0"),
-    ("1e4", "1", "0"),
-    ("1e-6", "1e-6", "0"),
-    ("1", "1", "-0.999999"),
-    ("2.29201", "0.99999", "-0.988653046503"),
-    ("12", "0.05", "1e-140"),
-    ("0.5", "0.1", "0.49999999999999999999"),
-    ("0.5", "0.1", "-0.09999999999999999999"),
-    ("82.9327", "0.986241", "1.47940090762e-24"),
-    ("1517/121", "55/874", "-7/2013"),
-)
+HARD = tuple(cases(__file__, "HARD"))
 """Levels near the separatrix, γ*, −b and a, and shapes at the ends of their range."""
 
 BAD = (
@@ -62,18 +52,7 @@ BAD = (
 )
 """An input, what is typed there, and what the message says."""
 
-THROWS = (
-    ("1.11", "0.31", "0.1", "0.4"),
-    ("1.11", "0.31", "0.1", "-0.4"),
-    ("1.11", "0.31", "2.8", "-0.15"),
-    ("1517/121", "55/874", "-1.5", "0.2"),
-    ("1517/121", "55/874", "0.1", "0.05"),
-    ("1517/121", "55/874", "4", "-0.03"),
-    ("14.88", "0.12", "-7.5", "3"),
-    ("0.5", "1", "3.1", "0.3"),
-    ("3639/1001", "173/1001", "1.6", "-4"),
-    ("3639/1001", "173/1001", "1.6", "0"),
-)
+THROWS = tuple(cases(__file__, "THROWS"))
 """Shape and start (ψ₀, dψ/dφ): within the eyes of the separatrix and outside, either way round."""
 
 SCENES = {

@@ -8,6 +8,7 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
+from cases import cases
 
 from tresym.ledger.verification import Report
 from tresym.report.pages.numbers import numbers
@@ -19,20 +20,7 @@ from tresym.site import claims, commands, graph, links
 from tresym.site.docstrings import restructured
 
 ROOT = Path(__file__).resolve().parents[2]
-SOME = (
-    "eq_gamma",
-    "floor_of_every_body",
-    "table_racket_3_b",
-    "racket_3_third_moment",
-    "racket_3_swapped",
-    "hyperbolic_levels",
-    "nearly_hyperbolic",
-    "monotonicity",
-    "d27",
-    "slope_str_exact",
-    "slope_str_formula",
-    "slope_str_leading",
-)
+SOME = tuple(cases(__file__, "SOME"))
 """Of every kind one, with what is true instead of it."""
 
 

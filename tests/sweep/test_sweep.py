@@ -26,6 +26,7 @@ from typing import Any
 
 import mpmath
 import pytest
+from cases import cases
 from flint import arb, ctx, fmpq
 from hangs import HANGS
 
@@ -527,16 +528,7 @@ def test_an_export_replaces_only_an_export(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     "damage",
-    [
-        "DELETE FROM rows WHERE line = 9",
-        "DELETE FROM rows",
-        "UPDATE rows SET defect = replace(defect, '1', '2') WHERE line = 9",
-        "UPDATE rows SET line = -line WHERE line IN (8, 9)",
-        "UPDATE rows SET defect = NULL, problem = 'none' WHERE line = 9",
-        "UPDATE rows SET realizable = 1 - realizable WHERE line = 9",
-        "UPDATE batches SET checksum = 0",
-        "INSERT INTO batches SELECT 10000, rows, checksum FROM batches WHERE number = 1",
-    ],
+    cases(__file__, "rows_that_are_not_what_was_landed_are_computed_again"),
 )
 def test_rows_that_are_not_what_was_landed_are_computed_again(tmp_path: Path, damage: str) -> None:
     path = str(tmp_path / "t")

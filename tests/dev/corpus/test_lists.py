@@ -6,6 +6,7 @@ from itertools import product
 from pathlib import Path
 
 import pytest
+from cases import cases
 from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
@@ -26,20 +27,7 @@ SAVED = Path(__file__).resolve().parents[3] / "docs" / "measurements"
 PROVED, ENCLOSED = Verdict.PROVED, Verdict.ENCLOSED
 REFUTED, UNDECIDED = Verdict.REFUTED, Verdict.UNDECIDED
 
-NAMED = [
-    "a/(b+c) + b/(a+c) + c/(a+b) >= 3/2 given a > 0, b > 0, c > 0",
-    "x**4*y**2 + x**2*y**4 - 3*x**2*y**2 + 1 >= 0",
-    "exp(x + y) >= 1 + x + y",
-    "exp(-x**2) <= 1/(1 + x**2)",
-    "sin(x) >= 2*x/pi given 0 <= x <= pi/2",
-    "(a + b + c + d)/4 >= (a*b*c*d)**(1/4) given a > 0, b > 0, c > 0, d > 0",
-    "x*log(x) >= -1/E",
-    "x*y <= x*log(x) - x + exp(y) given x > 0",
-    "asin(x) <= pi*x/2 given 0 <= x <= 1",
-    "cosh(x) <= exp(x**2/2)",
-    "x*y <= 1/4 given x >= 0, y >= 0, x + y <= 1",
-    "max(x, y) >= (x + y)/2",
-]
+NAMED = cases(__file__, "NAMED")
 LISTED = [pair for name in ("inequalities", "orders") for pair in known(name)]
 SAMPLED = [pair for n, pair in enumerate(LISTED) if not (pair.truth and n % 7)]
 """All that are false, and some that are true."""
@@ -64,29 +52,7 @@ def test_what_is_measured_of_the_lists_has_nothing_wrong() -> None:
         assert not notes[f"false {name}"].keys() & {"PROVED", "ENCLOSED"}
 
 
-FALSE = [
-    # kinks and poles, which no second derivative sees
-    "abs(x) >= 1/2 given -1 <= x <= 1",
-    "-1/x >= -10 given -1 <= x <= 1",
-    "sqrt(abs(x)) >= 1/2 given -1 <= x <= 1",
-    # periodic, but not where it is defined
-    "sin(x) + 0*sqrt(x) >= -1/2",
-    "sin(x) + 0*log(x) >= -1/2",
-    # equality, where it is excluded
-    "x + y > 0 given x >= 0, y >= 0",
-    "x**2*y > 0 given x > 0, y >= 0",
-    "a/(b+c) + b/(a+c) + c/(a+b) > 3/2 given a > 0, b > 0, c > 0",
-    "log((x + y)/2) > (log(x) + log(y))/2 given x > 0, y > 0",
-    "exp(sin(x)) < E",
-    "3 + 4*cos(x) + cos(2*x) > 0",
-    "(x**3 - 2)**2 > 0",
-    "x*log(x) > -1/E",
-    # conditions that almost suffice
-    "x/y + y/x >= 2 given x > 0",
-    "x**3 + y**3 + z**3 >= 3*x*y*z given x > -1, y > 0, z > 0",
-    "x*y <= 1/4 given x >= 0, y >= 0, x + y <= 1.001",
-    "exp(x) <= 1 + (E - 1)*x given 0 <= x <= 1 + 10**(-6)",
-]
+FALSE = cases(__file__, "FALSE")
 
 
 @pytest.mark.parametrize("claim", FALSE)
@@ -190,20 +156,7 @@ BY_CASES = [
     "acos((1 - x**2)/(1 + x**2)) == 2*abs(atan(x))",
     "acosh(cosh(x)) + acosh(cosh(y)) == abs(x) + abs(y)",
 ]
-NARROW = [
-    "acos(cos(x)) == abs(x) given -3.15 <= x <= 3.15",
-    "acosh(cosh(x)) + acosh(cosh(y)) == abs(x) + y",
-    "acosh(cosh(x)) == x given x >= -0.001",
-    "abs(x)/x == 1 given x >= -1/10**40",
-    "sqrt(x**2) == x given -0.0001 <= x <= 1000",
-    "sqrt(x**2) == -x given -1000 <= x <= 0.0001",
-    "atan(tan(x)) == x given -pi/2 < x < 1.58",
-    "cos(x) < 1 given x > 0",
-    "cos(x) < 1 given x > 30",
-    "cos(x) < 1 given x < -7",
-    "sin(x)**2 > 0 given x > 1",
-    "sin(x) + cos(x) < sqrt(2) given x > 0",
-]
+NARROW = cases(__file__, "NARROW")
 """False, but at points that are few or in a small part of what the conditions allow."""
 
 

@@ -6,6 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from cases import cases
 from sympy import Derivative, Function, Integer, Integral, Subs, Symbol, Tuple, cos, sin, sqrt
 
 from tresym.commands import main
@@ -312,17 +313,7 @@ def test_a_sentence_counts_by_its_formal_relations() -> None:
     assert audit(PENDULUM, [said, *others], index_of()).complete
 
 
-LATEX_SLIPS = [
-    (r"(?<!\{)-", "+"),
-    (r"\+", "-"),
-    (r"\\sin", r"\\cos"),
-    (r"\\cos", r"\\sin"),
-    (r"(?<![\d._\[])2(?![\d.])", "3"),
-    (r"\\sqrt", ""),
-    (r"\\leq", "<"),
-    (r"(?<=[\d=])w", "q"),
-    (r"\d(?=\})", "7"),
-]
+LATEX_SLIPS = cases(__file__, "LATEX_SLIPS")
 
 
 def test_every_slip_in_the_latex_itself_is_caught() -> None:

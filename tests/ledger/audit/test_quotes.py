@@ -5,6 +5,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from cases import cases
 
 from tresym.ledger.audit.quotes import Quote, load_quotes
 from tresym.ledger.audit.source import hash_of
@@ -31,14 +32,7 @@ def test_altered_lines_are_noticed(old: str, new: str) -> None:
 
 @pytest.mark.parametrize(
     ("text", "lost"),
-    [
-        ("The turn is arcsin x", "arcsin"),
-        ("The flip is arccos x", "arccos"),
-        ("a turn, and 0.23", "and"),
-        ("0.24 of a turn", "0.24"),
-        ("170 times", None),
-        ("710 times", "710"),
-    ],
+    cases(__file__, "other_words_are_noticed"),
 )
 def test_other_words_are_noticed(text: str, lost: str | None) -> None:
     assert replace(QUOTE, text=text).lost(PAPER) == lost

@@ -3,6 +3,7 @@
 from pathlib import Path
 
 import pytest
+from cases import cases
 
 from tresym.ledger.audit.source import MAX_BYTES, Piece, read_source, scan
 from tresym.reals.numbers.exact import InputError
@@ -71,17 +72,7 @@ def test_a_changed_sign_is_an_alteration_and_a_line_break_is_none() -> None:
 
 @pytest.mark.parametrize(
     "body",
-    [
-        r"\[ x",
-        r"x \]",
-        r"\begin{equation} x \end{align}",
-        r"\begin{equation} x",
-        r"\end{equation}",
-        "$$ x $ y",
-        r"$ x \[ y \]",
-        r"\[ x \[ y \] \]",
-        "$ x",
-    ],
+    cases(__file__, "what_is_not_closed_is_refused_with_its_line"),
 )
 def test_what_is_not_closed_is_refused_with_its_line(body: str) -> None:
     with pytest.raises(InputError, match="line 2") as caught:

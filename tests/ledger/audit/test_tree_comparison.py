@@ -1,6 +1,7 @@
 """Whether two trees say the same: a display and a claim, and different where one errs."""
 
 import pytest
+from cases import cases
 from sympy import Basic, Derivative, Function, Integral, Subs, Symbol, cos, sin, sqrt
 
 from tresym.ledger.audit.tree_comparison import agree, of_claim, of_display, same
@@ -74,16 +75,7 @@ def test_two_integrals_count_as_one_only_where_they_agree_on_their_interval() ->
 
 @pytest.mark.parametrize(
     ("left", "right", "under", "found"),
-    [
-        ("sin(x)**2 + cos(x)**2", "1", "", True),
-        ("sin(x)", "cos(x)", "", False),
-        ("sqrt(x**2)", "x", "", False),
-        ("sqrt(x**2)", "x", "x > 0", True),
-        ("x", "x + 10**(-9)", "", False),
-        ("log(x)", "log(x) + 0*y", "x > 0", True),
-        ("log(x)", "log(x) + 1", "x < 0", False),  # nowhere defined is no agreement
-        ("x", "2*x", "x > 1, x < 0", False),
-    ],
+    cases(__file__, "agreement"),
 )
 def test_agreement(left: str, right: str, under: str, found: bool) -> None:
     assert agree(parse(left), parse(right), Given.parse(under)) is found

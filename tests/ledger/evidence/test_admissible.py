@@ -6,6 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
+from cases import cases
 from flint import arb, fmpq
 from sympy import (
     Abs,
@@ -128,19 +129,7 @@ def test_conditions_that_decide_nothing_are_refused(name: str) -> None:
 
 @pytest.mark.parametrize(
     "says",
-    [
-        "400x² is smooth at 0.",
-        "400x² tends to 0 as x → 0.",
-        "400x² is continuous.",
-        "400x² is O(x) near 0.",
-        "400x² is twice differentiable at 0.",
-        "The limit of 400x² at 0 is 0.",
-        "400x² is flat at 0.",
-        "400x² has a derivative at 0.",
-        "Smooth is 400x² at 0, and of class C¹.",
-        "400x² is bounded near 0.",
-        "400x² vanishes as x goes to 0.",
-    ],
+    cases(__file__, "one_point_tells_nothing_of_smoothness_or_a_limit"),
 )
 def test_one_point_tells_nothing_of_smoothness_or_a_limit(says: str) -> None:
     point = Counterexample({"x": fmpq(1, 10)})

@@ -9,6 +9,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from cases import cases
 from tresym.proofs import figures
 from tresym.proofs.figures import (
     curves,
@@ -593,15 +594,7 @@ def test_a_figure_for_an_article_or_a_slide(ending, begins, tmp_path):
 
 @pytest.mark.parametrize(
     ("name", "path", "message"),
-    [
-        (
-            "flip-map",
-            "x.jpg",
-            "a picture is saved as .svg, .pdf or .png; an animation also as .gif or .mp4",
-        ),
-        ("flip-map", "x.gif", "flip-map is not an animation and cannot be saved as GIF"),
-        ("flip-map", "x.mp4", "flip-map is not an animation and cannot be saved as MP4"),
-    ],
+    cases(__file__, "a_picture_of_no_such_kind_is_bad_input"),
 )
 def test_a_picture_of_no_such_kind_is_bad_input(name, path, message, capsys, tmp_path):
     assert main(["figure", name, "-o", str(tmp_path / path)]) == 2

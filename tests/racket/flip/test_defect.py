@@ -4,6 +4,7 @@ from fractions import Fraction
 from itertools import pairwise, product
 
 import pytest
+from cases import cases
 from differences import defect_slope
 from flint import arb, fmpq
 from hypothesis import example, given
@@ -26,24 +27,7 @@ from tresym.reals.numbers.exact import InputError, parse_number
 
 STR = named_body("str").shape
 RACKET = named_body("racket-1").shape
-CASES = [
-    "0",
-    "1e-300",
-    "1e-8",
-    "1e-4",
-    "1/100",
-    "1",
-    "12",
-    "1517/121",
-    "-1e-300",
-    "-1e-8",
-    "-1/1000",
-    "-347/100000",
-    "-348/100000",
-    "-1/100",
-    "-1/20",
-    "-6292/100000",
-]
+CASES = cases(__file__, "CASES")
 
 
 def test_two_precisions_nest_and_the_digits_are_there() -> None:

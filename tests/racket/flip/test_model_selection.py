@@ -3,6 +3,7 @@
 from typing import Any
 
 import pytest
+from cases import cases
 from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
@@ -105,15 +106,7 @@ def test_the_models_that_answer_agree(given_: tuple[Any, Any], part: Any, digits
 
 @pytest.mark.parametrize(
     ("gamma", "model", "says"),
-    [
-        ("0", "Carlson", "is not known"),
-        ("0", "", "is not known"),
-        ("0", "asymptotic", "try separatrix"),
-        ("1/100", "asymptotic", "gamma = 0, only"),
-        ("-1/100", "separatrix", "gamma = 0, only"),
-        ("100", None, "between -b and a"),
-        ("-1", "planar", "between -b and a"),
-    ],
+    cases(__file__, "what_a_model_cannot_do_is_said"),
 )
 def test_what_a_model_cannot_do_is_said(gamma: str, model: str | None, says: str) -> None:
     with pytest.raises(InputError, match=says):

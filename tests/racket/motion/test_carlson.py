@@ -7,6 +7,7 @@ from itertools import product
 import mpmath
 import numpy as np
 import pytest
+from cases import cases
 from flint import arb, fmpq
 from hypothesis import example, given
 from hypothesis import strategies as st
@@ -152,14 +153,7 @@ def test_after_steps_too_what_is_left_out_is_in_the_ball():
                 assert abs(bare - truth) < 4 * arb(small) ** 4
 
 
-EDGES = [
-    ("1", "1"),
-    ("1e-9", "1"),
-    ("1e-9", "1e-12"),
-    ("1e6", "1"),
-    ("1e6", "1e-12"),
-    ("12", "1/20"),
-]
+EDGES = cases(__file__, "EDGES")
 
 
 def test_at_the_edges_of_the_range_both_forms_overlap() -> None:

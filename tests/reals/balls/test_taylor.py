@@ -3,6 +3,7 @@
 from itertools import product
 
 import pytest
+from cases import cases
 from flint import arb, ctx, fmpq
 
 from tresym.reals.balls.taylor import taylor_value
@@ -12,27 +13,7 @@ from tresym.reals.numbers.arithmetic import ball_precision
 
 pytestmark = pytest.mark.quick
 
-TEXTS = [
-    "x**3 - x",
-    "1/x",
-    "x**(-3)",
-    "sqrt(x)",
-    "x**(2/3)",
-    "x**pi",
-    "2**x",
-    "exp(x) - 1 - x",
-    "log(x)*sin(x)",
-    "cos(x)**2",
-    "tan(x/3)",
-    "cot(x) + sec(x/3)*csc(x)",
-    "asin(x/4) + acos(x/5)",
-    "atan(x)",
-    "sinh(x) - cosh(x) + tanh(x)",
-    "coth(x)*sech(x) - csch(x)",
-    "asinh(x) + acosh(1 + x) + atanh(x/4)",
-    "atan2(x, 2 - x)",
-    "pi*x - E",
-]
+TEXTS = cases(__file__, "TEXTS")
 
 
 def test_it_contains_the_values() -> None:

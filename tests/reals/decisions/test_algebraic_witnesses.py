@@ -1,6 +1,7 @@
 """Exact places of equality, and that none is found where there is none."""
 
 import pytest
+from cases import cases
 from flint import fmpq
 
 import tresym
@@ -17,24 +18,7 @@ pytestmark = pytest.mark.quick
 
 @pytest.mark.parametrize(
     ("left", "given", "found"),
-    [
-        ("(x**3 - 3*x + 1)**2", "", True),
-        ("(x**5 - x - 1)**2", "x > 0", True),
-        ("(x**5 - x - 1)**2", "x < 0", False),
-        ("(x**5 - x - 1)**2", "x < 1.1673", False),
-        ("(x**4 + x + 1)**2", "", False),  # no real zero
-        ("(x**3 - 2)/(x**3 - 2)", "", False),
-        ("(x**3 - 2)**2/(x**3 - 2)", "", False),  # not defined there
-        ("sqrt(x**2)", "", False),
-        ("(x**2 - 2)**2 + 1/10**60", "", False),
-        ("(2*x - 1)**2", "", True),
-        ("x**2 + y", "", False),
-        ("(x**2 - 2)**2", "x*y > 0", True),
-        ("(x**2 - 2)**2", "x*y > 3, 0 < y < 2", False),
-        ("(x**2 - 2)**2*(1 + y**2)", "y > 2", True),
-        ("(x**2 - 2)**2*(1 + y**2)/(x**2 - 2)", "y > 2", False),
-        ("(x**2 - 2*y**2)**2", "y > 2", False),  # of no factor in one variable
-    ],
+    cases(__file__, "zeros_of_polynomials"),
 )
 def test_zeros_of_polynomials(left: str, given: str, found: bool) -> None:
     answer = equal_at_algebraic(parse(left), parse("0"), Given.parse(given))
@@ -60,16 +44,7 @@ def test_points_of_simple_constants(right: str, found: bool) -> None:
 
 @pytest.mark.parametrize(
     ("claim", "verdict"),
-    [
-        ("exp(x) != 1 given x != 0", Verdict.PROVED),
-        ("exp(x) != 2 given x != 0", Verdict.REFUTED),
-        ("exp(x) != 1 given x != 1", Verdict.REFUTED),
-        ("tan(x) != x given x > 0", Verdict.REFUTED),
-        ("tan(x) != x given 0 < x < pi/2", Verdict.PROVED),
-        ("1/x != 0 given x != 0", Verdict.PROVED),
-        ("abs(x + 10**9) == x + 10**9", Verdict.REFUTED),
-        ("abs(x + 10**9) == x + 10**9 given x > -10**9", Verdict.PROVED),
-    ],
+    cases(__file__, "where_signs_can_change"),
 )
 def test_where_signs_can_change(claim: str, verdict: Verdict) -> None:
     assert tresym.check(claim).verdict is verdict

@@ -4,6 +4,7 @@ from typing import Any
 
 import pytest
 import sympy as sp
+from cases import cases
 
 from tresym.reals.decisions import claim_parsing
 from tresym.reals.decisions.claim_parsing import MAX_CHARACTERS, read, read_as, read_path
@@ -14,15 +15,7 @@ from tresym.reals.numbers.exact import InputError
 x, y = sp.symbols("x y", real=True)
 p = sp.Symbol("p", positive=True)
 
-SAME = [
-    ("x**2 >= 0", "", "x^2 >= 0"),
-    ("x**2 >= 0 given x > 1", "", "x**2>=0   given x>1"),
-    ("x**2 >= 0 given x > 1, y < 2", "", "x**2 >= 0 given x > 1 and y < 2"),
-    ("x >= 0 given x > 1, y < 2", "", "x >= 0 given x > 1; y < 2"),
-    ("x**2*y >= 0", "", r"x^2 y \geq 0"),
-    ("sin(x) == x given x > 0", "x > 0", "sin(x) == x"),
-    ("x > 1 given x >= 2", r"x \ge 2", "x > 1"),
-]
+SAME = cases(__file__, "SAME")
 
 
 @pytest.mark.parametrize(("claim", "given", "other"), SAME)
@@ -182,20 +175,7 @@ def test_what_is_decided_is_read_from_what_is_shown(
     assert (bad.comparisons, bad.given, bad.path) == (again.comparisons, again.given, again.path)
 
 
-SAID_AGAIN = [
-    "f(x) -> oo as x -> 0+",
-    "sin(x)/x -> 1 as x -> 0",
-    "x == Theta(2*x) as x -> oo",
-    "x**2 == omega(x) as x -> oo",
-    "x**2 > x as x -> oo",
-    "a*x == O(x) given a > 0 as x -> 0",
-    "integral(exp(-a*x), x, 0, oo) == 1/a given a > 0",
-    "sum(k**2, k, 1, n) == n*(n + 1)*(2*n + 1)/6 given n >= 1, n integer",
-    "product(1 - 1/k, k, 2, n) == 1/n",
-    "integral(x, x) == x**2/2 + C",
-    "a*b <= 1/4 given a + b == 1",
-    "diff(f(x)*g(2*x), x) == diff(f(x), x)*g(2*x) + 2*f(x)*at(diff(g(y), y), y, 2*x)",
-]
+SAID_AGAIN = cases(__file__, "SAID_AGAIN")
 
 
 @pytest.mark.parametrize("claim", SAID_AGAIN)

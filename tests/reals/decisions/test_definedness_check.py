@@ -1,6 +1,7 @@
 """What passes speaks of a point, and the terms of its sums are defined at every index."""
 
 import pytest
+from cases import cases
 
 import tresym
 from tresym.checking import dispatch
@@ -8,28 +9,8 @@ from tresym.reals.decisions import definedness_check
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.verdict import Verdict
 
-NOWHERE = [
-    "sum(sqrt(k - 5)**2, k, 1, n) == n*(n + 1)/2 - 5*n",
-    "sum(1/k, k, 0, n) >= 0",
-    "product(1/k, k, 0, n) > 0",
-    "sum(0/k, k, 0, n) == 0",
-    "sum(1/(k - 3), k, 1, n) == sum(1/(k - 3), k, 1, n)",
-    "sum(sqrt(10 - k)**2, k, 1, n) == 10*n - n*(n + 1)/2",
-    "sum((k - 2)/(k - 2)/2**k, k, 0, oo) == 2",
-    "f(sqrt(x)**2) == f(x) given x < 0",
-    "f(acos(x)) == f(acos(x)) given x > 1",
-    "integral(sqrt(t)**2, t, a, a + 1) == a + 1/2 given a < -2",
-    "diff(exp(x), x, n) == exp(x) given n == 1/2",
-    "sum(k, k, 1, n) == n*(n + 1)/2 given n == 7/2",
-]
-SOMEWHERE = [
-    "sum(1/(2*k - 5), k, 1, n) == sum(1/(2*k - 5), k, 1, n)",
-    "sum(1/(2 + (-1)**k), k, 0, n) > 0 given n >= 0",
-    "sum(1/factorial(k), k, 0, n) > 0 given n >= 0",
-    "sum(k, k, 1, n) == n*(n + 1)/2 given n >= 100",
-    "f(x) > 1 given f(x) == 2",
-    "integral(log(abs(x)), x, -1, 1) == -2",
-]
+NOWHERE = cases(__file__, "NOWHERE")
+SOMEWHERE = cases(__file__, "SOMEWHERE")
 
 
 @pytest.mark.parametrize("claim", NOWHERE)

@@ -1,6 +1,7 @@
 """Where what is differentiated is real: open ends to refute at, closed ones to prove on."""
 
 import pytest
+from cases import cases
 from flint import arb, fmpq
 
 from tresym.reals.decisions.derivative_domains import real_nowhere, where_real
@@ -14,17 +15,7 @@ def texts(given: Given) -> set[str]:
 
 @pytest.mark.parametrize(
     ("function", "by", "opened", "whole"),
-    [
-        ("x**2", "x", "", ""),
-        ("sqrt(x**2 + 1)", "x", "", ""),  # holds everywhere, and is no condition
-        ("log(x)", "x", "x > 0", "x > 0"),
-        ("x**(3/2)", "x", "x > 0", "x >= 0"),
-        ("y*sqrt(x)", "y", "x >= 0", "x >= 0"),  # beside it in y alone
-        ("asin(x)", "x", "x < 1, x > -1", "x <= 1, x >= -1"),
-        ("1/x", "x", "x != 0", "x != 0"),
-        ("sqrt(x) + log(y)", "x", "x > 0, y > 0", "x >= 0, y > 0"),
-        ("sqrt(x - y)", "y", "x - y > 0", "x - y >= 0"),
-    ],
+    cases(__file__, "ends_are_left_out_to_refute_and_counted_in_to_prove"),
 )
 def test_ends_are_left_out_to_refute_and_counted_in_to_prove(
     function: str, by: str, opened: str, whole: str

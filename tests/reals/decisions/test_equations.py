@@ -1,6 +1,7 @@
 """Equations as conditions: every case of the variable counts, and none that has no point."""
 
 import pytest
+from cases import cases
 
 import tresym
 from tresym.reals.language.expression import substitute
@@ -8,45 +9,7 @@ from tresym.reals.language.parsing import parse
 from tresym.reals.normal.at_point import equal_at
 from tresym.reals.verdict import Verdict
 
-HOLD = [
-    "a*b <= 1/4 given a + b == 1",
-    "a**2 + b**2 + c**2 >= 1/3 given a + b + c == 1",
-    "x + y <= sqrt(2) given x**2 + y**2 == 1",
-    "x == y given x**2 == y**2, x > 0, y > 0",
-    "a == 0 given a*b == 0, b != 0",
-    "x > 0 given exp(x) == y, y > 1",
-    "log(y) == x given exp(x) == y",
-    "x + 1/x >= 2 given x*y == 1, x > 0",
-    "x == 2 given x**2 == 4, x > 0",
-    "x**3 == y given x == cbrt(y)",
-    "a + b == 3 given a == 1, b == 2",
-    "tan(x) == y given x == atan(y)",
-    "x == -1/2 + sqrt(5)/2 given x**2 + x == 1, x > 0",
-    "x*y == 1 given 1/x == y",
-    "integral(x, x, 0, a) == 1/2 given a == 1",
-    "x**2 == 1/4 given x >= 1/2, x <= 1/2",
-    "cos(x) == sqrt(3)/2 given sin(x) == 1/2, 0 < x, x < pi/2",
-    "x == 2*pi/3 given 2*cos(x) == -1, 0 <= x, x <= pi",
-    "x == pi/4 given tan(x) == 1, 0 <= x, x <= pi/2",
-    "sin(x) == 0 given cos(x) == 1",  # by the radical: the ideal holds its square alone
-    "v**2 == u**2 + 2*a*s given v == u + a*t, s == u*t + a*t**2/2",
-    "x**2 + 1/x**2 == 7 given x + 1/x == 3",
-    "L**2 == M**2 + N**2 given M == L*cos(t), N == L*sin(t)",
-    "h*(A - B) == a - b given a == h*A + k, b == h*B + k",
-    "a/b == c/d given a*d == b*c",
-    "1/x + 1/y == 3 given x + y == 3*x*y",
-    "cos(x)**2 == 1 given sin(x) == 0",
-    "sin(2*x) == 0 given cos(x) == 0",
-    "tan(x + y) == 1 given tan(x) == 1/2, tan(y) == 1/3",
-    "exp(x + 2*y) == 18 given exp(x) == 2, exp(y) == 3",
-    "x != 0 given x*y == 1 + x",
-    "x*y + y*z + z*x <= 1 given x**2 + y**2 + z**2 == 1",
-    "x == y given x**3 == y**3",
-    "a*b*c <= 1 given a + b + c == 3, a > 0, b > 0, c > 0",
-    "a + b + c >= 3 given a*b*c == 1, a > 0, b > 0, c > 0",
-    "(1 - a)*(1 - b)*(1 - c) >= 8*a*b*c given a + b + c == 1, a > 0, b > 0, c > 0",
-    "1/a + 1/b + 1/c >= 9 given a + b + c == 1, a > 0, b > 0, c > 0",
-]
+HOLD = cases(__file__, "HOLD")
 NEAR_ONE = f"({10**40 - 1}/{10**40})"
 FAIL = [
     # 0 to the power 0, where no point was found before the signs of parts were asked
@@ -83,29 +46,7 @@ FAIL = [
     "a + b + c >= 3 given a*b*c == 1",  # two of them negative
     "x + y <= 1 given x*y == 1/4",  # of one degree only where both are positive
 ]
-OPEN = [
-    "x == 0 given sin(x) == 0, x integer",  # pi is no integer
-    "x > 5 given x == 1, x == 2",
-    "x > 5 given x >= 1, x < 1",
-    "x == 1 given x >= 1, x <= 1, x != 1",
-    "x == 1 given 1 == 2",
-    "x**2 == -1 given x**2 == -4",
-    "x == 0 given sqrt(x) == -1",
-    "x == 0 given exp(x) == -1",
-    "x == 0 given atan(x) == 2",
-    "x == 0 given 0*log(x) == 0, x < 0",
-    "x == 1 given x + sin(x) == 1 + sin(1)",
-    "x == 5 given x*y == 1, x*y == 2",  # everything is in the ideal
-    "x == 5 given x**2 + y**2 == -1",
-    "x == 5 given sin(x) == 2",
-    "1/(x - y) == 2 given x == y",
-    "x**2 + x*y + y**2 >= 1 given x**4 + y**4 == -1",
-    "x == 0 given x**2 + y**2 == 0",  # one point, of which no other is near
-    "sqrt(x**2) == abs(x) given sqrt(x**2) == x",  # its only factor is the equation itself
-    "x > 0 given log(x**4) == 4*log(x**2)",
-    "a > 3 given a + b == sqrt(5), a**2 + b**2 + a**5*b**5 == 3",  # an irrational coefficient
-    "sqrt(x**2) == x given 2*atan(x) == atan(2*x/(1 - x**2))",
-]
+OPEN = cases(__file__, "OPEN")
 
 
 @pytest.mark.parametrize("claim", HOLD)

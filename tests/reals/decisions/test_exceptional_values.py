@@ -1,6 +1,7 @@
 """Claims that hold but at exceptional values of parameters, and the guard that excludes each."""
 
 import pytest
+from cases import cases
 
 import tresym
 from tresym.checking import dispatch
@@ -73,15 +74,7 @@ def test_the_cross_check_alone_stops_it(claim: str) -> None:
 
 @pytest.mark.parametrize(
     "claim",
-    [
-        "1/x + 1 - sign(a - b)**2 -> 0 as x -> oo given a > b",
-        "a*diff(exp(x), x, n) == a*exp(x)",
-        "a*(1 + x + x**2 + ...) == a/(1 - x) given -1 < x < 1",
-        "a*sum(x**k, k, 0, oo) == a/(1 - x) given -1 < x < 1",
-        "x*sum(x**k/(k + 1), k, 0, oo) == -log(1 - x) given -1 < x < 1",
-        "x*sign(a)**2 == O(x) as x -> oo",
-        "sign(2*n - 3)**2*sum(k, k, 1, n) == n*(n + 1)/2",  # no integer n is 3/2
-    ],
+    cases(__file__, "what_holds_there_too_stays_proved"),
 )
 def test_what_holds_there_too_stays_proved(claim: str) -> None:
     assert tresym.check(claim)

@@ -1,6 +1,7 @@
 """Hypergeometric series: which sums are such, and where they converge."""
 
 import pytest
+from cases import cases
 
 from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.decisions.hypergeometric import (
@@ -12,23 +13,7 @@ from tresym.reals.decisions.hypergeometric import (
 )
 from tresym.reals.domain.conditions import Given
 
-NONE = [
-    "sin(n)*x**n",
-    "x**(n**2)",
-    "x**n/factorial(n/2)",
-    "x**(n/2)",
-    "log(n)*x**n",
-    "(n - 3)*x**n",
-    "factorial(5 - n)*x**n",  # the terms from n = 6 on are none
-    "sqrt(n + 1)*x**n",
-    "(n + 1)**(3/2)*x**n",
-    "n**n*x**n",
-    "(n**n + 1)*x**n",
-    "(n + n**(-1))*x**n",
-    "0**(n - 1)*x**n",
-    "x**n/0**n",
-    "f(n)*x**n",
-]
+NONE = cases(__file__, "NONE")
 
 
 def series(terms: str, low: int | str = 1) -> Series | None:
@@ -46,15 +31,7 @@ def test_an_index_counts_from_an_integer() -> None:
 
 @pytest.mark.parametrize(
     ("terms", "radius", "above", "below"),
-    [
-        ("x**n", "1", False, False),
-        ("x**n/n", "1", False, True),
-        ("x**n/n**2", "1", True, True),
-        ("(-x)**n/n", "1", False, True),
-        ("n*x**n/3**n", "3", False, False),
-        ("factorial(2*n)*x**n/factorial(n)**2", "1/4", False, True),
-        ("factorial(2*n)*x**n/(factorial(n)**2*n)", "1/4", True, True),
-    ],
+    cases(__file__, "where_it_converges"),
 )
 def test_where_it_converges(terms: str, radius: str, above: bool, below: bool) -> None:
     s = series(terms)

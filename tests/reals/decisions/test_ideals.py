@@ -1,33 +1,13 @@
 """Consequences of polynomial equations: each relation of a function is used, none too many."""
 
 import pytest
+from cases import cases
 
 from tresym.reals.decisions.ideals import follows, numerator_factors
 from tresym.reals.language.parsing import parse
 
-FOLLOWS = [
-    ("x**5 + 1/x**5 - 123", "x + 1/x - 3"),
-    ("x", "x**3"),  # in the radical alone
-    ("sin(x + y)", "sin(x); sin(y)"),
-    ("cos(x + pi/2) + sin(x)", ""),
-    ("cos(3*x) - 4*cos(x)**3 + 3*cos(x)", ""),
-    ("cosh(x)**2 - 25/16", "exp(x) - 2"),
-    ("sqrt(x)**4 - 9", "x - 3"),
-    ("x**n*y - 2*x**n", "y - 2"),  # a power that stands for itself
-    ("abs(x)**2 - 9", "x**2 - 9"),
-    ("a/b - c/d", "a*d - b*c"),  # saturated by b and d
-]
-DOES_NOT = [
-    ("x - y", "x**2 - y**2"),
-    ("x - y", "x*z - y*z"),
-    ("cos(x) - 1", "sin(x)"),
-    ("abs(x) - x", "x**2 - 9"),
-    ("sqrt(x) - y", "x - y**2"),
-    ("sin(x) - sin(y)", "cos(x) - cos(y)"),
-    ("sin(x/2)", "sin(x)"),
-    ("f - 1", "f/(x - x) - 1"),  # a denominator that vanishes everywhere
-    ("exp(x) - exp(y)", "exp(2*x) - exp(2*y) + 1"),
-]
+FOLLOWS = cases(__file__, "FOLLOWS")
+DOES_NOT = cases(__file__, "DOES_NOT")
 
 
 def _follows(claim: str, equations: str, *nonzero: str) -> bool:

@@ -5,6 +5,7 @@ integrand dφ/dψ, ``T`` the auxiliary of the stable form of the exact equation 
 """
 
 import pytest
+from cases import cases
 
 from tresym.reals.decisions.identity import decide
 from tresym.reals.domain.conditions import Given
@@ -251,18 +252,7 @@ CHAIN = {
 }
 """name: (left, right, given)."""
 
-SUBSTITUTIONS = [
-    ("sin(", "cos("),
-    ("cos(", "sin("),
-    ("+", "-"),
-    ("-", "+"),
-    ("^2", "^3"),
-    ("sqrt(", "cbrt("),
-    ("atanh(", "atan("),
-    ("b", "(b/2)"),
-    ("2*", "3*"),
-    ("tanh(", "sinh("),
-]
+SUBSTITUTIONS = cases(__file__, "SUBSTITUTIONS")
 
 
 def mutants() -> list[tuple[str, str, str]]:

@@ -1,6 +1,7 @@
 """Sums, products and derivatives of order n: induction needs its base and its step."""
 
 import pytest
+from cases import cases
 
 import tresym
 from tresym.checking.dispatch import _bounded
@@ -10,56 +11,9 @@ from tresym.reals.domain.conditions import Given
 from tresym.reals.language.parsing import parse
 from tresym.reals.verdict import Verdict
 
-HOLD = [
-    "sum(k, k, 1, n) == n*(n + 1)/2",
-    "sum(k**3, k, 1, n) == sum(k, k, 1, n)**2",
-    "sum(x**k, k, 0, n) == (1 - x**(n + 1))/(1 - x) given x != 1",
-    "sum(1/(k*(k + 1)), k, 1, n) == n/(n + 1)",
-    "product(1 - 1/k**2, k, 2, n) == (n + 1)/(2*n)",
-    "sum((-1)**k, k, 0, n) == (1 + (-1)**n)/2",
-    "sum(sin(k*x), k, 1, n) == sin(n*x/2)*sin((n + 1)*x/2)/sin(x/2)",
-    "sum(1/k**2, k, 1, n) <= 2 - 1/n given n >= 1",
-    "sum(k, k, 1, n) > 0 given n >= 1",
-    "sum(k, k, 1, n) > 0 given n > 0",
-    "sum(1/k, k, 1, n) == 2*sum(1/k, k, 1, n) - sum(1/k, k, 1, n)",
-    "sum(a*k + b, k, 1, n) == a*n*(n + 1)/2 + b*n",
-    "sum(2**k, k, 0, n - 1) == 2**n - 1",
-    "product(2, k, 1, n) == 2**n",
-    "sum(k*factorial(k), k, 1, n) == factorial(n + 1) - 1",
-    "sum(k/factorial(k + 1), k, 1, n) == 1 - 1/factorial(n + 1)",
-    "product(2*k - 1, k, 1, n) == factorial(2*n)/(2**n*factorial(n))",
-    "sum(k, k, 1, 10) == 55",
-    "sum(k, k, 1, 0) == 0",
-    "product(k, k, 1, 0) == 1",
-    "sum(sum(j, j, 1, 3)*k, k, 1, 4) == 60",
-    "sum(k*k_1, k, 1, 3) == 6*k_1",
-    "sum(x**k, k, 0, oo) == 1/(1 - x) given abs(x) < 1",
-    "sum(k*x**k, k, 1, oo) == x/(1 - x)**2 given abs(x) < 1",
-    "sum((-1)**k/2**k, k, 0, oo) == 2/3",
-    "sum(1/(k*(k + 1)), k, 1, oo) == 1",
-]
-FAIL = [
-    "sum(n, k, 1, n) == n*(n - 1)/2",
-    "sum(k, k, 1, n) == n*(n + 1)/3",
-    "sum(x**k, k, 0, n) == (1 - x**n)/(1 - x) given x != 1",
-    "sum(k, k, 1, n) == n*(n + 1)/2 + (n - 1)*(n - 2)*(n - 3)*(n - 4) given n >= 1",
-    "product(k + 1, k, 1, n) == n*(n + 1)",
-    "sum(k*factorial(k), k, 1, n) == factorial(n + 1)",
-    "sum(k/factorial(k + 1), k, 1, n) == 1 - 1/factorial(n)",
-    "sum(k, k, 1, 10) == 56",
-    "sum(x**k, k, 1, oo) == 1/(1 - x) given abs(x) < 1",
-    "sum(1/(k*(k + 1)), k, 1, oo) == 2",
-    "sum(k, k, 1, n) < 100 given n >= 1",
-    "sum(k, k, 1, n) == n*(n + 1)/2 + 1 given n >= 3",
-]
-OPEN = [
-    "sum(k, k, 1, n) > 0",  # of no term it is 0: from where on is not said
-    "sum(k, k, 1, n) == sum(k, k, 1, m)",
-    "sum(k, k, 5, 1) == 0",
-    "sum(1/k**3, k, 1, 1000000) == 1",
-    "sum(k, k, 1, n/2) == 1",
-    "sum(1/(k - 3), k, 1, n) == 1 given n >= 3",  # a term is not defined
-]
+HOLD = cases(__file__, "HOLD")
+FAIL = cases(__file__, "FAIL")
+OPEN = cases(__file__, "OPEN")
 LATER = "2*sum(1/k, k, 1, n + 1) - 2/(n + 1) == 2*sum(1/k, k, 1, n) + 1 + sign(n - 41/2)"
 """True up to n = 20 and false from 21 on."""
 GAPS = [
@@ -72,42 +26,9 @@ GAPS = [
         "x**sqrt((n - 199/10)*(n - 211/10))",
     )
 ]
-ORDERS_HOLD = [
-    "diff(log(x), x, n) == (-1)**(n - 1)*factorial(n - 1)*x**(-n) given n integer, n >= 1",
-    "diff(sin(x), x, n) == sin(x + n*pi/2) given n integer, n >= 0",
-    "diff(exp(a*x), x, n) == a**n*exp(a*x)",
-    "diff(1/(1 - x), x, n) == factorial(n)/(1 - x)**(n + 1)",
-    "diff(x*exp(x), x, n) == (x + n)*exp(x)",
-    "diff(1/sqrt(x), x, n) == (-1)**n*factorial(2*n)/(4**n*factorial(n))*x**(-1/2 - n)",
-    "diff(2**x, x, n) == log(2)**n*2**x",
-    r"\frac{d^n}{dx^n}\cos x=\cos\left(x+\frac{n\pi}{2}\right)",
-    r"\frac{d^{n}}{dx^{n}}\ln(1+x)=(-1)^{n-1}\frac{(n-1)!}{(1+x)^{n}} \text{ for } n \ge 1",
-]
-ORDERS_FALSE = [
-    "diff(log(x), x, n) == (-1)**n*factorial(n - 1)*x**(-n) given n integer, n >= 1",
-    "diff(log(x), x, n) == (-1)**(n - 1)*factorial(n)*x**(-n) given n integer, n >= 1",
-    "diff(sin(x), x, n) == cos(x + n*pi/2)",
-    "diff(sin(x), x, n) == sin(x + n*pi/2) + n*(n - 1)*(n - 2)",
-    "diff(exp(a*x), x, n) == n*a*exp(a*x) given n >= 1",
-    "diff(x*exp(x), x, n) == (x + 2*n)*exp(x)",
-]
-ORDERS_NEVER = [
-    "diff(log(x), x, n) == (-1)**(n - 1)*factorial(n - 1)*x**(-n)",  # n = 0 has none
-    "diff(sin(x), x, n) == sin(x + n*pi/2) + n*(n - 1)*(n - 2)*(n - 3)*(n - 4)",
-    "diff(sin(x), x, n/2) == sin(x)",
-    "diff(sin(x), x, n) <= 1",
-    # nothing is said at n = 20 and 21, so nothing follows beyond
-    "diff(exp(x), x, n) == exp(x)*((3 + sign(n - 41/2))/2 + sqrt((n - 199/10)*(n - 211/10))"
-    " - sqrt((n - 199/10)*(n - 211/10)))",
-    # at x = 0 the right side has a value and no derivative
-    "diff(exp(x), x, n) == exp(x) + (abs(n - 10) + n - 10)*(1 - sign(x)) + sqrt(x) - sqrt(x)",
-    "diff(exp(x), x, n) == exp(x) + (abs(n - 10) + n - 10)*(1 - sign(x)) + asin(x - 1)"
-    " - asin(x - 1)",
-    "diff(exp(x), x, n) == exp(x) + x**(n/2) - x**(n/2)",
-    # what is said of n is another thing at n + 1
-    "diff(exp(x), x, n) == exp(x) + n*(n - 1)*(n - 2)*(n - 3)*(n - 4)*(m - 2*n + 2) given m == 2*n",
-    "diff(sin(x), x, n)**2 == sin(x)**2",
-]
+ORDERS_HOLD = cases(__file__, "ORDERS_HOLD")
+ORDERS_FALSE = cases(__file__, "ORDERS_FALSE")
+ORDERS_NEVER = cases(__file__, "ORDERS_NEVER")
 
 
 @pytest.mark.parametrize("claim", HOLD)
@@ -196,19 +117,7 @@ def test_from_where_a_sum_is_spoken_of_is_told(least: int, told: bool) -> None:
 
 @pytest.mark.parametrize(
     ("form", "limit"),
-    [
-        ("1 - (1/2)**n", "1"),
-        ("2 - (n + 2)*(1/2)**n", "2"),
-        ("exp(n)*(1/2)**n", None),
-        ("1/(1 + exp(n)*(1/2)**n)", None),
-        ("1/(1 + exp(n)*(1/2)**n) + n**3*(1/2)**n", None),
-        ("sin((1/2)**n*exp(n))", None),
-        ("2**n", None),
-        ("(-1)**n", None),
-        ("n", None),
-        ("(1/2)**n + (1/3)**n", None),
-        ("n**n", None),
-    ],
+    cases(__file__, "a_power_beats_powers_of_n_and_nothing_else"),
 )
 def test_a_power_beats_powers_of_n_and_nothing_else(form: str, limit: str | None) -> None:
     found = _tends(parse(form), "n", Given())

@@ -1,6 +1,7 @@
 """Inequalities called directly: each true claim stands beside a near falsehood."""
 
 import pytest
+from cases import cases
 from flint import arb
 
 import tresym
@@ -23,38 +24,7 @@ def decided(claim: str, under: str = "") -> Answer:
 
 
 # by signs; cells; concavity; Taylor; equivalents; cases; boxes and germs; constants
-PAIRS = [
-    ("x**2 + x + 1 > 0", "x**2 + 2*x + 1 > 0", ""),
-    ("a*b >= 1", "a*b > 1", "a >= 1, b >= 1"),
-    ("x**2 + y**2 >= 2*x*y", "x**2 + y**2 > 2*x*y", ""),
-    ("x**2 + y**2 + z**2 >= x*y + y*z + z*x", "x**2 + y**2 + z**2 >= x*y + y*z + 2*z*x", ""),
-    ("x/y + y/x >= 2", "x/y + y/x > 2", "x > 0, y > 0"),
-    ("sin(x) <= x", "sin(x) < x", "x >= 0"),
-    ("cos(x) >= 1 - x**2/2", "cos(x) >= 1 - x**2/3", ""),
-    ("exp(x) >= 1 + x", "exp(x) > 1 + x", ""),
-    ("log(x) <= x - 1", "log(x) <= x - 2", ""),
-    ("sqrt(x) <= (1 + x)/2", "sqrt(x) < (1 + x)/2", ""),
-    ("sqrt(x + 1) > sqrt(x)", "sqrt(x + 1) > 2*sqrt(x)", "x > 0"),
-    ("abs(x + y) <= abs(x) + abs(y)", "abs(x + y) <= abs(x) - abs(y)", ""),
-    ("abs(x) >= x", "abs(x) > x", ""),
-    ("abs(x) + abs(x - 1) >= 1", "abs(x) + abs(x - 1) > 1", ""),
-    ("abs(x - 1)*abs(x) <= 1/4", "abs(x - 1)*abs(x) < 1/4", "0 <= x <= 1"),
-    ("x**4 - x + 1 > 0", "x**4 - x + 47247/100000 > 0", ""),
-    ("x*log(x) >= -0.36788", "x*log(x) >= -0.36787", ""),
-    ("sin(x) + cos(x) <= 1.41422", "sin(x) + cos(x) <= 1.41421", ""),
-    ("sin(x)**3 <= 1", "sin(x)**3 < 1", ""),
-    ("x**2 + 1 != 0", "x**2 - 1 != 0", ""),
-    ("exp(x) != x", "exp(x) != x + 2", ""),
-    ("cos(x) != 2", "cos(x) != x", ""),
-    ("x**2 + y**2 <= 2", "x**2 + y**2 <= 1.99", "-1 <= x <= 1, -1 <= y <= 1"),
-    ("sin(x)*cos(y) + y < 3/2", "sin(x)*cos(y) + y < 7/5", "0 <= x <= 1, 0 <= y <= 1"),
-    ("pi < 22/7", "pi > 22/7", ""),
-    ("sqrt(2)*sqrt(3) >= sqrt(6)", "sqrt(2)*sqrt(3) != sqrt(6)", ""),
-    ("x**n >= 1", "x**n > 1", "x >= 1, n >= 0"),
-    ("sqrt(x) >= 0", "sqrt(x) > 0", ""),
-    ("1/x > 0", "1/x > 1/1000", "x > 0"),
-    ("tan(x) >= x", "tan(x) >= x + x**3/2", "0 <= x < pi/2"),
-]
+PAIRS = cases(__file__, "PAIRS")
 
 
 @pytest.mark.parametrize(("true", "_", "under"), PAIRS, ids=[p[0] for p in PAIRS])
@@ -67,15 +37,7 @@ def test_near_falsehoods_are_refuted(_: str, false: str, under: str) -> None:
     assert decided(false, under).verdict is REFUTED
 
 
-POINTS = [
-    ("x**2 >= x", ""),
-    ("x**3 - x <= 0.3849", "0 <= x <= 2"),
-    ("x*y <= 1", "x > 0"),
-    ("sin(x) < x", "x >= 0"),
-    ("x**2 + y**2 > 2*x*y", ""),
-    ("x <= 0.999999", "0 <= x <= 1"),
-    ("x + y < 2", "x <= 1, y <= 1, x >= 0, y >= 0"),
-]
+POINTS = cases(__file__, "POINTS")
 
 
 @pytest.mark.parametrize(("claim", "under"), POINTS)
@@ -97,15 +59,7 @@ def test_sides_are_shown_in_the_order_they_were_written() -> None:
         assert values[0].mid.startswith(left)
 
 
-OPEN = [
-    ("x >= 0", "x > 1, x < 0"),
-    ("sqrt(x) >= -1", "x < -1"),
-    ("sqrt(x) + sqrt(-1 - x) >= 0", ""),
-    ("log(x - 5) >= -100", "x < 5"),
-    ("1/0 >= 0", ""),
-    ("1/x + 1/(x**2 + 1) != 0", ""),  # both signs, and no zero between
-    ("tan(x) != 10**30", "cos(x) < -2"),
-]
+OPEN = cases(__file__, "OPEN")
 
 
 @pytest.mark.parametrize(("claim", "under"), OPEN)
@@ -113,29 +67,7 @@ def test_nothing_is_proved_where_nothing_is_shown(claim: str, under: str) -> Non
     assert decided(claim, under).verdict is UNDECIDED
 
 
-CLOSED = [
-    # a point of closed conditions that is no limit of inner ones: x = 0
-    ("x >= 1", "x**2*(x - 1) >= 0"),
-    ("x + 1/2 > 1", "x**2*(x - 1) >= 0"),
-    ("y > 0", "y >= x**2, y*(x - 1)**2 <= 0, x <= 1"),
-    ("x > 0", "(x*(x - 1))**2 <= 0"),
-    ("x >= 1", "(x - 3/7)**2*(x - 1) >= 0"),
-    ("x*y >= 1", "(x - 3/7)**2*(x - 1) >= 0, y >= 1"),
-    ("sqrt(x) + x > 2", "x > 0, (x - 3/7)**2*(x - 2) >= 0"),
-    # a zero at an end that belongs to the conditions
-    ("1 - x > 0", "x <= 1"),
-    ("(x - 1)**2 > 0", "x >= 1"),
-    ("x**2 + y > 0", "y >= 0"),
-    # true for one sign of what stands in the bars
-    ("abs(x) <= x + 10**(-9)", ""),
-    ("abs(x - y) >= x - y + abs(x)", "x > -1"),
-    # the period of the difference is not that of its domain
-    ("sin(2*pi*x) + 0*log(x + 1/2) > -1", ""),
-    ("sin(x) + 0*sqrt(x - 6) < 1/2", ""),
-    # a change of sign over a pole is no zero, but one without a pole is
-    ("1/x + x != 2", ""),
-    ("(x**2 - 2)/(x - 5) != 0", ""),
-]
+CLOSED = cases(__file__, "CLOSED")
 
 
 @pytest.mark.parametrize(("claim", "under"), CLOSED)
@@ -160,19 +92,7 @@ def test_balls_that_overlap_are_not_yet_equal(claim: str) -> None:
     assert decided(claim).verdict is not REFUTED
 
 
-PERIODIC = [
-    ("cos(x)", "", "2*pi"),
-    ("sin(x)**2 - 1/3", "", "2*pi"),
-    ("cos(pi*x)", "", "2"),
-    ("cos(x)", "1 <= x <= 20", None),
-    ("cos(x)", "x > 4", None),
-    ("cos(x) + cos(y)", "", None),
-    ("cos(x) + x", "", None),
-    ("cos(sqrt(2)*x) + cos(x)", "", None),
-    ("sqrt(sin(x)) - x", "", None),
-    ("sqrt(sin(x))", "", "2*pi"),
-    ("cos(x) + 0*sqrt(x)", "", None),
-]
+PERIODIC = cases(__file__, "PERIODIC")
 
 
 @pytest.mark.parametrize(("text", "under", "period"), PERIODIC)
@@ -207,19 +127,7 @@ def test_every_case_of_an_absolute_value_counts(left: str, true: str, false: str
     assert not decide_inequality(parse(left), ">=", parse(false), Given())
 
 
-ISOLATED = [
-    # refuted at a single point of the domain, or not
-    ("sqrt(x**2*(x - 1))", ">", "0", "x != 1", False),
-    ("sqrt(x**2*(x - 1)*(2 - x))", ">", "-1 + abs(sign(x))", "x < 1/2", False),
-    ("sqrt(x**2*(x - 1))", "!=", "0", "x != 1", False),
-    ("sqrt((x**2 - 2)**2*(x - 3))", ">", "0", "x != 3", False),
-    ("sqrt((x**2 - 2)**2*(x - 3))", ">=", "1/2", "x >= 31/10", False),
-    ("1 - sqrt((x - 7)**2*(x - 30))", ">", "1", "0 < x < 20", False),
-    ("sqrt(x)", ">", "0", "", True),
-    ("sqrt(-x)", ">", "0", "", True),
-    ("sqrt(x) + sqrt(-y)", ">", "0", "", True),
-    ("sqrt(-x) + sqrt(-y)", ">", "0", "", True),
-]
+ISOLATED = cases(__file__, "ISOLATED")
 
 
 @pytest.mark.parametrize(("left", "relation", "right", "under", "refuted"), ISOLATED)

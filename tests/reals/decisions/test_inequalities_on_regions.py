@@ -1,6 +1,7 @@
 """Branch and bound with contacts apart: regions closed in balls, and falsehoods that stay open."""
 
 import pytest
+from cases import cases
 from flint import arb
 
 import tresym
@@ -23,31 +24,7 @@ def searched(left: str, right: str, strict: bool, under: str) -> Answer:
 
 
 # left, right, whether >, conditions; then a right side or strictness with which it fails
-CLOSED = [
-    # boxes and the mean value theorem
-    ("x**4 + 1", "x", True, "-2 <= x <= 2", "x + 1"),
-    ("exp(x) + exp(-x)", "2 - 1/1000", True, "-1 <= x <= 1", "2 + 1/1000"),
-    ("2.01", "x**2 + y**2", False, "-1 <= x <= 1, -1 <= y <= 1", "x**2 + y**2 + 1/50"),
-    ("x*y + 1.01", "0", False, "0 <= x <= 1, -1 <= y <= 1", "y + 1/2"),
-    # points of contact, at a rational, at an irrational, and at both ends
-    ("exp(x)", "1 + x", False, "-2 <= x <= 3", "1 + x + x**2/2"),
-    ("exp(x)", "E*x", False, "-2 <= x <= 3", "E*x + 10**(-9)"),
-    ("(x**2 - 2)**2", "0", False, "0 <= x <= 2", "10**(-12)"),
-    ("sin(x) + cos(x)", "1", False, "0 <= x <= pi/2", "1 + 10**(-9)"),
-    ("x*(1 - x)", "0", False, "0 <= x <= 1", "x*10**(-6)"),
-    ("sin(x)", "2*x/pi", False, "0 <= x <= pi/2", "2*x/3"),
-    # infinite ends
-    ("x**2 + 1", "sin(x)", True, "", "sin(x) + 1"),
-    ("atan(x)", "-11/7", True, "", "-3/2"),
-    ("exp(x)", "x", True, "", "x + 1 + x**3/100"),
-    ("1/(1 + x**2)", "0", True, "", "10**(-6)"),
-    ("x*log(x)", "-3679/10000", True, "", "-3678/10000"),
-    # a condition or the domain keeps away from where it fails
-    ("x", "0", True, "x**2 >= 1/100, -1/20 <= x <= 2", "1/9"),
-    ("1 - x*y", "0", True, "x**2 + y**2 <= 1, -1 <= x <= 1, -1 <= y <= 1", "3/5"),
-    ("sqrt(1 - x**2)", "-1/100", True, "", "1/100"),
-    ("log(x - 1)", "-x", True, "x >= 3/2", "x/2"),
-]
+CLOSED = cases(__file__, "CLOSED")
 
 
 @pytest.mark.parametrize(("left", "right", "strict", "under", "_"), CLOSED)
@@ -66,17 +43,7 @@ def test_a_near_falsehood_is_not(left: str, right: str, strict: bool, under: str
         assert not evaluate(parse(left), at) > evaluate(parse(right), at)
 
 
-CONTACTS = [
-    ("exp(x)", "1 + x", "-2 <= x <= 3"),
-    ("exp(x)", "E*x", "-2 <= x <= 3"),
-    ("x**2", "0", ""),
-    ("(x**2 - 2)**2", "0", "0 <= x <= 2"),
-    ("sin(x) + cos(x)", "1", "0 <= x <= pi/2"),
-    ("1", "x", "x <= 1"),
-    ("1", "sin(x)", "0 <= x <= 2"),
-    ("sqrt(x)", "0", ""),
-    ("2", "x**2 + y**2", "-1 <= x <= 1, -1 <= y <= 1"),
-]
+CONTACTS = cases(__file__, "CONTACTS")
 
 
 @pytest.mark.parametrize(("left", "right", "under"), CONTACTS)
@@ -97,18 +64,7 @@ def test_a_contact_that_is_excluded_does_not_count(left: str, right: str, under:
     assert searched(left, right, True, under).verdict is ENCLOSED
 
 
-FALSE = [
-    ("x**3", "0", False, "-1 <= x <= 1"),  # changes its sign at the contact
-    ("x**2*(x + 1/10**6)", "0", False, "-1 <= x <= 1"),  # fails just beside it
-    ("(x - 1/3)**2", "10**(-20)", False, "0 <= x <= 1"),
-    ("x", "x**2*10**6", False, "0 <= x <= 1/10"),
-    ("1/x", "1", False, "x >= 1/2"),  # fails far out
-    ("exp(-x)", "10**(-300)", False, ""),
-    ("log(x)", "-10**6", False, "0 < x <= 1"),  # fails at an end of the domain
-    ("x*y", "0", False, "-1/10 <= x <= 1, 0 <= y <= 1"),
-    ("x + y", "-1", True, "x**2 + y**2 <= 1, -1 <= x <= 1, -1 <= y <= 1"),
-    ("a*b", "1", True, "a > 0, b > 0"),  # no bounds
-]
+FALSE = cases(__file__, "FALSE")
 
 
 @pytest.mark.parametrize(("left", "right", "strict", "under"), FALSE)

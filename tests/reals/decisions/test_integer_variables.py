@@ -1,6 +1,7 @@
 """Integer variables: angles and signs by residues, refuted at integers alone."""
 
 import pytest
+from cases import cases
 
 import tresym
 from tresym.reals.decisions.claim_parsing import read
@@ -8,36 +9,8 @@ from tresym.reals.decisions.integer_variables import residues
 from tresym.reals.domain.conditions import Given
 from tresym.reals.verdict import Verdict
 
-HOLD = [
-    "sin(n*pi) == 0 given n integer",
-    "cos(n*pi) == (-1)**n given n integer",
-    "sin(x + n*pi) == (-1)**n*sin(x) given n integer",
-    "tan(x + n*pi) == tan(x) given n integer",
-    "cos(n*pi/2)*sin(n*pi/2) == 0 given n integer",
-    "sin((2*n + 1)*pi/2) == (-1)**n given n integer",
-    "(-1)**n*(-1)**m == (-1)**(n + m) given n integer, m integer",
-    "n**2 >= n given n integer",
-    "n*(n - 1)*(n - 2) >= 0 given n integer, n >= 0",
-    "(-1)**n + 2 > 0 given n integer",
-    "x**2 == 1 given x == (-1)**n, n integer",
-    "(-1)**n == 1 given n == 2*m, n integer, m integer",
-    "n == 3 given 2*n == 6, n integer",
-    "integral(sin(n*x), x, 0, pi) == (1 - (-1)**n)/n given n integer, n >= 1",
-    "integral(abs((-1)**n*x), x, 0, 1) == 1/2 given n integer",
-    "2**n >= n + 1 given n integer, n >= 0",
-]
-FAIL = [
-    "cos(n*pi) == 1 given n integer",
-    "sin(x + n*pi) == sin(x) given n integer",
-    "n**2 > n given n integer",
-    "(-2)**n > 0 given n integer",
-    "(-1)**n + 1 > 0 given n integer",  # a real power would be positive
-    "x > 0 given (-1)**n*x > 0, n integer",
-    "x == 1 given x == (-1)**n, n integer",
-    "integral(abs((-1)**n*x), x, 0, 1) == (-1)**n/2 given n integer",
-    "sin(n*pi/3) == 0 given n integer",
-    "n*(n - 1)*(n - 2)*(n - 5) >= 0 given n integer",
-]
+HOLD = cases(__file__, "HOLD")
+FAIL = cases(__file__, "FAIL")
 OPEN = [
     "n == 1 given n integer, n > 1/4, n < 3/4",  # no integer
     "n == 1 given 2*n == 3, n integer",

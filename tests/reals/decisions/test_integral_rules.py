@@ -1,6 +1,7 @@
 """Rules for integrals: what they give of smooth integrands, and what only looks like it."""
 
 import pytest
+from cases import cases
 
 import tresym
 
@@ -23,32 +24,11 @@ CLAIMS = [
     ("diff(integral(sqrt(t), t, 0, x), x) == sqrt(x) given x > 0", "UNDECIDED"),  # not at 0
     ("diff(integral(t, t, 0, x), x) == 5 given x > 1, x < 0", "UNDECIDED"),
 ]
-PROVED = [
-    "integral(f(x), x, a, b) == -integral(f(x), x, b, a)",
-    "integral(f(x) + g(x), x, a, b) == integral(f(x), x, a, b) + integral(g(x), x, a, b)",
-    "integral(2*f(x), x, a, b) == 2*integral(f(x), x, a, b)",
-    "integral(f(x), x, a, c) == integral(f(x), x, a, b) + integral(f(x), x, b, c)",
-    "integral(diff(f(x), x), x, a, b) == f(b) - f(a)",
-    "integral(1 + f(x), x, a, b) == b - a + integral(f(x), x, a, b)",
-    "integral(x**x, x, 1, 2) + integral(x**x, x, 2, b) == integral(x**x, x, 1, b) given b > 2",
-    "integral(x**x, x, 1, 3) == -integral(x**x, x, 3, 1)",
-]
+PROVED = cases(__file__, "PROVED")
 REFUTED = [
     "integral(2*x**x, x, 1, 2) == integral(x**x, x, 1, 2)",
 ]
-OPEN = [
-    "integral(f(x), x, a, b) == integral(f(x), x, b, a)",  # false, without a point that shows it
-    "integral(f(x), x, 0, 1) == integral(f(x), x, 1, 2)",
-    "integral(f(x), x, 0, 1) == f(1) - f(0)",
-    "integral(diff(f(x), x), x, a, b) == f(a) - f(b)",
-    "integral(f(x), x, 0, 1) > 0 given f(0) > 0",
-    "integral(f(x)**2, x, 0, 1) >= 0",  # true, and for no other reason
-    "integral(f(x)*g(x), x, a, b) == integral(f(x), x, a, b)*integral(g(x), x, a, b)",
-    "integral(f(x)/x, x, -1, 1) == integral(f(x)/x, x, -1, 1)",  # has no value
-    "integral(f(1/x), x, -1, 1) == integral(f(1/x), x, -1, 2) + integral(f(1/x), x, 2, 1)",
-    "integral(1/x, x, -1, 1) == integral(1/x, x, -1, 0) + integral(1/x, x, 0, 1)",
-    "integral(exp(1/x), x, -1, 1) == integral(exp(1/x), x, -1, 2) + integral(exp(1/x), x, 2, 1)",
-]
+OPEN = cases(__file__, "OPEN")
 
 
 @pytest.mark.parametrize(("claim", "verdict"), CLAIMS)

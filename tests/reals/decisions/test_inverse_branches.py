@@ -1,6 +1,7 @@
 """Inverse functions by their branches: on the branch, and one step beside it."""
 
 import pytest
+from cases import cases
 
 import tresym
 from tresym.reals.decisions.identity import decide, decide_continuous
@@ -38,15 +39,7 @@ def test_the_inverse_function_is_taken_away(claim: str, pair: tuple[str, str]) -
 
 @pytest.mark.parametrize(
     "claim",
-    [
-        "asin(sin(7/2)) == 7/2",
-        "acos(cos(4)) == -4",
-        "atan(x) == pi/2",  # the end is no value of atan
-        "acos(x) == 2*pi - y given pi < y < 2.01*pi",
-        "asin(sin(x)) == pi - x given pi/2 <= x <= 1.51*pi",
-        "asin(sin(x)) == pi - x given x >= pi/2",
-        "2*x == y",
-    ],
+    cases(__file__, "it_is_not_beyond_its_range"),
 )
 def test_it_is_not_beyond_its_range(claim: str) -> None:
     assert _pairs(claim) == []
@@ -54,22 +47,7 @@ def test_it_is_not_beyond_its_range(claim: str) -> None:
 
 @pytest.mark.parametrize(
     ("end", "relation", "given", "holds"),
-    [
-        ("pi/2 - 2*asin(x)", ">=", "x <= 1/sqrt(2)", True),
-        ("pi/2 - 2*asin(x)", ">", "x <= 1/sqrt(2)", False),
-        ("pi/2 - 2*asin(x)", ">", "x < 1/sqrt(2)", True),
-        ("pi/2 - 2*asin(x)", ">=", "x <= 3/4", False),
-        ("pi/2 + 2*asin(x)", ">=", "x >= -1/sqrt(2)", True),
-        ("pi/2 + 2*asin(x)", ">=", "x <= 1/sqrt(2)", False),
-        ("2*acos(x) - pi/2", ">=", "x <= 1/sqrt(2)", True),
-        ("2*acos(x) - pi/2", ">=", "x >= 1/sqrt(2)", False),
-        ("pi/2 - 2*acos(x)", ">=", "x >= 1/sqrt(2)", True),
-        ("pi/3 - atan(x)", ">", "x < sqrt(3)", True),
-        ("pi/3 - atan(x)", ">", "x < sqrt(3) + 1/10**9", False),
-        ("2 - atan(x)", ">=", "x < 0", True),
-        ("4*pi/3 - 2*asin(x)*1", ">=", "x <= 1", True),
-        ("4*pi/3 - 4*asin(x)", ">=", "x <= 0.9", False),
-    ],
+    cases(__file__, "bounds_of_an_inverse_by_those_of_its_argument"),
 )
 def test_bounds_of_an_inverse_by_those_of_its_argument(
     end: str, relation: str, given: str, holds: bool

@@ -3,6 +3,7 @@
 from typing import Any
 
 import pytest
+from cases import cases
 
 import tresym
 from tresym.reals.decisions.answer import Answer
@@ -20,57 +21,11 @@ from tresym.reals.domain.conditions import Given
 from tresym.reals.language.parsing import parse, parse_claim
 from tresym.reals.verdict import Verdict
 
-HOLD = [
-    ("sqrt(x*y) <= (x - y)/(log(x) - log(y)) given 0 < x, x < y", "the claim is homogeneous"),
-    ("(x - y)/(log(x) - log(y)) <= (x + y)/2 given 0 < x, x < y", "the claim is homogeneous"),
-    ("tan(x)/x < tan(y)/y given 0 < x, x < y, y < pi/2", "at two points"),
-    ("log(x)/x >= log(y)/y given E <= x, x < y", "at two points"),
-    ("sin(x)/x >= sin(y)/y given 0 < x, x < y, y < pi", "at two points"),
-    ("x**3 <= y**3 given x < y, -2*x <= 3, 2*y < 7", "at two points"),
-    ("tan(x)/tan(y) < x/y given 0 < x, x < y, y < pi/2", "at two points"),
-    ("log(1 + x)/log(1 + y) > x/y given 0 < x, x < y", "at two points"),
-    ("sin(x)*sin(y) <= x*y given x >= 0, y >= 0", "absolute value of each factor"),
-    ("2*tanh(x)*atan(y) >= -2*x*y given x >= 0, y >= 0", "absolute value of each factor"),
-]
-FAIL = [
-    "(x - y)/(log(x) - log(y)) <= (x + y)/2.0001 given 0 < x, x < y",
-    "sqrt(x*y) < (x - y)/(log(x) - log(y)) - (x - y)**2/10**6/y given 0 < x, x < y",
-    "tan(x)/x < tan(y)/y given 0 < x, x < y, y < pi",  # a pole is between
-    "1/x > 1/y given x < y",
-    "sin(x)/x >= sin(y)/y given 0 < x, x < y, y < 5",
-    "x**2 <= y**2 given x < y, -2*x <= 3, 2*y < 7",
-    "log(x)/x >= log(y)/y given 2.7 <= x, x < y",
-    "exp(x) + exp(y) >= 2.0001 + x + y",
-    "1.0001*sin(x)*sin(y) <= x*y given x >= 0, y >= 0",
-    "sin(x)*sin(y) <= x*y given x >= -1/10**3, y >= 0",  # of one sign only where both are
-    "exp(x) - log(y) > x + 2 - y given y > 0",
-    "sin(x)/sin(y) <= 1.57*x/y given 0 < x, x < y, y < pi/2",
-    "sin(x)/sin(y) <= pi/2*x/y given 0 < x, x < y, y < 8/5",
-    "(exp(x) - 1)*(exp(y) - 1) >= x*y given x > -1, y > 0",  # a factor changes its sign
-    "(1 + x**2)*(1 + y**2) > 1",
-    "x/1000 >= y given x > y, y > 0",  # two functions at two places
-    "x**2 <= y**2 given x < y, x < 0, y < 3",  # what bounds x from above is no bound from below
-    "x*y >= 0 given x >= 1, -1 <= y <= 0",  # a product is no difference
-    "x*y >= 0 given x >= 2, -1 <= y <= -1/2",
-    "x*exp(y) >= x given y >= 0",  # a factor of both sides, of no sign
-    "x*y >= 1 given -2 <= x <= -1/10, -2 <= y <= -1/10",  # both factors are negative
-    "1 >= sqrt(x*y) given x >= 1, y >= 1",  # a root is not the reciprocal
-    "(x + y)**2 >= y/10**60",  # seen by no ball
-    "tan(x)/tan(y) > x/y given 0 < x, x < y, y < pi/2",
-]
+HOLD = cases(__file__, "HOLD")
+FAIL = cases(__file__, "FAIL")
 
 
-TRUE = [
-    "exp(x) + exp(y) >= 2 + x + y",
-    "exp(x) - log(y) >= x + 2 - y given y > 0",
-    "(exp(x) - 1)*(exp(y) - 1) > x*y given x > 0, y > 0",
-    "x**2 >= y**2 given x > y, x + y > 0",
-    "x**2 + y**2 >= 2*x*y",
-    "x**3 + y**3 >= 0 given x + y >= 0",
-    "x*y <= 1 given x > 0, y > 0, x + y <= 2",
-    "x**2*y**2 >= x*y - 1/4",
-    "x + y >= 1 given x**2 + y**2 == 1, x >= 0, y >= 0",
-]
+TRUE = cases(__file__, "TRUE")
 METHODS = (_scaled, _of_one_part, _monotone, _by_sizes)
 
 
@@ -131,15 +86,7 @@ def test_several_are_as_sure_as_the_least_sure() -> None:
 
 @pytest.mark.parametrize(
     ("text", "given", "homogeneous"),
-    [
-        ("x*y + y**2", "y > 0", True),
-        ("log(x) - log(y)", "x > 0, y > 0", True),
-        ("sqrt(x*y)/(x + y)**2", "x > 0, y > 0", True),
-        ("x*y + y", "y > 0", False),
-        ("x - 2", "y > 0", False),
-        ("log(x)", "x > 0, y > 0", False),
-        ("x*y + y**2 + 1/10**50", "y > 0", False),
-    ],
+    cases(__file__, "what_scales"),
 )
 def test_what_scales(text: str, given: str, homogeneous: bool) -> None:
     assert _is_homogeneous(parse(text), "x", "y", Given.parse(given)) is homogeneous
@@ -205,20 +152,7 @@ OF_ONE_PART = [
     "atan(x - y) <= x - y given x > 0, y < 0",
     "log(1 + x*y) < x*y given x > 0, y > 0",
 ]
-BESIDE = [  # each passes where one guard or one end is left out
-    "x**2 + y >= 0",
-    "x + y + 1 + 0*sqrt(x) >= 0",
-    "x*y >= sin(x)*sin(y)",  # the sizes alone
-    "2*x*y >= 3*sin(x)*sin(y) given x >= 0, y >= 0",
-    "3*x*y >= 4*sin(x)*sin(y) given x >= 0, y >= 0",
-    "x*y > sin(x)*sin(y) given x >= 0, y >= 0",
-    "exp(x*y) > 1 given x >= 0, y > 0",
-    "x + y > 0 given x >= 0, y >= 0",
-    "x - y > 0 given x >= 0, y <= 0",
-    "x*y >= 1 given x >= -1, y >= -1",
-    "x + y < 2 given x <= 1, y <= 1",
-    "x*y < 2 given 0 < x <= 1, 0 < y <= 2",
-]
+BESIDE = cases(__file__, "BESIDE")
 
 
 @pytest.mark.parametrize("claim", OF_ONE_PART)

@@ -1,6 +1,7 @@
 """Integrals and roots in balls: every choice inside the balls that are given is enclosed."""
 
 import pytest
+from cases import cases
 from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
@@ -36,16 +37,7 @@ def found(f: str, low: str, high: str) -> Expr:
 
 @pytest.mark.parametrize(
     ("f", "low", "high", "is_"),
-    [
-        ("exp(x)", "0", "1", "exp(1) - 1"),
-        ("1/x", "1", "2", "log(2)"),
-        ("sqrt(x)", "1", "4", "14/3"),
-        ("x**(1/3)", "1", "8", "45/4"),
-        ("log(x)", "1", "2", "2*log(2) - 1"),
-        ("x**pi", "1", "2", "(2**(pi + 1) - 1)/(pi + 1)"),
-        ("1/(1 + x**2)", "1", "0", "-pi/4"),
-        ("abs(x)", "1", "2", "3/2"),
-    ],
+    cases(__file__, "integrals_that_are_known"),
 )
 def test_integrals_that_are_known(f: str, low: str, high: str, is_: str) -> None:
     assert at(over(f, low, high) - parse(is_)).contains(0)
@@ -102,14 +94,7 @@ def test_roots_that_are_known() -> None:
 
 @pytest.mark.parametrize(
     ("f", "low", "high"),
-    [
-        ("x**2 + 1", "0", "1"),
-        ("x - 2", "0", "1"),  # outside
-        ("x - 1", "0", "1"),  # the ends do not count
-        ("1/(x - 1/3)", "0", "1"),  # a sign that changes at a pole
-        ("sign(x - 1/3)", "0", "1"),  # and at a jump
-        ("atan2(x - 1/3, -1)", "0", "1"),
-    ],
+    cases(__file__, "without_a_root_there_is_no_value"),
 )
 def test_without_a_root_there_is_no_value(f: str, low: str, high: str) -> None:
     assert not at(found(f, low, high)).is_finite()

@@ -4,6 +4,7 @@ from fractions import Fraction
 
 import mpmath
 import pytest
+from cases import cases
 from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
@@ -57,16 +58,7 @@ def test_functions_agree_with_mpmath(name: str) -> None:
 
 @pytest.mark.parametrize(
     ("text", "x", "value"),
-    [
-        ("sign(x)", "-1/3", "-1"),
-        ("cbrt(x)", "-27/8", "-3/2"),
-        ("x**(2/3)", "27/8", "9/4"),
-        ("x**(-1/2)", "4/9", "3/2"),
-        ("x**x", "2/1", "4"),
-        ("(-x)**3", "2/1", "-8"),
-        ("x**(-3)", "-2/1", "-1/8"),
-        ("cos(pi*x)", "1/1", "-1"),
-    ],
+    cases(__file__, "values_that_are_known"),
 )
 def test_values_that_are_known(text: str, x: str, value: str) -> None:
     at = {"x": arb(fmpq(*map(int, x.split("/"))))}
@@ -74,30 +66,7 @@ def test_values_that_are_known(text: str, x: str, value: str) -> None:
     assert abs(found - evaluate(parse(value), {})) < 1e-12
 
 
-UNDEFINED = [
-    ("1/x", "0/1", "0/1"),
-    ("1/x", "-1/1", "2/1"),
-    ("x**(-2)", "-1/1", "2/1"),
-    ("0/x", "0/1", "0/1"),
-    ("0*log(x)", "-1/1", "-1/1"),
-    ("log(x)", "0/1", "0/1"),
-    ("log(x)", "0/1", "1/1"),
-    ("sqrt(x)", "-1/100", "1/1"),
-    ("x**(1/3)", "-8/1", "-8/1"),
-    ("x**(-1/2)", "0/1", "0/1"),
-    ("x**x", "-2/1", "-2/1"),
-    ("x**x", "0/1", "0/1"),
-    ("asin(x)", "1/1", "3/2"),
-    ("acos(x)", "-2/1", "-2/1"),
-    ("acosh(x)", "1/2", "1/2"),
-    ("atanh(x)", "1/1", "1/1"),
-    ("coth(x)", "0/1", "0/1"),
-    ("csch(x)", "-1/1", "1/1"),
-    ("cot(x)", "0/1", "0/1"),
-    ("csc(x)", "-1/1", "1/1"),
-    ("tan(x)", "1/1", "2/1"),
-    ("sec(x)", "1/1", "2/1"),
-]
+UNDEFINED = cases(__file__, "UNDEFINED")
 
 
 @pytest.mark.parametrize(("text", "low", "high"), UNDEFINED)
@@ -159,15 +128,7 @@ def test_infinity_is_no_value_that_differs_from_0() -> None:
     assert not stands(arb("inf"), "!=")
 
 
-TAPES = [
-    "x + y*sin(x) - 2*y/3",
-    "sqrt(x)*log(y) + x**(2/3) + cbrt(x - 1)",
-    "1/(x - y) + tan(x)/atan2(x, y)",
-    "x**y + pi*abs(y - x) - sign(x)",
-    "asin(x - 1) + acosh(y) + exp(-x**2)**3",
-    "atan(1/x) + sin(log(y))",
-    "2 - E",
-]
+TAPES = cases(__file__, "TAPES")
 
 
 @pytest.mark.parametrize("text", TAPES)

@@ -1,6 +1,7 @@
 """Conditions of a domain: every point where an expression is defined satisfies them."""
 
 import pytest
+from cases import cases
 from flint import arb, fmpq
 
 from tresym.reals.domain.conditions import Condition, Given
@@ -9,33 +10,7 @@ from tresym.reals.domain.operation_domains import bound, with_domain
 from tresym.reals.language.expression import Expr, number, substitute
 from tresym.reals.language.parsing import parse
 
-TABLE = [
-    ("1/x", "x != 0"),
-    ("x**(-3)", "x != 0"),
-    ("x**3", ""),
-    ("sqrt(x)", "x >= 0"),
-    ("x**(-1/2)", "x > 0"),
-    ("x**y", "x > 0"),
-    ("cbrt(x)", ""),
-    ("log(x)", "x > 0"),
-    ("log(3 - 2*x)", "x < 3/2"),
-    ("sqrt(1 - x)", "x <= 1"),
-    ("asin(x)", "x <= 1, x >= -1"),
-    ("acos(2*x)", "x <= 1/2, x >= -1/2"),
-    ("atanh(x)", "x < 1, x > -1"),
-    ("acosh(x)", "x >= 1"),
-    ("coth(x)", "x != 0"),
-    ("csch(x)", "x != 0"),
-    ("tan(x)", "cos(x) != 0"),
-    ("sec(x)", "cos(x) != 0"),
-    ("cot(x)", "sin(x) != 0"),
-    ("csc(x)", "sin(x) != 0"),
-    ("log(x - y)", "x - y > 0"),
-    ("0*log(x)", "x > 0"),
-    ("exp(sqrt(x)) + sqrt(x)", "x >= 0"),
-    ("sin(x) + atan(x) + asinh(x) + abs(x)", ""),
-    ("sqrt(2) + log(3)", ""),
-]
+TABLE = cases(__file__, "TABLE")
 
 
 @pytest.mark.parametrize(("text", "conditions"), TABLE)

@@ -1,6 +1,7 @@
 """Order claims by growth: scales whose order is known, and planted falsehoods."""
 
 import pytest
+from cases import cases
 from flint import arb, ctx, fmpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -142,30 +143,8 @@ def test_a_refutation_is_shown_where_the_functions_are_real() -> None:
     assert fmpq(*map(int, answer.witness["x"].split("/"))) < fmpq(1, 1000)
 
 
-BY_GROWTH = [
-    ("exp(x)*(exp(1/x - exp(-x)) - exp(1/x)) == -1 + o(1)", "x -> oo"),
-    ("(3**x + 5**x)**(1/x) == 5 + o(1)", "x -> oo"),
-    ("x**x == 1 + x*log(x) + O(x**2*log(x)**2)", "x -> 0+"),
-    ("atan(sin(x)/x) == pi/4 + o(1)", "x -> 0"),
-    ("asin(x) == pi/2 - sqrt(2*(1 - x)) + O((1 - x)**(3/2))", "x -> 1-"),
-    ("1 == o(x + exp(-exp(x)))", "x -> oo"),
-    ("1/(2 + sin(x)) == O(1)", "x -> oo"),
-    ("x*(2 + sin(x)) == O(x)", "x -> oo"),
-    ("abs(x - 1/1000) ~ 1/1000 - x", "x -> 0"),
-]
-NOT_BY_GROWTH = [
-    ("exp(x)*(exp(1/x - exp(-x)) - exp(1/x)) == -1 - 1/10**30 + o(1)", "x -> oo"),
-    ("(3**x + 5**x)**(1/x) == 3 + o(1)", "x -> oo"),
-    ("x ~ x**2", "x -> 0+"),  # alike but for their powers
-    ("x**x == 1 + x*log(x) + o(x**2*log(x)**2)", "x -> 0+"),
-    ("asin(x) == pi/2 - sqrt(2*(1 - x)) + o((1 - x)**(3/2))", "x -> 1-"),
-    ("1 == O(sin(x))", "x -> oo"),
-    ("tan(x) == O(x)", "x -> oo"),
-    ("x*sin(x) == o(x)", "x -> oo"),
-    ("1 == O(sin(x) + exp(-x))", "x -> oo"),
-    ("2 + sin(x) ~ 2", "x -> oo"),
-    ("sin(x)*cos(3*x) == o(1)", "x -> oo"),
-]
+BY_GROWTH = cases(__file__, "BY_GROWTH")
+NOT_BY_GROWTH = cases(__file__, "NOT_BY_GROWTH")
 
 
 @pytest.mark.quick

@@ -1,6 +1,7 @@
 """Dots in sums: what they stand for is seen, or the sum is refused."""
 
 import pytest
+from cases import cases
 
 from tresym.reals.decisions.claim_parsing import read_as
 from tresym.reals.language.latex import read_expression
@@ -20,18 +21,7 @@ SEEN = {
     "1 + x + x**2/2 + ...": "1 + x + x**2/2 + ...",
     "x - x**3/6 + ... ": "x - x**3/6 + ...",
 }
-UNSEEN = [
-    "1 + 2 + ... + x**n",
-    "1 + 4 + ... + n",
-    "x + ... + x**n",
-    "1 - 1/2 + 1/3 - 1/5 + ...",
-    "1 + 1/2 - 1/3 + ...",
-    "1 + 0 + 1 + ...",
-    "1 + ... + 2 + ...",
-    "... + 1",
-    "x*...",
-    "sin(...)",
-]
+UNSEEN = cases(__file__, "UNSEEN")
 
 
 @pytest.mark.parametrize("text", SEEN)

@@ -1,6 +1,7 @@
 """A place among tokens: what comes next, what it is called, and one line where it is not read."""
 
 import pytest
+from cases import cases
 
 from tresym.reals.language.expression import symbol
 from tresym.reals.language.latex_cursor import (
@@ -138,19 +139,7 @@ def test_the_side_that_a_path_comes_from(source: str, sides: str) -> None:
 
 @pytest.mark.parametrize(
     ("source", "name"),
-    [
-        ("x", "x"),
-        ("x_1", "x1"),
-        ("x_{12}", "x12"),
-        ("x_a", "x_a"),
-        (r"\psi_{in}", "psi_in"),
-        (r"\omega_\perp", "omega_perp"),
-        (r"\Delta\psi", "Delta_psi"),
-        (r"\lambda", "lambda_"),
-        ("E", "E_"),
-        ("I", "I_"),
-        ("I_1", "I1"),
-    ],
+    cases(__file__, "symbols"),
 )
 def test_symbols(source: str, name: str) -> None:
     assert _at(source).symbol() == name

@@ -1,6 +1,7 @@
 """Recursive descent: each production gives text of the same value as a hand-written one."""
 
 import pytest
+from cases import cases
 from flint import arb, fmpq
 
 from tresym.reals.domain.evaluation import evaluate
@@ -56,28 +57,7 @@ def test_productions(source: str, text: str) -> None:
 
 @pytest.mark.parametrize(
     "source",
-    [
-        r"x/2y",
-        r"x + x^2\Big|_0^1",
-        r"\prod_{k=1}^3 k\cdot x",
-        r"xy\Big|_0^1",
-        r"\int_{y=0}^{y=1} x\,dx",
-        r"\int 1 + x",
-        r"\sin^{-1}x",
-        r"\sin(x+1)y",
-        r"\sin 2\ln x",
-        r"\sin x(1+y)",
-        r"x(2)",
-        r"f(x)",
-        r"\dot x",
-        r"2\frac{1}{3}",
-        r"1 2",
-        r"\frac{1}{",
-        r"(x",
-        r"x^",
-        r"i",
-        r"\foo x",
-    ],
+    cases(__file__, "what_can_be_read_in_two_ways_or_not_at_all_is_refused"),
 )
 def test_what_can_be_read_in_two_ways_or_not_at_all_is_refused(source: str) -> None:
     with pytest.raises(InputError) as caught:

@@ -1,6 +1,7 @@
 """What newcomers type: read and shown in the grammar, or refused with what to write instead."""
 
 import pytest
+from cases import cases
 
 import tresym
 from tresym.reals.decisions.claim_parsing import read
@@ -145,65 +146,7 @@ READ = [
     ("abs(x)<1 => x^2<1", "x**2 < 1 given abs(x) < 1"),
 ]
 
-REFUSED = [
-    (
-        "ln e = 1",
-        "two readings remain of e: write E or exp(x) for Euler's number, or the variable e by "
-        "another name",
-    ),
-    (
-        "(n+1)! = (n+1)n! for all n in N",
-        "two readings remain: write n integer, n >= 1 or n integer, n >= 0",
-    ),
-    (
-        "e^x = exp(x) given 0 < e < 1",
-        "two readings remain of e: write E or exp(x) for Euler's number, or the variable e by "
-        "another name",
-    ),
-    (
-        "a+b >= 2sqrt(ab) given a,b >= 0",
-        "two readings remain: write a*b, or the variable ab by another name",
-    ),
-    (
-        "(a+b)^2 = a^2 + 2ab + b^2",
-        "two readings remain: write a*b, or the variable ab by another name",
-    ),
-    (
-        "x^2 = 4 <=> x = 2",
-        "an equivalence is two claims: x == 2 given x**2 == 4, and x**2 == 4 given x == 2",
-    ),
-    ("√2x = y", "two readings remain: write sqrt(2)*x or sqrt(2*x)"),
-    (
-        "lim x->0 sin(x)/x + 1 = 2",
-        "two readings remain: write limit(sin(x)/x, x, 0) + 1 or limit(sin(x)/x + 1, x, 0)",
-    ),
-    ("d/dx x^2 + x = 2x + 1", "two readings remain: write diff(x**2, x) + x or diff(x**2 + x, x)"),
-    ("dy/dx = 2x given y = x^2", "a derivative is written diff(f, x): write y out"),
-    ("lg(100) = 2", "two readings remain: write log(100, 10) or log(100, 2)"),
-    ("1/2x = x/2", "two readings remain: write (1/2)*x or 1/(2*x)"),
-    ("sin x^2 >= 0", "two readings remain: write sin(x**2) or sin(x)**2"),
-    ("sin x/2 = y", "two readings remain: write sin(x)/2 or sin(x/2)"),
-    ("sin^-1(x) = asin(x)", "two readings remain: write 1/sin(x) or asin(x)"),
-    ("2^3x = 8x", "two readings remain: write 2**3*x or 2**(3*x)"),
-    ("x^2y = y x^2", "two readings remain: write x**2*y or x**(2*y)"),
-    ("a(b+c) = ab + ac", "a is no function; for a product write a*(…), for a function f(…)"),
-    (
-        "pi ≈ 3.14",
-        "the accuracy of ≈ is not stated: write abs(a - b) <= 0.005, or a ~ b with a path",
-    ),
-    ("x = 1 or x = 2", "one claim at a time: write x == 1, or x == 2 by itself"),
-    ("x > 0 and y > 0", "one claim at a time: write x > 0 and y > 0 apart"),
-    ("ln(xy) = ln x + ln y", "two readings remain: write x*y, or the variable xy by another name"),
-    ("2^(n+1) = 2 2^n", "'2**(n+1) == 2 2**n' is not an expression"),
-    ("e^(i pi) = -1", "complex numbers are not supported: all variables are real"),
-    ("Pi > 3 and 2 > 1", "two readings remain: write pi, or the variable Pi by another name"),
-    ("2Pi > 6", "two readings remain: write pi, or the variable Pi by another name"),
-    ("floor(x) <= x", "unknown function floor: floor is not supported"),
-    ("2floor(x) <= 2x", "unknown function floor: floor is not supported"),
-    ("x^2 + y^2 >= 2xy", "two readings remain: write x*y, or the variable xy by another name"),
-    ("x in [0,1]", "x in … is a condition: write the claim as a <= x <= b"),
-    ("5% = 1/20", "'5% == 1/20' is not an expression (write a percentage as a fraction)"),
-]
+REFUSED = cases(__file__, "REFUSED")
 
 
 @pytest.mark.parametrize(("claim", "shown"), READ)
@@ -228,16 +171,7 @@ def test_the_conditions_apart_are_read_as_the_claim_is() -> None:
 
 @pytest.mark.parametrize(
     "claim",
-    [
-        "sin 2x = 2 sin x",
-        "(x^2)' = x",
-        "integrate(x**2, (x, 0, 1)) == 1/2",
-        "x^2 > x for x in [0, 3]",
-        "n! = n^2 for all positive integers n",
-        "lim x->0 sin(2x)/x = 1",
-        "2|x| = 2x",
-        "e^x < 1 + x for x > 0",
-    ],
+    cases(__file__, "false_claims_of_newcomers_are_refuted"),
 )
 def test_false_claims_of_newcomers_are_refuted(claim: str) -> None:
     assert tresym.check(claim).verdict is Verdict.REFUTED

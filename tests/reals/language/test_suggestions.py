@@ -1,6 +1,7 @@
 """Advice names what was meant, and is silent where nothing is wrong."""
 
 import pytest
+from cases import cases
 
 from tresym.reals.language.expression import FUNCTIONS
 from tresym.reals.language.suggestions import MAX_TEXT, about_function, about_name, hint
@@ -61,17 +62,7 @@ def test_long_text_is_answered_briefly(text: str) -> None:
 
 @pytest.mark.parametrize(
     ("name", "keyword"),
-    [
-        ("integrate", "integral(f, x, a, b)"),
-        ("floor", "not supported"),
-        ("log2", "log(x, 2)"),
-        ("log_10", "log(x, 10)"),
-        ("O", "right end"),
-        ("f", "f*("),
-        ("sine", "sin?"),
-        ("arcos", "acos?"),
-        ("qqqq", "known functions are"),
-    ],
+    cases(__file__, "functions_that_are_not_known"),
 )
 def test_functions_that_are_not_known(name: str, keyword: str) -> None:
     assert keyword in about_function(name, KNOWN)

@@ -1,6 +1,7 @@
 """Claims in LaTeX and MathML, as notebooks and pages show them."""
 
 import pytest
+from cases import cases
 
 from tresym.reals.decisions.claim_parsing import in_latex
 from tresym.reals.language.parsing import parse_claim
@@ -9,22 +10,7 @@ from tresym.reals.language.typesetting import to_latex, to_mathml
 
 @pytest.mark.parametrize(
     ("claim", "latex"),
-    [
-        ("sqrt(x**2) == x", r"\sqrt{x^{2}} = x"),
-        ("sin(x) == x - x**3/6 + O(x**5)", r"\sin(x) = x - \frac{x^{3}}{6} + O(x^{5})"),
-        ("limit((1 + x)**(1/x), x, 0, 1) == E", r"\lim_{x \to 0^+} (x + 1)^{\frac{1}{x}} = e"),
-        ("integral(exp(-x), x, 0, oo) == 1", r"\int_{0}^{\infty} e^{-x} \, dx = 1"),
-        ("sum(k, k, 1, n) == n*(n + 1)/2", r"\sum_{k=1}^{n} k = \frac{n \, (n + 1)}{2}"),
-        ("diff(f(x), x, 2) == -f(x)", r"\frac{d^{2}}{dx^{2}} f(x) = -f(x)"),
-        ("at(diff(f(u), u), u, 2*x) == 1", r"\left.\frac{d}{du} f(u)\right|_{u=2 \, x} = 1"),
-        ("integral(x, x) == x**2/2", r"\int x \, dx = \frac{x^{2}}{2}"),
-        ("sin(x)**2/(x + y)**2 != -2/3", r"\frac{\sin^{2}(x)}{(x + y)^{2}} \ne -\frac{2}{3}"),
-        (
-            "2*3**x*(1/2)**y > epsilon0",
-            r"2 \cdot 3^{x} \, \left(\frac{1}{2}\right)^{y} > \epsilon_{0}",
-        ),
-        ("0 < abs(cbrt(x)) < 1", r"0 < \left|\sqrt[3]{x}\right| < 1"),
-    ],
+    cases(__file__, "how_a_claim_is_set"),
 )
 def test_how_a_claim_is_set(claim: str, latex: str) -> None:
     assert to_latex(parse_claim(claim)) == latex
@@ -46,21 +32,7 @@ def test_conditions_and_paths_stand_behind(claim: str, latex: str) -> None:
 
 @pytest.mark.parametrize(
     ("claim", "mathml"),
-    [
-        ("1 - x < pi", "<mn>1</mn><mo>−</mo><mi>x</mi><mo>&lt;</mo><mi>π</mi>"),
-        ("x0 == 2", "<msub><mi>x</mi><mi>0</mi></msub><mo>=</mo><mn>2</mn>"),
-        (
-            "dx_dt == y_prime",
-            "<mfrac><mrow><mi>d</mi><mi>x</mi></mrow><mrow><mi>d</mi><mi>t</mi></mrow></mfrac>"
-            "<mo>=</mo><mi>y</mi><mo>′</mo>",
-        ),
-        (
-            "exp(x)**y == sqrt(2)",
-            "<msup><mrow><mrow><mo>(</mo><msup><mrow><mi>e</mi></mrow><mrow><mi>x</mi></mrow></msup>"
-            "<mo>)</mo></mrow></mrow><mrow><mi>y</mi></mrow></msup>"
-            "<mo>=</mo><msqrt><mrow><mn>2</mn></mrow></msqrt>",
-        ),
-    ],
+    cases(__file__, "a_claim_in_mathml"),
 )
 def test_a_claim_in_mathml(claim: str, mathml: str) -> None:
     assert to_mathml(parse_claim(claim), block=False) == f"<math>{mathml}</math>"

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 import sympy
+from cases import cases
 from hypothesis import given
 from hypothesis import strategies as st
 from sympy import Derivative, Eq, Symbol, log, sqrt
@@ -117,28 +118,7 @@ def test_an_irrational_witness_is_exact() -> None:
 
 
 # What the LaTeX of a claim says in print, and so what is decided.
-PROVED_OF_LATEX = [
-    r"\cos\frac{3}{2}\pi = 0",
-    r"\sin\frac{\pi}{2}x=\sin(\pi x/2)",
-    r"\tan\tfrac12\theta = \frac{\sin\theta}{1+\cos\theta}",
-    r"\cosh\frac{1}{2}(x-y) = \cosh(\frac{x-y}{2})",
-    r"\sin\sqrt{2}x = \sin(\sqrt{2}x)",
-    r"\sin n\pi = \sin(n\pi)",
-    r"\sin 2(x+y) = 2\sin(x+y)\cos(x+y)",
-    r"\sin(x)y = y\sin x",
-    r"\cos 2x = \cos^2 x-\sin^2 x",
-    r"2\sin\tfrac{1}{2}(a+b)\cos\tfrac{1}{2}(a-b) = \sin a+\sin b",
-    r"\frac{d}{dx} x^2\sin x = 2x\sin x+x^2\cos x",
-    r"\frac{d}{dx} e^{ax}\sin bx = e^{ax}(a\sin bx+b\cos bx)",
-    r"\frac{d\sin x}{dx} = \cos x",
-    r"\sqrt[3]{x^3} = x",
-    r"\sqrt[3]{-x} = -\sqrt[3]{x}",
-    r"\ln 1 = 0",
-    r"\log_2 8 = 3",
-    r"\operatorname{sech}x\cosh x = 1",
-    r"\lvert x\rvert^2 = x^2",
-    r"{\sin^{2}}z+{\cos^{2}}z = 1 \\",
-]
+PROVED_OF_LATEX = cases(__file__, "PROVED_OF_LATEX")
 REFUTED_OF_LATEX = [
     r"\sin\frac12 x = x\sin(1/2)",
     r"\cos\frac{3}{2}\pi = \pi\cos(3/2)",

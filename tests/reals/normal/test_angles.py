@@ -1,6 +1,7 @@
 """Sines and cosines: exact at multiples of π, free of the half angle's poles elsewhere."""
 
 import pytest
+from cases import cases
 from flint import arb, fmpq, fmpz_poly
 from hypothesis import given
 from hypothesis import strategies as st
@@ -60,36 +61,7 @@ def test_bounds() -> None:
         )
 
 
-EQUAL = [
-    # equal, with a near falsehood
-    ("cos(3*x)", "4*cos(x)^3 - 3*cos(x)", "4*cos(x)^3 + 3*cos(x)"),
-    ("sin(x/2)*cos(x/3)", "(sin(5*x/6) + sin(x/6))/2", "(sin(5*x/6) - sin(x/6))/2"),
-    ("sin(x + y)", "sin(x)*cos(y) + cos(x)*sin(y)", "sin(x)*cos(y) - cos(x)*sin(y)"),
-    ("sin(x + pi)", "-sin(x)", "sin(x)"),
-    ("sin(x + pi/2)", "cos(x)", "-cos(x)"),
-    ("cos(x - 2*pi/3)", "-cos(x)/2 + sqrt(3)/2*sin(x)", "-cos(x)/2 - sqrt(3)/2*sin(x)"),
-    ("sin(x + pi/5)^2 + cos(x + pi/5)^2", "1", "cos(pi/5)"),
-    ("sin(x)*sin(pi/3 - x)*sin(pi/3 + x)", "sin(3*x)/4", "sin(3*x)/3"),
-    ("sin((x^2 + pi*x)/x)", "-sin(x)", "sin(x)"),
-    ("sin((1 + pi*x)/x)", "-sin(1/x)", "sin(1/x)"),
-    ("cos(atan(x))", "1/sqrt(1 + x^2)", "-1/sqrt(1 + x^2)"),
-    ("sin(2*atan(x))", "2*x/(1 + x^2)", "x/(1 + x^2)"),
-    ("cos(-3*atan(x))", "(1 - 3*x^2)/(1 + x^2)**(3/2)", "(1 + 3*x^2)/(1 + x^2)**(3/2)"),
-    ("tan(atan(x)/2)", "x/(1 + sqrt(1 + x^2))", "x/(1 - sqrt(1 + x^2))"),
-    ("cos(atan(x)/2)", "sqrt((1 + 1/sqrt(1 + x^2))/2)", "-sqrt((1 + 1/sqrt(1 + x^2))/2)"),
-    ("cos(y + atan(x))*sqrt(1 + x^2)", "cos(y) - x*sin(y)", "cos(y) + x*sin(y)"),
-    ("sin(sign(x)*y)", "sign(x)*sin(y)", "sin(y)"),
-    ("cos(sign(x)*y)", "cos(y)", "sign(x)*cos(y)"),
-    ("sin(pi/2*sign(x) + y)", "sign(x)*cos(y)", "cos(y)"),
-    ("cos(pi*sign(x)/3)", "1/2", "sign(x)/2"),
-    ("sin(sign(x)*atan(y))*sqrt(1 + y^2)", "sign(x)*y", "y"),
-    ("cos(exp(x) + exp(y))", "cos(exp(x))*cos(exp(y)) - sin(exp(x))*sin(exp(y))", "cos(exp(y))"),
-    ("cos(pi*x)^2 + sin(pi*x)^2", "1", "cos(pi*x)^2"),
-    ("cos(pi*x)", "1 - 2*sin(pi*x/2)^2", "-1"),
-    ("cos(pi/7)*cos(pi/9)", "(cos(16*pi/63) + cos(2*pi/63))/2", "cos(16*pi/63)"),
-    ("cos(2*atan(x)/3)", "2*cos(atan(x)/3)^2 - 1", "(1 - x^2)/(1 + x^2)"),
-    ("sin(2)*cos(3)", "(sin(5) - sin(1))/2", "(sin(5) + sin(1))/2"),
-]
+EQUAL = cases(__file__, "EQUAL")
 
 
 @pytest.mark.parametrize(("left", "right", "wrong"), EQUAL)
@@ -98,19 +70,7 @@ def test_equal(left: str, right: str, wrong: str) -> None:
     assert not equal(left, wrong)
 
 
-ODD_TURNS = [
-    # constant odd multiples of π on a region or everywhere, by ways the ring does not see through
-    ("atan(x) + atan(1/x) + pi/2", "x > 0"),
-    ("2*(x + atan(cot(x)))", ""),
-    ("2*(atan(x) + atan((1 - x)/(1 + x))) + pi/2", "x > -1"),
-    ("4*(atan(1/2) + atan(1/3))", ""),
-    ("sqrt(2)*pi/sqrt(2)", ""),
-    ("2*asin(x) + 2*acos(x)", ""),
-    ("acos(cos(x)) + acos(cos(x + pi))", ""),
-    ("pi*(abs(x) + abs(y))/(abs(x) + abs(y))", ""),
-    ("pi*(log(x^2) - 2*log(abs(x)) + 1)", ""),
-    ("3*(atan(x) + atan(y) - atan((x + y)/(1 - x*y)))", "x > 0, y > 0, x*y > 1"),
-]
+ODD_TURNS = cases(__file__, "ODD_TURNS")
 
 
 @pytest.mark.parametrize(("angle", "under"), ODD_TURNS)
@@ -152,21 +112,7 @@ def test_another_minimal_polynomial_is_not_believed(
         Field(Given(), size=8).normal(parse("cos(pi/7)"))
 
 
-NO_SIGNS = [
-    # what would hold if the other factors of an angle were signs
-    ("sin(atan(x)**2)", "atan(x)*x/sqrt(1 + x**2)"),
-    ("sin(y*atan(x))", "y*x/sqrt(1 + x**2)"),
-    ("cos(y*atan(x))", "1/sqrt(1 + x**2)"),
-    ("cos(atan(x)*atan(y))", "1/sqrt(1 + x**2)"),
-    ("sin(pi**2)", "0"),
-    ("cos(pi**2)", "-1"),
-    ("sin(pi*x)", "0"),
-    ("cos(pi*x)", "-1"),
-    ("cos(sign(x)*pi*y)", "-1"),
-    ("cos(sign(x)*pi/2 + pi/3)", "cos(sign(x)*pi/2)"),
-    ("cos(sign(x)*atan(y) + sign(y)*atan(x))", "cos(atan(y))"),
-    ("cos(x/y + pi/3)", "cos(x/y)"),
-]
+NO_SIGNS = cases(__file__, "NO_SIGNS")
 
 
 @pytest.mark.parametrize(("left", "right"), NO_SIGNS)

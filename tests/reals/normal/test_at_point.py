@@ -1,6 +1,7 @@
 """At an exact point, equal constants are found equal, and nothing else is."""
 
 import pytest
+from cases import cases
 from flint import arb, fmpq
 
 from tresym.reals.domain.conditions import Condition, Given
@@ -51,29 +52,7 @@ def test_not_equal(left: str, right: str, point: dict[str, str]) -> None:
     assert not equal_at(parse(left), parse(right), exact(point))
 
 
-CONDITIONS = [
-    ("x > 0", "1/10^30", True),
-    ("x > 0", "0", False),
-    ("x >= 0", "0", True),
-    ("x^2 >= 2", "sqrt(2)", True),
-    ("x^2 > 2", "sqrt(2)", False),
-    ("x^2 <= 2", "sqrt(2)", True),
-    ("x^2 < 2", "sqrt(2)", False),
-    ("x^2 != 2", "sqrt(2)", False),
-    ("x^2 != 2", "sqrt(3)", True),
-    ("x^2 >= 2", "sqrt(2) - 1/10^12", False),
-    ("x^2 >= 2", "sqrt(2) - 1/10^60", False),  # the ball contains 0
-    ("sin(x) >= 1/2", "5*pi/6", True),
-    ("sin(x) >= 1/2", "5*pi/6 + 1/10^60", False),
-    ("exp(x) <= 3", "log(3)", True),
-    ("sqrt(x) >= 0", "-1", False),
-    ("log(x) > 0", "-1", False),
-    ("log(x) != 0", "-1", False),
-    ("log(x) >= 0", "-1", False),  # no value is no 0
-    ("log(x) <= 0", "-1", False),
-    ("sqrt(x) <= 1", "-1", False),
-    ("acosh(x) >= 0", "-1", False),
-]
+CONDITIONS = cases(__file__, "CONDITIONS")
 
 
 @pytest.mark.parametrize(("text", "at", "expected"), CONDITIONS)

@@ -1,6 +1,7 @@
 """A constant is zero where its norm says so: however small, no other one is."""
 
 import pytest
+from cases import cases
 from flint import arb, fmpq
 
 from tresym.reals.domain.conditions import Given
@@ -66,15 +67,7 @@ def test_what_no_ball_in_reach_can_tell_from_zero_is_not_zero() -> None:
 
 @pytest.mark.parametrize(
     ("text", "expected"),
-    [
-        ("sqrt(2)", True),
-        ("sqrt(2 + cbrt(5))", True),
-        ("cos(pi/7)", True),
-        ("exp(1)", False),
-        ("pi", False),
-        ("sqrt(pi)", False),
-        ("sqrt(x)", False),
-    ],
+    cases(__file__, "algebraic"),
 )
 def test_algebraic(text: str, expected: bool) -> None:
     field, x = normal(text)
@@ -89,16 +82,7 @@ def test_coefficients_are_of_what_is_not_algebraic() -> None:
     assert all(is_algebraic(field, i) for p in found for i in field.used(p))
 
 
-SETTLED = [
-    ("16*atan(1/5) - 4*atan(1/239)", "pi"),
-    ("atan(1/2) + atan(1/3)", "pi/4"),
-    ("atan(sqrt(2)) + atan(1/sqrt(2))", "pi/2"),
-    ("atan(1) + atan(2) + atan(3)", "pi"),
-    ("2*atan(1/3) + atan(1/7)", "pi/4"),
-    ("log(1 + sqrt(2)) + log(sqrt(2) - 1)", "0"),
-    ("log(3 + 2*sqrt(2)) - 2*log(1 + sqrt(2))", "0"),
-    ("x*(atan(1/2) + atan(1/3)) + y", "x*pi/4 + y"),
-]
+SETTLED = cases(__file__, "SETTLED")
 
 
 @pytest.mark.parametrize(("left", "right"), SETTLED)
@@ -173,22 +157,7 @@ def test_every_conjugate_counts_in_the_bound(name: str) -> None:
     assert not vanishes(field, x.num)
 
 
-LOGARITHMS = [
-    ("log(9 + 4*sqrt(5))", "6*log((1 + sqrt(5))/2)", "6*log((1 + sqrt(5))/2) + 1/10^9"),
-    ("asinh(2)", "3*asinh(1/2)", "2*asinh(1/2)"),
-    ("log(tan(pi/8))", "-log(1 + sqrt(2))", "log(1 + sqrt(2))"),
-    ("log(sqrt(2) + sqrt(3))", "-log(sqrt(3) - sqrt(2))", "log(sqrt(3) - sqrt(2))"),
-    (
-        "log(cos(pi/7)) + log(cos(2*pi/7)) + log(cos(3*pi/7))",
-        "-3*log(2)",
-        "-2*log(2)",
-    ),
-    ("atan(1/2) + atan(1/3)", "pi/4", "-3*pi/4"),
-    ("atan(2) + atan(3)", "3*pi/4", "-pi/4"),
-    ("4*atan(1/5) - atan(1/239)", "pi/4", "4*atan(1/5) - atan(1/238)"),
-    ("atan(sqrt(2)/2) + atan(sqrt(2))", "pi/2", "-pi/2"),
-    ("x*atan(1/2) + x*atan(1/3)", "x*pi/4", "-3*x*pi/4"),
-]
+LOGARITHMS = cases(__file__, "LOGARITHMS")
 """Sums that are known, each with a near falsehood."""
 
 

@@ -1,6 +1,7 @@
 """Canonical factors multiply to what they are factors of, and the same one has always one form."""
 
 import pytest
+from cases import cases
 from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
@@ -22,17 +23,7 @@ def normal(text: str, under: str = POSITIVE) -> tuple[Field, Fraction]:
     return field, value
 
 
-PARTS = [
-    "x",
-    "x - y",
-    "x^2 + 1",
-    "6",
-    "-5",
-    "1 + sqrt(x)",
-    "sqrt(x) - y",
-    "sqrt(x*y)",
-    "exp(x) - 1",
-]
+PARTS = cases(__file__, "PARTS")
 PARTS += ["log(x) + 1", "2 - sqrt(2)", "x + y + 2*sqrt(x*y)", "sqrt(2) + sqrt(3)"]
 parts = st.sampled_from(PARTS)
 
@@ -52,16 +43,7 @@ def test_the_product_of_the_factors(chosen: list[tuple[str, int]]) -> None:
         assert total.rel_accuracy_bits() > 100
 
 
-SAME = [
-    # the same number, its factors found by different ways
-    ("sqrt(x) - 1", "(x - 1)/(sqrt(x) + 1)"),
-    ("y - sqrt(x)", "(y^2 - x)/(y + sqrt(x))"),
-    ("x + y - 2*sqrt(x*y)", "(sqrt(x) - sqrt(y))^2"),
-    ("sqrt(3) - sqrt(2)", "1/(sqrt(3) + sqrt(2))"),
-    ("x - sqrt(x)", "sqrt(x)*(sqrt(x) - 1)"),
-    ("12*x^2 - 12*y^2", "3*(2*x - 2*y)*(2*x + 2*y)"),
-    ("3 - 2*sqrt(2)", "(sqrt(2) - 1)^2"),
-]
+SAME = cases(__file__, "SAME")
 
 
 @pytest.mark.parametrize(("left", "right"), SAME)
@@ -89,16 +71,7 @@ def test_bounds() -> None:
         field.factor(p)
 
 
-NESTED = [
-    # square roots within square roots, and a near falsehood
-    ("sqrt(5 + 2*sqrt(6))", "sqrt(2) + sqrt(3)", "sqrt(2) - sqrt(3)"),
-    ("sqrt(3 - 2*sqrt(2))", "sqrt(2) - 1", "1 - sqrt(2)"),
-    ("sqrt(2 - sqrt(3))", "(sqrt(6) - sqrt(2))/2", "(sqrt(6) + sqrt(2))/2"),
-    ("sqrt(x + y + 2*sqrt(x*y))", "sqrt(x) + sqrt(y)", "sqrt(x) - sqrt(y)"),
-    ("sqrt(x + y - 2*sqrt(x*y))", "abs(sqrt(x) - sqrt(y))", "sqrt(x) - sqrt(y)"),
-    ("sqrt(x + 1 - 2*sqrt(x))", "abs(sqrt(x) - 1)", "sqrt(x) - 1"),
-    ("sqrt(x + sqrt(x^2 + y^2))*sqrt(sqrt(x^2 + y^2) - x)", "y", "-y"),
-]
+NESTED = cases(__file__, "NESTED")
 
 
 @pytest.mark.parametrize(("left", "right", "wrong"), NESTED)

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 
 import pytest
+from cases import cases
 from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
@@ -16,38 +17,7 @@ from tresym.reals.normal.ring import UndefinedError
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.factoring import TooLargeError
 
-EQUAL = [
-    # equal, with a near falsehood
-    ("tan(x)*cot(x)", "1", "-1", ""),
-    ("sec(x)^2 - tan(x)^2", "1", "sec(x)", ""),
-    ("csc(x)^2 - cot(x)^2", "1", "csc(x)", ""),
-    ("coth(x)^2 - csch(x)^2", "1", "coth(x)", ""),
-    ("sech(x)^2 + tanh(x)^2", "1", "sech(x)", ""),
-    ("sinh(2*x)", "2*sinh(x)*cosh(x)", "2*sinh(x)^2", ""),
-    ("asin(x) + acos(x)", "pi/2", "pi/3", ""),
-    ("acos(-x)", "pi - acos(x)", "acos(x)", ""),
-    ("asinh(x)", "log(x + sqrt(x^2 + 1))", "log(x + sqrt(x^2 - 1))", ""),
-    ("acosh(x)", "log(x + sqrt(x^2 - 1))", "log(x - sqrt(x^2 - 1))", ""),
-    ("atanh(x)", "log((1 + x)/(1 - x))/2", "log((1 - x)/(1 + x))/2", ""),
-    ("acosh(1) + x", "x", "x + 1", ""),
-    ("acosh(x) + abs(x)", "acosh(x) + x", "acosh(x) - x", ""),
-    ("asin(1) + asin(-1)", "0", "pi", ""),
-    ("atan(-x)", "-atan(x)", "atan(x)", ""),
-    ("atan(1/x)", "pi/2 - atan(x)", "-pi/2 - atan(x)", "x > 0"),
-    ("atan(1/x)", "-pi/2 - atan(x)", "pi/2 - atan(x)", "x < 0"),
-    ("atan(1/x) + atan(x)", "pi/2*sign(x)", "pi/2", ""),
-    ("atan(abs(x)/x*y)", "abs(x)/x*atan(y)", "atan(y)", ""),
-    ("atan(2 - sqrt(3))", "pi/12", "-pi/12", ""),
-    ("atan(-1/sqrt(3))", "-pi/6", "pi/6", ""),
-    ("abs(x*y)", "abs(x)*abs(y)", "x*y", ""),
-    ("cbrt(-8*x^3)", "-2*x", "2*x", ""),
-    ("x**y*x**2", "x**(y + 2)", "x**(2*y)", ""),
-    ("x**(-1/2)", "1/sqrt(x)", "sqrt(x)", ""),
-    ("2**x*3**x", "6**x", "5**x", ""),
-    ("abs(x - y)", "x - y", "y - x", "x > y"),
-    ("sqrt(x*y)/sqrt(x)", "sqrt(y)", "-sqrt(y)", ""),
-    ("exp(x)*exp(y/2)/exp(x + y/3)", "exp(y/6)", "exp(y/5)", ""),
-]
+EQUAL = cases(__file__, "EQUAL")
 
 
 def equal(left: str, right: str, under: str, theories: frozenset[str] = ALL_THEORIES) -> bool:
@@ -63,14 +33,7 @@ def test_equal(left: str, right: str, wrong: str, under: str) -> None:
     assert not equal(left, f"{right} + 1/10^80", under)
 
 
-NOT_EQUAL = [
-    ("abs(x - y)", "x - y", "x != y"),  # this condition is no inequality
-    # what is inverted on the way vanishes on a region, and is no denominator of the claim
-    ("atan(x + abs(x))", "atan(2*x)", ""),
-    ("asin(1 - x - abs(x)) + x", "asin(1 - x - abs(x)) + abs(x)", ""),
-    ("asin(x + abs(x) - 1) + x", "asin(x + abs(x) - 1) + abs(x)", ""),
-    ("acosh(1 + x + abs(x)) + x", "acosh(1 + x + abs(x)) + abs(x)", ""),
-]
+NOT_EQUAL = cases(__file__, "NOT_EQUAL")
 
 
 @pytest.mark.parametrize(("left", "right", "under"), NOT_EQUAL)
@@ -80,16 +43,7 @@ def test_not_equal(left: str, right: str, under: str) -> None:
 
 @pytest.mark.parametrize(
     ("text", "of"),
-    [
-        ("sin(x)^2 + cos(x)^2 - 1", "trigonometry"),
-        ("sqrt(x)^2 - x", "roots"),
-        ("abs(x)^2 - x^2", "roots"),
-        ("exp(x)*exp(-x) - 1", "exponentials"),
-        ("x**y*x**(-y) - 1", "exponentials"),
-        ("cosh(x)^2 - sinh(x)^2 - 1", "exponentials"),
-        ("atan(x) + atan(-x)", "inverses"),
-        ("atanh(x) + atanh(-x)", "inverses"),
-    ],
+    cases(__file__, "a_theory_that_is_not_allowed_is_not_used"),
 )
 def test_a_theory_that_is_not_allowed_is_not_used(text: str, of: str) -> None:
     assert equal(text, "0", "")
@@ -99,17 +53,7 @@ def test_a_theory_that_is_not_allowed_is_not_used(text: str, of: str) -> None:
 
 @pytest.mark.parametrize(
     "text",
-    [
-        "1/(x - x)",
-        "log(x - x)",
-        "(x - x)**(-1/2)",
-        "1/(sqrt(x)^2 - x)",
-        "1/(1 - sin(x)^2 - cos(x)^2)",
-        "tan(pi/2)",
-        "1/(abs(x)^2 - x^2)",
-        "cot(0*x)",
-        "log(sqrt(x^2) - abs(x))",
-    ],
+    cases(__file__, "nowhere_defined"),
 )
 def test_nowhere_defined(text: str) -> None:
     with pytest.raises(UndefinedError):
@@ -134,20 +78,7 @@ def test_what_is_learnt_in_one_pass_is_used_in_the_next() -> None:
 
 
 X, Y = symbol("x"), symbol("y")
-FUNCTIONS = (
-    "sin",
-    "cos",
-    "tan",
-    "exp",
-    "log",
-    "atan",
-    "asin",
-    "acos",
-    "sqrt",
-    "abs",
-    "sign",
-    "cbrt",
-)
+FUNCTIONS = tuple(cases(__file__, "FUNCTIONS"))
 FUNCTIONS += ("sinh", "tanh", "asinh", "acosh", "atanh")
 
 

@@ -1,6 +1,7 @@
 """Generators have the value, the symbols and the name of the function that they stand for."""
 
 import pytest
+from cases import cases
 from flint import arb, fmpq
 
 from tresym.reals.domain.conditions import Given
@@ -68,14 +69,7 @@ def test_no_value_of_an_unknown_function() -> None:
 
 @pytest.mark.parametrize(
     ("text", "names"),
-    [
-        ("log(x + sqrt(y))", "xy"),
-        ("exp(x - y)*z", "xyz"),
-        ("atan(x)/sin(y)", "xy"),
-        ("abs(x - y)", "xy"),
-        ("sqrt(2)*cos(pi/7) + log(3)", ""),
-        ("x - x + y", "y"),
-    ],
+    cases(__file__, "dependence"),
 )
 def test_dependence(text: str, names: str) -> None:
     field, x = normal(text, "")

@@ -1,6 +1,7 @@
 """Constants on regions: walls that a normal form hides, and claims with a near falsehood each."""
 
 import pytest
+from cases import cases
 from flint import Ordering, arb, fmpq, fmpz_mpoly_ctx
 
 from tresym.reals.decisions.identity import decide
@@ -19,34 +20,7 @@ from tresym.reals.normal.locally_constant import (
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.verdict import Verdict
 
-PAIRS = [
-    ("2*atan(sin(t)/(1 + cos(t)))", "t", "-pi < t < pi", "0 < t < 33/10"),
-    ("2*atan(sin(t)/(1 + cos(t)))", "t - 2*pi", "pi < t < 3*pi", "2*pi < t < 19/2"),
-    ("2*atan((1 - cos(t))/sin(t))", "t", "0 < t < pi", "0 < t < 33/10"),
-    ("atan(sin(2*t)/(1 + cos(2*t)))", "t", "-pi/2 < t < pi/2", "0 < t < 2"),
-    ("2*atan(cos(t)/(1 - sin(t)))", "t + pi/2", "-pi < t < pi/2", "0 < t < 5/3"),
-    ("2*atan(sin(x**2)/(1 + cos(x**2)))", "x**2", "-1 < x < 17/10", "0 < x < 9/5"),
-    (
-        "2*atan(sin(x + y)/(1 + cos(x + y)))",
-        "x + y",
-        "0 < x < pi/2, 0 < y < pi/2",
-        "0 < x < 2, 0 < y < 2",
-    ),
-    ("acos(cos(x))", "x", "0 <= x <= pi", "0 <= x <= 4"),
-    ("asin(sin(x))", "x", "-pi/2 <= x <= pi/2", "-3/2 < x < 2"),
-    ("atan(tan(x))", "x", "-pi/2 < x < pi/2", "-3/2 < x < 2"),
-    (
-        "atan(sin(x)/2) + atan(sin(x)/3)",
-        "atan(5*sin(x)/(6 - sin(x)**2))",
-        "",
-        None,
-    ),
-    ("2*atan(x)", "atan(2*x/(1 - x**2))", "-1 < x < 1", "-1/2 < x < 101/100"),
-    ("atan(x) + atan(1/x)", "pi/2", "x > 0", "x > -1/1000"),
-    ("acosh(2*x**2 - 1)", "2*acosh(x)", "", "x < -1/2"),
-    ("log(abs(tan(x/2)))", "log(1 - cos(x)) - log(abs(sin(x)))", "", None),
-    ("2*atan(tanh(x/2))", "atan(sinh(x))", "", None),
-]
+PAIRS = cases(__file__, "PAIRS")
 """Left, right, where they are equal, and where they are so at some points and not at all."""
 
 
@@ -64,20 +38,7 @@ def test_a_region_of_truth_and_one_that_exceeds_it(
     assert decide(*sides, Given.parse(true)).verdict is Verdict.PROVED
 
 
-HIDDEN = [
-    ("1 + cos(x)", "0 < x < 4"),  # 2/(1 + t²), which t = ∞ makes 0
-    ("sin(x)", "1 < x < 4"),  # 2t/(1 + t²)
-    ("1 + cos(x)", ""),
-    ("1 + cos(x + y)", "0 < x < 2, 0 < y < 2"),
-    ("exp(x)*(1 + cos(x))/(2 + cos(x))", "0 < x < 4"),
-    ("2 + cos(x) + cos(x**2/pi)", "0 < x < 4"),  # 0 only where two half tangents are infinite
-    ("log(2 + cos(x))", "0 < x < 4"),  # inside logarithms, positive at all other points
-    ("abs(1 + cos(x))", "0 < x < 4"),
-    ("cbrt(1 + cos(x))", "0 < x < 4"),
-    ("(1 + cos(x))**x", "0 < x < 4"),
-    ("1 + tanh(log(1 + cos(x)))", "0 < x < 4"),
-    ("pi/2 - atan(1/(1 + cos(x)))", "0 < x < 4"),
-]
+HIDDEN = cases(__file__, "HIDDEN")
 """Singularities at one point inside, of which no factor of the normal form tells."""
 
 
@@ -173,20 +134,7 @@ def test_regions_too_hard_to_find_are_no_proof(monkeypatch: pytest.MonkeyPatch) 
     assert equal_by_derivative(*TWO_REGIONS, Given(), ALL_THEORIES, 64) is None
 
 
-INSIDE = [
-    ("x", "x", "", "0", True),
-    ("1/x", "1/x", "", "0", None),
-    ("x", "1/x", "", "0", None),
-    ("x", "x", "x > 0", "-1", False),
-    ("x", "x", "x > 0", "0", None),
-    ("log(x)", "x", "", "-1", False),
-    ("x", "asin(x)", "", "2", False),
-    ("x", "x", "x != 0", "0", None),
-    ("acosh(x)", "x", "", "0", False),
-    ("log(x + 5)", "log(x)", "", "-1", False),
-    ("x", "asin(x)", "x > -5, x > 3", "2", False),
-    ("sqrt(x)", "sqrt(x)", "", "-1", False),
-]
+INSIDE = cases(__file__, "INSIDE")
 
 
 @pytest.mark.parametrize(("left", "right", "given", "at", "expected"), INSIDE)

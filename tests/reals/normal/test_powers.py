@@ -3,6 +3,7 @@
 from typing import Any
 
 import pytest
+from cases import cases
 from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
@@ -15,46 +16,7 @@ from tresym.reals.normal.powers import PowerRing
 from tresym.reals.normal.ring import Fraction, UndefinedError
 from tresym.reals.numbers.factoring import TooLargeError
 
-EQUAL = [
-    # equal, with a near falsehood
-    ("sqrt(x*y)", "sqrt(x)*sqrt(y)", "-sqrt(x)*sqrt(y)", "x > 0, y > 0"),
-    ("sqrt(x*y)", "sqrt(-x)*sqrt(-y)", "-sqrt(-x)*sqrt(-y)", "x < 0, y < 0"),
-    ("sqrt(x^2*y)", "abs(x)*sqrt(y)", "x*sqrt(y)", ""),
-    ("x**(1/2)*x**(1/3)", "x**(5/6)", "x**(1/6)", ""),
-    ("(x**(2/3))**(3/4)", "sqrt(abs(x))", "x", ""),
-    ("(x^6)**(1/3)", "x^2", "x^3", ""),
-    ("(x^6)**(1/2)", "abs(x)^3", "x^3", ""),
-    ("cbrt(x*y)", "cbrt(x)*cbrt(y)", "-cbrt(x)*cbrt(y)", ""),
-    ("cbrt(x^2)", "cbrt(x)^2", "-cbrt(x)^2", ""),
-    ("cbrt(x - y)", "-cbrt(y - x)", "cbrt(y - x)", ""),
-    ("cbrt(-x)", "-cbrt(x)", "cbrt(x)", ""),
-    ("cbrt(sign(x))", "sign(x)", "1", ""),
-    ("sqrt(-x)^2", "-x", "x", ""),
-    ("cbrt(x - y)^3", "x - y", "abs(x - y)", ""),
-    ("sqrt(12)", "2*sqrt(3)", "3*sqrt(2)", ""),
-    ("6**(1/2)*24**(1/2)", "12", "-12", ""),
-    ("8**(1/6)", "sqrt(2)", "-sqrt(2)", ""),
-    ("sqrt(exp(x))", "exp(x/2)", "-exp(x/2)", ""),
-    ("sqrt(exp(2*x)*y)", "exp(x)*sqrt(y)", "exp(2*x)*sqrt(y)", ""),
-    ("sqrt(x)**(-3)", "1/(x*sqrt(x))", "x/sqrt(x)", ""),
-    ("log(x*y)", "log(abs(x)) + log(abs(y))", "log(abs(x)) - log(abs(y))", ""),
-    ("log(x^3/y^2)", "3*log(x) - 2*log(abs(y))", "3*log(x) + 2*log(abs(y))", ""),
-    ("log(sqrt(x))", "log(x)/2", "log(x)", ""),
-    ("log(12)", "2*log(2) + log(3)", "log(2) + 2*log(3)", ""),
-    ("log(x - y)", "log((x^2 - y^2)/(x + y))", "log(x + y)", ""),
-    ("log(exp(x)*y^2)", "x + 2*log(abs(y))", "x - 2*log(abs(y))", ""),
-    ("log(sign(x)^2)", "0", "1", ""),
-    ("exp(log(x)/2 + y)", "sqrt(x)*exp(y)", "x*exp(y)", ""),
-    ("exp(-log(x - y))", "1/(x - y)", "x - y", ""),
-    ("exp(x*log(2)/2 + y*log(2)/3)", "2**(x/2 + y/3)", "2**(x/3 + y/2)", ""),
-    ("exp((x + log(x)*y)/y)", "x*exp(x/y)", "exp(x/y)", ""),
-    ("exp(2)*exp(x)", "exp(x + 2)", "exp(x - 2)", ""),
-    ("exp(x + y)*exp(x - y)", "exp(2*x)", "exp(2*y)", ""),
-    ("exp(x/2)^2/exp(x/3)^3", "1", "2", ""),
-    ("exp(sign(x)*y)", "cosh(y) + sign(x)*sinh(y)", "cosh(y) + sinh(y)", ""),
-    ("exp(abs(x))*exp(-abs(x))", "1", "-1", ""),
-    ("x**y*y**y", "(x*y)**y", "(x + y)**y", ""),
-]
+EQUAL = cases(__file__, "EQUAL")
 
 
 def equal(left: str, right: str, under: str) -> bool:
@@ -69,17 +31,7 @@ def test_equal(left: str, right: str, wrong: str, under: str) -> None:
     assert not equal(left, wrong, under)
 
 
-NOT_EQUAL = [
-    # laws of positive numbers, where nothing tells that they are
-    ("sqrt(x^2)", "x", ""),
-    ("sqrt(x^2*y^2)", "x*y", ""),
-    ("(x^2)**(1/4)*y", "sqrt(abs(x))*abs(y)", ""),
-    ("log(x^2) + sqrt(y)", "2*log(abs(x + y)) + sqrt(y)", ""),
-    ("sqrt((x - y)^2*z)", "(x - y)*sqrt(z)", "x > 0, y > 0"),
-    ("exp(abs(x))", "exp(x)", ""),
-    ("cbrt(x^2)**(1/2)", "cbrt(x)", ""),
-    ("((x*y)^2)**(1/3)", "x**(2/3)*y**(2/3) + cbrt(x*y)", ""),
-]
+NOT_EQUAL = cases(__file__, "NOT_EQUAL")
 
 
 @pytest.mark.parametrize(("left", "right", "under"), NOT_EQUAL)

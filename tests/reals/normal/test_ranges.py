@@ -3,6 +3,7 @@
 from typing import Any
 
 import pytest
+from cases import cases
 from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
@@ -115,30 +116,7 @@ def test_a_proved_sign_is_not_contradicted(under: str, row: list[int]) -> None:
         assert everywhere == 0 or value * everywhere > 0
 
 
-ENDS = [
-    ("sqrt(x)", "x > 1", "root"),
-    ("sqrt(x)", "0 < x < 1", "root"),
-    ("exp(x)", "x > 0", "exp"),
-    ("exp(x/3)", "x < 0", "exp"),
-    ("exp(1)", "", "exp"),
-    ("log(x)", "x > 1", "log"),
-    ("log(7)", "", "log"),
-    ("log(x)", "x > 0", "log"),
-    ("log(-x - 5)", "x < -7", "log"),
-    ("sqrt(-x - 5)", "x < -7", "root"),
-    ("tan(x)", "0 < x < pi/4", "tan"),
-    ("tan(2*x)", "-pi/4 < x < pi/8", "tan"),
-    ("tan(-x/3)", "0 < x < pi", "tan"),
-    ("tan(x)", "0 < x < 2*pi", "tan"),
-    ("sin(x)", "-3*pi/4 < x < 0", "tan"),
-    ("sin(x)", "0 < x < 3*pi/4", "tan"),
-    ("tan(x + 1)", "0 < x < pi/4", "tan"),
-    ("atan(x)", "x < 0", "atan"),
-    ("cos(pi/7)", "", "cosine"),
-    ("sign(x)", "", "sign"),
-    ("pi*x", "", "pi"),
-    ("cos(atan(x)*atan(x + 1))", "x > 0", "cos"),
-]
+ENDS = cases(__file__, "ENDS")
 
 
 @pytest.mark.parametrize(("text", "under", "kind"), ENDS)

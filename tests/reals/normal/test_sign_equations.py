@@ -4,6 +4,7 @@ from itertools import product
 from math import prod
 
 import pytest
+from cases import cases
 from flint import arb, fmpq
 from hypothesis import example, given
 from hypothesis import strategies as st
@@ -167,21 +168,7 @@ MIXED = [
     "cbrt({0} + {1}) + cbrt({0} - {1}) - x".format(*CARDANO),
     "log(x - cbrt(2)) + log(x^2 + cbrt(2)*x + cbrt(2)^2) - log(x^3 - 2)",
 ]
-FREE = [
-    # zero on no region
-    "x - y",
-    "pi*x - 3",
-    "exp(x) - 1",
-    "exp(x)",
-    "exp(atan(x)*atan(y))",
-    "log(x) - log(x + 1)",
-    "log(x)*y - log(y)",
-    "sqrt(x) - y",
-    "sin(x) - y*cos(x)",
-    "atan(x) - y",
-    "sqrt(2)*x - 1",
-    "x*pi - sqrt(2)",
-]
+FREE = cases(__file__, "FREE")
 
 
 @pytest.mark.parametrize("text", MIXED)

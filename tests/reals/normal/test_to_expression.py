@@ -1,6 +1,7 @@
 """Normal forms written as expressions keep their values, and numerators the zeros."""
 
 import pytest
+from cases import cases
 from flint import arb, fmpq
 
 from tresym.reals.domain.conditions import Given
@@ -10,25 +11,7 @@ from tresym.reals.language.parsing import parse
 from tresym.reals.normal.field import Field
 from tresym.reals.normal.to_expression import numerator, written
 
-SAME = [
-    ("x^2 - 3*x*y + 5", ""),
-    ("pi*x - 1", ""),
-    ("x**(2/3) - sqrt(y)", "x > 0, y > 0"),
-    ("sqrt(2 - x)", "x < 2"),
-    ("sqrt(-x)*y", "x < 0"),
-    ("cbrt(x - y)^2", ""),  # |x − y|^(2/3)
-    ("log(x + 1) - log(y)", "x > 0, y > 0"),
-    ("log(2 - x)", "x < 2"),
-    ("log((x - y)^2)", ""),  # 2 log|x − y|
-    ("exp(x/3) - exp(-x/2)*y", ""),
-    ("exp(x + y)", ""),
-    ("tan(x/2)", ""),
-    ("tan((x + y)/2)^2 - 3*y", ""),
-    ("atan(x/(1 + y^2))", ""),
-    ("atan(x) - atan(y) + pi", ""),
-    ("sqrt(1 + sqrt(1 + x^2))", ""),
-    ("cos(log(x)*log(y)) + sin(log(x)*log(y))/2", "x > 0, y > 0"),
-]
+SAME = cases(__file__, "SAME")
 POINTS = [(fmpq(2, 7), fmpq(5, 3)), (fmpq(19, 11), fmpq(1, 9)), (fmpq(-3, 4), fmpq(-5, 2))]
 
 

@@ -3,6 +3,7 @@
 from fractions import Fraction
 
 import pytest
+from cases import cases
 from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
@@ -29,20 +30,7 @@ def exact_ends(x: arb) -> tuple[fmpq, fmpq]:
 
 @pytest.mark.parametrize(
     "text",
-    [
-        "0",
-        "12.5372",
-        ".5",
-        "5.",
-        "007",
-        "16380/1210",
-        "0/3",
-        "1e-8",
-        "-1e-3",
-        "-3/4",
-        "-0.01",
-        "2.5e-3",
-    ],
+    cases(__file__, "what_is_read_at_once_is_what_is_read_slowly"),
 )
 def test_what_is_read_at_once_is_what_is_read_slowly(text: str) -> None:
     assert as_rational(text) == parse_number(text)
@@ -130,14 +118,7 @@ def test_fractions_survive_text(value: Fraction) -> None:
 
 @pytest.mark.parametrize(
     ("text", "low", "high"),
-    [
-        ("0.06", "0.055", "0.065"),
-        ("12.54", "12.535", "12.545"),
-        ("-34.5", "-34.55", "-34.45"),
-        ("1.09e-2", "0.01085", "0.01095"),
-        ("7", "6.5", "7.5"),
-        ("10", "9.5", "10.5"),
-    ],
+    cases(__file__, "a_printed_number_is_half_a_unit_wide_on_both_sides"),
 )
 def test_a_printed_number_is_half_a_unit_wide_on_both_sides(text: str, low: str, high: str) -> None:
     interval = printed(text)

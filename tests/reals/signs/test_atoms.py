@@ -1,30 +1,13 @@
 """Algebra in atoms: what is equal is so at every single point."""
 
 import pytest
+from cases import cases
 
 from tresym.reals.language.parsing import parse
 from tresym.reals.signs.atoms import Atoms
 
-EQUAL = [
-    ("(x + y)**2 - x**2", "2*x*y + y**2"),
-    ("x/(x*y)", "1/y"),
-    ("sin(-x)", "-sin(x)"),
-    ("cos(y - x)", "cos(x - y)"),
-    ("exp(-x)*exp(x)", "1"),
-    ("tan(x)*cos(x)", "sin(x)"),
-    ("abs(-2*x)", "abs(2*x)"),
-    ("x**(3/2)", "sqrt(x)**3"),
-    ("log(2*x + 2*y)", "log(2*(x + y))"),
-]
-UNLIKE = [
-    ("sin(x)**2 + cos(x)**2", "1"),
-    ("sqrt(x**2)", "x"),
-    ("sqrt(x)**2", "x"),
-    ("cos(-x)", "-cos(x)"),
-    ("acos(-x)", "-acos(x)"),
-    ("log(x*y)", "log(x) + log(y)"),
-    ("x**(2/3)", "x"),
-]
+EQUAL = cases(__file__, "EQUAL")
+UNLIKE = cases(__file__, "UNLIKE")
 
 
 @pytest.mark.parametrize(("left", "right"), EQUAL)

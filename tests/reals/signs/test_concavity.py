@@ -1,30 +1,12 @@
 """A difference concave between two ends: what its values there settle, and what they do not."""
 
 import pytest
+from cases import cases
 from falsehoods import is_false_at, proves
 
 from tresym.reals.signs.concavity import sign_by_concavity
 
-TRUE = [
-    "x*(1 - x) >= 0 given 0 <= x <= 1",
-    "x*(1 - x) > 0 given 0 < x < 1",
-    "x*(1 - x) != 0 given 0 < x < 1",
-    "1 + x - x**2 > 0 given 0 <= x <= 1",
-    "sin(x) >= 2*x/pi given 0 <= x <= pi/2",
-    "log(x) > (x - 1)/3 given 1 < x <= 2",
-    "sqrt(x) >= x given 0 <= x <= 1",
-    "cos(x) >= 1 - 2*x/pi given 0 <= x, pi/2 >= x",
-    "atan(x) > pi*x/4 given 0 < x, 1 > x",
-    "exp(x) <= 1 + (E - 1)*x given 0 <= x <= 1",
-    "2**x <= 1 + x given 0 <= x <= 1",
-    "x*log(x) <= 2*log(2)*(x - 1) given 1 <= x <= 2",
-    # the ends may lie outside: any bounds will do
-    "x*(3 - x) >= 0 given 0 <= x, x <= 3, x < 2",
-    # the other variables are parameters
-    "exp(x*y) <= 1 + 1.72*x*y given 0 <= x <= 1, 0 <= y <= 1",
-    "y*sin(x) >= 2*x*y/pi given 0 <= x <= pi/2, y >= 0",
-    "(x - x**2)*exp(y) + y**2 > 0 given 0 < x < 1",
-]
+TRUE = cases(__file__, "TRUE")
 
 FALSE = {
     # the value at an end

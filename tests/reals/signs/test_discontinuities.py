@@ -4,6 +4,7 @@ from itertools import product
 
 import pytest
 import sympy
+from cases import cases
 from flint import arb, fmpq
 from hypothesis import given as over
 from hypothesis import settings
@@ -26,18 +27,7 @@ from tresym.reals.verdict import Verdict
 PROVED, ENCLOSED = Verdict.PROVED, Verdict.ENCLOSED
 REFUTED, UNDECIDED = Verdict.REFUTED, Verdict.UNDECIDED
 
-VALUES = [
-    ("sign(0)", "0"),
-    ("atan2(0, 1)", "0"),
-    ("atan2(0, -1)", "pi"),
-    ("atan2(0, -sqrt(2))", "pi"),
-    ("atan2(1, 0)", "pi/2"),
-    ("atan2(-1, 0)", "-pi/2"),
-    ("atan2(1, 1)", "pi/4"),
-    ("atan2(-1, -1)", "-3*pi/4"),
-    ("atan2(sqrt(3), -1)", "2*pi/3"),
-    ("cbrt(-8)", "-2"),
-]
+VALUES = cases(__file__, "VALUES")
 
 
 @pytest.mark.parametrize(("left", "right"), VALUES)

@@ -1,6 +1,7 @@
 """Signs inside the conditions: by the normal form, and by continuity at limits from there."""
 
 import pytest
+from cases import cases
 from flint import arb, fmpq
 
 from tresym.reals.domain.conditions import Given
@@ -19,14 +20,7 @@ from tresym.reals.signs.interior import (
 
 @pytest.mark.parametrize(
     ("text", "conditions", "found"),
-    [
-        ("cosh(x)**2 - sinh(x)**2 - 1", "", "0"),
-        ("sqrt(x**2 + y**2) - x", "", ">=0"),
-        ("sqrt(x**2 + y**2) - x", "x > y", ">=0"),
-        ("sign(x)**2 - 1", "", "<=0"),
-        ("x - 1", "x**2*(x - 1) >= 0", ">=0"),
-        ("x", "x != 0", None),
-    ],
+    cases(__file__, "the_normal_form_tells_of_almost_all_points"),
 )
 def test_the_normal_form_tells_of_almost_all_points(
     text: str, conditions: str, found: str | None
@@ -37,15 +31,7 @@ def test_the_normal_form_tells_of_almost_all_points(
 
 @pytest.mark.parametrize(
     ("text", "conditions", "jumping"),
-    [
-        ("sign(x)", "", True),
-        ("sign(x)", "x > 0", False),
-        ("x*sign(x)", "", False),
-        ("sign(x)*sign(x - 1)", "", True),
-        ("atan2(y, x)", "", True),
-        ("atan2(y, x)", "x > 0", False),
-        ("atan2(y, x)", "y != 0", False),
-    ],
+    cases(__file__, "what_jumps"),
 )
 def test_what_jumps(text: str, conditions: str, jumping: bool) -> None:
     assert bool(jumps([parse(text)], Given.parse(conditions))) is jumping

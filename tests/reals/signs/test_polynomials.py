@@ -1,6 +1,7 @@
 """Polynomials at a point of every open cell: what is proved, and what each projection is for."""
 
 import pytest
+from cases import cases
 from falsehoods import is_false_at, proves
 from flint import fmpq
 
@@ -21,17 +22,7 @@ def parts(text: str) -> tuple[Expr, str, Given]:
 
 @pytest.mark.parametrize(
     "text",
-    [
-        "(x**2 + y**2 + z**2)**2 >= 3*(x**3*y + y**3*z + z**3*x)",
-        "x**2*y**2*(x**2 + y**2 - 1) >= -1/27",
-        "a/(b + c) + b/(c + d) + c/(d + a) + d/(a + b) >= 2 given a > 0, b > 0, c > 0, d > 0",
-        "x**4 - 6*x**3*y + 11*x**2*y**2 - 6*x*y**3 + y**4 >= 0",
-        "(x**2 - 2*y**2)**2 + (x*y - 3)**2 > 0 given x > 10",
-        "x**6 - 3*x**4 + 3*x**2 > -1/1000",
-        "1/(x**2 + y**2) >= 0",
-        "y - x >= 0 given y >= 5, x <= 5",
-        "x + y >= 0 given x >= 0, y >= 0, x != y",
-    ],
+    cases(__file__, "what_is_proved"),
 )
 def test_what_is_proved(text: str) -> None:
     assert sign_of_polynomial(*parts(text)) is not None
@@ -39,17 +30,7 @@ def test_what_is_proved(text: str) -> None:
 
 @pytest.mark.parametrize(
     "text",
-    [
-        "1 - x*y >= 0",  # false only where the leading coefficient in y is not 0
-        "(x - 5)**2 + y**2 - 4 >= 0",  # false only between zeros of the discriminant
-        "y - x >= 0 given y >= 5",  # false only beyond the zero of the resultant
-        "x >= 0 given x != 0",
-        "1/x + y**2 >= 0",
-        "x**2/y >= 0",
-        "x*y*z*w >= 0 given x > 0, y > 0, z > 0",
-        "(x - 1000)**2*(x - 1001) >= 0 given x >= 1000.5, x <= 1001",
-        "(x**2 - 2)**2 + (y - 3)**2 >= 1e-9",
-    ],
+    cases(__file__, "what_is_false_has_a_point_against_it"),
 )
 def test_what_is_false_has_a_point_against_it(text: str) -> None:
     difference, relation, given = parts(text)
@@ -61,14 +42,7 @@ def test_what_is_false_has_a_point_against_it(text: str) -> None:
 
 @pytest.mark.parametrize(
     "text",
-    [
-        "(x**2 - 2)**2 + y**2 > 0",
-        "(x*y - 1)**2 + x**2 > 0",
-        "x != 0 given x > 1",
-        "x >= 5 given x**2 + 1 <= 0",
-        "x**2 + sin(y) >= 0",
-        "a**2 + b**2 + c**2 + d**2 + e**2 >= 0",
-    ],
+    cases(__file__, "what_is_not_proved"),
 )
 def test_what_is_not_proved(text: str) -> None:
     assert sign_of_polynomial(*parts(text)) is None

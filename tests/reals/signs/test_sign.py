@@ -4,6 +4,7 @@ from fractions import Fraction
 from itertools import product
 
 import pytest
+from cases import cases
 from flint import arb
 from hypothesis import given
 from hypothesis import strategies as st
@@ -14,70 +15,7 @@ from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.signs.sign import sign
 
-SIGNS = [
-    # functions by their ranges
-    ("cosh(x)*sech(y)", "", "+"),
-    ("cosh(x) - 1", "", ">=0"),
-    ("2 - tanh(x)", "", "+"),
-    ("1 - tanh(x)", "", "+"),
-    ("1 + sin(x)*cos(y)", "", ">=0"),
-    ("11/10 + sin(x)*cos(y)", "", "+"),
-    ("8/5 - atan(x)", "", "+"),
-    ("1 - atan(x)", "", None),
-    ("asinh(x - 1)", "x > 1", "+"),
-    ("cbrt(x)", "x <= 0", "<=0"),
-    ("atanh(x)**2", "", ">=0"),
-    ("2 - abs(x)", "-1 <= x < 2", "+"),
-    ("2 - abs(x)", "-2 <= x < 2", ">=0"),
-    ("2 - abs(x)", "-3 < x < 2", None),
-    ("abs(x)", "x != 0", "+"),
-    ("abs(x)", "", ">=0"),
-    ("abs(x) + abs(y)", "y != 0", "+"),
-    ("x", "2*x >= 0", ">=0"),
-    ("x", "-2*x >= 0", "<=0"),
-    # powers
-    ("sqrt(x)", "x >= 0", ">=0"),
-    ("x**(-3)", "x < 0", "-"),
-    ("x**(-3)", "x <= 0", "-"),
-    ("x**(-3)", "", None),
-    ("x**(-2)", "", "+"),
-    ("x**(1/2)", "x != 0", "+"),
-    ("x**(-1/2)", "", "+"),
-    ("x**y", "", "+"),
-    ("x**4", "", ">=0"),
-    ("(x - y)**4", "x != y", "+"),
-    # products and sums of weak signs
-    ("x*y", "x >= 0, y > 0", ">=0"),
-    ("x*y*z", "x < 0, y < 0, z < 0", "-"),
-    ("x + y", "x >= 0, y > 0", "+"),
-    ("x + y", "x >= 0, y >= 0", ">=0"),
-    ("x - y", "x >= 0, y >= 0", None),
-    # a polynomial at the corners of its box, and beside them
-    ("1 - x*y", "0 <= x <= 1, 0 <= y <= 1", ">=0"),
-    ("1 - x*y", "0 <= x <= 1, 0 <= y < 1", "+"),
-    ("2 + x*y", "-1 <= x <= 1, -1 <= y <= 1", "+"),
-    ("1 + x*y", "-1 <= x <= 1, -1 < y < 1", "+"),
-    ("x*(3 - x)", "0 < x < 3", "+"),
-    ("x*(3 - x)", "0 <= x < 3", ">=0"),
-    ("x**2 + x*y + y**2", "", ">=0"),
-    ("x**2 + x*y + y**2 + 1", "", "+"),
-    ("x**2 + 3*x*y + y**2", "", None),
-    ("-x**2 + x*y - y**2 - 1", "", "-"),
-    ("sin(x)**2 + sin(x) + 1/4", "", ">=0"),
-    ("sin(x)**2 + sin(x) + 1/5", "", None),
-    # conditions as they stand, and through factors
-    ("x - y**3", "x > y**3", "+"),
-    ("y**3 - x", "x >= y**3", "<=0"),
-    ("x**2 - y**2", "x > y, y > 0", "+"),
-    ("x**2 - y**2", "x != y", None),
-    ("x**2 - 2*x*y + y**2", "x != y", "+"),
-    ("x - y", "x != y", None),
-    # constants, by balls or by the normal form
-    ("pi - 355/113", "", "-"),
-    ("sqrt(2)*sqrt(3) - sqrt(6)", "", "0"),
-    ("exp(1) - 2 - 5/7", "", "+"),
-    ("pi - pi", "", "0"),
-]
+SIGNS = cases(__file__, "SIGNS")
 
 
 @pytest.mark.parametrize(("text", "conditions", "expected"), SIGNS)
@@ -129,19 +67,7 @@ def test_the_sign_of_a_polynomial_holds_on_its_box(
         assert not _excluded(Fraction(value), found)
 
 
-DEAR = [
-    ("exp(x) - 1 - x", "", ">=", ">=0"),
-    ("exp(x) - 1 - x", "x > 0", ">", "+"),
-    ("1 + x - exp(x)", "x > 0", "!=", "-"),
-    ("x - y", "x != y", "!=", "!="),
-    ("2 - x**2", "x**2 < 2", "<", None),
-    # nothing is proved of the points where sign jumps, nor of those that lie alone
-    ("sign(x**2)/2", "", ">", None),
-    ("sign(x**2)/2", "", "!=", None),
-    ("exp(x - 1) - x", "x**2*(x - 1) >= 0, x < 1/2", ">", None),
-    ("x - 1", "x**2*(x - 1) >= 0", ">=", None),
-    ("x - y + 1", "x >= y, y >= x, x**2*y >= 0", "<=", None),
-]
+DEAR = cases(__file__, "DEAR")
 
 
 @pytest.mark.parametrize(("text", "conditions", "wanted", "expected"), DEAR)

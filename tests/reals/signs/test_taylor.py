@@ -1,38 +1,12 @@
 """Taylor's theorem about one point with proved signs: what it settles, and what it does not."""
 
 import pytest
+from cases import cases
 from falsehoods import is_false_at, proves
 
 from tresym.reals.signs.taylor import sign_by_taylor
 
-TRUE = [
-    "exp(x) >= 1 + x",
-    "exp(x) > 1 + x given x != 0",
-    "log(x) <= x - 1 given x > 0",
-    "cos(x) >= 1 - x**2/2",
-    "cos(x) > 1 - x**2 given x > 0",
-    "sin(x) <= x given x >= 0",
-    "sin(x) >= x - x**3/6 given x >= 0",
-    "sin(x) <= x - x**3/6 + x**5/120 given x >= 0",
-    "-log(1 - x) > x given 0 < x < 1",
-    "cosh(x) >= 1 + x**2/2",
-    "atan(x) < x given x > 0",
-    "(1 + x)**a >= 1 + a*x given a > 1, x > -1",
-    # about another symbol, and about a zero of the derivative that depends on one
-    "x*log(x/y) >= x - y given x > 0, y > 0",
-    "exp(x) >= exp(y) + exp(y)*(x - y)",
-    "x**2 + a**2 >= 2*a*x",
-    "x - a*log(x) >= a - a*log(a) given x > 0, a > 0",
-    # about an end of the range, on the other side
-    "exp(x) < 1 + x + x**2/2 given x < 0",
-    "x*log(x) > x - 1 given x > 1",
-    # out of a corner, along one edge after the other
-    "exp(x + y) >= 1 + x + y + x*y given x >= 0, y >= 0",
-    "(exp(x) - 1)*(exp(y) - 1) >= x*y given x >= 0, y >= 0",
-    "exp(x + y + z) >= 1 + x + y + z + x*y*z given x >= 0, y >= 0, z >= 0",
-    "sinh(x)*sinh(y) > x*y given x > 0, y > 0",
-    "exp(x - y) >= 1 + x - y given x <= 0, y >= 0",
-]
+TRUE = cases(__file__, "TRUE")
 
 FALSE = {
     # a term below the order

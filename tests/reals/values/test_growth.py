@@ -1,6 +1,7 @@
 """The bounds of growth hold at every point that is tried, on the real axis and on discs."""
 
 import pytest
+from cases import cases
 from flint import acb, arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
@@ -13,51 +14,9 @@ from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.values.growth import DivergesError, FartherError, Growth, Scale, Sum
 
 STARTS = (4, 16, 64, 1024)
-AT_INFINITY = (
-    "1/(exp(t) - 1)",
-    "t**2*exp(-t**2) + exp(-t)*sin(t)",
-    "log(1 + exp(t))/t**3",
-    "sqrt(t**2 + 1) - t",
-    "tanh(t) - 1",
-    "atan(t)/t**2",
-    "t**(1/3)*log(t)**2/(1 + t**2)",
-    "exp(-cosh(t))",
-    "exp(-sqrt(t) + 1/t)",
-    "asinh(t) - log(t)",
-    "(1 + 1/t)**t",
-    "abs(1 - t)/cbrt(t)**7",
-    "log(t + 1) - log(t) - 1/t",
-    "sech(t)**2 + cos(t**2)/t**2",
-    "1/(t*log(t)**2)",
-    "exp(2*t - 3*sqrt(t))/cosh(3*t)",
-    "sin(1/t)/cos(1/t) + cot(1/t)/t**3",
-    "acos(1 - 1/t)",
-    "log(log(t) + 1)/t**2",
-)
-AT_ZERO = (
-    "sin(t)/t",
-    "(1 - cos(t))/t**2",
-    "t/(exp(t) - 1)",
-    "1/sqrt(cos(t) - cos(2*t))",
-    "log(t)**2*sqrt(t)",
-    "(tan(t) - t)/t**3",
-    "1/sqrt(cos(2 - t) - cos(2))",
-    "acos(1 - t)/sqrt(t)",
-    "exp(-1/t)/t**2",
-    "(exp(t) - exp(-2*t))/t",
-    "t**pi/sin(t)",
-    "1/(t*sqrt(1 + t))",
-)
-ON_DISCS = (
-    "sin(t)/t",
-    "(1 - cos(t))/t**2",
-    "t/(exp(t) - 1)",
-    "2*t/sqrt(sin(t**2))",
-    "(tan(t) - t)/t**3",
-    "t**2/log(1 + t)**2",
-    "acos(1 - t**2)*t",
-    "1/(t + 2)**(1/3) + (exp(t) - 1 - t)/t**2",
-)
+AT_INFINITY = tuple(cases(__file__, "AT_INFINITY"))
+AT_ZERO = tuple(cases(__file__, "AT_ZERO"))
+ON_DISCS = tuple(cases(__file__, "ON_DISCS"))
 
 
 def no_values(e: Expr) -> arb:

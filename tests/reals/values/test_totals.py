@@ -2,6 +2,7 @@
 
 import mpmath
 import pytest
+from cases import cases
 from flint import arb
 
 from tresym.reals.domain.binder_values import Enclosing
@@ -13,29 +14,7 @@ from tresym.reals.values.growth import DivergesError
 from tresym.reals.values.improper import integral
 from tresym.reals.values.totals import total
 
-KNOWN = (
-    ("sum(1/factorial(k), k, 0, oo)", "e"),
-    ("sum(1/k**2, k, 1, oo)", "pi**2/6"),
-    ("sum((-1)**k/(2*k + 1), k, 0, oo)", "pi/4"),
-    ("sum(2**k/factorial(2*k), k, 0, oo)", "cosh(sqrt(2))"),
-    ("sum(1/k, k, 1, 1000)", "digamma(1001) + euler"),
-    ("sum(k**2/2**k, k, 0, oo)", "mpf(6)"),
-    ("sum(1/(k**2 + 1), k, 0, oo)", "(1 + pi*coth(pi))/2"),
-    ("sum(log(k)/k**2, k, 1, oo)", "-zeta(2, derivative=1)"),
-    ("sum(1/k**(3/2), k, 1, oo)", "zeta(mpf(3)/2)"),
-    ("product(1 + 1/k**2, k, 1, oo)", "sinh(pi)/pi"),
-    ("product(k, k, 1, 30)", "fac(30)"),
-    ("sum((-1)**(k + 1)/k, k, 1, oo)", "log(2)"),
-    ("sum((-1)**k/sqrt(k + 1), k, 0, oo)", "altzeta(mpf(1)/2)"),
-    ("sum(factorial(2*k)/(factorial(k)**2*16**k*(2*k + 1)), k, 0, oo)", "pi/3"),
-    ("sum((-1/4)**k/factorial(k)**2, k, 0, oo)", "besselj(0, 1)"),
-    ("sum(1/(k*(k + 1)*(k + 2)), k, 1, oo)", "mpf(1)/4"),
-    ("sum((-1)**k/(k**2 + 1), k, 1, oo)", "(pi/sinh(pi) - 1)/2"),
-    ("sum(log(1 + 1/k) - 1/k, k, 1, oo)", "-euler"),
-    ("sum(exp(-k**2), k, -3, oo)", "(1 + jtheta(3, 0, exp(-1)))/2 + exp(-1) + exp(-4) + exp(-9)"),
-    ("sum((-2)**k, k, 0, 5)", "mpf(-21)"),
-    ("sum(k, k, 3, 2)", "mpf(0)"),
-)
+KNOWN = tuple(cases(__file__, "KNOWN"))
 
 
 def value(text: str) -> arb:
@@ -58,14 +37,7 @@ def test_a_sum_is_its_closed_form(text: str, closed: str) -> None:
 
 @pytest.mark.parametrize(
     "text",
-    [
-        "sum(1/k, k, 1, oo)",
-        "sum(2**k, k, 0, oo)",
-        "sum((-1)**k*(1 + 1/(k + 1)), k, 0, oo)",  # its pairs of terms have a finite sum
-        "sum(1/sqrt(k), k, 1, oo)",
-        "sum(factorial(k)/100**k, k, 0, oo)",
-        "product(1 + 1/k, k, 1, oo)",
-    ],
+    cases(__file__, "a_divergent_series_is_told_apart"),
 )
 def test_a_divergent_series_is_told_apart(text: str) -> None:
     with pytest.raises(DivergesError):

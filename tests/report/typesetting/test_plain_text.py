@@ -3,6 +3,7 @@
 import re
 
 import pytest
+from cases import cases
 
 from tresym.ledger.paper import all_claims
 from tresym.report.typesetting.latex import says_latex
@@ -11,21 +12,7 @@ from tresym.report.typesetting.plain_text import in_lines, plain
 
 @pytest.mark.parametrize(
     ("formula", "shown"),
-    [
-        (r"\gamma = \frac{2I_2E}{M^2}-1", "γ = 2I₂E/M²−1"),
-        (r"\frac{1}{4b\epsilon_0}", "1/(4bε₀)"),
-        (r"\frac{a+b}{2}", "(a+b)/2"),
-        (r"\dot M_1 = M_2M_3", "\u1e40₁ = M₂M₃"),
-        (r"e^{-\pi\sqrt{a b}}", "e^(−π√(a b))"),
-        (r"\sqrt{a}", "√a"),
-        (r"x_{-1}-\text{third-order}", "x₋₁−third-order"),
-        (r"\left.\frac{d}{db}(x)\right|_{b=0}", "d/db(x)|_(b = 0)"),
-        (r"\sin^2\theta", "sin²θ"),
-        (r"0 < b \le 1", "0 < b ≤ 1"),
-        (r"O(1)\quad(\left( u, \  \mu\right) \to \left( 0, \  0\right))", "O(1) ((u, μ) → (0, 0))"),
-        (r"\Bigl(\varphi(W)^n W'\Bigr )", "(φ(W)ⁿ W')"),
-        (r"\begin{pmatrix}a\\b\end{pmatrix}", "(a; b)"),
-    ],
+    cases(__file__, "formulas"),
 )
 def test_formulas(formula: str, shown: str) -> None:
     assert plain(formula) == shown
