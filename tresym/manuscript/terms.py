@@ -10,8 +10,9 @@ from itertools import pairwise
 from tresym.reals.decisions.statement import functions
 from tresym.reals.language.calls import FACTORIAL
 from tresym.reals.language.expression import Expr
-from tresym.reals.language.latex_cursor import Author, is_letter
-from tresym.reals.language.latex_grammar import Reader
+from tresym.reals.language.latex_author import Author
+from tresym.reals.language.latex_cursor import Cursor, is_letter
+from tresym.reals.language.latex_grammar import read_arguments, read_sum
 from tresym.reals.language.latex_operands import Piece
 from tresym.reals.numbers.exact import InputError
 
@@ -37,22 +38,22 @@ class Head:
 def head_of(tokens: list[str], author: Author) -> Head | None:
     """Return the symbol, function of symbols, or derivative that ``tokens`` are; else None."""
     try:
-        reader = Reader(tokens, author)
-        if reader.kind(0) == "letter" and reader.peek() != "\\pi":
-            letter = reader.peek()
-            name = reader.symbol()
-            if not reader.peek():
+        cursor = Cursor(tokens, author)
+        if cursor.kind(0) == "letter" and cursor.peek() != "\\pi":
+            letter = cursor.peek()
+            name = cursor.symbol()
+            if not cursor.peek():
                 return None if letter == "e" and not author.letter_e else Head(name)
-            if reader.peek() == "(":
-                values = reader.arguments()
-                if not reader.peek() and all(value.op == "symbol" for value in values):
+            if cursor.peek() == "(":
+                values = read_arguments(cursor)
+                if not cursor.peek() and all(value.op == "symbol" for value in values):
                     return Head(name, tuple(str(value) for value in values))
-        reader = Reader(tokens, author)
-        tree = reader.sum().tree
+        cursor = Cursor(tokens, author)
+        tree = read_sum(cursor).tree
     except (InputError, RecursionError):
         return None
     if (
-        reader.peek()
+        cursor.peek()
         or tree.op != "symbol"
         or not _DERIVED.fullmatch(tree.args[0].split("_of_")[0])
     ):
@@ -93,13 +94,13 @@ def read_term(tokens: Sequence[str], author: Author) -> Piece:
     tokens = _digits_joined(list(tokens))
     while tokens and tokens[-1] in (",", ".", ";", ":"):
         tokens.pop()
-    reader = Reader(tokens, author)
+    cursor = Cursor(tokens, author)
     try:
-        piece = reader.sum()
+        piece = read_sum(cursor)
     except RecursionError:
         raise InputError("LaTeX: nested too deeply") from None
-    if reader.peek():
-        reader.refuse("an operation or the end is expected")
+    if cursor.peek():
+        cursor.refuse("an operation or the end is expected")
     return piece
 
 

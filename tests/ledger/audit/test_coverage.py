@@ -26,7 +26,7 @@ from tresym.ledger.claim import Claim, Definition, Place, Printed, all_of, equal
 from tresym.ledger.paper import all_claims
 from tresym.ledger.statements import Rounds
 from tresym.reals.language.latex import read_latex
-from tresym.reals.language.latex_cursor import Author
+from tresym.reals.language.latex_author import Author
 from tresym.reals.numbers.exact import InputError
 
 PENDULUM = Path(__file__).resolve().parents[2] / "data" / "pendulum.tex"

@@ -9,7 +9,7 @@ from tresym.ledger.audit.transcription import Reading, differing, functions_of, 
 from tresym.ledger.claim import Claim, Definition, Printed, all_of, equal, formally
 from tresym.ledger.statements import Rounds
 from tresym.reals.language.latex import read_latex
-from tresym.reals.language.latex_cursor import Author, Function
+from tresym.reals.language.latex_author import Author, Function
 from tresym.reals.language.parsing import parse
 
 x, y, z = (Symbol(name, real=True) for name in "xyz")

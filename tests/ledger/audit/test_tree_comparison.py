@@ -8,8 +8,8 @@ from tresym.ledger.audit.tree_comparison import agree, of_claim, of_display, sam
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.expression import symbol
 from tresym.reals.language.latex import read_expression
-from tresym.reals.language.latex_cursor import Author
-from tresym.reals.language.latex_cursor import Function as Defined
+from tresym.reals.language.latex_author import Author
+from tresym.reals.language.latex_author import Function as Defined
 from tresym.reals.language.parsing import as_written, parse
 
 x, y, t, s = (Symbol(name, real=True) for name in "xyts")

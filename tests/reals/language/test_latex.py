@@ -24,7 +24,7 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.language.latex import read_expression, read_latex
-from tresym.reals.language.latex_cursor import Author
+from tresym.reals.language.latex_author import Author
 from tresym.reals.language.parsing import as_written
 from tresym.reals.language.typesetting import to_latex
 from tresym.reals.numbers.arithmetic import ball_precision

@@ -4,6 +4,7 @@ import pytest
 from cases import cases
 
 from tresym.reals.language.expression import symbol
+from tresym.reals.language.latex_ambiguity import check_name
 from tresym.reals.language.latex_cursor import (
     Cursor,
     allowed,
@@ -154,12 +155,12 @@ def test_what_is_no_symbol(source: str) -> None:
 @pytest.mark.parametrize("source", ["i", "j", "dx", "sin x", "alpha", "sqrt"])
 def test_letters_that_are_no_variable_are_refused(source: str) -> None:
     with pytest.raises(InputError):
-        _at(source).check_name()
+        check_name(_at(source))
 
 
 @pytest.mark.parametrize("source", ["x", "i_1", "d", r"d\cdot x", r"s\,i\,n", "si", r"\alpha"])
 def test_letters_that_are_variables_pass(source: str) -> None:
-    _at(source).check_name()
+    check_name(_at(source))
 
 
 def test_reserved_names_step_aside() -> None:

@@ -6,9 +6,11 @@ from flint import arb, fmpq
 
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.binders import worked_out
-from tresym.reals.language.latex_grammar import Reader
+from tresym.reals.language.latex import read_latex
+from tresym.reals.language.latex_cursor import Cursor
+from tresym.reals.language.latex_grammar import read_sum
 from tresym.reals.language.latex_tokens import tokenize
-from tresym.reals.language.parsing import parse
+from tresym.reals.language.parsing import as_written, parse
 from tresym.reals.numbers.exact import InputError
 
 AT = {"x": arb(fmpq(3, 5)), "y": arb(fmpq(-7, 4)), "a1": arb(2)}
@@ -47,9 +49,9 @@ AT = {"x": arb(fmpq(3, 5)), "y": arb(fmpq(-7, 4)), "a1": arb(2)}
     ],
 )
 def test_productions(source: str, text: str) -> None:
-    reader = Reader(tokenize(source))
-    found = worked_out(reader.sum().tree)
-    assert reader.peek() == ""
+    cursor = Cursor(tokenize(source))
+    found = worked_out(read_sum(cursor).tree)
+    assert cursor.peek() == ""
     gap = evaluate(found - parse(text), AT)
     assert gap.is_finite()
     assert abs(gap) < 1e-10
@@ -61,11 +63,40 @@ def test_productions(source: str, text: str) -> None:
 )
 def test_what_can_be_read_in_two_ways_or_not_at_all_is_refused(source: str) -> None:
     with pytest.raises(InputError) as caught:
-        Reader(tokenize(source)).sum()
+        read_sum(Cursor(tokenize(source)))
     assert "\n" not in str(caught.value)
 
 
 def test_a_sum_stops_where_a_relation_begins() -> None:
-    reader = Reader(tokenize(r"x+1\le y"))
-    assert reader.sum().tree == parse("x + 1")
-    assert reader.peek() == r"\le"
+    cursor = Cursor(tokenize(r"x+1\le y"))
+    assert read_sum(cursor).tree == parse("x + 1")
+    assert cursor.peek() == r"\le"
+
+
+READ = {
+    r"\int_0^1 x\,dx = 1": "integral(x, x, 0, 1)",
+    r"\sum_{k=1}^n k = 1": "sum(k, k, 1, n)",
+    r"\prod_{k=1}^n k = 1": "product(k, k, 1, n)",
+    r"\lim_{x \to 0^+} \ln x = 1": "limit(log(x), x, 0, 1)",
+    r"\frac{d}{dx} \sin x = 1": "diff(sin(x), x)",
+    r"\sin 2x = 1": "sin(2*x)",
+    r"\sin x + 1 = 1": "1 + sin(x)",
+    r"\sin^2 x = 1": "sin(x)**2",
+    r"\sqrt[3]{x} = 1": "cbrt(x)",
+    r"\binom{n}{2} = 1": "n*(n - 1)/2",
+    r"\ln\left(1 + x\right) = 1": "log(1 + x)",
+}
+REFUSED = [r"\int_0^1 x = 1", r"\sum^n k = 1", r"\lim \ln x = 1"]
+
+
+@pytest.mark.parametrize("source", READ)
+def test_operators_and_functions_are_read(source: str) -> None:
+    (chain,) = read_latex(source)
+    left, _, _ = next(iter(chain.links))
+    assert left == as_written(READ[source])
+
+
+@pytest.mark.parametrize("source", REFUSED)
+def test_what_binds_no_variable_is_refused(source: str) -> None:
+    with pytest.raises(InputError):
+        read_latex(source)

@@ -23,7 +23,7 @@ from tresym.ledger.audit.source import Piece, read_source, scan
 from tresym.ledger.audit.transcription import Reading, differing, functions_of, unmet
 from tresym.ledger.claim import Claim
 from tresym.reals.language.latex import read_latex
-from tresym.reals.language.latex_cursor import Function
+from tresym.reals.language.latex_author import Function
 from tresym.reals.numbers.exact import InputError
 
 

@@ -20,7 +20,7 @@ from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.language.formula import MIRRORED
 from tresym.reals.language.latex import Relations, read_latex
-from tresym.reals.language.latex_cursor import Author, Function
+from tresym.reals.language.latex_author import Author, Function
 from tresym.reals.language.parsing import as_written, parse_claim
 from tresym.reals.language.sympy import RELATIONS
 from tresym.reals.numbers.exact import InputError, printed

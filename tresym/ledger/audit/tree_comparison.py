@@ -27,7 +27,7 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.latex_cursor import Function
+from tresym.reals.language.latex_author import Function
 from tresym.reals.language.sympy import unworked
 from tresym.reals.numbers.arithmetic import ball_precision
 

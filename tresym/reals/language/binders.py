@@ -71,6 +71,13 @@ def derivative(f: Expr, name: str, point: Expr | None = None) -> Expr:
     return Expr("derivative", (bind(f, (name,)), place), (name,))
 
 
+def repeated_derivative(f: Expr, name: str, times: int) -> Expr:
+    """Return the derivative of ``f`` by ``name``, taken ``times`` times one after another."""
+    for _ in range(times):
+        f = derivative(f, name)
+    return f
+
+
 def nth_derivative(f: Expr, name: str, order: Expr) -> Expr:
     """Return the derivative of ``f`` by ``name`` of integer order ``order``."""
     return Expr("nth", (bind(f, (name,)), symbol(name), order), (name,))

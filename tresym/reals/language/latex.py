@@ -23,8 +23,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from tresym.reals.language.expression import Expr
-from tresym.reals.language.latex_cursor import Author
-from tresym.reals.language.latex_grammar import Reader
+from tresym.reals.language.latex_author import Author
+from tresym.reals.language.latex_cursor import Cursor
+from tresym.reals.language.latex_grammar import read_arguments, read_point, read_sum
 from tresym.reals.language.latex_operands import Piece
 from tresym.reals.language.latex_tokens import (
     ARRAYS,
@@ -74,14 +75,14 @@ def read_expression(source: str, author: Author | None = None) -> Expr:
     Raises:
         InputError: LaTeX that is not read; one line says what and, where it helps, how to write it.
     """
-    reader = Reader(tokenize(source), author)
+    cursor = Cursor(tokenize(source), author)
     try:
-        tree = reader.sum().tree
+        tree = read_sum(cursor).tree
     except RecursionError:
         raise InputError(TOO_DEEP) from None
-    reader.skip_stops()
-    if reader.peek():
-        reader.refuse("an operation or the end is expected")
+    cursor.skip_stops()
+    if cursor.peek():
+        cursor.refuse("an operation or the end is expected")
     return tree
 
 
@@ -170,8 +171,7 @@ def _chains(tokens: list[str], author: Author | None) -> list[Relations]:
     if not tokens and len(conditions) == 1:  # the condition comes first
         condition, *chains = _chains(conditions[0], author)
     else:
-        reader = _Chains(tokens, author)
-        chains = [*reader.chains()]
+        chains = [*read_chains(Cursor(tokens, author))]
         if len(conditions) == 1:
             (condition,) = _chains(conditions[0], author)
     if not chains or len(conditions) > 1:
@@ -179,59 +179,60 @@ def _chains(tokens: list[str], author: Author | None) -> list[Relations]:
     return [replace(chain, condition=condition or chain.condition) for chain in chains]
 
 
-class _Chains(Reader):
-    """Expressions and the relations between them."""
+def read_chains(cursor: Cursor) -> Iterator[Relations]:
+    """All chains, apart by commas, full stops or arrows."""
+    cursor.skip_stops()
+    while cursor.peek():
+        yield read_chain(cursor)
+        cursor.skip_stops()
 
-    def chains(self) -> Iterator[Relations]:
-        """All chains, apart by commas, full stops or arrows."""
-        self.skip_stops()
-        while self.peek():
-            yield self.chain()
-            self.skip_stops()
 
-    def chain(self) -> Relations:
-        """One chain; an interval at its end becomes two inequalities."""
-        defines = self.defined()
-        terms, ops = [self.sum()], []
-        while self.peek() in RELATIONS:
-            op = RELATIONS[self.take()]
-            if op == "in" and len(terms) > 1:
-                self.refuse("in a chain an interval is not read, here")
-            if op == "in":
-                low, first, high, second = self.interval()
-                return Relations((low, terms[-1].tree, high), (first, second))
-            if op == "->":
-                point, side = self.point()
-                terms.append(Piece(point))
-                ops.append(op + ("", "+", "-")[side])
-            else:
-                terms.append(self.sum())
-                ops.append(op)
-        if not ops:
-            self.refuse("a relation such as = is expected")
-        if self.peek() and self.peek() not in STOPS:
-            self.refuse("a relation, a comma or the end is expected")
-        trees, printed = tuple(t.tree for t in terms), tuple(t.printed for t in terms)
-        return Relations(trees, tuple(ops), printed, defines=defines)
+def read_chain(cursor: Cursor) -> Relations:
+    """One chain; an interval at its end becomes two inequalities."""
+    defines = definition_ahead(cursor)
+    terms, ops = [read_sum(cursor)], []
+    while cursor.peek() in RELATIONS:
+        op = RELATIONS[cursor.take()]
+        if op == "in" and len(terms) > 1:
+            cursor.refuse("in a chain an interval is not read, here")
+        if op == "in":
+            low, first, high, second = read_interval(cursor)
+            return Relations((low, terms[-1].tree, high), (first, second))
+        if op == "->":
+            point, side = read_point(cursor)
+            terms.append(Piece(point))
+            ops.append(op + ("", "+", "-")[side])
+        else:
+            terms.append(read_sum(cursor))
+            ops.append(op)
+    if not ops:
+        cursor.refuse("a relation such as = is expected")
+    if cursor.peek() and cursor.peek() not in STOPS:
+        cursor.refuse("a relation, a comma or the end is expected")
+    trees, printed = tuple(t.tree for t in terms), tuple(t.printed for t in terms)
+    return Relations(trees, tuple(ops), printed, defines=defines)
 
-    def defined(self) -> tuple[str, tuple[str, ...]] | None:
-        """The head ``f(a, b)`` of a definition of an author's, looked at and not taken."""
-        start, found = self.at, None
-        if self.author and self.kind(start) == "letter" and self.peek() != "\\pi":
-            name = self.symbol()
-            if self.peek() == "(" and self.is_list():
-                values = self.arguments()
-                if self.peek() in RELATIONS and all(value.op == "symbol" for value in values):
-                    found = name, tuple(str(value) for value in values)
-        self.at = start
-        return found
 
-    def interval(self) -> tuple[Expr, str, Expr, str]:
-        opening = self.take()
-        if opening not in ("[", "(", "]"):
-            self.refuse("an interval is expected")
-        low = self.sum().tree
-        self.take(",")
-        high = self.sum().tree
-        closing = self.take()
-        return low, "<=" if opening == "[" else "<", high, "<=" if closing == "]" else "<"
+def definition_ahead(cursor: Cursor) -> tuple[str, tuple[str, ...]] | None:
+    """The head ``f(a, b)`` of a definition of an author's, looked at and not taken."""
+    start, found = cursor.at, None
+    if cursor.author and cursor.kind(start) == "letter" and cursor.peek() != "\\pi":
+        name = cursor.symbol()
+        if cursor.peek() == "(" and cursor.is_list():
+            values = read_arguments(cursor)
+            if cursor.peek() in RELATIONS and all(value.op == "symbol" for value in values):
+                found = name, tuple(str(value) for value in values)
+    cursor.at = start
+    return found
+
+
+def read_interval(cursor: Cursor) -> tuple[Expr, str, Expr, str]:
+    """An interval: its ends, and how the variable compares with them."""
+    opening = cursor.take()
+    if opening not in ("[", "(", "]"):
+        cursor.refuse("an interval is expected")
+    low = read_sum(cursor).tree
+    cursor.take(",")
+    high = read_sum(cursor).tree
+    closing = cursor.take()
+    return low, "<=" if opening == "[" else "<", high, "<=" if closing == "]" else "<"

@@ -1,17 +1,16 @@
-"""A cursor over the tokens of a LaTeX formula, with the names they spell.
+"""A cursor over the tokens of a LaTeX formula: what comes next, and the names the tokens spell.
 
+Behind ``\\sin`` in ``\\sin 2x`` a number is ahead, in ``\\frac{d}{dx} f`` a derivative begins.
 ``dy/dx`` and a dot are symbols of an author's; anybody else is told what to write.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
-from dataclasses import dataclass, field
 from typing import NoReturn
 
-from tresym.reals.language.binders import derivative
-from tresym.reals.language.expression import Expr, symbol, symbols
+from tresym.reals.language.expression import symbol
+from tresym.reals.language.latex_author import Author
 from tresym.reals.language.latex_operands import Ahead, Piece
 from tresym.reals.language.latex_tokens import (
     CLOSING,
@@ -23,6 +22,7 @@ from tresym.reals.language.latex_tokens import (
     STOPS,
     Spaced,
 )
+from tresym.reals.language.operators import COMMANDS
 from tresym.reals.numbers.exact import AmbiguityError, InputError
 
 BRACKETS = {"(": ")", "[": "]", "\\{": "\\}"}
@@ -36,9 +36,6 @@ WORDS_BELOW = frozenset(("min", "in", "lim", "kin", "sim", "rms", "lin", "mn", "
 """Subscripts that are words, though all of their letters are indices."""
 SIGNS_BELOW = {"+": "plus", "-": "minus", "*": "star", "ast": "star", "/": "over"}
 OPENING, CLOSED = (*BRACKETS, "{"), (*BRACKETS.values(), "}")
-
-
-WORDS = sorted((*FUNCTIONS, "sqrt", *(g for g in GREEK if len(g) > 3)), key=len, reverse=True)
 NO_DERIVATIVE = (
     "a derivative of a symbol is not known: write \\frac{d}{dx} (…) with what it stands for,"
 )
@@ -55,69 +52,6 @@ INSTEAD = {
     ),
 }
 """Tokens that are refused, and what to write instead."""
-
-
-@dataclass(frozen=True)
-class Function:
-    """A function that an author defines: its parameters, and its value."""
-
-    parameters: tuple[str, ...]
-    body: Expr
-
-
-@dataclass(frozen=True)
-class Author:
-    """Somebody whose claims are compared with what is read, and whose symbols are any quantities.
-
-    ``f(x)``, ``dy/dx``, ``\\dot x`` and the word "hot" are symbols for him, and of two readings the
-    shorter one is taken, where he does not ask that both are told.
-
-    Attributes:
-        functions: those that he defines, by name; without parameters, a symbol that stands for a
-            value.
-        variable: that of a bracket with limits, where print does not tell.
-        strict: what can be read in two ways is refused, as for anybody else, and f is left unknown
-            in ``f(x)`` where it is not defined.
-        shorter: how far an argument goes is no question: the shorter reading is meant, and V(x) is
-            a product.
-        longer: the longer reading is meant, of ``\\sin^{-1}`` the inverse function, and V(x) is the
-            value of a function V.
-        letter_e: ``e`` is a variable of his, and no number.
-        letter_delta: ``\\Delta`` is a symbol of his, by itself.
-        called: names of functions of his, some of which may be unknown.
-        applied: names that stand before an argument in brackets elsewhere.
-        bare: names that stand without a bracket elsewhere.
-        numbers: names that are said to be numbers.
-        sequences: letters whose subscripts number terms: ``a_k`` is a(k).
-        inverses: ``\\sin^{-1}`` is the inverse function, as words of his say.
-    """
-
-    functions: Mapping[str, Function] = field(default_factory=dict)
-    variable: str = ""
-    strict: bool = False
-    shorter: bool = False
-    longer: bool = False
-    letter_e: bool = False
-    letter_delta: bool = False
-    called: frozenset[str] = frozenset()
-    applied: frozenset[str] = frozenset()
-    bare: frozenset[str] = frozenset()
-    numbers: frozenset[str] = frozenset()
-    sequences: frozenset[str] = frozenset()
-    inverses: bool = False
-
-    def derivative(self, name: str, by: str, times: int) -> Expr | None:
-        """The derivative of one of his functions, ``by`` its variable if that is not named."""
-        known = self.functions.get(name)
-        if known is None or not self.strict:
-            return None
-        by = by or (known.parameters[0] if len(known.parameters) == 1 else "")
-        result = known.body
-        if by not in symbols(result) and by not in known.parameters:
-            return None
-        for _ in range(times):
-            result = derivative(result, by)
-        return result
 
 
 class Cursor:
@@ -223,7 +157,7 @@ class Cursor:
         token = self.tokens[i] if i < len(self.tokens) else ""
         if token.startswith("\\") and token[1:] in FUNCTIONS:
             return "inverse" if FUNCTIONS[token[1:]].startswith("a") else "function"
-        if token in ("\\int", "\\lim", "\\sum", "\\prod", *EXTREMES):
+        if token in COMMANDS or token in EXTREMES:
             return "function"
         if token in ("\\dot", "\\ddot") or self.is_derivative_at(i):
             return "derivative"
@@ -274,23 +208,41 @@ class Cursor:
                 return True
         return False
 
-    # names
+    def primes(self) -> int:
+        """How many primes follow, ``''`` or ``^{\\prime\\prime}``, stepped over."""
+        start = self.at
+        if self.peek() == "^" and self.peek(1) in ("\\prime", "{"):
+            self.at += 1 + (self.peek(1) == "{")
+            if self.peek() != "\\prime":
+                self.at = start
+                return 0
+        count = 0
+        while self.peek() in ("'", "\\prime"):
+            self.at, count = self.at + 1, count + 1
+        if self.tokens[start : start + 2] == ["^", "{"]:
+            self.take("}")
+        return count
 
-    def check_name(self) -> None:
-        """Refuse letters that are no variable of the author's."""
-        token = self.peek()
-        if token in ("i", "j") and self.peek(1) != "_" and not self.counting:
-            self.refuse(INSTEAD["\\imath"])
-        if token == "d" and is_letter(self.peek(1)):
-            self.refuse(
-                "d before a letter is a differential: write \\frac{d}{dx} (…) for a derivative, "
-                "d\\cdot x for a product,"
-            )
-        for name in WORDS:
-            letters = self.tokens[self.at : self.at + len(name)]
-            if letters == list(name) and not any(isinstance(x, Spaced) for x in letters[1:]):
-                apart = "\\,".join(name)
-                self.refuse(f"letters in a row are a product: write \\{name}, or {apart},")
+    def degrees(self) -> bool:
+        """Whether ``^\\circ`` stands here, which is stepped over."""
+        for form in (["^", "\\circ"], ["^", "{", "\\circ", "}"]):
+            if self.tokens[self.at : self.at + len(form)] == form:
+                self.at += len(form)
+                return True
+        return False
+
+    def is_term(self) -> bool:
+        """Whether a term of an author's sequence stands here, ``a_k``."""
+        letter = self.peek().removeprefix("\\")
+        if not self.author or letter not in self.author.sequences or self.peek(1) != "_":
+            return False
+        first = self.at + 2
+        below = self.tokens[first : self.partner(first)] if self.peek(2) == "{" else [self.peek(2)]
+        letters = "".join(t for t in below if t.isalpha())
+        named = letters in WORDS_BELOW or any(t.startswith("\\") for t in below)
+        return not named and {*letters} <= INDICES
+
+    # names
 
     def symbol(self) -> str:
         """A letter with its subscript as a name."""

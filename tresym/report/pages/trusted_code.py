@@ -72,6 +72,7 @@ ENCLOSING = (
 RECHECKED = {
     "it translates input into the text grammar; the text is shown, parsed again and decided": (
         *("reals.language.latex", "reals.language.latex_cursor", "reals.language.latex_grammar"),
+        *("reals.language.latex_ambiguity", "reals.language.latex_author"),
         *("reals.language.latex_operands", "reals.language.latex_tokens"),
         *("reals.language.unicode_input", "reals.decisions.claim_parsing._written"),
         *("reals.language.expression._text", "reals.language.expression.Expr.__str__"),
