@@ -91,7 +91,7 @@ def picture(name: str, source: str | None = None, kind: str = "svg") -> bytes:
             figure, caption = _drawn(chart, module, data, part)
             if kind != "svg":
                 return style.bitmap_or_page(figure, chart.title, kind)
-            text = style.svg_text(figure, escape(chart.title))
+            return style.svg_text(figure, escape(chart.title), escape(caption)).encode()
         except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
             if source is None or isinstance(error, InputError):
                 raise
@@ -99,9 +99,6 @@ def picture(name: str, source: str | None = None, kind: str = "svg") -> bytes:
             raise InputError(
                 f"{name}: is not a measurement as `tresym bench --save` writes it"
             ) from None
-        return text.replace(
-            " <metadata>", f" <desc>{escape(caption)}</desc>\n <metadata>", 1
-        ).encode()
 
 
 def _drawn(

@@ -65,9 +65,7 @@ def saved(draw: Callable[[], Any], title: str, caption: str, kind: str) -> bytes
             below(figure, caption)
         if kind != "svg":
             return style.bitmap_or_page(figure, title, kind)
-        text = style.svg_text(figure, escape(title))
-        described = f" <desc>{escape(caption)}</desc>\n <metadata>" if caption else " <metadata>"
-        return text.replace(" <metadata>", described, 1).encode()
+        return style.svg_text(figure, escape(title), escape(caption)).encode()
 
 
 def errors(curves: Sequence[Curve], along: str, title: str, size: tuple[float, float]) -> Any:

@@ -19,7 +19,7 @@ from fractions import Fraction
 from typing import Any
 
 from tresym.reals.numbers.exact import InputError
-from tresym.report.figures.grid import on_grid
+from tresym.report.figures.grid import compact, on_grid
 
 ROTATING = {"color": "#0072b2", "linewidth": 1.1, "linestyle": "-"}
 OSCILLATING = {"color": "#d55e00", "linewidth": 1.1, "linestyle": (0, (5, 1.6))}
@@ -216,13 +216,14 @@ def _apart(boxes: list[Any], frame: Any) -> bool:
     return within and not any(x.overlaps(y) for n, x in enumerate(boxes) for y in boxes[:n])
 
 
-def svg_text(figure: Any, title: str) -> str:
-    """Return the figure as SVG with a title, without dates or names of the machine."""
+def svg_text(figure: Any, title: str, caption: str = "") -> str:
+    """Return the figure as SVG with title and caption, without dates or names of the machine."""
     _settle(figure)
     out = io.StringIO()
     figure.savefig(out, format="svg", metadata={"Date": None, "Creator": None})
     text = "\n".join(line.rstrip() for line in out.getvalue().splitlines()) + "\n"
-    return on_grid(text, title).replace(" <metadata>", f" <title>{title}</title>\n <metadata>", 1)
+    described = f"<desc>{caption}</desc>\n" if caption else ""
+    return compact(on_grid(text, title), f"<title>{title}</title>\n{described}")
 
 
 def bitmap_or_page(figure: Any, title: str, kind: str, dpi: int = 200) -> bytes:
