@@ -117,7 +117,7 @@ def test_a_constant_is_as_wide_as_its_ball() -> None:
 def test_what_may_vanish_on_a_wall_is_not_definite(text: str, sign: int) -> None:
     field = Field(Given.parse("x > -1"))
     (value,) = field.normal(parse(text))
-    assert field.definite(value.num) == sign
+    assert field.signs.definite(value.num) == sign
 
 
 AT_JUMPS = cases(__file__, "AT_JUMPS")

@@ -80,8 +80,8 @@ def test_where_conditions_are_undefined_is_a_wall() -> None:
 def test_squares_that_vanish_together_are_not_definite(text: str) -> None:
     field = Field(Given())
     (value,) = field.normal(parse(text))
-    assert field.definite(value.num) == 0
-    assert field.definite(value.num + 1) == 1
+    assert field.signs.definite(value.num) == 0
+    assert field.signs.definite(value.num + 1) == 1
 
 
 LEVEL_AT_THE_BASE = [

@@ -6,8 +6,8 @@ from flint import arb, fmpq
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.parsing import parse
 from tresym.reals.normal.field import Field
-from tresym.reals.normal.monotone import MAX_MULTIPLE, same_sign
 from tresym.reals.normal.ring import Poly
+from tresym.reals.normal.sign_proofs import MAX_MULTIPLE
 from tresym.reals.numbers.arithmetic import ball_precision
 
 POSITIVE = "x > 0, y > 0"
@@ -68,7 +68,7 @@ def sign(x: arb) -> int | None:
 @pytest.mark.parametrize(("text", "given"), SAME)
 def test_same_sign(text: str, given: str) -> None:
     field, p = numerator(text, given)
-    found = same_sign(field, p)
+    found = field.signs.same_sign(p)
     assert found is not None
     assert found.total_degree() <= 15
     seen = set()
@@ -79,7 +79,7 @@ def test_same_sign(text: str, given: str) -> None:
             if not all(condition.holds(point) for condition in conditions):
                 continue
             with ball_precision(200):
-                here, there = sign(field.ball(p, point)), sign(field.ball(found, point))
+                here, there = sign(field.ring.ball(p, point)), sign(field.ring.ball(found, point))
             assert here == there or None in (here, there)
             seen.add(here)
     assert seen & {1, -1}
@@ -88,7 +88,7 @@ def test_same_sign(text: str, given: str) -> None:
 @pytest.mark.parametrize(("text", "given"), OTHER)
 def test_of_another_form(text: str, given: str) -> None:
     field, p = numerator(text, given)
-    assert same_sign(field, p) is None
+    assert field.signs.same_sign(p) is None
 
 
 @pytest.mark.parametrize(
@@ -107,4 +107,4 @@ def test_of_another_form(text: str, given: str) -> None:
 )
 def test_the_sign_that_follows(text: str, given: str, expected: int) -> None:
     field, p = numerator(text, given)
-    assert field.sign(p) == expected
+    assert field.signs.sign(p) == expected

@@ -144,7 +144,7 @@ def test_the_witness_is_exact_and_inside_the_conditions() -> None:
 def test_an_argument_that_vanishes_on_a_region_is_not_divided_by() -> None:
     field = Field(Given())
     (value,) = field.normal(parse("atan2(y + abs(y), x)"))
-    assert [field.at(i).kind for i in field.used(value.num)] == ["opaque"]
+    assert [field.ring.at(i).kind for i in field.ring.used(value.num)] == ["opaque"]
 
 
 def test_a_function_that_is_differentiated_is_defined_at_the_witness() -> None:

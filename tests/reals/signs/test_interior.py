@@ -72,8 +72,8 @@ def _at(field: Field, p: Poly, x: arb) -> arb:
     total = arb(0)
     for monomial, c in p.terms():
         term = arb(c)
-        for i in field.used(p):
-            base = x if field.at(i).kind == "symbol" else x.sqrt()
+        for i in field.ring.used(p):
+            base = x if field.ring.at(i).kind == "symbol" else x.sqrt()
             term *= base ** int(monomial[i])
         total += term
     return total

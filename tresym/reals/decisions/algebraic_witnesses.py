@@ -18,6 +18,7 @@ from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.normal.at_point import equal_at, satisfies
+from tresym.reals.normal.factors import factor_polynomial
 from tresym.reals.normal.field import Field
 from tresym.reals.normal.ring import UndefinedError
 from tresym.reals.numbers.arithmetic import WORKING, ball_precision
@@ -63,17 +64,17 @@ def _factors(difference: Expr) -> Iterator[tuple[str, fmpz_poly]]:
     try:
         field = Field(Given())
         (value,) = field.normal(difference)
-        if any(generator.kind != "symbol" for generator in field.generators):
+        if any(generator.kind != "symbol" for generator in field.ring.generators):
             return
-        parts = [part for part, _ in field.factor(value.num)[1]]
+        parts = [part for part, _ in factor_polynomial(field.ring, value.num)[1]]
     except (TooLargeError, UndefinedError):
         return
     for part in parts:
-        if len(used := field.used(part)) == 1:
+        if len(used := field.ring.used(part)) == 1:
             coefficients = [0] * (int(part.total_degree()) + 1)
             for monomial, c in part.terms():
                 coefficients[sum(map(int, monomial))] = int(c)
-            yield field.at(used[0]).data[0], fmpz_poly(coefficients)
+            yield field.ring.at(used[0]).data[0], fmpz_poly(coefficients)
 
 
 def _brackets(p: fmpz_poly) -> Iterator[tuple[fmpq, fmpq]]:

@@ -334,7 +334,7 @@ def _is_undefined(part: Expr) -> bool:
 
 
 def _counted(field: Field) -> str:
-    count = len(field.generators)
+    count = len(field.ring.generators)
     return f"{count} generator{'s' * (count != 1)}"
 
 
@@ -378,13 +378,13 @@ def _by_constants(
     proof = None
     with suppress(TooLargeError, UndefinedError):
         value = settled(field, value, functions=any(map(symbols, sides)))
-        if vanishes(field, value.num):
+        if vanishes(field.ring, value.num):
             why = (
                 "the difference has normal form 0 after its constants are "
                 f"simplified ({_counted(field)})"
             )
             return why, value, None
-        proof = equal_by_derivative(*sides, given, theories, field.size)
+        proof = equal_by_derivative(*sides, given, theories, field.ring.size)
         proof = proof or equal_by_limit(*sides, given)
     return proof, value, None if proof else _sign_in_doubt(field, value)
 
@@ -417,7 +417,7 @@ def _difference(
             x, y = field.normal(*sides)
             return field, x - y
         except TooLargeError:
-            if len(field.generators) < size:
+            if len(field.ring.generators) < size:
                 raise
     raise TooLargeError("the expression has too many independent subexpressions")
 
@@ -440,18 +440,18 @@ def _generator_count(sides: tuple[Expr, ...]) -> int:
 
 def _sign_in_doubt(field: Field, value: Fraction) -> Expr | None:
     """Return a nonzero polynomial on whose sign the normal form depends, or None."""
-    for i in field.used(value.num):
-        generator = field.at(i)
+    for i in field.ring.used(value.num):
+        generator = field.ring.at(i)
         if generator.kind == "sign":
-            terms = terms_in_symbols(field, generator.data[0])
+            terms = terms_in_symbols(field.ring, generator.data[0])
             if terms is not None:
                 return sum((number(c) * as_expression(m) for m, c in terms.items()), ZERO)
     return None
 
 
 def _obstacle(field: Field, value: Fraction) -> str:
-    kinds = {field.at(i).kind for i in field.used(value.num)}
-    for generator in map(field.at, field.used(value.num)):
+    kinds = {field.ring.at(i).kind for i in field.ring.used(value.num)}
+    for generator in map(field.ring.at, field.ring.used(value.num)):
         if generator.kind == "sign":
             factor = written(field, generator.data[0]) or "a subexpression"
             return (

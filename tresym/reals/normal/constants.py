@@ -13,7 +13,7 @@ from collections.abc import Iterable
 from flint import arb, fmpq, fmpz
 
 from tresym.reals.normal.field import Field
-from tresym.reals.normal.ring import Fraction, Poly
+from tresym.reals.normal.ring import Fraction, Poly, Ring
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import rational_ends
 from tresym.reals.numbers.factoring import TooLargeError
@@ -22,7 +22,7 @@ MAX_BITS = 150_000
 MAX_MULTIPLE = 200
 
 
-def is_algebraic(ring: Field, position: int) -> bool:
+def is_algebraic(ring: Ring, position: int) -> bool:
     """Return whether a generator is a constant algebraic integer."""
     generator = ring.at(position)
     if generator.kind == "cosine":
@@ -32,17 +32,17 @@ def is_algebraic(ring: Field, position: int) -> bool:
     )
 
 
-def vanishes(ring: Field, p: Poly) -> bool:
+def vanishes(ring: Ring, p: Poly) -> bool:
     """Return whether ``p`` is zero when the relations between its algebraic constants are used."""
     return all(algebraic_zero(ring, part) for part in coefficients(ring, p))
 
 
-def coefficients(ring: Field, p: Poly) -> Iterable[Poly]:
+def coefficients(ring: Ring, p: Poly) -> Iterable[Poly]:
     """Return the coefficients of ``p`` as a polynomial in its generators that are not algebraic."""
     return ring.grouped(p, [i for i in ring.used(p) if not is_algebraic(ring, i)]).values()
 
 
-def algebraic_zero(ring: Field, p: Poly) -> bool:
+def algebraic_zero(ring: Ring, p: Poly) -> bool:
     """Return whether the algebraic integer ``p`` is proved to be zero."""
     if p.is_zero():
         return True
@@ -64,7 +64,7 @@ def algebraic_zero(ring: Field, p: Poly) -> bool:
         return bool(value < arb(2) ** (-bits))
 
 
-def _involved(ring: Field, p: Poly) -> set[int]:
+def _involved(ring: Ring, p: Poly) -> set[int]:
     """Return the generators in ``p`` and inside its roots."""
     found: set[int] = set()
     for i in ring.used(p):
@@ -74,7 +74,7 @@ def _involved(ring: Field, p: Poly) -> set[int]:
     return found
 
 
-def _house(ring: Field, p: Poly) -> arb:
+def _house(ring: Ring, p: Poly) -> arb:
     """Return a bound on the absolute value of every conjugate of ``p``, at least 1."""
     sizes: dict[int, arb] = {}
     for i in ring.used(p):
@@ -92,7 +92,7 @@ def _house(ring: Field, p: Poly) -> arb:
     return arb(1).max(total.upper())
 
 
-def settled(ring: Field, x: Fraction, functions: bool = False) -> Fraction:
+def settled(field: Field, x: Fraction, functions: bool = False) -> Fraction:
     """``x`` with the combinations of logarithms and arc tangents that are known replaced.
 
     A sum Σ nᵢ log|fᵢ| is 0 where Π fᵢ^nᵢ = ±1. A sum Σ nᵢ atan uᵢ of constants is kπ/12, its
@@ -101,26 +101,25 @@ def settled(ring: Field, x: Fraction, functions: bool = False) -> Fraction:
     Args:
         functions: ``x`` is not a constant: only logarithms are replaced.
     """
-    x = _without_groups(ring, x, "log")
-    return x if functions else _without_groups(ring, x, "atan")
+    x = _without_groups(field, x, "log")
+    return x if functions else _without_groups(field, x, "atan")
 
 
-def _without_groups(ring: Field, x: Fraction, kind: str) -> Fraction:
-    known = _log_sum if kind == "log" else _atan_sum
+def _without_groups(field: Field, x: Fraction, kind: str) -> Fraction:
     for _ in range(8):
-        for factor, terms in _groups(ring, x, kind):
-            value = known(ring, terms) if all(ring.at(i).kind == kind for i in terms) else None
+        for factor, terms in _groups(field.ring, x, kind):
+            value = _log_sum(field.ring, terms) if kind == "log" else _atan_sum(field, terms)
             if value is not None:
                 for position, n in terms.items():
-                    value = value - ring.fraction(ring.at(position)) * n
-                x = x + ring.make(factor, x.den) * value
+                    value = value - field.ring.fraction(field.ring.at(position)) * n
+                x = x + field.ring.make(factor, x.den) * value
                 break
         else:
             return x
     return x
 
 
-def _groups(ring: Field, x: Fraction, kind: str) -> list[tuple[Poly, dict[int, fmpz]]]:
+def _groups(ring: Ring, x: Fraction, kind: str) -> list[tuple[Poly, dict[int, fmpz]]]:
     """Return monomials of ``x`` with the integer combination of ``kind`` generators each
     multiplies.
     """
@@ -142,7 +141,7 @@ def _groups(ring: Field, x: Fraction, kind: str) -> list[tuple[Poly, dict[int, f
     return found
 
 
-def _log_sum(ring: Field, terms: dict[int, fmpz]) -> Fraction | None:
+def _log_sum(ring: Ring, terms: dict[int, fmpz]) -> Fraction | None:
     """Return 0 if the sum of multiples of logarithms is shown to be 0, else None."""
     product = ring.one
     try:
@@ -157,16 +156,16 @@ def _log_sum(ring: Field, terms: dict[int, fmpz]) -> Fraction | None:
     return None
 
 
-def _atan_sum(ring: Field, terms: dict[int, fmpz]) -> Fraction | None:
+def _atan_sum(field: Field, terms: dict[int, fmpz]) -> Fraction | None:
     """Return the multiple of π/12 that equals a sum of arc tangents of constants, or None."""
-    real, imaginary = ring.one, ring.zero
+    real, imaginary = field.ring.one, field.ring.zero
     total = arb(0)
     try:
         for position, n in terms.items():
-            u = ring.at(position).data[0]
-            if not ring.is_constant(u):
+            u = field.ring.at(position).data[0]
+            if not field.ring.is_constant(u):
                 return None
-            total = total + ring.ball(u).atan() * n
+            total = total + field.ring.ball(u).atan() * n
             v = u if n > 0 else -u
             for _ in range(abs(int(n))):
                 real, imaginary = real - imaginary * v, imaginary + real * v
@@ -175,6 +174,6 @@ def _atan_sum(ring: Field, terms: dict[int, fmpz]) -> Fraction | None:
     k = (12 * total / arb.pi()).unique_fmpz()
     if k is None:
         return None
-    c, s = ring.turn_of_pi(fmpq(k, 12))
+    c, s = field.angles.turn_of_pi(fmpq(k, 12))
     rest = imaginary * c - real * s
-    return ring.pi(fmpq(k, 12)) if vanishes(ring, rest.num) else None
+    return field.angles.pi(fmpq(k, 12)) if vanishes(field.ring, rest.num) else None

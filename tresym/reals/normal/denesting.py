@@ -10,15 +10,14 @@ from collections.abc import Callable
 
 from flint import fmpq, fmpz
 
-from tresym.reals.normal.ring import Poly, small_factor
-from tresym.reals.normal.sign_equations import SignedRing
+from tresym.reals.normal.ring import Poly, Ring, small_factor
 from tresym.reals.numbers.factoring import primes_of
 
 CONJUGATE_TERMS = 10
 Factored = tuple[fmpz, list[tuple[Poly, int]]]
 
 
-def canonical(ring: SignedRing, f: Poly, factor: Callable[[Poly], Factored]) -> Factored:
+def canonical(ring: Ring, f: Poly, factor: Callable[[Poly], Factored]) -> Factored:
     """Write an irreducible ``f`` by its norm and conjugate where a root makes factors ambiguous.
 
     Args:
@@ -62,7 +61,7 @@ def canonical(ring: SignedRing, f: Poly, factor: Callable[[Poly], Factored]) -> 
     return fmpz(1), [(f, 1)]
 
 
-def _denested(ring: SignedRing, f: Poly, factor: Callable[[Poly], Factored]) -> Factored | None:
+def _denested(ring: Ring, f: Poly, factor: Callable[[Poly], Factored]) -> Factored | None:
     """Write ``p + q·A`` as ``(p + n + q·A)²/(2(p + n))`` if its norm ``p² − q²A²`` is ``n²``."""
     for position, degree, _ in ring.relations:
         if degree % 2 or ring.at(position).kind != "root" or f.degrees()[position] < degree // 2:
@@ -88,7 +87,7 @@ def _denested(ring: SignedRing, f: Poly, factor: Callable[[Poly], Factored]) -> 
     return None
 
 
-def _square_root(ring: SignedRing, p: Poly) -> Poly | None:
+def _square_root(ring: Ring, p: Poly) -> Poly | None:
     """Return a polynomial whose square is ``p``, or None."""
     if p.is_zero() or len(p) > CONJUGATE_TERMS:
         return None

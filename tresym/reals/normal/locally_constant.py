@@ -42,6 +42,7 @@ from tresym.reals.domain.operation_domains import singularities
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import PI, Expr, number, substitute, symbols
 from tresym.reals.normal.constants import settled, vanishes
+from tresym.reals.normal.factors import factor_fraction, factor_polynomial
 from tresym.reals.normal.field import Field
 from tresym.reals.normal.polynomials import terms_in_symbols
 from tresym.reals.normal.ring import Fraction, Poly, UndefinedError
@@ -81,9 +82,9 @@ def equal_by_derivative(
         slopes = [differentiate(side, name) for side in (left, right)]
         gradient += slopes
         *_, dx, dy = field.normal(left, right, *slopes)
-        if not vanishes(field, (dx - dy).num):
+        if not vanishes(field.ring, (dx - dy).num):
             return None
-    if any(generator.kind == "opaque" for generator in field.generators):
+    if any(generator.kind == "opaque" for generator in field.ring.generators):
         return None
     walls = _walls(left, right, given, field, names)
     if walls is None:
@@ -215,10 +216,10 @@ def _zeros(
     if edges is None:
         return None
     for part in {str(p): p for p in [*_factors(field, left, right, expressions), *edges]}.values():
-        if part.is_constant() or field.definite(part):
+        if part.is_constant() or field.signs.definite(part):
             continue
         for inner in _algebraic_walls(field, part) or [part]:
-            if inner.is_constant() or field.definite(inner):
+            if inner.is_constant() or field.signs.definite(inner):
                 continue
             wall = _in_symbols(field, inner, names)
             if wall is None:
@@ -240,7 +241,7 @@ def _factors(field: Field, left: Expr, right: Expr, expressions: list[Expr]) -> 
     """Return the irreducible factors of ``expressions``, on the domain of both sides."""
     factors: dict[str, Poly] = {}
     for value in field.normal(left, right, *expressions)[2:]:
-        factors |= {key: part for key, (part, _) in field.factors(value)[1].items()}
+        factors |= {key: part for key, (part, _) in factor_fraction(field.ring, value)[1].items()}
     return list(factors.values())
 
 
@@ -250,15 +251,15 @@ def _edges(field: Field, values: list[Fraction]) -> list[Poly] | None:
     None if one of the values may vanish where a half angle is π/2, or if this is not decided.
     """
     found = [p for value in values for p in _at_poles(field, value)]
-    for position in set().union(*map(field.involved, values)):
-        generator = field.at(position)
+    for position in set().union(*map(field.ring.involved, values)):
+        generator = field.ring.at(position)
         if generator.kind in ("root", "sign", "log"):
             found.append(generator.data[0])
         elif generator.kind in ("exp", "tan", "cos", "sin", "atan"):
             found.append(generator.data[-1].den)
     if any(p.is_zero() for p in found):
         return None
-    return [part for p in found for part, _ in field.factor(p)[1]]
+    return [part for p in found for part, _ in factor_polynomial(field.ring, p)[1]]
 
 
 def _at_poles(field: Field, value: Fraction) -> list[Poly]:
@@ -267,31 +268,35 @@ def _at_poles(field: Field, value: Fraction) -> list[Poly]:
 
     The zero polynomial is returned if this cannot be decided.
     """
-    used = field.used(value)
-    within = {j for i in used for p in field.inside(i) for j in field.involved(p)}
+    used = field.ring.used(value)
+    within = {j for i in used for p in field.ring.inside(i) for j in field.ring.involved(p)}
     leading = [value.num]
     for i in within.union(used):
-        if field.at(i).kind != "tan" or not field.support(i) or field.has_no_pole(field.at(i)):
+        if (
+            field.ring.at(i).kind != "tan"
+            or not field.ring.support(i)
+            or field.signs.has_no_pole(field.ring.at(i))
+        ):
             continue
         n = int(value.num.degrees()[i])
         if i in within or value.den.degrees()[i] > n:
-            return [field.zero_poly]
-        leading += [field.split(p, i).get(n, field.zero_poly) for p in leading]
+            return [field.ring.zero_poly]
+        leading += [field.ring.split(p, i).get(n, field.ring.zero_poly) for p in leading]
     return leading[1:]
 
 
 def _algebraic_walls(field: Field, p: Poly) -> list[Poly] | None:
     """Return polynomials without roots whose zeros contain those of ``p`` and of its radicands."""
-    for position, _, rule in field.relations:
+    for position, _, rule in field.ring.relations:
         if p.degrees()[position] <= 0:
             continue
-        if field.at(position).kind not in ("root", "sign"):
+        if field.ring.at(position).kind not in ("root", "sign"):
             return None
         norm = p.resultant(rule, position)
         if norm.is_zero():
             return None
         walls = _algebraic_walls(field, norm)
-        inner = _algebraic_walls(field, field.at(position).data[0])
+        inner = _algebraic_walls(field, field.ring.at(position).data[0])
         if walls is None or inner is None:
             return None
         return [*walls, *inner]
@@ -300,7 +305,7 @@ def _algebraic_walls(field: Field, p: Poly) -> list[Poly] | None:
 
 def _in_symbols(field: Field, p: Poly, names: list[str]) -> fmpz_mpoly | None:
     """Return ``p`` as a polynomial in ``names`` alone, or None."""
-    terms = terms_in_symbols(field, p)
+    terms = terms_in_symbols(field.ring, p)
     if terms is None or not {name for powers in terms for name, _ in powers} <= set(names):
         return None
     context = fmpz_mpoly_ctx.get([f"v{i}" for i in range(len(names))], Ordering.lex)
@@ -346,6 +351,6 @@ def equal_constants(left: Expr, right: Expr, theories: frozenset[str]) -> bool:
     field = Field(Given(), theories, 64)
     try:
         x, y = field.normal(left, right)
-        return vanishes(field, settled(field, x - y).num)
+        return vanishes(field.ring, settled(field, x - y).num)
     except (TooLargeError, UndefinedError):
         return False

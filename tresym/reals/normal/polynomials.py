@@ -9,15 +9,14 @@ from flint import fmpq
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.expression import ONE, Expr, symbol
 from tresym.reals.normal.field import Field
-from tresym.reals.normal.generators import ValuedRing
-from tresym.reals.normal.ring import Poly, UndefinedError
+from tresym.reals.normal.ring import Poly, Ring, UndefinedError
 from tresym.reals.numbers.factoring import TooLargeError
 
 Monomial = tuple[tuple[str, int], ...]
 """Pairs of a symbol and its nonzero power."""
 
 
-def terms_in_symbols(ring: ValuedRing, p: Poly) -> dict[Monomial, fmpq] | None:
+def terms_in_symbols(ring: Ring, p: Poly) -> dict[Monomial, fmpq] | None:
     """Return the terms of ``p``, or None if it contains a generator that is not a symbol."""
     used = {i: ring.at(i) for i in ring.used(p)}
     if any(generator.kind != "symbol" for generator in used.values()):
@@ -48,7 +47,7 @@ def polynomial(e: Expr) -> dict[Monomial, fmpq] | None:
         (value,) = field.normal(e)
     except (TooLargeError, UndefinedError):
         return None
-    terms = terms_in_symbols(field, value.num) if value.den.is_constant() else None
+    terms = terms_in_symbols(field.ring, value.num) if value.den.is_constant() else None
     if terms is None:
         return None
     unit = value.den.leading_coefficient()

@@ -4,48 +4,53 @@
   the signs of its factors.
 - log|f| for each factor f of an argument.
 - y = exp(exponent) for each exponent of a rational basis of the exponents that occur.
+
+For example, √(x³ − x²) on x > 1 becomes x·g with the generator g² = x − 1, and
+exp(x/2 + log(x)) becomes y·x with the generator y = exp(x/2). Exponentials of exponents that are
+linearly independent over the rational numbers, up to constants, are algebraically independent
+(Ax's theorem, *On Schanuel's conjectures*, Ann. of Math. 93, 1971).
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 from math import lcm
-from typing import Any
 
-from flint import fmpq, fmpq_mat
+from flint import fmpq
 
-from tresym.reals.normal.factors import FactoredRing
-from tresym.reals.normal.ring import Fraction, Generator, Poly, UndefinedError
-from tresym.reals.normal.sign_equations import AgainError
+from tresym.reals.normal.factors import factor_fraction
+from tresym.reals.normal.rational_basis import RationalBasis
+from tresym.reals.normal.ring import AgainError, Fraction, Generator, Poly, UndefinedError
+from tresym.reals.normal.sign_equations import SignEquations
 from tresym.reals.numbers.factoring import TooLargeError
 
 
-class PowerRing(FactoredRing):
-    """A ring with roots, exponentials and logarithms of its elements."""
+class Powers:
+    """Roots, exponentials and logarithms of the elements of a ring."""
 
-    def __init__(self, *arguments: Any) -> None:
-        """Take the arguments of the base class."""
-        super().__init__(*arguments)
+    def __init__(self, equations: SignEquations) -> None:
+        """Prepare powers in the ring of ``equations``, to which conditions on signs are added."""
+        self.ring = equations.ring
+        self.equations = equations
         self._orders: dict[str, int] = {}
-        self._basis: dict[str, list[Fraction]] = {"exp": [], "tan": [], "turn": []}
-        self._units: dict[str, list[int]] = {"exp": [], "tan": [], "turn": []}
+        self._exponents = RationalBasis(self.ring, with_numbers=True)
 
     # Roots
 
-    def _root(self, x: Fraction, r: fmpq, signed: bool = False) -> Fraction:
+    def root(self, x: Fraction, r: fmpq, signed: bool = False) -> Fraction:
         """Return ``x**r`` for ``x ≥ 0``; with ``signed``, the odd root with the sign of ``x``."""
         if x.num.is_zero():
             if r < 0:
                 raise UndefinedError("a negative power of zero")
-            return self.zero
-        sign, parts = self.factors(x)
-        result = self.one
+            return self.ring.zero
+        sign, parts = factor_fraction(self.ring, x)
+        result = self.ring.one
         if signed:
-            result = self.fraction(sign)
+            result = self.ring.fraction(sign)
             for part in (part for part, k in parts.values() if k.p % 2):
-                result = result * self.fraction(self.sigma(part))
+                result = result * self.ring.fraction(self.equations.sigma(part))
         else:
-            self._require_sign_of(sign, parts, strict=r < 0)
+            self.equations.require_factored(sign, parts, strict=r < 0)
         for part, k in parts.values():
             result = result * self._absolute_power(part, k * r)
         return result
@@ -53,12 +58,12 @@ class PowerRing(FactoredRing):
     def _absolute_power(self, f: Poly, r: fmpq) -> Fraction:
         """Return ``|f|**r`` for a canonical factor ``f``."""
         if r == 0:
-            return self.one
-        used = self.used(f)
-        if len(f) == 1 and len(used) == 1 and f == self.variables[used[0]]:
-            generator = self.at(used[0])
+            return self.ring.one
+        used = self.ring.used(f)
+        if len(f) == 1 and len(used) == 1 and f == self.ring.variables[used[0]]:
+            generator = self.ring.at(used[0])
             if generator.kind == "sign":
-                return self.one
+                return self.ring.one
             if generator.kind == "root" and r.q != 1:
                 base, order = generator.data
                 return self._absolute_power(base, r / order)
@@ -67,14 +72,14 @@ class PowerRing(FactoredRing):
                 return self._basis_exp([(index, r / unit)])
         whole = r.p // r.q
         rest = r - whole
-        result = self.fraction(f) ** int(whole)
+        result = self.ring.fraction(f) ** int(whole)
         if whole % 2:
-            result = result * self.fraction(self.sigma(f))
+            result = result * self.ring.fraction(self.equations.sigma(f))
         if rest != 0:
             order = self._order(f, int(rest.q))
             root = self._root_generator(f, order)
             k = int(rest.p * (order // rest.q))
-            result = result * self.fraction(root**k)
+            result = result * self.ring.fraction(root**k)
         return result
 
     def _order(self, f: Poly, n: int) -> int:
@@ -90,55 +95,55 @@ class PowerRing(FactoredRing):
 
     def _root_generator(self, f: Poly, order: int) -> Poly:
         key = (str(f), order)
-        sign = self.sigma(f)
-        if not self.known("root", key):
-            generator = self.generator("root", key, (f, order))
-            self.relate(generator, order, f * sign)
-        return self.variable(self.generator("root", key))
+        sign = self.equations.sigma(f)
+        if not self.ring.known("root", key):
+            generator = self.ring.generator("root", key, (f, order))
+            self.ring.relate(generator, order, f * sign)
+        return self.ring.variable(self.ring.generator("root", key))
 
     # Logarithms and exponentials
 
     def log(self, x: Fraction) -> Fraction:
         """Return ``log x`` on ``x > 0`` as a sum over the factors of ``x``."""
-        sign, parts = self.factors(x)
-        self._require_sign_of(sign, parts, strict=True)
-        return sum((self._log_absolute(part) * k for part, k in parts.values()), self.zero)
+        sign, parts = factor_fraction(self.ring, x)
+        self.equations.require_factored(sign, parts, strict=True)
+        return sum((self._log_absolute(part) * k for part, k in parts.values()), self.ring.zero)
 
     def _log_absolute(self, f: Poly) -> Fraction:
-        used = self.used(f)
-        if len(f) == 1 and len(used) == 1 and f == self.variables[used[0]]:
-            generator = self.at(used[0])
+        used = self.ring.used(f)
+        if len(f) == 1 and len(used) == 1 and f == self.ring.variables[used[0]]:
+            generator = self.ring.at(used[0])
             if generator.kind == "sign":
-                return self.zero
+                return self.ring.zero
             if generator.kind == "root":
                 base, order = generator.data
                 return self.log_of_absolute(base) / order
             if generator.kind == "exp":
                 index, unit = generator.data[:2]
-                return self._basis["exp"][index] / unit
-        return self.fraction(self.generator("log", str(f), (f,)))
+                return self._exponents.elements[index] / unit
+        return self.ring.fraction(self.ring.generator("log", str(f), (f,)))
 
     def log_of_absolute(self, p: Poly) -> Fraction:
         """Return ``log|p|``."""
-        _, parts = self.factors(self.fraction(p))
-        return sum((self._log_absolute(part) * k for part, k in parts.values()), self.zero)
+        _, parts = factor_fraction(self.ring, self.ring.fraction(p))
+        return sum((self._log_absolute(part) * k for part, k in parts.values()), self.ring.zero)
 
     def exp(self, x: Fraction) -> Fraction:
         """Return ``exp x``; rational multiples of logarithms become powers."""
-        parts = self._by_signs(x)
+        parts = self.ring.by_signs(x)
         if parts is not None:
-            return self._exp_by_signs(parts)
-        result = self.one
+            return self._expby_signs(parts)
+        result = self.ring.one
         rest, pieces = self.linear_part(x, "log")
         for generator, r in pieces:
             result = result * self._absolute_power(generator.data[0], r)
-        return result * self._basis_exp(self._decompose("exp", rest))
+        return result * self._basis_exp(self._exponents.combination(rest))
 
-    def _exp_by_signs(self, parts: list[tuple[Fraction, Fraction]]) -> Fraction:
+    def _expby_signs(self, parts: list[tuple[Fraction, Fraction]]) -> Fraction:
         """Return the exponential of a sum of ``s·w``, each factor cosh w + s·sinh w where s is a
         sign.
         """
-        result = self.one
+        result = self.ring.one
         for sign, part in parts:
             y = self.exp(part)
             if not sign.num.is_one():
@@ -155,19 +160,19 @@ class PowerRing(FactoredRing):
         """
         pieces = [piece for piece in self._multiples(x, kind) if piece[0].kind == kind]
         for generator, ratio in pieces:
-            x = x - self.fraction(generator) * ratio
+            x = x - self.ring.fraction(generator) * ratio
         return x, pieces
 
     def _multiples(self, x: Fraction, kind: str) -> list[tuple[Generator, fmpq]]:
         """Return the rational multiples of generators of ``kind`` that ``x`` contains."""
         pieces = []
-        for position in self.used(x.num):
-            generator = self.at(position)
+        for position in self.ring.used(x.num):
+            generator = self.ring.at(position)
             if generator.kind != kind:
                 continue
             ratio = fmpq(0)
             if x.den.is_constant():
-                alone = tuple(int(i == position) for i in range(self.size))
+                alone = tuple(int(i == position) for i in range(self.ring.size))
                 ratio = fmpq(x.num[alone], x.den.leading_coefficient())
             elif x.num.degrees()[position] == 1:
                 ratio = self._share(x, position)
@@ -179,89 +184,13 @@ class PowerRing(FactoredRing):
         """Return the rational coefficient of a generator in the polynomial part of ``x``."""
         content = x.den.content()
         quotient, _ = divmod(x.num.derivative(position), x.den // content)
-        return fmpq(quotient[(0,) * self.size], content)
-
-    # Rational bases of exponents, and of angles
+        return fmpq(quotient[(0,) * self.ring.size], content)
 
     def _basis_exp(self, terms: Iterable[tuple[int, fmpq]]) -> Fraction:
-        result = self.one
+        result = self.ring.one
         for index, r in terms:
-            unit = self._unit("exp", index, int(r.q))
-            exponent = self._basis["exp"][index]
-            generator = self.generator("exp", (index, unit), (index, unit, exponent))
-            result = result * self.fraction(generator) ** int(r.p * (unit // r.q))
+            unit = self._exponents.unit(index, int(r.q))
+            exponent = self._exponents.elements[index]
+            generator = self.ring.generator("exp", (index, unit), (index, unit, exponent))
+            result = result * self.ring.fraction(generator) ** int(r.p * (unit // r.q))
         return result
-
-    def _unit(self, kind: str, index: int, q: int) -> int:
-        old = self._units[kind][index]
-        if old % q:
-            self._units[kind][index] = lcm(old, q)
-            raise AgainError
-        return old
-
-    def _decompose(self, kind: str, x: Fraction) -> list[tuple[int, fmpq]]:
-        """Write ``x`` as a rational combination of the basis of its kind, extending the basis if
-        needed.
-        """
-        terms: list[tuple[int, fmpq]] = []
-        if kind == "exp":
-            for monomial, value in x.num.terms() if x.den.is_constant() else ():
-                if not any(monomial):
-                    r = fmpq(value, x.den.leading_coefficient())
-                    x = x - r
-                    terms.append((self._basis_index(kind, self.one), r))
-        if x.num.is_zero():
-            return terms
-        basis = self._basis[kind]
-        for index, element in enumerate(basis):
-            if element.den == x.den:
-                ratio = _proportion(x.num, element.num)
-                if ratio is not None:
-                    return [*terms, (index, ratio)]
-        solution = self._combination(basis, x) if basis else []
-        found = [(index, r) for index, r in enumerate(solution) if r != 0]
-        if (sum((basis[index] * r for index, r in found), self.zero) - x).num.is_zero():
-            return terms + found
-        return [*terms, (self._basis_index(kind, x), fmpq(1))]
-
-    def _basis_index(self, kind: str, x: Fraction) -> int:
-        basis = self._basis[kind]
-        for index, element in enumerate(basis):
-            if element.num == x.num and element.den == x.den:
-                return index
-        basis.append(x)
-        self._units[kind].append(1)
-        return len(basis) - 1
-
-    def _combination(self, basis: list[Fraction], x: Fraction) -> list[fmpq]:
-        """Return the rational coefficients with ``Σ c_i basis_i = x``, or wrong ones if there are
-        none.
-        """
-        common = x.den
-        for element in basis:
-            common = common * (element.den / common.gcd(element.den))
-        columns = [dict((item.num * (common / item.den)).terms()) for item in (*basis, x)]
-        rows = sorted({monomial for column in columns for monomial in column})
-        if not set(columns[-1]) <= {m for column in columns[:-1] for m in column}:
-            return []
-        matrix = fmpq_mat(
-            [[fmpq(column.get(monomial, 0)) for column in columns] for monomial in rows]
-        )
-        reduced, _ = matrix.rref()
-        n = len(basis)
-        solution = [fmpq(0)] * n
-        for i in range(len(rows)):
-            pivot = next((j for j in range(n + 1) if reduced[i, j] != 0), None)
-            if pivot == n:
-                return []
-            if pivot is not None:
-                solution[pivot] = reduced[i, n]
-        return solution
-
-
-def _proportion(p: Poly, q: Poly) -> fmpq | None:
-    """Return r with ``p = r·q``, or None."""
-    if p.is_zero() or q.is_zero() or len(p) != len(q):
-        return None
-    a, b = p.leading_coefficient(), q.leading_coefficient()
-    return fmpq(a, b) if p * b == q * a else None

@@ -1,20 +1,28 @@
-"""Compute with fractions of integer polynomials in generators, some with a monic relation.
+"""Compute in a tower of generators: fractions of integer polynomials, reduced by monic relations.
 
-A generator is a real function of the symbols (a symbol, π, |f|^(1/n), a sign, exp, tan of a half
-angle, log|f|, atan, or an opaque value). In a relation ``g**n = r``, ``r`` contains only older
-generators. Newer generators come first in the lexicographic order, so that one division by each
-relation, newest first, reduces a polynomial to its remainder.
+For example, √(x + 1) is a generator g over the symbol x with the relation g² = x + 1, so that
+1/(g + 1) becomes (g − 1)/x. A generator is a real function of the symbols (a symbol, π, |f|^(1/n),
+a sign, exp, tan of a half angle, log|f|, atan, or an opaque value). In a relation ``g**n = r``,
+``r`` contains only older generators. Newer generators come first in the lexicographic order, so
+that one division by each relation, newest first, reduces a polynomial to its remainder (this is
+the normal form with respect to a Gröbner basis whose leading terms are coprime; Cox, Little,
+O'Shea, *Ideals, Varieties, and Algorithms*, §2.6 and §2.9).
+
+The ring also knows what each generator depends on, its value in balls, and whether generators may
+depend on each other, so that a polynomial in them could vanish on a whole region.
 """
 
 from __future__ import annotations
 
-from collections.abc import Container
+from collections.abc import Callable, Container, Mapping
 from functools import cache
 from math import comb
 from typing import Any, NamedTuple, TypeAlias
 
-from flint import Ordering, fmpq, fmpz, fmpz_mpoly, fmpz_mpoly_ctx
+from flint import Ordering, arb, fmpq, fmpz, fmpz_mpoly, fmpz_mpoly_ctx
 
+from tresym.reals.functions.table import SPECIAL, TABLE
+from tresym.reals.numbers.arithmetic import decided, side
 from tresym.reals.numbers.factoring import TooLargeError, factors_of
 
 Poly: TypeAlias = fmpz_mpoly
@@ -25,11 +33,16 @@ LARGEST_DEGREE = 10**6
 """The maximal degree of sums: FLINT's cost grows with it, and its gcd is wrong beyond 64 bits."""
 CONJUGATE_TERMS = 600
 REMEMBERED = 1 << 14
+SIGN_BITS = 256
 _INVERSE = frozenset(("log", "atan", "opaque", "cos", "sin"))
 
 
 class UndefinedError(Exception):
     """Raised for an operation that is nowhere defined, such as division by zero."""
+
+
+class AgainError(TooLargeError):
+    """Raised when a unit, an order or a sign was learnt, so that the normal form starts again."""
 
 
 class Generator(NamedTuple):
@@ -136,7 +149,13 @@ class Fraction:
 
 
 class Ring:
-    """The polynomial ring with its generators and relations, and the arithmetic of fractions."""
+    """The polynomial ring with its generators and relations, and the arithmetic of fractions.
+
+    Attributes:
+        require: called with a polynomial and ±1 when the denominator d·(1 ± σ) is met, σ being the
+            sign of the polynomial; without it, such a fraction stays as it is.
+        factored: canonical factorisations, see :mod:`.factors`; they depend on the relations.
+    """
 
     def __init__(self, size: int) -> None:
         """Create a ring for at most ``size`` generators; one more raises :class:`TooLargeError`."""
@@ -144,7 +163,10 @@ class Ring:
         self.context, self.variables = _polynomials(size)
         self.generators: list[Generator] = []
         self.relations: list[tuple[int, int, Poly]] = []
+        self.require: Callable[[Poly, int], None] | None = None
+        self.factored: dict[str, tuple[fmpz, list[tuple[Poly, int]]]] = {}
         self._by_key: dict[tuple[Any, ...], Generator] = {}
+        self._supports: dict[int, frozenset[str]] = {}
         self.one_poly = self.context.constant(1)
         self.zero_poly = self.context.constant(0)
         self.zero = self.fraction(self.zero_poly)
@@ -163,14 +185,14 @@ class Ring:
         Raises:
             TooLargeError: the ring already has ``size`` generators.
         """
-        found = self._by_key.get((kind, key))
-        if found is None:
+        generator = self._by_key.get((kind, key))
+        if generator is None:
             if len(self.generators) == self.size:
                 raise TooLargeError(f"a normal form with more than {self.size} generators")
-            found = Generator(kind, data, self.size - 1 - len(self.generators))
-            self.generators.append(found)
-            self._by_key[kind, key] = found
-        return found
+            generator = Generator(kind, data, self.size - 1 - len(self.generators))
+            self.generators.append(generator)
+            self._by_key[kind, key] = generator
+        return generator
 
     def known(self, kind: str, key: Any) -> bool:
         """Return whether that generator exists already."""
@@ -188,6 +210,8 @@ class Ring:
         """Record the relation ``generator**degree = value``, with ``value`` in older generators."""
         rule = self.variable(generator) ** degree - value
         kept = [item for item in self.relations if item[0] != generator.position]
+        if len(kept) != len(self.relations):
+            self.factored.clear()
         self.relations = sorted([*kept, (generator.position, degree, rule)], key=lambda r: r[0])
 
     def used(self, x: Poly | Fraction) -> list[int]:
@@ -279,7 +303,7 @@ class Ring:
             conjugate = parts[0] - parts[1] * x
             norm = self.reduce(den * conjugate)
             if norm.is_zero():
-                num, den = self.zero_divisor(num, den, position, parts)
+                num, den = self._without_zero_divisor(num, den, position, parts)
                 degrees = den.degrees()
                 continue
             if self.is_mixed(norm):
@@ -290,15 +314,18 @@ class Ring:
             degrees = den.degrees()
         return num, den
 
-    def zero_divisor(
+    def _without_zero_divisor(
         self, num: Poly, den: Poly, position: int, parts: dict[int, Poly]
     ) -> tuple[Poly, Poly]:
-        """Return the fraction if ``den`` is a zero divisor; subclasses may use more knowledge."""
+        """Replace a denominator d·(1 ± σ), which is nonzero only where it equals 2d, by 2d."""
+        generator = self.at(position)
+        if generator.kind != "sign" or self.require is None:
+            return num, den
+        for sign in (1, -1):
+            if self.reduce(parts[0] - sign * parts[1]).is_zero():
+                self.require(generator.data[0], sign)
+                return num, 2 * parts[0]
         return num, den
-
-    def is_mixed(self, p: Poly) -> bool:
-        """Return whether ``p`` may vanish on a whole region; subclasses may decide more cases."""
-        return self.is_inverse(p)
 
     def is_inverse(self, p: Poly) -> bool:
         """Return whether ``p`` contains a logarithm, arc tangent or opaque generator."""
@@ -329,6 +356,186 @@ class Ring:
             return None
         return fmpq(_constant(x.num), _constant(x.den))
 
+    # What generators depend on, and their values
+
+    def symbol(self, name: str) -> Generator:
+        """Return the generator of a variable."""
+        return self.generator("symbol", name, (name,))
+
+    def support(self, position: int) -> frozenset[str]:
+        """Return the symbols that a generator depends on."""
+        names = self._supports.get(position)
+        if names is None:
+            generator = self.at(position)
+            if generator.kind == "symbol":
+                names = frozenset(generator.data)
+            else:
+                names = frozenset().union(*map(self.dependence, self.inside(position)))
+            self._supports[position] = names
+        return names
+
+    def dependence(self, x: Poly | Fraction) -> frozenset[str]:
+        """Return the symbols that ``x`` depends on."""
+        return frozenset().union(*(self.support(i) for i in self.used(x)))
+
+    def involved(self, x: Poly | Fraction) -> set[int]:
+        """Return the generators of ``x`` and, recursively, those inside them, without constants."""
+        outer = {i for i in self.used(x) if self.support(i) or self.at(i).kind == "opaque"}
+        return outer.union(*(self.involved(p) for i in outer for p in self.inside(i)))
+
+    def is_constant(self, x: Poly | Fraction) -> bool:
+        """Return whether ``x`` depends on no symbol and on no opaque generator."""
+        return all(not self.support(i) and self.at(i).kind != "opaque" for i in self.used(x))
+
+    def ball(
+        self,
+        x: Poly | Fraction,
+        point: Mapping[str, arb] | None = None,
+        known: dict[int, arb] | None = None,
+    ) -> arb:
+        """Return a ball that contains the value of ``x`` at ``point``.
+
+        Args:
+            x: a polynomial or fraction.
+            point: a ball for each symbol.
+            known: values of generators at that point; they are used, and new ones are added.
+
+        Returns:
+            The ball; NaN if a generator has no value at the point.
+        """
+        known = {} if known is None else known
+        if isinstance(x, Fraction):
+            return self.ball(x.num, point, known) / self.ball(x.den, point, known)
+        total = arb(0)
+        values = {}
+        for i in self.used(x):
+            if i not in known:
+                known[i] = self.generator_ball(self.at(i), point or {}, known)
+            values[i] = known[i]
+        for monomial, coefficient in x.terms():
+            term = arb(coefficient)
+            for i, value in values.items():
+                if monomial[i]:
+                    term = term * value ** int(monomial[i])
+            total = total + term
+        return total
+
+    def generator_ball(
+        self, generator: Generator, point: Mapping[str, arb], known: dict[int, arb]
+    ) -> arb:
+        """Return a ball for the value of a generator, as :meth:`ball` does for a polynomial."""
+        data = generator.data
+        match generator.kind:
+            case "symbol":
+                return point.get(data[0], arb.nan())
+            case "pi":
+                return arb.pi()
+            case "root":
+                return abs(self.ball(data[0], point, known)).root(data[1])
+            case "sign":
+                value = self.ball(data[0], point, known)
+                return arb(1) if value > 0 else arb(-1) if value < 0 else arb.nan()
+            case "cosine":
+                return 2 * arb.cos_pi_fmpq(fmpq(1, data[0]))
+            case "exp":
+                return (self.ball(data[2], point, known) / data[1]).exp()
+            case "tan":
+                return (self.ball(data[2], point, known) / (2 * data[1])).tan()
+            case "cos" | "sin" as name:
+                return getattr(self.ball(data[2], point, known) / data[1], name)()
+            case "log":
+                return abs(self.ball(data[0], point, known)).log()
+            case "atan":
+                return self.ball(data[0], point, known).atan()
+            case "opaque" if data[0] in SPECIAL:
+                return TABLE[data[0]].ball(*(self.ball(arg, point, known) for arg in data[1:]))
+            case _:
+                return arb.nan()
+
+    # What may vanish on a whole region
+
+    def is_mixed(self, p: Poly) -> bool:
+        """Return whether ``p`` may vanish on a whole region though its normal form is not zero.
+
+        This is possible if its generators may depend on each other in a way that is not known:
+        several inverse functions, nested roots, values of arbitrary functions, sums with signs, arc
+        tangents of tangents, or constants that may be equal.
+        """
+        kinds = [self.at(i).kind for i in self.used(p)]
+        if len(p) == 1 and set(kinds) == {"exp"}:
+            return False
+        if "cos" in kinds or "sin" in kinds:
+            return True
+        if "opaque" in kinds or "sign" in kinds:
+            return len(p) > 1
+        inner = self.involved(p)
+        nested = any(
+            self.at(j).kind in ("root", "sign", "opaque")
+            for i in inner
+            if self.at(i).kind == "root"
+            for j in self.involved(self.at(i).data[0])
+        )
+        return nested or self.are_tied(inner) or self._may_be_zero_by_constants(p)
+
+    def are_tied(self, positions: set[int]) -> bool:
+        """Return whether inverse functions among these generators may depend on the others.
+
+        A single logarithm or arc tangent can do so only through signs, as an arc tangent of
+        tangents, or as a logarithm of roots of exponentials. Otherwise tan(cx + d) or exp(cx + d)
+        would be algebraic over functions over which it is not. Logarithms of distinct irreducible
+        polynomials in the symbols are independent (Ostrowski).
+        """
+        kinds = [self.at(i).kind for i in positions]
+        inverses = kinds.count("log") + kinds.count("atan")
+        if set(kinds) <= {"symbol", "log"} and all(
+            self.at(j).kind == "symbol"
+            for i in positions
+            if self.at(i).kind == "log"
+            for j in self.used(self.at(i).data[0])
+        ):
+            return False
+        return inverses > 1 or (
+            inverses == 1
+            and (
+                bool({"sign", "opaque", "cos", "sin"} & set(kinds))
+                or {"atan", "tan"} <= set(kinds)
+                or {"log", "exp", "root"} <= set(kinds)
+            )
+        )
+
+    def _may_be_zero_by_constants(self, p: Poly) -> bool:
+        """Return whether no coefficient of ``p``, a polynomial in constants, is shown to be
+        nonzero.
+        """
+        constants = [i for i in self.used(p) if not self.support(i) and self.at(i).kind != "opaque"]
+        if not constants:
+            return False
+        parts = self.grouped(p, {*self.used(p)} - {*constants}).values()
+        return not any(part.is_constant() or self.constant_sign(part) for part in parts)
+
+    def constant_sign(self, p: Poly) -> int:
+        """Return the sign of a constant, or 0 if balls do not separate it from 0."""
+        return decided(lambda: side(self.ball(p)), (64, SIGN_BITS, 4 * SIGN_BITS)) or 0
+
+    def by_signs(self, x: Fraction) -> list[tuple[Fraction, Fraction]] | None:
+        """Write ``x`` as a sum of products of signs times terms without signs; None if it has no
+        sign.
+        """
+        if any(self.at(i).kind == "sign" for i in self.used(x.den)):
+            return None
+        signs = [i for i in self.used(x.num) if self.at(i).kind == "sign"]
+        if not signs:
+            return None
+        return [
+            (self.fraction(self.context.from_dict({outer: 1})), self.make(part, x.den))
+            for outer, part in self.grouped(x.num, signs).items()
+        ]
+
+    def sign_content(self, x: Fraction) -> tuple[Fraction, Fraction] | None:
+        """Return a product of signs that every term of ``x`` contains, and the rest; else None."""
+        parts = self.by_signs(x)
+        return parts[0] if parts is not None and len(parts) == 1 else None
+
 
 def polys(x: Any) -> tuple[Poly, ...]:
     """Return a polynomial, or those of a fraction, as a tuple; empty for anything else."""
@@ -358,17 +565,17 @@ def small_factor(ring: Ring, p: Poly) -> tuple[fmpz, list[tuple[Poly, int]]]:
     used = ring.used(p)
     small = project(p, used)
     key = len(used), str(small)
-    found = _factors.get(key)
-    if found is None:
-        if len(_factors) >= REMEMBERED:
-            _factors.clear()
-        found = _factors[key] = factors_of(small)
-    unit, factors = found
+    factored = _factored.get(key)
+    if factored is None:
+        if len(_factored) >= REMEMBERED:
+            _factored.clear()
+        factored = _factored[key] = factors_of(small)
+    unit, factors = factored
     back = dict(enumerate(used))
     return unit, [(f.project_to_context(ring.context, back), k) for f, k in factors]
 
 
-_factors: dict[tuple[int, str], tuple[fmpz, list[tuple[Poly, int]]]] = {}
+_factored: dict[tuple[int, str], tuple[fmpz, list[tuple[Poly, int]]]] = {}
 """Cached factorisations by number of variables and text: few polynomials are factored often."""
 
 

@@ -1,29 +1,32 @@
 """Learn signs of factors by solving linear equations over GF(2).
 
-The facts are the conditions of a claim and those that its own radicands, logarithms and inverse
-functions impose. Each says that a product of signs is +1 or −1, which is a linear equation over
-GF(2). A sign that is not proven is a generator σ with σ² = 1.
+For example, √(x·(x − 1)) and log(x) say that σ(x)·σ(x − 1) = 1 and σ(x) = 1, from which
+σ(x − 1) = 1 follows. The facts are the conditions of a claim and those that its own radicands,
+logarithms and inverse functions impose. Each says that a product of signs is +1 or −1, which is a
+linear equation over GF(2); Gaussian elimination solves them. A sign that is not proven is a
+generator σ with σ² = 1.
 """
 
 from __future__ import annotations
 
-from typing import Any
-
-from tresym.reals.normal.ranges import ProvingRing
-from tresym.reals.normal.ring import Poly
-from tresym.reals.numbers.factoring import TooLargeError
+from tresym.reals.normal.factors import PowersOfFactors, factor_fraction
+from tresym.reals.normal.ring import AgainError, Fraction, Poly
+from tresym.reals.normal.sign_proofs import SignProver
 
 
-class AgainError(TooLargeError):
-    """Raised when a unit, an order or a sign was learnt, so that the normal form starts again."""
+class SignEquations:
+    """The signs of the factors of a ring: known, given by a rule, or generators.
 
+    Attributes:
+        rules: factors whose sign is a constant times the signs of other factors.
+        polys: the factors that were met, by their text.
+    """
 
-class SignedRing(ProvingRing):
-    """A ring that learns the signs of its factors."""
-
-    def __init__(self, *arguments: Any) -> None:
-        """Take the arguments of the base class."""
-        super().__init__(*arguments)
+    def __init__(self, signs: SignProver) -> None:
+        """Create an empty system of equations, and take over what the ring requires of signs."""
+        self.ring = signs.ring
+        self.signs = signs
+        self.ring.require = lambda p, sign: self.require_sign([(p, 1)], sign)
         self.rules: dict[str, tuple[int, list[str]]] = {}
         self.polys: dict[str, Poly] = {}
         self._met: dict[str, int] = {}
@@ -33,42 +36,63 @@ class SignedRing(ProvingRing):
     def begin_pass(self) -> None:
         """Forget the equations of the last pass and the signs that new facts may improve."""
         self._equations = set()
-        self._tried = {}
         self._quietly = False
-        self._signs = {key: sign for key, sign in self._signs.items() if sign}
+        self.signs.forget_failures()
         self._settle_proven()
 
     def _settle_proven(self) -> None:
         """Fix the signs that have a generator from an earlier pass and are now proved."""
-        for generator in self.generators:
+        for generator in self.ring.generators:
             if generator.kind != "sign":
                 continue
             key = str(generator.data[0])
-            if key not in self.known_signs and key not in self.rules:
-                found = self.sign(generator.data[0])
-                if found:
-                    self._know(key, found)
+            if key not in self.signs.known_signs and key not in self.rules:
+                sign = self.signs.sign(generator.data[0])
+                if sign:
+                    self._know(key, sign)
 
     def sigma(self, f: Poly) -> Poly:
         """Return the sign of a canonical factor: ±1 if known, a product of other signs, or a new
         generator.
+
+        An arc tangent has the sign of its argument.
         """
+        if len(f) == 1 and f.total_degree() == 1:
+            generator = self.ring.at(self.ring.used(f)[0])
+            if generator.kind == "atan":
+                return self.sign_function(generator.data[0]).num
+            if generator.kind == "sign":
+                return f
+        inner = None if self.signs.sign(f) else self.signs.same_sign(f)
+        if inner is not None:
+            return self.sign_function(self.ring.fraction(inner)).num
         if f.is_constant():
-            return self.one_poly if f.leading_coefficient() > 0 else -self.one_poly
-        known = self.sign(f)
+            return self.ring.one_poly if f.leading_coefficient() > 0 else -self.ring.one_poly
+        known = self.signs.sign(f)
         if known:
-            return self.context.constant(known)
+            return self.ring.context.constant(known)
         key = self._meet(f)
         if key in self.rules:
             constant, others = self.rules[key]
-            product = self.context.constant(constant)
+            product = self.ring.context.constant(constant)
             for other in others:
                 product = product * self.sigma(self.polys[other])
-            return self.reduce(product)
-        if not self.known("sign", key):
-            generator = self.generator("sign", key, (f,))
-            self.relate(generator, 2, self.one_poly)
-        return self.variable(self.generator("sign", key))
+            return self.ring.reduce(product)
+        if not self.ring.known("sign", key):
+            generator = self.ring.generator("sign", key, (f,))
+            self.ring.relate(generator, 2, self.ring.one_poly)
+        return self.ring.variable(self.ring.generator("sign", key))
+
+    def sign_function(self, x: Fraction) -> Fraction:
+        """Return the sign of ``x`` as a product of the signs of its factors."""
+        if x.num.is_zero():
+            return self.ring.zero
+        sign, parts = factor_fraction(self.ring, x)
+        product = self.ring.context.constant(sign)
+        for part, k in parts.values():
+            if k.p % 2:
+                product = product * self.sigma(part)
+        return self.ring.fraction(self.ring.reduce(product))
 
     def _meet(self, f: Poly) -> str:
         key = str(f)
@@ -76,6 +100,15 @@ class SignedRing(ProvingRing):
             self.polys[key] = f
             self._met[key] = len(self._met)
         return key
+
+    def require_positive(self, x: Fraction, strict: bool = False) -> None:
+        """Record that ``x`` is not negative on the domain; with ``strict``, that it is positive."""
+        if not x.num.is_zero():
+            self.require_factored(*factor_fraction(self.ring, x), strict)
+
+    def require_factored(self, sign: int, parts: PowersOfFactors, strict: bool) -> None:
+        """Record that a fraction, given by its factors, is not negative, or that it is positive."""
+        self.require_sign([(part, int(k.p)) for part, k in parts.values()], sign, strict)
 
     def require_sign(self, parts: list[tuple[Poly, int]], sign: int, strict: bool = False) -> None:
         """Record that the product of these powers has the given sign on the domain, or is zero.
@@ -87,6 +120,8 @@ class SignedRing(ProvingRing):
         follows for the signs of the other parts, even if its exponent is even or its sign is known.
         Such an equation is ignored, unless ``strict`` states that the product is nowhere zero.
 
+        A part that is an inverse function is also replaced by its argument.
+
         Args:
             parts: factors and their exponents.
             sign: 1 or −1.
@@ -95,6 +130,17 @@ class SignedRing(ProvingRing):
         Raises:
             AgainError: a sign was learnt that this pass has already used as unknown.
         """
+        for i, (part, k) in enumerate(parts):
+            if k % 2 == 0:
+                continue
+            if str(part) not in self.signs.known_signs and self._sign_in(parts, part):
+                continue
+            inner = self.signs.same_sign(part)
+            if inner is not None and not inner.is_zero():
+                outer, factors = factor_fraction(self.ring, self.ring.fraction(inner))
+                powers = [(f, int(n.p)) for f, n in factors.values()]
+                self.require_sign([*parts[:i], *powers, *parts[i + 1 :]], sign * outer, strict)
+                break
         keys: set[str] = set()
         for constant, _ in ((part, k) for part, k in parts if part.is_constant() and k % 2):
             sign *= 1 if constant.leading_coefficient() > 0 else -1
@@ -107,11 +153,11 @@ class SignedRing(ProvingRing):
             keys ^= {self._meet(part)}
         if not keys:
             return
-        if not strict and len(parts) > 1 and any(self.is_mixed(part) for part, _ in parts):
+        if not strict and len(parts) > 1 and any(self.ring.is_mixed(part) for part, _ in parts):
             return
         if len(keys) == 1:
             (key,) = keys
-            used = self.known("sign", key)
+            used = self.ring.known("sign", key)
             self._know(key, sign)
             self._quietly |= not used
             if used:
@@ -121,89 +167,16 @@ class SignedRing(ProvingRing):
 
     def _sign_in(self, parts: list[tuple[Poly, int]], part: Poly) -> int:
         """Return the sign of a part; a part that stands alone is not worth a proof."""
-        if not self._inhabited or sum(not p.is_constant() for p, _ in parts) > 1:
-            return self.sign(part)
-        key = str(part)
-        return self.known_signs.get(key) or self._signs.get(key) or self.orthant_sign(part)
-
-    def zero_divisor(
-        self, num: Poly, den: Poly, position: int, parts: dict[int, Poly]
-    ) -> tuple[Poly, Poly]:
-        """Replace a denominator d·(1 ± σ), which is nonzero only where it equals 2d, by 2d."""
-        generator = self.at(position)
-        for sign in (1, -1):
-            if generator.kind == "sign" and self.reduce(parts[0] - sign * parts[1]).is_zero():
-                self.require_sign([(generator.data[0], 1)], sign)
-                return num, 2 * parts[0]
-        return num, den
-
-    # What may vanish on a whole region
-
-    def is_mixed(self, p: Poly) -> bool:
-        """Return whether ``p`` may vanish on a whole region though its normal form is not zero.
-
-        This is possible if its generators may depend on each other in a way that is not known:
-        several inverse functions, nested roots, values of arbitrary functions, sums with signs, arc
-        tangents of tangents, or constants that may be equal.
-        """
-        kinds = [self.at(i).kind for i in self.used(p)]
-        if len(p) == 1 and set(kinds) == {"exp"}:
-            return False
-        if "cos" in kinds or "sin" in kinds:
-            return True
-        if "opaque" in kinds or "sign" in kinds:
-            return len(p) > 1
-        inner = self.involved(p)
-        nested = any(
-            self.at(j).kind in ("root", "sign", "opaque")
-            for i in inner
-            if self.at(i).kind == "root"
-            for j in self.involved(self.at(i).data[0])
-        )
-        return nested or self.are_tied(inner) or self._may_be_zero_by_constants(p)
-
-    def are_tied(self, positions: set[int]) -> bool:
-        """Return whether inverse functions among these generators may depend on the others.
-
-        A single logarithm or arc tangent can do so only through signs, as an arc tangent of
-        tangents, or as a logarithm of roots of exponentials. Otherwise tan(cx + d) or exp(cx + d)
-        would be algebraic over functions over which it is not. Logarithms of distinct irreducible
-        polynomials in the symbols are independent (Ostrowski).
-        """
-        kinds = [self.at(i).kind for i in positions]
-        inverses = kinds.count("log") + kinds.count("atan")
-        if set(kinds) <= {"symbol", "log"} and all(
-            self.at(j).kind == "symbol"
-            for i in positions
-            if self.at(i).kind == "log"
-            for j in self.used(self.at(i).data[0])
-        ):
-            return False
-        return inverses > 1 or (
-            inverses == 1
-            and (
-                bool({"sign", "opaque", "cos", "sin"} & set(kinds))
-                or {"atan", "tan"} <= set(kinds)
-                or {"log", "exp", "root"} <= set(kinds)
-            )
-        )
-
-    def _may_be_zero_by_constants(self, p: Poly) -> bool:
-        """Return whether no coefficient of ``p``, a polynomial in constants, is shown to be
-        nonzero.
-        """
-        constants = [i for i in self.used(p) if not self.support(i) and self.at(i).kind != "opaque"]
-        if not constants:
-            return False
-        parts = self.grouped(p, {*self.used(p)} - {*constants}).values()
-        return not any(part.is_constant() or self._constant_sign(part) for part in parts)
+        if not self.signs.has_points or sum(not p.is_constant() for p, _ in parts) > 1:
+            return self.signs.sign(part)
+        return self.signs.quick_sign(part)
 
     # Equations between signs
 
     def learn(self) -> bool:
         """Solve the sign equations of the pass, and return whether anything was learnt."""
         rows = self._eliminated()
-        before = len(self.known_signs), len(self.rules), tuple(self.box.items())
+        before = len(self.signs.known_signs), len(self.rules), tuple(self.signs.box.items())
         for keys, sign in rows:
             if len(keys) == 1:
                 self._know(next(iter(keys)), sign)
@@ -215,7 +188,7 @@ class SignedRing(ProvingRing):
             if len(keys) > 1 and newest not in self.rules:
                 self.rules[newest] = (sign, sorted(keys - {newest}))
                 self._settle(newest)
-        after = len(self.known_signs), len(self.rules), tuple(self.box.items())
+        after = len(self.signs.known_signs), len(self.rules), tuple(self.signs.box.items())
         return self._quietly or before != after
 
     def _eliminated(self) -> list[tuple[frozenset[str], int]]:
@@ -242,30 +215,26 @@ class SignedRing(ProvingRing):
         return max(keys, key=self._age)
 
     def _age(self, key: str) -> tuple[int, int]:
-        if self.known("sign", key):
-            return 0, -self.generator("sign", key).position
+        if self.ring.known("sign", key):
+            return 0, -self.ring.generator("sign", key).position
         return 1, self._met[key]
 
     def _settle(self, key: str) -> None:
         """Add the relation that reduces the generator of a sign that is now known."""
-        if self.known("sign", key):
-            self.relate(self.generator("sign", key), 1, self.sigma(self.polys[key]))
+        if self.ring.known("sign", key):
+            self.ring.relate(self.ring.generator("sign", key), 1, self.sigma(self.polys[key]))
 
     def _know(self, key: str, sign: int) -> None:
-        if key in self.known_signs:
-            return
-        self.known_signs[key] = sign
-        self._settle(key)
-        p = self.polys[key]
-        self.positives[key] = p if sign > 0 else -p
-        self._narrow(self.positives[key])
+        if key not in self.signs.known_signs:
+            self.signs.know(self.polys[key], sign)
+            self._settle(key)
 
     def _compare(self, first: str, second: str, sign: int) -> None:
         """Decide two signs with known product if the sum or difference of the factors has one."""
         p, q = self.polys[first], self.polys[second]
         if sign < 0:
             q = -q
-        total = self.sign(self.reduce(p + q))
+        total = self.signs.sign(self.ring.reduce(p + q))
         if total:
             self._know(first, total)
             self._know(second, total * sign)

@@ -37,7 +37,7 @@ def numerator(e: Expr, region: Given) -> Expr:
 def written(field: Field, p: Poly) -> Expr | None:
     """Return a polynomial in generators as an expression, or None if one cannot be written."""
     terms: list[Expr] = []
-    parts = {i: _generator(field, field.at(i)) for i in field.used(p)}
+    parts = {i: _generator(field, field.ring.at(i)) for i in field.ring.used(p)}
     for monomial, value in p.terms():
         factors = [number(int(value))]
         for i, part in parts.items():
@@ -61,7 +61,7 @@ def _generator(field: Field, generator: Generator) -> Expr | None:
             return PI
         case "root" | "log":
             inner = written(field, data[0])
-            known = field.sign(data[0])
+            known = field.signs.sign(data[0])
             if inner is None:
                 return None
             inner = inner if known > 0 else -inner if known < 0 else abs(inner)

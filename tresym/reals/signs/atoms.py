@@ -30,23 +30,25 @@ _CIRCULAR = {
 }
 
 
-class Atoms(Ring):
+class Atoms:
     """Represent expressions in a ring whose generators stand for atoms.
 
     The data of each generator hold the atom as an expression. For an n-th root they also hold n and
-    the
-    radicand.
+    the radicand.
+
+    Attributes:
+        ring: the ring.
     """
 
     def __init__(self) -> None:
         """Create a ring with :data:`SIZE` generators, none of which is used yet."""
-        super().__init__(SIZE)
+        self.ring = Ring(SIZE)
         self._memo: dict[Expr, Fraction] = {}
 
     def expression(self, position: int) -> Expr:
         """Return the atom at a position as an expression."""
-        found: Expr = self.at(position).data[0]
-        return found
+        atom: Expr = self.ring.at(position).data[0]
+        return atom
 
     def of(self, e: Expr) -> Fraction:
         """Return a fraction that has the same value as ``e`` wherever ``e`` is defined.
@@ -58,29 +60,29 @@ class Atoms(Ring):
             UndefinedError: ``e`` is defined nowhere.
             TooLargeError: ``e`` has too many terms or atoms.
         """
-        found = self._memo.get(e)
-        if found is None:
-            found = self._memo[e] = self._of(e)
-        return found
+        fraction = self._memo.get(e)
+        if fraction is None:
+            fraction = self._memo[e] = self._of(e)
+        return fraction
 
     def _of(self, e: Expr) -> Fraction:
         op, args = e.op, e.args
         if op == "number":
-            return self.fraction(args[0])
+            return self.ring.fraction(args[0])
         if op == "+":
-            return sum(map(self.of, args), self.zero)
+            return sum(map(self.of, args), self.ring.zero)
         if op == "*":
-            return prod(map(self.of, args), start=self.one)
+            return prod(map(self.of, args), start=self.ring.one)
         if op == "^" and args[1].op == "number":
             return self._power(args[0], args[1].args[0])
         if op in _CIRCULAR:
-            above, below = (self.of(apply(f, *args)) if f else self.one for f in _CIRCULAR[op])
+            above, below = (self.of(apply(f, *args)) if f else self.ring.one for f in _CIRCULAR[op])
             return above / below
         if op in _EVEN or op in _ODD or op == "exp":
             return self._function(op, args[0])
         if op in UNWORKED:
             raise TooLargeError("an operation that binds a variable cannot be an atom")
-        return self.fraction(self.generator(op, tuple(map(self._key, args)), (e,)))
+        return self.ring.fraction(self.ring.generator(op, tuple(map(self._key, args)), (e,)))
 
     def _key(self, e: Expr | str) -> tuple[str, str] | str:
         return e if isinstance(e, str) else self.of(e).key
@@ -89,7 +91,7 @@ class Atoms(Ring):
         x, q = self.of(base), int(exponent.q)
         if q > 1:
             root = power(base, number(fmpq(1, q)))
-            x = self.fraction(self.generator("root", (x.key, q), (root, x, q)))
+            x = self.ring.fraction(self.ring.generator("root", (x.key, q), (root, x, q)))
         return x ** int(exponent.p)
 
     def _function(self, name: str, argument: Expr) -> Fraction:
@@ -98,9 +100,9 @@ class Atoms(Ring):
         """
         u = self.of(argument)
         if u.num.is_zero() or u.num.leading_coefficient() > 0:
-            return self.fraction(self.generator(name, u.key, (apply(name, argument),)))
+            return self.ring.fraction(self.ring.generator(name, u.key, (apply(name, argument),)))
         node = apply(name, -argument)
-        value = self.fraction(self.generator(name, (-u).key, (node,)))
+        value = self.ring.fraction(self.ring.generator(name, (-u).key, (node,)))
         if name == "exp":
             return value.inverse()
         return value if name in _EVEN else -value
@@ -109,27 +111,26 @@ class Atoms(Ring):
         """Return polynomials with the same sign as ``p``.
 
         They are ``p`` with powers of roots reduced, and the same with squares of cosines replaced
-        by sines,
-        or squares of sines by cosines.
+        by sines, or squares of sines by cosines.
 
         Args:
             p: a polynomial in the atoms.
             is_positive: decides whether a denominator is proved positive.
         """
-        for i in self.used(p):
-            generator = self.at(i)
+        for i in self.ring.used(p):
+            generator = self.ring.at(i)
             if generator.kind == "root" and is_positive(generator.data[1].den):
                 p = self._lowered(p, i, generator.data[2], generator.data[1])
-        found = {str(p): p}
+        forms = {str(p): p}
         for name, other in (("cos", "sin"), ("sin", "cos")):
             q = p
-            for i in self.used(p):
-                if self.at(i).kind == name and p.degrees()[i] > 1:
+            for i in self.ring.used(p):
+                if self.ring.at(i).kind == name and p.degrees()[i] > 1:
                     other_one = self.of(apply(other, *self.expression(i).args)).num
-                    square = self.fraction(1 - other_one**2)
+                    square = self.ring.fraction(1 - other_one**2)
                     q = self._lowered(q, i, 2, square)
-            found[str(q)] = q
-        return list(found.values())
+            forms[str(q)] = q
+        return list(forms.values())
 
     def _lowered(self, p: Poly, i: int, n: int, power: Fraction) -> Poly:
         """Replace the n-th power of atom i by ``power`` and clear its denominator, which must be
@@ -138,9 +139,9 @@ class Atoms(Ring):
         most = int(p.degrees()[i]) // n
         if not most or len(p) * max(len(power.num), len(power.den)) ** most > MAX_GROWTH:
             return p
-        total = self.zero_poly
-        for k, part in self.split(p, i).items():
+        total = self.ring.zero_poly
+        for k, part in self.ring.split(p, i).items():
             whole, rest = divmod(k, n)
             scale = power.num**whole * power.den ** (most - whole)
-            total = total + part * self.variables[i] ** rest * scale
+            total = total + part * self.ring.variables[i] ** rest * scale
         return total

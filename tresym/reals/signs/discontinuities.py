@@ -31,6 +31,7 @@ from tresym.reals.language.expression import (
     substitute,
     symbols,
 )
+from tresym.reals.normal.factors import factor_polynomial
 from tresym.reals.normal.field import Field
 from tresym.reals.normal.locally_constant import nonzero_inside
 from tresym.reals.normal.polynomials import as_expression, terms_in_symbols
@@ -151,10 +152,10 @@ def _polynomials(e: Expr) -> list[Expr]:
     try:
         field = Field(Given())
         (value,) = field.normal(e)
-        factors = [part for part, _ in field.factor(value.num)[1]]
+        factors = [part for part, _ in factor_polynomial(field.ring, value.num)[1]]
     except (TooLargeError, UndefinedError):
         return [e]
-    terms = [terms_in_symbols(field, part) for part in (value.den, *factors)]
+    terms = [terms_in_symbols(field.ring, part) for part in (value.den, *factors)]
     if value.num.is_zero() or None in terms:
         return [e]
     return [

@@ -12,6 +12,7 @@ from functools import lru_cache
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.operation_domains import bound
 from tresym.reals.language.expression import LEAVES, UNWORKED, ZERO, Expr, replaced, symbols
+from tresym.reals.normal.factors import factor_polynomial
 from tresym.reals.normal.field import Field
 from tresym.reals.normal.ring import Poly, UndefinedError
 from tresym.reals.numbers.factoring import TooLargeError
@@ -136,29 +137,34 @@ def _open_sign(e: Expr, given: Given) -> str | None:
 def without_powers(field: Field, p: Poly, other: Poly | None = None) -> Poly:
     """Replace each positive symbol whose root occurs in ``p``, or in ``other``, by its power."""
     degrees = (p if other is None else other).degrees()
-    for position, order, _ in field.relations:
-        generator = field.at(position)
+    for position, order, _ in field.ring.relations:
+        generator = field.ring.at(position)
         base = generator.data[0] if generator.kind == "root" else None
-        if base is None or len(base) != 1 or base.total_degree() != 1 or field.sign(base) <= 0:
+        if (
+            base is None
+            or len(base) != 1
+            or base.total_degree() != 1
+            or field.signs.sign(base) <= 0
+        ):
             continue
-        (inner,) = field.used(base)
+        (inner,) = field.ring.used(base)
         if p.degrees()[inner] > 0 and degrees[position] > 0:
-            power = field.variables[position] ** order
-            parts = field.split(p, inner)
-            p = sum((part * power**k for k, part in parts.items()), field.zero_poly)
+            power = field.ring.variables[position] ** order
+            parts = field.ring.split(p, inner)
+            p = sum((part * power**k for k, part in parts.items()), field.ring.zero_poly)
     return p
 
 
 def _factored_sign(field: Field, p: Poly) -> int:
     """Return the sign of ``p`` where it is not zero, from its odd factors; 0 if unknown."""
-    found = field.sign(p)
+    found = field.signs.sign(p)
     if found:
         return found
-    content, parts = field.factor(p)
+    content, parts = factor_polynomial(field.ring, p)
     total = 1 if content > 0 else -1
     for part, multiplicity in parts:
         if multiplicity % 2:
-            total *= field.sign(part)
+            total *= field.signs.sign(part)
     return total
 
 

@@ -86,7 +86,10 @@ def sign_of_polynomial(
 def _positive(difference: Expr, region: Given) -> Iterator[Expr]:
     """Yield expressions that are positive by the conditions, if the difference is rational."""
     names, system = symbols(difference), _system(difference, region)
-    if system is None or any(system[0].at(i).kind != "symbol" for i in system[0].used(system[1])):
+    if system is None:
+        return
+    field, top, _ = system
+    if any(field.ring.at(i).kind != "symbol" for i in field.ring.used(top)):
         return
     strict = [
         c.expression
@@ -157,7 +160,7 @@ def _system(difference: Expr, region: Given) -> System | None:
     ]
     try:
         field = Field(region)
-        values = [field.reduce(x.num * x.den) for x in field.normal(difference, *known)]
+        values = [field.ring.reduce(x.num * x.den) for x in field.normal(difference, *known)]
     except (TooLargeError, UndefinedError):
         return None
     return field, without_powers(field, values[0]), tuple(values[1:])
@@ -165,12 +168,14 @@ def _system(difference: Expr, region: Given) -> System | None:
 
 def _cells(field: Field, p: Poly, facts: tuple[Poly, ...]) -> Cells | None:
     """Return the cells of the conditions in the coordinates of ``p``; None if they are too many."""
-    degrees, used = p.degrees(), field.used(p)
+    degrees, used = p.degrees(), field.ring.used(p)
     order = sorted(used, key=lambda i: (-degrees[i], i))
     if not 0 < len(used) <= MAX_VARIABLES:
         return None
     inside = [without_powers(field, fact, p) for fact in facts]
-    inside = [fact for fact in (*inside, *_ranges(field, used)) if {*field.used(fact)} <= {*used}]
+    inside = [
+        fact for fact in (*inside, *_ranges(field, used)) if {*field.ring.used(fact)} <= {*used}
+    ]
     target, *conditions = (project(q, order) for q in (p, *inside))
 
     def wanted(point: tuple[fmpq, ...]) -> bool:
@@ -184,8 +189,8 @@ def _cells(field: Field, p: Poly, facts: tuple[Poly, ...]) -> Cells | None:
                 f"the decomposition has more than {MAX_CELLS} cells, which is the limit"
             )
         if _value(target, point) < 0:
-            kinds = {field.at(i).kind for i in order}
-            names = (field.at(i).data[0] for i in order)
+            kinds = {field.ring.at(i).kind for i in order}
+            names = (field.ring.at(i).data[0] for i in order)
             at = tuple(sorted(zip(names, point, strict=True))) if kinds == {"symbol"} else ()
             return Cells(count, at)
     return Cells(count, None)
@@ -194,11 +199,11 @@ def _cells(field: Field, p: Poly, facts: tuple[Poly, ...]) -> Cells | None:
 def _ranges(field: Field, used: list[int]) -> Iterator[Poly]:
     """Yield the ranges of the coordinates that are not variables, as conditions."""
     for i in used:
-        kind = field.at(i).kind
-        ends = (fmpq(-1), fmpq(1)) if kind in ("sin", "cos") else field.ends(i)
+        kind = field.ring.at(i).kind
+        ends = (fmpq(-1), fmpq(1)) if kind in ("sin", "cos") else field.signs.ends(i)
         for side, end in zip((1, -1), ends, strict=True):
             if kind != "symbol" and end is not None:
-                yield side * (field.variables[i] * int(end.q) - int(end.p))
+                yield side * (field.ring.variables[i] * int(end.q) - int(end.p))
 
 
 def _by_conjugate(field: Field, p: Poly, facts: tuple[Poly, ...]) -> int | None:
@@ -206,12 +211,12 @@ def _by_conjugate(field: Field, p: Poly, facts: tuple[Poly, ...]) -> int | None:
 
     One of u and v is not negative, and neither is the difference of its square and the other one.
     """
-    for i, order, _ in field.relations:
-        if order != 2 or p.degrees()[i] != 1 or field.at(i).kind != "root":
+    for i, order, _ in field.ring.relations:
+        if order != 2 or p.degrees()[i] != 1 or field.ring.at(i).kind != "root":
             continue
-        parts = field.split(p, i)
-        u, v = (parts.get(k, field.zero_poly) for k in range(2))
-        norm = field.reduce(v**2 * field.variables[i] ** 2 - u**2)
+        parts = field.ring.split(p, i)
+        u, v = (parts.get(k, field.ring.zero_poly) for k in range(2))
+        norm = field.ring.reduce(v**2 * field.ring.variables[i] ** 2 - u**2)
         for both in ((v, norm), (u, -norm)):
             counts = [_shown(field, q, facts) for q in both]
             if None not in counts:

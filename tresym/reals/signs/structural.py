@@ -117,11 +117,11 @@ class Parts:
             value = self.atoms.of(e).num
             if value.is_zero():
                 return False
-            parts = small_factor(self.atoms, value)[1]
+            parts = small_factor(self.atoms.ring, value)[1]
             allowed: set[str] = set()
             for other in strict:
                 p = self.atoms.of(other).num
-                allowed |= {str(part) for part, _ in small_factor(self.atoms, p)[1]}
+                allowed |= {str(part) for part, _ in small_factor(self.atoms.ring, p)[1]}
         except (TooLargeError, UndefinedError):
             return False
         return all(str(part) in allowed for part, _ in parts)
@@ -326,13 +326,13 @@ class Parts:
         if self._trials >= MAX_TRIALS or max(p.total_degree(), den.total_degree()) > MAX_DEGREE:
             return
         steps: list[tuple[Poly, Poly, int]] = []
-        used = {*self.atoms.used(p)}
+        used = {*self.atoms.ring.used(p)}
         for n, (fact, _, below) in enumerate(self.facts):
             size = len(p) * len(below) + len(den) * len(fact)
             if (
                 size <= MAX_TERMS
                 and fact.total_degree() <= MAX_DEGREE
-                and not used.isdisjoint(self.atoms.used(fact))
+                and not used.isdisjoint(self.atoms.ring.used(fact))
             ):
                 few = len(p) <= MAX_SPLIT
                 multiples = self._multiples(p, fact) if few else ()
@@ -344,7 +344,9 @@ class Parts:
             self._trials += 1
             yield (step,)
         for scale, multiple, n in steps if depth > 1 else ():
-            for more in self._ways(p * scale - multiple * self.facts[n][0], self.atoms.one_poly, 1):
+            for more in self._ways(
+                p * scale - multiple * self.facts[n][0], self.atoms.ring.one_poly, 1
+            ):
                 yield ((scale, multiple, n), *more)
 
     def _multiples(self, p: Poly, fact: Poly) -> Iterator[tuple[Poly, Poly]]:
@@ -377,14 +379,16 @@ class Parts:
 
     def _by_conjugate(self, p: Poly) -> str | None:
         """Return the sign of ``u + v·g``, g ≥ 0 a square root, from that of ``u² − v²·g²``."""
-        for i in self.atoms.used(p):
-            generator = self.atoms.at(i)
+        for i in self.atoms.ring.used(p):
+            generator = self.atoms.ring.at(i)
             if generator.kind != "root" or generator.data[2] != 2 or p.degrees()[i] != 1:
                 continue
-            parts, inner = self.atoms.split(p, i), generator.data[1]
+            parts, inner = self.atoms.ring.split(p, i), generator.data[1]
             if len(parts) != 2 or len(p) > MAX_SPLIT or not self._is_positive(inner.den):
                 continue
-            size = self._fraction(self.atoms.fraction(parts[0]) ** 2 - parts[1] ** 2 * inner, 1)
+            size = self._fraction(
+                self.atoms.ring.fraction(parts[0]) ** 2 - parts[1] ** 2 * inner, 1
+            )
             if size in ("+", "-"):
                 found = self._polynomial(parts[0 if size == "+" else 1])
                 return {">=0": "+", "<=0": "-"}.get(found or "", found)
@@ -392,11 +396,11 @@ class Parts:
 
     def _at_ends(self, p: Poly) -> str | None:
         """Return the sign of a polynomial that is linear in a squared sine or cosine."""
-        for i in self.atoms.used(p):
-            if self.atoms.at(i).kind in ("sin", "cos") and p.degrees()[i] == 2:
-                parts = self.atoms.split(p, i)
+        for i in self.atoms.ring.used(p):
+            if self.atoms.ring.at(i).kind in ("sin", "cos") and p.degrees()[i] == 2:
+                parts = self.atoms.ring.split(p, i)
                 if 1 not in parts:
-                    low = parts.get(0, self.atoms.zero_poly)
+                    low = parts.get(0, self.atoms.ring.zero_poly)
                     ends = {self._polynomial(end) for end in (low, low + parts[2])}
                     for up in ("+", "-"):
                         weak = ">=0" if up == "+" else "<=0"
@@ -408,7 +412,7 @@ class Parts:
         return p.is_one() or self._on_box(p) == "+"
 
     def _on_box(self, p: Poly) -> str | None:
-        used = self.atoms.used(p)
+        used = self.atoms.ring.used(p)
         if p.is_zero():
             return "0"
         if len(used) > MAX_ATOMS or len(p) > MAX_TERMS:
@@ -423,7 +427,7 @@ class Parts:
         return found
 
     def _by_factors(self, p: Poly) -> str | None:
-        unit, parts = small_factor(self.atoms, p)
+        unit, parts = small_factor(self.atoms.ring, p)
         if len(parts) == 1 and parts[0][1] == 1:
             return self._known_part(p)
         total = "+" if unit > 0 else "-"
@@ -444,10 +448,10 @@ class Parts:
             if fact in (p, -p):
                 room = "+" if strict else ">=0"
                 return room if fact == p else FLIP[room]
-        used = self.atoms.used(p)
+        used = self.atoms.ring.used(p)
         if len(used) != 2 or len(p) != 2 or p.total_degree() != 1:
             return None
-        first, second = (self.atoms.at(i) for i in used)
+        first, second = (self.atoms.ring.at(i) for i in used)
         scales = [int(p.derivative(i).leading_coefficient()) for i in used]
         x, y = (self.atoms.expression(i) for i in used)
         if {first.kind, second.kind} == {"pi", "atan"}:

@@ -17,6 +17,7 @@ from tresym.reals.language.expression import (
     apply,
 )
 from tresym.reals.language.like_terms import scaled
+from tresym.reals.normal.factors import factor_polynomial
 from tresym.reals.normal.field import Field
 from tresym.reals.normal.ring import UndefinedError
 from tresym.reals.normal.to_expression import written
@@ -146,13 +147,13 @@ def _cleared(difference: Expr, region: Given) -> Expr | None:
     try:
         field = Field(region)
         (value,) = field.normal(difference)
-        known, rest = 1, field.one_poly
+        known, rest = 1, field.ring.one_poly
         for content, parts in (
-            field.factor(without_powers(field, p)) for p in (value.num, value.den)
+            factor_polynomial(field.ring, without_powers(field, p)) for p in (value.num, value.den)
         ):
             known *= 1 if content > 0 else -1
             for part in (part for part, multiplicity in parts if multiplicity % 2):
-                sign_ = field.sign(part)
+                sign_ = field.signs.sign(part)
                 known, rest = known * (sign_ or 1), rest if sign_ else rest * part
         factors = written(field, rest)
     except (TooLargeError, UndefinedError, InputError):

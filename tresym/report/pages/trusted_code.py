@@ -102,8 +102,9 @@ RECHECKED = {
             "ledger.evidence.printed_numbers._between",
         ),
         "ledger.evidence.chain._as_meant",
-        *(f"reals.normal.powers.PowerRing.{n}" for n in ("_multiples", "_share", "_combination")),
-        *("reals.normal.angles.AngleRing._signed_multiples", "reals.normal.constants._groups"),
+        *(f"reals.normal.powers.Powers.{n}" for n in ("_multiples", "_share")),
+        "reals.normal.rational_basis.RationalBasis._solution",
+        *("reals.normal.angles.Angles._signed_multiples", "reals.normal.constants._groups"),
     ),
     "it proposes a point or a split; where it lies and what holds there is verified": (
         *(
@@ -117,7 +118,7 @@ RECHECKED = {
         "reals.numbers.exact.Interval.simplest",
     ),
     "it only skips a search that would fail, or estimates the cost of one": (
-        "reals.normal.ranges.ProvingRing._changes_sign",
+        "reals.normal.sign_proofs.SignProver._changes_sign",
         *("reals.decisions.identity._generator_count", "reals.signs.taylor._seen"),
     ),
     "it can only refute": (
