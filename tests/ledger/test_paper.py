@@ -1,11 +1,22 @@
 """The paper's claims in order, and the files beside them."""
 
+import pytest
 from sympy import Ge, Symbol, exp, sin
 
 from tresym.ledger.claim import Claim, formally
-from tresym.ledger.paper import Paper, all_claims, display_lines, file_of, index, sections
+from tresym.ledger.paper import (
+    Paper,
+    all_claims,
+    display_lines,
+    file_of,
+    index,
+    racket,
+    sections,
+)
 from tresym.ledger.verification import graph, verify
+from tresym.reals.numbers.exact import InputError
 from tresym.report.pages import fragments
+from tresym.report.pages.ledger_rows import report_json
 
 
 def test_every_claim_comes_after_all_that_it_rests_on() -> None:
@@ -70,3 +81,21 @@ def test_an_undecided_claim_is_typeset_as_not_proved() -> None:
         assert "Not proved" in text
         assert "Reason: " in text
         assert "Not proved" not in fragments.written([report["square"]], style)
+
+
+def test_readable_names_stand_for_claims_of_the_ledger_and_for_one_claim_each() -> None:
+    aliases, labels = racket().aliases, {claim.label for claim in all_claims()}
+    assert set(aliases) <= labels
+    assert not labels & set(aliases.values())
+    assert len(set(aliases.values())) == len(aliases)
+
+
+def test_a_readable_name_finds_the_claim_that_its_label_finds() -> None:
+    report = verify("main_theorem_remainder")
+    assert report["main_theorem_remainder"] is report["d24"]
+    assert [row.claim.label for row in report.rows if row.requested] == ["d24"]
+    assert graph(("main_theorem_remainder",)) == graph(("d24",))
+    rows = {row["label"]: row["alias"] for row in report_json(report)["claims"]}
+    assert rows["d24"] == "main_theorem_remainder"
+    with pytest.raises(InputError, match="did you mean main_theorem_remainder"):
+        verify("main_theorem_remaindr")

@@ -45,7 +45,9 @@ def test_every_claim_has_a_page(ledger: claims.Record) -> None:
     }
     for label, claim in ledger["claims"].items():
         page = pages[f"{label}.md"]
-        assert f"# {claim['title']}\n\n`{label}`" in page.replace("\\", "")
+        assert f"# {claim['title']}\n\n" in page.replace("\\", "")
+        assert f"`{claim['alias'] or label}`" in page
+        assert claims.data(label, claim)["label"] == label
         assert f"[{claim['verdict']}]" in page
         for other in (*claim["uses"], *claim["used_by"], *claim["amended_by"]):
             assert f"(/claims/{other}.md)" in page, (label, other)
@@ -74,7 +76,7 @@ def test_quoted_theorems_have_a_page_and_stand_on_those_of_their_claims(
 def test_the_annotated_paper_has_what_stands_in_it_in_its_order(ledger: claims.Record) -> None:
     page = dict(claims.pages(ledger, {}))[claims.ANNOTATED]
     placed = [label for label, claim in ledger["claims"].items() if claim["place"]]
-    heads = re.findall(r"^\[.*\]\{\.place\} .* \[`(\w+)`\]", page, re.MULTILINE)
+    heads = re.findall(r"^\[.*\]\{\.place\} .* \[`\w+`\]\(/claims/(\w+)\.md\)", page, re.MULTILINE)
     assert sorted(heads) == sorted(placed)
     lines = [ledger["claims"][label]["line"] for label in heads]
     assert lines == sorted(lines)

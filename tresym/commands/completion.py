@@ -51,7 +51,7 @@ def run(args: argparse.Namespace) -> int:
         "figure": [*racket().figures().FIGURES],
         "chart": [*CHARTS],
     }
-    labels = [claim.label for claim in racket().all_claims()]
+    labels = [*(claim.label for claim in racket().all_claims()), *racket().labels_by_alias]
     names |= dict.fromkeys(LABELLED, labels)
     found = _parsers(build_parser())
     cases = "\n".join(

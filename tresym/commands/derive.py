@@ -114,7 +114,7 @@ def _pieces(args: argparse.Namespace) -> int:
     from tresym.report.pages import derivation, fragments
 
     report = verify(args.labels, workers=cores())
-    asked = [report[label] for label in dict.fromkeys(args.labels)]
+    asked = list({row.claim: row for row in map(report.__getitem__, args.labels)}.values())
     refused = () if args.refuted else derivation.refused(asked)
     if refused:
         print("\n".join(refused), file=sys.stderr)

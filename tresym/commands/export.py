@@ -51,7 +51,9 @@ def run(args: argparse.Namespace) -> int:
             raise InputError("export: --search and --check are for the racket paper")
         return claims_file.export(args.labels[0], args.labels[1:], args.coq, args.force)
     from tresym.coq.export import stored, write
+    from tresym.ledger.paper import racket
 
+    args.labels = [racket().label_of(name) for name in args.labels]
     store = stored()
     if args.check:
         return _check(Path(args.coq), store)

@@ -125,10 +125,11 @@ def _verify_claims(args: argparse.Namespace) -> int:
 
 def _save_sentences(labels: tuple[str, ...]) -> int:
     """Store the sentences of claims, and of theorems of the article, as compared."""
-    from tresym.ledger.paper import all_claims, file_of
+    from tresym.ledger.paper import all_claims, file_of, racket
     from tresym.ledger.sentences import STORE, digest, sentence_of, stored, updated
     from tresym.report.pages.templates import theorems
 
+    labels = tuple(map(racket().label_of, labels))
     if not labels:
         raise InputError("--save-sentences needs the labels of the claims that were compared")
     claims = {claim.label: claim for claim in all_claims()}
@@ -260,10 +261,13 @@ def _row_lines(row: Row, named: bool, width: int, colour: bool) -> list[str]:
     from tresym.report.typesetting.paper_location import place_text
     from tresym.report.typesetting.plain_text import in_lines
     from tresym.report.typesetting.statements import in_letters
+    from tresym.report.typesetting.titles import shown_name
 
     claim, finding = row.claim, row.finding
     time, style = f"{1000 * finding.seconds:.1f} ms", STYLES[finding.verdict] if colour else ""
-    lines = [_columns(claim.label, place_text(claim), finding.verdict.value, time, style)]
+    lines = [
+        _columns(shown_name(claim.label), place_text(claim), finding.verdict.value, time, style)
+    ]
 
     def say(text: str, style: str = "") -> None:
         found = in_lines(text, " " * 4, " " * 6, width)
@@ -282,7 +286,7 @@ def _row_lines(row: Row, named: bool, width: int, colour: bool) -> list[str]:
             point = ", ".join(f"{n} = {fraction_text(v)}" for n, v in finding.witness.items())
             say(f"witness: {in_letters(point)}", "2")
         if claim.amended_by:
-            names = ", ".join(c.label for c in claim.amended_by)
+            names = ", ".join(shown_name(c.label) for c in claim.amended_by)
             say(f"true instead: {names}", "2")
     return lines
 

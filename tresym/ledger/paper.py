@@ -152,10 +152,32 @@ class Paper:
     @cached_property
     def titles(self) -> Mapping[str, str]:
         """The titles of claims by label, from ``titles.txt`` in the folder."""
-        if self.folder is None or not self.file_of("titles.txt").is_file():
+        return self._pairs("titles.txt")
+
+    @cached_property
+    def aliases(self) -> Mapping[str, str]:
+        """The readable names of claims by label, from ``aliases.txt`` in the folder."""
+        return self._pairs("aliases.txt")
+
+    @cached_property
+    def labels_by_alias(self) -> Mapping[str, str]:
+        """The labels of claims by their readable names."""
+        return {alias: label for label, alias in self.aliases.items()}
+
+    def label_of(self, name: str) -> str:
+        """Return the label of the claim with this readable name; a label is returned unchanged."""
+        return self.labels_by_alias.get(name, name)
+
+    def name_of(self, label: str) -> str:
+        """Return the readable name of the claim with this label; the label if it has none."""
+        return self.aliases.get(label, label)
+
+    def _pairs(self, name: str) -> Mapping[str, str]:
+        """Return the lines ``key: value`` of a file in the folder; nothing if there is no file."""
+        if self.folder is None or not self.file_of(name).is_file():
             return {}
-        lines = self.file_of("titles.txt").read_text(encoding="utf-8").splitlines()
-        return dict(line.split(": ", 1) for line in lines if not line.startswith("#"))
+        lines = self.file_of(name).read_text(encoding="utf-8").splitlines()
+        return dict(line.split(": ", 1) for line in lines if line and not line.startswith("#"))
 
     @cached_property
     def written(self) -> Notation:

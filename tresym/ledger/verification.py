@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from concurrent.futures import BrokenExecutor
 from contextlib import nullcontext
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
 from typing import Any
 
@@ -99,6 +99,8 @@ class Report:
     """
 
     rows: tuple[Row, ...]
+    aliases: Mapping[str, str] = field(default_factory=dict, repr=False)
+    """Labels by readable names, both of which find a row."""
 
     def __repr__(self) -> str:
         return in_one_line(f"Report({self._said})")
@@ -207,8 +209,9 @@ class Report:
         return resting
 
     def __getitem__(self, label: str) -> Row:
+        wanted = self.aliases.get(label, label)
         for row in self.rows:
-            if row.claim.label == label:
+            if row.claim.label == wanted:
                 return row
         near = get_close_matches(str(label), [row.claim.label for row in self.rows], n=1)
         hint = f"; did you mean {near[0]}?" if near else ""
@@ -224,7 +227,7 @@ def verify(
     """Judge all claims of a paper, or those with these labels and their dependencies.
 
     Args:
-        labels: labels, or lists of labels; without any, all claims are judged.
+        labels: labels or readable names, or lists of them; without any, all claims are judged.
         on_row: a function that is called with each row as soon as it is known, or None.
         workers: the number of processes that check evidence; 1 uses the current process.
         of: the paper; that on the racket unless given.
@@ -238,20 +241,22 @@ def verify(
         >>> tresym.verify("eq_gamma")["eq_gamma"]
         Row(eq_gamma: PROVED)
     """
-    asked, workers = _labels(labels), checked_workers(workers)
+    whose = paper.racket() if of is None else of
+    asked = tuple(map(whose.label_of, _labels(labels)))
+    workers = checked_workers(workers)
     found: dict[str, Finding] = {}
     rows = []
     with collecting_seldom(GC_THRESHOLD):
         claims = _claims_of(of, asked)
         _need_coherent(claims)
-        chosen, requested = _choose(claims, asked)
+        chosen, requested = _choose(claims, asked, whose.labels_by_alias)
         for claim, evidence in zip(chosen, _evidence(chosen, workers, of), strict=True):
             finding = judge(claim, found, evidence)
             found[claim.label] = _compared(claim, finding) if of is None else finding
             rows.append(Row(claim, found[claim.label], claim.label in requested))
             if on_row is not None:
                 on_row(rows[-1])
-    return Report(tuple(rows))
+    return Report(tuple(rows), whose.labels_by_alias)
 
 
 _PAPERS: dict[str, Paper] = {}
@@ -373,18 +378,20 @@ def _need_coherent(claims: tuple[Claim, ...]) -> None:
 
 def choose(labels: tuple[str, ...], of: Paper | None = None) -> tuple[Claim, ...]:
     """Return the claims with these labels and their dependencies, dependencies first."""
-    return _choose(_claims_of(of, labels), labels)[0]
+    whose = paper.racket() if of is None else of
+    asked = tuple(map(whose.label_of, labels))
+    return _choose(whose.all_claims(asked), asked, whose.labels_by_alias)[0]
 
 
 def _choose(
-    claims: tuple[Claim, ...], labels: tuple[str, ...]
+    claims: tuple[Claim, ...], labels: tuple[str, ...], aliases: Iterable[str] = ()
 ) -> tuple[tuple[Claim, ...], frozenset[str]]:
     known = {claim.label: claim for claim in claims}
     if not labels:
         return claims, frozenset(known)
     for label in labels:
         if label not in known:
-            near = get_close_matches(label, known, n=1)
+            near = get_close_matches(label, [*known, *aliases], n=1)
             hint = f"; did you mean {near[0]}?" if near else ""
             raise InputError(f"no claim is labelled {quoted(label)}{hint}")
     wanted: set[Claim] = set()

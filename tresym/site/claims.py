@@ -164,15 +164,16 @@ def _beside(label: str, order: list[str], claims: dict[str, Record]) -> str:
 
 def _cited(label: str, claim: Record) -> str:
     """The data that the buttons of the page copy: the formula in LaTeX, and a BibTeX entry."""
+    name = claim["alias"] or label
     formula = claim["formula"] or ", \\quad ".join(claim["means"])
     entry = "\n".join(
         [
             f"@misc{{tresym-{label},",
             "  author = {The tresym contributors},",
-            f"  title = {{Claim {label} ({claim['verdict']}) on the tennis racket effect}},",
+            f"  title = {{Claim {name} ({claim['verdict']}) on the tennis racket effect}},",
             f"  year = {{{release.RELEASED[:4]}}},",
             f"  version = {{{release.described()}}},",
-            f"  note = {{On {release.PAPER}; checked by: tresym verify {label}}},",
+            f"  note = {{On {release.PAPER}; checked by: tresym verify {name}}},",
             "}",
         ]
     )
@@ -191,9 +192,10 @@ def page(label: str, ledger: Record, title: str | None, seconds: float | None) -
     """
     claims = ledger["claims"]
     claim = claims[label]
+    shown = claim["alias"] or label
     sections = [
         f"---\norphan: true\n---\n\n# {escaped(claim['title'])}",
-        f"`{label}`",
+        _named_as(label, claim),
         _heading(claim, title),
         *_printed(claim),
         *_decided(claim),
@@ -207,9 +209,48 @@ def page(label: str, ledger: Record, title: str | None, seconds: float | None) -
         *_symbols(claim),
         *_cost(claim, seconds),
         _cited(label, claim),
-        f"```sh\ntresym verify {label}\ntresym derive {_if_refuted(claim)}{label}\n```",
+        f"```sh\ntresym verify {shown}\ntresym derive {_if_refuted(claim)}{shown}\n```",
     ]
     return "\n\n".join(sections) + "\n"
+
+
+def _named_as(label: str, claim: Record) -> str:
+    """The readable name of a claim and its label, the file of its proof, and its data."""
+    names = f"`{claim['alias']}`, also `{label}`" if claim["alias"] else f"`{label}`"
+    at = claim["source"]
+    file, first, last = at["file"], at["first"], at["last"]
+    return (
+        f"{names} · "
+        f'<a href="../proofs/{file.removesuffix(".py")}.html#L-{first}">'
+        f"proofs/{file}, lines {first} to {last}</a> · "
+        f'<a href="{label}.json">formula as data</a>'
+    )
+
+
+def data(label: str, claim: Record) -> Record:
+    """Return what the file ``LABEL.json`` beside the page of a claim holds.
+
+    ``sympy`` and ``given`` are the statement and its conditions as SymPy prints them; ``latex`` and
+    ``given_latex`` are the same in LaTeX.
+    """
+    return {
+        "label": label,
+        "alias": claim["alias"],
+        "title": claim["title"],
+        "kind": claim["kind"],
+        "verdict": claim["verdict"],
+        "sympy": claim["sympy"],
+        "given": claim["given_sympy"],
+        "latex": claim["means"] or ([claim["formula"]] if claim["formula"] else []),
+        "given_latex": claim["given"],
+        "witness": claim["witness"],
+        "value": claim["value"],
+        "constant": claim["constant"],
+        "uses": claim["uses"],
+        "amended_by": claim["amended_by"],
+        "source": claim["source"],
+        "version": release.described(),
+    }
 
 
 def _heading(claim: Record, title: str | None) -> str:

@@ -21,7 +21,7 @@ from tresym.reals.numbers.exact import InputError
 from tresym.report.charts import CHARTS
 from tresym.report.pages import opened
 from tresym.report.typesetting.formulas import Piece, pieces
-from tresym.site import claims, commands, docstrings, mathematics
+from tresym.site import claims, commands, docstrings, mathematics, sources
 from tresym.site.markdown import statement, titled
 
 BUILT = "_built"
@@ -79,14 +79,21 @@ _MADE = ("generated/corrections", "claims/", "pages/coq", "pages/symbols")
 
 
 def link_labels(app: Sphinx, doctree: nodes.document) -> None:
-    """On generated pages, link every label to the page of its claim."""
+    """On generated pages, show every claim by its readable name, as a link to its page."""
     name = app.env.docname
     if not name.startswith(_MADE):
         return
-    known = ledger_of(Path(app.srcdir))["claims"].keys() - {name.removeprefix("claims/")}
+    claims, own = ledger_of(Path(app.srcdir))["claims"], name.removeprefix("claims/")
+    shown = {label: claim["alias"] or label for label, claim in claims.items() if label != own}
+    labels = {alias: label for label, alias in shown.items()}
     for text in list(doctree.findall(nodes.literal)):
-        label = text.astext()
-        if label in known and not isinstance(text.parent, nodes.reference | pending_xref):
+        label = labels.get(text.astext(), text.astext())
+        if label not in shown:
+            continue
+        if text.astext() != shown[label]:
+            text.children = []
+            text += nodes.Text(shown[label])
+        if not isinstance(text.parent, nodes.reference | pending_xref):
             uri = app.builder.get_relative_uri(name, f"claims/{label}")
             text.replace_self(nodes.reference("", "", text.deepcopy(), internal=True, refuri=uri))
 
@@ -165,6 +172,19 @@ def copy_explorer(app: Sphinx, error: Exception | None) -> None:
     source = Path(app.srcdir) / "explorer"
     if error is None and source.is_dir():
         shutil.copytree(source, Path(app.outdir) / "explorer", dirs_exist_ok=True)
+
+
+def write_data(app: Sphinx, error: Exception | None) -> None:
+    """Write each claim as JSON beside its page, and the files of the proofs with numbered lines."""
+    if error is not None:
+        return
+    for label, claim in ledger_of(Path(app.srcdir))["claims"].items():
+        text = json.dumps(claims.data(label, claim), ensure_ascii=False, indent=1)
+        (Path(app.outdir) / "claims" / f"{label}.json").write_text(text + "\n", encoding="utf-8")
+    folder = Path(app.outdir) / "proofs"
+    folder.mkdir(exist_ok=True)
+    for name, page in sources.pages():
+        (folder / name).write_text(page, encoding="utf-8")
 
 
 class ClaimDirective(SphinxDirective):
@@ -311,6 +331,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.add_directive("claim", ClaimDirective)
     app.add_directive("charts", ChartsDirective)
     app.connect("build-finished", copy_explorer)
+    app.connect("build-finished", write_data)
     app.connect("doctree-read", link_labels)
     app.connect("doctree-read", set_formulas)
     app.add_directive("run", RunDirective)

@@ -14,14 +14,15 @@ def badge(verdict: str) -> str:
     return f"[{verdict}]{{.verdict .{verdict.lower()}}}"
 
 
-def link(label: str, folder: str = "/claims/") -> str:
-    """Return a link to the page of a claim."""
-    return f"[`{label}`]({folder}{label}.md)"
+def link(label: str, name: str = "") -> str:
+    """Return a link to the page of a claim, under its readable name if that is given."""
+    return f"[`{name or label}`](/claims/{label}.md)"
 
 
 def titled(label: str, claim: dict[str, Any]) -> str:
     """Return the title of a claim, its label as a link to its page, and its verdict."""
-    return f"**{sentence(claim['title'])}** {link(label)} {badge(claim['verdict'])}"
+    named = link(label, claim["alias"] or "")
+    return f"**{sentence(claim['title'])}** {named} {badge(claim['verdict'])}"
 
 
 def statement(claim: dict[str, Any]) -> str:

@@ -83,7 +83,7 @@ def test_what_is_refuted_is_printed_marked(capsys: pytest.CaptureFixture[str]) -
     text = capsys.readouterr().out
     assert text.count(r"\textbf{Refuted}") == 2
     formula = text.index(r"\epsilon_0 = \left(2\sqrt")
-    assert text.index(r"\textbf{Refuted} (\texttt{d24})") < formula
+    assert text.index(r"\textbf{Refuted} (\texttt{main\_theorem\_remainder})") < formula
     assert formula < text.index(r"\textbf{True instead} (\texttt{printed\_error})")
     assert r"\begin{aligned}" in text
     assert main(["derive", "--refuted", "eq_gamma"]) == 0

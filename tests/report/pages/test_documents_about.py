@@ -181,7 +181,7 @@ def test_a_fragment_in_markdown_has_formulas_that_mathjax_reads(pieces: Report) 
     assert r"\footnotesize" not in text
     assert not re.findall(r"\\text\{[^}]*\$", text)
     assert text.count("$$") % 2 == 0
-    assert "**Refuted** (`d24`)" in text
+    assert "**Refuted** (`main_theorem_remainder`)" in text
     assert r"\textbf" not in text
 
 

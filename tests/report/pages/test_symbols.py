@@ -14,6 +14,7 @@ from tresym.ledger.verification import Report
 from tresym.racket.notation import WORDS, WORDS_OF_PROOFS
 from tresym.report.pages.ledger_document import ledger_document
 from tresym.report.pages.symbols import anchor, as_used, rows, symbols, used
+from tresym.report.typesetting.titles import shown_name
 from tresym.site.claims import page
 
 
@@ -23,12 +24,12 @@ def test_every_definition_and_every_assumption_has_its_line(judged: Callable[...
     for row in report.rows:
         entries = table((row.claim,))
         if row.finding.verdict is Premise.ASSUMED:
-            assert f"{row.claim.proof.assumes} | `{row.claim.label}`" in assumed
-            assert f"`{row.claim.label}`" not in defined
+            assert f"{row.claim.proof.assumes} | `{shown_name(row.claim.label)}`" in assumed
+            assert f"`{shown_name(row.claim.label)}`" not in defined
         elif entries:
-            assert defined.count(f"| `{row.claim.label}`") == len(entries)
+            assert defined.count(f"| `{shown_name(row.claim.label)}`") == len(entries)
         else:
-            assert f"`{row.claim.label}`" not in defined + assumed
+            assert f"`{shown_name(row.claim.label)}`" not in defined + assumed
     lines = [line for line in (defined + assumed).splitlines() if line.startswith(("| $", "| <"))]
     assert lines
     assert all(line.count("|") in (5, 6) for line in lines)

@@ -124,7 +124,7 @@ def verify_mutants(
     Raises:
         InputError: no claim has one of the labels, or worker processes die repeatedly.
     """
-    asked = tuple(labels)
+    asked = tuple(map(paper.racket().label_of, labels))
     chosen = [claim.label for claim in choose(asked) if not asked or claim.label in asked]
     rows = []
     for row in _rows(chosen, wanted, workers):

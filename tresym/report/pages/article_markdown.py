@@ -47,7 +47,7 @@ _LEFT_OUT = (
     r"\\author\{[^{}]*\}", r"\\date\{.*?\}\n", r"\\maketitle", r"\\noindent", r"\\medskip",
     r"\\end\{thebibliography\}", r"\\ifledger.*?\\fi",
     r"\\(?:begin|end)\{enumerate\}(?:\[[^\]]*\])?(?:\\small)?(?:\\raggedright)?",
-    r"\\inmargin\{\w+\}\{\w\}", r"(?m:^%.*\n)",
+    r"\\inmargin\{\w+\}\{\w\}\{[^{}]*\}", r"(?m:^%.*\n)",
 )  # fmt: skip
 _WORDS = (
     (rf"\\title\{{({_INSIDE})\}}", r"# \1"),

@@ -20,6 +20,7 @@ from tresym.ledger.verification import Row
 from tresym.reals.language.formula import Conjunction, Relation
 from tresym.reals.verdict import Verdict
 from tresym.report.pages.trusted_code import trusted
+from tresym.report.typesetting.titles import shown_name
 
 STATEMENTS = ("coq.export.statements", "coq.export.possible", "coq.ledger_statements.theorem_of")
 """The functions that write the statements which Coq proves."""
@@ -282,7 +283,7 @@ def _reasons(known: dict[str, Entry]) -> Iterator[str]:
         for claim in claims:
             entry = known[claim.label]
             status = {"none": "not proved"}.get(entry.status, entry.status)
-            yield f"| `{claim.label}` | {status} | {_cell(entry.why)} |"
+            yield f"| `{shown_name(claim.label)}` | {status} | {_cell(entry.why)} |"
         yield ""
 
 

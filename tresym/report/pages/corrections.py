@@ -15,6 +15,7 @@ from tresym.report.typesetting.markdown import finding as found_text
 from tresym.report.typesetting.markdown import sentence
 from tresym.report.typesetting.paper_location import place_text
 from tresym.report.typesetting.statements import quoted
+from tresym.report.typesetting.titles import shown_name
 
 LONGEST = 320
 """Characters of the evidence that are shown."""
@@ -104,7 +105,9 @@ def _entry(correction: Correction, rows: dict[str, Row]) -> str:
     refuted = [rows[label] for label in correction.labels if label in rows]
     leading = refuted[0]
     claim = leading.claim
-    places = "; ".join(f"{place_text(row.claim)} (`{row.claim.label}`)" for row in refuted)
+    places = "; ".join(
+        f"{place_text(row.claim)} (`{shown_name(row.claim.label)}`)" for row in refuted
+    )
     lines = [
         f"### {sentence(correction.title)}",
         "",
@@ -127,8 +130,9 @@ def _entry(correction: Correction, rows: dict[str, Row]) -> str:
 def _stricter(row: Row) -> str:
     """The entry of a statement that fails only under a stricter reading."""
     claim = row.claim
+    place = place_text(claim).removesuffix(", read more strictly")
     lines = [
-        f"### {place_text(claim).removesuffix(', read more strictly')} (`{claim.label}`)",
+        f"### {place} (`{shown_name(claim.label)}`)",
         "",
         f"**Printed:** {sentence(claim.paper_says)}",
         "",
@@ -143,12 +147,12 @@ def _stricter(row: Row) -> str:
 def _true(claims: tuple[Claim, ...]) -> Iterator[str]:
     """What is true instead, the claim nearest to the printed one first."""
     if len(claims) == 1:
-        yield f"**True instead:** {quoted(claims[0])} (`{claims[0].label}`)"
+        yield f"**True instead:** {quoted(claims[0])} (`{shown_name(claims[0].label)}`)"
         yield ""
     elif claims:
         yield "**True instead:**"
         yield ""
-        yield from (f"- {quoted(claim)} (`{claim.label}`)" for claim in claims)
+        yield from (f"- {quoted(claim)} (`{shown_name(claim.label)}`)" for claim in claims)
         yield ""
 
 

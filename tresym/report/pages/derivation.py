@@ -20,7 +20,7 @@ from tresym.report.typesetting.line_breaking import broken
 from tresym.report.typesetting.markdown import scripted
 from tresym.report.typesetting.paper_location import place_text
 from tresym.report.typesetting.statements import conditions, said
-from tresym.report.typesetting.titles import title
+from tresym.report.typesetting.titles import shown_name, title
 
 WIDEST = 62
 """Width of a line of the article with a formula and its reason, in letters."""
@@ -77,10 +77,13 @@ def axiom_key(axiom: Axiom) -> str:
 
 def refused(rows: Collection[Row]) -> tuple[str, ...]:
     """Return an error line for each refuted claim, with what is true instead."""
+
+    def named(claims: Collection[Claim]) -> str:
+        return ", ".join(shown_name(claim.label) for claim in claims) or "no claim of the ledger"
+
     return tuple(
-        f"tresym: {row.claim.label} is REFUTED; true instead: "
-        f"{', '.join(true.label for true in row.claim.amended_by) or 'no claim of the ledger'}"
-        " (to print it marked as refuted, use derive --refuted)"
+        f"tresym: {shown_name(row.claim.label)} is REFUTED; true instead: "
+        f"{named(row.claim.amended_by)} (to print it marked as refuted, use derive --refuted)"
         for row in rows
         if row.finding.verdict is Verdict.REFUTED
     )
@@ -117,7 +120,7 @@ def entry(row: Row, known: Collection[str]) -> str:
     head = (
         rf"\paragraph{{{prose(title(claim.label))}}}\label{{claim:{claim.label}}}"
         rf"\hypertarget{{claim:{claim.label}}}{{}}"
-        rf"\texttt{{\small {_lettered(claim.label)}}}\atend{{"
+        rf"\texttt{{\small {_lettered(shown_name(claim.label))}}}\atend{{"
         rf"\verdict{{{verdict.lower()}}}{{{verdict}}}\ \textsf{{\small {place}}}}}"
     )
     lines = [r"\needspace{4\baselineskip}", head]
@@ -146,10 +149,12 @@ def _fitting(claim: Claim) -> Iterator[str]:
         else:
             yield rf"\fitted{{{body}}}"
     if left_out:
-        shown = rf"\texttt{{tresym verify {_lettered(claim.label)} -{{}}-json}}"
+        shown = rf"\texttt{{tresym verify {_lettered(shown_name(claim.label))} -{{}}-json}}"
         parts = ""
         if isinstance(claim.proof, AllOf):
-            named = ", ".join(rf"\texttt{{{_lettered(c.label)}}}" for c in claim.proof.claims)
+            named = ", ".join(
+                rf"\texttt{{{_lettered(shown_name(c.label))}}}" for c in claim.proof.claims
+            )
             parts = f"The claim states all of {named}. "
         long = f"{parts}A formula that is too long for this page is left out; {shown} prints it."
         yield rf"{{\raggedright\textsf{{\small {long}}}\par}}"
@@ -158,7 +163,7 @@ def _fitting(claim: Claim) -> Iterator[str]:
 def _decided(claim: Claim, means: Collection[str]) -> Iterator[str]:
     """The formulas that stand for a sentence, unless one is too wide for the page."""
     if any(width(line) > TOO_WIDE for formula in means for line in broken(formula, LINE)):
-        shown = rf"\texttt{{tresym verify {_lettered(claim.label)} -{{}}-json}}"
+        shown = rf"\texttt{{tresym verify {_lettered(shown_name(claim.label))} -{{}}-json}}"
         long = f"The formula that is decided is too long for this page; {shown} prints it."
         yield rf"\textsf{{\small {long}}}\par"
     elif means:
@@ -206,7 +211,7 @@ def _told(why: str, known: Collection[str]) -> str:
 
 def reference(claim: Claim, known: Collection[str]) -> str:
     """Return the label of a claim, linked to its entry if it has one."""
-    name = rf"\texttt{{{_lettered(claim.label)}}}"
+    name = rf"\texttt{{{_lettered(shown_name(claim.label))}}}"
     return rf"\hyperref[claim:{claim.label}]{{{name}}}" if claim.label in known else name
 
 
@@ -352,5 +357,5 @@ def _reason(why: Because) -> str:
 
 
 def code(label: str) -> str:
-    """Return a label in typewriter type."""
-    return rf"\texttt{{{_lettered(label)}}}"
+    """Return the readable name of a claim in typewriter type."""
+    return rf"\texttt{{{_lettered(shown_name(label))}}}"

@@ -20,7 +20,7 @@ from tresym.report.typesetting.chains import Because, Display, Line, displays
 from tresym.report.typesetting.finding_text import readable
 from tresym.report.typesetting.markdown import sentence
 from tresym.report.typesetting.statements import conditions, in_dollars, said
-from tresym.report.typesetting.titles import title
+from tresym.report.typesetting.titles import shown_name, title
 
 _TRIVIAL = frozenset(["algebra", "roots", "trigonometry", "exponentials", "collecting"])
 """Reasons of which two in a row become one step."""
@@ -86,7 +86,7 @@ def written(rows: Collection[Row], style: str) -> str:
 
 def _head(row: Row) -> str:
     label = row.claim.label
-    return f"% {title(label)}: {row.finding.verdict.value} (tresym verify {label})\n"
+    return f"% {title(label)}: {row.finding.verdict.value} (tresym verify {shown_name(label)})\n"
 
 
 def _paragraphs(row: Row, style: Style, shown: set[str], gap: str = "") -> str:
@@ -134,7 +134,7 @@ def _refuted(row: Row, style: Style, shown: set[str]) -> Iterator[str]:
 def _marked(head: str, claim: Claim, style: Style) -> Iterator[str]:
     """The statement of a claim after its label and a word in bold type."""
     found = said(claim)
-    name = f"{style.strong(head)} ({style.words(f'`{claim.label}`')}):"
+    name = f"{style.strong(head)} ({style.words(f'`{shown_name(claim.label)}`')}):"
     yield " ".join(filter(None, (name, _opening(claim, style), style.words(found.says or ""))))
     if found.formula:
         yield style.equation(alone(found.formula, style.share), claim.label)

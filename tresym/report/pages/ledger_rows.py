@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from tresym.ledger.evidence.admissible import is_formal
-from tresym.ledger.paper import display_lines
+from tresym.ledger.paper import display_lines, racket
 from tresym.ledger.verification import JSON_VERSION, Report, Row
 from tresym.reals.numbers.exact import fraction_text
 from tresym.report.pages import coq_page
@@ -59,9 +59,11 @@ def _row_json(row: Row, lines: dict[int | None, int]) -> dict[str, Any]:
     claim, finding, where = row.claim, row.finding, row.claim.where
     return {
         "label": claim.label,
+        "alias": racket().aliases.get(claim.label),
         "requested": row.requested,
         "says": says_latex(claim.says),
         "means": None if claim.statement is None else says_latex(claim.statement),
+        "sympy": None if claim.statement is None else str(claim.statement),
         "formal": is_formal(claim),
         "given": [given_latex(condition) for condition in claim.given],
         "expect": claim.expect.value,

@@ -12,10 +12,11 @@ from typing import Any
 from tresym.ledger.axioms import RULES, Axiom
 from tresym.ledger.claim import AllOf, Claim
 from tresym.ledger.evidence.admissible import is_formal
-from tresym.ledger.paper import corrections, display_lines, sections
+from tresym.ledger.paper import corrections, display_lines, racket, sections
 from tresym.ledger.verification import Report, Row
 from tresym.report.pages import coq_page
 from tresym.report.pages.ledger_rows import common, line_of
+from tresym.report.pages.places_of_proofs import lines_of_claims
 from tresym.report.pages.symbols import as_used
 from tresym.report.typesetting.chains import displays
 from tresym.report.typesetting.paper_location import place_text
@@ -115,8 +116,12 @@ def _claim(row: Row, lines: dict[int | None, int], quotes: dict[str, str]) -> di
     claim = row.claim
     return {
         **common(row),
+        "alias": racket().aliases.get(claim.label),
         "title": title(claim.label),
         "place": place_text(claim) if claim.where else None,
+        "source": lines_of_claims()[claim.label]._asdict(),
+        "sympy": None if claim.statement is None else str(claim.statement),
+        "given_sympy": [str(condition) for condition in claim.given],
         "line": line_of(row, lines),
         **said(claim).as_record(),
         "chains": _chains(claim),

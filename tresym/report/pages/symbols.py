@@ -19,6 +19,7 @@ from tresym.report.typesetting.markdown import sentence
 from tresym.report.typesetting.paper_location import place_text
 from tresym.report.typesetting.plain_text import plain
 from tresym.report.typesetting.statements import said
+from tresym.report.typesetting.titles import shown_name
 
 WIDEST = 30
 """Width of a line of the formula column, in letters."""
@@ -130,7 +131,7 @@ def _line(row: Row) -> str:
     )
     stands = f"{row.note}{formula}" if row.meaning else "a variable"
     given = ", ".join(f"${condition}$" for condition in row.given)
-    by = f"`{row.entry.claim.label}`" if row.entry else ""
+    by = f"`{shown_name(row.entry.claim.label)}`" if row.entry else ""
     return _cells(letter, sentence(row.words or row.own), by, stands, given)
 
 
@@ -147,7 +148,7 @@ def _assumption(claim: Claim) -> str:
 
 
 def _by(claim: Claim) -> str:
-    return f"`{claim.label}`" + (f" ({place_text(claim)})" if claim.where else "")
+    return f"`{shown_name(claim.label)}`" + (f" ({place_text(claim)})" if claim.where else "")
 
 
 def _cells(*cells: str) -> str:

@@ -31,6 +31,7 @@ from tresym.report.typesetting.formula_width import width
 from tresym.report.typesetting.latex import expression_latex, says_latex
 from tresym.report.typesetting.line_breaking import broken
 from tresym.report.typesetting.statements import in_dollars, said
+from tresym.report.typesetting.titles import shown_name
 
 INLINE = re.compile(r"\{\{(\w+)((?: [^{}]*)?)\}\}")
 """A placeholder: its kind and its arguments."""
@@ -190,7 +191,8 @@ class Templates:
         return self._equation(label, body)
 
     def _equation(self, label: str, body: str) -> str:
-        mark = rf"\inmargin{{{label}}}{{{self._letter(label)}}}"
+        name = shown_name(label).replace("_", r"\_\allowbreak ")
+        mark = rf"\inmargin{{{label}}}{{{self._letter(label)}}}{{{name}}}"
         return f"{mark}\\begin{{equation}}\\label{{eq:{label}}}\n{body}\n\\end{{equation}}"
 
     def steps(self, label: str, *_: str, inside: str) -> str:

@@ -10,7 +10,7 @@ import re
 from collections.abc import Callable
 
 _MATHS = re.compile(
-    r"(?:\\inmargin\{\w+\}\{\w\})?\\begin\{(equation|gather)(\*?)\}(?:\\label\{[^}]*\})?"
+    r"(?:\\inmargin\{\w+\}\{\w\}\{[^{}]*\})?\\begin\{(equation|gather)(\*?)\}(?:\\label\{[^}]*\})?"
     r"(?P<shown>.*?)\\end\{\1\2\}|\$(?P<inline>[^$]+)\$",
     re.DOTALL,
 )

@@ -32,6 +32,11 @@ def by_hand() -> Mapping[str, str]:
     return racket().titles
 
 
+def shown_name(label: str) -> str:
+    """Return the readable name of a claim, which commands accept as its label."""
+    return racket().name_of(label)
+
+
 def title(label: str) -> str:
     """Return the title of a claim, without a full stop."""
     found = by_hand().get(label)
