@@ -3,20 +3,21 @@
 import contextlib
 
 import pytest
+from cases import cases
 from hypothesis import given
 from hypothesis import strategies as st
 
 from tresym.reals.language.parsing import as_written, parse
-from tresym.reals.language.spelling import Speller
-from tresym.reals.language.spelling_operators import NotSpelledError
+from tresym.reals.language.spelling import spell_sum
 from tresym.reals.language.spelling_tokens import tokens
+from tresym.reals.language.typed_text import NotSpelledError, Typed
 from tresym.reals.numbers.exact import InputError
 
 
 def spell(text: str) -> str:
-    speller = Speller(tokens(text)[1])
-    found = speller.sum()
-    assert speller.at == len(speller.tokens), text
+    typed = Typed(tokens(text)[1])
+    found = spell_sum(typed)
+    assert typed.at == len(typed.tokens), text
     return found
 
 
@@ -54,6 +55,31 @@ def test_two_readings_are_refused(typed: str) -> None:
 def test_what_is_no_expression_is_left_to_the_strict_reader(text: str) -> None:
     with pytest.raises((NotSpelledError, AssertionError)):
         spell(text)
+
+
+@pytest.mark.parametrize(
+    ("typed", "meant"),
+    cases(__file__, "typed_operators"),
+)
+def test_typed_operators(typed: str, meant: str) -> None:
+    assert as_written(spell(typed)) == as_written(meant)
+
+
+@pytest.mark.parametrize(
+    "typed",
+    [
+        "∫_0 x dx",
+        "sum_(k=1)^n k + 1",
+        "lim x->0 x + 1",
+        "d/dx x + 1",
+        "d/dx (x^2) x",
+        "dy/dx",
+        "d^2y/dx^2",
+    ],
+)
+def test_how_far_an_operator_reaches_is_not_guessed(typed: str) -> None:
+    with pytest.raises((InputError, NotSpelledError)):
+        spell(typed)
 
 
 PIECES = [
@@ -96,7 +122,7 @@ PIECES = [
 @given(st.lists(st.sampled_from(PIECES), min_size=1, max_size=12).map(" ".join))
 def test_any_text_is_spelled_or_refused(text: str) -> None:
     with contextlib.suppress(NotSpelledError, InputError):
-        Speller(tokens(text)[1]).sum()
+        spell_sum(Typed(tokens(text)[1]))
 
 
 ATOMS = st.sampled_from(["x", "y", "2", "7", "pi"])

@@ -90,7 +90,7 @@ from tresym.reals.language.latex_tokens import (
     STOPS,
     WITH_ORDER,
 )
-from tresym.reals.language.operators import COMMANDS, Operator
+from tresym.reals.language.operators import COMMANDS, Range
 from tresym.reals.language.operators import applied as operated
 from tresym.reals.language.parsing import sum_of
 from tresym.reals.numbers.exact import InputError
@@ -609,16 +609,16 @@ def read_total(cursor: Cursor) -> Piece:
     cursor.take("}")
     cursor.take("^")
     high = read_script(cursor).tree
-    operator = Operator(kind, name, (low, high))
+    bound = Range(name, (low, high))
     factors, operators = [read_factor_or_differential(cursor)], [""]
     while factors[-1] is not None and cursor.continues():
         read_next_factor(cursor, factors, operators)
     piece, last = joined(factors, operators), factors[-1]
     if kind == "product" and len(factors) > 1 and last and name not in last.names:
-        one = operated(operator, joined(factors[:-1], operators[:-1]).tree)
+        one = operated(kind, bound, joined(factors[:-1], operators[:-1]).tree)
         both = joined([Piece(one, 2), last], ["", operators[-1]])
-        cursor.two_readings(Piece(operated(operator, piece.tree)), both)
-    return Piece(operated(operator, piece.tree), 2)
+        cursor.two_readings(Piece(operated(kind, bound, piece.tree)), both)
+    return Piece(operated(kind, bound, piece.tree), 2)
 
 
 def read_integral(cursor: Cursor) -> Piece:
@@ -642,7 +642,7 @@ def read_integral(cursor: Cursor) -> Piece:
     if len(variables) != 1 or not named <= variables | {""}:
         cursor.refuse("an integral needs one variable and its differential")
     name = variables.pop()
-    return Piece(operated(Operator("integral", name, tuple(ends)), body))
+    return Piece(operated("integral", Range(name, tuple(ends)), body))
 
 
 def read_integrand(cursor: Cursor) -> Expr:
@@ -673,8 +673,8 @@ def read_limit(cursor: Cursor) -> Piece:
         cursor.refuse("a limit is written \\lim_{x \\to 0},")
     point, side = read_point(cursor)
     cursor.take("}")
-    operator = Operator("limit", name, (point,), str(side))
-    return read_body(cursor, name, lambda e: Piece(operated(operator, e.tree)))
+    bound = Range(name, (point,), str(side))
+    return read_body(cursor, name, lambda e: Piece(operated("limit", bound, e.tree)))
 
 
 def read_point(cursor: Cursor) -> tuple[Expr, int]:

@@ -1,14 +1,14 @@
 r"""Operators that bind a variable: integrals, sums, products, limits and roots in every notation.
 
 ``\int_0^1 x\,dx``, ``∫_0^1 x dx``, ``Integrate[x, {x, 0, 1}]`` and ``integral(x, x, 0, 1)`` are
-``Operator("integral", "x", (0, 1))`` applied to x. A reader finds the parts, each in its notation;
+the integral of x over the ``Range("x", (0, 1))``. A reader finds the parts, each in its notation;
 what the operators are called, how many ends they have and what they build is here.
 
 Example:
     >>> from tresym.reals.language.expression import ONE, ZERO, symbol
-    >>> str(applied(Operator("integral", "x", (ZERO, ONE)), symbol("x")))
+    >>> str(applied("integral", Range("x", (ZERO, ONE)), symbol("x")))
     'integral(x, x, 0, 1)'
-    >>> written(Operator("integral", "x", ("0", "1")), "x")
+    >>> written("integral", Range("x", ("0", "1")), "x")
     'integral(x, x, 0, 1)'
 """
 
@@ -39,30 +39,28 @@ ENDS = {"integral": (0, 2), "sum": (2,), "product": (2,), "limit": (1,), "root":
 """How many ends an operator can have: none of an integral leaves it indefinite."""
 
 
-class Operator(NamedTuple, Generic[T]):
-    """An operator without its body.
+class Range(NamedTuple, Generic[T]):
+    """What an operator binds.
 
     Attributes:
-        kind: a key of ``ENDS``; empty where only a range is written, as in ``{x, 0, 1}``.
-        name: the variable that is bound.
-        ends: the first and the last value, or the point of a limit.
+        name: the variable.
+        ends: its first and its last value, or the point of a limit.
         side: from which side a limit comes: from above, 1, from below, −1.
     """
 
-    kind: str
     name: str
     ends: tuple[T, ...] = ()
     side: str = ""
 
-    @property
-    def complete(self) -> bool:
-        """Whether it has the ends that it needs."""
-        return len(self.ends) in ENDS[self.kind]
+
+def is_complete(kind: str, bound: Range[T]) -> bool:
+    """Return whether the range has the ends that this operator needs."""
+    return len(bound.ends) in ENDS[kind]
 
 
-def applied(operator: Operator[Expr], body: Expr) -> Expr:
-    """Return the tree of the operator on ``body``, in which its variable is bound."""
-    kind, name, ends, side = operator
+def applied(kind: str, bound: Range[Expr], body: Expr) -> Expr:
+    """Return the tree of the operator on ``body``, in which the variable is bound."""
+    name, ends, side = bound
     match kind:
         case "integral":
             return integral(body, name, *ends) if ends else antiderivative(body, name)
@@ -73,7 +71,7 @@ def applied(operator: Operator[Expr], body: Expr) -> Expr:
     return total(kind, body, name, *ends)
 
 
-def written(operator: Operator[str], body: str) -> str:
+def written(kind: str, bound: Range[str], body: str) -> str:
     """Return the operator on ``body`` in the strict grammar."""
-    kind, name, ends, side = operator
+    name, ends, side = bound
     return f"{kind}({', '.join((body, name, *ends, *filter(None, (side,))))})"

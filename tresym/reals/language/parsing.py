@@ -20,17 +20,12 @@ import warnings
 from collections.abc import Callable
 
 from tresym.reals.language.binders import (
-    antiderivative,
     at,
-    derivative,
     elementary,
-    integral,
-    limit,
     nth_derivative,
     order,
     outermost,
-    root,
-    total,
+    repeated_derivative,
     worked_out,
 )
 from tresym.reals.language.calls import (
@@ -61,6 +56,7 @@ from tresym.reals.language.expression import (
     symbols,
     unknown,
 )
+from tresym.reals.language.operators import CALLED, ENDS, Range, applied
 from tresym.reals.language.suggestions import about_name, hint
 from tresym.reals.numbers.exact import InputError, parse_number, printed
 
@@ -72,7 +68,6 @@ _LONG_INTEGER = re.compile(r"(?<![\w.])(\d{4000,})(?![\w.])")
 """Python's parser rejects integers with more digits, but accepts them as decimals."""
 ORDER_NAMES = frozenset("jkmnN")
 """Names allowed as the order of a derivative; with others diff(f, x, y) may be a mixed one."""
-TOTALS = {"sum": "sum", "product": "product", "prod": "product"}
 
 
 def parse(text: str) -> Expr:
@@ -230,29 +225,11 @@ class _Reader:
             return self._diff(args)
         if name in ORDERS and len(args) == 1:
             return order(name, self._read(args[0]))
-        if name == "integral" and len(args) == 2:
-            return antiderivative(self._read(args[0]), self._name(args[1]))
-        if name == "integral" and len(args) == 4:
-            return integral(self._read(args[0]), self._name(args[1]), *map(self._end, args[2:]))
-        if name == "root" and len(args) == 4:
-            return root(self._read(args[0]), self._name(args[1]), *map(self._end, args[2:]))
-        if name in TOTALS and len(args) == 4:
-            return total(
-                TOTALS[name],
-                self._read(args[0]),
-                self._name(args[1]),
-                *map(self._end, args[2:]),
-            )
+        if name in CALLED and (operator := self._operator(CALLED[name], args)):
+            return operator
         if name == "at" and len(args) > 2 and len(args) % 2:
             pairs = zip(args[1::2], args[2::2], strict=True)
             return at(self._read(args[0]), {self._name(x): self._read(p) for x, p in pairs})
-        if name == "limit" and len(args) in (3, 4):
-            side = (
-                self._whole(args[3], range(-1, 2), "the side of a limit is 1, -1 or 0")
-                if args[3:]
-                else 0
-            )
-            return limit(self._read(args[0]), self._name(args[1]), self._end(args[2]), side)
         if args and UNKNOWN.fullmatch(name) and not self._stands_alone(name):
             return unknown(name, tuple(self._read(arg) for arg in args))
         if name in SPECIAL_NAMES and self._stands_alone(name):
@@ -261,6 +238,17 @@ class _Reader:
                 "for a product, or give the variable another name"
             )
         return call(name, [self._read(arg) for arg in args])
+
+    def _operator(self, kind: str, args: list[ast.expr]) -> Expr | None:
+        """Return an integral, a sum, a product, a limit or a root; None if the ends are missing."""
+        side = ""
+        if kind == "limit" and len(args) == 4:
+            *args, last = args
+            side = str(self._whole(last, range(-1, 2), "the side of a limit is 1, -1 or 0"))
+        if len(args) - 2 not in ENDS[kind]:
+            return None
+        body, name = self._read(args[0]), self._name(args[1])
+        return applied(kind, Range(name, tuple(map(self._end, args[2:])), side), body)
 
     def _stands_alone(self, name: str) -> bool:
         """Return whether a name is also used as a variable."""
@@ -280,9 +268,7 @@ class _Reader:
         if len(args) == 3:
             expected = f"the order of diff is an integer from 1 to {MAX_DERIVATIVES}"
             times = self._whole(args[2], range(1, MAX_DERIVATIVES + 1), expected)
-        for _ in range(times):
-            e = derivative(e, name)
-        return e
+        return repeated_derivative(e, name, times)
 
     def _name(self, node: ast.expr) -> str:
         """Return the name of a bound variable or of a variable of differentiation."""

@@ -10,9 +10,9 @@ from __future__ import annotations
 import re
 from typing import NamedTuple
 
-from tresym.reals.language.spelling import Speller
-from tresym.reals.language.spelling_operators import NotSpelledError
+from tresym.reals.language.spelling import skip_arrow, spell_sum
 from tresym.reals.language.spelling_tokens import Token, tokens
+from tresym.reals.language.typed_text import NotSpelledError, Typed
 from tresym.reals.numbers.exact import InputError
 
 _RELATIONS = {
@@ -71,31 +71,31 @@ def _read(text: str, claimed: bool) -> Spelled | None:
     return _with_euler(result)
 
 
-class _Sentence(Speller):
+class _Sentence:
     """Parse a claim with its conditions."""
 
     def __init__(self, source: str, found: list[Token]) -> None:
-        super().__init__(found)
+        self.typed = Typed(found)
         self.source = source
         self.given: list[str] = []
         self.path = ""
 
     def claim(self) -> Spelled:
         """Return the claim, its conditions and its path."""
-        if self.peek().text in _IF:
-            self.next()
+        if self.typed.peek().text in _IF:
+            self.typed.next()
             self.conditions()
-            self.take(",", ";", ":")
-            self.take("then")
-            self.take(",")
+            self.typed.take(",", ";", ":")
+            self.typed.take("then")
+            self.typed.take(",")
         first = self.chain()
-        if self.peek().text in _THEN and len(first) > 1:
-            self.next()
+        if self.typed.peek().text in _THEN and len(first) > 1:
+            self.typed.next()
             self.given.append(" ".join(first))
             first = self.chain()
         self.no_other_claim(first)
         self.tails()
-        if self.at < len(self.tokens):
+        if self.typed.at < len(self.typed.tokens):
             raise NotSpelledError
         if len(first) < 3:
             raise NotSpelledError
@@ -104,17 +104,17 @@ class _Sentence(Speller):
     def only_conditions(self) -> Spelled:
         """Return conditions without a claim."""
         self.conditions()
-        if self.at < len(self.tokens) or not self.given:
+        if self.typed.at < len(self.typed.tokens) or not self.given:
             raise NotSpelledError
         return Spelled("", ", ".join(self.given), "")
 
     def chain(self) -> list[str]:
         """Return expressions with relations between them."""
-        found = [self.sum()]
-        while self.peek().text in _RELATIONS:
-            found.append(_RELATIONS[self.next().text])
-            found.append(self.sum())
-        if self.peek().text in ("≈", "≅", "≃"):
+        found = [spell_sum(self.typed)]
+        while self.typed.peek().text in _RELATIONS:
+            found.append(_RELATIONS[self.typed.next().text])
+            found.append(spell_sum(self.typed))
+        if self.typed.peek().text in ("≈", "≅", "≃"):
             raise InputError(
                 "the accuracy of ≈ is not stated: write abs(a - b) <= 0.005, or a ~ b with a path"
             )
@@ -123,22 +123,22 @@ class _Sentence(Speller):
     def no_other_claim(self, first: list[str]) -> None:
         """Reject text that contains two claims, with both written out."""
         one = " ".join(first)
-        after = self.peek().text
+        after = self.typed.peek().text
         if after == "=>" and len(first) == 1:
-            self.next()
+            self.typed.next()
             other = " ".join(self.chain())
             raise InputError(
                 f"two readings remain: write {one} >= {other}, or, of a condition and what follows "
                 "from it, CLAIM given CONDITION"
             )
         if after in ("<=>", "iff") and len(first) > 1:
-            self.next()
+            self.typed.next()
             other = " ".join(self.chain())
             raise InputError(
                 f"an equivalence is two claims: {other} given {one}, and {one} given {other}"
             )
         if after in ("and", "&&", "or") and len(first) > 1:
-            word = self.next().text
+            word = self.typed.next().text
             other = " ".join(self.chain())
             if word == "or":
                 raise InputError(f"one claim at a time: write {one}, or {other} by itself")
@@ -150,27 +150,36 @@ class _Sentence(Speller):
 
     def tails(self) -> None:
         """Parse conditions and a path after the claim."""
-        while self.at < len(self.tokens):
-            self.take(",")
-            if self.peek().text == "as":
-                self.next()
-                name = self.name()
-                self.arrow()
-                start = self.peek().at
-                while self.at < len(self.tokens) and self.peek().text not in (*_IF, ","):
-                    self.next()
-                end = self.peek().at if self.at < len(self.tokens) else len(self.source)
-                self.path = f"{name} -> {self.source[start:end].strip()}"
-                for word in ("infinity", "Infinity", "inf"):
-                    self.path = self.path.replace(f" {word}", " oo").replace(f"-{word}", "-oo")
-            elif self.peek().text in _IF or (self.peek().text == "(" and self.peek(1).text in _IF):
-                closing = self.take("(")
-                self.next()
+        typed = self.typed
+        while typed.at < len(typed.tokens):
+            typed.take(",")
+            if typed.peek().text == "as":
+                typed.next()
+                self.path = self.path_ahead()
+            elif typed.peek().text in _IF or (
+                typed.peek().text == "(" and typed.peek(1).text in _IF
+            ):
+                closing = typed.take("(")
+                typed.next()
                 self.conditions()
                 if closing:
-                    self.need(")")
+                    typed.need(")")
             else:
                 raise NotSpelledError
+
+    def path_ahead(self) -> str:
+        """Parse a path, behind the word "as"."""
+        typed = self.typed
+        name = typed.name()
+        skip_arrow(typed)
+        start = typed.peek().at
+        while typed.at < len(typed.tokens) and typed.peek().text not in (*_IF, ","):
+            typed.next()
+        end = typed.peek().at if typed.at < len(typed.tokens) else len(self.source)
+        path = f"{name} -> {self.source[start:end].strip()}"
+        for word in ("infinity", "Infinity", "inf"):
+            path = path.replace(f" {word}", " oo").replace(f"-{word}", "-oo")
+        return path
 
     def conditions(self) -> None:
         """Parse conditions separated by commas or the word "and"."""
@@ -179,7 +188,7 @@ class _Sentence(Speller):
         while True:
             kinds, integer, filled = self.adjectives()
             loose = loose or filled
-            pending.append(self.sum())
+            pending.append(spell_sum(self.typed))
             more, known = self.predicate(pending)
             kinds += more
             if kinds or integer or known:
@@ -188,24 +197,29 @@ class _Sentence(Speller):
                     if integer or known == "integer":
                         self.given.append(f"{name} integer")
                 pending, loose = [], False
-            if self.at >= len(self.tokens) or self.peek().text not in (",", "and", "&&", ";"):
+            if self.typed.at >= len(self.typed.tokens) or self.typed.peek().text not in (
+                ",",
+                "and",
+                "&&",
+                ";",
+            ):
                 break
             if self.ends_conditions():
                 break
-            self.next()
-            self.take("and")
-            if self.peek().text in _IF:
-                self.next()
+            self.typed.next()
+            self.typed.take("and")
+            if self.typed.peek().text in _IF:
+                self.typed.next()
         if pending and not loose:
             raise NotSpelledError
 
     def ends_conditions(self) -> bool:
         """Return whether the claim follows after a comma, as in ``if x > 0, x^2 > 0``."""
-        if self.peek().text not in (",", ";") or self.tokens[0].text not in _IF:
+        if self.typed.peek().text not in (",", ";") or self.typed.tokens[0].text not in _IF:
             return False
-        if self.peek(1).text == "then":
+        if self.typed.peek(1).text == "then":
             return True
-        rest = self.tokens[self.at + 1 :]
+        rest = self.typed.tokens[self.typed.at + 1 :]
         depth = 0
         for token in rest:
             depth += (token.text in ("(", "[", "{")) - (token.text in (")", "]", "}"))
@@ -222,7 +236,7 @@ class _Sentence(Speller):
         """
         kinds, integer, filled = [], False, False
         while True:
-            word, after = self.peek().text, self.peek(1)
+            word, after = self.typed.peek().text, self.typed.peek(1)
             if after.kind != "name" and word not in _FILLING:
                 break
             if word in _FILLING and (after.kind == "name" or after.text in ("(", "|")):
@@ -239,35 +253,35 @@ class _Sentence(Speller):
                 kinds.append(">= 0")
             else:
                 break
-            self.next()
+            self.typed.next()
         return kinds, integer, filled
 
     def predicate(self, pending: list[str]) -> tuple[list[str], str]:
         """Parse what follows a variable: relations, ``in``, ``positive``, ``integer``."""
         last = pending[-1]
-        if self.peek().text in _RELATIONS and self.peek().text != "is":
+        if self.typed.peek().text in _RELATIONS and self.typed.peek().text != "is":
             texts = []
-            while self.peek().text in _RELATIONS:
-                texts.append(f"{_RELATIONS[self.next().text]} {self.sum()}")
+            while self.typed.peek().text in _RELATIONS:
+                texts.append(f"{_RELATIONS[self.typed.next().text]} {spell_sum(self.typed)}")
             if len(pending) > 1 and texts[0].startswith("in"):
                 raise NotSpelledError
             return [" ".join(texts)], "relation"
-        if self.take("in", "element"):
+        if self.typed.take("in", "element"):
             return self.set_of(last)
         kinds: list[str] = []
         known = ""
         while True:
-            word = self.peek().text
+            word = self.typed.peek().text
             if word in ("is", "are", "a", "an"):
-                self.next()
+                self.typed.next()
             elif word in _KINDS:
-                kinds.append(_KINDS[self.next().text])
+                kinds.append(_KINDS[self.typed.next().text])
                 known = known or "kind"
             elif word in ("integer", "integers"):
-                self.next()
+                self.typed.next()
                 known = "integer"
             elif word in ("real", "reals"):
-                self.next()
+                self.typed.next()
                 known = known or "real"
             elif word in ("natural", "naturals"):
                 raise _natural(last)
@@ -276,20 +290,20 @@ class _Sentence(Speller):
 
     def set_of(self, name: str) -> tuple[list[str], str]:
         """Parse the set after ``in``, such as ``[0, 1)`` or ``Z``."""
-        token = self.next()
+        token = self.typed.next()
         if token.text in _NATURAL:
             raise _natural(name)
         if token.text in _INTEGERS or token.text in _REALS:
-            self.take("numbers")
-            if self.peek().text in ("+", "^", "**", "-"):
+            self.typed.take("numbers")
+            if self.typed.peek().text in ("+", "^", "**", "-"):
                 raise InputError(f"two readings remain: write {name} > 0 or {name} >= 0")
             return [], "integer" if token.text in _INTEGERS else "real"
         if token.text not in ("[", "(", "]"):
             raise InputError(f"a variable is in an interval: write {name} in [a, b], or a < {name}")
-        low = self.sum()
-        self.need(",")
-        high = self.sum()
-        close = self.need("]", ")", "[")
+        low = spell_sum(self.typed)
+        self.typed.need(",")
+        high = spell_sum(self.typed)
+        close = self.typed.need("]", ")", "[")
         kinds = []
         if low not in ("(-oo)", "-oo"):
             kinds.append(f"{'>=' if token.text == '[' else '>'} {low}")
