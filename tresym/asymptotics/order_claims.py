@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from flint import arb, fmpq
 
+from tresym.asymptotics.readable_terms import readable
 from tresym.reals.decisions.answer import Answer, constant_ball, refuted
 from tresym.reals.decisions.derivative_domains import where_real
 from tresym.reals.decisions.path_regions import along
@@ -171,7 +172,8 @@ def _holds(claim: Comparison, path: Path, found: list[Judgement]) -> Answer:
             bound = constant.upper().str(6, radius=False)
         sentence = f"|left| <= C |right| with C about {bound}"
     if leading.true_order is not None:
-        sentence += f"; the left side behaves like {leading.true_order}"
+        order = _readable(leading.true_order, path, path.sides[0])
+        sentence += f"; the left side behaves like {order}"
     return Answer(
         Verdict.ENCLOSED,
         sentence,
@@ -190,11 +192,17 @@ def _refutation(
 ) -> Answer:
     why = _FAILURES[claim.relation]
     if judgement.ratio is not None:
-        why += f": it behaves like {judgement.ratio}"
-    if judgement.true_order not in (None, judgement.ratio):
-        why += f"; the left side behaves like {judgement.true_order}"
+        why += f": it behaves like {_readable(judgement.ratio, path, side)}"
+    if judgement.true_order is not None and judgement.true_order != judgement.ratio:
+        why += f"; the left side behaves like {_readable(judgement.true_order, path, side)}"
     name, value = _witness(path, side, t)
     return refuted(why, {name: value}, *values)
+
+
+def _readable(term: Expr, path: Path, side: int) -> Expr:
+    """A leading term in a form for people; the sign of the variable is known at 0 and at ∞."""
+    known = path.point is None or path.point == number(0)
+    return readable(term, path.name, side if known else 0)
 
 
 def _shown(path: Path, side: int) -> tuple[Expr, Expr]:
