@@ -305,11 +305,19 @@ def _summary(report: Report, colour: bool) -> str:
     lines = [_counts(report.counts, colour)]
     kinds = report.refuted
     if any(kinds.values()):
-        lines.append(
-            f"refuted: {kinds['paper']} statements of the paper, {kinds['stricter']} "
-            "interpretations stricter than its words, "
-            f"{kinds['sharpness']} checks that a bound of ours is sharp"
-        )
+        named = {
+            "paper": ("statement of the paper", "statements of the paper"),
+            "stricter": (
+                "interpretation stricter than its words",
+                "interpretations stricter than its words",
+            ),
+            "sharpness": (
+                "check that a bound of ours is sharp",
+                "checks that a bound of ours is sharp",
+            ),
+        }
+        counted = (f"{n} {named[kind][n != 1]}" for kind, n in kinds.items() if n)
+        lines.append(f"refuted: {', '.join(counted)}")
     unexpected = sum(not row.as_expected for row in report.rows)
     outcome = "every verdict is as expected" if not unexpected else f"{unexpected} not as expected"
     lines.append(styled(outcome, BAD if unexpected else GOOD, colour))

@@ -268,7 +268,8 @@ def all_of(*claims: Claim) -> AllOf:
 def jointly(*claims: Claim) -> dict[str, Any]:
     """Return statement, conditions and evidence of a claim that says what ``claims`` say together.
 
-    Conditions that all of them have in common become those of the new claim.
+    Conditions that all of them have in common become those of the new claim. If each of them has
+    LaTeX of its own for the reports, so does the new claim.
 
     Example:
         ``d11 = Claim(**jointly(range_of_shape, range_of_gamma))``
@@ -281,7 +282,9 @@ def jointly(*claims: Claim) -> dict[str, Any]:
         isinstance(part, Under) for s, _ in known for part in parts_of(s)
     ):
         says = Tuple(*dict.fromkeys(part for s, _ in known for part in parts_of(s)))
-        return {"says": says, "given": known[0][1], "proof": AllOf(claims)}
+        written = [claim.shown for claim in claims]
+        shown = {"shown": r",\quad ".join(filter(None, written))} if all(written) else {}
+        return {"says": says, "given": known[0][1], "proof": AllOf(claims), **shown}
     return {"says": together_under(known), "proof": AllOf(claims)}
 
 

@@ -104,7 +104,11 @@ class PaperPrinter(LatexPrinter):
         if not factors:
             return "1"
         alone = alone and len(factors) == 1
-        parts = [self._factor(f, alone) for f in sorted(factors, key=_factor_rank)]
+        ranked = sorted(factors, key=_factor_rank)
+        parts = [
+            self._print(f) if f.is_Integer and n == 0 else self._factor(f, alone)
+            for n, f in enumerate(ranked)
+        ]
         text = parts[0]
         for before, part in pairwise(parts):
             text += (r"\cdot " if before[-1].isdigit() and part[0].isdigit() else "") + (
@@ -115,7 +119,8 @@ class PaperPrinter(LatexPrinter):
 
     def _factor(self, e: Expr, alone: bool) -> str:
         body = self._print(e)
-        return bracketed(body) if e.is_Add and not alone else body
+        signed = e.is_Add or body.startswith("-")
+        return bracketed(body) if signed and not alone else body
 
     def _print_Pow(self, e: Pow, **_: Any) -> str:
         base, power = e.args
