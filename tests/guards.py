@@ -28,7 +28,7 @@ from mutations import ROOT, Mutant, apply, mutants
 
 DECISIONS = (
     *("identity", "inequalities", "equalities", "inequalities_on_regions", "dispatch"),
-    *("integration_pieces", "statement", "written_derivatives"),
+    *("integration_pieces", "statement"),
     *("inverse_branches", "variable_reduction", "algebraic_witnesses", "integrals"),
     *("induction", "integer_variables", "equations", "unknown_functions"),
     *("exceptional_values", "removable_holes"),

@@ -11,12 +11,14 @@ from tresym.asymptotics.path_claims import (
     allows,
 )
 from tresym.reals.decisions.answer import Answer
-from tresym.reals.decisions.claim_parsing import LIMIT, read
-from tresym.reals.decisions.statement import Comparison, Path, Statement
+from tresym.reals.decisions.claim_parsing import read
+from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.comparisons import LIMIT, Comparison
 from tresym.reals.language.expression import ZERO
 from tresym.reals.language.parsing import parse
+from tresym.reals.language.paths import Path
 from tresym.reals.verdict import Verdict
 
 HOLD = cases(__file__, "HOLD")

@@ -5,12 +5,12 @@ from cases import cases
 
 import tresym
 from tresym.asymptotics.recurring_failures import failure_where_waves_return
-from tresym.reals.decisions.statement import Path
 from tresym.reals.decisions.waves import has_no_limit
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.expression import ZERO
 from tresym.reals.language.parsing import parse
+from tresym.reals.language.paths import Path
 from tresym.reals.verdict import Verdict
 
 SIDES = {"oo": Path("x", None, (1,)), "-oo": Path("x", None, (-1,)), "0": Path("x", ZERO, (1, -1))}

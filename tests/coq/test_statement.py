@@ -16,10 +16,10 @@ from tresym.dev.corpus.lists import known, pairs
 from tresym.dev.corpus.rewriting import changed, true_identity
 from tresym.ledger.paper import all_claims
 from tresym.reals.decisions.claim_parsing import read
-from tresym.reals.decisions.statement import Comparison
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.binders import elementary
+from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.language.formula import Relation
 from tresym.reals.language.parsing import parse

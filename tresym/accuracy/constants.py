@@ -20,10 +20,8 @@ from tresym.accuracy.values import certified, read
 from tresym.asymptotics.constants import Constant, along, as_constant, reach_of
 from tresym.asymptotics.constants import constant as of_explicit
 from tresym.checking import check
-from tresym.reals.decisions.claim_parsing import read_path
 from tresym.reals.decisions.closed_values import OWN, enclosing
 from tresym.reals.decisions.root_values import by_leibniz, enclosed_root
-from tresym.reals.decisions.statement import Path
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import UndefinedError
 from tresym.reals.domain.operation_domains import operations
@@ -43,6 +41,7 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.language.parsing import parse_given
+from tresym.reals.language.paths import Path, read_path
 from tresym.reals.normal.to_expression import normal_form
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.numbers.exact import near as simplest

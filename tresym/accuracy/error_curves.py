@@ -13,10 +13,10 @@ from flint import fmpq
 
 from tresym.accuracy.error_table import ErrorTable, error_table
 from tresym.accuracy.values import Exact, certified, constant
-from tresym.reals.decisions.claim_parsing import read_path
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.expression import substitute
 from tresym.reals.language.parsing import parse
+from tresym.reals.language.paths import read_path
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 

@@ -36,8 +36,6 @@ from tresym.accuracy.values import (
 from tresym.asymptotics.constants import Constant
 from tresym.checking import check
 from tresym.reals.decisions.answer import Answer
-from tresym.reals.decisions.claim_parsing import read_path
-from tresym.reals.decisions.statement import Path
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import root
 from tresym.reals.language.calls import INFINITY
@@ -53,6 +51,7 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.language.parsing import parse_given
+from tresym.reals.language.paths import Path, read_path
 from tresym.reals.language.unicode_input import plain
 from tresym.reals.notebook import in_one_line
 from tresym.reals.numbers.arithmetic import ball_precision, bits

@@ -13,11 +13,13 @@ from tresym.asymptotics.expansion import MOST, Terms, explicit_terms, root_terms
 from tresym.checking import check
 from tresym.checking.dispatch import decide_within_limits
 from tresym.reals.decisions.answer import Answer, ball_text
-from tresym.reals.decisions.claim_parsing import in_latex, read
+from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.decisions.roots import as_variables, root_nodes
-from tresym.reals.decisions.statement import Path, Statement
+from tresym.reals.decisions.statement import Statement
 from tresym.reals.language.binders import elementary
+from tresym.reals.language.claims import in_latex
 from tresym.reals.language.expression import Expr, opened, symbol
+from tresym.reals.language.paths import Path
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 

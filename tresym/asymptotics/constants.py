@@ -18,9 +18,7 @@ from typing import NamedTuple
 from flint import arb, fmpq
 
 from tresym.asymptotics.order_claims import region as region_text
-from tresym.reals.decisions.claim_parsing import read_path
 from tresym.reals.decisions.path_regions import along, reach_of
-from tresym.reals.decisions.statement import Path
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.expansions.leading_terms import sharp_constant
 from tresym.reals.expansions.suprema import SHORTER, Supremum
@@ -31,6 +29,7 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.language.parsing import parse, parse_given
+from tresym.reals.language.paths import Path, read_path
 from tresym.reals.numbers.arithmetic import ball_precision
 
 LONGEST = fmpq(1)

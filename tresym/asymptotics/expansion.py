@@ -16,7 +16,7 @@ from typing import NamedTuple
 from tresym.asymptotics.roots import start_of_root
 from tresym.reals.decisions.answer import Decide
 from tresym.reals.decisions.readable_witnesses import tidied
-from tresym.reals.decisions.statement import Path, Statement
+from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.expansions.leading_terms import written_term
 from tresym.reals.language.derivatives import differentiate
@@ -31,6 +31,7 @@ from tresym.reals.language.expression import (
     substitute,
     symbols,
 )
+from tresym.reals.language.paths import Path
 from tresym.reals.normal.to_expression import normal_form
 from tresym.reals.signs.interior import is_zero
 

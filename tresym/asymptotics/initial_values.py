@@ -31,11 +31,12 @@ from tresym.asymptotics.constants import rounded
 from tresym.asymptotics.order_claims import region
 from tresym.reals.decisions.answer import Answer, Decide, constant_ball, exact_text
 from tresym.reals.decisions.readable_witnesses import tidied
-from tresym.reals.decisions.statement import Comparison, Path, Statement, functions
+from tresym.reals.decisions.statement import Statement, functions
 from tresym.reals.domain.binder_values import jumps
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.binders import elementary
+from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     ONE,
@@ -49,7 +50,8 @@ from tresym.reals.language.expression import (
     symbols,
     unknown,
 )
-from tresym.reals.language.parsing import Compared
+from tresym.reals.language.formula import Compared
+from tresym.reals.language.paths import Path
 from tresym.reals.normal.to_expression import normal_form
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.signs.definedness import continuous_on

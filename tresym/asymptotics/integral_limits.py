@@ -11,17 +11,17 @@ from dataclasses import replace
 
 from tresym.asymptotics.path_claims import allows, compared_of, neighbourhood
 from tresym.reals.decisions.answer import Answer, Decide, exact_text, worst
-from tresym.reals.decisions.claim_parsing import LIMIT
 from tresym.reals.decisions.exceptional_values import also_at_holes
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.integrals import without_integrals
-from tresym.reals.decisions.statement import Comparison, Path, Statement
+from tresym.reals.decisions.statement import Statement
 from tresym.reals.decisions.waves import differ
 from tresym.reals.domain.conditions import Given
 from tresym.reals.expansions.leading_terms import leading_sign
 from tresym.reals.expansions.limit_values import limit_of
 from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.comparisons import LIMIT, Comparison
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     ONE,
@@ -34,6 +34,7 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
+from tresym.reals.language.paths import Path
 from tresym.reals.signs.definedness import continuous_on
 from tresym.reals.verdict import Verdict
 

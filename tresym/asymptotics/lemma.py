@@ -18,11 +18,12 @@ from typing import NamedTuple
 from flint import arb, fmpq
 
 from tresym.reals.decisions.answer import Answer, Decide, Obligation
-from tresym.reals.decisions.statement import Comparison, Path, Statement
+from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.expansions.limit_values import limit_of
 from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.expression import (
     LEAVES,
     ONE,
@@ -33,6 +34,7 @@ from tresym.reals.language.expression import (
     rebuild,
     symbols,
 )
+from tresym.reals.language.paths import Path
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.resource_limits import TimeUp, time_limit
 from tresym.reals.signs.definedness import continuous_on

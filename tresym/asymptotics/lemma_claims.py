@@ -38,15 +38,15 @@ from tresym.asymptotics.lemma import (
 from tresym.asymptotics.order_claims import region
 from tresym.asymptotics.rational_functions import over, roots_of
 from tresym.reals.decisions.answer import Answer, Decide, constant_ball, worst
-from tresym.reals.decisions.claim_parsing import LIMIT
 from tresym.reals.decisions.hypergeometric import OpenError, polynomial
 from tresym.reals.decisions.identity import decide
-from tresym.reals.decisions.statement import Comparison, Path, Statement
+from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.operation_domains import operations
 from tresym.reals.language.binders import is_infinite, outermost, total
 from tresym.reals.language.calls import FACTORIAL, INFINITY
+from tresym.reals.language.comparisons import LIMIT, Comparison
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     LEAVES,
@@ -63,6 +63,7 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
+from tresym.reals.language.paths import Path
 from tresym.reals.normal.to_expression import in_lowest_terms
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import Decimal, InputError, parse_number

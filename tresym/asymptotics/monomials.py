@@ -21,7 +21,8 @@ from flint import arb, fmpq, fmpq_mat
 
 from tresym.asymptotics.constants import rounded
 from tresym.reals.decisions.answer import Answer, constant_ball
-from tresym.reals.decisions.statement import Comparison, Statement
+from tresym.reals.decisions.statement import Statement
+from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.expression import Expr, symbol, symbols
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import fraction_text

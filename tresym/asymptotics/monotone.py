@@ -24,10 +24,11 @@ from tresym.asymptotics.lemma import End, Obligations
 from tresym.asymptotics.variable_end import change_of, change_of_sum
 from tresym.reals.decisions.answer import Answer, Decide
 from tresym.reals.decisions.readable_witnesses import decided_at
-from tresym.reals.decisions.statement import Comparison, Path, Statement
+from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.calls import FACTORIAL
+from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     LEAVES,
@@ -41,6 +42,7 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
+from tresym.reals.language.paths import Path
 from tresym.reals.normal.to_expression import normal_form
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.signs.sign import sign

@@ -20,10 +20,10 @@ from typing import NamedTuple
 from flint import arb
 
 from tresym.reals.cross_check import FALSE, Program, has_meaning, program
-from tresym.reals.decisions.claim_parsing import LIMIT
-from tresym.reals.decisions.statement import Comparison, Path
 from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.comparisons import LIMIT, Comparison
 from tresym.reals.language.expression import LEAVES, Expr, symbols
+from tresym.reals.language.paths import Path
 from tresym.reals.numbers.arithmetic import ball_precision
 
 DISTANCES = (10**3000, 10**300, 10**30, 4000, 1000, 250, 120, 60, 14, 5, 3, 2)

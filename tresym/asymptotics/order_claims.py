@@ -10,13 +10,14 @@ from tresym.asymptotics.readable_terms import readable
 from tresym.reals.decisions.answer import Answer, constant_ball, refuted
 from tresym.reals.decisions.derivative_domains import where_real
 from tresym.reals.decisions.path_regions import along
-from tresym.reals.decisions.statement import Comparison, Path
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.expansions.leading_terms import Judgement, judge_order, sign_towards
 from tresym.reals.expansions.scale import T
 from tresym.reals.expansions.suprema import SHORTER
+from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.expression import Expr, number, substitute, symbol
+from tresym.reals.language.paths import Path
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import fraction_text
 from tresym.reals.verdict import Verdict

@@ -19,7 +19,6 @@ from flint import arb, fmpq
 from tresym.asymptotics.order_claims import decide_order, region
 from tresym.asymptotics.recurring_failures import failure_where_waves_return
 from tresym.reals.decisions.answer import Answer, Decide, exact_text, worst
-from tresym.reals.decisions.claim_parsing import LIMIT
 from tresym.reals.decisions.derivative_domains import where_real
 from tresym.reals.decisions.equations import is_empty
 from tresym.reals.decisions.identity import decide
@@ -31,7 +30,7 @@ from tresym.reals.decisions.integer_variables import (
     with_integer_bounds,
 )
 from tresym.reals.decisions.readable_witnesses import decided_at, simple_points
-from tresym.reals.decisions.statement import Comparison, Path, Statement
+from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate, stands
 from tresym.reals.domain.operation_domains import needs, operations
@@ -39,6 +38,7 @@ from tresym.reals.domain.sample_points import corners
 from tresym.reals.expansions.leading_terms import leading_sign, sign_towards
 from tresym.reals.expansions.limit_values import limit_of, stays_bounded
 from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.comparisons import LIMIT, Comparison
 from tresym.reals.language.expression import (
     ONE,
     ZERO,
@@ -50,6 +50,7 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
+from tresym.reals.language.paths import Path
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.signs.interior import PROVING
 from tresym.reals.signs.sign import sign

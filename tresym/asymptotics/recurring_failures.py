@@ -11,7 +11,6 @@ from __future__ import annotations
 from flint import arb
 
 from tresym.reals.decisions.answer import Answer, exact_text
-from tresym.reals.decisions.statement import Path
 from tresym.reals.decisions.waves import with_fixed_waves
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate, stands
@@ -23,6 +22,7 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
+from tresym.reals.language.paths import Path
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.verdict import Verdict
 

@@ -20,9 +20,10 @@ from tresym.asymptotics.numerical_evidence import Ray, fails, oscillating
 from tresym.reals.cross_check import program
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.readable_witnesses import MOST_TRIED, SIMPLE, constants_hold
-from tresym.reals.decisions.statement import Comparison, Statement
+from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.expression import Expr, number, substitute, symbols
 from tresym.reals.language.parsing import parse
 from tresym.reals.normal.at_point import equal_at

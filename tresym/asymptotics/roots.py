@@ -32,12 +32,11 @@ from flint import arb, fmpq, fmpq_poly
 from tresym.asymptotics.constants import rounded
 from tresym.asymptotics.order_claims import region
 from tresym.reals.decisions.answer import Answer, Decide, constant_ball, exact_text, worst
-from tresym.reals.decisions.claim_parsing import LIMIT
 from tresym.reals.decisions.equation_solutions import solved
 from tresym.reals.decisions.equations import chained_zero
 from tresym.reals.decisions.path_regions import along
 from tresym.reals.decisions.readable_witnesses import tidied
-from tresym.reals.decisions.statement import Comparison, Path, Statement
+from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.binder_values import jumps
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
@@ -47,6 +46,7 @@ from tresym.reals.expansions.limit_values import limit_of
 from tresym.reals.expansions.scale import T
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.comparisons import LIMIT, Comparison
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     MINUS_ONE,
@@ -64,7 +64,9 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.parsing import Compared, parse
+from tresym.reals.language.formula import Compared
+from tresym.reals.language.parsing import parse
+from tresym.reals.language.paths import Path
 from tresym.reals.normal.to_expression import normal_form
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import Decimal, InputError, parse_number

@@ -25,12 +25,13 @@ from tresym.asymptotics.rational_functions import over, roots_of
 from tresym.asymptotics.stirling import bernoulli
 from tresym.reals.decisions.answer import Answer, Decide, refuted
 from tresym.reals.decisions.hypergeometric import OpenError, polynomial
-from tresym.reals.decisions.statement import Comparison, Path, Statement
+from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.binder_values import Enclosing
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import UndefinedError, evaluate, stands
 from tresym.reals.language.binders import integral, outermost, total
 from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.expression import (
     PI,
     ZERO,
@@ -45,6 +46,7 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.language.formula import NEGATED
+from tresym.reals.language.paths import Path
 from tresym.reals.normal.to_expression import in_lowest_terms
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError

@@ -15,11 +15,12 @@ from math import factorial
 from flint import arb
 
 from tresym.reals.decisions.answer import Answer, refuted
-from tresym.reals.decisions.statement import Comparison, Statement, factorial_arguments
+from tresym.reals.decisions.statement import Statement, factorial_arguments
 from tresym.reals.domain.binder_values import Enclosing
 from tresym.reals.domain.evaluation import UndefinedError, evaluate, stands
 from tresym.reals.language.binders import outermost
 from tresym.reals.language.calls import FACTORIAL
+from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.expression import (
     Expr,
     integer,

@@ -25,10 +25,11 @@ from typing import Any
 from tresym.asymptotics.lemma import Obligations
 from tresym.asymptotics.rational_functions import over
 from tresym.reals.decisions.answer import Answer, Decide
-from tresym.reals.decisions.statement import Comparison, Statement
+from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import outermost
 from tresym.reals.language.calls import FACTORIAL
+from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     LEAVES,

@@ -31,12 +31,13 @@ from tresym.asymptotics.path_claims import neighbourhood
 from tresym.reals.balls.taylor import InSeries
 from tresym.reals.decisions.answer import Answer, Decide, constant_ball, worst
 from tresym.reals.decisions.path_regions import along
-from tresym.reals.decisions.statement import Comparison, Path, Statement
+from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.expansions.limit_values import limit_of
 from tresym.reals.expansions.scale import T
 from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     MINUS_ONE,
@@ -53,7 +54,8 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.parsing import Compared
+from tresym.reals.language.formula import Compared
+from tresym.reals.language.paths import Path
 from tresym.reals.normal.to_expression import normal_form
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.signs.interior import is_zero

@@ -26,12 +26,12 @@ from flint import fmpq
 
 from tresym.asymptotics.lemma import End, Obligations, smallest
 from tresym.reals.decisions.answer import Answer, Decide, worst
-from tresym.reals.decisions.claim_parsing import LIMIT
 from tresym.reals.decisions.identity import decide
-from tresym.reals.decisions.statement import Comparison, Statement
+from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.comparisons import LIMIT, Comparison
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     ONE,

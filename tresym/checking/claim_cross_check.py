@@ -23,16 +23,11 @@ from tresym.reals.cross_check import (
 )
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.readable_witnesses import tidied
-from tresym.reals.decisions.statement import (
-    Comparison,
-    Path,
-    Statement,
-    factorial_arguments,
-    implied_integers,
-)
+from tresym.reals.decisions.statement import Statement, factorial_arguments, implied_integers
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import is_infinite, outermost
 from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     DOTS,
@@ -48,6 +43,7 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.language.parsing import parse_given
+from tresym.reals.language.paths import Path
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import parse_number
 

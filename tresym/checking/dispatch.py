@@ -16,13 +16,14 @@ from tresym.reals.decisions.equalities import decide_equality
 from tresym.reals.decisions.equations import among_integers, decide_under_equations
 from tresym.reals.decisions.exceptional_values import decide_with_jumps, refuted_at_jumps
 from tresym.reals.decisions.identity import JUMP
-from tresym.reals.decisions.statement import Comparison, Statement, functions, implied_integers
+from tresym.reals.decisions.statement import Statement, functions, implied_integers
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.operation_domains import bound, needs, operations
 from tresym.reals.functions.table import SPECIAL, TABLE
 from tresym.reals.language.binders import is_infinite, outermost
 from tresym.reals.language.calls import FACTORIAL, INFINITY
+from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.expression import DOTS, ZERO, Expr, symbols
 from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.arithmetic import ball_precision

@@ -17,10 +17,11 @@ from flint import arb
 
 from tresym.asymptotics.numerical_evidence import follows_a_law, quantity
 from tresym.reals.cross_check import Program, program, said
-from tresym.reals.decisions.statement import Comparison, Path
 from tresym.reals.language.binders import integral, outermost
 from tresym.reals.language.calls import FACTORIAL, INFINITY
+from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.expression import Expr, opened, replaced, symbol, symbols
+from tresym.reals.language.paths import Path
 from tresym.reals.numbers.arithmetic import ball_precision
 
 BITS = 160

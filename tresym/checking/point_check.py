@@ -26,12 +26,13 @@ from tresym.checking.claim_cross_check import with_orders
 from tresym.reals.cross_check import FALSE, program
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.readable_witnesses import constants_hold, simple_points
-from tresym.reals.decisions.statement import Comparison, Statement, functions
+from tresym.reals.decisions.statement import Statement, functions
 from tresym.reals.domain.binder_values import jumps
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.operation_domains import operations
 from tresym.reals.language.binders import elementary, outermost, worked_out
 from tresym.reals.language.calls import FACTORIAL, INFINITY
+from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.expression import (
     DOTS,
     ONE,

@@ -18,11 +18,12 @@ from tresym.checking.point_check import confirmed
 from tresym.reals.decisions.answer import Answer, Decide, exact_text
 from tresym.reals.decisions.equations import is_empty
 from tresym.reals.decisions.readable_witnesses import decided_at
-from tresym.reals.decisions.statement import Comparison, Statement
+from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.binder_values import jumps
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.operation_domains import bound, needs
 from tresym.reals.language.binders import elementary, generalised
+from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     HALF,

@@ -151,7 +151,7 @@ def one(
         suggest: whether to search for a true statement close to a refuted claim.
     """
     from tresym.checking.time_limited import Task, check_within
-    from tresym.reals.decisions.claim_parsing import need_variables
+    from tresym.reals.language.claims import need_variables
 
     need_variables(claim, given, path)
     answer = check_within(Task(claim.strip(), given, path), parse_seconds(limit))
@@ -258,7 +258,7 @@ def _worse(*statuses: int) -> int:
 
 def _with_known_names(answers: Answers) -> Answers:
     """Yield the answers, with an error for each claim that holds a name that is no variable."""
-    from tresym.reals.decisions.claim_parsing import need_variables
+    from tresym.reals.language.claims import need_variables
 
     for task, found in answers:
         try:

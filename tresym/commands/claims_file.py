@@ -126,7 +126,7 @@ def row_lines(row: Row, full: bool, width: int, colour: bool) -> list[str]:
 
     from tresym.papers.reading import PaperClaim
     from tresym.reals.decisions.answer import ball_text
-    from tresym.reals.decisions.statement import chained
+    from tresym.reals.language.formula import chained
     from tresym.reals.notebook import abbreviated
 
     item, name = row.item, row.verdict.value
@@ -275,7 +275,7 @@ def export(path: str, labels: Sequence[str], folder: str, force: bool) -> int:
     from tresym.coq.statement import NotExportedError
     from tresym.papers.reading import PaperClaim
     from tresym.reals.decisions.claim_parsing import read
-    from tresym.reals.decisions.statement import chained
+    from tresym.reals.language.formula import chained
 
     paper = opened(path)
     report = verified(paper, labels, None)

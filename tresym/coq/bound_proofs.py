@@ -24,10 +24,10 @@ from tresym.coq.limit_proofs import Limits, StuckLimitError
 from tresym.coq.statement import ATOM, Theorem, term, variable
 from tresym.coq.theorem_trees import inside
 from tresym.reals.decisions.antiderivatives import suggested
-from tresym.reals.decisions.statement import Comparison, Derivative, Path
 from tresym.reals.expansions.limit_values import limit_of
 from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.comparisons import Comparison, Derivative
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     MINUS_ONE,
@@ -39,6 +39,7 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
+from tresym.reals.language.paths import Path
 
 Prove = Callable[[Theorem], "str | None"]
 

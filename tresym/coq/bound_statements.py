@@ -13,12 +13,12 @@ from dataclasses import dataclass
 
 from tresym.coq.statement import ATOM, NotExportedError, comparison, condition, term, variable
 from tresym.coq.theorem_trees import inside
-from tresym.reals.decisions.claim_parsing import LIMIT
-from tresym.reals.decisions.statement import Comparison, Path, Statement, implied_integers
+from tresym.reals.decisions.statement import Statement, implied_integers
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.operation_domains import needs
 from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.calls import FACTORIAL, INFINITY
+from tresym.reals.language.comparisons import LIMIT, Comparison
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     LEAVES,
@@ -32,6 +32,7 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
+from tresym.reals.language.paths import Path
 
 MINUS_INFINITY = -INFINITY
 AND = " /\\ "

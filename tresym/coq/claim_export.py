@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from tresym.coq.bound_statements import BoundTheorem, bound_theorem
 from tresym.coq.statement import Condition, NotExportedError, Theorem
-from tresym.reals.decisions.statement import Comparison, Statement
+from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.operation_domains import needs
 from tresym.reals.language.binders import derivative, elementary
+from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.language.formula import Relation
 

@@ -11,7 +11,6 @@ from fractions import Fraction
 
 from tresym.coq.bound_statements import MINUS_INFINITY, extended
 from tresym.coq.statement import ATOM, term
-from tresym.reals.decisions.statement import Path
 from tresym.reals.domain.conditions import Given
 from tresym.reals.expansions.limit_values import limit_of
 from tresym.reals.language.calls import INFINITY
@@ -27,6 +26,7 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
+from tresym.reals.language.paths import Path
 from tresym.reals.language.sympy import from_sympy
 
 INFINITE = (INFINITY, MINUS_INFINITY)

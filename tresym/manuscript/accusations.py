@@ -27,7 +27,7 @@ from tresym.reals.domain.evaluation import evaluate, stands
 from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.calls import INFINITY, INTEGERS
 from tresym.reals.language.expression import DOTS, Expr, number, substitute, symbols
-from tresym.reals.language.parsing import Compared
+from tresym.reals.language.formula import Compared
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 

@@ -17,7 +17,6 @@ from tresym.manuscript.display import Said
 from tresym.manuscript.mentions import about, names_in
 from tresym.manuscript.source import Display
 from tresym.manuscript.terms import Head, base_of, unknown_in, variables_of_integrals
-from tresym.reals.decisions.statement import chained
 from tresym.reals.language.binders import antiderivative, is_infinite, outermost
 from tresym.reals.language.calls import UNKNOWN
 from tresym.reals.language.derivatives import differentiate
@@ -31,8 +30,8 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
+from tresym.reals.language.formula import Compared, chained
 from tresym.reals.language.latex_operands import Piece
-from tresym.reals.language.parsing import Compared
 from tresym.reals.numbers.exact import InputError, parse_number
 
 DEFINED, ASSUMED, EQUATION, UNREAD = "DEFINED", "ASSUMED", "EQUATION", "UNREAD"

@@ -24,10 +24,9 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.formula import NEGATED
+from tresym.reals.language.formula import NEGATED, Compared
 from tresym.reals.language.latex import read_latex
 from tresym.reals.language.latex_author import Author
-from tresym.reals.language.parsing import Compared
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 

@@ -29,9 +29,9 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
+from tresym.reals.language.formula import Compared
 from tresym.reals.language.latex_author import Author, Function
 from tresym.reals.language.latex_tokens import tokenize
-from tresym.reals.language.parsing import Compared
 from tresym.reals.numbers.exact import InputError
 
 _LETTER_E = re.compile(

@@ -17,9 +17,9 @@ from tresym.manuscript.multiples import Multiple, multiple_of
 from tresym.manuscript.solutions import Solves
 from tresym.manuscript.terms import base_of
 from tresym.reals.decisions.answer import Alternative, Answer
-from tresym.reals.decisions.statement import chained
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.expression import ONE, ZERO, Expr, symbols
+from tresym.reals.language.formula import chained
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Cause, Verdict
 

@@ -27,7 +27,7 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.parsing import Compared
+from tresym.reals.language.formula import Compared
 
 _TERM = re.compile(r"(?:[a-zA-Z]|[a-z]{2,7})_([a-zA-Z]\w*)")
 _FUNCTIONS = re.compile(r"[fghuvwFGHUV][1-9]?")

@@ -51,14 +51,12 @@ from tresym.manuscript.terms import (
     with_primed_variables,
     without_units,
 )
-from tresym.reals.decisions.statement import chained
 from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import Expr, symbol, symbols
-from tresym.reals.language.formula import NEGATED
+from tresym.reals.language.formula import NEGATED, Compared, chained
 from tresym.reals.language.latex_operands import Piece
 from tresym.reals.language.latex_tokens import RELATIONS
-from tresym.reals.language.parsing import Compared
 from tresym.reals.numbers.exact import AmbiguityError, InputError
 from tresym.reals.verdict import Verdict
 

@@ -42,12 +42,11 @@ from tresym.manuscript.terms import (
     plain,
     variables_of_integrals,
 )
-from tresym.reals.decisions.statement import chained
 from tresym.reals.language.expression import DOTS, Expr, symbol, symbols
-from tresym.reals.language.formula import NEGATED
+from tresym.reals.language.formula import NEGATED, Compared, chained
 from tresym.reals.language.latex_operands import Piece
 from tresym.reals.language.latex_tokens import RELATIONS
-from tresym.reals.language.parsing import Compared, parse_given
+from tresym.reals.language.parsing import parse_given
 from tresym.reals.numbers.exact import InputError
 
 Group: TypeAlias = tuple[Said, list[Said]]

@@ -11,7 +11,7 @@ from tresym.reals.language.expression import (
     Expr,
     symbols,
 )
-from tresym.reals.language.parsing import Compared
+from tresym.reals.language.formula import Compared
 from tresym.reals.numbers.exact import InputError
 
 _L = r"([a-zA-Z]|\\[a-zA-Z]+)"

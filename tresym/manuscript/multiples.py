@@ -18,7 +18,7 @@ from flint import arb, arb_mat, fmpq
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.expression import ONE, Expr, multiply, number, power, symbol, symbols
-from tresym.reals.language.parsing import Compared
+from tresym.reals.language.formula import Compared
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 

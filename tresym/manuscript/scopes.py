@@ -13,8 +13,8 @@ from typing import NamedTuple
 
 from tresym.manuscript.source import CASE, EXAMPLE, ITEM, LIST, PROOF, STATEMENT, Scope
 from tresym.reals.language.expression import symbols
+from tresym.reals.language.formula import Compared
 from tresym.reals.language.latex_author import Function
-from tresym.reals.language.parsing import Compared
 
 
 class Restriction(NamedTuple):

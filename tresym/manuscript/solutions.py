@@ -22,7 +22,7 @@ from tresym.manuscript.terms import base_of, unknown_in
 from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import ZERO, Expr, replaced, substitute, symbols
-from tresym.reals.language.parsing import Compared
+from tresym.reals.language.formula import Compared
 from tresym.reals.numbers.exact import InputError
 
 _DERIVATIVE = re.compile(r"(?:d|partial)(\d?)[A-Za-z]\w*?_(?:d|partial)([A-Za-z]\w*?)\d?")

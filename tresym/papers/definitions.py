@@ -24,7 +24,7 @@ from tresym.reals.language.expression import (
     symbols,
     unknown,
 )
-from tresym.reals.language.parsing import Compared
+from tresym.reals.language.formula import Compared
 from tresym.reals.numbers.exact import InputError
 
 PREFIX = "fn_"

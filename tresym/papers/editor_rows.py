@@ -6,7 +6,7 @@ from typing import Any
 
 from tresym.papers.reading import PaperClaim, read_paper
 from tresym.papers.verification import Row, verify_paper
-from tresym.reals.decisions.statement import chained
+from tresym.reals.language.formula import chained
 
 UNREADABLE = "UNREADABLE"
 EXPECTED = "EXPECTED"

@@ -16,13 +16,12 @@ from typing import NamedTuple
 from tresym.accuracy.values import value
 from tresym.checking import check
 from tresym.papers.reading import Drawn, PaperClaim, Value
-from tresym.reals.decisions.claim_parsing import read_path
-from tresym.reals.decisions.statement import chained
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import worked_out
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import Expr, number, power, substitute, symbols
-from tresym.reals.language.parsing import Compared
+from tresym.reals.language.formula import Compared, chained
+from tresym.reals.language.paths import read_path
 from tresym.reals.numbers.exact import Decimal, InputError, parse_number
 
 FORMS = "A == B + O(g), A ~ B or abs(A - B) <= C"

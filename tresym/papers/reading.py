@@ -40,11 +40,13 @@ from tresym.papers.definitions import (
     expanded,
     names_in,
 )
-from tresym.reals.decisions.claim_parsing import read, read_as, read_path, spread
-from tresym.reals.decisions.statement import chained, functions
+from tresym.reals.decisions.claim_parsing import read
+from tresym.reals.decisions.statement import functions
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import outermost
 from tresym.reals.language.calls import INFINITY, INTEGERS, KNOWN
+from tresym.reals.language.claims import read_as
+from tresym.reals.language.comparisons import spread
 from tresym.reals.language.expression import (
     DOTS,
     ORDERS,
@@ -57,8 +59,10 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
+from tresym.reals.language.formula import Compared, chained
 from tresym.reals.language.latex_tokens import GREEK
-from tresym.reals.language.parsing import Compared, as_written, parse_claim, parse_given
+from tresym.reals.language.parsing import as_written, parse_claim, parse_given
+from tresym.reals.language.paths import read_path
 from tresym.reals.language.unicode_input import plain
 from tresym.reals.numbers.exact import InputError, parse_number
 from tresym.reals.signs.definedness import undefined

@@ -27,7 +27,6 @@ from tresym.ledger.finding import RULINGS, Premise, Ruling
 from tresym.papers.definitions import Definition, names_in
 from tresym.papers.reading import OwnPaper, PaperClaim
 from tresym.reals.decisions.answer import Alternative, Answer, worst
-from tresym.reals.decisions.statement import chained
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import (
@@ -41,7 +40,7 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.parsing import Compared
+from tresym.reals.language.formula import Compared, chained
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.resource_limits import TimeUp, time_limit
 from tresym.reals.signs.definedness import continuous_on, undefined

@@ -33,7 +33,8 @@ Packages. Each imports only from those above it in this list:
 - ``signs``: the sign of an expression under conditions, by several exact methods.
 - ``balls``: branch and bound on boxes in ball arithmetic.
 - ``expansions``: expansions of explicit functions with certified remainders, and limits.
-- ``decisions``: a claim is parsed (``claim_parsing.py``) and decided by the procedure of its kind.
+- ``decisions``: a claim becomes a statement (``claim_parsing.py``), which the procedure of its kind
+  decides.
   Begin at ``identity.py``, which explains the guarantee for equalities.
 
 Above this package, ``tresym.asymptotics`` decides limits and orders, ``tresym.checking`` dispatches

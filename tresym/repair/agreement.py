@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from typing import NamedTuple, TypeAlias
 
-from tresym.reals.decisions.statement import Path, chained
 from tresym.reals.language.binders import outermost
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.derivatives import differentiate
@@ -19,7 +18,8 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.parsing import Compared
+from tresym.reals.language.formula import Compared, chained
+from tresym.reals.language.paths import Path
 from tresym.repair.floating import Points, UnsupportedError
 from tresym.repair.samples import held, near_end
 

@@ -38,7 +38,7 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.parsing import Compared
+from tresym.reals.language.formula import Compared
 from tresym.reals.numbers.exact import InputError
 
 SIGN, NUMBER, FUNCTION, VARIABLE, FACTOR, WRAPPED, OTHER = range(7)

@@ -11,11 +11,12 @@ from collections.abc import Iterator
 
 from tresym.asymptotics.expansion import Terms, explicit_terms, root_terms
 from tresym.checking.dispatch import decide_within_limits
-from tresym.reals.decisions.claim_parsing import LIMIT, read
-from tresym.reals.decisions.statement import Comparison, Statement
+from tresym.reals.decisions.claim_parsing import read
+from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.expansions.limit_values import limit_of
 from tresym.reals.language.binders import elementary
+from tresym.reals.language.comparisons import LIMIT, Comparison
 from tresym.reals.language.expression import ORDERS, ZERO, Expr, add, rebuild
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.signs.interior import is_zero

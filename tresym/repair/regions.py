@@ -6,7 +6,8 @@ from collections.abc import Iterator, Sequence
 from itertools import combinations
 
 from tresym.reals.language.expression import symbols
-from tresym.reals.language.parsing import Compared, parse_given
+from tresym.reals.language.formula import Compared
+from tresym.reals.language.parsing import parse_given
 from tresym.repair.floating import Points
 from tresym.repair.samples import held, satisfied
 

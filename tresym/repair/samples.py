@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import Expr, substitute, symbols
-from tresym.reals.language.parsing import Compared
+from tresym.reals.language.formula import Compared
 from tresym.repair.floating import Points, Row, UnsupportedError
 
 _LINE: tuple[float, ...] = (

@@ -14,15 +14,15 @@ from itertools import islice, takewhile
 
 from tresym.checking.dispatch import decide_claim
 from tresym.reals.decisions.answer import Alternative
-from tresym.reals.decisions.claim_parsing import read_path
-from tresym.reals.decisions.statement import chained
 from tresym.reals.language.binders import outermost
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import (
     Expr,
     symbols,
 )
-from tresym.reals.language.parsing import Compared, parse_claim, parse_given
+from tresym.reals.language.formula import Compared, chained
+from tresym.reals.language.parsing import parse_claim, parse_given
+from tresym.reals.language.paths import read_path
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.resource_limits import TimeUp, time_limit
 from tresym.repair.agreement import Claim, Definitions, agrees_with_values, without_integrals

@@ -32,7 +32,7 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.parsing import Compared
+from tresym.reals.language.formula import Compared
 from tresym.repair.floating import Points, UnsupportedError
 
 CLOSE = 3e-10

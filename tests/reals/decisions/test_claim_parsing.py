@@ -6,10 +6,12 @@ import pytest
 import sympy as sp
 from cases import cases
 
-from tresym.reals.decisions import claim_parsing
-from tresym.reals.decisions.claim_parsing import MAX_CHARACTERS, read, read_as, read_path
+from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.domain.conditions import Given
+from tresym.reals.language import claims, paths
+from tresym.reals.language.claims import MAX_CHARACTERS, read_as
 from tresym.reals.language.parsing import parse
+from tresym.reals.language.paths import read_path
 from tresym.reals.numbers.exact import InputError
 
 x, y = sp.symbols("x y", real=True)
@@ -165,9 +167,8 @@ def test_what_is_decided_is_read_from_what_is_shown(
     """A reader that takes one sign for another shows the other, too."""
     good = read(claim)
     wrong = str.maketrans({"x": "z", ">": "<", "b": "a"})
-    monkeypatch.setattr(
-        claim_parsing, "plain", lambda text: text.translate(wrong).replace("-<", "->")
-    )
+    for module in (claims, paths):
+        monkeypatch.setattr(module, "plain", lambda text: text.translate(wrong).replace("-<", "->"))
     bad = read(claim)
     assert bad.read_as != good.read_as
     monkeypatch.undo()

@@ -3,7 +3,7 @@
 import pytest
 from cases import cases
 
-from tresym.reals.decisions.claim_parsing import read_as
+from tresym.reals.language.claims import read_as
 from tresym.reals.language.latex import read_expression
 from tresym.reals.language.parsing import as_written
 from tresym.reals.numbers.exact import InputError

@@ -3,7 +3,7 @@
 import pytest
 from cases import cases
 
-from tresym.reals.decisions.claim_parsing import in_latex
+from tresym.reals.language.claims import in_latex
 from tresym.reals.language.parsing import parse_claim
 from tresym.reals.language.typesetting import to_latex, to_mathml
 

@@ -14,9 +14,11 @@ from sympy import Derivative, Eq, Symbol, log, sqrt
 import tresym
 from tresym.checking.time_limited import Task, check_within
 from tresym.commands import main
-from tresym.reals.decisions import claim_parsing as statement
-from tresym.reals.decisions.claim_parsing import read, read_path
+from tresym.reals.decisions.claim_parsing import read
+from tresym.reals.language import paths
+from tresym.reals.language.claims import read_as
 from tresym.reals.language.expression import number
+from tresym.reals.language.paths import read_path
 from tresym.reals.language.unicode_input import plain
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
@@ -266,7 +268,7 @@ def test_what_was_read_is_read_again_as_the_same(left: str, relation: str) -> No
     second = read(first.read_as)
     assert second.comparisons == first.comparisons
     assert second.given == first.given
-    assert second.read_as == first.read_as == statement.read_as(first)
+    assert second.read_as == first.read_as == read_as(first)
 
 
 @pytest.mark.parametrize(
@@ -279,9 +281,9 @@ def test_a_path_without_one_end_is_refused(end: str) -> None:
 
 
 def test_paths_are_read_as_they_are_written() -> None:
-    assert read_path("x -> 0^+") == read_path("x -> 0+") == statement.Path("x", number(0), (1,))
-    assert read_path("x -> 2^3") == statement.Path("x", number(8), (1, -1))
-    assert read_path("x -> -oo") == statement.Path("x", None, (-1,))
+    assert read_path("x -> 0^+") == read_path("x -> 0+") == paths.Path("x", number(0), (1,))
+    assert read_path("x -> 2^3") == paths.Path("x", number(8), (1, -1))
+    assert read_path("x -> -oo") == paths.Path("x", None, (-1,))
     assert tresym.check("1 == O(1)", path="x -> sqrt(2)+").region == "0 < x - sqrt(2) <= 1"
 
 

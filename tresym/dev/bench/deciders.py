@@ -40,7 +40,8 @@ import tresym
 from tresym.checking.dispatch import decide_claim
 from tresym.dev.bench.run import Tables, Timing, Workload
 from tresym.reals.decisions.claim_parsing import read
-from tresym.reals.decisions.statement import Comparison, Statement
+from tresym.reals.decisions.statement import Statement
+from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.verdict import Verdict
 

@@ -29,12 +29,13 @@ from tresym.ledger.evidence.integrals import NotShownError, need
 from tresym.ledger.evidence.sign_prover import is_manifest, undefined
 from tresym.ledger.finding import Finding, Ruling
 from tresym.ledger.statements import As, ExactlyOne
-from tresym.reals.decisions.statement import Comparison, Path
 from tresym.reals.expansions.leading_terms import sign_towards
 from tresym.reals.language.binders import elementary, worked_out
+from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.expression import ONE, ZERO, substitute, symbols
 from tresym.reals.language.expression import Expr as Tree
 from tresym.reals.language.formula import Relation
+from tresym.reals.language.paths import Path
 from tresym.reals.numbers.exact import parse_number
 from tresym.reals.signs.interior import PROVING
 from tresym.reals.verdict import Verdict

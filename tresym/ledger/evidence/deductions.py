@@ -92,12 +92,13 @@ from tresym.ledger.statements import (
     Under,
 )
 from tresym.reals.decisions.identity import decide_continuous
-from tresym.reals.decisions.statement import Comparison, Path
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import elementary, worked_out
+from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import ONE, ZERO, Expr, substitute, symbols
 from tresym.reals.language.formula import Relation
+from tresym.reals.language.paths import Path
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError, fraction_text
 from tresym.reals.verdict import Verdict

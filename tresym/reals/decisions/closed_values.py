@@ -14,10 +14,11 @@ from flint import arb
 
 from tresym.reals.decisions.answer import Answer, refuted
 from tresym.reals.decisions.root_values import enclosed_root
-from tresym.reals.decisions.statement import Comparison, Statement
+from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.binder_values import Enclosing
 from tresym.reals.domain.evaluation import UndefinedError, stands
 from tresym.reals.language.calls import FACTORIAL, INFINITY
+from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.expression import ORDERS, Expr, symbols
 from tresym.reals.language.formula import NEGATED
 from tresym.reals.numbers.arithmetic import ball_precision

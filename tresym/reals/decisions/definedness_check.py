@@ -13,11 +13,12 @@ from flint import arb, fmpq
 
 from tresym.reals.cross_check import SHOWN, program, somewhere
 from tresym.reals.decisions.integer_variables import reduced_in
-from tresym.reals.decisions.statement import Comparison, Statement, functions
+from tresym.reals.decisions.statement import Statement, functions
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.operation_domains import needs
 from tresym.reals.language.binders import is_infinite, outermost
 from tresym.reals.language.calls import FACTORIAL, INFINITY
+from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.expression import (
     DOTS,
     LEAVES,

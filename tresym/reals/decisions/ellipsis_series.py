@@ -30,12 +30,13 @@ from tresym.reals.decisions.hypergeometric import (
 )
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.power_series import by_equation, functions_of, need_range, without
-from tresym.reals.decisions.statement import Comparison, Statement
+from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.expansions.laurent import Germ, germ_of
 from tresym.reals.functions.table import TABLE, names
 from tresym.reals.language.binders import elementary, is_infinite
+from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     DOTS,

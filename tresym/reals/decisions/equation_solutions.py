@@ -35,7 +35,7 @@ from tresym.reals.language.expression import (
     symbols,
     trees,
 )
-from tresym.reals.language.parsing import Compared
+from tresym.reals.language.formula import Compared
 from tresym.reals.signs.interior import PROVING, is_zero
 from tresym.reals.signs.sign import sign
 

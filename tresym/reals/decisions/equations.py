@@ -21,12 +21,13 @@ from tresym.reals.decisions.answer import Answer, Decide, exact_text, worst
 from tresym.reals.decisions.equation_solutions import Case, solved
 from tresym.reals.decisions.ideals import follows, numerator_factors
 from tresym.reals.decisions.readable_witnesses import constants_hold, exact_witness
-from tresym.reals.decisions.statement import Comparison, Statement
+from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate, stands
 from tresym.reals.domain.newton import points_on
 from tresym.reals.domain.operation_domains import bound, needs, operations
 from tresym.reals.language.binders import elementary
+from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.expression import (
     ONE,
     ZERO,
@@ -36,8 +37,7 @@ from tresym.reals.language.expression import (
     substitute,
     symbols,
 )
-from tresym.reals.language.formula import NEGATED
-from tresym.reals.language.parsing import Compared
+from tresym.reals.language.formula import NEGATED, Compared
 from tresym.reals.normal.to_expression import in_lowest_terms
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError

@@ -26,12 +26,13 @@ from math import factorial
 from tresym.reals.decisions.answer import Answer, Decide, exact_text, worst
 from tresym.reals.decisions.equations import NO_POINT, is_empty
 from tresym.reals.decisions.readable_witnesses import constants_hold, exact_witness
-from tresym.reals.decisions.statement import Comparison, Statement
+from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.operation_domains import bound, needs, operations
 from tresym.reals.language.binders import outermost
 from tresym.reals.language.calls import FACTORIAL, INFINITY
+from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     DOTS,

@@ -16,10 +16,11 @@ from math import factorial
 from tresym.reals.decisions.answer import Answer, Decide
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.readable_witnesses import decided_at
-from tresym.reals.decisions.statement import Comparison, Statement, functions
+from tresym.reals.decisions.statement import Statement, functions
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import outermost
 from tresym.reals.language.calls import FACTORIAL
+from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.expression import (
     ONE,
     ZERO,

@@ -9,9 +9,10 @@ from __future__ import annotations
 from dataclasses import replace
 
 from tresym.reals.decisions.answer import Answer, Decide
-from tresym.reals.decisions.statement import Comparison, Statement, functions
+from tresym.reals.decisions.statement import Statement, functions
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.calls import FACTORIAL
+from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.expression import ONE, ZERO, Expr, apply, rebuild, symbols
 
 

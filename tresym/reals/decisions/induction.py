@@ -28,7 +28,7 @@ from tresym.reals.decisions.hypergeometric import folded
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.known_values import known_value
 from tresym.reals.decisions.readable_witnesses import decided_at, exact_witness, tidied
-from tresym.reals.decisions.statement import Comparison, Statement
+from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.operation_domains import operations, singularities
 from tresym.reals.expansions.limit_values import limit_of
@@ -36,6 +36,7 @@ from tresym.reals.functions.row import everywhere
 from tresym.reals.functions.table import names
 from tresym.reals.language.binders import elementary, outermost, total
 from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     LEAVES,

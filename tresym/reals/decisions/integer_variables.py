@@ -22,12 +22,13 @@ from flint import arb, fmpq
 from tresym.reals.decisions.answer import Answer, Decide, exact_text, exactly, refuted, worst
 from tresym.reals.decisions.exceptional_values import may_be_defined
 from tresym.reals.decisions.readable_witnesses import constants_hold, decided_at, exact_witness
-from tresym.reals.decisions.statement import Comparison, Statement
+from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.operation_domains import operations
 from tresym.reals.language.binders import outermost
 from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     LEAVES,

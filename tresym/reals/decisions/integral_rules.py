@@ -19,9 +19,10 @@ from dataclasses import dataclass, field, replace
 
 from tresym.reals.decisions.answer import Answer, Decide
 from tresym.reals.decisions.identity import decide
-from tresym.reals.decisions.statement import Comparison, Statement, functions
+from tresym.reals.decisions.statement import Statement, functions
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import elementary, integral, outermost
+from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     LEAVES,

@@ -35,7 +35,7 @@ from tresym.reals.decisions.integration_pieces import (
 )
 from tresym.reals.decisions.known_values import known_value
 from tresym.reals.decisions.readable_witnesses import constants_hold, decided_at, simple_points
-from tresym.reals.decisions.statement import Comparison, Statement, functions
+from tresym.reals.decisions.statement import Statement, functions
 from tresym.reals.decisions.waves import has_no_limit
 from tresym.reals.domain import binder_values
 from tresym.reals.domain.conditions import Given
@@ -44,6 +44,7 @@ from tresym.reals.domain.operation_domains import bound, needs
 from tresym.reals.expansions.limit_values import limit_of
 from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     LEAVES,

@@ -10,9 +10,10 @@ from __future__ import annotations
 from dataclasses import replace
 
 from tresym.reals.decisions.answer import Answer, Decide
-from tresym.reals.decisions.statement import Comparison, Statement
+from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.operation_domains import operations
+from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.expression import (
     MINUS_ONE,
     ZERO,

@@ -6,7 +6,6 @@ from collections.abc import Iterable
 
 from flint import fmpq
 
-from tresym.reals.decisions.statement import Path
 from tresym.reals.domain.conditions import Given
 from tresym.reals.expansions.scale import T
 from tresym.reals.language.derivatives import differentiate
@@ -17,7 +16,8 @@ from tresym.reals.language.expression import (
     substitute,
     symbol,
 )
-from tresym.reals.language.parsing import Compared
+from tresym.reals.language.formula import Compared
+from tresym.reals.language.paths import Path
 from tresym.reals.normal.to_expression import normal_form
 from tresym.reals.numbers.exact import InputError
 

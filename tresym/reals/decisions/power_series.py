@@ -46,11 +46,12 @@ from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.induction import first_terms, with_values
 from tresym.reals.decisions.known_values import Known, known_value
 from tresym.reals.decisions.readable_witnesses import constants_hold
-from tresym.reals.decisions.statement import Comparison, Statement, functions
+from tresym.reals.decisions.statement import Statement, functions
 from tresym.reals.domain.binder_values import jumps
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.binders import elementary, is_infinite, outermost
+from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     LEAVES,

@@ -10,12 +10,14 @@ from itertools import islice, product
 from flint import fmpq
 
 from tresym.reals.decisions.answer import Answer, Decide, exact_text
-from tresym.reals.decisions.statement import Comparison, Statement
+from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate, stands
 from tresym.reals.domain.operation_domains import needs
+from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.expression import LEAVES, ZERO, Expr, rebuild, substitute, symbols
-from tresym.reals.language.parsing import Compared, parse
+from tresym.reals.language.formula import Compared
+from tresym.reals.language.parsing import parse
 from tresym.reals.normal.at_point import equal_at
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError

@@ -32,13 +32,14 @@ from tresym.reals.decisions.exceptional_values import (
 )
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.readable_witnesses import constants_hold
-from tresym.reals.decisions.statement import Comparison, Derivative, Statement
+from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.operation_domains import needs
 from tresym.reals.expansions.limit_values import limit_of
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.comparisons import Comparison, Derivative
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     LEAVES,

@@ -44,7 +44,7 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.parsing import Compared
+from tresym.reals.language.formula import Compared
 from tresym.reals.numbers.arithmetic import ball_precision, side
 from tresym.reals.numbers.exact import rational_ends
 from tresym.reals.signs.definedness import continuous_on

@@ -18,7 +18,7 @@ from flint import arb, fmpq
 
 from tresym.reals.decisions.answer import Answer, Decide, refuted
 from tresym.reals.decisions.root_values import between, enclosed, slope_sign
-from tresym.reals.decisions.statement import Comparison, Statement
+from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import stands
 from tresym.reals.domain.operation_domains import operations
@@ -26,6 +26,7 @@ from tresym.reals.functions.row import everywhere
 from tresym.reals.functions.table import names
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     LEAVES,
@@ -39,8 +40,8 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.formula import MIRRORED, NEGATED
-from tresym.reals.language.parsing import Compared, parse
+from tresym.reals.language.formula import MIRRORED, NEGATED, Compared
+from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict

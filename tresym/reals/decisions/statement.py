@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, NamedTuple
-
-from flint import fmpq
 
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.calls import FACTORIAL, INFINITY, INTEGERS
+from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     MINUS_ONE,
@@ -17,111 +15,14 @@ from tresym.reals.language.expression import (
     ZERO,
     Expr,
     integer,
-    replaced,
     substitute,
     symbol,
     symbols,
 )
-from tresym.reals.language.parsing import Compared
-
-if TYPE_CHECKING:
-    pass
-
+from tresym.reals.language.formula import chained
+from tresym.reals.language.paths import Path
 
 _ENDS = (INFINITY, -INFINITY)
-
-
-class Derivative(NamedTuple):
-    """A derivative that was written: of which function, by which variable, how often; its value."""
-
-    function: Expr
-    by: str
-    order: int
-    value: Expr
-
-
-@dataclass(frozen=True)
-class Comparison:
-    """``left relation right``; for an order the right side is the gauge, for ``->`` the limit.
-
-    Attributes:
-        derivatives: those that were written: a derivative is one where its function is real, there
-            and beside it.
-        primitives: functions whose values at a point were written, as bodies of one variable: of an
-            integral they may be antiderivatives.
-    """
-
-    left: Expr
-    relation: str
-    right: Expr
-    derivatives: tuple[Derivative, ...] = ()
-    primitives: tuple[Expr, ...] = ()
-
-    @property
-    def differentiated(self) -> tuple[Expr, ...]:
-        """The functions whose derivatives were written."""
-        return tuple(dict.fromkeys(found.function for found in self.derivatives))
-
-    @property
-    def by(self) -> frozenset[str]:
-        """The variables by which."""
-        return frozenset(found.by for found in self.derivatives)
-
-    def solved(self, node: Expr) -> tuple[Expr, Expr] | None:
-        """Solve the equation for ``node``; None if it is not linear in it.
-
-        Returns:
-            The value, and the coefficient that was divided by: where that is 0, the value says
-            nothing, and the claim must be decided by itself.
-        """
-        mark = symbol("[S]")
-        left, right = (replaced(side, {node: mark}) for side in (self.left, self.right))
-        gap = left - right
-        slope = differentiate(gap, "[S]")
-        if "[S]" in symbols(slope) or slope == ZERO:
-            return None
-        rest = substitute(gap, {"[S]": ZERO})
-        return rest * (-1 / slope), slope
-
-    def mapped(self, change: Callable[[Expr], Expr]) -> Comparison:
-        """The comparison of changed sides, their derivatives with them."""
-        derivatives = (
-            d._replace(function=change(d.function), value=change(d.value)) for d in self.derivatives
-        )
-        left, right = change(self.left), change(self.right)
-        return replace(self, left=left, right=right, derivatives=tuple(derivatives))
-
-
-@dataclass(frozen=True)
-class Path:
-    """A variable that tends to a point.
-
-    Attributes:
-        name: the variable.
-        point: where it tends, None for infinity.
-        sides: +1 for from above or to +∞, −1 for from below or to −∞.
-        reach: the constant of an order is asked for where |x − point|, or 1/|x|, is at most this.
-        together, points: the variables that tend to a point together, and the point; the name is
-            then empty.
-        expression: what tends there in place of the variable, such as a*b; a variable of it was
-            eliminated.
-    """
-
-    name: str
-    point: Expr | None
-    sides: tuple[int, ...]
-    reach: fmpq | None = None
-    together: tuple[str, ...] = ()
-    points: tuple[Expr, ...] = ()
-    expression: Expr | None = None
-
-    def __str__(self) -> str:
-        if self.together:
-            return f"({', '.join(self.together)}) -> ({', '.join(map(str, self.points))})"
-        name = self.name if self.expression is None else str(self.expression)
-        side = "" if len(self.sides) > 1 else "+-"[self.sides[0] < 0]
-        end = f"{self.point}{side}" if self.point is not None else f"{side.strip('+')}oo"
-        return f"{name} -> {end}"
 
 
 @dataclass(frozen=True)
@@ -192,18 +93,6 @@ class Statement:
         equal = ((left, "==", right) for left, right in self.equations)
         whole = ((symbol(name), "in", INTEGERS) for name in self.integers)
         return chained((*self.given.comparisons, *equal, *whole))
-
-
-def chained(comparisons: Iterable[Compared]) -> str:
-    """Return comparisons as text, with a common side written once, as in ``0 < x <= 1``."""
-    text = ""
-    last: tuple[Expr | None, str] = (None, "")
-    for left, relation, right in comparisons:
-        goes_on = left is last[0] and relation[0] == last[1][0]
-        joint = "" if goes_on else f"{', ' if text else ''}{left}"
-        text += f"{joint} integer" if relation == "in" else f"{joint} {relation} {right}"
-        last = right, relation
-    return text
 
 
 def functions(e: Expr) -> Iterator[Expr]:

@@ -17,11 +17,12 @@ from tresym.reals.decisions.answer import Answer, Decide
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.integral_rules import Antiderivatives
 from tresym.reals.decisions.readable_witnesses import exact_witness
-from tresym.reals.decisions.statement import Comparison, Statement, functions
+from tresym.reals.decisions.statement import Statement, functions
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.operation_domains import bound, needs
 from tresym.reals.language.binders import outermost
+from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.expression import (
     ZERO,
     Expr,

@@ -20,10 +20,10 @@ from tresym.reals.domain.narrow_regions import windows
 from tresym.reals.domain.sample_points import _sample, corners
 from tresym.reals.language.expression import ONE, PI, ZERO, Expr, apply, number, symbol, symbols
 from tresym.reals.language.formula import MIRRORED
-from tresym.reals.language.parsing import NO_DERIVATIVE, parse_conditions
-from tresym.reals.language.sympy import RELATIONS, atoms, from_sympy
+from tresym.reals.language.parsing import parse_conditions
+from tresym.reals.language.sympy import conditions_from_sympy
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.exact import InputError, Interval, rational_ends, shortened
+from tresym.reals.numbers.exact import Interval, rational_ends
 
 _TRIES = 3000
 
@@ -87,21 +87,7 @@ class Given:
         Raises:
             InputError: an argument is another condition or contains a derivative.
         """
-        result: list[tuple[Expr, str, Expr]] = []
-        for item in relationals:
-            name = type(item).__name__
-            if name == "And":
-                result.extend(Given.from_sympy(*item.args).comparisons)
-            elif RELATIONS.get(name, "==") != "==":
-                if atoms(item, "Derivative"):
-                    raise InputError(NO_DERIVATIVE)
-                left, right = from_sympy(item.lhs), from_sympy(item.rhs)
-                result.append((left, RELATIONS[name], right))
-            elif name != "BooleanTrue":
-                raise InputError(
-                    f"{shortened(str(item))} is not a condition; give an inequality such as a > 0"
-                )
-        return Given(tuple(result))
+        return Given(conditions_from_sympy(*relationals))
 
     def unfolded(self) -> Given:
         """Return the conditions with constant bounds of ``|u|`` and ``log u`` solved for ``u``."""

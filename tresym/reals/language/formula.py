@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import NamedTuple, TypeAlias
 
 from tresym.reals.language.expression import Expr, symbols
 
+Compared: TypeAlias = tuple[Expr, str, Expr]
+"""``left relation right`` as written."""
 MIRRORED = {"==": "==", "!=": "!=", ">": "<", "<": ">", ">=": "<=", "<=": ">="}
 """The relation of y to x for each relation of x to y."""
 NEGATED = {"==": "!=", "!=": "==", ">": "<=", "<": ">=", ">=": "<", "<=": ">"}
@@ -76,3 +78,15 @@ def names(formula: Formula) -> frozenset[str]:
     """Return the names of the free variables in a formula."""
     sides = (side for relation in relations(formula) for side in (relation.left, relation.right))
     return frozenset().union(*map(symbols, sides))
+
+
+def chained(comparisons: Iterable[Compared]) -> str:
+    """Return comparisons as text, with a common side written once, as in ``0 < x <= 1``."""
+    text = ""
+    last: tuple[Expr | None, str] = (None, "")
+    for left, relation, right in comparisons:
+        goes_on = left is last[0] and relation[0] == last[1][0]
+        joint = "" if goes_on else f"{', ' if text else ''}{left}"
+        text += f"{joint} integer" if relation == "in" else f"{joint} {relation} {right}"
+        last = right, relation
+    return text

@@ -56,6 +56,7 @@ from tresym.reals.language.expression import (
     symbols,
     unknown,
 )
+from tresym.reals.language.formula import Compared
 from tresym.reals.language.operators import CALLED, ENDS, Range, applied
 from tresym.reals.language.suggestions import about_name, hint
 from tresym.reals.numbers.exact import InputError, parse_number, printed
@@ -326,9 +327,6 @@ _RELATIONS: dict[type[ast.cmpop], str] = {
     ast.NotEq: "!=",
     ast.In: "in",
 }
-
-Compared = tuple[Expr, str, Expr]
-"""``left relation right`` as written."""
 
 
 def parse_conditions(text: str) -> list[Compared]:

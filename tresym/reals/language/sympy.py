@@ -17,7 +17,7 @@ from tresym.reals.language.binders import (
     root,
     worked_out,
 )
-from tresym.reals.language.calls import KNOWN, NAMED_CONSTANTS, call
+from tresym.reals.language.calls import INTEGERS, KNOWN, NAMED_CONSTANTS, call
 from tresym.reals.language.expression import (
     MAX_DERIVATIVES,
     ORDERS,
@@ -31,8 +31,9 @@ from tresym.reals.language.expression import (
     power,
     symbol,
 )
-from tresym.reals.language.formula import Conjunction, Equivalence, Formula, Relation
-from tresym.reals.numbers.exact import InputError
+from tresym.reals.language.formula import Compared, Conjunction, Equivalence, Formula, Relation
+from tresym.reals.language.parsing import NO_DERIVATIVE
+from tresym.reals.numbers.exact import InputError, shortened
 
 
 def from_sympy(e: Any) -> Expr:
@@ -219,3 +220,82 @@ _UNWORKED: dict[str, Callable[[Any, Any], Expr]] = {
     "Order": _own_order_as_written,
     **dict.fromkeys(ORDERS, _order_as_written),
 }
+
+
+_ASSUMPTIONS = {
+    "is_extended_positive": ">",
+    "is_extended_negative": "<",
+    "is_extended_nonnegative": ">=",
+    "is_extended_nonpositive": "<=",
+    "is_extended_nonzero": "!=",
+}
+
+
+def relation_from_sympy(claim: Any) -> tuple[Compared, tuple[Compared, ...]]:
+    """A SymPy relation, and the assumptions its symbols carry."""
+    name = type(claim).__name__
+    if name not in RELATIONS:
+        hint = (
+            "; SymPy evaluated the relation: pass evaluate=False"
+            if name.startswith("Boolean")
+            else ""
+        )
+        raise InputError(
+            f"{name} is not a claim: give text or a SymPy relation such as Eq(f, g){hint}"
+        )
+    comparison = unworked(claim.lhs), RELATIONS[name], unworked(claim.rhs)
+    conditions = []
+    names: set[str] = set()
+    for variable in _real_variables(claim):
+        if variable.name in names:
+            raise InputError(f"two different SymPy symbols are both called {variable.name}")
+        names.add(variable.name)
+        for assumption, sign in _ASSUMPTIONS.items():
+            if getattr(variable, assumption):
+                conditions.append((symbol(variable.name), sign, ZERO))
+        if variable.is_integer:
+            conditions.append((symbol(variable.name), "in", INTEGERS))
+    return comparison, tuple(conditions)
+
+
+def _real_variables(claim: Any) -> list[Any]:
+    """The symbols of a relation, those of its derivatives too, all of them real variables.
+
+    Raises:
+        InputError: a symbol that may not take every real value that its sign allows.
+    """
+    found = atoms(claim, "Symbol")
+    for variable in found:
+        if variable.is_extended_real is False or variable.is_finite is False:
+            raise InputError(f"{variable.name} is not real: only real variables are supported")
+        for kind in () if variable.is_integer else ("integer", "rational", "algebraic"):
+            if variable.assumptions0.get(kind) is not None:
+                raise InputError(
+                    f"the SymPy assumption about whether {variable.name} is "
+                    f"{kind} is not supported: only "
+                    "signs and integer=True are"
+                )
+    return found
+
+
+def conditions_from_sympy(*relationals: Any) -> tuple[Compared, ...]:
+    """Convert SymPy relationals (``Gt``, ``Ge``, ``Lt``, ``Le``, ``Ne``, and ``And`` of them).
+
+    Raises:
+        InputError: an argument is another condition or contains a derivative.
+    """
+    result: list[Compared] = []
+    for item in relationals:
+        name = type(item).__name__
+        if name == "And":
+            result += conditions_from_sympy(*item.args)
+        elif RELATIONS.get(name, "==") != "==":
+            if atoms(item, "Derivative"):
+                raise InputError(NO_DERIVATIVE)
+            left, right = from_sympy(item.lhs), from_sympy(item.rhs)
+            result.append((left, RELATIONS[name], right))
+        elif name != "BooleanTrue":
+            raise InputError(
+                f"{shortened(str(item))} is not a condition; give an inequality such as a > 0"
+            )
+    return tuple(result)

@@ -23,8 +23,8 @@ from tresym.reals.language.expression import (
     power,
     symbols,
 )
+from tresym.reals.language.formula import Compared
 from tresym.reals.language.latex_tokens import GREEK
-from tresym.reals.language.parsing import Compared
 
 SUM, PRODUCT, POWER, ATOM = range(4)
 """How strongly a part binds; it needs brackets where the context binds more strongly."""

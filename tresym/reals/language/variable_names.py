@@ -19,7 +19,7 @@ from difflib import get_close_matches
 
 from tresym.reals.language.calls import KNOWN, NAMED_CONSTANTS, SPECIAL_NAMES
 from tresym.reals.language.expression import symbols
-from tresym.reals.language.parsing import Compared
+from tresym.reals.language.formula import Compared
 
 _GREEK = (
     *("alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa"),

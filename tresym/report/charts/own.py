@@ -125,7 +125,7 @@ def error_chart(
         InputError: as there.
     """
     from tresym.accuracy.error_curves import error_curves
-    from tresym.reals.decisions.claim_parsing import read_path
+    from tresym.reals.language.paths import read_path
 
     found = error_curves(exact, approximations, path, at, given, order, region)
     curves = []

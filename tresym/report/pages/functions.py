@@ -11,7 +11,7 @@ from tresym.reals.domain.operation_domains import needs_of
 from tresym.reals.functions.row import Function
 from tresym.reals.functions.table import TABLE
 from tresym.reals.language.expression import Expr, as_expr, number, symbol, trees
-from tresym.reals.language.parsing import Compared
+from tresym.reals.language.formula import Compared
 from tresym.reals.language.typesetting import to_latex
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import fraction_text

@@ -24,8 +24,8 @@ from tresym.papers.reading import (
 )
 from tresym.papers.verification import PaperReport, Row
 from tresym.reals.decisions.answer import ball_text
-from tresym.reals.decisions.claim_parsing import in_latex, read_path
 from tresym.reals.language.calls import INFINITY, INTEGERS
+from tresym.reals.language.claims import in_latex
 from tresym.reals.language.expression import (
     LEAVES,
     ORDERS,
@@ -36,7 +36,8 @@ from tresym.reals.language.expression import (
     symbol,
     unknown,
 )
-from tresym.reals.language.parsing import Compared
+from tresym.reals.language.formula import Compared
+from tresym.reals.language.paths import read_path
 from tresym.reals.language.typesetting import expression_in_latex as any_expression
 from tresym.reals.language.typesetting import to_latex as any_formula
 from tresym.reals.verdict import Verdict

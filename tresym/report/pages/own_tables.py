@@ -9,7 +9,7 @@ from typing import Any
 from tresym.accuracy.table import Table, latex_text, written
 from tresym.papers.error_rows import chart_points, error_rows, rounded, sides_of
 from tresym.papers.reading import Drawn, OwnPaper, PaperClaim
-from tresym.reals.decisions.claim_parsing import read_path
+from tresym.reals.language.paths import read_path
 from tresym.reals.numbers.exact import InputError
 
 _SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹"

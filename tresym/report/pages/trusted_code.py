@@ -74,7 +74,7 @@ RECHECKED = {
         *("reals.language.latex", "reals.language.latex_cursor", "reals.language.latex_grammar"),
         *("reals.language.latex_ambiguity", "reals.language.latex_author"),
         *("reals.language.latex_operands", "reals.language.latex_tokens"),
-        *("reals.language.unicode_input", "reals.decisions.claim_parsing._written"),
+        *("reals.language.unicode_input", "reals.language.claims.as_written"),
         *("reals.language.expression._text", "reals.language.expression.Expr.__str__"),
         "reals.language.expression.Expr.__repr__",
     ),
