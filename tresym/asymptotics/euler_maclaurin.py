@@ -97,7 +97,7 @@ def derivative(f: Expr, name: str, times: int) -> Expr:
     return form if form.size < slope.size else slope
 
 
-class _Terms:
+class Summand:
     """The derivatives of a summand, and where they have one sign."""
 
     def __init__(self, f: Expr, k: str, low: int, given: Given) -> None:
@@ -151,7 +151,7 @@ class PartialSum(Expansion):
 
     lemma = LEMMA
 
-    def __init__(self, terms: _Terms, top: Expr, primitive: Expr, end: End, name: str) -> None:
+    def __init__(self, terms: Summand, top: Expr, primitive: Expr, end: End, name: str) -> None:
         """Expand a sum.
 
         Args:
@@ -263,7 +263,7 @@ class PartialSum(Expansion):
         return _bounded(self.summand, self.top, self.end, order, ask)
 
 
-def _bounded(s: _Terms, top: Expr, end: End, order: int, ask: Obligations) -> Bound | None:
+def _bounded(s: Summand, top: Expr, end: End, order: int, ask: Obligations) -> Bound | None:
     start = s.from_where(order, ask)
     if start is None or s.first is None:
         return None
@@ -278,7 +278,7 @@ class Tail(Expansion):
 
     lemma = LEMMA
 
-    def __init__(self, terms: _Terms, low: Expr, rest: Expr, end: End) -> None:
+    def __init__(self, terms: Summand, low: Expr, rest: Expr, end: End) -> None:
         """Expand a tail.
 
         Args:
@@ -313,7 +313,7 @@ class Between(Expansion):
 
     lemma = LEMMA
 
-    def __init__(self, terms: _Terms, low: Expr, top: Expr, primitive: Expr, end: End) -> None:
+    def __init__(self, terms: Summand, low: Expr, top: Expr, primitive: Expr, end: End) -> None:
         """Expand a sum whose ends both move; ``primitive`` is an antiderivative."""
         self.summand, self.low, self.top = terms, low, top
         self.primitive, self.end = primitive, end
@@ -502,7 +502,7 @@ def _expansion(node: Expr, end: End) -> Expansion | None:
             return None if inner is None else Scaled(split[0][0], inner)
         return None if start is None else _riemann(body, k, start, high, end)
     if start is not None and high != INFINITY and end.tends_to_infinity(high):
-        terms = _Terms(body, k, start, end.given)
+        terms = Summand(body, k, start, end.given)
         primitive = _primitive(body, k, low, end.given)
         name = fresh("C", {*symbols(node), *end.taken})
         if terms.first is None or primitive is None:
@@ -510,13 +510,13 @@ def _expansion(node: Expr, end: End) -> Expansion | None:
         return PartialSum(terms, high, primitive, end, name)
     moving = start is None and high != INFINITY and end.tends_to_infinity(low)
     if moving and end.tends_to_infinity(high):
-        terms = _Terms(body, k, 1, end.given)
+        terms = Summand(body, k, 1, end.given)
         primitive = _primitive(body, k, ONE, end.given)
         if terms.first is None or primitive is None:
             return None
         return Between(terms, low, high, primitive, end)
     if high == INFINITY and start is None and end.tends_to_infinity(low):
-        terms = _Terms(body, k, 1, end.given)
+        terms = Summand(body, k, 1, end.given)
         primitive = _primitive(body, k, ONE, end.given)
         if terms.first is None or primitive is None:
             return None

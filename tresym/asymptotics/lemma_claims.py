@@ -100,6 +100,12 @@ def _euler_maclaurin(node: Expr, end: End) -> Expansion | None:
     return euler_maclaurin(node, end)
 
 
+def _alternating(node: Expr, end: End) -> Expansion | None:
+    from tresym.asymptotics.alternating_sums import alternating_sum
+
+    return alternating_sum(node, end)
+
+
 def _regular_parameter(node: Expr, end: End) -> Expansion | None:
     from tresym.asymptotics.regular_parameter import regular_parameter
 
@@ -123,6 +129,7 @@ LEMMAS: tuple[Lemma, ...] = (
     _complement,
     _laplace,
     _stirling,
+    _alternating,
     _euler_maclaurin,
     _stationary_phase,
     _regular_parameter,
