@@ -40,7 +40,7 @@ CHECKERS = (
     *("ledger/judge*.py", "ledger/refutations.py", "ledger/sample_points.py"),
     *("ledger/definitions.py", "ledger/conversion.py", "ledger/evidence/*.py"),
     *("reals/normal/*.py", "reals/signs/*.py", "reals/cross_check.py"),
-    *("reals/domain/binder_values.py", "reals/domain/integrands.py"),
+    *("reals/domain/binder_values.py", "reals/domain/compiled.py"),
     *("reals/balls/branch_and_bound.py", "reals/balls/simplest_constants.py"),
     *(f"reals/decisions/{name}.py" for name in DECISIONS),
     *("reals/language/*.py", "manuscript/*.py"),

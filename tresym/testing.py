@@ -27,7 +27,7 @@ from flint import arb, fmpq
 
 from tresym.accuracy.other_libraries import InDoubles
 from tresym.accuracy.values import read
-from tresym.reals.decisions.closed_values import enclosing
+from tresym.reals.decisions.closed_values import certified_evaluation
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import UndefinedError
 from tresym.reals.domain.operation_domains import singularities
@@ -260,7 +260,7 @@ def true_value(e: Expr, at: Mapping[str, Fraction]) -> arb | None:
     for precision in PRECISIONS:
         with ball_precision(precision):
             try:
-                found = enclosing(exact).value(e)
+                found = certified_evaluation(exact).value(e)
             except UndefinedError:
                 return None
             if found.rel_accuracy_bits() > 80 or found.is_zero():

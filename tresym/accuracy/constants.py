@@ -20,8 +20,8 @@ from tresym.accuracy.values import certified, read
 from tresym.asymptotics.constants import Constant, along, as_constant, reach_of
 from tresym.asymptotics.constants import constant as of_explicit
 from tresym.checking import check
-from tresym.reals.decisions.closed_values import OWN, enclosing
-from tresym.reals.decisions.root_values import by_leibniz, enclosed_root
+from tresym.reals.decisions.closed_values import RULES, certified_evaluation
+from tresym.reals.decisions.root_values import by_leibniz
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import UndefinedError
 from tresym.reals.domain.operation_domains import operations
@@ -115,7 +115,7 @@ def _one_sided(f: Expr, g: Expr, path: Path, side: int, reach: fmpq) -> Supremum
     order = _order(right)
     if order is None or not vanishes(left, order):
         return None
-    how = Evaluation(lambda at: Jets(at, enclosed_root, OWN), _value, order + MORE, TERMS)
+    how = Evaluation(lambda at: Jets(at, RULES), _value, order + MORE, TERMS)
     try:
         return supremum(left, right, order, None, reach, 0, how)
     except (InputError, UndefinedError):
@@ -124,7 +124,7 @@ def _one_sided(f: Expr, g: Expr, path: Path, side: int, reach: fmpq) -> Supremum
 
 def _value(e: Expr, at: object) -> arb:
     try:
-        return enclosing(at).value(e)  # type: ignore[arg-type]
+        return certified_evaluation(at).value(e)  # type: ignore[arg-type]
     except UndefinedError:
         return arb.nan()
 

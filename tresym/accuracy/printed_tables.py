@@ -23,7 +23,7 @@ from flint import arb, fmpq
 
 from tresym.accuracy.table import Table
 from tresym.accuracy.values import certified, constant, read, rounded
-from tresym.reals.decisions.closed_values import enclosing
+from tresym.reals.decisions.closed_values import certified_evaluation
 from tresym.reals.domain.evaluation import UndefinedError
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import Expr, substitute, symbols
@@ -246,7 +246,7 @@ class _Found(NamedTuple):
                 except (InputError, TypeError):
                     return None
             try:
-                return enclosing(point).value(self.e)
+                return certified_evaluation(point).value(self.e)
             except UndefinedError:
                 return None
 

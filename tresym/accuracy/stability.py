@@ -19,7 +19,7 @@ from flint import arb, fmpq
 from tresym.accuracy.other_libraries import InDoubles, loaded
 from tresym.accuracy.values import read
 from tresym.checking import check
-from tresym.reals.decisions.closed_values import enclosing
+from tresym.reals.decisions.closed_values import certified_evaluation
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import UndefinedError
 from tresym.reals.language.binders import elementary
@@ -179,7 +179,7 @@ def _ball(e: Expr, point: dict[str, float], region: Given) -> arb | None:
             if not all(c.holds_exactly(exact) for c in region.conditions):
                 return None
             try:
-                found = enclosing(exact).value(e)
+                found = certified_evaluation(exact).value(e)
             except UndefinedError:
                 return None
             if found.rel_accuracy_bits() > 70:

@@ -19,7 +19,7 @@ from typing import Any, TypeAlias
 
 from flint import arb, fmpq, fmpz
 
-from tresym.reals.decisions.closed_values import enclosing
+from tresym.reals.decisions.closed_values import certified_evaluation
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import InBalls, UndefinedError
 from tresym.reals.language.binders import outermost, worked_out
@@ -204,7 +204,7 @@ def certified(e: Expr, digits: int, smallest: int | None = None) -> arb:
     found: arb | None = None
     while more <= limit:
         with ball_precision(bits(digits, 48) + more):
-            walker = enclosing()
+            walker = certified_evaluation()
             try:
                 found = walker.value(e)
             except DivergesError as error:
@@ -261,7 +261,7 @@ def _about_root(e: Expr, walker: InBalls) -> str:
     signs = []
     for x in points:
         try:
-            signs.append(side(enclosing({name: x}).value(body)))
+            signs.append(side(certified_evaluation({name: x}).value(body)))
         except UndefinedError:
             signs.append(None)
     known = [s for s in signs if s]

@@ -26,7 +26,7 @@ from tresym.asymptotics.stirling import bernoulli
 from tresym.reals.decisions.answer import Answer, Decide, refuted
 from tresym.reals.decisions.hypergeometric import OpenError, polynomial
 from tresym.reals.decisions.statement import Statement
-from tresym.reals.domain.binder_values import Enclosing
+from tresym.reals.domain.binder_values import enclosing
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import UndefinedError, evaluate, stands
 from tresym.reals.language.binders import integral, outermost, total
@@ -161,7 +161,7 @@ def enclosure(node: Expr, start: int) -> arb | None:
     for n in range(low, first):
         result += evaluate(f, {k: fmpq(n)})
     try:
-        rest = improper.integral(integral(f, k, number(first), INFINITY), Enclosing({}))
+        rest = improper.integral(integral(f, k, number(first), INFINITY), enclosing({}))
     except UndefinedError:
         return None
     result += rest + evaluate(f, at) / 2

@@ -16,7 +16,7 @@ from flint import arb
 
 from tresym.reals.decisions.answer import Answer, refuted
 from tresym.reals.decisions.statement import Statement, factorial_arguments
-from tresym.reals.domain.binder_values import Enclosing
+from tresym.reals.domain.binder_values import enclosing
 from tresym.reals.domain.evaluation import UndefinedError, evaluate, stands
 from tresym.reals.language.binders import outermost
 from tresym.reals.language.calls import FACTORIAL
@@ -126,7 +126,7 @@ class _Values:
             return None if m is None or m < 0 else arb(int(m) + 1).gamma()
         if node.op == "integral":
             try:
-                return improper.integral(substitute(node, put), Enclosing({}))
+                return improper.integral(substitute(node, put), enclosing({}))
             except UndefinedError:
                 return None
         if node.op not in ("sum", "product"):

@@ -9,7 +9,8 @@ from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tresym.reals.domain.evaluation import Tape, evaluate, stands, undefined_parts
+from tresym.reals.domain.compiled import Compiled
+from tresym.reals.domain.evaluation import evaluate, stands, undefined_parts
 from tresym.reals.language.expression import FUNCTIONS, apply, number, symbol
 from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.arithmetic import ball_precision, mp_precision
@@ -132,16 +133,16 @@ TAPES = cases(__file__, "TAPES")
 
 
 @pytest.mark.parametrize("text", TAPES)
-def test_a_tape_gives_what_evaluating_does(text: str) -> None:
+def test_a_compiled_tree_gives_what_evaluating_does(text: str) -> None:
     """At points and over boxes, at any precision, and nothing where there is nothing."""
     e = parse(text)
-    tape = Tape(e, ["x", "y"])
+    compiled = Compiled(e, ["x", "y"])
     for bits in (53, 200):
         with ball_precision(bits):
             for n in range(-3, 9):
                 for radius in (0, fmpq(1, 10), 2):
                     x, y = (arb(fmpq(k, 4)) + arb(0, radius) for k in (n, 2 * n + 1))
-                    found, expected = tape([x, y]), evaluate(e, {"x": x, "y": y})
+                    found, expected = compiled.real(x, y), evaluate(e, {"x": x, "y": y})
                     assert found.is_finite() == expected.is_finite()
                     if found.is_finite():
                         assert found.overlaps(expected)

@@ -6,8 +6,8 @@ from flint import acb, arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tresym.reals.domain.compiled import Compiled
 from tresym.reals.domain.evaluation import UndefinedError, evaluate
-from tresym.reals.domain.integrands import Integrand
 from tresym.reals.language.expression import Expr
 from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.arithmetic import ball_precision
@@ -71,7 +71,7 @@ def test_on_a_disc_it_contains_complex_values(text: str, size: object, turn: obj
         radius = arb(fmpq(size.numerator, size.denominator)) / growth.top  # type: ignore[attr-defined]
         angle = arb(fmpq(turn.numerator, turn.denominator)) * arb.pi() / 2  # type: ignore[attr-defined]
         z = acb(radius * angle.cos(), radius * angle.sin())
-        value = Integrand(parse(text), "t", no_values).holomorphic(z)
+        value = Compiled(parse(text), "t", no_values).holomorphic(z)
         if value.is_finite():
             assert growth.range(terms).overlaps(value)
 

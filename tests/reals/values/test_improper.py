@@ -5,7 +5,7 @@ import pytest
 from cases import cases
 from flint import arb
 
-from tresym.reals.domain.binder_values import Enclosing
+from tresym.reals.domain.binder_values import enclosing
 from tresym.reals.domain.evaluation import UndefinedError
 from tresym.reals.language.parsing import as_written
 from tresym.reals.numbers.arithmetic import ball_precision, mp_precision
@@ -17,7 +17,7 @@ KNOWN = tuple(cases(__file__, "KNOWN"))
 
 def value(text: str) -> arb:
     with ball_precision(210):
-        return integral(as_written(f"integral({text})"), Enclosing({}, own={"integral": integral}))
+        return integral(as_written(f"integral({text})"), enclosing({}, {"integral": integral}))
 
 
 @pytest.mark.parametrize(("text", "closed"), KNOWN)

@@ -5,7 +5,7 @@ import pytest
 from cases import cases
 from flint import arb
 
-from tresym.reals.domain.binder_values import Enclosing
+from tresym.reals.domain.binder_values import enclosing
 from tresym.reals.domain.evaluation import UndefinedError
 from tresym.reals.language.parsing import as_written
 from tresym.reals.numbers.arithmetic import ball_precision, mp_precision
@@ -18,9 +18,9 @@ KNOWN = tuple(cases(__file__, "KNOWN"))
 
 
 def value(text: str) -> arb:
-    own = {"integral": integral, "sum": total, "product": total}
+    rules = {"integral": integral, "sum": total, "product": total}
     with ball_precision(210):
-        return Enclosing({}, own=own).value(as_written(text))
+        return enclosing({}, rules).value(as_written(text))
 
 
 @pytest.mark.parametrize(("text", "closed"), KNOWN)

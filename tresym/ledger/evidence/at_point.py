@@ -13,7 +13,7 @@ from sympy import Basic
 from tresym.ledger.claim import Claim, Root
 from tresym.ledger.conversion import DEFINING, Conditions, conditions, definitions, tree
 from tresym.ledger.statements import AtMostOne, ExactlyOne, TheRoot
-from tresym.reals.domain.binder_values import At, Enclosing, bracketed, shown, value
+from tresym.reals.domain.binder_values import At, bracketed, enclosing, value, value_or_nan
 from tresym.reals.domain.evaluation import UndefinedError, stands
 from tresym.reals.language.binders import ordered
 from tresym.reals.language.expression import Expr
@@ -52,7 +52,7 @@ class Place(dict[str, arb]):
         """Store the inputs, the rules for symbols and roots, and the values without inputs."""
         super().__init__(inputs)
         self.rules, self.roots, self.constant = rules, roots, constant
-        self._walker = Enclosing(self, partial(bracketed, self._is_one))
+        self._walker = enclosing(self, {"root": partial(bracketed, self._is_one)})
 
     def __missing__(self, name: str) -> arb:
         if self.constant is not None and name in self.rules and self.constant[name].is_finite():
@@ -67,7 +67,7 @@ class Place(dict[str, arb]):
 
     def value(self, e: Expr) -> arb:
         """Return a ball for ``e``; NaN if it is not shown to be defined."""
-        return shown(e, self._walker)
+        return value_or_nan(e, self._walker)
 
     def meets(self, given: Conditions) -> bool:
         """Return whether balls confirm the conditions."""

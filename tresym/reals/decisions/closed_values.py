@@ -7,7 +7,7 @@ number is an inequality as well: ``x ~= 0.1150`` says |x − 0.1150| ≤ 0.00005
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 from flint import arb
@@ -15,9 +15,9 @@ from flint import arb
 from tresym.reals.decisions.answer import Answer, refuted
 from tresym.reals.decisions.root_values import enclosed_root
 from tresym.reals.decisions.statement import Statement
-from tresym.reals.domain.binder_values import Enclosing
-from tresym.reals.domain.evaluation import UndefinedError, stands
-from tresym.reals.language.calls import FACTORIAL, INFINITY
+from tresym.reals.domain.binder_values import enclosing
+from tresym.reals.domain.evaluation import InBalls, Rule, UndefinedError, stands
+from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.expression import ORDERS, Expr, symbols
 from tresym.reals.language.formula import NEGATED
@@ -25,7 +25,7 @@ from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.values.growth import DivergesError
 from tresym.reals.values.improper import integral
-from tresym.reals.values.totals import total
+from tresym.reals.values.totals import factorial_value, total
 from tresym.reals.verdict import Verdict
 
 PRECISIONS = (128, 512, 2048)
@@ -35,10 +35,10 @@ class NamedDivergence(DivergesError):  # noqa: N818 - the fact, not a fault
     """A divergent integral or series; the message names it."""
 
 
-def _named(kind: Callable[[Expr, Enclosing], arb], what: str) -> Callable[[Expr, Enclosing], arb]:
+def _named(kind: Rule, what: str) -> Rule:
     """Return an enclosure that says which node diverges."""
 
-    def enclosure(e: Expr, outer: Enclosing) -> arb:
+    def enclosure(e: Expr, outer: InBalls) -> arb:
         try:
             return kind(e, outer)
         except NamedDivergence:
@@ -49,28 +49,19 @@ def _named(kind: Callable[[Expr, Enclosing], arb], what: str) -> Callable[[Expr,
     return enclosure
 
 
-def _factorial(e: Expr, outer: Enclosing) -> arb:
-    """Return the factorial of a natural number."""
-    if e.args[0].args[0] != FACTORIAL:
-        raise UndefinedError
-    x = outer.value(e.args[1])
-    if not (x.is_integer() and x >= 0):
-        raise UndefinedError
-    return (x + 1).gamma()
-
-
-OWN: Mapping[str, Callable[[Expr, Enclosing], arb]] = {
+RULES: Mapping[str, Rule] = {
+    "root": enclosed_root,
     "integral": _named(integral, "integral"),
     "sum": _named(total, "series"),
     "product": _named(total, "product"),
-    "unknown": _factorial,
+    "unknown": factorial_value,
 }
-"""How integrals, series, products and factorials are enclosed."""
+"""How roots, integrals, series, products and factorials are enclosed."""
 
 
-def enclosing(at: Mapping[str, Any] | None = None) -> Enclosing:
-    """Return the evaluator of certified values, at working precision."""
-    return Enclosing(at or {}, enclosed_root, OWN)
+def certified_evaluation(at: Mapping[str, Any] | None = None) -> InBalls:
+    """Return the evaluation of certified values, at working precision."""
+    return enclosing(at or {}, RULES)
 
 
 def decide_closed(claim: Comparison, statement: Statement) -> Answer | None:
@@ -88,7 +79,7 @@ def decide_closed(claim: Comparison, statement: Statement) -> Answer | None:
         return None
     for precision in PRECISIONS:
         with ball_precision(precision):
-            walker = enclosing()
+            walker = certified_evaluation()
             try:
                 left, right = map(walker.value, sides)
             except (UndefinedError, InputError):

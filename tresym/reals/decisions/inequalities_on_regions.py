@@ -19,8 +19,9 @@ from tresym.reals.balls.branch_and_bound import Bound, Box, BoxProof, Counterexa
 from tresym.reals.balls.simplest_constants import candidates, enclosure
 from tresym.reals.balls.taylor import taylor_value
 from tresym.reals.decisions.answer import Answer, exactly, refuted
+from tresym.reals.domain.compiled import Compiled
 from tresym.reals.domain.conditions import Condition, Given
-from tresym.reals.domain.evaluation import Tape, evaluate, stands
+from tresym.reals.domain.evaluation import evaluate, stands
 from tresym.reals.domain.sample_points import Range
 from tresym.reals.expansions.leading_terms import sign_towards
 from tresym.reals.language.derivatives import differentiate
@@ -114,9 +115,11 @@ class _Search:
         self.difference = self.left - self.right
         self.slopes = [differentiate(self.difference, name) for name in self.names]
         self.smooth = list(_smooth_parts(self.difference)) or [self.difference]
-        self.value = Tape(self.difference, self.names)
-        self.rates = [Tape(slope, self.names) for slope in self.slopes]
-        self.bounds = [(Tape(c.expression, self.names), c.relation) for c in self.region.conditions]
+        self.value = Compiled(self.difference, self.names).real
+        self.rates = [Compiled(slope, self.names).real for slope in self.slopes]
+        self.bounds = [
+            (Compiled(c.expression, self.names).real, c.relation) for c in self.region.conditions
+        ]
 
     # -- one variable -----------------------------------------------------------------------
 
@@ -305,7 +308,7 @@ class _Search:
         coordinates = arguments[:-1]
         inside = True
         for bound, relation in self.bounds:
-            value = bound(coordinates)
+            value = bound(*coordinates)
             if value.is_zero() if relation == "!=" else value < 0:
                 return _ONE
             if relation == ">" and value <= 0:
@@ -313,7 +316,7 @@ class _Search:
             inside = inside and stands(value, relation)
         if any(_contains(piece, coordinates[0]) for piece in self.pieces):
             return _ONE
-        value = self.value(coordinates)
+        value = self.value(*coordinates)
         if value > 0 or (not self.strict and value >= 0):
             return _ONE
         if value.is_finite() and not all(x.is_exact() for x in coordinates):
@@ -337,7 +340,7 @@ class _Search:
         corner = []
         spread = arb(0)
         for x, rate in zip(coordinates, self.rates, strict=True):
-            slope = rate(coordinates)
+            slope = rate(*coordinates)
             if not slope.is_finite():
                 return _NAN
             if slope >= 0 or slope <= 0:
@@ -345,7 +348,7 @@ class _Search:
             else:
                 corner.append(x.mid())
                 spread += slope * (x - x.mid())
-        return self.value(corner) + spread
+        return self.value(*corner) + spread
 
 
 def _smooth_parts(e: Expr) -> Iterator[Expr]:

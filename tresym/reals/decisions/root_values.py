@@ -21,16 +21,10 @@ from functools import lru_cache
 
 from flint import arb, fmpq
 
-from tresym.reals.domain.binder_values import (
-    At,
-    Enclosing,
-    along,
-    bracket,
-    jumps,
-    shown,
-)
+from tresym.reals.domain import binder_values
+from tresym.reals.domain.binder_values import At, along, bracket, jumps
 from tresym.reals.domain.conditions import Given
-from tresym.reals.domain.evaluation import UndefinedError
+from tresym.reals.domain.evaluation import InBalls, UndefinedError
 from tresym.reals.language.binders import derivative, elementary, integral, outermost, worked_out
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.derivatives import differentiate
@@ -63,10 +57,10 @@ SPLIT = fmpq(499, 1024)
 
 def enclosed(e: Expr, at: At) -> arb:
     """Return a ball that contains ``e`` with its roots at ``at``; NaN if no value is proved."""
-    return shown(e, Enclosing(at, enclosed_root))
+    return binder_values.enclosed(e, at, {"root": enclosed_root})
 
 
-def enclosed_root(e: Expr, outer: Enclosing) -> arb:
+def enclosed_root(e: Expr, outer: InBalls) -> arb:
     """Return a ball around the value of a node ``root``.
 
     Raises:
@@ -98,7 +92,7 @@ def enclosed_root(e: Expr, outer: Enclosing) -> arb:
     raise UndefinedError
 
 
-def _brackets(e: Expr, outer: Enclosing) -> Iterator[tuple[arb, arb]]:
+def _brackets(e: Expr, outer: InBalls) -> Iterator[tuple[arb, arb]]:
     """Yield finite intervals in which the zero is looked for."""
     low, high = e.args[1:]
     if INFINITY not in (low, high) and -INFINITY not in (low, high):
@@ -153,7 +147,7 @@ def between(e: Expr, name: str) -> Given:
     return Given(tuple(links + ([(x, "<", high)] if high != INFINITY else [])))
 
 
-def _only_by_subdivision(e: Expr, outer: Enclosing) -> bool:
+def _only_by_subdivision(e: Expr, outer: InBalls) -> bool:
     """Return whether balls show that there is at most one zero strictly between finite ends."""
     if INFINITY in e.args[1:] or -INFINITY in e.args[1:]:
         return False
@@ -161,9 +155,7 @@ def _only_by_subdivision(e: Expr, outer: Enclosing) -> bool:
     slope = by_leibniz(differentiate(body, name))
     with ball_precision():
         try:
-            low, high = (
-                Enclosing(outer.at, outer.root, outer.own).value(end) for end in e.args[1:]
-            )
+            low, high = (InBalls(outer.at, outer.rules).value(end) for end in e.args[1:])
         except UndefinedError:
             return False
         f, df = (along(name, g, outer.at, outer) for g in (body, slope))
@@ -240,7 +232,7 @@ def _nonzero_beside(e: Expr, end: int) -> int | None:
     return None
 
 
-def _by_order(e: Expr, outer: Enclosing, end: int, order: int | None, whole: arb) -> bool:
+def _by_order(e: Expr, outer: InBalls, end: int, order: int | None, whole: arb) -> bool:
     """Return whether a zero of this order at an end excludes another one in a ball around it."""
     if not order:
         return False

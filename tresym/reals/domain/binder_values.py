@@ -1,5 +1,8 @@
 """Enclose the values of integrals (rigorous quadrature) and of roots (change of sign).
 
+For example, ∫ exp(−x²) dx from 0 to 1 is enclosed in 0.7468241328… ± 10⁻³⁸, and the root of
+cos(x) − x between 0 and 1 in 0.7390851332….
+
 The variables of the expression may be balls; the result then holds for every choice of values in
 them. FLINT evaluates an integrand in complex balls where it asks whether the integrand is analytic.
 Everywhere else the integrand is evaluated in real balls, which give NaN where it is undefined, so
@@ -10,23 +13,21 @@ the function has no jump there.
 
 from __future__ import annotations
 
-from collections import ChainMap
 from collections.abc import Callable, Mapping
 from functools import partial
 
 from flint import acb, arb, ctx, fmpq
 
-from tresym.reals.domain.evaluation import InBalls, UndefinedError
-from tresym.reals.domain.integrands import Integrand
+from tresym.reals.domain.compiled import Compiled
+from tresym.reals.domain.evaluation import NO_RULES, InBalls, Rule, UndefinedError
 from tresym.reals.language.binders import worked_out
-from tresym.reals.language.expression import LEAVES, MINUS_ONE, Expr, opened, symbol, symbols
-from tresym.reals.numbers.arithmetic import WORKING, ball_precision, balls, side
+from tresym.reals.language.expression import LEAVES, Expr, opened, symbol, symbols
+from tresym.reals.numbers.arithmetic import WORKING, ball_precision, side
 from tresym.reals.resource_limits import held
 
 At = Mapping[str, arb | fmpq]
 Unique = Callable[[Expr, At], bool]
 """Decide whether a node is known to have at most one root at these values of the variables."""
-Root = Callable[[Expr, "Enclosing"], arb]
 
 JUMPS = frozenset(("sign", "atan2"))
 """Operations whose balls remain finite at jumps."""
@@ -45,73 +46,40 @@ WIDER = 8
 """How often the width of a bracket is doubled."""
 
 
-NO_OTHER: Mapping[str, Root] = {}
+def integral(e: Expr, outer: InBalls) -> arb:
+    """Return an integral between finite ends, by quadrature."""
+    low, high = (outer.value(end) for end in e.args[1:])
+    (name,), body = opened(e)
+    integrand = Compiled(worked_out(body), (name,), outer.value)
+    # A tolerance far below the accuracy of the integrand would only waste evaluations.
+    known = integrand.real(((low + high) / 2).mid()).rel_accuracy_bits()
+    return quadrature(integrand, low, high, max(known, 0) + SPARE)
 
 
-def no_root(e: Expr, outer: Enclosing) -> arb:
-    """Refuse to evaluate roots.
+def _at_point(e: Expr, outer: InBalls) -> arb:
+    """Return the value of an expression at a point: its variables are those of the point."""
+    names, body = opened(e)
+    return outer.inner(dict(zip(names, map(outer.value, e.args[1:]), strict=True))).value(body)
 
-    Raises:
-        UndefinedError: always.
+
+def _derivative(e: Expr, outer: InBalls) -> arb:
+    written = worked_out(e)
+    if written.op == "derivative":
+        raise UndefinedError
+    return outer.value(written)
+
+
+BINDERS: Mapping[str, Rule] = {"integral": integral, "at": _at_point, "derivative": _derivative}
+
+
+def enclosing(at: At, rules: Mapping[str, Rule] = NO_RULES) -> InBalls:
+    """Return an evaluation in balls that includes integrals, derivatives and values at a point.
+
+    Args:
+        at: the values of the variables.
+        rules: how other operations are enclosed, such as roots, or the same in another way.
     """
-    raise UndefinedError
-
-
-class Enclosing(InBalls):
-    """Evaluate in balls, including integrals, roots and values at a point.
-
-    Like every evaluation in balls it raises ``UndefinedError`` where a value is not proved to
-    exist.
-    """
-
-    def __init__(self, at: At, root: Root = no_root, own: Mapping[str, Root] = NO_OTHER) -> None:
-        """Prepare an evaluation.
-
-        Args:
-            at: the values of the variables; the mapping may compute them on demand.
-            root: a function that encloses a root and proves that it exists.
-            own: functions that enclose other operations, or the same in another way.
-        """
-        super().__init__(balls, at, {})
-        self.root, self.own = root, own
-
-    def _computed(self, e: Expr) -> arb:
-        if e.op in self.own:
-            return self.own[e.op](e, self)
-        if e.op == "integral":
-            return self.integral(e)
-        if e.op == "root":
-            return self.root(e, self)
-        if e.op == "at":
-            names, body = opened(e)
-            points = dict(zip(names, map(self.value, e.args[1:]), strict=True))
-            return Inner(self, points).value(body)
-        if e.op == "derivative" and (found := worked_out(e)).op != "derivative":
-            return self.value(found)
-        if e.names or e.op in ("O", "o"):
-            raise UndefinedError
-        if e.op == "*":
-            return self._quotient(e)
-        return super()._computed(e)
-
-    def _quotient(self, e: Expr) -> arb:
-        """Return a product as one quotient, so that a fraction of integers is rounded only once."""
-        above, below = arb(1), arb(1)
-        for factor in e.args:
-            if factor.op == "^" and factor.args[1] == MINUS_ONE:
-                below *= self.value(factor.args[0])
-            else:
-                above *= self.value(factor)
-        return above / below
-
-    def integral(self, e: Expr) -> arb:
-        """Return an integral between finite ends, by quadrature."""
-        low, high = (self.value(end) for end in e.args[1:])
-        (name,), body = opened(e)
-        integrand = Integrand(worked_out(body), name, self.value)
-        # A tolerance far below the accuracy of the integrand would only waste evaluations.
-        known = integrand.real(((low + high) / 2).mid()).rel_accuracy_bits()
-        return quadrature(integrand, low, high, max(known, 0) + SPARE)
+    return InBalls(at, {**BINDERS, **rules})
 
 
 def quadrature(
@@ -132,37 +100,23 @@ def quadrature(
         return acb.integral(integrand, acb(low), acb(high), **fine).real
 
 
-def enclosed(e: Expr, at: At, root: Root = no_root) -> arb:
+def enclosed(e: Expr, at: At, rules: Mapping[str, Rule] = NO_RULES) -> arb:
     """Return a ball that contains ``e`` at ``at``; NaN if the value is not proved to exist.
 
     Args:
         e: the expression.
         at: the values of its variables.
-        root: a function that encloses roots.
+        rules: how operations such as roots are enclosed.
     """
-    return shown(e, Enclosing(at, root))
+    return value_or_nan(e, enclosing(at, rules))
 
 
-def shown(e: Expr, walker: Enclosing) -> arb:
+def value_or_nan(e: Expr, walker: InBalls) -> arb:
     """Return the same as :func:`enclosed`, with the values that ``walker`` already knows."""
     try:
         return walker.value(e)
     except UndefinedError:
         return arb.nan()
-
-
-class Inner(Enclosing):
-    """Evaluate with additional variables; the other values are taken from outside."""
-
-    def __init__(self, outer: Enclosing, more: dict[str, arb]) -> None:
-        super().__init__(ChainMap(more, outer.at), outer.root, outer.own)  # type: ignore[arg-type]
-        self.outer, self.names = outer, more.keys()
-
-    def value(self, e: Expr) -> arb:
-        """Return the value of ``e``; what does not depend on the new variables is kept outside."""
-        if e not in self.known and self.names.isdisjoint(symbols(e)):
-            self.known[e] = self.outer.value(e)
-        return super().value(e)
 
 
 def jumps(e: Expr) -> bool:
@@ -171,7 +125,7 @@ def jumps(e: Expr) -> bool:
     return e.op in JUMPS or (e.op not in LEAVES and any(map(jumps, inner)))
 
 
-def bracketed(unique: Unique, e: Expr, outer: Enclosing) -> arb:
+def bracketed(unique: Unique, e: Expr, outer: InBalls) -> arb:
     """Return the root of a node, enclosed by a change of sign of a function without jumps.
 
     Raises:
@@ -199,9 +153,9 @@ def bracket(near: Callable[[arb], arb], over: Callable[[arb], arb], low: arb, hi
         UndefinedError: no bracket is found.
     """
     try:
-        x, slope = _found(near, low.mid(), high.mid(), ROUGH)
+        x, slope = _approximation(near, low.mid(), high.mid(), ROUGH)
     except UndefinedError:
-        x, slope = _found(near, low.mid(), high.mid(), ctx.prec)
+        x, slope = _approximation(near, low.mid(), high.mid(), ctx.prec)
     small = high.mid() - low.mid() if x.is_zero() else abs(x)
     width = (over(x) / slope).abs_upper() * arb("1.25") + small * arb((1, 8 - ctx.prec))
     for _ in range(WIDER):
@@ -214,26 +168,21 @@ def bracket(near: Callable[[arb], arb], over: Callable[[arb], arb], low: arb, hi
     raise UndefinedError
 
 
-def along(name: str, body: Expr, at: At, like: Enclosing) -> Callable[[arb], arb]:
+def along(name: str, body: Expr, at: At, like: InBalls) -> Callable[[arb], arb]:
     """Return ``body`` as a function of one variable, NaN where it is undefined.
 
     Integrals, roots and other binders are enclosed as ``like`` encloses them.
     """
-    outers: dict[int, Enclosing] = {}
+    outers: dict[int, InBalls] = {}  # by precision, which their known values have
 
     def function(x: arb) -> arb:
-        outer = outers.setdefault(
-            ctx.prec, Enclosing(at, like.root, like.own)
-        )  # cached values have this precision
-        try:
-            return Inner(outer, {name: x}).value(body)
-        except UndefinedError:
-            return arb.nan()
+        outer = outers.setdefault(ctx.prec, InBalls(at, like.rules))
+        return value_or_nan(body, outer.inner({name: x}))
 
     return function
 
 
-def _found(f: Callable[[arb], arb], low: arb, high: arb, rough: int) -> tuple[arb, arb]:
+def _approximation(f: Callable[[arb], arb], low: arb, high: arb, rough: int) -> tuple[arb, arb]:
     """Return a point near a root between the ends, and the slope there.
 
     The method is regula falsi with halved weights (the Illinois algorithm), followed by the secant
@@ -305,4 +254,4 @@ def value(e: Expr, at: At, unique: Unique) -> arb:
         at: the values of its variables.
         unique: decides whether a node is known to have at most one root.
     """
-    return enclosed(e, at, partial(bracketed, unique))
+    return enclosed(e, at, {"root": partial(bracketed, unique)})

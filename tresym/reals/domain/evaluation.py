@@ -1,5 +1,11 @@
 """Evaluate an expression in any arithmetic; NaN where it is not proved to be defined.
 
+For example, at the ball 2 ± 0.1 the expression √(x − 1)/x has a value in the ball 0.50 ± 0.08, and
+√(1 − x)/x has none. Each operation of a tree becomes one operation on balls, whose result contains
+every value for points in the operands (the inclusion property of interval arithmetic; R. E. Moore,
+R. B. Kearfott, M. J. Cloud, *Introduction to Interval Analysis*, SIAM 2009, chapter 5). A tree that
+is evaluated at many points is compiled first, see :mod:`.compiled`.
+
 The cross-check and the ball evaluation of the ledger have evaluators of their own on purpose, so
 that an error here cannot mislead both.
 """
@@ -7,15 +13,16 @@ that an error here cannot mislead both.
 from __future__ import annotations
 
 import operator
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from functools import partial, reduce
+from collections import ChainMap
+from collections.abc import Callable, Iterable, Mapping
+from functools import reduce
 from typing import Any
 
-from flint import arb, ctx, fmpq
+from flint import arb, fmpq
 
 from tresym.reals.functions.elementary import root_of_ball
 from tresym.reals.functions.table import TABLE
-from tresym.reals.language.expression import UNWORKED, ZERO, Expr, symbol
+from tresym.reals.language.expression import MINUS_ONE, UNWORKED, ZERO, Expr, symbols
 from tresym.reals.numbers.arithmetic import balls
 
 _NAN = arb.nan()
@@ -43,10 +50,10 @@ class Walker:
 
     def value(self, e: Expr) -> Any:
         """Return the value of ``e``."""
-        found = self.known.get(e)
-        if found is None:
-            found = self.known[e] = self._computed(e)
-        return found
+        value = self.known.get(e)
+        if value is None:
+            value = self.known[e] = self._computed(e)
+        return value
 
     def _computed(self, e: Expr) -> Any:
         op, args = e.op, e.args
@@ -95,7 +102,7 @@ def evaluate(e: Expr, point: Mapping[str, arb | fmpq], known: dict[Expr, arb] | 
         True
     """
     try:
-        return InBalls(balls, point, known).value(e)
+        return InBalls(point, known=known).value(e)
     except UndefinedError:
         return _NAN
 
@@ -123,7 +130,7 @@ def values_or_broken(
     A part without a value at one point is likely to have none at the next, so callers test it first
     there.
     """
-    walker = InBalls(balls, point)
+    walker = InBalls(point)
     try:
         return [walker.value(e) for e in expressions]
     except UndefinedError:
@@ -132,9 +139,9 @@ def values_or_broken(
 
 def undefined_parts(expressions: Iterable[Expr], point: Mapping[str, arb | fmpq]) -> set[Expr]:
     """Return the innermost subexpressions without a proven real value at ``point``."""
-    walker = InBalls(balls, point)
+    walker = InBalls(point)
     done: dict[Expr, bool] = {}
-    found: set[Expr] = set()
+    without_value: set[Expr] = set()
 
     def has_value(node: Expr) -> bool:
         if node not in done:
@@ -144,13 +151,13 @@ def undefined_parts(expressions: Iterable[Expr], point: Mapping[str, arb | fmpq]
                 try:
                     walker.value(node)
                 except UndefinedError:
-                    found.add(node)
+                    without_value.add(node)
                     done[node] = False
         return done[node]
 
     for e in expressions:
         has_value(e)
-    return found
+    return without_value
 
 
 def _natural_power(x: arb, n: int) -> arb:
@@ -162,11 +169,45 @@ def _natural_power(x: arb, n: int) -> arb:
     return arb(0).union(x.abs_upper() ** n)
 
 
-class InBalls(Walker):
-    """Evaluate in balls and require every value to be finite."""
+Rule = Callable[[Expr, "InBalls"], arb]
+"""Enclose an operation in an evaluation; it raises ``UndefinedError`` where no value is proved."""
 
-    broken: Expr = ZERO
-    """The innermost subexpression that was found to have no value."""
+NO_RULES: Mapping[str, Rule] = {}
+
+
+class InBalls(Walker):
+    """Evaluate in balls and require every value to be finite.
+
+    Operations that bind variables, such as integrals, have a value only by a rule, see
+    :mod:`tresym.reals.domain.binder_values`.
+
+    Attributes:
+        rules: how operations are enclosed, by their name.
+        broken: the innermost subexpression that was found to have no value.
+    """
+
+    def __init__(
+        self,
+        at: Mapping[str, Any],
+        rules: Mapping[str, Rule] = NO_RULES,
+        known: dict[Expr, arb] | None = None,
+        outer: InBalls | None = None,
+    ) -> None:
+        """Prepare an evaluation.
+
+        Args:
+            at: the values of the variables; the mapping may compute them on demand.
+            rules: how operations are enclosed, by their name.
+            known: values of subexpressions; they are used, and new ones are added.
+            outer: an evaluation whose values are used for the parts without variables of ``at``.
+        """
+        super().__init__(balls, at if outer is None else ChainMap(at, outer.at), known)  # type: ignore[arg-type]
+        self.rules, self.outer, self.broken = rules, outer, ZERO
+        self._own_names = at.keys()
+
+    def inner(self, more: dict[str, arb], rules: Mapping[str, Rule] | None = None) -> InBalls:
+        """Return an evaluation with further variables, which takes the other values from here."""
+        return InBalls(more, self.rules if rules is None else rules, outer=self)
 
     def value(self, e: Expr) -> arb:
         """Return the value of ``e``.
@@ -175,24 +216,51 @@ class InBalls(Walker):
             UndefinedError: the value is not proved to exist; ``broken`` is then the part without
                 one.
         """
-        found = self.known.get(e)
-        if found is None:
+        ball = self.known.get(e)
+        if ball is None:
+            if self.outer is not None and self._own_names.isdisjoint(symbols(e)):
+                ball = self.known[e] = self.outer.value(e)
+                return ball
             try:
-                found = self._computed(e)
+                ball = self._computed(e)
             except UndefinedError:
                 self.broken = e if self.broken is ZERO else self.broken
                 raise
-            if not found.is_finite():
+            if not ball.is_finite():
                 self.broken = e
                 raise UndefinedError
-            self.known[e] = found
-        return found
+            self.known[e] = ball
+        return ball
 
     def _computed(self, e: Expr) -> arb:
-        if e.op in UNWORKED or e.loose:  # it has bound variables
+        op = e.op
+        if op in self.rules:
+            return self.rules[op](e, self)
+        if op in UNWORKED or e.loose:  # it has bound variables
             raise UndefinedError
-        found: arb = super()._computed(e)
-        return found
+        if op == "*":
+            return self._quotient(e)
+        ball: arb = super()._computed(e)
+        return ball
+
+    def _quotient(self, e: Expr) -> arb:
+        """Return a product as one quotient, so that a fraction of integers is rounded only once."""
+        above: arb | None = None
+        below: arb | None = None
+        for factor in e.args:
+            if factor.op == "^" and factor.args[1] == MINUS_ONE:
+                y = self.value(factor.args[0])
+                if y.contains(0):
+                    self.broken = factor
+                    raise UndefinedError
+                below = y if below is None else below * y
+            else:
+                x = self.value(factor)
+                above = x if above is None else above * x
+        if below is None:
+            assert above is not None
+            return above
+        return (1 if above is None else above) / below
 
     def _apply(self, name: str, *values: arb) -> arb:
         return applied(name, *values)
@@ -229,90 +297,3 @@ def rational_power(x: arb, r: fmpq) -> arb:
         raise UndefinedError
     root = x.sqrt() if q == 2 else root_of_ball(x, q)
     return root if p == 1 else root**p
-
-
-class Tape:
-    """A tree compiled for evaluation at many points, with the values of :func:`evaluate`."""
-
-    def __init__(self, e: Expr, names: Sequence[str]) -> None:
-        """Compile ``e``.
-
-        Args:
-            e: the expression.
-            names: its variables, in the order of the coordinates of a point.
-        """
-        self._places = {symbol(name): n for n, name in enumerate(names)}
-        self._numbers: list[tuple[int, Expr]] = []
-        self._steps: list[tuple[Callable[..., arb], int, int | None, int]] = []
-        self._slots: list[Any] = [None] * len(names)
-        self._bits = 0
-        self._end = self._place(e)
-
-    def __call__(self, point: Sequence[arb]) -> arb:
-        """Return the value at a point; NaN where it is not proved to be defined."""
-        if self._bits != ctx.prec:
-            self._bits = ctx.prec
-            for k, leaf in self._numbers:
-                self._slots[k] = arb(leaf.args[0]) if leaf.args else arb.pi()
-        values = [*point, *self._slots[len(point) :]]
-        try:
-            for function, i, j, k in self._steps:
-                if j is not None:
-                    values[k] = function(values[i], values[j])
-                else:
-                    values[k] = value = function(values[i])
-                    if not value.is_finite():
-                        return _NAN
-        except UndefinedError:
-            return _NAN
-        found: arb = values[self._end]
-        return found if found.is_finite() else _NAN
-
-    def _place(self, e: Expr) -> int:
-        """Return the slot of the value of ``e``."""
-        if e in self._places:
-            return self._places[e]
-        if e.op in ("number", "pi"):
-            k = self._slot()
-            self._numbers.append((k, e))
-        elif e.op == "^" and e.args[1].op == "number":
-            r = e.args[1].args[0]
-            k = self._step(lambda x: rational_power(x, r), self._place(e.args[0]))
-        elif len(e.args) == 1:
-            k = self._step(TABLE[e.op].ball, self._place(e.args[0]))
-        elif e.op in TABLE:
-            k = self._step(partial(_of_two, TABLE[e.op].ball), *map(self._place, e.args))
-        else:
-            function = self._power if e.op == "^" else _OF_TWO[e.op]
-            k = self._place(e.args[0])
-            for arg in e.args[1:]:
-                k = self._step(function, k, self._place(arg))
-        self._places[e] = k
-        return k
-
-    @staticmethod
-    def _power(x: arb, y: arb) -> arb:
-        """Return ``x**y`` for an exponent that is not a written number."""
-        found = real_power(x, y)
-        if not found.is_finite():
-            raise UndefinedError
-        return found
-
-    def _step(self, function: Callable[..., arb], i: int, j: int | None = None) -> int:
-        k = self._slot()
-        self._steps.append((function, i, j, k))
-        return k
-
-    def _slot(self) -> int:
-        self._slots.append(None)
-        return len(self._slots) - 1
-
-
-def _of_two(ball: Callable[[arb, arb], arb], x: arb, y: arb) -> arb:
-    found = ball(x, y)
-    if not found.is_finite():
-        raise UndefinedError
-    return found
-
-
-_OF_TWO: dict[str, Callable[..., arb]] = {"+": operator.add, "*": operator.mul}

@@ -26,10 +26,11 @@ from itertools import pairwise
 
 from flint import acb, arb, ctx, fmpq
 
-from tresym.reals.domain.binder_values import Enclosing, quadrature
+from tresym.reals.domain import binder_values
+from tresym.reals.domain.binder_values import quadrature
+from tresym.reals.domain.compiled import Compiled
 from tresym.reals.domain.conditions import Given
-from tresym.reals.domain.evaluation import UndefinedError, evaluate
-from tresym.reals.domain.integrands import Integrand
+from tresym.reals.domain.evaluation import InBalls, UndefinedError, evaluate
 from tresym.reals.domain.operation_domains import needs, operations
 from tresym.reals.language.binders import worked_out
 from tresym.reals.language.calls import INFINITY
@@ -71,7 +72,7 @@ _WHOLE = {"+", "*", "^", "pi"} | FUNCTIONS
 """The operations whose domains are listed in one table."""
 
 
-def integral(e: Expr, outer: Enclosing) -> arb:
+def integral(e: Expr, outer: InBalls) -> arb:
     """Return a ball for an integral node.
 
     Args:
@@ -91,11 +92,11 @@ def integral(e: Expr, outer: Enclosing) -> arb:
     if first > last:
         return -_finite(body, name, high, low, outer)
     if not first < last:
-        return outer.integral(e)
+        return binder_values.integral(e, outer)
     return _finite(body, name, low, high, outer)
 
 
-def _infinite(body: Expr, name: str, low: Expr, high: Expr, outer: Enclosing) -> arb:
+def _infinite(body: Expr, name: str, low: Expr, high: Expr, outer: InBalls) -> arb:
     """Return an integral with an infinite end, as a sum of integrals from a number to ∞."""
     if low == high:
         raise UndefinedError
@@ -109,7 +110,7 @@ def _infinite(body: Expr, name: str, low: Expr, high: Expr, outer: Enclosing) ->
     return _to_infinity(body, name, low, outer)
 
 
-def _to_infinity(body: Expr, name: str, low: Expr, outer: Enclosing) -> arb:
+def _to_infinity(body: Expr, name: str, low: Expr, outer: InBalls) -> arb:
     """Return the integral of ``body`` from ``low`` to infinity."""
     growth, terms = _growth(body, name, outer)
     first = outer.value(low)
@@ -165,7 +166,7 @@ def _times_exponential(term: Expr, g: Expr) -> Expr:
 
 
 def _growth(
-    body: Expr, name: str, outer: Enclosing, at_zero: bool = False, disc: bool = False
+    body: Expr, name: str, outer: InBalls, at_zero: bool = False, disc: bool = False
 ) -> tuple[Growth, Sum]:
     """Return the growth of a body, from the first T from which it is found."""
     for start in STARTS:
@@ -204,17 +205,17 @@ def _within(rest: arb) -> arb:
     return arb(0, rest.upper())
 
 
-def _finite(body: Expr, name: str, low: Expr, high: Expr, outer: Enclosing) -> arb:
+def _finite(body: Expr, name: str, low: Expr, high: Expr, outer: InBalls) -> arb:
     """Return an integral between finite ends, low < high, each of which may be singular."""
     cuts = _cuts(body, name, outer.value(low), outer.value(high))
     ends = [low, *map(number, cuts), high]
     return sum((_piece(body, name, a, b, outer) for a, b in pairwise(ends)), arb(0))
 
 
-def _piece(body: Expr, name: str, low: Expr, high: Expr, outer: Enclosing) -> arb:
+def _piece(body: Expr, name: str, low: Expr, high: Expr, outer: InBalls) -> arb:
     """Return an integral over an interval inside which nothing singular is visible."""
     first, last = outer.value(low), outer.value(high)
-    compiled = Integrand(body, name, outer.value)
+    compiled = Compiled(body, (name,), outer.value)
     bad = [not _analytic(compiled, end, last - first) for end in (first, last)]
     if any(bad):
         try:
@@ -256,7 +257,7 @@ def _may_be_singular(node: Expr) -> bool:
     return node.op in ("abs", "sign", "cbrt", "log")
 
 
-def _apart(body: Expr, name: str, low: Expr, high: Expr, bad: list[bool], outer: Enclosing) -> arb:
+def _apart(body: Expr, name: str, low: Expr, high: Expr, bad: list[bool], outer: InBalls) -> arb:
     """Return an integral with singular ends, one at a time."""
     x = symbol(name)
     width = (high - low) / 2 if all(bad) else high - low
@@ -268,14 +269,14 @@ def _apart(body: Expr, name: str, low: Expr, high: Expr, bad: list[bool], outer:
     return total
 
 
-def _analytic(f: Integrand, end: arb, width: arb) -> bool:
+def _analytic(f: Compiled, end: arb, width: arb) -> bool:
     """Return whether balls show the integrand to be analytic around an end."""
     radius = (width.abs_upper() * arb((1, -16))).mid()
     around = acb(end + arb(0, radius), arb(0, radius))
     return bool(f.holomorphic(around).is_finite()) and f.real(end).is_finite()
 
 
-def _singular(written: Expr, name: str, width: Expr, outer: Enclosing) -> arb:
+def _singular(written: Expr, name: str, width: Expr, outer: InBalls) -> arb:
     """Return the integral of an expression from 0 to ``width``, where it may be singular at 0.
 
     Raises:
@@ -317,8 +318,8 @@ def _singular(written: Expr, name: str, width: Expr, outer: Enclosing) -> arb:
     decay = apply("exp", -u)
     falling = _normal(substitute(body, {name: decay}) * decay, Given())
     with ball_precision(2 * ctx.prec + 64) as _:
-        again = Enclosing(outer.at, outer.root, outer.own)
-        compiled = Integrand(falling, name, again.value)
+        again = InBalls(outer.at, outer.rules)
+        compiled = Compiled(falling, (name,), again.value)
         ends = -again.value(width).log(), cut.log()
         accuracy = (ctx.prec - 64) // 2
         found = quadrature(compiled, *ends, accuracy)
@@ -330,7 +331,7 @@ def _singular(written: Expr, name: str, width: Expr, outer: Enclosing) -> arb:
 class _Removed:
     """An integrand with a removable singularity at 0: bounded, and so analytic, on a disc."""
 
-    def __init__(self, inner: Integrand, radius: arb, bound: arb) -> None:
+    def __init__(self, inner: Compiled, radius: arb, bound: arb) -> None:
         self.inner, self.radius, self.bound = inner, radius, bound
 
     def __call__(self, z: acb, analytic: bool) -> acb:
@@ -340,13 +341,13 @@ class _Removed:
         return found
 
 
-def _removed(body: Expr, name: str, end: arb, outer: Enclosing) -> Integrand | _Removed:
+def _removed(body: Expr, name: str, end: arb, outer: InBalls) -> Compiled | _Removed:
     """Return the function that an expression is, analytic at 0.
 
     Raises:
         UndefinedError: it is not shown to be.
     """
-    compiled = Integrand(body, name, outer.value)
+    compiled = Compiled(body, (name,), outer.value)
     if _analytic(compiled, arb(0), end):
         return compiled
     growth, terms = _growth(body, name, outer, at_zero=True, disc=True)
@@ -378,7 +379,7 @@ def _gcd(a: int, b: int) -> int:
     return a if b == 0 else _gcd(b, a % b)
 
 
-def _need_defined(written: Expr, name: str, width: Expr, outer: Enclosing) -> None:
+def _need_defined(written: Expr, name: str, width: Expr, outer: InBalls) -> None:
     """Prove that an expression is defined between 0 and ``width``.
 
     Near 0 its growth is a proof, or the signs of the leading terms of what must be positive or not
@@ -391,7 +392,7 @@ def _need_defined(written: Expr, name: str, width: Expr, outer: Enclosing) -> No
         growth, _ = _growth(written, name, outer, at_zero=True)
     except UndefinedError:
         growth = _defined_near(written, name, width, outer)
-    compiled = Integrand(written, name, outer.value)
+    compiled = Compiled(written, (name,), outer.value)
     stack, count = [((1 / growth.top).lower(), outer.value(width).upper())], 0
     while stack:
         a, b = stack.pop()
@@ -404,7 +405,7 @@ def _need_defined(written: Expr, name: str, width: Expr, outer: Enclosing) -> No
         stack += [(a, middle), (middle, b)]
 
 
-def _defined_near(written: Expr, name: str, width: Expr, outer: Enclosing) -> Growth:
+def _defined_near(written: Expr, name: str, width: Expr, outer: InBalls) -> Growth:
     """Return a growth from whose T on every condition of definedness holds."""
     if any(node.op not in _WHOLE for node in operations((written,))):
         raise UndefinedError

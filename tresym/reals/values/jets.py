@@ -21,9 +21,9 @@ from typing import Any
 from flint import acb, acb_series, arb, arb_series, ctx
 
 from tresym.reals.balls.taylor import InSeries
-from tresym.reals.domain.binder_values import Enclosing, Root, quadrature
-from tresym.reals.domain.evaluation import UndefinedError
-from tresym.reals.domain.integrands import Integrand
+from tresym.reals.domain.binder_values import enclosing, quadrature
+from tresym.reals.domain.compiled import Compiled
+from tresym.reals.domain.evaluation import InBalls, Rule, UndefinedError
 from tresym.reals.language.binders import worked_out
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import Expr, opened, symbols
@@ -36,18 +36,17 @@ class Jets(InSeries):
     """Compute Taylor coefficients, including those of roots and of integrals."""
 
     def __init__(
-        self, at: Mapping[str, Any], root: Root, own: Mapping[str, Root], kind: Any = arb_series
+        self, at: Mapping[str, Any], rules: Mapping[str, Rule], kind: Any = arb_series
     ) -> None:
         """Prepare a computation.
 
         Args:
             at: the variables as series.
-            root: encloses roots.
-            own: encloses other operations.
+            rules: how values of roots and of other operations are enclosed.
             kind: the type of the series.
         """
         super().__init__(None, at)
-        self.root, self.own, self.kind = root, own, kind
+        self.rules, self.kind = rules, kind
 
     def _number(self, x: Any) -> Any:
         return x if isinstance(x, self.kind) else self.kind([x], ctx.cap)
@@ -65,25 +64,23 @@ class Jets(InSeries):
         """Return the variables at the base point."""
         return {name: x[0] if isinstance(x, self.kind) else x for name, x in self.at.items()}
 
-    def _outer(self) -> Enclosing:
+    def _outer(self) -> InBalls:
         if self.kind is not arb_series:
             raise UndefinedError
-        return Enclosing(self._base(), self.root, self.own)
+        return enclosing(self._base(), self.rules)
 
     def _root(self, e: Expr) -> Any:
         outer = self._outer()
         (name,), body = opened(e, tuple(self.at))
         start = outer.value(e)
-        slope = Enclosing(outer.at | {name: start}, self.root, self.own).value(  # type: ignore[operator]
-            differentiate(body, name)
-        )
+        slope = outer.inner({name: start}).value(differentiate(body, name))
         if slope.contains(0):
             raise UndefinedError
-        found = [start]
+        coefficients = [start]
         for k in range(1, ctx.cap):
-            inner = Jets({**self.at, name: arb_series(found, ctx.cap)}, self.root, self.own)
-            found.append(-inner.value(body)[k] / slope)
-        return arb_series(found, ctx.cap)
+            inner = Jets({**self.at, name: arb_series(coefficients, ctx.cap)}, self.rules)
+            coefficients.append(-inner.value(body)[k] / slope)
+        return arb_series(coefficients, ctx.cap)
 
     def _integral(self, e: Expr) -> Any:
         if not symbols(e) & self.at.keys():
@@ -93,13 +90,13 @@ class Jets(InSeries):
             raise UndefinedError
         low, high = (outer.value(end) for end in e.args[1:])
         (name,), body = opened(e, tuple(self.at))
-        compiled = Integrand(worked_out(body), name, outer.value)
-        found = [_Coefficient(compiled, body, name, self, k) for k in range(ctx.cap)]
+        compiled = Compiled(worked_out(body), (name,), outer.value)
+        functions = [_Coefficient(compiled, body, name, self, k) for k in range(ctx.cap)]
         known: dict[str, Any] = {}
         values = []
-        for one in found:
-            one.known = known
-            values.append(quadrature(one, low, high, ACCURACY))
+        for function in functions:
+            function.known = known
+            values.append(quadrature(function, low, high, ACCURACY))
         if not all(value.is_finite() for value in values):
             raise UndefinedError
         return arb_series(values, ctx.cap)
@@ -108,7 +105,7 @@ class Jets(InSeries):
 class _Coefficient:
     """The k-th Taylor coefficient of an integrand, as a function of the variable of integration."""
 
-    def __init__(self, compiled: Integrand, body: Expr, name: str, jets: Jets, k: int) -> None:
+    def __init__(self, compiled: Compiled, body: Expr, name: str, jets: Jets, k: int) -> None:
         self.compiled, self.body, self.name, self.jets, self.k = compiled, body, name, jets, k
         self.known: dict[str, Any] = {}
 
@@ -116,8 +113,8 @@ class _Coefficient:
         key = repr(z)
         if key not in self.known:
             self.known[key] = self._coefficients(z)
-        found = self.known[key]
-        return acb(arb.nan()) if found is None else found[self.k]
+        coefficients = self.known[key]
+        return acb(arb.nan()) if coefficients is None else coefficients[self.k]
 
     def _coefficients(self, z: acb) -> list[acb] | None:
         if not self.compiled.holomorphic(z).is_finite():
@@ -130,8 +127,8 @@ class _Coefficient:
         }
         at[self.name] = acb_series([z], ctx.cap)
         try:
-            series = Jets(at, self.jets.root, self.jets.own, acb_series).value(self.body)
-            found = [series[j] for j in range(ctx.cap)]
+            series = Jets(at, self.jets.rules, acb_series).value(self.body)
+            coefficients = [series[j] for j in range(ctx.cap)]
         except (ValueError, ZeroDivisionError, AttributeError, TypeError, UndefinedError):
             return None
-        return found if all(c.is_finite() for c in found) else None
+        return coefficients if all(c.is_finite() for c in coefficients) else None

@@ -16,14 +16,14 @@ factors is the exponential of the sum of their logarithms.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from math import factorial
 
 from flint import acb, arb, arb_series, ctx, fmpq
 
 from tresym.reals.balls.taylor import InSeries
-from tresym.reals.domain.binder_values import Enclosing, Inner
 from tresym.reals.domain.conditions import Given
-from tresym.reals.domain.evaluation import UndefinedError, rational_power
+from tresym.reals.domain.evaluation import InBalls, Rule, UndefinedError, rational_power, real_power
 from tresym.reals.language.binders import integral as integral_node
 from tresym.reals.language.binders import worked_out
 from tresym.reals.language.calls import FACTORIAL, INFINITY
@@ -57,26 +57,33 @@ LARGEST_STEP = 12
 """The largest coefficient of the index in a factorial."""
 
 
-class _Terms(Inner):
-    """Evaluate with an integer index: powers with integer exponents and factorials have values."""
-
-    def _power(self, base: Expr, exponent: Expr) -> arb:
-        if exponent.op != "number":
-            y = self.value(exponent)
-            if y.is_integer():
-                return rational_power(self.value(base), y.fmpq())
-        return super()._power(base, exponent)
-
-    def _computed(self, e: Expr) -> arb:
-        if e.op == "unknown" and e.args[0].args[0] == FACTORIAL:
-            x = self.value(e.args[1])
-            if not (x.is_integer() and x >= 0):
-                raise UndefinedError
-            return (x + 1).gamma()
-        return super()._computed(e)
+def factorial_value(e: Expr, outer: InBalls) -> arb:
+    """Return the factorial of a natural number; other unknown functions have no value."""
+    if e.args[0].args[0] != FACTORIAL:
+        raise UndefinedError
+    x = outer.value(e.args[1])
+    if not (x.is_integer() and x >= 0):
+        raise UndefinedError
+    return (x + 1).gamma()
 
 
-def total(e: Expr, outer: Enclosing) -> arb:
+def _power(e: Expr, outer: InBalls) -> arb:
+    """Return a power; an exponent that is an integer for this index counts as a written one."""
+    base, exponent = e.args
+    y = exponent.args[0] if exponent.op == "number" else outer.value(exponent)
+    if isinstance(y, arb):
+        if not y.is_integer():
+            return real_power(outer.value(base), y)
+        y = y.fmpq()
+    return rational_power(outer.value(base), y)
+
+
+def _rules(outer: InBalls) -> Mapping[str, Rule]:
+    """Return the rules for terms with an integer index: powers and factorials have values."""
+    return {**outer.rules, "unknown": factorial_value, "^": _power}
+
+
+def total(e: Expr, outer: InBalls) -> arb:
     """Return a ball for a sum or a product, finite or infinite.
 
     Args:
@@ -101,7 +108,7 @@ def total(e: Expr, outer: Enclosing) -> arb:
     return _series(body, name, first, outer)
 
 
-def _whole(end: Expr, outer: Enclosing) -> int:
+def _whole(end: Expr, outer: InBalls) -> int:
     """Return the exact integer that an end is."""
     found = rational(end)
     if found is None:
@@ -115,16 +122,17 @@ def _whole(end: Expr, outer: Enclosing) -> int:
 
 
 def _added(
-    kind: str, body: Expr, name: str, first: int, last: int, outer: Enclosing, step: int = 1
+    kind: str, body: Expr, name: str, first: int, last: int, outer: InBalls, step: int = 1
 ) -> arb:
     total = arb(0 if kind == "sum" else 1)
+    rules = _rules(outer)
     for k in range(first, last + 1, step):
-        term = _Terms(outer, {name: arb(k)}).value(body)
+        term = outer.inner({name: arb(k)}, rules).value(body)
         total = total + term if kind == "sum" else total * term
     return total
 
 
-def _series(body: Expr, name: str, first: int, outer: Enclosing) -> arb:
+def _series(body: Expr, name: str, first: int, outer: InBalls) -> arb:
     """Return Σ body for all values of the index from ``first`` on."""
     try:
         ratio = _ratio(body, name)
@@ -158,7 +166,7 @@ def _series(body: Expr, name: str, first: int, outer: Enclosing) -> arb:
     return _euler_maclaurin(body, name, first, outer)
 
 
-def _need_vanishing(term: Expr, name: str, outer: Enclosing) -> None:
+def _need_vanishing(term: Expr, name: str, outer: InBalls) -> None:
     """Require that the terms of a series tend to 0.
 
     Raises:
@@ -192,11 +200,12 @@ def _without_sign(body: Expr, name: str, parity: int) -> Expr:
     return walk(body)
 
 
-def _geometric(body: Expr, name: str, first: int, start: int, q: arb, outer: Enclosing) -> arb:
+def _geometric(body: Expr, name: str, first: int, start: int, q: arb, outer: InBalls) -> arb:
     """Return a series whose terms fall from ``start`` on by at least the factor q each time."""
     found = _added("sum", body, name, first, start - 1, outer)
+    rules = _rules(outer)
     for k in range(start, start + MOST):
-        term = _Terms(outer, {name: arb(k)}).value(body)
+        term = outer.inner({name: arb(k)}, rules).value(body)
         rest = (abs(term) / (1 - q)).upper()
         if rest < arb((1, -ctx.prec)):
             return found + arb(0, rest)
@@ -261,7 +270,7 @@ def _parts(e: Expr) -> list[Expr]:
     return [e, *(part for arg in e.args for part in _parts(arg))] if e.op in ("+", "*") else [e]
 
 
-def _euler_maclaurin(body: Expr, name: str, first: int, outer: Enclosing, step: int = 1) -> arb:
+def _euler_maclaurin(body: Expr, name: str, first: int, outer: InBalls, step: int = 1) -> arb:
     """Return the sum over first, first + step, … of a function that is analytic to the right."""
     if body.hidden:
         raise UndefinedError
@@ -298,7 +307,7 @@ def _euler_maclaurin(body: Expr, name: str, first: int, outer: Enclosing, step: 
 
 
 def _exponential(
-    body: Expr, name: str, first: int, growth: Growth, terms: Sum, outer: Enclosing, step: int
+    body: Expr, name: str, first: int, growth: Growth, terms: Sum, outer: InBalls, step: int
 ) -> arb:
     """Return a sum whose terms decay exponentially: the rest is below the integral of its bound."""
     cut = max(first, int(growth.start.p))
@@ -316,7 +325,7 @@ def _damped(terms: Sum, n: int) -> Sum:
     return tuple(Term(c, m * Scale((), fmpq(-n), fmpq(0)), fixed) for c, m, fixed in terms)
 
 
-def _jet(body: Expr, name: str, x: arb, n: int, outer: Enclosing) -> list[arb]:
+def _jet(body: Expr, name: str, x: arb, n: int, outer: InBalls) -> list[arb]:
     """Return the Taylor coefficients of a function at a point.
 
     Raises:

@@ -95,7 +95,7 @@ RECHECKED = {
         *("reals.normal.denesting", "reals.balls.branch_and_bound._found"),
         "reals.signs.transformations.equivalents",
         *("reals.signs.structural.Parts._ways", "reals.signs.structural.Parts._multiples"),
-        *("reals.domain.binder_values._found", "reals.domain.binder_values._change"),
+        *("reals.domain.binder_values._approximation", "reals.domain.binder_values._change"),
         "reals.decisions.antiderivatives",
         *(
             "ledger.evidence.printed_numbers._find_inputs",

@@ -3,16 +3,16 @@
 import pytest
 from flint import acb, arb, fmpq
 
+from tresym.reals.domain.compiled import MEROMORPHIC, Compiled
 from tresym.reals.domain.evaluation import UndefinedError, evaluate
-from tresym.reals.domain.integrands import MEROMORPHIC, Integrand
 from tresym.reals.language.binders import integral
 from tresym.reals.language.expression import FUNCTIONS, Expr, apply, number, symbol
 from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.arithmetic import ball_precision
 
 
-def of_x(e: Expr) -> Integrand:
-    return Integrand(e, "x", lambda part: evaluate(part, {"y": arb(2)}))
+def of_x(e: Expr) -> Compiled:
+    return Compiled(e, "x", lambda part: evaluate(part, {"y": arb(2)}))
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,229 @@
+"""Compile trees to lists of steps that run in real and in complex balls.
+
+For example, x·exp(y)/(x + 1) as a function of x becomes the steps s₁ = x + 1, s₂ = x·c and
+s₃ = s₂/s₁, with the value c of exp(y), which is computed in advance. Equal parts share a step. In
+real balls a step without a proven value makes the result NaN. In complex balls every step is
+holomorphic or not finite, as FLINT requires of the integrands of its quadrature (F. Johansson,
+*Numerical integration in arbitrary-precision ball arithmetic*, ICMS 2018).
+"""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import Any
+
+from flint import acb, arb, ctx, fmpq
+
+from tresym.reals.domain.evaluation import InBalls, UndefinedError, rational_power, real_power
+from tresym.reals.functions.table import TABLE, names
+from tresym.reals.language.expression import (
+    MINUS_ONE,
+    ONE,
+    UNWORKED,
+    Expr,
+    symbol,
+    symbols,
+)
+
+MEROMORPHIC = names(lambda row: row.theory and (row.entire or row.quotient))
+OFF_CUTS = {row.name: row.off_cuts for row in TABLE.values() if row.off_cuts is not None}
+"""Whether a complex ball avoids the branch cuts, where they are analytic."""
+Operation = Callable[..., Any]
+HALF = fmpq(1, 2)
+_NAN = arb.nan()
+
+
+class Compiled:
+    """An expression as a function of some of its variables."""
+
+    def __init__(
+        self, e: Expr, variables: Sequence[str], known: Callable[[Expr], arb] | None = None
+    ) -> None:
+        """Compile an expression.
+
+        Args:
+            e: the expression.
+            variables: the variables, in the order of the coordinates of a point.
+            known: returns the values of the parts without these variables. Without it they have
+                no variables at all, and are computed anew if the precision changes.
+
+        Raises:
+            UndefinedError: a part that binds variables depends on ``variables``, or ``known`` has
+                no value of a part.
+        """
+        self._variables = frozenset(variables)
+        self._places = {symbol(name): n for n, name in enumerate(variables)}
+        self._constants: list[tuple[int, Expr]] = []
+        self._values: list[Any] = [None] * len(variables)
+        self._steps: list[tuple[Operation, Operation, int, int | tuple[int, ...] | None, int]] = []
+        self._known = known
+        self._bits = 0
+        self._end = self._place(e)
+        if known is not None:
+            self._fill()
+
+    def real(self, *point: arb) -> arb:
+        """Return the value at a real point; NaN where none is proved."""
+        try:
+            if self._bits != ctx.prec:
+                self._fill()
+            values = [*point, *self._values[len(point) :]]
+            for operation, _, i, j, k in self._steps:
+                if j is None:
+                    values[k] = value = operation(values[i])
+                    if not value.is_finite():
+                        return _NAN
+                elif isinstance(j, int):
+                    values[k] = operation(values[i], values[j])
+                else:
+                    values[k] = operation(values[i], *[values[n] for n in j])
+        except UndefinedError:
+            return _NAN
+        value = values[self._end]
+        return value if value.is_finite() else _NAN
+
+    def holomorphic(self, *point: acb) -> acb:
+        """Return the value at a complex point; not finite unless proved holomorphic on it."""
+        if self._bits != ctx.prec:
+            self._fill()
+        values = [*point, *self._values[len(point) :]]
+        for _, operation, i, j, k in self._steps:
+            if j is None:
+                values[k] = operation(values[i])
+            elif isinstance(j, int):
+                values[k] = operation(values[i], values[j])
+            else:
+                values[k] = operation(values[i], *[values[n] for n in j])
+        return acb(values[self._end])
+
+    def __call__(self, z: acb, analytic: bool) -> acb:
+        """Evaluate a function of one variable as FLINT's quadrature requires."""
+        if analytic:
+            return self.holomorphic(z)
+        return acb(self.real(z.real) if z.imag.is_zero() else _NAN)
+
+    def _fill(self) -> None:
+        """Compute the parts without the variables, at the working precision."""
+        known = self._known or InBalls({}).value
+        for place, part in self._constants:
+            self._values[place] = known(part)
+        self._bits = ctx.prec
+
+    def _place(self, e: Expr) -> int:
+        """Return the place of the value of ``e``."""
+        place = self._places.get(e)
+        if place is None:
+            place = self._places[e] = self._compiled(e)
+        return place
+
+    def _compiled(self, e: Expr) -> int:
+        op, args = e.op, e.args
+        if self._variables.isdisjoint(symbols(e)):
+            self._constants.append((self._new(), e))
+            return self._constants[-1][0]
+        if op == "+":
+            return self._chain(operator.add, args)
+        if op == "*":
+            below = [factor.args[0] for factor in args if _is_reciprocal(factor)]
+            above = [factor for factor in args if not _is_reciprocal(factor)] or [ONE]
+            product = self._chain(operator.mul, above)
+            if not below:
+                return product
+            divisor = self._chain(operator.mul, below)
+            return self._step(_divided, operator.truediv, product, divisor)
+        if op in UNWORKED or (op != "^" and TABLE[op].ball is None):
+            raise UndefinedError
+        if op == "^" and args[1].op == "number":
+            r = args[1].args[0]
+            root: Operation = _square_root if r == HALF else partial(_rational_power, r)
+            return self._step(root, partial(_complex_power, r), self._place(args[0]))
+        real: Operation = real_power if op == "^" else TABLE[op].ball
+        holomorphic = _complex_real_power if op == "^" else partial(_holomorphic, op)
+        first, *others = map(self._place, args)
+        if not others:
+            return self._step(real, holomorphic, first)
+        more = others[0] if len(others) == 1 else tuple(others)
+        return self._step(partial(_finite, real), holomorphic, first, more)
+
+    def _chain(self, operation: Operation, parts: Sequence[Expr]) -> int:
+        """Return the place of a sum or product, which needs no check: finite balls have one."""
+        place = self._place(parts[0])
+        for part in parts[1:]:
+            place = self._step(operation, operation, place, self._place(part))
+        return place
+
+    def _step(
+        self,
+        real: Operation,
+        holomorphic: Operation,
+        i: int,
+        j: int | tuple[int, ...] | None = None,
+    ) -> int:
+        place = self._new()
+        self._steps.append((real, holomorphic, i, j, place))
+        return place
+
+    def _new(self) -> int:
+        self._values.append(None)
+        return len(self._values) - 1
+
+
+def _square_root(x: arb) -> arb:
+    if not x >= 0:
+        raise UndefinedError
+    return x.sqrt()
+
+
+def _rational_power(r: fmpq, x: arb) -> arb:
+    return rational_power(x, r)
+
+
+def _divided(x: arb, y: arb) -> arb:
+    if y.contains(0):
+        raise UndefinedError
+    return x / y
+
+
+def _finite(ball: Callable[..., arb], *values: arb) -> arb:
+    """Return a function of several balls; the loop checks those of one ball alone."""
+    value = ball(*values)
+    if not value.is_finite():
+        raise UndefinedError
+    return value
+
+
+def _is_reciprocal(e: Expr) -> bool:
+    return e.op == "^" and e.args[1] == MINUS_ONE
+
+
+def _complex_power(r: fmpq, z: Any) -> acb:
+    z, p, q = acb(z), int(r.p), int(r.q)
+    if q == 1:
+        return z**p
+    return (z.sqrt(analytic=True) if q == 2 else z.pow(acb(fmpq(1, q)), analytic=True)) ** p
+
+
+def _complex_real_power(z: Any, w: Any) -> acb:
+    return (w * acb(z).log(analytic=True)).exp()
+
+
+def _holomorphic(name: str, *values: Any) -> acb:
+    if name == "log":
+        return acb(values[0]).log(analytic=True)
+    if name == "abs":
+        return acb(values[0]).real_abs(analytic=True)
+    row = TABLE.get(name)
+    if row is not None and row.holomorphic is not None:
+        return row.holomorphic(*values)
+    if name in OFF_CUTS:
+        z = acb(values[0])
+        return getattr(z, name)() if OFF_CUTS[name](z) else acb(arb.nan())
+    if name in ("sign", "cbrt"):
+        z = acb(values[0])
+        side = 1 if z.real > 0 else -1 if z.real < 0 else None
+        if side is None:
+            return acb(arb.nan())
+        return acb(side) if name == "sign" else side * (side * z).pow(acb(fmpq(1, 3)))
+    return getattr(values[0], name)() if name in MEROMORPHIC else acb(arb.nan())
