@@ -12,6 +12,7 @@ from flint import arb
 from tresym.asymptotics.numerical_evidence import Ray, contradicts
 from tresym.asymptotics.refutation_check import parameters
 from tresym.checking.original_values import against, has_numbers
+from tresym.checking.solution_check import contradiction as against_solution
 from tresym.reals.cross_check import (
     FALSE,
     conditions,
@@ -80,7 +81,7 @@ def attack(
     if any(node.op == "root" for node in outermost(comparison.left, comparison.right)):
         return None  # the claim with a variable in place of the root was attacked itself
     if statement.has_initial_values:
-        return None  # what was shown of the equation and the initial values was attacked itself
+        return against_solution(comparison, statement, answer)
     if statement.path is not None and statement.path.together:
         return None  # the claim on each face of a cube around the point was attacked itself
     if comparison.relation == "O" and statement.path is None:

@@ -24,6 +24,7 @@ from tresym.reals.functions.table import SPECIAL, TABLE
 from tresym.reals.language.binders import is_infinite, outermost
 from tresym.reals.language.calls import FACTORIAL, INFINITY
 from tresym.reals.language.comparisons import Comparison
+from tresym.reals.language.differential_notation import without_prefix
 from tresym.reals.language.expression import DOTS, ZERO, Expr, symbols
 from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.arithmetic import ball_precision
@@ -77,12 +78,25 @@ def decide_claim(claim: Any, given: Any = "", path: str | None = None) -> Answer
         answer = replace(answer, why=f"{answer.why}; it quotes {quoted}")
     if answer and answer.region is None and statement.path is None:
         answer = replace(answer, region=_part_spoken_of(statement))
-    return replace(
+    answer = replace(
         answer,
         statement=_short(statement.text),
         given=_short(statement.under),
         read_as=statement.read_as,
         seconds=time.perf_counter() - start,
+    )
+    return as_typed(answer) if statement.has_initial_values else answer
+
+
+def as_typed(answer: Answer) -> Answer:
+    """Return the answer with the functions of differential equations named as they were typed."""
+    return replace(
+        answer,
+        why=without_prefix(answer.why),
+        given=without_prefix(answer.given),
+        read_as=without_prefix(answer.read_as),
+        region=answer.region and without_prefix(answer.region),
+        witness=answer.witness and {without_prefix(n): v for n, v in answer.witness.items()},
     )
 
 
@@ -167,7 +181,10 @@ def _everywhere(comparison: Comparison, statement: Statement) -> Answer:
 def _attacked(
     answer: Answer, comparison: Comparison, statement: Statement, anywhere: bool
 ) -> Answer:
-    """Return the answer, or UNDECIDED if the independent numerical check contradicts it."""
+    """Return the answer, or UNDECIDED if the independent numerical check contradicts it.
+
+    Refutations are attacked too where they are about solutions of differential equations.
+    """
     with stage("independent check of the proof"):
         against = attack(comparison, statement, answer, anywhere)
     if against is None:
@@ -194,6 +211,8 @@ def _bounded(comparison: Comparison, statement: Statement) -> Answer:
 
         with stage("values of both sides"):
             answer = decide_closed(comparison, statement) or answer
+    if answer.verdict is Verdict.REFUTED and statement.has_initial_values:
+        return _attacked(answer, comparison, statement, anywhere=False)
     if answer.verdict is Verdict.REFUTED and statement.path is not None:
         from tresym.asymptotics.refutation_check import checked
 

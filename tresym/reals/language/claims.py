@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.comparisons import LIMIT, ORDERS
+from tresym.reals.language.differential_notation import with_differential_notation
 from tresym.reals.language.expression import ZERO, multiply, number, symbol
 from tresym.reals.language.formula import Compared, chained
 from tresym.reals.language.parsing import parse_claim, parse_given
@@ -93,6 +94,8 @@ def as_written(claim: Any, given: Any, path: str | None) -> Written:
         if tends is not None:
             conditions, tends = _without_sign(conditions, tends)
         return Written((comparison,), (*_given(given), *conditions), tends)
+    if isinstance(given, str) and not _LATEX.search(claim + given):
+        claim, given = with_differential_notation(claim, given)
     try:
         return _strictly(claim, given, path)
     except InputError:
