@@ -1,7 +1,6 @@
 """The float64 map against balls, with every case the prototypes failed at."""
 
 import math
-import sys
 
 import numpy as np
 import pytest
@@ -10,7 +9,7 @@ from flint import arb, fmpq
 import tresym
 from tresym.racket.angle import Angle
 from tresym.racket.body import Shape, named_body
-from tresym.racket.floats import flipmap, float_orbit
+from tresym.racket.floats import float_orbit
 from tresym.racket.floats.flipmap import arrivals, flip_map, flip_uncertainty
 from tresym.racket.motion.trajectory import Start, travel
 from tresym.reals.numbers.exact import InputError
@@ -41,17 +40,8 @@ def ratio(x: fmpq) -> float:
 A, B = ratio(STR.a), ratio(STR.b)
 
 
-@pytest.fixture(params=["numpy", pytest.param("numba", marks=pytest.mark.slow)])
-def way(request, monkeypatch):
-    """Each way of evaluating the map, whatever the number of starts."""
-    monkeypatch.setattr(flipmap, "LARGE", 0 if request.param == "numba" else math.inf)
-    if request.param == "numba":
-        assert flipmap._compiled() is not None
-    return request.param
-
-
 @pytest.mark.parametrize("reach", [0.3, 3.0, 12.5])
-def test_the_map_is_right_to_2e_13(reach, way):
+def test_the_map_is_right_to_2e_13(reach):
     rng = np.random.default_rng(5)
     psi, rate = rng.uniform(-3, 3, 60), rng.uniform(-reach, reach, 60)
     assert errors(A, B, psi, rate).max() < 2e-13
@@ -61,7 +51,7 @@ EDGES = (0.0, math.pi / 2, -math.pi / 2, 3 * math.pi / 2, math.pi, -math.pi, 1e-
 
 
 @pytest.mark.parametrize("psi", EDGES)
-def test_at_every_edge_too(psi, way):
+def test_at_every_edge_too(psi):
     """Quarter turns, unstable points and their neighbours; rates from 0 to the largest."""
     square = math.sin(psi) ** 2
     most = (A + B * square) / (1 - B * square)
@@ -69,24 +59,6 @@ def test_at_every_edge_too(psi, way):
     rates = np.array([0, 1e-300, 1e-12, 0.3, 2.5, 12, on_separatrix, most * (1 - 1e-15)])
     rates = np.concatenate([rates, -rates])
     assert errors(A, B, np.full(rates.size, psi), rates).max() < 2e-13
-
-
-def test_both_ways_come_to_the_same(monkeypatch):
-    rng = np.random.default_rng(11)
-    psi, rate = rng.uniform(-4, 4, 3000), rng.uniform(-13, 13, 3000)
-    plain = arrivals(A, B, psi, rate, 2 * math.pi)
-    monkeypatch.setattr(flipmap, "LARGE", 1000)
-    compiled = arrivals(A, B, psi, rate, 2 * math.pi)
-    for one, other in zip(plain, compiled, strict=True):
-        assert (np.isnan(one) == np.isnan(other)).all()
-        assert np.nanmax(np.abs(one - other)) < 1e-13
-
-
-def test_the_map_runs_without_numba(monkeypatch):
-    monkeypatch.setitem(sys.modules, "tresym.racket.floats.compiled", None)
-    monkeypatch.setattr(flipmap, "LARGE", 1)
-    assert flipmap._compiled() is None
-    assert flip_map(A, B, 0.0, 0.5) == pytest.approx(4.775939189758933, abs=1e-13)
 
 
 def test_a_planted_error_in_a_step_is_seen(monkeypatch):
@@ -171,7 +143,7 @@ HOSTILE = [
 
 
 @pytest.mark.parametrize(("a", "b", "psi", "rate"), HOSTILE)
-def test_hostile_starts_are_answered_within_what_is_said(a, b, psi, rate, way):
+def test_hostile_starts_are_answered_within_what_is_said(a, b, psi, rate):
     said = float(flip_uncertainty(a, b, psi, rate))
     assert np.isfinite(flip_map(a, b, psi, rate))
     assert errors(a, b, [psi], [rate])[0] <= said

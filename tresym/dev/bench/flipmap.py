@@ -7,11 +7,9 @@ standard racket, and one with √(ab) = 3, near whose unstable points errors gro
 from __future__ import annotations
 
 import math
-import time
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from functools import lru_cache, partial
-from importlib.util import find_spec
 from typing import Any
 
 import numpy as np
@@ -59,39 +57,23 @@ def contenders(_: Any) -> Iterator[Contender]:
         a, b, _ = peers.floats(shape, fmpq(0))
         truths = [ball_flip(a, b, *start) for start in zip(*starts(SAMPLE), strict=True)]
         methods: dict[str, tuple[Method, int]] = {
-            OURS: (flipmap.flip_map, flipmap.LARGE - 1),
+            OURS: (flipmap.flip_map, STARTS),
             "tresym.flip_angle, 15 digits certified": (certified, LOOP),
             "scipy solve_ivp, RK45 at 1e-10": (by_scipy("RK45", 1e-10), LOOP),
             "scipy solve_ivp, DOP853 at 1e-13": (by_scipy("DOP853", 1e-13), LOOP),
             "heyoka, one by one": (by_heyoka, 1000),
             "heyoka, batch": (by_heyoka_batch, 1000),
-            **optional(),
         }
         judge = partial(judged, truths)
         for title, (method, count) in methods.items():
             work = partial(method, a, b, *starts(count))
             with suppress(Exception):  # compiled and imported before anything is timed
-                method(a, b, *starts(count if title.endswith("numba") else 8))
+                method(a, b, *starts(8))
             more: dict[str, Any] = {"asked": WANTED, "pieces": count}
             yield from row(name, {title: work}, judge, **more)
-            if title.endswith("numba"):
-                on_all = {f"{title}, wall clock on all cores": work}
-                sample = partial(_on_the_wall, work, count)
-                yield from row(name, on_all, judge, sample=sample, **more)
 
 
 WORKLOAD = Workload(contenders, Pace(rounds=5, limit=20.0, patience=3.0), OURS)
-
-
-def _on_the_wall(work: Callable[[], Any], pieces: int) -> float:
-    start = time.perf_counter()
-    work()
-    return (time.perf_counter() - start) / pieces
-
-
-def optional() -> dict[str, tuple[Method, int]]:
-    """Return the map as it runs for ``LARGE`` starts and more if numba is installed."""
-    return {"tresym.flip_map, numba": (flipmap.flip_map, STARTS)} if find_spec("numba") else {}
 
 
 def judged(truths: list[arb], values: Any) -> Judged:

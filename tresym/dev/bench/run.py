@@ -26,7 +26,7 @@ from tresym.reals.resource_limits import TimeUp, time_limit
 SAMPLE_SECONDS = 0.004
 """The duration of a sample in seconds; fast work is repeated until it takes this long."""
 
-PACKAGES = ("python-flint", "mpmath", "gmpy2", "numpy", "scipy", "numba", "heyoka", "sympy")
+PACKAGES = ("python-flint", "mpmath", "gmpy2", "numpy", "scipy", "heyoka", "sympy")
 
 RIGHT, WRONG, TIMED_OUT, FAILED = OUTCOMES = ("right", "wrong", "timed out", "failed")
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import tracemalloc
 from collections.abc import Iterator
 from functools import partial
-from importlib.util import find_spec
 from typing import Any
 
 import numpy as np
@@ -18,7 +17,7 @@ from tresym.ledger.paper import all_claims
 from tresym.ledger.verification import verify
 from tresym.racket.body import named_body
 from tresym.racket.flip import flip_defect
-from tresym.racket.floats.flipmap import CHUNK, LARGE, flip_map
+from tresym.racket.floats.flipmap import CHUNK, flip_map
 from tresym.reals.numbers.exact import parse_number
 
 STR = named_body("str").shape
@@ -65,9 +64,8 @@ def memory(_: Any) -> Iterator[tuple[str, dict[str, Any]]]:
 
 
 def sizes(*_: Any) -> dict[str, Any]:
-    """Return how many starts are passed at a time, computed at a time, and compiled."""
-    compiled = LARGE if find_spec("numba") else None
-    return {"chunk": CHUNK, "piece": PIECE, "compiled from": compiled}
+    """Return how many starts are passed at a time, and how many are computed at a time."""
+    return {"chunk": CHUNK, "piece": PIECE}
 
 
 WORKLOAD = Workload(contenders, Pace(rounds=5, limit=2.5, patience=0.3), tables=memory, notes=sizes)

@@ -5,17 +5,14 @@ special cases: every start is on a rotating or an oscillating orbit, and the sep
 by an orbit so near to it that float64 cannot distinguish the two. For starts near the unstable
 points Δψ has a small relative error. The result is NaN only for starts that do not exist.
 
-With the extra ``tresym[fast]`` large maps are compiled and use all cores; the results agree up to
-the last digits. Near the unstable points errors grow by e^(√(ab) Δφ) with any method; see
+Near the unstable points errors grow by e^(√(ab) Δφ) with any method; see
 :func:`flip_uncertainty` for how accurately a float64 start determines its result.
 """
 
 from __future__ import annotations
 
 import math
-import os
 from collections.abc import Callable, Iterator
-from concurrent.futures import ThreadPoolExecutor
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -34,9 +31,6 @@ CHUNK = 8192
 
 WIDEST = 10**100
 """a and b must lie between this and its inverse, so that squares do not overflow."""
-
-LARGE = 50_000
-"""The number of starts above which loading numba, which takes a second, saves time."""
 
 
 class Arrivals(NamedTuple):
@@ -79,12 +73,8 @@ def flip_map(
     p, q = _floats(a, b)
     starts, shape = _broadcast(psi0, rate, precession)
     found = np.empty(starts[0].size)
-    compiled = _compiled() if found.size >= LARGE else None
-    if compiled is None:
-        for part, values in _in_chunks(float_orbit.turn, p, q, starts):
-            found[part] = values
-    else:
-        _in_threads(compiled, p, q, starts, found)
+    for part, values in _in_chunks(float_orbit.turn, p, q, starts):
+        found[part] = values
     return found.reshape(shape)
 
 
@@ -187,15 +177,6 @@ def _unmasked(x: ArrayLike) -> Floats:
         raise InputError("flip map: starts and precession are real numbers, or arrays") from None
 
 
-def _compiled() -> Callable[..., None] | None:
-    """The compiled map, or None if numba is not installed."""
-    try:
-        from tresym.racket.floats.compiled import turn_each
-    except ImportError:
-        return None
-    return turn_each
-
-
 def _in_chunks(
     work: Callable[..., Any], a: float, b: float, starts: list[Floats]
 ) -> Iterator[tuple[slice, Any]]:
@@ -205,18 +186,6 @@ def _in_chunks(
         with np.errstate(all="ignore"):
             values = work(a, b, *(x[part] for x in starts), room[:, :, : part.stop - part.start])
         yield part, values
-
-
-def _in_threads(
-    turn_each: Callable[..., None], a: float, b: float, starts: list[Floats], found: Floats
-) -> None:
-    workers = os.cpu_count() or 1
-
-    def fill(part: slice) -> None:
-        turn_each(a, b, *(x[part] for x in starts), np.empty((5, LEVELS + 1)), found[part])
-
-    with ThreadPoolExecutor(workers) as pool:
-        list(pool.map(fill, _parts(found.size, -(-found.size // (4 * workers)))))
 
 
 def _parts(size: int, step: int) -> Iterator[slice]:

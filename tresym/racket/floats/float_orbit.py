@@ -1,4 +1,4 @@
-"""The orbit of a start in float64, for numpy arrays or compiled for numbers.
+"""The orbit of a start in float64, for numpy arrays.
 
 The time τ (dφ/dτ = 1 − b sin²ψ, from ψ = π/2) and the phase φ are computed from an angle by the
 steps of :mod:`tresym.racket.motion.gauss`. In these variables oscillating and rotating orbits have
@@ -10,9 +10,6 @@ have either sign. An angle is computed from a time by the inverse steps, from x 
 without a square root; p and r change sign at ψ = π and at turning points as they should. The angles
 arctan(C_n/z_n) with weights 2ⁿ are the argument of a product of complex numbers. Its branch is
 known, since φ = τ − ∫ b sin²ψ dτ and this integral lies in [0, π/2] over a quarter of an orbit.
-
-Only :func:`choose`, :func:`largest` and :func:`least` distinguish arrays from numbers;
-:mod:`tresym.racket.floats.compiled` replaces them for numbers.
 """
 
 from __future__ import annotations
@@ -401,11 +398,3 @@ def linear(on: FloatOrbit, start: FloatStart, rate: Any, precession: Any, turned
     spread = 2 * np.sinh(growth * precession / 2) ** 2
     drift = np.sinh(growth * precession) / growth
     return choose(small, offset * spread + rate * drift, turned)
-
-
-def turn_each(
-    a: float, b: float, psi: Any, rate: Any, precession: Any, work: Any, found: Any
-) -> None:
-    """Compute :func:`turn` start by start, into ``found``; for compilation."""
-    for i in range(psi.size):
-        found[i] = turn(a, b, psi[i], rate[i], precession[i], work)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import ceil
 from typing import Any
 
 from tresym.report.charts.common import (
@@ -16,6 +17,8 @@ from tresym.report.charts.common import (
     SOLID,
     Mark,
     tick_text,
+    time_text,
+    worded,
 )
 from tresym.report.figures import style
 
@@ -33,18 +36,29 @@ def caption(data: dict[str, Any]) -> str:
     """Describe what the chart shows."""
     memory = data["memory"]
     starts = [r for r in data["rows"] if r["scene"] == "time against starts" and r["seconds"]]
-    large = data["notes"]["compiled from"]
-    compiled = f" (compiled by numba for {large:,} starts and more)" if large else ""
     per = starts[-1]["seconds"]
     return (
         "Left: processor time of one ε(γ) of the standard racket with 50 to 10 000 digits; a "
         "method that needs more than 2.5 s is not tried with more digits. Middle: the flip of 1 to "
         f"10⁷ starts in float64 ({per * 1e6:.2g} µs per start for many) and the largest amount of "
         f"memory in use, {max(m['megabytes'] for m in memory):.3g} MB, as starts are passed "
-        f"{data['notes']['piece']:,} at a time and computed {data['notes']['chunk']:,} at a time"
-        f"{compiled}. "
+        f"{data['notes']['piece']:,} at a time and computed {data['notes']['chunk']:,} at a time. "
         "Right: deciding the first claims of the proofs, with all that they depend on, in a "
         "running process. Thin lines: proportional growth."
+    )
+
+
+def conclusion(data: dict[str, Any]) -> str:
+    """Say in a sentence what a reader learns, with the numbers of the measurement."""
+    rows = [r for r in data["rows"] if r["seconds"]]
+    one = [r for r in rows if r["method"] == "tresym, γ = 0"]
+    first, last = (end(one, key=lambda r: r["asked"]) for end in (min, max))
+    claims = max((r for r in rows if r["scene"] == "time against claims"), key=lambda r: r["asked"])
+    return (
+        f"{last['asked'] / first['asked']:.0f} times as many digits take "
+        f"{last['seconds'] / first['seconds']:.0f} times as long; the memory of the flip map stays "
+        f"below {ceil(max(m['megabytes'] for m in data['memory']))} MB for 10⁷ starts; all "
+        f"{claims['asked']} claims are judged in {time_text(claims['seconds'])}."
     )
 
 
@@ -86,7 +100,7 @@ def _digits(sheet: Any, rows: list[dict[str, Any]]) -> None:
         sheet.plot(
             [r["asked"] for r in some],
             [r["seconds"] for r in some],
-            label=method,
+            label=worded(method),
             linewidth=1,
             markersize=4,
             **mark.options,
