@@ -50,6 +50,7 @@ html_static_path = ["_static", "_built"]
 html_css_files = ["site.css"]
 html_js_files = ["ledger.js"]
 html_math_renderer = "mathml"
+html_search_scorer = str(Path(__file__).parent / "_built" / "scorer.js")
 html_copy_source = False
 html_show_sourcelink = False
 html_show_sphinx = False

@@ -18,10 +18,10 @@ from sphinx.util.docutils import SphinxDirective
 from sphinx.writers.html5 import HTML5Translator
 
 from tresym.reals.numbers.exact import InputError
-from tresym.report.charts import CHARTS
+from tresym.report.charts import CHARTS, conclusion
 from tresym.report.pages import opened
 from tresym.report.typesetting.formulas import Piece, pieces
-from tresym.site import claims, commands, docstrings, mathematics, sources
+from tresym.site import claims, commands, docstrings, mathematics, search, sources
 from tresym.site.markdown import statement, titled
 
 BUILT = "_built"
@@ -66,6 +66,7 @@ def write_pages(app: Sphinx) -> None:
     style = source / BUILT / "mathematics.css"
     if not style.is_file():
         written[style] = mathematics.stylesheet(mathematics.font_file())
+    search.write_scorer(source / BUILT / "scorer.js", ledger_of(source)["claims"])
     for path, text in written.items():
         path.parent.mkdir(exist_ok=True)
         if not path.is_file() or path.read_text(encoding="utf-8") != text:
@@ -96,6 +97,23 @@ def link_labels(app: Sphinx, doctree: nodes.document) -> None:
         if not isinstance(text.parent, nodes.reference | pending_xref):
             uri = app.builder.get_relative_uri(name, f"claims/{label}")
             text.replace_self(nodes.reference("", "", text.deepcopy(), internal=True, refuri=uri))
+
+
+def link_pictures(app: Sphinx, doctree: nodes.document) -> None:
+    """Link every drawn picture to its file, in a frame that scrolls where the page is narrow."""
+    up = "../" * app.env.docname.count("/")
+    for image in list(doctree.findall(nodes.image)):
+        path = image["uri"]
+        if "/generated/" not in f"/{path}" or isinstance(image.parent, nodes.reference):
+            continue
+        wide = "charts/" in path or image.get("width", "100%").endswith("%")
+        link = nodes.reference(
+            "", "", internal=False, refuri=f"{up}_images/{Path(path).name}", classes=["picture"]
+        )
+        if wide:
+            link["classes"].append("wide")
+        image.replace_self(link)
+        link += image
 
 
 _AS_WRITTEN = (
@@ -211,10 +229,13 @@ def _named(directive: SphinxDirective, label: str) -> dict[str, Any]:
 
 
 class ChartsDirective(SphinxDirective):
-    """The directive ``{charts}``: every chart of saved measurements, with its title."""
+    """The directive ``{charts}``: every chart of saved measurements, with what a reader learns."""
 
     def run(self) -> list[nodes.Node]:
-        """Return a figure for each chart, with its description as alternative text."""
+        """Return a title, a sentence and a picture for each chart; the picture has its description.
+
+        The picture links to its file.
+        """
         folder = Path(self.env.srcdir) / "generated" / "charts"
         found: list[nodes.Node] = []
         for name, chart in CHARTS.items():
@@ -222,7 +243,8 @@ class ChartsDirective(SphinxDirective):
             if path.is_file():
                 alt = _description(path.read_text(encoding="utf-8")) or chart.title
                 picture = nodes.image(uri=f"/generated/charts/{path.name}", alt=alt, width="100%")
-                found += [nodes.rubric(chart.title, chart.title), picture]
+                sentence = nodes.paragraph("", conclusion(name))
+                found += [nodes.rubric(chart.title, chart.title), sentence, picture]
         return found
 
 
@@ -334,6 +356,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.connect("build-finished", write_data)
     app.connect("doctree-read", link_labels)
     app.connect("doctree-read", set_formulas)
+    app.connect("doctree-read", link_pictures)
     app.add_directive("run", RunDirective)
     app.add_directive("draw", DrawDirective)
     app.add_directive("paper", PaperDirective)

@@ -94,10 +94,11 @@ def test_every_chart_says_what_its_axes_are() -> None:
 
 
 def test_methods_differ_by_more_than_colour() -> None:
-    marks = list(work_precision.MARKS.values())
+    marks = [mark for mark, _ in work_precision.SERIES.values()]
+    assert len(marks) <= 8
     looks = [(mark.marker, str(mark.line), mark.filled) for mark in marks]
     assert len(set(looks)) == len(looks)
-    ours = [mark.filled for name, mark in work_precision.MARKS.items() if "tresym" in name]
+    ours = [mark.filled for name, (mark, _) in work_precision.SERIES.items() if "tresym" in name]
     assert all(ours)
     assert sum(mark.filled for mark in marks) == len(ours)
     looks = [(m.marker, str(m.line), m.filled) for m in scaling.BY_DIGITS.values()]
@@ -117,7 +118,7 @@ def test_the_front_holds_the_best_of_what_is_right() -> None:
 
 def test_every_method_of_the_data_has_its_mark() -> None:
     methods = {row["method"] for row in data("precision")["rows"]}
-    assert methods - {"tresym", "tresym.flip_defect"} == set(work_precision.MARKS)
+    assert methods - {"tresym", "tresym.flip_defect"} == set(work_precision.METHODS)
     digits = [r for r in data("scaling")["rows"] if r["scene"] == "time against digits"]
     assert {row["method"] for row in digits} == set(scaling.BY_DIGITS)
 
@@ -132,6 +133,15 @@ def test_captions_count_from_the_data() -> None:
     said = honesty.caption({"points": points})
     assert "1 of 2 results of other methods" in said
     assert "0 of 1 balls claim too much" in said
+
+
+@pytest.mark.parametrize("name", charts.CHARTS)
+def test_every_chart_says_in_a_sentence_what_a_reader_learns(name: str) -> None:
+    sentence = charts.conclusion(name)
+    assert sentence.endswith(".")
+    assert 60 < len(sentence) < 330
+    assert "nan" not in sentence
+    assert "e+" not in sentence
 
 
 def test_what_fails_is_drawn_with_its_reason() -> None:

@@ -1,8 +1,9 @@
 """Charts of saved measurements as SVG: each is a pure function of one JSON file.
 
-The module of a chart has ``draw(data)``, the picture, and ``caption(data)``, a description of what
-it shows. The bytes are the same on every build with the same matplotlib. All charts can be read in
-black and white: methods differ by marker and line style as well as by colour.
+The module of a chart has ``draw(data)``, the picture, ``caption(data)``, a description of what it
+shows, and ``conclusion(data)``, a sentence that says what a reader learns. The bytes are the same
+on every build with the same matplotlib. All charts can be read in black and white: methods differ
+by marker and line style as well as by colour.
 """
 
 from __future__ import annotations
@@ -27,27 +28,39 @@ class Chart(NamedTuple):
 
 CHARTS = {
     "deciders": Chart(
-        "Claims decided within a time, and wrong answers: SymPy, Maxima, z3, testing, tresym",
+        "Claims that tresym, SymPy, Maxima, z3 and numerical testing decide",
         "deciders",
         "deciders",
     ),
     "work-precision": Chart(
-        "Correct digits against time, six scenes", "precision", "work_precision"
+        "Correct digits against time, in six cases", "precision", "work_precision"
     ),
-    "honesty": Chart("Digits claimed and correct digits", "honesty", "honesty"),
+    "honesty": Chart("Digits claimed, and digits that are right", "honesty", "honesty"),
     "atlas-separatrix": Chart(
-        "Digits lost over the shapes, on the separatrix", "atlas", "atlas", "separatrix"
+        "Digits that formulas lose on the separatrix, by the shape of the body",
+        "atlas",
+        "atlas",
+        "separatrix",
     ),
-    "atlas-levels": Chart("Digits lost over start and level", "atlas", "atlas", "levels"),
+    "atlas-levels": Chart(
+        "Digits that formulas lose, by start and level of the motion", "atlas", "atlas", "levels"
+    ),
     "atlas-turning": Chart(
-        "Digits lost near turning points and stable rotations", "atlas", "atlas", "turning"
+        "Digits that formulas lose near turning points and stable rotations",
+        "atlas",
+        "atlas",
+        "turning",
     ),
-    "scaling": Chart("Time against digits, starts and claims", "scaling", "scaling"),
-    "identities": Chart("Deciding identities: SymPy against tresym", "identities", "identities"),
-    "separatrix": Chart("ε₀ to 50 digits", "separatrix", "times"),
-    "many": Chart("A million ε₀ in float64", "many", "times"),
-    "turn": Chart("F(ε, γ) to 50 digits", "turn", "times"),
-    "defect": Chart("ε(γ) to 50 digits", "defect", "times"),
+    "scaling": Chart(
+        "Time against digits, number of starts, and number of claims", "scaling", "scaling"
+    ),
+    "identities": Chart(
+        "Time to decide an identity: SymPy against tresym", "identities", "identities"
+    ),
+    "separatrix": Chart("The defect ε₀ on the separatrix, to 50 digits", "separatrix", "times"),
+    "many": Chart("A million defects ε₀ in float64", "many", "times"),
+    "turn": Chart("The integral F(ε, γ), to 50 digits", "turn", "times"),
+    "defect": Chart("The defect ε(γ) off the separatrix, to 50 digits", "defect", "times"),
     "values": Chart("Integrals, roots and functions to 50 digits", "values", "times"),
     "flipmap": Chart("The flip of very many starts", "flipmap", "times"),
 }
@@ -99,6 +112,20 @@ def picture(name: str, source: str | None = None, kind: str = "svg") -> bytes:
             raise InputError(
                 f"{name}: is not a measurement as `tresym bench --save` writes it"
             ) from None
+
+
+def conclusion(name: str, source: str | None = None) -> str:
+    """Return what a reader learns from the chart ``name``, in a sentence.
+
+    Raises:
+        InputError: as for :func:`picture`.
+    """
+    from tresym.report.charts.saved import load
+
+    chart = CHARTS[name]
+    module = import_module(f"{__name__}.{chart.module}")
+    part = () if chart.part is None else (chart.part,)
+    return str(module.conclusion(load(chart.workload, source), *part))
 
 
 def _drawn(

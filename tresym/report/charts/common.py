@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import textwrap
+from decimal import Decimal
 from typing import Any, NamedTuple
 
 
@@ -39,6 +40,58 @@ BLUE, SKY, GREEN, ORANGE, RED, PURPLE, YELLOW, BLACK = (
 """After the palette of Okabe and Ito, the light ones darkened so that they print."""
 
 SOLID, DASHED, DOTTED, DASHDOT = "-", (0, (4, 1.5)), (0, (1, 1.2)), (0, (5, 1.4, 1, 1.4))
+
+
+_WORDS = (
+    ("tresym, certified", "tresym, every digit proved"),
+    ("tresym, Gauss transformation", "tresym, Gauss transformation, proved"),
+    ("tresym, FLINT's R_F and R_J", "tresym, Carlson integrals, proved"),
+    ("findroot on the printed equation", "mpmath, the printed equation"),
+    ("our phase equation in mpmath", "mpmath, the stable equation"),
+    ("our phase equation in scipy newton", "scipy, the stable equation"),
+    ("mpmath Newton, phase equation", "mpmath, the stable equation"),
+    ("mpmath findroot, printed equation", "mpmath, the printed equation"),
+    ("mpmath findroot over", "mpmath, a root of"),
+    ("findroot over", "mpmath, a root of"),
+    ("scipy brentq over", "scipy, a root of"),
+    ("scipy brentq, printed equation", "scipy brentq, the printed equation"),
+    ("brentq in a loop, printed equation", "scipy brentq, the printed equation"),
+    ("scipy find_root, printed equation", "scipy find_root, the printed equation"),
+    ("scipy newton, printed equation", "scipy newton, the printed equation"),
+    ("mpmath quad of our substitution", "mpmath, quadrature of a smooth integrand"),
+    ("mpmath quad, tanh-sinh", "mpmath, quadrature (tanh-sinh)"),
+    ("mpmath quad, Gauss-Legendre", "mpmath, quadrature (Gauss)"),
+    ("mpmath R_F and R_J", "mpmath, Carlson integrals"),
+    ("mpmath odefun", "mpmath, differential equation"),
+    ("scipy solve_ivp,", "scipy, differential equation,"),
+    ("heyoka,", "heyoka, differential equation,"),
+    ("R_F, R_J", "Carlson integrals"),
+    ("over quad", "of a quadrature"),
+    (" of quad", " of a quadrature"),
+    ("of str to", "of the standard racket to"),
+    ("of str on", "of the standard racket on"),
+    (", gmpy2", " (gmpy2)"),
+    (", python", " (python)"),
+)
+
+
+def worded(method: str) -> str:
+    """Return the name of a method in words of a reader: what is computed, and by which library."""
+    for name, words in _WORDS:
+        method = method.replace(name, words)
+    return method
+
+
+def span(values: list[float], digits: int = 2) -> str:
+    """Return the range of some numbers in words: ``3 to 40``, or ``3`` if they are equal."""
+    low, high = (f"{Decimal(f'{x:.{digits}g}'):,f}" for x in (min(values), max(values)))
+    return low if low == high else f"{low} to {high}"
+
+
+def time_span(seconds: list[float]) -> str:
+    """Return the range of some times in words: ``3 µs to 4 ms``."""
+    low, high = time_text(min(seconds)), time_text(max(seconds))
+    return low if low == high else f"{low} to {high}"
 
 
 def measured_with(data: dict[str, Any]) -> str:

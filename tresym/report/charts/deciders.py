@@ -54,6 +54,18 @@ def _totals(kinds: dict[str, dict[str, int]]) -> dict[str, int]:
     return {key: sum(kind[key] for kind in kinds.values()) for key in ("right", "wrong", "open")}
 
 
+def conclusion(data: dict[str, Any]) -> str:
+    """Say in a sentence what a reader learns, with the numbers of the measurement."""
+    counts = {method: _totals(found) for method, found in data["notes"]["counts"].items()}
+    ours = counts.pop("tresym check")
+    best = max(counts, key=lambda method: counts[method]["right"])
+    return (
+        f"tresym decides {ours['right']} of {sum(ours.values())} claims rightly and "
+        f"{ours['wrong']} wrongly; the next best here, {best}, decides {counts[best]['right']} "
+        f"rightly and {counts[best]['wrong']} wrongly."
+    )
+
+
 def draw(data: dict[str, Any]) -> Any:
     """Draw the shares against time, and bars by kind."""
     figure, grid = style.canvas(7.4, 4.2, 1, 2, width_ratios=(1.15, 1))

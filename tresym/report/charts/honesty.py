@@ -54,6 +54,19 @@ def caption(data: dict[str, Any]) -> str:
     )
 
 
+def conclusion(data: dict[str, Any]) -> str:
+    """Say in a sentence what a reader learns, with the numbers of the measurement."""
+    ours = [p for p in data["points"] if p["method"] == "tresym, balls"]
+    others = [p for p in data["points"] if not p["method"].startswith("tresym")]
+    over = sum(p["claims"] > p["digits"] + 1 for p in others)
+    wrong = sum(p["claims"] > p["digits"] for p in ours)
+    return (
+        f"{wrong} of {len(ours)} balls of tresym claim a digit that is not right; {over} of "
+        f"{len(others)} results of other methods claim at least one digit too many without a "
+        "warning."
+    )
+
+
 def draw(data: dict[str, Any]) -> Any:
     """Draw four panels; the last has its own scale."""
     figure, grid = style.canvas(7.2, 7.4, 2, 2)

@@ -4,20 +4,40 @@ from __future__ import annotations
 
 from typing import Any
 
-from tresym.report.charts.common import BLUE, RED, time_axis, time_text
+from tresym.report.charts.common import BLUE, RED, span, time_axis, time_span, time_text, worded
 from tresym.report.figures import style
 
 
 def caption(data: dict[str, Any]) -> str:
     """Describe what the chart shows."""
-    says = data["says"]
+    says = worded(data["says"])
     title = says[0].upper() + says[1:] if says[0].isascii() else says
+    reference = worded(data["reference"])
     return (
-        f"{title}: {data['clock']} of one result, logarithmic, "
-        f"with the quartiles, and the ratio to “{data['reference']}”, formed round by round in one "
-        "interleaved run. Filled: tresym; open: other methods with all digits correct; cross: "
-        "fewer digits than asked for, or no result, with the reason."
+        f"{title}: {data['clock']} of one result, logarithmic, with the quartiles, and the ratio "
+        f"to “{reference}”, formed round by round in one interleaved run. Filled: tresym; open: "
+        "other methods with all digits correct; cross: fewer digits than asked for, or no result, "
+        "with the reason."
     )
+
+
+def conclusion(data: dict[str, Any]) -> str:
+    """Say in a sentence what a reader learns, with the numbers of the measurement."""
+    ours, ratios = [], []
+    for scene in dict.fromkeys(row["scene"] for row in data["rows"]):
+        right = [r for r in data["rows"] if r["scene"] == scene and r["outcome"] == "right"]
+        own = [r["seconds"] for r in right if r["ours"] and r["seconds"]]
+        others = [r["seconds"] for r in right if not r["ours"] and r["seconds"]]
+        ours += [min(own)] if own else []
+        ratios += [min(others) / min(own)] if own and others else []
+    wrong = sum(not r["ours"] and r["outcome"] != "right" for r in data["rows"])
+    total = sum(not r["ours"] for r in data["rows"])
+    sentence = f"tresym takes {time_span(ours)} of processor time for one result"
+    if ratios:
+        sentence += (
+            f"; the fastest other method with all digits right takes {span(ratios)} times as long"
+        )
+    return f"{sentence}, and {wrong} of the {total} results of other methods are not right."
 
 
 def draw(data: dict[str, Any]) -> Any:
@@ -37,7 +57,7 @@ def draw(data: dict[str, Any]) -> Any:
         for row in (r for r in rows if r["scene"] == scene):
             _line(sheet, row, place, low, high)
             ticks.append(place)
-            labels.append(row["method"])
+            labels.append(worded(row["method"]))
             place += 1
     sheet.set_yticks(ticks, labels, fontsize=7.5)
     sheet.tick_params(axis="y", length=0)

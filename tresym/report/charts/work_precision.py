@@ -18,31 +18,59 @@ from tresym.report.charts.common import (
     SOLID,
     YELLOW,
     Mark,
+    span,
     time_axis,
+    time_span,
+    worded,
 )
 from tresym.report.figures import style
 
-MARKS = {
-    "tresym, float64 arrays": Mark(BLUE, "*", SOLID, True),
-    "tresym, asymptotic": Mark(SKY, "v", SOLID, True),
-    "tresym, separatrix": Mark(BLUE, "o", SOLID, True),
-    "tresym, carlson": Mark(GREEN, "s", SOLID, True),
-    "tresym, planar": Mark(BLACK, "D", SOLID, True),
-    "mpmath Newton, phase equation": Mark(SKY, "o", DASHED, False),
-    "mpmath findroot, printed equation": Mark(RED, "v", DASHED, False),
-    "mpmath findroot over R_F, R_J": Mark(GREEN, "s", DASHED, False),
-    "mpmath findroot over quad": Mark(ORANGE, "^", DASHED, False),
-    "mpmath odefun": Mark(PURPLE, "P", DASHED, False),
-    "scipy brentq, printed equation": Mark(RED, "<", DOTTED, False),
-    "scipy brentq over R_F, R_J": Mark(GREEN, "h", DOTTED, False),
-    "scipy brentq over quad": Mark(ORANGE, ">", DOTTED, False),
-    "scipy solve_ivp, RK45": Mark(YELLOW, "p", DASHDOT, False),
-    "scipy solve_ivp, DOP853": Mark(PURPLE, "d", DASHDOT, False),
-    "heyoka, Taylor": Mark(BLACK, "X", DASHDOT, False),
+SERIES: dict[str, tuple[Mark, tuple[str, ...]]] = {
+    "tresym, the model that it selects": (
+        Mark(BLUE, "o", SOLID, True),
+        ("tresym, asymptotic", "tresym, separatrix", "tresym, carlson", "tresym, planar"),
+    ),
+    "tresym, arrays in float64": (Mark(BLACK, "*", SOLID, True), ("tresym, float64 arrays",)),
+    "mpmath, the stable equation": (
+        Mark(SKY, "v", DASHED, False),
+        ("mpmath Newton, phase equation",),
+    ),
+    "mpmath, the printed equation": (
+        Mark(RED, "^", DASHED, False),
+        ("mpmath findroot, printed equation",),
+    ),
+    "mpmath, a root of Carlson integrals": (
+        Mark(GREEN, "s", DASHED, False),
+        ("mpmath findroot over R_F, R_J",),
+    ),
+    "mpmath, a root of a quadrature": (
+        Mark(ORANGE, "D", DASHED, False),
+        ("mpmath findroot over quad",),
+    ),
+    "scipy, roots in float64": (
+        Mark(PURPLE, "<", DOTTED, False),
+        (
+            "scipy brentq, printed equation",
+            "scipy brentq over R_F, R_J",
+            "scipy brentq over quad",
+        ),
+    ),
+    "differential equation (mpmath, scipy, heyoka)": (
+        Mark(YELLOW, "P", DASHDOT, False),
+        ("mpmath odefun", "scipy solve_ivp, RK45", "scipy solve_ivp, DOP853", "heyoka, Taylor"),
+    ),
 }
-"""Methods of tresym are filled and solid, others open and dashed."""
+"""The series of the chart: their marks, and the methods of the measurement that each has.
+
+Methods of tresym are filled and solid, others open and dashed.
+"""
+
+METHODS = {method: mark for mark, methods in SERIES.values() for method in methods}
+"""The mark of each method of the measurement."""
 
 LOW, HIGH = 0.6, 1700.0
+AT = 50
+"""The digits of which the conclusion speaks."""
 
 
 def caption(data: dict[str, Any]) -> str:
@@ -52,8 +80,24 @@ def caption(data: dict[str, Any]) -> str:
         "against processor time for one result, both logarithmic; up and to the left is better. "
         "Filled and solid: the models of tresym; open and dashed: other libraries. A cross is a "
         "result with fewer digits than were asked for, below 1 digit at the lower edge. The grey "
-        "line is the Pareto front of all right results; rings mark the model that tresym selects "
-        "for 3 to 1000 digits. Float64 arrays: time per result among 4096."
+        "line passes through the fastest right results. Lines join the results of one method; two "
+        "series have several. Arrays in float64: time per result among 4096."
+    )
+
+
+def conclusion(data: dict[str, Any]) -> str:
+    """Say in a sentence what a reader learns, with the numbers of the measurement."""
+    ours, ratios = [], []
+    for scene, picks in data["notes"]["picks"].items():
+        rows = [r for r in data["rows"] if r["scene"] == scene and r["asked"] == AT]
+        own = [r["seconds"] for r in rows if r["method"] == f"tresym, {picks[str(AT)]}"]
+        others = [r for r in rows if not r["method"].startswith("tresym")]
+        right = [r["seconds"] for r in others if r["outcome"] == "right" and r["seconds"]]
+        ours += own
+        ratios += [min(right) / own[0]] if right and own else []
+    return (
+        f"For {AT} digits tresym takes {time_span(ours)} in the six cases; the fastest other "
+        f"method that has {AT} right digits takes {span(ratios)} times as long where there is one."
     )
 
 
@@ -64,10 +108,16 @@ def draw(data: dict[str, Any]) -> Any:
     seconds = [row["seconds"] for row in data["rows"] if row["seconds"]]
     for sheet, scene in zip(grid.flat, scenes, strict=True):
         rows = [row for row in data["rows"] if row["scene"] == scene]
-        show_front(sheet, [r for r in rows if r["seconds"] and r["method"] in MARKS])
-        for method, mark in MARKS.items():
-            show_method(sheet, [r for r in rows if r["method"] == method], mark)
-        _picks(sheet, rows, data["notes"]["picks"][scene])
+        show_front(sheet, [r for r in rows if r["seconds"] and r["method"] in METHODS])
+        picks = data["notes"]["picks"][scene]
+        models = SERIES["tresym, the model that it selects"][1]
+        for method, mark in METHODS.items():
+            if method not in models:
+                show_method(sheet, [r for r in rows if r["method"] == method], mark)
+        selected = [(f"tresym, {model}", int(digits)) for digits, model in picks.items()]
+        show_method(
+            sheet, [r for r in rows if (r["method"], r["asked"]) in selected], METHODS[models[0]]
+        )
         _silent(sheet, rows)
         sheet.set_title(scene, loc="left")
         sheet.set_xscale("log")
@@ -127,32 +177,16 @@ def show_method(sheet: Any, rows: list[dict[str, Any]], mark: Mark) -> None:
     )
 
 
-def _picks(sheet: Any, rows: list[dict[str, Any]], picks: dict[str, str]) -> None:
-    at = {(r["method"], r["asked"]): r for r in rows}
-    for digits, model in picks.items():
-        row = at[f"tresym, {model}", int(digits)]
-        sheet.plot(
-            row["seconds"],
-            digits_of(row),
-            "o",
-            markersize=9,
-            markerfacecolor="none",
-            markeredgecolor=BLACK,
-            markeredgewidth=0.8,
-            zorder=4,
-        )
-
-
 def _silent(sheet: Any, rows: list[dict[str, Any]]) -> None:
     """The methods that gave no answer, with the number of digits from which they failed."""
     lines = []
-    for method in MARKS:
+    for method in METHODS:
         none = [
             r for r in rows if r["method"] == method and r["outcome"] in ("failed", "timed out")
         ]
         if none and not method.startswith("tresym"):
             least, word = min(r["asked"] for r in none), none[0]["outcome"]
-            lines.append(f"{method} {word} from {least:g}")
+            lines.append(f"{worded(method)}: {word} from {least:g} digits")
     if lines:
         sheet.text(
             0.985,
@@ -161,7 +195,7 @@ def _silent(sheet: Any, rows: list[dict[str, Any]]) -> None:
             transform=sheet.transAxes,
             ha="right",
             va="bottom",
-            fontsize=5.2,
+            fontsize=5.8,
             color="0.4",
             zorder=1.5,
         )
@@ -172,16 +206,9 @@ def _legend(figure: Any) -> None:
 
     handles: list[Any] = [
         Line2D([], [], linewidth=0.9, markersize=4.5, label=name, **mark.options)
-        for name, mark in MARKS.items()
+        for name, (mark, _) in SERIES.items()
     ]
-    handles.append(Line2D([], [], color="0.8", linewidth=4, label="Pareto front"))
-    ring: dict[str, Any] = {
-        "marker": "o",
-        "markersize": 9,
-        "markerfacecolor": "none",
-        "color": BLACK,
-    }
-    handles.append(Line2D([], [], linestyle="", label="the model that tresym picks", **ring))
+    handles.append(Line2D([], [], color="0.8", linewidth=4, label="the fastest right results"))
     cross: dict[str, Any] = {"marker": "x", "markersize": 4, "color": "0.3"}
     handles.append(Line2D([], [], linestyle="", label="fewer digits than asked", **cross))
     figure.legend(handles=handles, loc="outside upper center", ncols=3, fontsize=7)
