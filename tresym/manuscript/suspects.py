@@ -384,3 +384,9 @@ def printed(link: Link) -> str:
 def attention(rows: Iterable[Row]) -> list[Row]:
     """Return the rows that an author must look at: SUSPECT and REFUTED."""
     return [row for row in rows if row.status in (SUSPECT, "REFUTED")]
+
+
+def failing(rows: Iterable[Row]) -> list[Row]:
+    """Return the rows without an accusation for which a counterexample was found."""
+    known = (row for row in rows if row.link.same or row.link.solves is not None)
+    return [row for row in known if row.status == "UNDECIDED" and row.fails_at is not None]
