@@ -1,7 +1,7 @@
 """Errors planted in manuscripts: how many of them ``tresym paper`` tells.
 
-``python tests/planted_errors.py FILE.tex ...`` changes one place of one display at a time, a sign, a
-coefficient, an exponent, a factor, a function or an inequality, checks the displays around it
+``python tests/planted_errors.py FILE.tex ...`` changes one place of one display at a time (a sign,
+a coefficient, an exponent, a factor, a function or an inequality), checks the displays around it
 again, and prints what became of the link: told (REFUTED or SUSPECT), listed (it fails somewhere),
 silent, or kept (still PROVED or ENCLOSED: to be read by hand, since some changes change nothing).
 ``--in judged`` plants in links that pass, ``asymptotic`` in those of them that state an asymptotic
@@ -21,11 +21,11 @@ from pathlib import Path
 from typing import NamedTuple
 
 from tresym.checking.answer_cache import cached_answers
+from tresym.manuscript import suspects
 from tresym.manuscript.classification import Link
 from tresym.manuscript.deciding import PASSES, Row, decided
 from tresym.manuscript.links import read_links
 from tresym.manuscript.source import Display, Event, read_manuscript
-from tresym.manuscript import suspects
 from tresym.manuscript.suspects import attention, failing, proofread
 
 LIMIT = 2.0
@@ -58,7 +58,9 @@ def errors_in(text: str) -> Iterator[Planted]:
 
     def changed(n: int, kind: str, new: str) -> Planted:
         around = "".join(tokens[max(n - 4, 0) : n + 5]).strip()
-        return Planted(kind, f"{tokens[n]} -> {new} in {around}", "".join((*tokens[:n], new, *tokens[n + 1 :])))
+        return Planted(
+            kind, f"{tokens[n]} -> {new} in {around}", "".join((*tokens[:n], new, *tokens[n + 1 :]))
+        )
 
     for n, token in enumerate(tokens):
         before = next((t for t in reversed(tokens[:n]) if not t.isspace()), "")
@@ -77,8 +79,9 @@ def errors_in(text: str) -> Iterator[Planted]:
                 yield changed(n, "coefficient", str(int(token) + 1))
         elif token in _SWAPPED:
             yield changed(n, "relation" if token[-1] in "<>eq" else "function", _SWAPPED[token])
-        elif (re.fullmatch(r"[a-zA-Z]|\\(?:frac|sin|cos|exp|sqrt|ln|log|alpha|epsilon|pi)", token)
-              and before in ("=", "+", "-", "&")):
+        elif re.fullmatch(
+            r"[a-zA-Z]|\\(?:frac|sin|cos|exp|sqrt|ln|log|alpha|epsilon|pi)", token
+        ) and before in ("=", "+", "-", "&"):
             yield changed(n, "factor", f"2{token}")
 
 
@@ -100,10 +103,13 @@ def rows_of(links: Sequence[Link]) -> list[Row]:
 def explained(row: Row, others: Sequence[Row]) -> str:
     """Return what speaks against an accusation, for developers."""
     link = row.link
-    parts = [f"firm={link.firm} same={link.same} unknown={link.unknown} refuted={row.refuted[:150]!r}"]
+    parts = [
+        f"firm={link.firm} same={link.same} unknown={link.unknown} refuted={row.refuted[:150]!r}"
+    ]
     if link.sides is not None:
         left, _, right = link.sides
-        parts.append(f"alone={suspects._stands_alone(left, right)} constants={suspects._has_constants(left, right)}")
+        alone, constants = suspects._stands_alone(left, right), suspects._has_constants(left, right)
+        parts.append(f"alone={alone} constants={constants}")
     parts.append(f"introduced={suspects.is_introduced(link)} may_be={suspects.may_be(row)}")
     parts.append("doubts=" + "; ".join(d.text for d in link.ground.doubts))
     parts.append("lead=" + suspects._words(suspects.prose.last_sentence(link.around[0]))[-160:])
@@ -124,9 +130,7 @@ class Outcome(NamedTuple):
     explained: str
 
 
-def outcomes(
-    file: Path, wanted: str, seed: str, most: int, each: int = 1
-) -> Iterator[Outcome]:
+def outcomes(file: Path, wanted: str, seed: str, most: int, each: int = 1) -> Iterator[Outcome]:
     """Plant errors in a file, and yield what became of each.
 
     Args:
@@ -171,7 +175,10 @@ def outcomes(
             keys = lambda some: {  # noqa: E731
                 (one.link.display.number, one.link.number) for one in some
             }
-            told, listed = keys(attention(found)) - told_before, keys(failing(found)) - listed_before
+            told, listed = (
+                keys(attention(found)) - told_before,
+                keys(failing(found)) - listed_before,
+            )
             touched = {(number, x.number) for x, o in zip(own, old, strict=True) if x.shown != o}
             status = mine[at].status
             if told & touched:
@@ -185,7 +192,16 @@ def outcomes(
             else:
                 outcome = "kept" if status in PASSES else "silent"
             count += 1
-            yield Outcome(file.name, row.link.display.line, planted, own[at].shown, outcome, status, mine[at].why, explained(mine[at], mine))
+            yield Outcome(
+                file.name,
+                row.link.display.line,
+                planted,
+                own[at].shown,
+                outcome,
+                status,
+                mine[at].why,
+                explained(mine[at], mine),
+            )
         done += count > 0
 
 
@@ -207,13 +223,17 @@ def main(arguments: Sequence[str]) -> None:
                 counts[one.outcome] += 1
                 kinds[one.planted.kind, one.outcome] += 1
                 if one.outcome not in ("told", "told near"):
-                    print(f"{one.outcome:7} {one.status:9} {one.file}:{one.line}  {one.planted.kind}: {one.planted.change}")
+                    what = f"{one.planted.kind}: {one.planted.change}"
+                    print(f"{one.outcome:7} {one.status:9} {one.file}:{one.line}  {what}")
                     print(f"        {one.shown[:160]}\n        {one.why[:200]}", flush=True)
                     if asked.explain:
                         print(f"        {one.explained}", flush=True)
     print(dict(counts), "of", counts.total())
     for kind in sorted({k for k, _ in kinds}):
-        print(f"  {kind}: " + ", ".join(f"{n} {o}" for (k, o), n in sorted(kinds.items()) if k == kind))
+        print(
+            f"  {kind}: "
+            + ", ".join(f"{n} {o}" for (k, o), n in sorted(kinds.items()) if k == kind)
+        )
 
 
 if __name__ == "__main__":

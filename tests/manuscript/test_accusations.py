@@ -67,7 +67,7 @@ def test_elsewhere_the_same_is_false(text: str, tmp_path: Path) -> None:
 
 
 CONDITION_MISSING = {
-    r"\[ z = ac + r\sqrt{1 - a^2/r^2} = ac + \sqrt{r^2 - a^2} \]": "it holds at",
+    r"\[ z = ac + r\sqrt{1 - a^2/r^2} = ac + \sqrt{r^2 - a^2} \]": "it holds for",
     r"\[ p = |r|\cos t = r\cos t \]": "it holds at",
     r"\[ p = |r|\cos t = -r\cos t \]": "it holds at r = -",  # not at the first point
     "Let $n$ be an integer.\n\n\\[ b = \\frac{1 - (-1)^n}{n} = \\frac{2}{n} \\]": "it holds at n",

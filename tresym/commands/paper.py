@@ -281,8 +281,9 @@ def as_text(rows: list[Row], colour: bool = False, name: str = "", every: bool =
 
 def _summed_up(rows: list[Row], colour: bool, name: str) -> Iterator[str]:
     """Yield a line for each link that fails somewhere, then for each reason not to decide one."""
-    known = (row for row in rows if row.link.same or row.link.solves is not None)
-    failing = [row for row in known if row.status == "UNDECIDED" and row.fails_at is not None]
+    from tresym.manuscript.suspects import failing as failing_somewhere
+
+    failing = failing_somewhere(rows)
     for row in failing[:MOST_HINTS]:
         at = ", ".join(f"{symbol} = {value}" for symbol, value in (row.fails_at or {}).items())
         place = f"{row.link.display.file or name}:{row.link.display.line}"

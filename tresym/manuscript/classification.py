@@ -39,7 +39,7 @@ CONSTANTS = re.compile(r"[CcAB]_?\d*|[CcA]_\w")
 TOLD = "as the text before it says, with"
 WHERE = "under the conditions of the definition, with"
 EARLIER = "under conditions from earlier sections"
-_WORKED = frozenset(("antiderivative", "derivative", "nth", "limit", "sum", "product"))
+_WORKED = frozenset(("antiderivative", "derivative", "integral", "nth", "limit", "sum", "product"))
 """Expressions that are evaluated: an equality with one of these, or with a series, is not an
 equation to be solved."""
 
@@ -49,6 +49,9 @@ class Obstacle(Enum):
 
     NO_PATH = "has no path; write % tresym: as x -> 0 (or another path) before display"
     FAILS = "fails somewhere; write % tresym: claim or solve before display"
+    POSITIVE = (
+        "holds for positive symbols; write % tresym: given x > 0 (or the like) before display"
+    )
     TWO_READINGS = "has two readings; write brackets or % tresym: shorter in display"
     CONDITION = "has an unread condition; write % tresym: given … before display"
 
@@ -101,6 +104,8 @@ class Link:
         firm: whether a refutation makes it REFUTED; if not, it becomes ``otherwise``.
         otherwise: status and reason for a link that fails without being a firm claim.
         same: whether the same variables stand on both sides.
+        goes_on: whether it continues a chain of equalities: the second one of ``a = b = c``.
+        worked: whether it evaluates a derivative, an integral, a sum, a limit or a series.
         unknown: whether it contains an arbitrary function.
         around: the text before and behind its display, and the number of its scope.
         noted: the kind that a directive gives its display.
@@ -123,6 +128,8 @@ class Link:
     firm: bool = False
     otherwise: tuple[str, str] = ("UNDECIDED", "")
     same: bool = False
+    goes_on: bool = False
+    worked: bool = False
     unknown: bool = False
     ground: Ground = field(default_factory=Ground)
     obstacle: Obstacle | None = None
@@ -256,11 +263,13 @@ def claim(
     undecided = "UNDECIDED", ""
     keep = firm or (same and relation == "==" and n > 0) or as_path or relation != "=="
     counted = memory.uses.indices - memory.uses.numbers
-    link = replace(link, claims=attempts, firm=firm, same=same)
+    chain = n > 0 and relation == "==" and {*said.ops[:n]} <= {"="} and under.kind != prose.SOLVE
+    link = replace(link, claims=attempts, firm=firm, same=same, goes_on=chain, worked=worked)
     link = replace(link, counted=counted, constants=memory.uses.numbers | names_in(under.given))
     if fallback[0] == EQUATION and unknown_in(left, right):
         link = replace(link, same=False, unknown=True)
-    if under.unread and not under.noted:
+    about_it = not under.unread_of or under.unread_of & (symbols(left) | symbols(right))
+    if under.unread and about_it and not under.noted:
         unread = UNREAD, f"its condition is not understood: {under.unread}"
         link = replace(link, firm=False, unknown=True, otherwise=unread)
         return replace(link, obstacle=Obstacle.CONDITION)
@@ -454,14 +463,15 @@ def _printed(link: Link, compared: Compared, piece: Piece) -> Link:
     mantissa, _, exponent = digits.partition("e")
     places = len(mantissa.partition(".")[2])
     unit = parse_number(f"1e{int(exponent or 0) - places}")
-    attempts = []
     shown = f"{left} == {piece.printed} to the digits printed"
-    for share, how in (
-        (fmpq(1, 2), "the last digit is rounded"),
-        (fmpq(1), "the last digit is cut off, not rounded"),
-    ):
-        bound = number(unit * share)
-        attempts.append(Attempt(f"abs({left} - ({right})) <= {bound}", how, shown))
+    half = number(unit * fmpq(1, 2))
+    rounded = f"abs({left} - ({right})) <= {half}"
+    beyond = right - half if piece.printed.startswith("-") else right + half
+    cut = f"abs({left} - ({beyond})) < {half}"  # strictly: 2 is not 1 with its digits cut off
+    attempts = [
+        Attempt(rounded, "the last digit is rounded", shown),
+        Attempt(cut, "the last digit is cut off, not rounded", shown),
+    ]
     return replace(
         link, sides=(left, "==", right), read_as=shown, claims=tuple(attempts), firm=True
     )

@@ -57,7 +57,9 @@ _TIME_WITHIN = re.compile(r"(?<![a-zA-Z\\])d\s*\}?\s*\{?t'|''")
 _ENDED = re.compile(r"[.!?][\s})~]*\Z")
 _PARAGRAPH = re.compile(r"\n\s*\n|\\par(?![a-zA-Z])")
 DEPTH = 10
-_ORDER = frozenset(("<", ">", "\\le", "\\leq", "\\ge", "\\geq", "\\leqslant", "\\geqslant"))
+_ORDER = frozenset(
+    ("<", ">", "\\le", "\\leq", "\\ge", "\\geq", "\\leqslant", "\\geqslant", "\\ne", "\\neq")
+)
 _DIFFERENTIAL = re.compile(r"\s*d\s*[a-zA-Z\\]+\s*=")
 """An equation of differentials, du = 2x dx, which restricts no value."""
 
@@ -83,6 +85,8 @@ class Under:
     """Symbols that its sentence introduces anew, as "for all real $x$" does."""
     unread: str = ""
     """A condition in its sentence that was not understood."""
+    unread_of: frozenset[str] = frozenset()
+    """The symbols in that condition, none if they are not known."""
     stated: str = ""
     """Words of its sentence that make it an existence statement or a supposition."""
 
@@ -398,6 +402,7 @@ class Memory(ConditionReader):
         put_in: list[tuple[str, Expr]] = []
         anew: set[str] = set()
         path = unread = ""
+        unread_of: set[str] = set()
         for text in (prose.last_sentence(before), prose.first_sentence(after)):
             if prose.is_of_signs(text):
                 continue
@@ -417,13 +422,14 @@ class Memory(ConditionReader):
                         given += more[0]
                         put_in += (one for one in more[1] if one[0] not in self.told)
                         path = more[2] or path
-                    elif said.ops and found.conditional:
-                        unread = unread or " ".join(found.tex.split())
+                    elif said.ops and found.conditional and not unread:
+                        unread, unread_of = " ".join(found.tex.split()), self.spoken_of(said)
         for found in prose.conditions_behind(after):
             for said in quietly(found.tex):
                 more = self.condition(said)
                 given += more[0] if more and not more[1] else ()
-                unread = unread or ("" if more or not said.ops else " ".join(found.tex.split()))
+                if not (unread or more) and said.ops:
+                    unread, unread_of = " ".join(found.tex.split()), self.spoken_of(said)
         universal = prose.is_universal(before, after)
         kind = prose.kind_of(before)
         kind = "" if kind == prose.CLAIM and prose.is_narrowed(before) else kind
@@ -435,6 +441,7 @@ class Memory(ConditionReader):
             universal=universal,
             anew=frozenset(anew),
             unread=unread,
+            unread_of=frozenset(unread_of),
             stated=stated,
         )
 

@@ -25,6 +25,8 @@ from tresym.reals.verdict import Cause, Verdict
 
 NEAR = 6
 """The links before an equation among which the one is sought that it follows from."""
+COORDINATE = re.compile(r"[xyzuvw]\d*")
+"""Letters that take all real values in most texts."""
 PASSES = (Verdict.PROVED.value, Verdict.ENCLOSED.value)
 STATUSES = (*(v.value for v in Verdict), "SUSPECT", "DEFINED", "ASSUMED", EQUATION, UNREAD)
 
@@ -45,6 +47,8 @@ class Row:
         fails_at: a point at which it fails, whatever its status.
         cause: what decided its last claim, or what stopped the decision.
         obstacle: what the author can remove, if it is not decided.
+        failing: the claim that fails, with the substitutions.
+        holds_given: conditions that the text does not state and under which it is proved.
     """
 
     link: Link
@@ -59,6 +63,8 @@ class Row:
     fails_at: dict[str, str] | None = None
     cause: Cause | None = None
     obstacle: Obstacle | None = None
+    failing: str = ""
+    holds_given: str = ""
 
     def as_json(self) -> dict[str, Any]:
         """Return a JSON value; every key is always present."""
@@ -101,6 +107,7 @@ def decided(
     rows = _solving(rows, limit, processes)
     rows = _following(rows, limit, processes)
     rows = _varied(rows, answers, limit, processes)
+    rows = _where_positive(rows, limit, processes)
     found = [(row, answers.get(n, [])) for n, row in enumerate(rows)]
     seconds = iter(found[len(links) :])
     return [
@@ -242,6 +249,46 @@ def _varied(
     return rows
 
 
+def _where_positive(rows: list[Row], limit: float, processes: int | None) -> list[Row]:
+    """Return the rows; an equality that holds if all its symbols are positive, as those of lengths
+    and masses are, is no equation, and is not decided until the text says so."""
+    tasks: list[Task] = []
+    asked: list[tuple[int, str]] = []
+    for n, row in enumerate(rows):
+        sides = row.link.sides
+        if (
+            row.status not in (EQUATION, Verdict.UNDECIDED.value)
+            or sides is None
+            or not row.failing
+        ):
+            continue
+        names = symbols(sides[0]) | symbols(sides[2])
+        names = names.union(*(symbols(value) for _, value in row.put)) - {
+            name for name, _ in row.put
+        }
+        names -= accusations.NO_VARIABLES
+        powers = "sqrt(" in row.failing or "/" in row.failing or "log(" in row.failing
+        if sides[1] != "==" or not powers or all(map(COORDINATE.fullmatch, names)):
+            continue
+        conditions = ", ".join(f"{name} > 0" for name in sorted(names))
+        asked.append((n, conditions))
+        tasks.append(Task(under_also(row.failing, conditions), line=n))
+    if tasks:
+        for (n, given), (_, answer) in zip(asked, check_all(tasks, limit, processes), strict=True):
+            if isinstance(answer, Answer) and answer:
+                why = f"it holds for {given}, which the text does not say"
+                undecided = Verdict.UNDECIDED.value
+                rows[n] = replace(rows[n], status=undecided, why=why, holds_given=given)
+                rows[n] = replace(rows[n], obstacle=Obstacle.POSITIVE)
+    return rows
+
+
+def under_also(claim: str, more: str) -> str:
+    """Return a claim in the grammar of ``tresym check`` with further conditions."""
+    claim, towards, path = claim.partition(" as ")
+    return f"{claim}{',' if ' given ' in claim else ' given'} {more}{towards}{path}"
+
+
 def _of_both(
     first: tuple[Row, list[Answer | InputError]], second: tuple[Row, list[Answer | InputError]]
 ) -> Row:
@@ -276,7 +323,7 @@ def _failing(row: Row, answers: list[Answer | InputError]) -> Row:
         if isinstance(answer, Answer) and failed and asked.may_fail and not asked.far:
             at = None if answer.witness is None else dict(answer.witness)
             text = asked.plain or asked.text
-            return replace(row, refuted=text, put=asked.put, fails_at=at)
+            return replace(row, refuted=text, put=asked.put, fails_at=at, failing=asked.text)
     return row
 
 
@@ -332,11 +379,11 @@ def _doubt(link: Link, asked: Attempt, limit: float) -> str:
     free = sorted(names_in([asked.sides]) - known - {*"ABC"} - accusations.NO_VARIABLES)
     signs = [f"{name} > 0" for name in free]
     more = ", ".join(filter(None, (chained(link.ground.bounds), *signs)))
-    if more and (link.ground.bounds or not elementary(asked.sides[0], asked.sides[2])):
-        text = f"{asked.text}, {more}" if " given " in asked.text else f"{asked.text} given {more}"
-        if check_within(Task(text), limit).verdict is not Verdict.REFUTED:
-            return f"it is not refuted where {more}: a condition may be missing"
-    return ""
+    if not more or not (link.ground.bounds or not elementary(asked.sides[0], asked.sides[2])):
+        return ""
+    if check_within(Task(under_also(asked.text, more)), limit).verdict is Verdict.REFUTED:
+        return ""
+    return f"it is not refuted where {more}: a condition may be missing"
 
 
 def _told(why: str, how: str) -> str:
@@ -351,11 +398,22 @@ def _named(witness: Mapping[str, str] | None) -> dict[str, str] | None:
     return {re.sub(r"\bfn_", "", name): value for name, value in witness.items()}
 
 
-def _uncounted(link: Link, answer: Answer) -> str:
-    """Return why a refutation at a number that cannot be an index is not reported."""
-    witness = answer.witness or {}
-    wrong = [n for n in sorted(link.counted) if not witness.get(n, "1").isdecimal()]
-    return f"{', '.join(wrong)} is an index elsewhere, so an integer" if wrong else ""
+def _counted(link: Link, asked: Attempt, answer: Answer, limit: float) -> tuple[Answer, str]:
+    """Return a refutation at numbers that may be indices, where the symbol is one elsewhere; if
+    there is none, the first one and why it is not reported."""
+    wrong = [n for n in sorted(link.counted) if not _at(answer, n).isdecimal()]
+    if not wrong:
+        return answer, ""
+    whole = ", ".join(f"{name} integer, {name} >= 1" for name in wrong)
+    again = check_within(Task(under_also(asked.text, whole)), limit)
+    if again.verdict is Verdict.REFUTED and all(_at(again, n).isdecimal() for n in wrong):
+        return again, ""
+    return answer, f"{', '.join(wrong)} is an index elsewhere, so an integer"
+
+
+def _at(answer: Answer, name: str) -> str:
+    """Return the value of a symbol in a witness, 1 if it has none."""
+    return (answer.witness or {}).get(name, "1")
 
 
 def _row(link: Link, answers: list[Answer | InputError], limit: float) -> Row:
@@ -385,7 +443,8 @@ def _row(link: Link, answers: list[Answer | InputError], limit: float) -> Row:
         doubt = "" if failed else _needed(link)
         if failed is not None:
             asked, last = failed
-            doubt = _uncounted(link, last) or _doubt(link, asked, limit)
+            last, doubt = _counted(link, asked, last, limit)
+            doubt = doubt or _doubt(link, asked, limit)
             witness = _named(last.witness)
             why = _told(last.why, asked.how)
             row = Row(link, last.verdict.value, why, witness, last.given, seconds)

@@ -23,8 +23,15 @@ from itertools import groupby, pairwise
 from tresym.checking.time_limited import Task, check_all
 from tresym.manuscript import prose
 from tresym.manuscript.accusations import DoubtKind
-from tresym.manuscript.classification import CONSTANTS, DEFINED, EQUATION, UNREAD, Link
-from tresym.manuscript.deciding import Row
+from tresym.manuscript.classification import (
+    CONSTANTS,
+    DEFINED,
+    EQUATION,
+    UNREAD,
+    Link,
+    Obstacle,
+)
+from tresym.manuscript.deciding import COORDINATE, Row
 from tresym.manuscript.terms import base_of, unknown_in
 from tresym.reals.decisions.answer import Alternative, Answer
 from tresym.reals.language.binders import elementary
@@ -73,8 +80,6 @@ _ANEW = re.compile(
     re.IGNORECASE,
 )
 """Words that mark a second definition of a symbol as intended."""
-_REAL = re.compile(r"[xyzuvw]\d*")
-"""Letters that take all real values in most texts."""
 _SIGNED = re.compile(
     r"\b(?:positive|negative|non-?negative|integers?|natural|whole|acute|distances?|lengths?|radius"
     r"|quadrant|angles?|large|small|greater|less|between|least|most)\b|[<>]|\\[gl]e|\\in\b",
@@ -83,6 +88,8 @@ _SIGNED = re.compile(
 """Words and signs by which variables do not take all real values."""
 _HARMLESS = frozenset((DoubtKind.NOT_FREE, DoubtKind.DEFINITION, DoubtKind.RANGE))
 """Reasons to withhold a refutation in spite of which the link may be a misprint."""
+_WORDS = frozenset((DoubtKind.SENTENCE, DoubtKind.FAR, DoubtKind.FUNCTION))
+"""Reasons that the form of an equality may outweigh: words around it, definitions elsewhere."""
 _OPEN = (Cause.NO_POINT, Cause.NO_VALUE)
 """What stopped the decision of an equality that may nevertheless be a misprint."""
 _STRICT = re.compile(r" ([<>])=? ")
@@ -188,18 +195,33 @@ def _goes_on(row: Row, after: Row) -> bool:
 def may_be(row: Row) -> bool:
     """Whether a row may be a misprint: it fails, and no words mark it as an equation."""
     link = row.link
-    if row.status not in (EQUATION, "UNDECIDED") or link.sides is None:
+    if row.status not in (EQUATION, "UNDECIDED") or link.sides is None or row.holds_given:
         return False
     left, relation, right = link.sides
     vary = link.same and bool(symbols(left)) and bool(symbols(right))
-    if relation not in _RELATIONS or is_introduced(link) or _stands_alone(left, right):
+    if relation not in _RELATIONS:
+        return False
+    meant = is_meant(link)
+    if not meant and (is_introduced(link) or _stands_alone(left, right)):
         return False
     kinds = {doubt.kind for doubt in link.ground.doubts} - _HARMLESS
-    if (kinds - {DoubtKind.FAR} if vary else kinds) or _has_constants(left, right):
+    kinds -= _WORDS if meant else {DoubtKind.FAR} if vary else set()
+    if kinds or _has_constants(left, right):
         return False
     if relation != "==":
         return bool(row.refuted) and not row.put
     return bool(row.refuted) or (bool(link.claims) and row.cause in _OPEN)
+
+
+def is_meant(link: Link) -> bool:
+    """Whether the form of an equality shows that it is meant for all values of its symbols,
+    whatever the words around it: it continues a chain, or it evaluates an integral or the like,
+    and one side has no symbol that the other does not have."""
+    if link.sides is None or link.sides[1] != "==" or link.noted in (prose.SOLVE, prose.ASSUME):
+        return False
+    left, right = (symbols(side) for side in link.sides[::2])
+    shared = bool(left and right) and (left <= right or right <= left)
+    return (link.goes_on and (shared or link.same)) or (link.worked and link.same)
 
 
 def _has_constants(*sides: Expr) -> bool:
@@ -319,7 +341,7 @@ def _is_free(row: Row) -> bool:
     otherwise."""
     names = symbols(row.link.sides[0]) | symbols(row.link.sides[2]) if row.link.sides else set()
     text = row.link.around[0] + row.link.around[1][: prose.MAX_AFTER]
-    plain = all(_REAL.fullmatch(name) for name in names)
+    plain = all(COORDINATE.fullmatch(name) for name in names)
     return plain and not row.put and not row.link.ground.doubts and not _SIGNED.search(text)
 
 
@@ -387,6 +409,20 @@ def attention(rows: Iterable[Row]) -> list[Row]:
 
 
 def failing(rows: Iterable[Row]) -> list[Row]:
-    """Return the rows without an accusation for which a counterexample was found."""
-    known = (row for row in rows if row.link.same or row.link.solves is not None)
-    return [row for row in known if row.status == "UNDECIDED" and row.fails_at is not None]
+    """Return the rows that fail somewhere and are not accused, although they may be claims."""
+    return [row for row in rows if _fails(row)]
+
+
+def _fails(row: Row) -> bool:
+    link = row.link
+    if row.fails_at is None or row.holds_given or link.sides is None:
+        return False
+    if row.status == "UNDECIDED":
+        return link.same or link.solves is not None or is_meant(link)
+    if row.status == UNREAD:
+        return row.obstacle is Obstacle.CONDITION and is_meant(link)
+    names = symbols(link.sides[0]) | symbols(link.sides[2])
+    put = {name for name, _ in row.put}
+    closed = bool(names) and names <= put  # nothing is left that it could be an equation for
+    unclear = link.same and not is_introduced(link) and not link.unknown
+    return row.status == EQUATION and (closed or unclear or is_meant(link))
