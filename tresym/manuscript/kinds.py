@@ -1,8 +1,11 @@
 r"""What each symbol of a manuscript is: a real number, unless something speaks against it.
 
 Evidence are words ("linear operator $T$"), notation (``\hat p``, ``A^T``, ``AB`` beside ``BA``) and
-use (``a_k`` under a sum over k, ``\Phi(-x)``). It holds in the whole chapter, before and behind the
-place where it stands; what words in a section call a real number is one from there to its end.
+use (``a_k`` under a sum over k, ``\Phi(-x)``). It holds for the same symbol, with the same
+subscript, in the whole section, before and behind the place where it stands; what words call a real
+number is one from there to the end of the section. Only three kinds of evidence hold longer: words
+that introduce a capital letter or one with an accent ("a matrix $A$"), in the whole chapter; what
+is said to be complex, from there on; functions and sequences.
 """
 
 from __future__ import annotations
@@ -26,10 +29,12 @@ from tresym.manuscript.kinds_in_prose import (
     FUNCTION,
     INTEGER,
     INVERSES,
-    MATRIX,
     OF_BARS,
+    OPERATOR,
+    RANDOM,
     REAL,
     SEQUENCE,
+    SET,
     SPEAKERS,
     UNKNOWN,
     VECTOR,
@@ -39,6 +44,7 @@ from tresym.manuscript.kinds_in_prose import (
 )
 from tresym.manuscript.source import Display, Event, Prose, Section
 from tresym.manuscript.symbols import STYLES, Mention, mentions, without_upright
+from tresym.reals.language.latex_cursor import is_letter
 from tresym.reals.language.latex_tokens import RELATIONS, tokenize
 from tresym.reals.numbers.exact import InputError
 
@@ -51,6 +57,9 @@ _NAMING_RELATIONS = ("=", ":=", "==", "\\equiv", ":", "\\colon", "\\in", "\\sim"
 """Relations that may follow a symbol named by the words before a formula."""
 _NAMES_BELOW = (("p",), ("q",), ("r",), ("s",))
 """Subscripts that are names if nothing is summed: ``y_p`` is a particular solution."""
+_OF_ALL_SUBSCRIPTS = frozenset((OPERATOR, SET, RANDOM, UNKNOWN))
+"""The kinds that a capital letter passes on to ``X_1``, ``X_2``, …; those of a vector or a matrix
+are its components, and numbers."""
 Key = tuple[str, str, str]
 """A letter, its accent, and its subscript: the same word for all that number terms."""
 
@@ -142,7 +151,7 @@ class Kinds:
         section = 0
         for place, event in enumerate(events):
             if isinstance(event, Section):
-                section += 1
+                section += not event.inner
                 if event.chapter and place:
                     self.chapters.append(Chapter())
             self.chapter_of.append(len(self.chapters) - 1)
@@ -167,8 +176,12 @@ class Kinds:
             for tex in found.formulas:
                 evidence = self._evidence(found.kind, found.words, file, at, place, True)
                 for key in _named(tex, found.kind):
-                    onward = found.kind == COMPLEX and key[0] not in ("z", "w")
-                    self._add(key, replace(evidence, onward=onward))
+                    if found.kind == SET and found.loosely and not key[0][0].isupper():
+                        continue  # "in 1-D space ($\\xi$)", "the field $b$"
+                    onward = found.kind == COMPLEX and not found.loosely
+                    onward = onward and key[0] not in ("z", "w")
+                    local = not onward and _is_local(found.kind, key)
+                    self._add(key, replace(evidence, local=local, onward=onward))
 
     def _formula(self, tex: str, file: str, line: int, place: int, display: bool) -> None:
         """Collect the evidence in the notation of a formula."""
@@ -181,8 +194,7 @@ class Kinds:
         for kind, one, words in declared_by_notation(tokens, found, chapter.intervals):
             said = kind in (REAL, INTEGER)
             evidence = self._evidence(kind, words, file, line, place, said)
-            local = kind == COMPLEX and one.letter not in ("z", "w")
-            self._add(_key(one), replace(evidence, local=local))
+            self._add(_key(one), replace(evidence, local=_is_local(kind, _key(one))))
         for kind, one, words in noted(tokens, found, display):
             evidence = self._evidence(kind, words, file, line, place, False)
             self._add(_key(one), replace(evidence, local=True))
@@ -219,7 +231,7 @@ class Kinds:
             return
         for one in mentions(right):
             of = self.at(one, place)
-            if of is not None and of.kind not in READ:
+            if of is not None and of.kind not in READ and of.words:  # not by its accent alone
                 words = f"{' '.join(left)} = {' '.join(right)}"
                 self._add(
                     _key(head),
@@ -234,10 +246,8 @@ class Kinds:
         letter, accent, below = _key(one)
         found = [*chapter.found.get((letter, accent, below), ())]
         if below:
-            entries = {MATRIX: len(one.subscript) < 2, VECTOR: False, SEQUENCE: False}
-            found += (
-                e for e in chapter.found.get((letter, accent, ""), ()) if entries.get(e.kind, True)
-            )
+            bare = chapter.found.get((letter, accent, ""), ())
+            found += (e for e in bare if e.kind in _OF_ALL_SUBSCRIPTS and letter[0].isupper())
         if not found:
             return _weak(one)
         settled = [e for e in found if e.section == -1 and e.place <= place]
@@ -358,6 +368,15 @@ def _key(one: Mention) -> Key:
     return one.letter, one.accent, below
 
 
+def _is_local(kind: str, key: Key) -> bool:
+    """Whether evidence counts in its section only."""
+    letter, accent, _ = key
+    if kind in READ:
+        return False
+    kept = letter in ("z", "w") if kind == COMPLEX else letter[0].isupper() or bool(accent)
+    return not kept
+
+
 def _weak(one: Mention) -> Evidence | None:
     """Return the evidence in the accent of a symbol, such as ``\\hat``."""
     if one.accent in ("hat", "widehat", "mathfrak"):
@@ -406,11 +425,13 @@ def _spoken_of(
             if one.letter not in named:
                 yield one, kind, word
     spoken = prose.INLINE.sub(" ", words)
-    if any("|" in token for token in tokens) and (match := OF_BARS.search(spoken)):
+    if match := OF_BARS.search(spoken):
         for one in found:
-            if one.letter[0].isupper():
+            between = tokens[one.start - 1 : one.start] + tokens[one.end : one.end + 1]
+            if one.letter[0].isupper() and len(between) == 2 and all("|" in t for t in between):
                 yield one, UNKNOWN, match[0]
     for pattern, letter in SPEAKERS:
         for one in found:
-            if one.letter == letter and (match := pattern.search(spoken)):
+            change = letter == "Delta" and is_letter("".join(tokens[one.end : one.end + 1]))
+            if one.letter == letter and not change and (match := pattern.search(spoken)):
                 yield one, "an operator", match[0]

@@ -35,6 +35,8 @@ _OF_VECTORS = frozenset(("\\otimes", "\\oplus", "\\wedge"))
 _ADJOINTS = ("\\top", "\\dagger", "\\intercal", "\\mathsf", "\\transpose", "\\ast", "\\dag")
 _OF_MATRICES = frozenset(("\\det", "\\ker", "\\dim", "\\operatorname*{rank}"))
 _OF_COMPLEX = frozenset(("\\Re", "\\Im", "\\arg"))
+_ANGULAR = frozenset(("\\sin", "\\cos", "\\tan", "\\cot"))
+"""Functions behind which i is an inclination."""
 _CONJUGATE = frozenset(("star", "bar", "overline"))
 _TOTALS = frozenset(
     ("\\sum", "\\prod", "\\lim", "\\bigcup", "\\bigcap", "\\sup", "\\limsup", "\\liminf")
@@ -184,7 +186,7 @@ def _followers(tokens: Sequence[str], found: Sequence[Mention]) -> Noted:
     for one in found:
         before, earlier = tokens[max(one.start - 1, 0)], tokens[max(one.start - 2, 0)]
         words = _shown(tokens, one.start - 2, one.end)
-        if before in _OF_MATRICES:
+        if before in _OF_MATRICES and len(one.subscript) < 2:
             yield MATRIX, one, words
         elif before in _OF_COMPLEX:
             yield COMPLEX, one, words
@@ -215,8 +217,17 @@ def _transposed(tokens: Sequence[str], found: Sequence[Mention]) -> Noted:
         if opening < at and _has_comma(tokens, opening):
             continue  # a column of numbers
         for one in found:
+            lower = one.letter[0].islower() and not one.accent
+            if lower and after[0] == "T" and not _is_factor(tokens, at):
+                continue  # one that stands alone: "a^T" is a at another time, or a power
             if one.end == at or opening < one.start < at:
                 yield MATRIX, one, _shown(tokens, one.start, at + 4)
+
+
+def _is_factor(tokens: Sequence[str], at: int) -> bool:
+    """Whether what has the exponent at ``at`` is multiplied from the right: ``v^T A``."""
+    end = group_end(tokens, at + 1) if tokens[at + 1 : at + 2] == ["{"] else at + 1
+    return is_letter("".join(tokens[end + 1 : end + 2])) or tokens[end + 1 : end + 2] == ["\\cdot"]
 
 
 def _brackets(tokens: Sequence[str], found: Sequence[Mention]) -> Noted:
@@ -260,6 +271,11 @@ def _conjugates(tokens: Sequence[str], found: Sequence[Mention]) -> Noted:
             yield from ((COMPLEX, m, f"{pair[0].shown} beside {pair[1].shown}") for m in pair)
     imaginary = any(one.letter == "i" and not one.subscript for one in found)
     imaginary = imaginary and not any("i" in one.subscript for one in found)  # there i is an index
+    angle = any(
+        one.letter == "i" and any(t in _ANGULAR for t in tokens[max(one.start - 4, 0) : one.start])
+        for one in found
+    )
+    imaginary = imaginary and not angle
     counts = {"\\sum", "\\ldots"} & {*tokens}
     heads = len(found) > 1 and found[0].start == 0 and tokens[found[0].end] == "="
     if imaginary and heads and not counts:
@@ -267,13 +283,15 @@ def _conjugates(tokens: Sequence[str], found: Sequence[Mention]) -> Noted:
 
 
 def _both_orders(tokens: Sequence[str], found: Sequence[Mention]) -> Noted:
-    """``AB`` and ``BA`` in one display: the product does not commute."""
+    """``AB`` and ``BA`` in one display, or ``xy - yx``: the product does not commute."""
     pairs = {(one.name, other.name): (one, other) for one, other in factors(tokens, found)}
     for (one, other), both in pairs.items():
-        telling = all(m.letter[0].isupper() or m.accent or m.subscript for m in both)
+        capitals = all(m.letter[0].isupper() or m.accent for m in both)
+        telling = capitals and not any(m.subscript for m in both)
         reverse = pairs.get((other, one))
+        compared = (["-"], ["="]) if capitals else (["-"],)
         differ = reverse is not None and any(
-            [*tokens[first[1].end : second[0].start]] == ["-"]
+            [*tokens[first[1].end : second[0].start]] in compared
             for first, second in ((both, reverse), (reverse, both))
         )
         if one != other and reverse is not None and (telling or differ):

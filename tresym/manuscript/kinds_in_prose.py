@@ -110,7 +110,14 @@ _ADJECTIVES = {
     "integer": INTEGER,
     "rational": REAL,
 }
-_IS_COMPLEX = re.compile(rf"{_LIST}[\s~]*(?:is|are|be|being)[\s~]+(?:\w+[\s~]+)?complex\b")
+_BEFORE_ADJECTIVE = re.compile(
+    r"(?:\A|[.,;:(]|\b(?:for|all|any|every|each|let|both|some|given|of|in|fixed|arbitrary|be|is|are"
+    r"|and|or|where|with|to|real|nonzero|non-zero|possibly|take|consider))[\s~]*\Z",
+    re.IGNORECASE,
+)
+_IS_COMPLEX = re.compile(
+    rf"{_LIST}[\s~]*(?:(?:is|are|be|being)[\s~]+(?:\w+[\s~]+)?complex\b|in the complex plane\b)"
+)
 _COMPLEX_NOUN = re.compile(
     rf"\bcomplex[\s~-]+(?:valued[\s~]+)?(?!plane|analysis|field)[a-z]+[\s~]+{_LIST}", re.IGNORECASE
 )
@@ -122,7 +129,7 @@ _PLURAL = (
     (OPERATOR, r"operators|projections|transformations|maps between|commutators?|do not commute"),
     (RANDOM, r"random variables|estimators"),
     (VECTOR, r"vectors"),
-    (COMPLEX, r"complex numbers|complex variables|complex plane|complex conjugates?"),
+    (COMPLEX, r"complex numbers|complex variables|complex conjugates?"),
     (SET, r"sets|subsets|in the group|in a group|group law|subgroups|modules|cardinality|rings"),
 )
 OF_BARS = re.compile(
@@ -160,6 +167,14 @@ _INTERVALS_BEFORE = re.compile(
 )
 
 
+_LOOSE = re.compile(
+    r"(?:sub)?(?:spaces?|ideals?|fields?|domains?|events?|collections?|famil(?:y|ies)|rings?"
+    r"|modules?|groups?|categor(?:y|ies))",
+    re.IGNORECASE,
+)
+"""Nouns for sets that mean something else in most texts."""
+
+
 class Declared(NamedTuple):
     """The kind that words give to the symbols of inline formulas.
 
@@ -168,12 +183,14 @@ class Declared(NamedTuple):
         words: the words, with the formulas.
         formulas: the formulas.
         at: where the words begin in the text.
+        loosely: whether the words have other meanings, as "space", "field" and "complex" have.
     """
 
     kind: str
     words: str
     formulas: tuple[str, ...]
     at: int
+    loosely: bool = False
 
 
 def declared(text: str) -> Iterator[Declared]:
@@ -196,9 +213,8 @@ def declared(text: str) -> Iterator[Declared]:
             own = own[:1] if first else own[-1:]
         words = re.sub(r"\x02(\d+)\x03", lambda m: f"${formulas[int(m[1])]}$", found[0])
         place = re.search(r"\x02(\d+)\x03", found[0])
-        return Declared(
-            kind, " ".join(words.split()), own, places[int(place[1])][0] if place else 0
-        )
+        at = places[int(place[1])][0] if place else 0
+        return Declared(kind, " ".join(words.split()), own, at, bool(_LOOSE.fullmatch(noun)))
 
     for pattern in (_BEFORE, _AFTER, _NAMING):
         for found in pattern.finditer(marked):
@@ -209,10 +225,22 @@ def declared(text: str) -> Iterator[Declared]:
             named = next(k for k in range(len(_NOUNS)) if found[f"n{k}"] is not None)
             yield made(_NOUNS[named][0], found, found[f"n{named}"], pattern is not _AFTER)
     for found in _ADJECTIVE.finditer(marked):
-        yield made(_ADJECTIVES[found["word"].lower()], found)
+        if found["word"].lower() == "complex" and not _is_adjective(marked, found, formulas):
+            continue
+        kind = _ADJECTIVES[found["word"].lower()]
+        yield made(kind, found)._replace(loosely=kind == COMPLEX)
     for pattern in (_IS_COMPLEX, _HOLOMORPHIC, _COMPLEX_NOUN):
         for found in pattern.finditer(marked):
             yield made(COMPLEX, found)
+
+
+def _is_adjective(marked: str, found: re.Match[str], formulas: list[str]) -> bool:
+    """Whether "complex" before a symbol says what it is: not in "the complex $t$ plane", and not
+    "an intermediate complex $C$" of molecules."""
+    if re.match(r"[\s~-]*(?:plane|half|domain)", marked[found.end() :]):
+        return False
+    letter = formulas[int(re.findall(r"\x02(\d+)\x03", found["list"])[0])].strip()[:1]
+    return letter in ("z", "w") or bool(_BEFORE_ADJECTIVE.search(marked, 0, found.start()))
 
 
 def intervals_in(text: str) -> set[str]:

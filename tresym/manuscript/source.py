@@ -82,6 +82,8 @@ class Section(NamedTuple):
 
     line: int
     chapter: bool = False
+    inner: bool = False
+    """Whether it is a subsection, which belongs to the section before it."""
 
 
 class Scope(NamedTuple):
@@ -204,7 +206,8 @@ class _Scanner:
                     yield self.source.notes[int(mark["note"])]
                     continue
                 chapter = mark["section"] in ("\\chapter", "\\part")
-                yield Section(self.source.place(at)[1], chapter)
+                inner = mark["section"] == "\\subsection"
+                yield Section(self.source.place(at)[1], chapter, inner)
                 if (title := _TITLE.match(self.text, at, stop)) is not None:
                     prose = at = title.end()
             elif kind in DISPLAYS or kind in ("brackets", "dollars"):
