@@ -13,7 +13,8 @@ the integers n for which the sum is defined.
 ``d^n f/dx^n = g(n, x)`` holds for all n from n0 on if it holds for n0 and if the derivative of
 g(n, x) with respect to x is g(n + 1, x). It is refuted at small n by carrying out the derivatives.
 
-Limitations: nested sums and sums with several upper ends are undecided.
+Limitations: nested sums and sums with several upper ends are undecided; the last index stands in
+the terms of a sum only as in a polynomial.
 """
 
 from __future__ import annotations
@@ -58,12 +59,15 @@ from tresym.reals.language.expression import (
 )
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.signs.definedness import is_lasting
+from tresym.reals.signs.interior import PROVING
 from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
 
 TERMS = 200
 FIRST, FIRST_ORDERS = 8, 4
 """Values of n, and of orders of derivatives, at which a claim is looked at."""
+MOST_POWERS = 8
+"""The highest power of the last index in a term of a sum."""
 INSIDE = ("sum", "product")
 SMOOTH = {"+", "*", "^"} | names(lambda row: row.smooth and row.needs is everywhere)
 """Operations that have a derivative wherever they are defined; of powers it is asked apart."""
@@ -89,6 +93,7 @@ def decide_totals(claim: Comparison, statement: Statement, decided: Decide) -> A
         claim = replace(claim, left=written_out(claim.left), right=written_out(claim.right))
     except InputError as error:
         return Answer(Verdict.UNDECIDED, f"a sum cannot be expanded: {error}")
+    claim = claim.mapped(partial(_by_powers, given=statement.given))
     nodes = _nodes(claim)
     if not nodes:
         return decided(claim, statement)
@@ -232,6 +237,55 @@ def written_out(e: Expr) -> Expr:
     (name,), body = opened(e)
     terms = (written_out(substitute(body, {name: number(k)})) for k in range(low, high + 1))
     return add(ZERO, *terms) if e.op == "sum" else multiply(ONE, *terms)
+
+
+def _by_powers(e: Expr, given: Given) -> Expr:
+    """Return ``e`` with the last index n out of sums whose terms are polynomials in n and 1/n.
+
+    Σ k (n − k) is n Σ k − Σ k². At n = 0 an empty sum of k/n is 0, hence 1/n needs n ≠ 0.
+    """
+    known = {}
+    for node in outermost(e):
+        names = symbols(node.args[2]) if node.op == "sum" else frozenset()
+        if len(names) != 1 or not names <= symbols(node.args[0]):
+            continue
+        (n,) = names
+        (k,), body = opened(node, given.names)
+        r = fresh("r", {k, *symbols(e), *given.names})
+        if sign(symbol(n), given, "!=") in PROVING["!="]:
+            powers = range(1, MOST_POWERS + 1)
+            body = replaced(body, {symbol(n) ** -m: symbol(r) ** m for m in powers})
+        split = [_coefficients(part, r) for part in _coefficients(body, n)]
+        if split and all(split):
+            terms = (
+                symbol(n) ** (up - down) * total("sum", term, k, node.args[1], node.args[2])
+                for up, parts in enumerate(split)
+                for down, term in enumerate(parts)
+                if term != ZERO
+            )
+            known[node] = add(ZERO, *terms)
+    return replaced(e, known) if known else e
+
+
+def _coefficients(e: Expr, n: str) -> list[Expr]:
+    """Return the coefficients of n⁰, n¹, … in a polynomial of low degree; none for others."""
+    found: list[Expr] = []
+    while len(found) <= MOST_POWERS and _is_polynomial(e, n):
+        found.append(substitute(e, {n: ZERO}))
+        e = differentiate(e, n) / len(found)
+        if e == ZERO:
+            return found
+    return []
+
+
+def _is_polynomial(e: Expr, n: str) -> bool:
+    """Return whether ``e`` is written as a polynomial in n."""
+    if n not in symbols(e) or e == symbol(n):
+        return True
+    if e.op == "^":
+        times = integer(e.args[1])
+        return times is not None and times >= 0 and _is_polynomial(e.args[0], n)
+    return e.op in ("+", "*") and all(_is_polynomial(part, n) for part in e.args)
 
 
 def _end(node: Expr) -> tuple[str, int, int] | None:
