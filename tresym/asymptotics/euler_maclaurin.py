@@ -14,7 +14,7 @@ constant. A sum of c g(k/λ) with λ → ∞ is a Riemann sum: on 0 ≤ s ≤ β
     |R| ≤ (2 − 2^(1−2m)) |B_2m|/(2m)! λ^(1−2m) ∫ |g^(2m)|.
 
 The constant C is a symbol with rational bounds, which balls prove. Where a theorem gives its value
-(γ for 1/k, log(2π)/2 for log k, the total of a convergent series) it is that value.
+(γ for 1/k, log(2π)/2 for log k, ζ(s) for k^−s, the total of a convergent series) it is that value.
 
 Example: ``sum(1/k, k, 1, n) == log(n) + O(1)`` needs that 2/k³ is positive for k ≥ 1.
 """
@@ -41,6 +41,7 @@ from tresym.reals.language.binders import integral, total
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
+    MINUS_ONE,
     ONE,
     PI,
     ZERO,
@@ -194,12 +195,28 @@ class PartialSum(Expansion):
             return substitute(s.f, {s.k: number(s.low)}) - self._main(1, number(s.low))
         if symbols(s.f) != {s.k}:
             return None
+        if (found := self._of_a_power(given)) is not None:
+            return found
         for kind in ("log", "reciprocal"):
             for shift in SHIFTS:
                 found = self._shifted(kind, shift, given)
                 if found is not None:
                     return found
         return None
+
+    def _of_a_power(self, given: Given) -> Expr | None:
+        """Return the constant of c/k^s for s ≠ 1, c ζ(s) for sums from 1 (DLMF 25.2.10)."""
+        s, k = self.summand, symbol(self.summand.k)
+        rate = limit_of(k * derivative(s.f, s.k, 1) / s.f, s.k, None, 1, s.given)
+        if rate is None or rate.op != "number" or rate == MINUS_ONE or not 1 <= s.low < FAR:
+            return None
+        c = normal_form(s.f / power(k, rate), given)
+        if symbols(c) or decide(s.f, c * power(k, rate), given).verdict is not Verdict.PROVED:
+            return None
+        before = (-power(number(n), rate) for n in range(1, s.low))
+        value = add(apply("zeta", -rate), *before)
+        rest = normal_form(c * power(k, rate + 1) / (rate + 1) - self.primitive, given)
+        return None if symbols(rest) else c * value + rest
 
     def _shifted(self, kind: str, shift: fmpq, given: Given) -> Expr | None:
         """Return the constant of c log(k + b) or c/(k + b) for 2b whole (DLMF 5.4, 5.11)."""
