@@ -18,11 +18,14 @@ from tresym.manuscript.solutions import Solves
 from tresym.manuscript.terms import base_of
 from tresym.reals.decisions.answer import Alternative, Answer
 from tresym.reals.language.binders import elementary
-from tresym.reals.language.expression import ONE, ZERO, Expr, symbols
+from tresym.reals.language.expression import ONE, ZERO, Expr, symbol, symbols
 from tresym.reals.language.formula import chained
+from tresym.reals.language.parsing import Compared
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Cause, Verdict
 
+FAR = 40
+"""The links before a proved one among which the equation is sought that it restates."""
 NEAR = 6
 """The links before an equation among which the one is sought that it follows from."""
 COORDINATE = re.compile(r"[xyzuvw]\d*")
@@ -43,7 +46,7 @@ class Row:
         seconds: processor time.
         instead: for REFUTED and SUSPECT, true statements close to it.
         refuted: the claim that fails, in the grammar of ``tresym check``; empty if none does.
-        put: the values that were substituted for symbols.
+        put: the values that were substituted for symbols, where it passes or where it fails.
         fails_at: a point at which it fails, whatever its status.
         cause: what decided its last claim, or what stopped the decision.
         obstacle: what the author can remove, if it is not decided.
@@ -105,6 +108,7 @@ def decided(
     own = [(link, answers.get(n, [])) for n, link in enumerate(asked)]
     rows = [_failing(_row(link, found, limit), found) for link, found in own]
     rows = _solving(rows, limit, processes)
+    rows = _restating(rows, limit, processes)
     rows = _following(rows, limit, processes)
     rows = _varied(rows, answers, limit, processes)
     rows = _where_positive(rows, limit, processes)
@@ -178,6 +182,48 @@ def _following(rows: list[Row], limit: float, processes: int | None) -> list[Row
                 why = f"it is the equation of line {before.link.display.line}{times}"
                 status = answer.verdict.value
                 rows[n] = replace(rows[n], status=status, why=why, refuted="", fails_at=None)
+    return rows
+
+
+def _restating(rows: list[Row], limit: float, processes: int | None) -> list[Row]:
+    """Return the rows; one that passes by substitution shows nothing if it is the definition that
+    was substituted, or an equation from which the definition was drawn, times a factor.
+
+    After ``x + y = 10`` and ``y = 10 - x`` a second ``x + y = 10`` is no result.
+    """
+    tasks: list[Task] = []
+    found: list[tuple[int, str, str]] = []
+    for n, row in enumerate(rows):
+        sides = row.link.sides
+        if row.status not in PASSES or not row.put or sides is None or sides[1] != "==":
+            continue
+        used = dict(row.put)
+        sources: list[tuple[Compared, str, str]] = [
+            ((symbol(name), "==", value), "DEFINED", f"restates that {name} = {value}")
+            for name, value in used.items()
+        ]
+        sources += [
+            (one.link.sides, EQUATION, f"restates the equation of line {one.link.display.line}")
+            for one in rows[max(n - FAR, 0) : n]
+            if one.status == EQUATION and one.link.sides and one.link.sides[1] == "=="
+        ]
+        for source, status, why in sources:
+            if symbols(source[0] - source[2]) != symbols(sides[0] - sides[2]):
+                continue
+            if source[0] - source[2] == sides[0] - sides[2]:
+                rows[n] = replace(row, status=status, why=why, put=())
+                break
+            candidate = multiple_of(source, sides)
+            if candidate is not None:
+                found.append((n, status, why))
+                tasks.append(Task(candidate.claim, line=n))
+                break
+    if tasks:
+        for (n, status, why), (_, answer) in zip(
+            found, check_all(tasks, limit, processes), strict=True
+        ):
+            if isinstance(answer, Answer) and answer.verdict is Verdict.PROVED:
+                rows[n] = replace(rows[n], status=status, why=why, put=())
     return rows
 
 
@@ -323,7 +369,8 @@ def _failing(row: Row, answers: list[Answer | InputError]) -> Row:
         if isinstance(answer, Answer) and failed and asked.may_fail and not asked.far:
             at = None if answer.witness is None else dict(answer.witness)
             text = asked.plain or asked.text
-            return replace(row, refuted=text, put=asked.put, fails_at=at, failing=asked.text)
+            put = row.put if row.status in PASSES else asked.put
+            return replace(row, refuted=text, put=put, fails_at=at, failing=asked.text)
     return row
 
 
@@ -436,6 +483,7 @@ def _row(link: Link, answers: list[Answer | InputError], limit: float) -> Row:
     row = replace(row, cause=last.cause, obstacle=link.obstacle)
     if last:
         same = _restates(link, asked)
+        row = replace(row, put=asked.put)
         return replace(row, status="DEFINED", why=same) if same else row
     status, fallback = link.otherwise
     if last.verdict is Verdict.REFUTED and link.firm:

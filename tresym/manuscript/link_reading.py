@@ -69,7 +69,8 @@ class LinkReader:
 
     Attributes:
         equations: the lines of the last equations for symbols, by symbol.
-        rows_ahead: the rows of the display in which it defines symbols.
+        position: the place of the chain in its display.
+        places_ahead: the places of the chains of the display that define symbols.
         stated: the equalities of the section that may be equations.
         values: the initial and boundary values that the section states.
     """
@@ -83,7 +84,8 @@ class LinkReader:
         self.cases: list[tuple[tuple[str, ...], tuple[Compared, ...]]] = []
         self.equations: dict[str, int] = {}
         self.stated: list[Stated] = []
-        self.rows_ahead: dict[str, int] = {}
+        self.position = 0
+        self.places_ahead: dict[str, int] = {}
         self.values: list[Value] = []
 
     def either_reading(self, blank: Link, said: Said, under: Under, why: str) -> Iterator[Link]:
@@ -189,7 +191,7 @@ class LinkReader:
             return replace(read_so(link, compared), status=UNREAD, why=problem)
         before = self.memory.lines.get(head.name, 0) if head is not None else 0
         if n == 0 and head is None and relation == "==":
-            self.memory.withheld = self.drawn_from(compared, said.row)
+            self.memory.withheld = self.drawn_from(compared)
         found = claim(self.memory, link, n, said, compared, (left, right), under, head, signed)
         self.memory.withheld = frozenset()
         equation = equation_for(self.stated, head.name) if head is not None else None
@@ -201,14 +203,14 @@ class LinkReader:
         named = replace(link, read_as=f"{head.name} == {right.tree}", sides=compared)
         return self.solution(named, head, right.tree, under, why) or found
 
-    def drawn_from(self, compared: Compared, row: int) -> frozenset[str]:
-        """Return the symbols that later rows of the display determine from an equality in a row.
+    def drawn_from(self, compared: Compared) -> frozenset[str]:
+        """Return the symbols that later chains of the display determine from an equality.
 
         The values ``A = b`` behind ``3A = 3b`` prove nothing about it.
         """
         names = symbols(compared[0]) | symbols(compared[2])
         new = self.memory.ahead.keys() - self.memory.functions.keys()
-        later = {n for n in new & names if self.rows_ahead.get(n, 0) > row}
+        later = {n for n in new & names if self.places_ahead.get(n, 0) > self.position}
         return frozenset(n for n in later if symbols(self.memory.ahead[n]) <= names)
 
     def is_of_defined(self, said: Said) -> bool:

@@ -168,10 +168,14 @@ class _Reading(LinkReader):
         self.memory.remember(prose.first_sentence(after))
         count, self.cases = 0, []
         groups = _with_conditions_behind(_grouped(found))
-        plainly = (said for said, under in groups if not (said.conditions or under))
+        plainly = (
+            (place, said)
+            for place, (said, under) in enumerate(groups)
+            if not (said.conditions or under)
+        )
         self.memory.ahead = dict(self.defined_in(plainly))
         last = max((said.row for said, under in groups if said.conditions or under), default=0)
-        for said, under in groups:
+        for self.position, (said, under) in enumerate(groups):
             alone = said.row < last and not (said.conditions or under)
             open_sign = {"\\pm", "\\mp"} & {*said.tokens} and not said.either
             for sign in "+-" if open_sign else " ":
@@ -208,9 +212,9 @@ class _Reading(LinkReader):
             link = claim(self.memory, link, 0, said, compared, (left, right), given, head, False)
             yield replace(link, firm=False, unknown=True, otherwise=(UNREAD, why))
 
-    def defined_in(self, found: Iterable[Said]) -> Iterator[tuple[str, Expr]]:
+    def defined_in(self, found: Iterable[tuple[int, Said]]) -> Iterator[tuple[str, Expr]]:
         """Yield what the chains of a display define, since earlier chains of it may use that."""
-        for said in found:
+        for place, said in found:
             if not said.ops or said.ops[0] not in ("=", ":=") or {"\\pm", "\\mp"} & {*said.tokens}:
                 continue
             head, value = self.memory.head(said.terms[0]), self.piece(said.terms[1], said)
@@ -219,7 +223,7 @@ class _Reading(LinkReader):
                 if DOTS.args[0] in names:
                     continue
                 if names and head.name not in names and head.name not in self.memory.functions:
-                    self.rows_ahead[head.name] = said.row
+                    self.places_ahead[head.name] = place
                     yield head.name, value.tree
 
     def chain(
