@@ -522,6 +522,8 @@ def _minima(p: Expr, t: str, low: Expr, high: Expr, given: Given) -> tuple[list[
 
 def is_between(e: Expr, low: Expr, high: Expr, at: dict[str, fmpq]) -> bool:
     """Return whether numbers show that ``e`` lies strictly between two ends, perhaps infinite."""
+    if low == INFINITY or high == -INFINITY:
+        return False  # the ends are equal or exchanged: nothing lies between them
     value = evaluate(e, at)
     above = low == -INFINITY or value > evaluate(low, at)
     below = high == INFINITY or value < evaluate(high, at)

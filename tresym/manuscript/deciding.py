@@ -18,9 +18,8 @@ from tresym.manuscript.solutions import Solves
 from tresym.manuscript.terms import base_of
 from tresym.reals.decisions.answer import Alternative, Answer
 from tresym.reals.language.binders import elementary
-from tresym.reals.language.expression import ONE, ZERO, Expr, symbol, symbols
+from tresym.reals.language.expression import ONE, ZERO, Expr, symbols
 from tresym.reals.language.formula import chained
-from tresym.reals.language.parsing import Compared
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Cause, Verdict
 
@@ -186,45 +185,41 @@ def _following(rows: list[Row], limit: float, processes: int | None) -> list[Row
 
 
 def _restating(rows: list[Row], limit: float, processes: int | None) -> list[Row]:
-    """Return the rows; one that passes by substitution shows nothing if it is the definition that
-    was substituted, or an equation from which the definition was drawn, times a factor.
+    """Return the rows; an equation from which a definition was drawn is not proved by it.
 
     After ``x + y = 10`` and ``y = 10 - x`` a second ``x + y = 10`` is no result.
     """
     tasks: list[Task] = []
-    found: list[tuple[int, str, str]] = []
+    found: list[tuple[int, Row]] = []
     for n, row in enumerate(rows):
         sides = row.link.sides
         if row.status not in PASSES or not row.put or sides is None or sides[1] != "==":
             continue
-        used = dict(row.put)
-        sources: list[tuple[Compared, str, str]] = [
-            ((symbol(name), "==", value), "DEFINED", f"restates that {name} = {value}")
-            for name, value in used.items()
-        ]
-        sources += [
-            (one.link.sides, EQUATION, f"restates the equation of line {one.link.display.line}")
-            for one in rows[max(n - FAR, 0) : n]
-            if one.status == EQUATION and one.link.sides and one.link.sides[1] == "=="
-        ]
-        for source, status, why in sources:
+        for one in rows[max(n - FAR, 0) : n]:
+            source = one.link.sides
+            if one.status != EQUATION or source is None or source[1] != "==":
+                continue
             if symbols(source[0] - source[2]) != symbols(sides[0] - sides[2]):
                 continue
             if source[0] - source[2] == sides[0] - sides[2]:
-                rows[n] = replace(row, status=status, why=why, put=())
+                rows[n] = _restated(row, one)
                 break
             candidate = multiple_of(source, sides)
             if candidate is not None:
-                found.append((n, status, why))
+                found.append((n, one))
                 tasks.append(Task(candidate.claim, line=n))
                 break
     if tasks:
-        for (n, status, why), (_, answer) in zip(
-            found, check_all(tasks, limit, processes), strict=True
-        ):
+        answers = check_all(tasks, limit, processes)
+        for (n, one), (_, answer) in zip(found, answers, strict=True):
             if isinstance(answer, Answer) and answer.verdict is Verdict.PROVED:
-                rows[n] = replace(rows[n], status=status, why=why, put=())
+                rows[n] = _restated(rows[n], one)
     return rows
+
+
+def _restated(row: Row, before: Row) -> Row:
+    why = f"restates the equation of line {before.link.display.line}"
+    return replace(row, status=EQUATION, why=why, put=())
 
 
 def _is_of_derivative(link: Link) -> bool:
