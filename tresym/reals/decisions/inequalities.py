@@ -19,6 +19,7 @@ from tresym.reals.decisions.algebraic_witnesses import (
     equal_at_simple,
 )
 from tresym.reals.decisions.answer import Answer, exactly, refuted
+from tresym.reals.decisions.cleared_factors import cleared, is_singular
 from tresym.reals.decisions.derivative_domains import where_real
 from tresym.reals.decisions.ideals import follows
 from tresym.reals.decisions.identity import decide, no_point, sampled_values
@@ -133,11 +134,32 @@ def decide_inequality(
         if reduced is not None and not (partly and reduced):
             return reduced
     period = _one_period(left - right, region, given)
+    with stage("division by positive factors"):
+        divided = _by_division(left - right, relation, region, inside)
+    if divided is not None and not partly:
+        return _shown_under(given, divided)
     with stage("branch and bound"):
         answer = _shown_under(given, search(left, right, relation == ">", period, inside))
     if partly and answer.verdict is Verdict.UNDECIDED:
         return replace(answer, why=ONLY_INSIDE)
     return answer
+
+
+def _by_division(difference: Expr, relation: str, region: Given, inside: Given) -> Answer | None:
+    """Prove an inequality after division by positive factors, where it has no box or a pole."""
+    if not is_singular(difference, region):
+        return None
+
+    def positive(e: Expr) -> bool:
+        return bool(search(e, ZERO, True, region, inside))
+
+    rest = cleared(difference, region, positive)
+    if rest is None:
+        return None
+    answer = search(rest, ZERO, relation == ">", region, inside)
+    return (
+        replace(answer, why=f"after division by positive factors, {answer.why}") if answer else None
+    )
 
 
 def _vanish_nowhere_together(difference: Expr, region: Given) -> bool:

@@ -1,9 +1,10 @@
 """Decide an inequality on a region by branch and bound, with delicate points apart.
 
 A box is closed because the difference is positive on it, in balls or by the mean value theorem;
-because a condition, or the domain, excludes all of it; or, with one variable, because it lies in a
-neighbourhood of an end or of a point of contact on which the difference has the sign of its leading
-term.
+because a condition, or the domain, excludes all of it; because it lies beside an edge on which both
+sides are equal, and the power that vanishes there is divided out (`edges_of_contact`); or, with one
+variable, because it lies in a neighbourhood of an end or of a point of contact on which the
+difference has the sign of its leading term.
 """
 
 from __future__ import annotations
@@ -19,6 +20,7 @@ from tresym.reals.balls.branch_and_bound import Bound, Box, BoxProof, Counterexa
 from tresym.reals.balls.simplest_constants import candidates, enclosure
 from tresym.reals.balls.taylor import taylor_value
 from tresym.reals.decisions.answer import Answer, exactly, refuted
+from tresym.reals.decisions.edges_of_contact import Edge, edges_of_contact, least_quotient
 from tresym.reals.domain.compiled import Compiled
 from tresym.reals.domain.conditions import Condition, Given
 from tresym.reals.domain.evaluation import evaluate, stands
@@ -30,7 +32,7 @@ from tresym.reals.language.solve import solutions
 from tresym.reals.normal.at_point import equal_at, satisfies
 from tresym.reals.normal.to_expression import numerator
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.exact import Interval, near
+from tresym.reals.numbers.exact import Interval, fraction_text, near
 from tresym.reals.verdict import Verdict
 
 PRECISION = 128
@@ -110,6 +112,7 @@ class _Search:
     spoken_of: tuple[Condition, ...]
     """What holds at a point at which the claim speaks, and is refuted if it fails."""
     pieces: list[tuple[fmpq, fmpq]] = field(default_factory=list)
+    edges: list[Edge] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         self.difference = self.left - self.right
@@ -262,7 +265,12 @@ class _Search:
     # -- boxes ------------------------------------------------------------------------------
 
     def in_box(self, sides: Box) -> Answer:
-        """A bounded region of several variables."""
+        """A bounded region of several variables; a strict claim is not made on its open edges."""
+        for edge in edges_of_contact(self.difference, self.names, sides, self.region):
+            where = self.region.box[self.names[edge.axis]]
+            is_open = where.low_open if edge.side > 0 else where.high_open
+            if is_open or not self.strict:
+                self.edges.append(edge)
         outcome = self._prove(sides, BUDGETS.get(len(sides), LARGEST_BUDGET))
         return outcome if isinstance(outcome, Answer) else _open(self.names, outcome)
 
@@ -281,6 +289,9 @@ class _Search:
         if count := len(self.pieces):
             plural = "s" * (count != 1)
             parts.append(f"and by series expansion near {count} point{plural} of contact")
+        for edge in self.edges:
+            where = f"{self.names[edge.axis]} = {fraction_text(edge.at)}"
+            parts.append(f"and, beside {where}, after division by a power of order {edge.power}")
         return " ".join(parts)
 
     def _refute(self, point: tuple[fmpq, ...]) -> Answer | None:
@@ -324,6 +335,9 @@ class _Search:
             if least > 0 or (not self.strict and least >= 0):
                 return _ONE
             if len(coordinates) == 1 and self._by_taylor(coordinates[0]) > 0:
+                return _ONE
+        for edge in self.edges:
+            if least_quotient(self.difference, self.slopes, self.names, coordinates, edge) > 0:
                 return _ONE
         return value if inside else _NAN
 

@@ -49,6 +49,37 @@ def written(field: Field, p: Poly) -> Expr | None:
     return add(*terms)
 
 
+def common_factors(e: Expr, region: Given) -> tuple[list[Expr], list[Expr]] | None:
+    """Return the factors of the numerator and of the denominator of the normal form of ``e``.
+
+    Each list begins with the generators that all terms have in common, each once, and ends with the
+    sum that is left; their powers are those of the normal form. None if ``e`` cannot be written.
+
+    Example: the numerator of ``a*x**2 + a*x`` has the factors ``a``, ``x`` and ``x + 1``.
+    """
+    try:
+        field = Field(region)
+        (value,) = field.normal(e)
+        above, below = (_split(field, p) for p in (value.num, value.den))
+    except (TooLargeError, UndefinedError, InputError):
+        return None
+    return None if above is None or below is None else (above, below)
+
+
+def _split(field: Field, p: Poly) -> list[Expr] | None:
+    """Return the powers of generators that all terms of a polynomial share, and what is left."""
+    parts = {i: _generator(field, field.ring.at(i)) for i in field.ring.used(p)}
+    terms = list(p.terms())
+    if not terms or any(part is None for part in parts.values()):
+        return None
+    shared = {i: min(int(monomial[i]) for monomial, _ in terms) for i in parts}
+    rest = []
+    for monomial, value in terms:
+        left = ((part, int(monomial[i]) - shared[i]) for i, part in parts.items())
+        rest.append(multiply(number(int(value)), *(power(e, number(n)) for e, n in left if n)))
+    return [*(power(parts[i], number(n)) for i, n in shared.items() if n), add(*rest)]
+
+
 def _generator(field: Field, generator: Generator) -> Expr | None:
     """Return the function that a generator stands for, or None if expressions have no such
     function.
