@@ -14,9 +14,6 @@ Example:
 
 from __future__ import annotations
 
-import os
-import sys
-
 # The module typing is not imported, because until the command handles signals, Ctrl-C would end in
 # a traceback; every import here makes that time longer.
 TYPE_CHECKING = False
@@ -84,29 +81,6 @@ __all__ = [
     "value",
     "verify",
 ]
-
-# In a wheel the proofs are inside the package; in a checkout they are beside it.
-_PROOFS = f"{__name__}.proofs"
-_package = os.path.dirname(os.path.realpath(__file__))
-_beside = os.path.join(os.path.dirname(_package), "proofs")
-
-
-class _Beside:
-    """Import hook that finds the proofs beside the package, and nothing else there."""
-
-    @staticmethod
-    def find_spec(name: str, path: object = None, target: object = None) -> object:
-        if name != _PROOFS:
-            return None
-        from importlib.util import spec_from_file_location
-
-        init = os.path.join(_beside, "__init__.py")
-        return spec_from_file_location(name, init, submodule_search_locations=[_beside])
-
-
-if not os.path.isdir(os.path.join(_package, "proofs")) and os.path.isdir(_beside):
-    sys.meta_path.append(_Beside)  # type: ignore[arg-type]
-
 
 if not TYPE_CHECKING:
 

@@ -65,6 +65,6 @@ def checkout_file() -> Path:
         InputError: tresym does not run from a checkout of its repository.
     """
     path = file_of(FILE)
-    if not (path.parent.parent / "pyproject.toml").is_file():
+    if not (path.resolve().parent.parent / "pyproject.toml").is_file():
         raise InputError("stored proofs can only be written in a checkout")
     return path
