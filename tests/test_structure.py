@@ -107,6 +107,15 @@ def test_a_file_imports_only_from_its_own_package_and_those_below() -> None:
                 assert layer_of(there[1], layers) < layer_of(here[1], layers), (here, there)
 
 
+def test_no_modules_import_one_another_in_a_circle() -> None:
+    """Not even for type checkers; the package itself names everything that it offers."""
+    open_ = {name_of(path): imported(path) - {()} for path in FILES if name_of(path)}
+    while leaves := [name for name, used in open_.items() if not used & open_.keys() - {name}]:
+        for name in leaves:
+            del open_[name]
+    assert set(open_) == set()
+
+
 RACKET = {
     ("racket",), ("sweep",), ("proofs",), ("dev",),
     *(("commands", name) for name in ("flip", "sweep", "figure", "bodies")),

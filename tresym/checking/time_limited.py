@@ -13,7 +13,7 @@ from concurrent.futures import BrokenExecutor, Future
 from contextlib import ExitStack
 from dataclasses import replace
 from itertools import islice
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple, Protocol
 
 from tresym.checking.dispatch import decide_claim
 from tresym.reals.decisions.answer import Answer
@@ -23,12 +23,7 @@ from tresym.reals.numbers.exact import InputError
 from tresym.reals.processes import AHEAD, Processes, StoppedError, cores
 from tresym.reals.verdict import Cause, Verdict
 
-if TYPE_CHECKING:
-    from tresym.checking.answer_cache import AnswerCache
-
 DEFAULT_LIMIT = 5.0
-CACHES: list[AnswerCache] = []
-"""The caches of answers in use, innermost last: here, so that one claim loads no database."""
 _DIED = "the process ended unexpectedly, perhaps because it ran out of memory"
 _BOXES = ("inequality", "branch and bound")
 """Stages at which smaller ranges of the variables help."""
@@ -43,7 +38,21 @@ class Task(NamedTuple):
     line: int | None = None
 
 
-def current_cache() -> AnswerCache | None:
+class Cache(Protocol):
+    """Where answers are looked up and kept, such as the file of the user's cache."""
+
+    def get(self, claim: Any, given: Any, path: str | None, limit: float) -> Answer | None:
+        """Return the answer to a claim, or None."""
+
+    def put(self, claim: Any, given: Any, path: str | None, limit: float, answer: Answer) -> None:
+        """Keep an answer."""
+
+
+CACHES: list[Cache] = []
+"""The caches in use, innermost last; a run that uses none loads no database."""
+
+
+def current_cache() -> Cache | None:
     """Return the cache of answers that is in use, if any."""
     return CACHES[-1] if CACHES else None
 
