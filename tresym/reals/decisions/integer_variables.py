@@ -25,8 +25,7 @@ from tresym.reals.decisions.readable_witnesses import constants_hold, decided_at
 from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
-from tresym.reals.domain.operation_domains import operations
-from tresym.reals.language.binders import outermost
+from tresym.reals.language.binders import integral, outermost
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.derivatives import differentiate
@@ -37,8 +36,10 @@ from tresym.reals.language.expression import (
     ZERO,
     Expr,
     add,
+    integer,
     multiply,
     number,
+    opened,
     power,
     rebuild,
     substitute,
@@ -288,10 +289,10 @@ def residue_of(e: Expr, at: dict[str, Expr], names: Sequence[str], given: Given)
 def period_of(trees: Iterable[Expr], name: str, given: Given) -> int | None:
     """M such that n = M m + r leaves no angle and no exponent of what may be negative."""
     found = 1
-    for node in operations(trees):
+    for node, inside in _operations(trees, given):
         if node.op in PERIODIC and name in symbols(node):
             inner, unit = node.args[0], PI
-        elif _is_alternating(node, name, given):
+        elif _is_alternating(node, name, inside):
             inner, unit = node.args[1], ONE
         else:
             continue
@@ -308,9 +309,47 @@ def _is_alternating(node: Expr, name: str, given: Given) -> bool:
     """Whether it is a power of what may be negative, with the integer in its exponent."""
     if node.op != "^" or name not in symbols(node.args[1]):
         return False
-    if node.args[0].loose or node.args[0].op == "^":
+    base = node.args[0]
+    if base.loose:
         return True
-    return sign(node.args[0], given, dear=False) != "+"
+    if base.op == "^":
+        power_of = integer(base.args[1])
+        return power_of is None or power_of % 2 == 1
+    return sign(base, given, dear=False) not in ("+", ">=0")
+
+
+def _operations(trees: Iterable[Expr], given: Given) -> Iterator[tuple[Expr, Given]]:
+    """Yield the operations once, with what is known of their variables: 0 <= x in ∫₀¹ f(x) dx."""
+    seen: set[Expr] = set()
+    stack = list(trees)
+    while stack:
+        node = stack.pop()
+        if node in seen or node.op in LEAVES:
+            continue
+        seen.add(node)
+        if node.op == "integral":
+            _, body, inside = _under_the_integral(node, given)
+            stack.extend(node.args[1:])
+            yield from _operations((body,), inside)
+        else:
+            stack.extend(node.args)
+            yield node, given
+
+
+def _under_the_integral(node: Expr, given: Given) -> tuple[str, Expr, Given]:
+    """Return the variable of an integral, the integrand, and the conditions with its range."""
+    (x,), body = opened(node, given.names)
+    low, high = node.args[1:]
+    if not {low, high} & {INFINITY, -INFINITY}:
+        if sign(low - high, given, dear=False) in ("+", ">=0"):
+            low, high = high, low
+        elif sign(high - low, given, dear=False) not in ("+", ">=0"):
+            return x, body, given
+    elif low == INFINITY or high == -INFINITY:
+        return x, body, given
+    ends = [(symbol(x), ">=", low)] if low != -INFINITY else []
+    ends += [(symbol(x), "<=", high)] if high != INFINITY else []
+    return x, body, given & Given(tuple(ends))
 
 
 def alternates(claim: Comparison, statement: Statement) -> bool:
@@ -322,8 +361,8 @@ def alternates(claim: Comparison, statement: Statement) -> bool:
     trees = integrals or [claim.left, claim.right, *claim.differentiated]
     trees += statement.said
     return any(
-        _is_alternating(node, name, Given())
-        for node in operations(trees)
+        _is_alternating(node, name, inside)
+        for node, inside in _operations(trees, statement.given)
         for name in statement.integers
     )
 
@@ -355,6 +394,10 @@ def reduced_in(e: Expr, names: Iterable[str], given: Given) -> Expr:
 def _reduced(e: Expr, name: str, names: list[str], given: Given) -> Expr:
     if e.op in LEAVES or name not in symbols(e):
         return e
+    if e.op == "integral":
+        x, body, inside = _under_the_integral(e, given)
+        ends = (_reduced(end, name, names, given) for end in e.args[1:])
+        return integral(_reduced(body, name, names, inside), x, *ends)
     args = tuple(_reduced(arg, name, names, given) for arg in e.args)
     if e.op in PERIODIC:
         turns = _ratio(differentiate(args[0], name), 2 * PI)
