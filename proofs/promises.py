@@ -1,7 +1,8 @@
 """Abstract and introduction: what they promise, judged by what the proofs have shown.
 
 - `planar_constraint`: the only case treated before the paper, I₃ = I₁ + I₂, in terms of the shape;
-- `abstract_general_formula`: the closed formula for bodies of every shape;
+- `abstract_general_formula`: how well the closed formula estimates the effect;
+- `formula_far_off`: it does not do so for every shape;
 - `abstract_flip`: the tennis racket effect itself.
 """
 
@@ -43,33 +44,27 @@ _below_root = (
 _not_too_small = epsilon <= 100 * printed.asymptotic_defect(a, b, sympy)
 _far_off = Counterexample({"a": fmpq(1, 10**6), "b": fmpq(499, 1000), "epsilon": fmpq(2, 5)})
 
-abstract_general_formula = Claim(
-    says="The closed formula estimates the flip defect of every body: it is never 100 times too "
-    "small.",
-    paper_says="“A simple analytical formula is derived to estimate the twisting effect in the "
-    "general case.” Read as: for large ab, where it is derived; no accuracy is printed.",
+formula_far_off = Claim(
+    says="The closed formula gives the flip defect of every body to within a factor of 100.",
     means=_not_too_small,
     given=_below_root,
     proof=_far_off,
+    amended_by=(printed_error, one_flip_defect, uniform_formulas),
+    note="As a → 0 at fixed b the formula tends to 0 and the defect does not, so that bounds of "
+    "its error need a condition such as ab ≥ 1/4.",
+)
+
+abstract_general_formula = Claim(
+    **jointly(printed_error),
     where=line(38),
-    amended_by=(one_flip_defect, uniform_formulas),
-    note=(
-        "As a → 0 at fixed b the formula tends to 0 and the defect "
-        "does not. The exact equation has one root for every shape; "
-        "the formula is its limit for large ab."
-    ),
+    note="How good the estimate is. The exact equation has one root for every shape; the formula "
+    "is its limit for large ab.",
 )
 
 intro_any_body = Claim(
-    says="The closed formula gives the flip of any rigid body: it is never 100 times too small.",
-    paper_says="“A simple asymptotic formula is derived to evaluate the value of the flip for any "
-    "three-dimensional rigid body.” Read as: as closely as an asymptotic formula does; no "
-    "accuracy is printed.",
-    means=_not_too_small,
-    given=_below_root,
-    proof=_far_off,
+    **jointly(printed_error),
     where=line(45),
-    amended_by=(one_flip_defect, uniform_formulas),
+    note="How good the asymptotic formula is. For a rigid body ab < 1.",
 )
 
 coincide_large_class = Claim(

@@ -18,6 +18,11 @@ UP = ("at most", "less than", "smaller than", "within", "no more than", "fewer t
 DOWN = ("at least", "more than", "larger than", "greater than", "exceeds", "no less than", "above")
 _WORD = re.compile(rf"\b({'|'.join(map(re.escape, (*UP, *DOWN)))})\b", re.IGNORECASE)
 _PLACEHOLDER = re.compile(r"\{\{\s*(?:(number|value)\s+)?([\w-]+)((?:\s+\w+)*)\s*\}\}")
+_AFTER = re.compile(
+    r"^[^.;{]{0,30}?\b(or (?:more|larger|above|less|smaller|fewer|below)|at (?:least|most))\b"
+    r"(?! \$?\{\{)"
+)
+_SIGN = re.compile(r"(<|>|\\leq?|\\geq?|≤|≥)\s*\$?\s*$")
 NEAR = 90
 """How many letters after such words a placeholder belongs to them."""
 
@@ -31,11 +36,29 @@ def undirected(text: str) -> list[str]:
             kind, name, args = placeholder.groups()
             if name == "end" or (kind is None and args):
                 continue  # a formula, a verdict, or an exact constant
-            way = (args.split() or [""])[-1] if kind else name.rpartition("_")[2]
             wanted = "up" if word[1].lower() in UP else "down"
-            if way != wanted:
+            if _way(placeholder) != wanted:
                 found.append(f"{word[1]} … {placeholder[0]}")
+    for placeholder in _PLACEHOLDER.finditer(flat):
+        kind, name, args = placeholder.groups()
+        if name == "end" or (kind is None and args):
+            continue
+        after = _AFTER.match(flat[placeholder.end() :])
+        sign = _SIGN.search(flat[: placeholder.start()])
+        more = ("more", "larger", "above", "least")
+        if after and _way(placeholder) != ("down" if after[1].endswith(more) else "up"):
+            found.append(f"{placeholder[0]} … {after[1]}")
+        if sign and _way(placeholder) != (
+            "down" if sign[1] in (">", "≥", r"\ge", r"\geq") else "up"
+        ):
+            found.append(f"{sign[1]} {placeholder[0]}")
     return found
+
+
+def _way(placeholder: re.Match[str]) -> str:
+    """The direction in which the number of a placeholder is rounded; empty without one."""
+    kind, name, args = placeholder.groups()
+    return (args.split() or [""])[-1] if kind else name.rpartition("_")[2]
 
 
 @pytest.mark.parametrize("path", [*TEMPLATES, *PAGES], ids=lambda path: path.name)
@@ -57,6 +80,14 @@ def test_numbers_in_inequalities_have_a_direction(path: Path) -> None:
         ("is at most one. The value is {{number floor}}", 0),
         ("at most ${{constant one_line 1 percent}}$", 0),
         ("at most that of {{verdict one_line}} the root", 0),
+        ("misses half a turn by {{number floor_misses}} degrees or more", 1),
+        ("misses half a turn by {{number floor_misses down}} degrees or more", 0),
+        ("an error of {{value eps0_str_exact 3}} at most", 1),
+        ("an error of {{value eps0_str_exact 3 up}} at most", 0),
+        ("it is {{number floor}}. At most one", 0),
+        ("$\\epsilon_0 > {{number floor}}$", 1),
+        ("$\\epsilon_0 > {{number floor down}}$", 0),
+        ("$\\gamma \\ge {{value upper_level_exact 3}}$", 1),
     ],
 )
 def test_a_missing_direction_is_noticed(text: str, count: int) -> None:

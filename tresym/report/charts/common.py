@@ -43,6 +43,8 @@ SOLID, DASHED, DOTTED, DASHDOT = "-", (0, (4, 1.5)), (0, (1, 1.2)), (0, (5, 1.4,
 
 
 _WORDS = (
+    ("tresym.flip_map, numpy", "tresym, arrays in float64"),
+    ("tresym.flip_angle, 15 digits certified", "tresym, one by one, 15 digits proved"),
     ("tresym, certified", "tresym, every digit proved"),
     ("tresym, Gauss transformation", "tresym, Gauss transformation, proved"),
     ("tresym, FLINT's R_F and R_J", "tresym, Carlson integrals, proved"),

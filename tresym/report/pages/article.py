@@ -171,9 +171,8 @@ def _corrected(rows: dict[str, Row]) -> Iterator[str]:
 def _correction(correction: Correction, rows: dict[str, Row]) -> Iterator[str]:
     refuted = [rows[label].claim for label in correction.labels]
     claim = refuted[0]
-    marks = "".join(map(_mark, (rows[each.label] for each in refuted)))
-    yield rf"\item \textbf{{{prose(correction.title)}}} ({prose(place_text(claim))}).{marks}"
-    yield rf"Printed: “{prose(correction.quote)}”."
+    yield rf"\item \textbf{{{prose(correction.title)}}} ({prose(place_text(claim))})."
+    yield rf"Printed: “{prose(correction.quote)}”.{_mark(rows[claim.label])}"
     yield prose(correction.why or claim.note)
     own = [each for each in refuted if each is claim or not isinstance(each.proof, AllOf)]
     true = [*dict.fromkeys(each for wrong in own for each in wrong.amended_by)]

@@ -43,6 +43,8 @@ EXPECTS = re.compile(r"^% expects: (.+)$", re.MULTILINE)
 _UNLABELLED = frozenset(["figure", "number", "count", "piece", "end"])
 """The kinds whose first argument is not the label of a claim."""
 _RELATION = re.compile(r" (=|<|>|\\le|\\ge|\\iff) ")
+_REPEATED = re.compile(r"(\\raised\{\w+\}\{(\w)\})(?:\s*\\raised\{\w+\}\{\2\})+")
+"""The same verdict several times in a row: one letter is enough."""
 WAYS = {"down": ROUND_FLOOR, "up": ROUND_CEILING}
 """The ways in which a number is rounded that stands in an inequality in words."""
 SHARE = 0.86
@@ -145,7 +147,7 @@ class Templates:
     def fill(self, text: str) -> str:
         """Return a text with every placeholder replaced, without its comments."""
         text = re.sub(r"^%.*\n", "", text, flags=re.MULTILINE)
-        return INLINE.sub(self._inline, BLOCK.sub(self._block, text))
+        return _REPEATED.sub(r"\1", INLINE.sub(self._inline, BLOCK.sub(self._block, text)))
 
     def _block(self, found: re.Match[str]) -> str:
         kind, args, inside = found[1], found[2].split(), INLINE.sub(self._inline, found[3])
