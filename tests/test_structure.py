@@ -8,7 +8,6 @@ from importlib import import_module
 from pathlib import Path
 
 import pytest
-
 from tresym.proofs import PARTS
 
 ROOT = Path(__file__).resolve().parent.parent

@@ -18,12 +18,13 @@ from __future__ import annotations
 # a traceback; every import here makes that time longer.
 TYPE_CHECKING = False
 if TYPE_CHECKING:  # for editors and type checkers, which would accept any name without it
+    from tresym.proofs.python_api import figure
+
     from tresym.accuracy.constants import constant
     from tresym.accuracy.error_table import error_table
     from tresym.accuracy.expansion import expand
     from tresym.accuracy.values import value
     from tresym.ledger.verification import verify
-    from tresym.proofs.python_api import figure
     from tresym.racket.body import NAMED_BODIES as bodies  # noqa: N811 - the name it is known by
     from tresym.racket.body import Body
     from tresym.racket.flip import flip_angle, flip_defect, flip_defects

@@ -31,6 +31,7 @@ def run(args: argparse.Namespace) -> int:
     from pathlib import Path
 
     import tresym.proofs as proofs
+
     from tresym.ledger.audit import coverage
     from tresym.ledger.audit.quotes import load_quotes
     from tresym.ledger.paper import file_of, quotes
