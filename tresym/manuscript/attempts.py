@@ -18,6 +18,10 @@ from tresym.reals.verdict import Cause, Verdict
 
 SHORT = 1.0
 """Seconds for each attempt in the first round."""
+AGAIN = 1
+"""The attempts at a link that are repeated with the full limit."""
+MOST_SPENT = 1.5
+"""Short limits that all attempts at a link may take together before the others are left out."""
 INTERRUPTED = "not decided: interrupted; run again to continue"
 Found: TypeAlias = dict[int, list[Answer | InputError]]
 Check: TypeAlias = Callable[..., Iterator[tuple[Task, Answer | InputError]]]
@@ -70,6 +74,7 @@ def _first(
         for n, (_, found) in zip(open_, check_all(tasks, limit, processes), strict=True):
             answers.setdefault(n, []).append(found)
             more = attempt + 1 < len(links[n].claims)
+            more = more and _spent(answers[n]) < MOST_SPENT * limit
             if more and not isinstance(found, InputError) and not found:
                 again.append(n)
             else:
@@ -86,7 +91,7 @@ def _again(
     answers: Found,
 ) -> None:
     """Repeat stopped attempts with the full limit, at links where no attempt has passed."""
-    places = {n: _stopped(answers[n]) for n in asked}
+    places = {n: _stopped(answers[n])[:AGAIN] for n in asked if _may_be_told(links[n])}
     while open_ := {n: left.pop(0) for n, left in places.items() if left}:
         tasks = [Task(links[n].claims[attempt].text, line=n) for n, attempt in open_.items()]
         for (n, attempt), (_, found) in zip(
@@ -96,6 +101,16 @@ def _again(
             if found and not isinstance(found, InputError):
                 del answers[n][attempt + 1 :]
                 places[n] = []
+
+
+def _spent(found: Sequence[Answer | InputError]) -> float:
+    """Return the processor time that the attempts at a link took."""
+    return sum(answer.seconds for answer in found if isinstance(answer, Answer))
+
+
+def _may_be_told(link: Link) -> bool:
+    """Whether a link is likely a claim, for which more time may help; not an equation."""
+    return link.same or link.firm or link.solves is not None or link.otherwise[0] == "UNDECIDED"
 
 
 def _stopped(found: Sequence[Answer | InputError]) -> list[int]:

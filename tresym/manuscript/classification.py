@@ -18,10 +18,13 @@ from tresym.manuscript.mentions import about, names_in
 from tresym.manuscript.source import Display
 from tresym.manuscript.terms import Head, base_of, unknown_in, variables_of_integrals
 from tresym.reals.language.binders import antiderivative, is_infinite, outermost
-from tresym.reals.language.calls import UNKNOWN
+from tresym.reals.language.calls import INFINITY, UNKNOWN
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     DOTS,
+    PI,
+    UNWORKED,
+    ZERO,
     Expr,
     instantiate,
     number,
@@ -38,6 +41,8 @@ DEFINED, ASSUMED, EQUATION, UNREAD = "DEFINED", "ASSUMED", "EQUATION", "UNREAD"
 CONSTANTS = re.compile(r"[CcAB]_?\d*|[CcA]_\w")
 TOLD = "as the text before it says, with"
 WHERE = "under the conditions of the definition, with"
+SHARED = "for any value of the integral or sum on both sides"
+_WHOLES = frozenset(("integral", "sum", "product", "limit"))
 EARLIER = "under conditions from earlier sections"
 _WORKED = frozenset(("antiderivative", "derivative", "integral", "nth", "limit", "sum", "product"))
 """Expressions that are evaluated: an equality with one of these, or with a series, is not an
@@ -116,6 +121,10 @@ class Link:
         ground: the evidence that decides whether a refutation is reported.
         obstacle: what the author can remove, if it is not decided.
         solves: the equation that it solves, if its claims are those of a solution.
+        value: for the value of a function at a point, the function, how often it is
+            differentiated, the point, and the value.
+        reach: the numbers of the section and of the scopes in it, outermost first.
+        moving: letters that its chapter differentiates.
     """
 
     display: Display
@@ -134,6 +143,9 @@ class Link:
     ground: Ground = field(default_factory=Ground)
     obstacle: Obstacle | None = None
     solves: Any = None
+    value: tuple[str, int, Expr, Expr] | None = None
+    reach: tuple[int, ...] = ()
+    moving: frozenset[str] = field(default=frozenset(), repr=False)
     shown: str = field(default="", repr=False)
     around: tuple[str, str, int] = field(default=("", "", 0), repr=False)
     noted: str = ""
@@ -264,6 +276,8 @@ def claim(
     keep = firm or (same and relation == "==" and n > 0) or as_path or relation != "=="
     counted = memory.uses.indices - memory.uses.numbers
     chain = n > 0 and relation == "==" and {*said.ops[:n]} <= {"="} and under.kind != prose.SOLVE
+    if any(str(side).count(str(DOTS)) > 1 for side in (left, right)):
+        attempts = ()  # series in brackets are compared with what they follow from
     link = replace(link, claims=attempts, firm=firm, same=same, goes_on=chain, worked=worked)
     link = replace(link, counted=counted, constants=memory.uses.numbers | names_in(under.given))
     if fallback[0] == EQUATION and unknown_in(left, right):
@@ -314,6 +328,7 @@ def _attempts(
             given = [
                 c for c in given if end not in names_in((c,))
             ]  # the path says where the claim holds
+            given += _implied(one, other)
             shown = chained(about(symbols(one) | symbols(other), given))
             told = (f" given {shown}" if shown else "") + as_path
             text = _with_functions_named(f"{one} {relation} {other}{told}", unknown_in(one, other))
@@ -327,10 +342,75 @@ def _attempts(
             asked = Attempt(text, how, said, may_fail, pairs, plain, (one, relation, other))
             asked = asked._replace(given=tuple(given), under=told)
             far = accusations.far_definitions(memory, put, under)
+            if relation == "==" and (alone := _shared_apart(one, other)) is not None:
+                left_, right_ = alone
+                shorter = f"{left_} == {right_}{told}"
+                apart = Attempt(shorter, SHARED, said, False, pairs, plain, (left_, "==", right_))
+                attempts.setdefault(shorter, apart._replace(given=tuple(given), under=told))
             alike = not (symbols(one) ^ symbols(other)) - free
             attempts.setdefault(text, asked._replace(far=far, same=alike))
             same = same or (may_fail and alike)
-    return tuple(sorted(attempts.values(), key=lambda attempt: not attempt.may_fail)), same
+    first = [one for one in attempts.values() if one.how == SHARED]
+    rest = sorted(attempts.values(), key=lambda attempt: not attempt.may_fail)
+    return (*first, *(one for one in rest if one.how != SHARED)), same
+
+
+def _shared_apart(left: Expr, right: Expr) -> tuple[Expr, Expr] | None:
+    """Return both sides with symbols for integrals and sums that stand on both; None if none do.
+
+    Only the factors around them are compared then: ``2*I/(2*pi) == I/pi`` whatever I is.
+    """
+    shared = {*outermost(left)} & {*outermost(right)}
+    put = {
+        node: symbol(f"Value{n}")
+        for n, node in enumerate(sorted(shared, key=str), 1)
+        if node.op in _WHOLES
+    }
+    if not put:
+        return None
+    return replaced(left, put), replaced(right, put)
+
+
+def _implied(*sides: Expr) -> list[Compared]:
+    """Return bounds on symbols without which roots and logarithms in a claim are undefined.
+
+    They change nothing about the claim: ``sqrt(pi/x)`` is defined for x > 0 only. It is asked for
+    claims with integrals, whose own domain is found with more work.
+    """
+    if all(node.op not in _WHOLES for node in outermost(*sides)):
+        return []
+    found: list[Compared] = []
+    nodes = list(sides)
+    while nodes:
+        node = nodes.pop()
+        if node.hidden and node.op in UNWORKED:
+            continue
+        even = node.op == "^" and node.args[1].op == "number" and node.args[1].args[0].q % 2 == 0
+        if even or node.op == "log":
+            bound = _sign_needed(node.args[0], even and node.args[1].args[0] > 0)
+            found += [bound] if bound else []
+        nodes += [arg for arg in node.args if isinstance(arg, Expr)]
+    return list(dict.fromkeys(found))
+
+
+def _sign_needed(e: Expr, at_zero: bool) -> Compared | None:
+    """Return the bound on a symbol that makes ``c x**n`` positive, if it is of that form."""
+    factors = e.args if e.op == "*" else (e,)
+    moving = [one for one in factors if symbols(one)]
+    fixed = [one for one in factors if not symbols(one)]
+    if len(moving) != 1 or any(one != PI and one.op != "number" for one in fixed):
+        return None
+    sign = 1
+    for one in fixed:
+        sign *= -1 if one.op == "number" and one.args[0] < 0 else 1
+    (power,) = moving
+    inverse = power.op == "^" and power.args[1] == number(-1)
+    name = power.args[0] if inverse else power
+    if name.op != "symbol" or name in (INFINITY, DOTS):
+        return None
+    strict = inverse or not at_zero
+    relation = (">" if sign > 0 else "<") + ("" if strict else "=")
+    return name, relation, ZERO
 
 
 def _near_the_end(attempts: Iterable[Attempt], path: str) -> Iterator[Attempt]:

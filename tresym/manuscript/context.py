@@ -129,16 +129,22 @@ class Memory(ConditionReader):
         self.partial = False
         self.counts_derivatives = "derivative" in text and not _ITERATES.search(text)
         self.primes = bool(_PRIMED_TIME.search(text)) and not _TIME_WITHIN.search(text)
-        self.dependent = dependent(text)
-        self.called = frozenset(
-            head.name for m in _CALLED.finditer(text) if (head := self.head(tokenize(m[1])))
-        )
+        self.dependent: dict[str, set[str]] = {}
+        self.called: frozenset[str] = frozenset()
+        self.begin(text)
         self.uses = Uses()
         self.seen: set[str] = set()
         self.told: dict[str, Expr] = {}
         self.where: dict[str, tuple[Compared, ...]] = {}
         self.paths: dict[str, str] = {}
         self.withheld: frozenset[str] = frozenset()
+
+    def begin(self, text: str) -> None:
+        """Begin a chapter: which letters are functions, and of what, is told by its own text."""
+        self.dependent = dependent(text)
+        self.called = frozenset(
+            head.name for m in _CALLED.finditer(text) if (head := self.head(tokenize(m[1])))
+        )
 
     @property
     def functions(self) -> dict[str, Function]:

@@ -10,10 +10,19 @@ from typing import Any
 from tresym.checking.time_limited import Task, check_all, check_within
 from tresym.manuscript import accusations
 from tresym.manuscript.attempts import answers_to
-from tresym.manuscript.classification import EQUATION, UNREAD, Attempt, Link, Obstacle
+from tresym.manuscript.classification import (
+    DEFINED,
+    EQUATION,
+    SHARED,
+    UNREAD,
+    Attempt,
+    Link,
+    Obstacle,
+)
+from tresym.manuscript.consequences import Context, Search, Step, fact, learn
 from tresym.manuscript.instances import instances
 from tresym.manuscript.mentions import names_in
-from tresym.manuscript.multiples import Multiple, multiple_of
+from tresym.manuscript.multiples import multiple_of
 from tresym.manuscript.solutions import Solves
 from tresym.manuscript.terms import base_of
 from tresym.reals.decisions.answer import Alternative, Answer
@@ -25,8 +34,8 @@ from tresym.reals.verdict import Cause, Verdict
 
 FAR = 40
 """The links before a proved one among which the equation is sought that it restates."""
-NEAR = 6
-"""The links before an equation among which the one is sought that it follows from."""
+NEAR = 40
+"""The links before an equation among which those are sought that it follows from."""
 COORDINATE = re.compile(r"[xyzuvw]\d*")
 """Letters that take all real values in most texts."""
 PASSES = (Verdict.PROVED.value, Verdict.ENCLOSED.value)
@@ -154,33 +163,17 @@ def _solving(rows: list[Row], limit: float, processes: int | None) -> list[Row]:
 
 
 def _following(rows: list[Row], limit: float, processes: int | None) -> list[Row]:
-    """Return the rows; an equation that is an earlier one times a factor is PROVED from it."""
-    tasks: list[Task] = []
-    found: list[tuple[int, Row, Multiple]] = []
-    for n, row in enumerate(rows):
-        if row.status != EQUATION or row.link.sides is None:
-            continue
-        for before in reversed(rows[max(n - NEAR, 0) : n]):
-            near = row.link.display.number - before.link.display.number <= 2
-            if before.status != EQUATION or before.link.sides is None or not near:
-                continue
-            if before.link.sides[2] == row.link.sides[0]:
-                continue  # the next link of one chain says something new
-            candidate = multiple_of(before.link.sides, row.link.sides)
-            if candidate is not None:
-                found.append((n, before, candidate))
-                tasks.append(Task(candidate.claim, line=n))
-                break
-    if tasks:
-        for (n, before, candidate), (_, answer) in zip(
-            found, check_all(tasks, limit, processes), strict=True
-        ):
-            if isinstance(answer, Answer) and answer.verdict is Verdict.PROVED:
-                factor = candidate.factor
-                times = "" if factor == ONE else f", times {factor}"
-                why = f"it is the equation of line {before.link.display.line}{times}"
-                status = answer.verdict.value
-                rows[n] = replace(rows[n], status=status, why=why, refuted="", fails_at=None)
+    """Return the rows; a link that follows from equations before it is PROVED from them."""
+    found = {n: step for n in range(len(rows)) if (step := _step(rows, n)) is not None}
+    tasks = [Task(text, line=n) for n, step in found.items() for text in step.claims]
+    held: dict[int, list[bool]] = {}
+    for task, answer in check_all(tasks, limit, processes) if tasks else ():
+        proved = isinstance(answer, Answer) and answer.verdict is Verdict.PROVED
+        held.setdefault(task.line or 0, []).append(proved)
+    for n, step in found.items():
+        if all(held[n]):
+            status = Verdict.PROVED.value
+            rows[n] = replace(rows[n], status=status, why=step.why, refuted="", fails_at=None)
     return rows
 
 
@@ -220,6 +213,52 @@ def _restating(rows: list[Row], limit: float, processes: int | None) -> list[Row
 def _restated(row: Row, before: Row) -> Row:
     why = f"restates the equation of line {before.link.display.line}"
     return replace(row, status=EQUATION, why=why, put=())
+
+
+def _step(rows: Sequence[Row], n: int) -> Step | None:
+    """Return the step by which an undecided link may follow from those before it in its section."""
+    row, link = rows[n], rows[n].link
+    if row.status not in (EQUATION, DEFINED, Verdict.UNDECIDED.value) or link.sides is None:
+        return None
+    if link.sides[1] != "==" or link.noted:
+        return None
+    before = [other for other in rows[max(n - NEAR, 0) : n] if _is_premise(other, link)]
+    if not before:
+        return None
+    context = Context(moving=link.moving)
+    trees = [side for other in (*before, row) for side in (other.link.sides or ())[::2]]
+    learn(context, trees)
+    facts = []
+    for other in before:
+        sides = other.link.sides
+        one = sides and fact(sides, other.link.display.line, other.link.read_as, context)
+        facts += [one] if one else []
+        if other.link.value is not None:
+            context.values.append((other.link.display.line, *other.link.value))
+    goal = fact(link.sides, link.display.line, link.read_as, context)
+    if goal is None or not facts:
+        return None
+    search = Search(context, facts)
+    if goal.series:
+        return search.agreement(goal)
+    if goal.name and (step := search.solution(goal.name, goal)) is not None:
+        return step
+    if row.status == DEFINED and goal.name:
+        return None
+    return search.consequence(goal.zero, goal.sides, goal.line) or search.agreement(goal)
+
+
+def _is_premise(row: Row, link: Link) -> bool:
+    """Whether a row states something that holds where a later link stands."""
+    own = row.link
+    if own.reach != link.reach[: len(own.reach)]:
+        return False
+    if own.value is not None:
+        return True
+    if own.sides is None or own.sides[1] != "==" or row.why.startswith("one of several"):
+        return False
+    stated = (EQUATION, DEFINED, "ASSUMED", Verdict.UNDECIDED.value)
+    return row.status in stated or bool(own.solves) or row.why.startswith("it ")
 
 
 def _is_of_derivative(link: Link) -> bool:
@@ -374,7 +413,7 @@ def _restates(link: Link, asked: Attempt) -> str:
     one, _, other = asked.sides or (ZERO, "", ONE)
     if one != other:
         return ""
-    if not asked.how:
+    if not asked.how or asked.how == SHARED:
         left, equal, right = link.shown.partition(" = ")
         bare = bool(equal) and left.split() == right.split()
         why = "both sides are read as the same expression, so there is nothing to check"

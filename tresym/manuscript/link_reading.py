@@ -38,7 +38,7 @@ from tresym.manuscript.solutions import (
     is_complete,
     residual,
 )
-from tresym.manuscript.source import Display, Event, Prose
+from tresym.manuscript.source import Display, Event, Prose, Section
 from tresym.manuscript.terms import (
     SIGNS,
     Head,
@@ -73,11 +73,20 @@ class LinkReader:
         places_ahead: the places of the chains of the display that define symbols.
         stated: the equalities of the section that may be equations.
         values: the initial and boundary values that the section states.
+        chapters: the texts of the chapters that follow.
     """
 
     def __init__(self, events: Sequence[Event]) -> None:
         self.events = events
         self.memory = Memory("\n".join(e.text for e in events if isinstance(e, Display | Prose)))
+        texts: list[list[str]] = [[]]
+        for event in events:
+            if isinstance(event, Section) and event.chapter:
+                texts.append([])
+            elif isinstance(event, Display | Prose):
+                texts[-1].append(event.text)
+        self.chapters = ["\n".join(text) for text in texts]
+        self.memory.begin(self.chapters.pop(0))
         self.kinds = Kinds(events)
         self.place, self.words = 0, ""
         self.orders = Orders()
@@ -390,7 +399,12 @@ class LinkReader:
         number = link.display.number
         self.values.append(Value(head.name, order, rest[2], number, value, link.shown))
         why = f"a value of {head.name} at a point, which belongs to an equation for it"
-        return replace(link, status=EQUATION, why=why)
+        try:
+            point, stands_for = self.read_value([rest[2]]), self.read_value(value)
+        except InputError:
+            return replace(link, status=EQUATION, why=why)
+        at_point = head.name, order, point, stands_for
+        return replace(link, status=EQUATION, why=why, value=at_point)
 
     def assumption(self, link: Link, compared: Compared, why: str) -> Link:
         """Return the link of a comparison that is assumed, as a condition on what follows."""

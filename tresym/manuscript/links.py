@@ -85,6 +85,7 @@ class _Reading(LinkReader):
                 self.values.clear()
                 if event.chapter:
                     self.equations.clear()
+                    self.memory.begin(self.chapters.pop(0))
                 before = ""
             elif isinstance(event, Scope):
                 self.memory.scopes.mark(event)
@@ -106,7 +107,13 @@ class _Reading(LinkReader):
                 noted = self.orders.kind
                 self.memory.line = event.line
                 found = [
-                    replace(link, around=text, noted=noted)
+                    replace(
+                        link,
+                        around=text,
+                        noted=noted,
+                        reach=self.memory.scopes.path,
+                        moving=frozenset(self.memory.dependent),
+                    )
                     for link in self.display(event, before, after)
                 ]
                 self.memory.line = 0

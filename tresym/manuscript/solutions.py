@@ -217,6 +217,8 @@ def expansion_claims(
         return
     if any(base_of(one) != one for one in names) or name in symbols(value):
         return
+    if any(one.partition("_")[0] in names - {one} for one in names if "_" in one):
+        return  # Y_X beside Y is a derivative
     shown = f"{name} {relation} {value}"
     given = f"{left} == {right}"
     for more in ("", *_branches(name, value, variable, end)):
