@@ -323,7 +323,8 @@ def answer_text(answer: Answer, colour: bool = False) -> str:
     sentence, rows = answer.in_text()
     if answer.line is not None:
         rows.insert(0, ("line", str(answer.line)))
-    time = f"{1000 * answer.seconds:.3g} ms" if answer.seconds < 1 else f"{answer.seconds:.3g} s"
+    seconds = answer.seconds
+    time = f"{1000 * seconds:.3g} ms" if seconds < 0.9995 else f"{seconds:.3g} s"
     rows.append(("time", time))
     head = f"{bold(answer.verdict.value, colour)}: {sentence}"
     return "\n".join([head, *(f"  {dim(f'{n:<11}', colour)}{t}" for n, t in rows)]) + "\n"

@@ -9,9 +9,10 @@ from html import escape
 from typing import Any
 
 from tresym import release
+from tresym.report.charts.common import time_text
 from tresym.report.typesetting.markdown import escaped, finding, sentence
 from tresym.report.typesetting.statements import conditions, display, in_dollars, of_record, stated
-from tresym.site import graph
+from tresym.site import graph, search
 from tresym.site.markdown import badge, chain, inline, link, statement, titled
 
 Record = dict[str, Any]
@@ -209,6 +210,7 @@ def page(label: str, ledger: Record, title: str | None, seconds: float | None) -
         *_symbols(claim),
         *_cost(claim, seconds),
         _cited(label, claim),
+        *_searched(label, shown),
         f"```sh\ntresym verify {shown}\ntresym derive {_if_refuted(claim)}{shown}\n```",
     ]
     return "\n\n".join(sections) + "\n"
@@ -225,6 +227,13 @@ def _named_as(label: str, claim: Record) -> str:
         f"proofs/{file}, lines {first} to {last}</a> · "
         f'<a href="{label}.json">formula as data</a>'
     )
+
+
+def _searched(label: str, name: str) -> Iterator[str]:
+    """Words under which the search finds the page, which the page does not show."""
+    words = [name.replace("_", " "), *search.words_that_lead_to(f"claims/{label}")]
+    if name != label or len(words) > 1:
+        yield f"```{{raw}} html\n<p hidden>{escape('; '.join(words))}</p>\n```"
 
 
 def data(label: str, claim: Record) -> Record:
@@ -417,4 +426,4 @@ def _symbols(claim: Record) -> Iterator[str]:
 
 def _cost(claim: Record, seconds: float | None) -> Iterator[str]:
     if seconds is not None:
-        yield f"Judged in {seconds * 1000:.3g} ms (saved measurement)."
+        yield f"Judged in {time_text(seconds)} (saved measurement)."

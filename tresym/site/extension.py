@@ -106,7 +106,7 @@ def link_pictures(app: Sphinx, doctree: nodes.document) -> None:
         path = image["uri"]
         if "/generated/" not in f"/{path}" or isinstance(image.parent, nodes.reference):
             continue
-        wide = "charts/" in path or image.get("width", "100%").endswith("%")
+        wide = "charts/" in path or image.get("width") == "100%"
         link = nodes.reference(
             "", "", internal=False, refuri=f"{up}_images/{Path(path).name}", classes=["picture"]
         )

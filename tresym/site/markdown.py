@@ -31,8 +31,8 @@ def statement(claim: dict[str, Any]) -> str:
 
 
 def inline(claim: dict[str, Any]) -> str:
-    """Return the statement with its conditions, within a line."""
-    return in_line(of_record(claim), claim["title"])
+    """Return the statement with its conditions, within a line, for use after its title."""
+    return in_line(of_record(claim), "")
 
 
 def chain(lines: list[dict[str, Any]]) -> str:

@@ -66,7 +66,10 @@ LISTS = (
     "pages/coq",
     "pages/symbols",
     "pages/trust",
-    "pages/api",
+    "pages/api-check",
+    "pages/api-ledger",
+    "pages/api-racket",
+    "pages/api-formulas",
     "reference/commands",
     "claims/index",
     "claims/the-paper",
@@ -106,6 +109,11 @@ def wanted_pages(claims: dict[str, Any]) -> dict[str, str]:
             if name:
                 found.setdefault(name.lower(), f"claims/{label}")
     return found | FIRST
+
+
+def words_that_lead_to(page: str) -> list[str]:
+    """Return the words of ``FIRST`` that lead to a page, which must contain them to be found."""
+    return [words for words, wanted in FIRST.items() if wanted == page]
 
 
 def write_scorer(path: Path, claims: dict[str, Any]) -> None:

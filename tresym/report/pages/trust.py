@@ -195,8 +195,8 @@ def _sentences(report: Report) -> list[str]:
         "claim becomes UNDECIDED when either is changed. The statements of all other "
         "claims are printed from their formulas.",
         "",
-        f"The evidence of {len(functions)} claims contains a Python function in place of a "
-        f"formula: {_names(functions) or 'none'}. Tests compare the two at sample points.",
+        "Claims whose evidence contains a Python function in place of a formula: "
+        f"{_names(functions) or 'none'}. Tests compare the two at sample points.",
     ]
 
 

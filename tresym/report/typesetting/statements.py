@@ -164,12 +164,13 @@ def quoted(claim: Claim) -> str:
 
 
 def in_line(found: Said, name: str) -> str:
-    """Return a statement within a line of Markdown; a long formula is introduced by ``name``."""
+    """Return a statement within a line of Markdown; ``name``, if any, introduces a long formula."""
     if found.says:
         text = sentence(found.says)
     else:
         formula = f"{in_dollars(found.formula or '')}."
-        text = formula if len(formula) <= LONGEST_IN_A_LIST else f"{sentence(name)}: {formula}"
+        named = name and len(formula) > LONGEST_IN_A_LIST
+        text = f"{sentence(name)}: {formula}" if named else formula
     return " ".join(filter(None, (text, conditions(found, in_dollars, sentence))))
 
 
