@@ -329,10 +329,12 @@ class _Parts(NamedTuple):
 
     @property
     def gammas(self) -> bool:
-        """Return whether factorials and special functions occur, and nothing else that is open."""
-        if self.unknown != {FACTORIAL} or not self.nodes <= {"unknown"}:
+        """Return whether factorials, and special functions or integrals, are all that is open."""
+        if self.unknown != {FACTORIAL} or not self.nodes <= {"unknown", "integral"}:
             return False
         sides = (self.comparison.left, self.comparison.right)
+        if "integral" in self.nodes:  # the factorial of its variable has no integral
+            return not any(node.loose for side in sides for node in functions(side))
         return any(node.op in SPECIAL for node in operations(sides))
 
     @property
@@ -536,7 +538,7 @@ ORDER: tuple[tuple[Procedure, Callable[[_Parts], bool], str], ...] = (
     (_infinite_sums, lambda p: p.infinite, "its value is a limit, or that of a known series"),
     (_nth_derivatives, lambda p: "nth" in p.nodes, "induction on n leaves ordinary derivatives"),
     (_finite_sums, lambda p: p.finite_sums, "induction leaves a claim without sums"),
-    (_gamma_forms, lambda p: p.gammas, "n! is gamma(n + 1) beside other gamma functions"),
+    (_gamma_forms, lambda p: p.gammas, "n! is gamma(n + 1) beside integrals and gammas"),
     (_factorials, lambda p: FACTORIAL in p.unknown, "a recurrence leaves no factorials"),
     (_integer_variables, lambda p: bool(p.unknown) and p.at_integers, "f(n) is one value a case"),
     (_unknown_functions, lambda p: bool(p.unknown), "values of a function become variables"),

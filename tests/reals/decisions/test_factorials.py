@@ -13,6 +13,7 @@ OPEN = [
     "factorial(x) == x*factorial(x - 1) given x > 1/3, x < 2/3",  # of no integer
     "diff(factorial(n), n) == 0",
     "factorial(factorial(n)) >= 1",
+    *cases(__file__, "BESIDE_OTHERS"),
 ]
 
 

@@ -46,7 +46,11 @@ def decide_factorials(claim: Comparison, statement: Statement, decided: Decide) 
     Args:
         decided: the procedure for claims without factorials.
     """
-    folded = {node: _value(node.args[-1]) or node for node in outermost(claim.left, claim.right)}
+    folded = {
+        node: _value(node.args[1]) or node
+        for node in outermost(claim.left, claim.right)
+        if node.op == "unknown" and node.args[0].args == (FACTORIAL, (0,))
+    }
     sides = replaced(claim.left, folded), replaced(claim.right, folded)
     claim = replace(claim, left=sides[0], right=sides[1])
     nodes = dict.fromkeys(outermost(*sides))
