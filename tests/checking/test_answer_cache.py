@@ -11,7 +11,7 @@ import pytest
 from hangs import HANGS
 
 from tresym import repair
-from tresym.checking import answer_cache, time_limited
+from tresym.checking import answer_cache, cache_folder, time_limited
 from tresym.checking.answer_cache import AnswerCache, cached_answers, clear_cache
 from tresym.checking.time_limited import Task, check_all
 from tresym.commands import main
@@ -81,14 +81,14 @@ def test_a_stopped_claim_is_decided_by_the_next_run() -> None:
     assert known == 0
 
 
-@pytest.mark.parametrize("name", answer_cache.LIBRARIES)
+@pytest.mark.parametrize("name", cache_folder.LIBRARIES)
 def test_another_version_of_a_library_finds_nothing(
     name: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    version = answer_cache.version.__wrapped__
-    before, installed = version(), answer_cache._installed
+    version = cache_folder.version.__wrapped__
+    before, installed = version(), cache_folder._installed
     monkeypatch.setattr(
-        answer_cache, "_installed", lambda each: installed(each) + "x" * (each == name)
+        cache_folder, "_installed", lambda each: installed(each) + "x" * (each == name)
     )
     assert version() != before
 
@@ -195,7 +195,7 @@ def test_a_cache_that_is_only_readable_is_read(folder: Path) -> None:
 def test_a_relative_cache_folder_of_the_desktop_is_ignored(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("TRESYM_CACHE")
     monkeypatch.setenv("XDG_CACHE_HOME", "here")
-    found = answer_cache.cache_folder()
+    found = cache_folder.cache_folder()
     assert found is not None
     assert found.is_absolute()
 

@@ -8,7 +8,8 @@ import pytest
 from cases import cases
 
 from tresym.commands import main
-from tresym.coq.candidate_search import assumptions, export, file_of, prelude, proofs
+from tresym.coq.allowed_axioms import assumptions
+from tresym.coq.candidate_search import export, file_of, prelude, proofs
 from tresym.coq.claim_export import theorems
 from tresym.dev.corpus.lists import known, pairs
 from tresym.reals.decisions.claim_parsing import read

@@ -19,7 +19,7 @@ from typing import Any
 from flint import arb, fmpz
 
 from tresym.accuracy.error_table import Cell, Question, cell
-from tresym.checking.answer_cache import cache_folder, version
+from tresym.checking.cache_folder import cache_folder, version
 from tresym.reals.language.expression import Expr
 from tresym.reals.numbers.exact import InputError
 

@@ -20,11 +20,10 @@ import sqlite3
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
-from functools import cache
-from importlib import metadata
 from pathlib import Path
 from typing import Any
 
+from tresym.checking.cache_folder import cache_folder, version
 from tresym.checking.time_limited import CACHES
 from tresym.reals.decisions.answer import Alternative, Answer, Obligation
 from tresym.reals.numbers.exact import Decimal, InputError
@@ -38,48 +37,12 @@ _TABLE = (
     "CREATE TABLE IF NOT EXISTS answers "
     "(key BLOB PRIMARY KEY, value TEXT, sum BLOB, written INTEGER) WITHOUT ROWID"
 )
-_NO_CACHE = ("", "off")
-LIBRARIES = ("python-flint", "sympy", "mpmath", "numpy")
-"""Libraries that can change an answer or a suggestion, beside the FLINT that python-flint links."""
-
-
-def cache_folder() -> Path | None:
-    """``TRESYM_CACHE``, else the user's cache folder; None for ``off``."""
-    folder = os.environ.get("TRESYM_CACHE")
-    if folder is not None:
-        return None if folder in _NO_CACHE else Path(folder)
-    base = os.environ.get("XDG_CACHE_HOME", "")
-    if not os.path.isabs(base):  # the specification says to ignore a relative one
-        base = os.path.expanduser("~/.cache")
-    return Path(base) / "tresym"
 
 
 def cache_file() -> Path | None:
     """The file of answers in the cache folder."""
     folder = cache_folder()
     return folder and folder / "answers.sqlite"
-
-
-@cache
-def version() -> bytes:
-    """A hash of the code that decides, and of the libraries under it."""
-    import flint
-
-    libraries = [f"{name} {_installed(name)}" for name in LIBRARIES]
-    libraries += [f"FLINT {flint.__FLINT_VERSION__}", f"Python {sys.version_info[:3]}"]
-    found = hashlib.sha256("\n".join(libraries).encode())
-    root = Path(__file__).parents[1]
-    for path in sorted(root.rglob("*.py")):
-        found.update(str(path.relative_to(root)).encode() + b"\0" + path.read_bytes())
-    return found.digest()
-
-
-def _installed(name: str) -> str:
-    """Return the version of a library, which is not imported for that."""
-    try:
-        return metadata.version(name)
-    except metadata.PackageNotFoundError:
-        return "none"
 
 
 class AnswerCache:

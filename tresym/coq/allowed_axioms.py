@@ -8,6 +8,8 @@ complete lists for Coq 8.16.
 
 from __future__ import annotations
 
+import re
+
 REALS = frozenset(
     {
         "ClassicalDedekindReals.sig_not_dec",
@@ -32,3 +34,16 @@ _MACHINE = {
     "next_down_spec",
 }
 MACHINE = frozenset(f"{file}.{name}" for file, names in _MACHINE.items() for name in names.split())
+_ENTRIES = re.compile(r"^make(\[\d+\])?: (Entering|Leaving) directory .*$", re.MULTILINE)
+
+
+def assumptions(output: str) -> str:
+    """Summarise the output of ``Print Assumptions`` in a sentence; it names every other axiom."""
+    said = _ENTRIES.sub("", output)
+    names = set(re.findall(r"^([^\s:]+)\s*:", said, re.MULTILINE)) - {"Axioms"}
+    others = sorted(names - REALS - MACHINE)
+    if others:
+        return f"it rests on {', '.join(others)}"
+    if names & MACHINE:
+        return "it rests on the classical reals and on Coq's machine integers and floats"
+    return "it rests on the classical reals alone"

@@ -7,7 +7,6 @@ Coq.
 
 from __future__ import annotations
 
-import re
 import shutil
 import subprocess
 import tempfile
@@ -17,7 +16,7 @@ from dataclasses import dataclass
 from importlib.resources import files
 from pathlib import Path
 
-from tresym.coq.allowed_axioms import MACHINE, REALS
+from tresym.coq.allowed_axioms import assumptions
 from tresym.coq.bound_proofs import Prove, bound_proofs, no_search
 from tresym.coq.bound_statements import BoundTheorem
 from tresym.coq.coqtop import HEAD, TEXT_SECONDS, Dialogue, library, prelude, version
@@ -28,7 +27,6 @@ from tresym.coq.stepwise_equations import stepwise
 from tresym.reals.numbers.exact import InputError
 
 MISSING = "coqc is not installed, so the proof has not been checked by Coq"
-_ENTRIES = re.compile(r"^make(\[\d+\])?: (Entering|Leaving) directory .*$", re.MULTILINE)
 """Lines in which make says where it is, beside what Coq prints."""
 
 
@@ -178,15 +176,3 @@ def run(text: str, seconds: float, options: tuple[str, ...] = ()) -> tuple[bool,
         return True, done.stdout, took
     lines = done.stderr.split("Error:")[-1].split()
     return False, " ".join(lines)[:200], took
-
-
-def assumptions(output: str) -> str:
-    """Summarise the output of ``Print Assumptions`` in a sentence; it names every other axiom."""
-    said = _ENTRIES.sub("", output)
-    names = set(re.findall(r"^([^\s:]+)\s*:", said, re.MULTILINE)) - {"Axioms"}
-    others = sorted(names - REALS - MACHINE)
-    if others:
-        return f"it rests on {', '.join(others)}"
-    if names & MACHINE:
-        return "it rests on the classical reals and on Coq's machine integers and floats"
-    return "it rests on the classical reals alone"

@@ -17,7 +17,7 @@ from importlib.resources import files
 from pathlib import Path
 from shutil import rmtree
 
-from tresym.checking.answer_cache import cache_folder
+from tresym.checking.cache_folder import cache_folder
 
 SENTENCE_SECONDS = 4
 TEXT_SECONDS = 20.0

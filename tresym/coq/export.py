@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from tresym.coq import stamps
-from tresym.coq.candidate_search import assumptions
+from tresym.coq.allowed_axioms import assumptions
 from tresym.coq.coqtop import HEAD, prelude
 from tresym.coq.ledger_statements import (
     DEDUCED,

@@ -19,7 +19,6 @@ from tresym.ledger.paper import sections
 from tresym.ledger.verification import Row
 from tresym.reals.language.formula import Conjunction, Relation
 from tresym.reals.verdict import Verdict
-from tresym.report.pages.trusted_code import trusted
 from tresym.report.typesetting.titles import shown_name
 
 STATEMENTS = ("coq.export.statements", "coq.export.possible", "coq.ledger_statements.theorem_of")
@@ -261,6 +260,8 @@ def _vocabulary(known: dict[str, Entry]) -> Iterator[str]:
 
 def _made_by() -> Iterator[str]:
     """How much code makes the statements."""
+    from tresym.report.pages.trusted_code import trusted
+
     count = trusted(STATEMENTS)[0]
     yield "## The code that makes the statements"
     yield ""
