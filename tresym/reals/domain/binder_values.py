@@ -21,6 +21,7 @@ from flint import acb, arb, ctx, fmpq
 from tresym.reals.domain.compiled import Compiled
 from tresym.reals.domain.evaluation import NO_RULES, InBalls, Rule, UndefinedError
 from tresym.reals.language.binders import worked_out
+from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import LEAVES, Expr, opened, symbol, symbols
 from tresym.reals.numbers.arithmetic import WORKING, ball_precision, side
 from tresym.reals.resource_limits import held
@@ -48,6 +49,8 @@ WIDER = 8
 
 def integral(e: Expr, outer: InBalls) -> arb:
     """Return an integral between finite ends, by quadrature."""
+    if not {INFINITY, -INFINITY}.isdisjoint(e.args[1:]):
+        raise UndefinedError
     low, high = (outer.value(end) for end in e.args[1:])
     (name,), body = opened(e)
     integrand = Compiled(worked_out(body), (name,), outer.value)
