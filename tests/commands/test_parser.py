@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+import tresym
 from tresym.commands import main
 
 WRONG = [
@@ -37,3 +38,30 @@ def test_a_binary_file_is_no_list_of_claims(
     path.write_bytes(b"\x89PNG\x00\x00\x01" * 100)
     assert main(["check", "-f", str(path)]) == 2
     assert capsys.readouterr().err.strip().endswith("this is a binary file, not a list of claims")
+
+
+@pytest.mark.parametrize(
+    ("words", "line"),
+    [
+        (["--nosuch"], "there is no option '--nosuch' before the command"),
+        (["expand", "x", "--as", "x -> 0", "--terms", "-3"], "'-3' is not a number of terms"),
+        (["table", "x", "y", "--as", "x -> 0", "--digits", "9999999"], "from 1 to 10000"),
+        (["verify", "nosuch.tresym"], "nosuch.tresym: no such file"),
+        (["verify", "main_theorm"], "did you mean main_theorem?"),
+        (["chekc", "x > 0"], "did you mean check?"),
+    ],
+)
+def test_a_wrong_input_gets_a_line_that_says_what_to_write(
+    words: list[str], line: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(words) == 2
+    shown = capsys.readouterr().err
+    assert line in shown
+    assert shown.count("\n") == 1
+
+
+def test_the_witness_is_named_once() -> None:
+    sentence, rows = tresym.check("sin(2*x) == sin(x)").in_text()
+    assert "x = 441/388" in sentence
+    assert "witness" not in dict(rows)
+    assert tresym.check("sin(2*x) == sin(x)").as_json()["witness"] == {"x": "441/388"}

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 from tresym.commands.parser import BAD_INPUT, CLOSED_PIPE, INTERRUPTED, Parser, one_line
 from tresym.output import check_replaceable
-from tresym.reals.numbers.exact import InputError
+from tresym.reals.numbers.exact import InputError, quoted
 
 if TYPE_CHECKING:
     import argparse
@@ -42,15 +42,16 @@ COMMANDS = (
 """The commands in the order of the help; only the module of the requested one is loaded."""
 
 BEGIN = """\
-tresym: the tennis racket effect, verified. Examples:
+tresym: check formulas, approximations and manuscripts. Examples:
 
-  tresym flip --body str                  how complete the flip of a racket is
-  tresym flip --inertia 1210 16380 17480  the same for your own body
-  tresym verify eq_gamma                  a statement, and what it depends on
   tresym check 'exp(x) >= 1 + x'          a claim of your own
-  tresym new mine                         a file of claims, for a paper of your own
+  tresym table 'sin(x)' x --as 'x -> 0'   how good an approximation is
   tresym paper MANUSCRIPT.tex             the formulas of your manuscript
-  tresym verify                           every statement (half a minute)
+  tresym new mine                         a file of claims, for a paper of your own
+  tresym flip --body wilson               how complete the flip of a racket is
+  tresym flip --inertia 1210 16380 17480  the same for your own body
+  tresym verify main_theorem_remainder    a statement of the racket paper
+  tresym verify                           all its statements (half a minute)
 
 tresym --help lists the commands; tresym COMMAND --help explains one of them.
 """
@@ -69,7 +70,8 @@ def build_parser(chosen: str | None = None) -> Parser:
     """Return the parser of the whole command line, or only of the command ``chosen``."""
     parser = Parser(
         prog="tresym",
-        description="The tennis racket effect, verified: proofs, certified numbers, figures.",
+        description="Check formulas, approximations and manuscripts: verdicts with proofs or "
+        "counterexamples, and certified numbers. Begin with: tresym check 'sin(x) < x'",
     )
     parser.add_argument("--version", action="store_true", help="print version and commit")
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
@@ -136,6 +138,11 @@ def main(arguments: list[str] | None = None) -> int:
         print(f"tresym {described()}")
         return 0
     try:
+        if words[0].startswith("-") and words[0] not in ("-h", "--help", "--version"):
+            raise InputError(
+                f"there is no option {quoted(words[0])} before the command; write tresym COMMAND "
+                "OPTIONS (see tresym --help)"
+            )
         args = build_parser(next(iter(words), None)).parse_args(_keep_negative_values(words))
         _keep_inputs(args)
         status: int = args.run(args)

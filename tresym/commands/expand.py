@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from tresym.commands.parser import Commands, add_options, add_output, deliver, json_line
-from tresym.reals.numbers.exact import InputError
+from tresym.reals.numbers.exact import InputError, quoted
 
 if TYPE_CHECKING:
     import argparse
@@ -49,7 +49,8 @@ def run(args: argparse.Namespace) -> int:
         raise InputError("expand: give a limit process, such as --as 'x -> 0+'")
     text = str(args.terms)
     if not (text.isascii() and text.isdecimal() and len(text) < 4):
-        raise InputError("--terms: give an integer, such as 3")
+        asked = quoted(text.strip())
+        raise InputError(f"--terms: {asked} is not a number of terms; give 1, 2, 3, …")
     found = expand(args.exact, args.tends, int(text), args.given or "", args.on or "")
     if args.json:
         shown = json_line(found.as_json())

@@ -15,7 +15,7 @@ from tresym.commands.parser import (
     deliver,
     json_line,
 )
-from tresym.reals.numbers.exact import InputError
+from tresym.reals.numbers.exact import InputError, quoted
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -143,7 +143,7 @@ def digits_of(text: str) -> int:
         InputError: it is no integer.
     """
     if not (text.isascii() and text.isdecimal() and len(text) < 7):
-        raise InputError("--digits: give an integer, such as 50")
+        raise InputError(f"--digits: {quoted(text)} is not an integer from 1 to 10000")
     return int(text)
 
 

@@ -8,6 +8,7 @@ exactly like any other claim. Trivial statements are dropped. The most common mi
 
 from __future__ import annotations
 
+import re
 import time
 from collections.abc import Iterator, Sequence
 from itertools import islice, takewhile
@@ -117,6 +118,12 @@ def alternatives(
             continue  # a stricter condition than one already found
         if any(one.claim == candidate.says() for one in found) and not more:
             continue
+        if _replaced(edit) and any(_replaced(one.edit) == _replaced(edit) for one in found):
+            continue  # another term in the place where a likelier one was found
+        head = _before_order(claim.says())
+        weaker = head and head == _before_order(candidate.says())
+        if weaker and any(_before_order(one.claim) == head for one in found):
+            continue  # a weaker comparison function than one already found
         tried += 1
         verdict = _decided(candidate.text(more), left if hard else min(left, SHARE * seconds))
         if verdict:
@@ -125,6 +132,16 @@ def alternatives(
                 edit = f"{GIVEN} {more}"
             found.append(Alternative(candidate.says(), under, edit, verdict))
     return tuple(found)
+
+
+def _replaced(edit: str) -> str:
+    """Return what an edit in words replaces: ``b`` of "a in place of b"; empty for other edits."""
+    return edit.partition(" in place of ")[2]
+
+
+def _before_order(claim: str) -> str:
+    """Return the text of a claim before its O(…) or o(…); empty without one."""
+    return re.split(r"\b[oO]\(", claim, maxsplit=1)[0] if re.search(r"\b[oO]\(", claim) else ""
 
 
 def _parsed(text: str) -> Claim:

@@ -153,6 +153,9 @@ class Answer:
         if sentence.count("(") != sentence.count(")"):  # the semicolon stands in brackets
             sentence, rest = abbreviated(self.why), ""
         rows = [("note", rest) if name == "why" else (name, text) for name, text in self.rows()]
+        named = [f"{name} = {value}" for name, value in (self.witness or {}).items()]
+        if all(part in sentence for part in named):  # the first line names the point already
+            rows = [row for row in rows if row[0] != "witness"]
         return sentence, [row for row in rows if row[1]]
 
     def rows(self) -> list[tuple[str, str]]:
