@@ -35,7 +35,7 @@ from tresym.reals.numbers.exact import InputError, parse_number
 from tresym.reals.verdict import Verdict
 
 BITS = 200
-RUNS = ((30, arb("1e-36")), (24, arb("1e-26")))
+RUNS = ((26, arb("1e-32")), (22, arb("1e-26")))
 """Order and tolerance of the two integrations, whose difference tells the error."""
 STEPS = 240
 """The most steps of one integration."""
@@ -53,6 +53,8 @@ FAR = (fmpq(10), fmpq(20), fmpq(40))
 """Where claims as t -> oo are looked at."""
 SMALL = (fmpq(1, 16), fmpq(1, 128), fmpq(1, 1024))
 """Values of a small parameter."""
+SECULAR = (fmpq(1, 6), fmpq(1, 12), fmpq(1, 24))
+"""Values of a small parameter e at which times of the order of 1/e are looked at."""
 PARAMETERS = (fmpq(3, 2), fmpq(2, 3), fmpq(-5, 4), fmpq(1, 5), fmpq(7, 2))
 CHOICES = 3
 AGREED = arb("1e-18")
@@ -165,6 +167,9 @@ def _mark(name: str, order: int) -> Expr:
 
 def _linear_root(e: Expr, name: str, at: Mapping[str, Any]) -> Any:
     """Return the root of an expression that is linear in a symbol, as a ball or a series."""
+    mark = symbol(name)
+    if e.op == "+" and mark in e.args and sum(name in symbols(arg) for arg in e.args) == 1:
+        return -_value(e, {**at, name: arb_series([0])})
     low, high = (_value(e, {**at, name: arb_series([n])}) for n in (0, 1))
     slope = high - low
     if ctx.cap == 1:
@@ -606,9 +611,34 @@ def _small_parameter(
                     bounded += bool(4 * third < second + AGREED) and bool(
                         4 * second < first + AGREED
                     )
+    if answer and (statement.uniformly or answer.uniform) and claim.relation == "O":
+        grown = _secular(claim, statement, system, path, end)
+        if grown:
+            return grown
     refuted = answer.verdict is Verdict.REFUTED and not statement.uniformly
     if refuted and tried >= 2 and bounded == tried:
         return "numerically the ratio of the sides stays bounded"
+    return None
+
+
+def _secular(
+    claim: Comparison, statement: Statement, system: _System, path: Path, end: arb
+) -> str | None:
+    """Return how the ratio of a uniform order grows at times of the order of 1/e, or None."""
+    for at in _choices(claim, statement, system, (path.name,)):
+        sizes = []
+        for e in SECULAR:
+            look = _Look(claim, statement, system, at | {path.name: end + path.sides[-1] * arb(e)})
+            found = [
+                abs(sides[0] / sides[1])
+                for t, sides in look.sides([1 / e + x for x in (fmpq(0), fmpq(4, 5), fmpq(8, 5))])
+                if sides is not None and _allowed(statement, system, at, t)
+            ]
+            if len(found) == 3 and all(x.is_finite() for x in found):
+                sizes.append(found[0].max(found[1]).max(found[2]))
+        grows = len(sizes) == len(SECULAR) and 10 * sizes[1] > 15 * sizes[0] > 0
+        if grows and 10 * sizes[2] > 15 * sizes[1]:
+            return f"numerically the ratio of the sides grows with time to {said(sizes[2])}"
     return None
 
 
