@@ -273,7 +273,7 @@ def _through_integers(
     for rest, (moved, _) in enumerate(cases):
         found = decided(moved, replace(statement, integers=plain))
         if found.verdict is Verdict.REFUTED:
-            found = _at_integers(found, moved, path, len(cases), rest)
+            found = _at_integers(found, moved, path, len(cases), rest, far)
         found = replace(found, why=f"for integers {name}: {found.why}", region=None, constant=None)
         answers.append(found)
         if not found:
@@ -281,10 +281,14 @@ def _through_integers(
     return worst(answers)
 
 
-def _at_integers(found: Answer, claim: Comparison, path: Path, period: int, rest: int) -> Answer:
-    """The refutation of a residue as one at integers; UNDECIDED if it is one at a phase."""
+def _at_integers(
+    found: Answer, claim: Comparison, path: Path, period: int, rest: int, given: Given
+) -> Answer:
+    """The refutation of a residue as one at integers; UNDECIDED if it may be one at a phase."""
     waves = (node for node in operations((claim.left, claim.right)) if node.op in PERIODIC)
-    if any(path.name in symbols(node) for node in waves):
+    phases = (node.args[0] for node in waves if path.name in symbols(node))
+    ends = (limit_of(phase, path.name, path.point, path.sides[0], given) for phase in phases)
+    if any(end is None or end in (INFINITY, -INFINITY) for end in ends):
         return Answer(
             Verdict.UNDECIDED, f"undecided for integers; it is false for real values: {found.why}"
         )
