@@ -6,7 +6,7 @@ import re
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
 
-from tresym.ledger.audit.source import read_text
+from tresym.ledger.latex_source import read_text
 from tresym.manuscript.files import Note
 from tresym.manuscript.kinds_in_prose import BY_NAME
 from tresym.manuscript.source import Display, Event

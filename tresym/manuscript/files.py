@@ -17,7 +17,7 @@ from itertools import islice
 from pathlib import Path
 from typing import NamedTuple
 
-from tresym.ledger.audit.source import read_text
+from tresym.ledger.latex_source import read_text
 from tresym.manuscript.macros import DEFINITIONS, definition
 from tresym.reals.numbers.exact import InputError
 

@@ -7,9 +7,9 @@ from collections.abc import Iterator, Sequence
 from html import escape
 from itertools import groupby
 
+from tresym.ledger.latex_source import DISPLAYS
 from tresym.manuscript.deciding import STATUSES, Row
 from tresym.manuscript.kinds_in_prose import REAL
-from tresym.manuscript.source import DISPLAYS
 from tresym.manuscript.suspects import attention, printed
 from tresym.reals.language.parsing import parse_claim
 from tresym.reals.language.typesetting import to_mathml

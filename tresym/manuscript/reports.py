@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 from xml.sax.saxutils import escape, quoteattr
 
-from tresym.ledger.audit.source import read_text
+from tresym.ledger.latex_source import read_text
 from tresym.manuscript.deciding import Row
 from tresym.reals.numbers.exact import InputError
 

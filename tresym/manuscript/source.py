@@ -14,6 +14,15 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple, NoReturn, TypeAlias
 
+from tresym.ledger.latex_source import (
+    DISPLAYS,
+    LABEL,
+    MARKS,
+    NotClosedError,
+    display_at,
+    end_of_display,
+    unbalanced,
+)
 from tresym.manuscript.files import Files, Note
 from tresym.manuscript.macros import DEFINITIONS, Macro, definition, group, written_out
 from tresym.reals.numbers.exact import InputError
@@ -22,14 +31,6 @@ MAX_DISPLAY = 20_000
 MAX_BRACES = 100
 MAX_DISPLAYS = 5000
 
-DISPLAYS = frozenset(
-    name + star
-    for name in (
-        *("equation", "displaymath", "align", "gather", "multline", "eqnarray", "flalign"),
-        *("alignat", "dmath", "xalignat", "math"),
-    )
-    for star in ("", "*")
-)
 STATEMENT, PROOF, EXAMPLE, LIST, ITEM, CASE = (
     "statement",
     "proof",
@@ -55,11 +56,8 @@ _NEWTHEOREM = re.compile(
 _TITLE = re.compile(r"\*?\s*(?:\[[^\[\]]*\])?\s*\{(?:[^{}]|\{[^{}]*\})*\}")
 _MARKED = re.compile(r"\x01(\d+)\x02")
 _MARKS = re.compile(
-    r"""\\begin\s*\{(?P<begin>[^{}\s]+)\}
-      | \\end\s*\{(?P<end>[^{}\s]+)\}
-      | (?P<open>\\\[)
-      | (?P<dollars>\$\$)
-      | (?P<section>\\(?:chapter|section|subsection|part|appendix)(?![a-zA-Z]))
+    MARKS
+    + r"""| (?P<section>\\(?:chapter|section|subsection|part|appendix)(?![a-zA-Z]))
       | \x01(?P<note>\d+)\x02
       | (?P<item>\\item(?![a-zA-Z]))
       | (?<![^\n])[ \t]*(?:\\noindent\s*)?(?P<styled>
@@ -72,9 +70,6 @@ _MARKS = re.compile(
       | (?P<inline>\$)""",
     re.VERBOSE | re.DOTALL,
 )
-_CLOSED = re.compile(r"\\\\|\\\]")
-_LABEL = re.compile(r"\\label\s*\{([^{}]*)\}")
-_ENVIRONMENT = re.compile(r"\\(begin|end)\s*\{([^{}]*)\}")
 
 
 class Section(NamedTuple):
@@ -193,8 +188,6 @@ class _Scanner:
         prose = at
         while (mark := _MARKS.search(self.text, at, stop)) is not None:
             at = mark.end()
-            kind = mark["begin"] or ("brackets" if mark["open"] else "")
-            kind = kind or ("dollars" if mark["dollars"] else "")
             if mark["command"] and (command := DEFINITIONS.match(self.text, mark.start())):
                 at = self.defined(command)
             elif mark["inline"]:
@@ -210,7 +203,7 @@ class _Scanner:
                 yield Section(self.source.place(at)[1], chapter, inner)
                 if (title := _TITLE.match(self.text, at, stop)) is not None:
                     prose = at = title.end()
-            elif kind in DISPLAYS or kind in ("brackets", "dollars"):
+            elif kind := display_at(mark):
                 yield self.prose(prose, mark.start())
                 display, at = self.display(kind, mark.start(), at, stop)
                 prose = at
@@ -274,7 +267,10 @@ class _Scanner:
 
     def display(self, kind: str, start: int, at: int, stop: int) -> tuple[Display, int]:
         """Return the display whose text begins at ``at``, and where to continue."""
-        end, after = self.closed(kind, start, at, stop)
+        try:
+            end, after = end_of_display(self.text, kind, at, stop)
+        except NotClosedError as error:
+            self.fail(start, str(error))
         text = self.text[at:end]
         if len(text) > MAX_DISPLAY:
             self.fail(start, f"the display is longer than {MAX_DISPLAY} characters")
@@ -286,14 +282,7 @@ class _Scanner:
         if depth > MAX_BRACES:
             self.fail(start, f"braces are nested deeper than {MAX_BRACES} levels in the display")
         problem = "the braces of the display do not match" if depth else ""
-        opened: list[str] = []
-        for mark in _ENVIRONMENT.finditer(text):
-            if mark[1] == "begin":
-                opened.append(mark[2])
-            elif not opened or opened.pop() != mark[2]:
-                problem = problem or f"\\end{{{mark[2]}}} closes nothing in the display"
-        if opened:
-            problem = problem or f"\\begin{{{opened[-1]}}} is not closed in the display"
+        problem = problem or unbalanced(text)
         if problem:
             self.broken.append((start, problem))
         notes = tuple(self.source.notes[int(mark[1])] for mark in _MARKED.finditer(text))
@@ -301,7 +290,7 @@ class _Scanner:
         if kind.startswith(("alignat", "xalignat")):
             _, past = group(text, 0)
             text = text[past:]
-        labels = tuple(label.strip() for label in _LABEL.findall(text))
+        labels = tuple(label.strip() for label in LABEL.findall(text))
         try:
             text = text if problem else written_out(text, self.macros)
         except InputError as error:
@@ -313,23 +302,6 @@ class _Scanner:
             self.fail(start, f"there are more than {MAX_DISPLAYS} displays")
         file, line = self.source.place(start)
         return Display(self.count, kind, labels, file, line, text, problem, notes), after
-
-    def closed(self, kind: str, start: int, at: int, stop: int) -> tuple[int, int]:
-        """Return where the display ends, and where to continue."""
-        if kind == "brackets":
-            ends = (m for m in _CLOSED.finditer(self.text, at, stop) if m[0] == "\\]")
-            found = next(ends, None)
-            end, after = (found.start(), found.end()) if found else (-1, -1)
-        else:
-            closing = "$$" if kind == "dollars" else f"\\end{{{kind}}}"
-            end = self.text.find(closing, at, stop)
-            after = end + len(closing)
-        if end < 0:
-            self.fail(start, f"the display ({kind}) is not closed")
-        for mark in re.finditer(r"\\begin\{([^{}]*)\}", self.text[at:end]):
-            if mark[1] in DISPLAYS:
-                self.fail(start, f"the display ({kind}) is not closed before the next one")
-        return end, after
 
     def fail(self, at: int, why: str) -> NoReturn:
         file, line = self.source.place(at)

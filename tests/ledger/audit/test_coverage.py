@@ -20,9 +20,10 @@ from tresym.ledger.audit.coverage import (
     load_index,
     load_words,
 )
-from tresym.ledger.audit.source import read_source, scan
+from tresym.ledger.audit.source import scan
 from tresym.ledger.audit.transcription import Reading, functions_of, unmet
 from tresym.ledger.claim import Claim, Definition, Place, Printed, all_of, equal, formally
+from tresym.ledger.latex_source import read_source
 from tresym.ledger.paper import all_claims
 from tresym.ledger.statements import Rounds
 from tresym.reals.language.latex import read_latex

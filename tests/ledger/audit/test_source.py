@@ -5,7 +5,8 @@ from pathlib import Path
 import pytest
 from cases import cases
 
-from tresym.ledger.audit.source import MAX_BYTES, Piece, read_source, scan
+from tresym.ledger.audit.source import Piece, scan
+from tresym.ledger.latex_source import MAX_BYTES, read_source
 from tresym.reals.numbers.exact import InputError
 
 

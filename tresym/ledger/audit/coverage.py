@@ -19,9 +19,10 @@ from pathlib import Path
 from typing import Any
 
 from tresym.ledger.audit.quotes import Quote
-from tresym.ledger.audit.source import Piece, read_source, scan
+from tresym.ledger.audit.source import Piece, scan
 from tresym.ledger.audit.transcription import Reading, differing, functions_of, unmet
 from tresym.ledger.claim import Claim
+from tresym.ledger.latex_source import read_source
 from tresym.reals.language.latex import read_latex
 from tresym.reals.language.latex_author import Function
 from tresym.reals.numbers.exact import InputError

@@ -11,46 +11,28 @@ import hashlib
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import NoReturn
 
+from tresym.ledger.latex_source import (
+    DISPLAYS,
+    LABEL,
+    MARKS,
+    NotClosedError,
+    display_at,
+    end_of_display,
+    unbalanced,
+)
 from tresym.reals.numbers.exact import InputError
 
-MAX_BYTES = 10_000_000
-
-DISPLAYS = frozenset(
-    name + star
-    for name in ("equation", "displaymath", "align", "gather", "multline", "eqnarray")
-    for star in ("", "*")
-)
 FLOATS = {"table": "table", "table*": "table", "figure": "figure", "figure*": "figure"}
 
-ENCODINGS = {
-    "utf8": "utf-8",
-    "utf8x": "utf-8",
-    "ascii": "ascii",
-    "latin1": "iso8859-1",
-    "latin2": "iso8859-2",
-    "latin9": "iso8859-15",
-    "ansinew": "cp1252",
-    "applemac": "mac-roman",
-    "cp1250": "cp1250",
-    "cp1252": "cp1252",
-}
-"""Encodings as the package inputenc names them, and as Python does."""
 
 _MARKS = re.compile(
-    r"""(?P<comment>%[^\n]*)
-      | \\begin\s*\{(?P<begin>[^{}\s]+)\}
-      | \\end\s*\{(?P<end>[^{}\s]+)\}
-      | (?P<open>\\\[) | (?P<close>\\\])
-      | (?P<escaped>\\[^a-zA-Z]|\\[a-zA-Z]+)
-      | (?P<dollars>\$\$?)""",
+    MARKS + r"""| (?P<close>\\\]) | (?P<escaped>\\[^a-zA-Z]|\\[a-zA-Z]+) | (?P<formula>\$)""",
     re.VERBOSE | re.DOTALL,
 )
 _COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%[^\n]*(?:\n|$)")
 _INNER_DISPLAY = re.compile(r"\\begin\{equation\}.*?\\end\{equation\}", re.DOTALL)
-_LABEL = re.compile(r"\\label\s*\{([^{}]*)\}")
 _FORMULA = re.compile(r"(?<!\\)\$[^$]+\$")
 _HEADING = re.compile(r"\\(?:sub)*section\b")
 _THEOREM = re.compile(r"\\newtheorem\*?\s*\{\s*(\w+)\s*\}\s*(?:\[\w+\])?\s*\{([^{}]*)\}")
@@ -105,73 +87,6 @@ class Source:
     others: tuple[Piece, ...]
     text: tuple[Piece, ...] = ()
     """The lines of the running text that hold a formula, or one of the words asked for."""
-
-
-def read_source(path: Path) -> str:
-    """Return the text of a LaTeX document, with line ends as newlines.
-
-    UTF-8 is tried first, then the encoding that the file declares with inputenc.
-
-    Args:
-        path: the file.
-
-    Raises:
-        InputError: the file does not exist, is too large, is not text, cannot be decoded, or is not
-            a LaTeX document.
-    """
-    text = read_text(path)
-    if "\\begin{document}" not in text:
-        raise InputError(f"{path}: no \\begin{{document}} in it; a LaTeX source is expected")
-    return text
-
-
-def read_text(path: Path) -> str:
-    """Return the text of a LaTeX file that need not be a complete document; see `read_source`."""
-    text = _decoded(_bytes(path), path)
-    return text.replace("\r\n", "\n").replace("\r", "\n")
-
-
-def _bytes(path: Path) -> bytes:
-    try:
-        if path.exists() and not path.is_file() and not path.is_dir():
-            raise InputError(f"{path}: is no regular file; a pipe may never end")
-        with open(path, "rb") as file:
-            data = file.read(MAX_BYTES + 1)
-    except (FileNotFoundError, ValueError):  # the latter for a NUL in its name
-        raise InputError(f"{path}: no such file") from None
-    except OSError as error:
-        raise InputError(f"{path}: cannot be read ({error.strerror})") from None
-    if len(data) > MAX_BYTES:
-        raise InputError(f"{path}: larger than {MAX_BYTES // 1_000_000} MB; no paper is")
-    return data
-
-
-def _decoded(data: bytes, path: Path) -> str:
-    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
-        return _decode(data, "utf-16", path)
-    if b"\0" in data:
-        raise InputError(f"{path}: holds NUL bytes; a LaTeX source is text")
-    try:
-        return data.decode("utf-8-sig")
-    except UnicodeDecodeError:
-        declared = re.search(rb"\\usepackage\s*\[(\w+)\]\s*\{inputenc\}", data)
-        if declared is None:
-            raise InputError(
-                f"{path}: is not UTF-8 and declares no encoding; "
-                "add \\usepackage[latin1]{inputenc}, or whichever it is"
-            ) from None
-    name = declared[1].decode("ascii")
-    if name not in ENCODINGS:
-        raise InputError(f"{path}: the encoding {name} is not known; save the file as UTF-8")
-    return _decode(data, ENCODINGS[name], path)
-
-
-def _decode(data: bytes, encoding: str, path: Path) -> str:
-    try:
-        return data.decode(encoding)
-    except UnicodeDecodeError as error:
-        line = data.count(b"\n", 0, error.start) + 1
-        raise InputError(f"{path}: line {line} is not {encoding}; save the file as UTF-8") from None
 
 
 def scan(text: str, name: str = "the source", words: Sequence[str] = ()) -> Source:
@@ -247,7 +162,7 @@ def _piece(text: str, found: _Found, number: int, unnamed: str, display: bool) -
     kind, start, stop = found
     body = _COMMENT.sub(r"\1", text[start:stop])
     # A theorem's own label stands outside the displays in it.
-    label = _LABEL.search(body if display else _INNER_DISPLAY.sub("", body))
+    label = LABEL.search(body if display else _INNER_DISPLAY.sub("", body))
     return Piece(
         kind,
         label[1].strip() if label else unnamed,
@@ -259,10 +174,10 @@ def _piece(text: str, found: _Found, number: int, unnamed: str, display: bool) -
 
 
 class _Scanner:
-    """A single pass over the body; keeps a stack of open environments and a list of closed ones."""
+    """A single pass over the body, with a stack of the environments around the displays."""
 
     def __init__(self, text: str, name: str) -> None:
-        self.text = text
+        self.text = _COMMENT.sub(lambda m: m[1] + re.sub(r"[^\n]", " ", m[0][len(m[1]) :]), text)
         self.name = name
         self.stack: list[tuple[str, int, int]] = []
         self.found: list[_Found] = []
@@ -270,50 +185,61 @@ class _Scanner:
     def run(self, at: int, stop: int) -> list[_Found]:
         while (mark := _MARKS.search(self.text, at, stop)) is not None:
             at = mark.end()
-            if mark["dollars"]:
-                at = self.dollars(mark["dollars"], mark.start())
-            elif opened := mark["begin"] or (mark["open"] and "brackets"):
-                self.open(opened, mark.start(), at)
-            elif closed := mark["end"] or (mark["close"] and "brackets"):
-                self.close(closed, mark.start())
+            if kind := display_at(mark):
+                end, after = self.end_of(kind, mark.start(), at, stop)
+                self.found.append((kind, at, end))
+                at = after
+            elif mark["formula"]:
+                at = self.end_of_formula(mark.start(), stop)
+            elif mark["begin"]:
+                self.stack.append((mark["begin"], self.line(mark.start()), at))
+            elif mark["end"] or mark["close"]:
+                self.close(mark)
         if self.stack:
             name, line, _ = self.stack[-1]
-            self.fail(f"{_shown(name)}, opened in line {line}, is not closed")
+            self.fail(f"\\begin{{{name}}}, opened in line {line}, is not closed")
         return sorted(self.found, key=lambda found: found[1])
 
-    def dollars(self, signs: str, at: int) -> int:
-        """Handle ``$`` (inline formula) and ``$$`` (display); return the next position."""
-        inside = self.stack[-1][0] if self.stack else ""
-        if inside == "$":
-            self.close("$", at)
-            return at + 1
-        if inside != "dollars":
-            self.open("$" if signs == "$" else "dollars", at, at + len(signs))
-        elif signs == "$":
-            self.fail(f"line {self.line(at)}: $$ is closed by a single $")
-        else:
-            self.close("dollars", at)
-        return at + len(signs)
+    def end_of(self, kind: str, start: int, at: int, stop: int) -> tuple[int, int]:
+        """Return where a display ends, and where to continue."""
+        opened = f"{self.text[start:at]}, opened in line {self.line(start)},"
+        try:
+            end, after = end_of_display(self.text, kind, at, stop)
+        except NotClosedError:
+            end = stop
+        for mark in _MARKS.finditer(self.text, at, end):
+            if display_at(mark) and kind != "dollars":
+                self.fail(f"{opened} is open in line {self.line(mark.start())}")
+            if end == stop and mark["end"] and kind != "dollars":
+                self.fail(
+                    f"line {self.line(mark.start())}: {mark[0]} where {opened} is to be closed"
+                )
+            if end == stop and mark["formula"] and kind == "dollars":
+                self.fail(f"line {self.line(mark.start())}: $$ is closed by a single $")
+        if end == stop:
+            self.fail(f"{opened} is not closed")
+        if problem := unbalanced(self.text[at:end]):
+            self.fail(f"line {self.line(start)}: {problem}")
+        return end, after
 
-    def open(self, name: str, at: int, start: int) -> None:
-        """Open ``name``; a display inside an inline formula means that that was not closed."""
-        line = self.line(at)
-        around = [o for o in self.stack if o[0] == "$" or _is_display(o[0])]
-        if around and _is_display(name):
-            self.fail(
-                f"{_shown(around[0][0])}, opened in line {around[0][1]}, is open in line {line}"
-            )
-        self.stack.append((name, line, start))
+    def end_of_formula(self, start: int, stop: int) -> int:
+        """Return where the formula ends that a ``$`` opens; no display may begin in it."""
+        for mark in _MARKS.finditer(self.text, start + 1, stop):
+            if mark["formula"] or mark["dollars"]:
+                return mark.start() + 1
+            if display_at(mark):
+                break
+        self.fail(f"the formula $, opened in line {self.line(start)}, is not closed")
 
-    def close(self, name: str, at: int) -> None:
-        shown = f"line {self.line(at)}: {_shown(name, closing=True)}"
-        if not self.stack:
+    def close(self, mark: re.Match[str]) -> None:
+        """Close the innermost environment."""
+        shown = f"line {self.line(mark.start())}: {mark[0]}"
+        if not self.stack or mark["close"]:
             self.fail(f"{shown} closes nothing")
         last, line, start = self.stack.pop()
-        if last != name:
-            self.fail(f"{shown} where {_shown(last)}, opened in line {line}, is to be closed")
-        if name != "$":
-            self.found.append((name, start, at))
+        if last != mark["end"]:
+            self.fail(f"{shown} where \\begin{{{last}}}, opened in line {line}, is to be closed")
+        self.found.append((last, start, mark.start()))
 
     def line(self, at: int) -> int:
         return self.text.count("\n", 0, at) + 1
@@ -324,14 +250,3 @@ class _Scanner:
 
 def _is_display(name: str) -> bool:
     return name in DISPLAYS or name in ("brackets", "dollars")
-
-
-def _shown(name: str, closing: bool = False) -> str:
-    """Return an environment or delimiter as the author wrote it."""
-    if name == "brackets":
-        return "\\]" if closing else "\\["
-    if name == "dollars":
-        return "$$"
-    if name == "$":
-        return "the formula $"
-    return f"\\{'end' if closing else 'begin'}{{{name}}}"
