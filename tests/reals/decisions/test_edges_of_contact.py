@@ -7,7 +7,7 @@ from flint import arb, fmpq
 
 import tresym
 from tresym.reals.decisions import edges_of_contact
-from tresym.reals.decisions.edges_of_contact import Edge, least_quotient
+from tresym.reals.decisions.edges_of_contact import Edge, Quotient
 from tresym.reals.decisions.inequalities_on_regions import search
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.derivatives import differentiate
@@ -77,7 +77,7 @@ def test_the_distance_from_an_upper_edge_is_positive(text: str, positive: bool) 
     slopes = [differentiate(e, name) for name in names]
     with ball_precision():
         near = [arb("0.9").union(arb(1)), arb(0).union(arb(1))]
-        found = least_quotient(e, slopes, names, near, Edge(0, fmpq(1), -1, 3))
+        found = Quotient(e, slopes, names, Edge(0, fmpq(1), -1, 3)).least(near)
     assert bool(found > 0) is positive
 
 
@@ -87,4 +87,4 @@ def test_nothing_is_concluded_where_the_difference_is_not_smooth() -> None:
     slopes = [differentiate(e, name) for name in names]
     with ball_precision():
         near = [arb(0).union(arb("0.1")), arb(0).union(arb(1))]
-        assert not least_quotient(e, slopes, names, near, Edge(0, fmpq(0), 1, 1)) > 0
+        assert not Quotient(e, slopes, names, Edge(0, fmpq(0), 1, 1)).least(near) > 0

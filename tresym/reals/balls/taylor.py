@@ -9,8 +9,9 @@ balls and the mean value theorem are too coarse.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from functools import partial
+import operator
+from collections.abc import Callable, Sequence
+from functools import partial, reduce
 from typing import Any
 
 from flint import arb, arb_series, ctx, fmpq
@@ -18,7 +19,7 @@ from flint import arb, arb_series, ctx, fmpq
 from tresym.reals.balls.gradient import horner
 from tresym.reals.domain.evaluation import UndefinedError, Walker
 from tresym.reals.functions.table import TABLE
-from tresym.reals.language.expression import Expr, off_the_cut
+from tresym.reals.language.expression import Expr, off_the_cut, symbol
 
 TERMS = 8
 
@@ -39,13 +40,9 @@ class InSeries(Walker):
 
     def _power(self, base: Expr, exponent: Expr) -> arb_series:
         x = self.value(base)
-        r = exponent.args[0] if exponent.op == "number" else None
-        if r is not None and r.q == 1:
-            n = int(r)
-            return x**n if n >= 0 else 1 / x**-n
-        if r == fmpq(1, 2):
-            return x.sqrt()
-        return (x.log() * self.value(exponent)).exp()
+        if exponent.op == "number":
+            return _rational_power(exponent.args[0], x)
+        return _power(x, self.value(exponent))
 
     def _apply(self, name: str, *values: arb_series) -> arb_series:
         if name in ("abs", "cbrt") and (values[0][0] > 0 or values[0][0] < 0):
@@ -59,6 +56,79 @@ class InSeries(Walker):
             raise ZeroDivisionError(f"{name} is not smooth")
         above, below = row.quotient
         return (self._apply(above, *values) if above else 1) / self._apply(below, *values)
+
+
+class SeriesSteps:
+    """An expression as a list of steps in Taylor series, for evaluation at many points.
+
+    The values are those of :class:`InSeries`; equal parts share a step.
+    """
+
+    def __init__(self, e: Expr, names: Sequence[str]) -> None:
+        """Compile an expression.
+
+        Args:
+            e: the expression.
+            names: its variables, in the order of the values of a point.
+        """
+        self._places = {symbol(name): n for n, name in enumerate(names)}
+        self._constants: list[tuple[int, Expr]] = []
+        self._steps: list[tuple[Callable[..., arb_series], tuple[int, ...], int]] = []
+        self._walker = InSeries(None, {})
+        self._end = self._place(e)
+
+    def value(self, point: Sequence[arb_series]) -> arb_series:
+        """Return the series; raises what :class:`InSeries` raises."""
+        values: list[Any] = [*point, *[None] * (len(self._places) - len(point))]
+        for k, leaf in self._constants:
+            values[k] = self._walker._number(arb.pi() if leaf.op == "pi" else leaf.args[0])
+        for operation, places, k in self._steps:
+            values[k] = operation(*(values[n] for n in places))
+        found: arb_series = values[self._end]
+        return found
+
+    def _place(self, e: Expr) -> int:
+        """Return the place of the value of ``e``, which is computed in a step if it is new."""
+        if e in self._places:
+            return self._places[e]
+        if e.op == "symbol":
+            raise UndefinedError(e)
+        if e.op == "atan2":
+            return self._place(off_the_cut(e))
+        if e.op in ("number", "pi"):
+            k = self._places[e] = len(self._places)
+            self._constants.append((k, e))
+            return k
+        exponent = e.args[1] if e.op == "^" else None
+        if exponent is not None and exponent.op == "number":
+            operation: Callable[..., arb_series] = partial(_rational_power, exponent.args[0])
+            places: tuple[int, ...] = (self._place(e.args[0]),)
+        else:
+            places = tuple(self._place(arg) for arg in e.args)
+            operation = partial(self._walker._apply, e.op)
+            if e.op in ("+", "*", "^"):
+                operation = {"+": _sum, "*": _product, "^": _power}[e.op]
+        k = self._places[e] = len(self._places)
+        self._steps.append((operation, places, k))
+        return k
+
+
+def _sum(*values: arb_series) -> arb_series:
+    return reduce(operator.add, values)
+
+
+def _product(*values: arb_series) -> arb_series:
+    return reduce(operator.mul, values)
+
+
+def _power(base: arb_series, exponent: arb_series) -> arb_series:
+    return (base.log() * exponent).exp()
+
+
+def _rational_power(r: fmpq, x: arb_series) -> arb_series:
+    if r.q == 1:
+        return x ** int(r) if r >= 0 else 1 / x ** -int(r)
+    return x.sqrt() if r == fmpq(1, 2) else (x.log() * arb(r)).exp()
 
 
 def taylor_value(

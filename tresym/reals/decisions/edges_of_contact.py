@@ -19,7 +19,7 @@ from typing import NamedTuple
 from flint import arb, arb_series, ctx, fmpq
 
 from tresym.reals.balls.gradient import horner
-from tresym.reals.balls.taylor import InSeries
+from tresym.reals.balls.taylor import SeriesSteps
 from tresym.reals.decisions.identity import decide
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import UndefinedError
@@ -80,13 +80,15 @@ def _seen(
 ) -> int:
     """Return how many coefficients are 0 at sample points of an edge; 0 if that is not seen."""
     powers = set()
+    try:
+        steps = SeriesSteps(difference, names)
+    except UndefinedError:
+        return 0
     for share in SHARES:
-        point = {
-            name: arb(x.low + share * (x.high - x.low)) for name, x in zip(names, box, strict=True)
-        }
         with ball_precision(PRECISION):
-            point[names[axis]] = arb(end)
-            series = _series(difference, point, names[axis], HIGHEST + 1)
+            point = [arb(x.low + share * (x.high - x.low)) for x in box]
+            point[axis] = arb(end)
+            series = _series(steps, point, axis, HIGHEST + 1)
         if series is None:
             return 0
         nonzero = (j for j in range(HIGHEST + 1) if not series[j].contains(0))
@@ -97,24 +99,23 @@ def _seen(
 def _vanish(difference: Expr, name: str, end: fmpq, power: int, given: Given) -> bool:
     """Return whether the first coefficients on an edge are shown to vanish identically."""
     put = {name: number(end)}
-    for _ in range(power):
-        try:
-            there = substitute(difference, put)
-            if decide(there, ZERO, given).verdict is not Verdict.PROVED:
+    try:
+        for order in range(power):
+            difference = differentiate(difference, name) if order else difference
+            if decide(substitute(difference, put), ZERO, given).verdict is not Verdict.PROVED:
                 return False
-        except (InputError, ZeroDivisionError):
-            return False
-        difference = differentiate(difference, name)
+    except (InputError, ZeroDivisionError):
+        return False
     return True
 
 
-def _series(e: Expr, point: dict[str, arb], name: str, cap: int) -> list[arb] | None:
-    """Return the first Taylor coefficients in one variable, or None where ``e`` is not smooth."""
+def _series(steps: SeriesSteps, point: Sequence[arb], axis: int, cap: int) -> list[arb] | None:
+    """Return the first Taylor coefficients in one variable; None where there are none."""
     before = ctx.cap
     ctx.cap = cap
     try:
-        at = {n: arb_series([x, 1] if n == name else [x], cap) for n, x in point.items()}
-        found = InSeries(None, at).value(e)
+        at = [arb_series([x, 1] if n == axis else [x], cap) for n, x in enumerate(point)]
+        found = steps.value(at)
         if found.prec < cap:
             return None
         coefficients = [found[j] for j in range(cap)]
@@ -125,44 +126,55 @@ def _series(e: Expr, point: dict[str, arb], name: str, cap: int) -> list[arb] | 
         ctx.cap = before
 
 
-def least_quotient(
-    difference: Expr, slopes: Sequence[Expr], names: Sequence[str], box: Sequence[arb], edge: Edge
-) -> arb:
-    """Return a ball whose lower end bounds the difference over the power of the distance, or NaN.
+class Quotient:
+    """A difference over the power of the distance from an edge, and its slopes.
 
-    In the other variables the mean value theorem is used. A slope of the quotient is the quotient
-    of the slope, which vanishes on the edge as the difference does.
-
-    Args:
-        difference: the expression.
-        slopes: its derivatives by the variables.
-        names: the variables.
-        box: balls for them.
-        edge: the edge; the distance from it is taken to be positive.
+    The distance is taken to be positive, on either side of the edge. A slope of the quotient is the
+    quotient of the slope, which vanishes on the edge as the difference does.
     """
-    corner, spread = list(box), arb(0)
-    for axis, (x, slope) in enumerate(zip(box, slopes, strict=True)):
-        if axis == edge.axis or x.is_exact():
-            continue
-        rate = _quotient(slope, names, box, edge)
-        if not rate.is_finite():
+
+    def __init__(
+        self, difference: Expr, slopes: Sequence[Expr], names: Sequence[str], edge: Edge
+    ) -> None:
+        """Prepare the evaluation.
+
+        Args:
+            difference: the expression.
+            slopes: its derivatives by the variables.
+            names: the variables.
+            edge: the edge.
+        """
+        self._value = SeriesSteps(difference, names)
+        self._rates = [SeriesSteps(slope, names) for slope in slopes]
+        self._edge = edge
+
+    def least(self, box: Sequence[arb]) -> arb:
+        """Return a ball whose lower end bounds the quotient on a box, or NaN.
+
+        In the other variables the mean value theorem is used.
+        """
+        corner, spread = list(box), arb(0)
+        for axis, (x, rate) in enumerate(zip(box, self._rates, strict=True)):
+            if axis == self._edge.axis or x.is_exact():
+                continue
+            slope = self._over(rate, box)
+            if not slope.is_finite():
+                return arb.nan()
+            if slope >= 0 or slope <= 0:
+                corner[axis] = x.lower() if slope >= 0 else x.upper()
+            else:
+                corner[axis] = x.mid()
+                spread += slope * (x - x.mid())
+        return self._over(self._value, corner) + spread
+
+    def _over(self, steps: SeriesSteps, box: Sequence[arb]) -> arb:
+        """Return a ball for an expression that vanishes on the edge, over the power."""
+        axis, at, side, power = self._edge
+        x, edge = box[axis], arb(at)
+        cap = power + MORE + 1
+        there = _series(steps, [*box[:axis], edge, *box[axis + 1 :]], axis, cap)
+        between = _series(steps, [*box[:axis], edge.union(x), *box[axis + 1 :]], axis, cap)
+        if there is None or between is None:
             return arb.nan()
-        if rate >= 0 or rate <= 0:
-            corner[axis] = x.lower() if rate >= 0 else x.upper()
-        else:
-            corner[axis] = x.mid()
-            spread += rate * (x - x.mid())
-    return _quotient(difference, names, corner, edge) + spread
-
-
-def _quotient(e: Expr, names: Sequence[str], box: Sequence[arb], edge: Edge) -> arb:
-    """Return a ball for an expression that vanishes on the edge, over the power of the distance."""
-    point = dict(zip(names, box, strict=True))
-    name, x, at = names[edge.axis], box[edge.axis], arb(edge.at)
-    cap = edge.power + MORE + 1
-    there = _series(e, {**point, name: at}, name, cap)
-    between = _series(e, {**point, name: at.union(x)}, name, cap)
-    if there is None or between is None:
-        return arb.nan()
-    value = horner(there[edge.power : -1], x - at, between[-1])
-    return value if edge.side > 0 or edge.power % 2 == 0 else -value
+        value = horner(there[power:-1], x - edge, between[-1])
+        return value if side > 0 or power % 2 == 0 else -value

@@ -28,7 +28,7 @@ from tresym.reals.decisions.variable_reduction import by_one_variable
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.local_search import low_points
-from tresym.reals.domain.operation_domains import with_domain
+from tresym.reals.domain.operation_domains import operations, with_domain
 from tresym.reals.domain.sample_points import corners
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
@@ -59,6 +59,9 @@ from tresym.reals.verdict import Cause, Verdict
 LOOKS = ((128, 40), (700, 10))
 HALVINGS = 40
 MAX_PAIRS = 8
+LARGE = 40
+"""Operations in an inequality in three variables or more, from which on exact methods, which take
+long and seldom succeed, are tried after branch and bound if that can divide by positive factors."""
 GRID, GRID_STEPS = range(-80, 81), 5
 MAX_STARTS = 24
 PERIODS = (2 * PI, number(2))
@@ -102,6 +105,12 @@ def decide_inequality(
     if not symbols(left) | symbols(right):
         return _constants(left, relation, right)
     region = with_domain(whole, left, right)
+    large = len(names) > 2 and sum(1 for _ in operations((left, right))) > LARGE
+    if large and relation != "!=" and is_regular(given):
+        with stage("division by positive factors"):
+            divided = _by_division(left - right, relation, region, inside)
+        if divided is not None:
+            return _shown_under(given, divided)
     with stage("proof of a sign"):
         found = proof(left - right, relation, region)
     partly = found is not None and not is_regular(given)
@@ -135,8 +144,8 @@ def decide_inequality(
             return reduced
     period = _one_period(left - right, region, given)
     with stage("division by positive factors"):
-        divided = _by_division(left - right, relation, region, inside)
-    if divided is not None and not partly:
+        divided = None if large or partly else _by_division(left - right, relation, region, inside)
+    if divided is not None:
         return _shown_under(given, divided)
     with stage("branch and bound"):
         answer = _shown_under(given, search(left, right, relation == ">", period, inside))

@@ -20,7 +20,7 @@ from tresym.reals.balls.branch_and_bound import Bound, Box, BoxProof, Counterexa
 from tresym.reals.balls.simplest_constants import candidates, enclosure
 from tresym.reals.balls.taylor import taylor_value
 from tresym.reals.decisions.answer import Answer, exactly, refuted
-from tresym.reals.decisions.edges_of_contact import Edge, edges_of_contact, least_quotient
+from tresym.reals.decisions.edges_of_contact import Edge, Quotient, edges_of_contact
 from tresym.reals.domain.compiled import Compiled
 from tresym.reals.domain.conditions import Condition, Given
 from tresym.reals.domain.evaluation import evaluate, stands
@@ -112,7 +112,7 @@ class _Search:
     spoken_of: tuple[Condition, ...]
     """What holds at a point at which the claim speaks, and is refuted if it fails."""
     pieces: list[tuple[fmpq, fmpq]] = field(default_factory=list)
-    edges: list[Edge] = field(default_factory=list)
+    edges: list[tuple[Edge, Quotient]] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         self.difference = self.left - self.right
@@ -270,7 +270,8 @@ class _Search:
             where = self.region.box[self.names[edge.axis]]
             is_open = where.low_open if edge.side > 0 else where.high_open
             if is_open or not self.strict:
-                self.edges.append(edge)
+                over = Quotient(self.difference, self.slopes, self.names, edge)
+                self.edges.append((edge, over))
         outcome = self._prove(sides, BUDGETS.get(len(sides), LARGEST_BUDGET))
         return outcome if isinstance(outcome, Answer) else _open(self.names, outcome)
 
@@ -289,7 +290,7 @@ class _Search:
         if count := len(self.pieces):
             plural = "s" * (count != 1)
             parts.append(f"and by series expansion near {count} point{plural} of contact")
-        for edge in self.edges:
+        for edge, _ in self.edges:
             where = f"{self.names[edge.axis]} = {fraction_text(edge.at)}"
             parts.append(f"and, beside {where}, after division by a power of order {edge.power}")
         return " ".join(parts)
@@ -330,14 +331,15 @@ class _Search:
         value = self.value(*coordinates)
         if value > 0 or (not self.strict and value >= 0):
             return _ONE
-        if value.is_finite() and not all(x.is_exact() for x in coordinates):
+        touching = any(coordinates[edge.axis].contains(edge.at) for edge, _ in self.edges)
+        if value.is_finite() and not touching and not all(x.is_exact() for x in coordinates):
             least = self._mean_value(coordinates)
             if least > 0 or (not self.strict and least >= 0):
                 return _ONE
             if len(coordinates) == 1 and self._by_taylor(coordinates[0]) > 0:
                 return _ONE
-        for edge in self.edges:
-            if least_quotient(self.difference, self.slopes, self.names, coordinates, edge) > 0:
+        for _, quotient in self.edges:
+            if quotient.least(coordinates) > 0:
                 return _ONE
         return value if inside else _NAN
 

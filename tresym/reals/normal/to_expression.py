@@ -49,21 +49,24 @@ def written(field: Field, p: Poly) -> Expr | None:
     return add(*terms)
 
 
-def common_factors(e: Expr, region: Given) -> tuple[list[Expr], list[Expr]] | None:
-    """Return the factors of the numerator and of the denominator of the normal form of ``e``.
+def common_factors(e: Expr) -> tuple[list[Expr], list[Expr]] | None:
+    """Return factors of numerator and denominator of ``e``, as a rational function of its atoms.
 
-    Each list begins with the generators that all terms have in common, each once, and ends with the
-    sum that is left; their powers are those of the normal form. None if ``e`` cannot be written.
+    Atoms are symbols, functions and roots. Each list begins with powers of the atoms that all terms
+    have in common, and ends with the sum that is left. None if ``e`` is too large.
 
-    Example: the numerator of ``a*x**2 + a*x`` has the factors ``a``, ``x`` and ``x + 1``.
+    Example: the numerator of ``sin(x)*x**2 + sin(x)`` has the factors ``sin(x)`` and ``x**2 + 1``.
     """
+    plain, atoms = _with_atoms(e)
     try:
-        field = Field(region)
-        (value,) = field.normal(e)
+        field = Field(Given())
+        (value,) = field.normal(plain)
         above, below = (_split(field, p) for p in (value.num, value.den))
     except (TooLargeError, UndefinedError, InputError):
         return None
-    return None if above is None or below is None else (above, below)
+    if above is None or below is None:
+        return None
+    return [substitute(x, atoms) for x in above], [substitute(x, atoms) for x in below]
 
 
 def _split(field: Field, p: Poly) -> list[Expr] | None:
@@ -125,6 +128,18 @@ def in_lowest_terms(e: Expr) -> Expr:
     Functions and roots are treated as atoms, and their arguments in the same way. If an expression
     is too large, ``e`` is returned unchanged. The domain may become larger: x/x becomes 1.
     """
+    plain, atoms = _with_atoms(e)
+    try:
+        field = Field(Given())
+        (value,) = field.normal(plain)
+        found = _fraction(field, value)
+        return e if found is None else substitute(found, atoms)
+    except (TooLargeError, UndefinedError, InputError):
+        return e
+
+
+def _with_atoms(e: Expr) -> tuple[Expr, dict[str, Expr]]:
+    """Return ``e`` with symbols for its functions and roots, and what these stand for."""
     atoms: dict[str, Expr] = {}
 
     def walk(node: Expr) -> Expr:
@@ -142,13 +157,7 @@ def in_lowest_terms(e: Expr) -> Expr:
         atoms[name] = inner
         return symbol(name)
 
-    try:
-        field = Field(Given())
-        (value,) = field.normal(walk(e))
-        found = _fraction(field, value)
-        return e if found is None else substitute(found, atoms)
-    except (TooLargeError, UndefinedError, InputError):
-        return e
+    return walk(e), atoms
 
 
 def normal_form(e: Expr, given: Given) -> Expr:
