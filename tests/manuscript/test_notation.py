@@ -116,3 +116,24 @@ def test_symbols_without_letters_are_compared_as_well(tmp_path: Path) -> None:
     """Dots and infinity are symbols to the reader, and a second definition is compared."""
     text = r"\[ s = 1 + x + \dots \] and later \[ s = 1 - x + \dots \] and \[ s = 2 + x + \dots \]"
     assert len(proofread(read(tmp_path, text), 1.0, 1)) == 3
+
+
+@pytest.mark.parametrize(
+    ("text", "plain"),
+    [
+        (r"y_0(x)_\mathrm{out}", "y_{0out}(x)"),
+        (r"Y(X)_{\mathrm{inn}}", "Y_{inn}(X)"),
+        ("y'_1", "y_1'"),
+        (r"\tau^\ast_1", r"\tau_{1star}"),
+        (r"a_{i+\frac{1}{2}}", "a_{i+1/2}"),
+        (r"Y(X=0)", "Y(0)"),
+        (r"\cancelto{1}{w} y", " w y"),
+        (r"(1 + x \dots)", r"(1 + x + \dots)"),
+        (r"x_1 x_2 \dots x_n", r"x_1 x_2 \dots x_n"),  # a product
+        (r"1, 2, \dots", r"1, 2, \dots"),
+        (r"O(\epsilon^0): \quad & a = b", r"  \quad & a = b"),
+        (r"f = O(\epsilon) : g", r"f = O(\epsilon) : g"),
+    ],
+)
+def test_notation_of_expansions(text: str, plain: str) -> None:
+    assert " ".join(plain_notation(text).split()) == " ".join(plain.split())

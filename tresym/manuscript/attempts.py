@@ -20,7 +20,9 @@ SHORT = 1.0
 """Seconds for each attempt in the first round."""
 AGAIN = 1
 """The attempts at a link that are repeated with the full limit."""
-MOST_SPENT = 1.5
+MOST_AGAIN = 8
+"""The links that are asked again: where more were stopped, the full limit rarely decides one."""
+MOST_SPENT = 1.0
 """Short limits that all attempts at a link may take together before the others are left out."""
 INTERRUPTED = "not decided: interrupted; run again to continue"
 Found: TypeAlias = dict[int, list[Answer | InputError]]
@@ -92,6 +94,8 @@ def _again(
 ) -> None:
     """Repeat stopped attempts with the full limit, at links where no attempt has passed."""
     places = {n: _stopped(answers[n])[:AGAIN] for n in asked if _may_be_told(links[n])}
+    if sum(map(bool, places.values())) > MOST_AGAIN:
+        return
     while open_ := {n: left.pop(0) for n, left in places.items() if left}:
         tasks = [Task(links[n].claims[attempt].text, line=n) for n, attempt in open_.items()]
         for (n, attempt), (_, found) in zip(

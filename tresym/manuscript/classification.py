@@ -205,6 +205,7 @@ def claim(
             return _printed(link, compared, pieces[1])
         path = memory.path_for(symbols(left) | symbols(right), under)
         path = path or usual_path(right) or _path_of_index(left, right)
+        path = path or memory.likely_path(symbols(left) | symbols(right), under)
         if not path:
             advice = "write % tresym: as x -> 0 (or another path) before the display"
             why = f"it has no path: {advice}"

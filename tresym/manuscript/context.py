@@ -54,6 +54,11 @@ _ITERATES = re.compile(
 _PRIMED_TIME = re.compile(r"(?<![a-zA-Z\\])t'(?!')")
 _TIME_WITHIN = re.compile(r"(?<![a-zA-Z\\])d\s*\}?\s*\{?t'|''")
 """Where t' is a variable of integration, or derivatives are marked by primes."""
+_TENDING = re.compile(
+    r"(?<![a-zA-Z\\_^])([a-zA-Z]|\\[a-zA-Z]+)\s*(?:\\(?:to|rightarrow|longrightarrow)(?![a-zA-Z])\s*"
+    r"(0(?:\s*\^\s*\{?\s*[-+]\s*\}?)?(?![\d.])|[-+]?\s*\\infty)|\|?\s*(\\ll|\\gg)\s*1(?![\d.]))"
+)
+"""Where the text says that a symbol tends to 0 or to infinity, or is small or large."""
 _ENDED = re.compile(r"[.!?][\s})~]*\Z")
 _PARAGRAPH = re.compile(r"\n\s*\n|\\par(?![a-zA-Z])")
 DEPTH = 10
@@ -111,12 +116,12 @@ class Memory(ConditionReader):
         lines: the lines in which symbols were defined.
         withheld: symbols whose definition further on is drawn from the link that is read.
         paths: the paths that the section has stated, by variable, the latest last.
+        spoken: paths that its text mentions, which are used but refute nothing.
         counts_derivatives: whether ``f^{(4)}(x)`` is a derivative, not an iterate of f.
     """
 
     def __init__(self, text: str) -> None:
-        self.letter_e = bool(_LETTER_E.search(text))
-        self.letter_delta = bool(_LETTER_DELTA.search(text))
+        self.letter_e = self.letter_delta = False
         self.scopes = Scopes()
         self.own: set[str] = set()
         self.line = 0
@@ -137,10 +142,13 @@ class Memory(ConditionReader):
         self.told: dict[str, Expr] = {}
         self.where: dict[str, tuple[Compared, ...]] = {}
         self.paths: dict[str, str] = {}
+        self.spoken: dict[str, str] = {}
         self.withheld: frozenset[str] = frozenset()
 
     def begin(self, text: str) -> None:
         """Begin a chapter: which letters are functions, and of what, is told by its own text."""
+        self.letter_e = bool(_LETTER_E.search(text))
+        self.letter_delta = bool(_LETTER_DELTA.search(text))
         self.dependent = dependent(text)
         self.called = frozenset(
             head.name for m in _CALLED.finditer(text) if (head := self.head(tokenize(m[1])))
@@ -215,7 +223,28 @@ class Memory(ConditionReader):
         """Begin a section, which ends the conditions and scopes before it."""
         self.scopes.section(chapter)
         self.noted = []
-        self.paths = {}
+        self.paths, self.spoken = {}, {}
+
+    def tends(self, text: str) -> None:
+        """Remember the paths that a text mentions: ``x \\to \\infty``, ``\\epsilon \\ll 1``."""
+        for found in _TENDING.finditer(text):
+            head = self.head(tokenize(found[1]))
+            if head is None or head.parameters:
+                continue
+            small = found[3] == "\\ll" or (found[2] or "").startswith("0")
+            minus = "-" in (found[2] or "")
+            end = ("0-" if minus else "0+" if "+" in (found[2] or "+") else "0") if small else ""
+            self.spoken.pop(head.name, None)
+            self.spoken[head.name] = f"{head.name} -> {end or ('-oo' if minus else 'oo')}"
+
+    def likely_path(self, names: Iterable[str], under: Under) -> str:
+        """Return the path of a statement, or the last one that the text mentions for a symbol of
+        it, or the usual one of a small parameter; empty if there is none."""
+        names = {*names}
+        found = self.path_for(names, under)
+        found = found or next((self.spoken[n] for n in reversed(self.spoken) if n in names), "")
+        small = sorted({"epsilon", "varepsilon"} & names)
+        return found or (f"{small[0]} -> 0+" if small else "")
 
     def path_for(self, names: Iterable[str], under: Under) -> str:
         """Return the path on which a statement about symbols is meant: its own, or the last one of
@@ -286,6 +315,8 @@ class Memory(ConditionReader):
         for n, paragraph in enumerate(_PARAGRAPH.split(text)):
             if n:
                 self.scopes.paragraph()
+            for formula in prose.INLINE.finditer(paragraph):
+                self.tends(formula[1] or formula[2])
             for found in prose.inline(paragraph):
                 for said in quietly(found.tex):
                     self.heed(said, found)

@@ -164,6 +164,10 @@ class LinkReader:
             and (found := self.approximation(link, said, right.tree, under))
         ):
             return found
+        if relation in ("<<", ">>") and (
+            found := self.small_beside(link, left.tree, relation, right.tree, under)
+        ):
+            return found
         if relation in ("<<", ">>") and n == 0:
             link = read_so(link, (left.tree, relation, right.tree))
             return replace(
@@ -212,6 +216,33 @@ class LinkReader:
         named = replace(link, read_as=f"{head.name} == {right.tree}", sides=compared)
         return self.solution(named, head, right.tree, under, why) or found
 
+    def small_beside(
+        self, link: Link, left: Expr, relation: str, right: Expr, under: Under
+    ) -> Link | None:
+        """Return the link of ``f \\ll g`` in one variable along a path, which is f = o(g).
+
+        Of two symbols, or of a symbol and a number, it is a condition; then the answer is None.
+        """
+        small, large = (left, right) if relation == "<<" else (right, left)
+        names = symbols(small) | symbols(large)
+        if len(names) != 1 or not elementary(small, large) or not symbols(large):
+            return None
+        if small.op in ("symbol", "number") and large.op in ("symbol", "number"):
+            return None
+        path = self.memory.likely_path(names, under)
+        if not path:
+            return None
+        text = f"{small} == o({large}) as {path}"
+        why = "a condition that does not say by how much; it is not used"
+        link = read_so(link, (left, relation, right))
+        return replace(
+            link,
+            claims=(Attempt(text, "", text),),
+            firm=False,
+            unknown=True,
+            otherwise=(ASSUMED, why),
+        )
+
     def drawn_from(self, compared: Compared) -> frozenset[str]:
         """Return the symbols that later chains of the display determine from an equality.
 
@@ -234,8 +265,9 @@ class LinkReader:
             self.memory.lasting += found[0]
             read_as = chained(found[0]) or " ".join(said.tokens)
             return replace(link, status=ASSUMED, why="a condition", read_as=read_as)
-        if found is not None and under.path and len(said.ops) == 1:
-            name, end = under.path.split(" -> ")
+        path = self.memory.likely_path(self.memory.spoken_of(said), under)
+        if found is not None and path and len(said.ops) == 1:
+            name, end = path.split(" -> ")
             side = {"+": ", 1", "-": ", -1"}.get(end[-1:], "")
             value = found[2].split(" -> ")[1]
             text = (
@@ -354,6 +386,7 @@ class LinkReader:
         equation = equation_for(self.stated, head.name)
         names = symbols(value) - NO_VARIABLES
         path = self.memory.path_for(names, under) or usual_path(value)
+        path = path or self.memory.likely_path(names, under)
         if equation is not None and path:
             asked = tuple(expansion_claims(equation, head.name, relation, value, path))
             if asked:

@@ -40,6 +40,7 @@ from tresym.manuscript.terms import (
     base_of,
     is_plain,
     plain,
+    unknown_in,
     variables_of_integrals,
 )
 from tresym.reals.language.expression import DOTS, Expr, symbol, symbols
@@ -159,6 +160,7 @@ class _Reading(LinkReader):
         if display.problem:
             yield replace(blank, status=UNREAD, why=display.problem)
             return
+        self.memory.tends(display.text)
         try:
             text, prose_between = between(display.text)
             if self.memory.primes:
@@ -261,6 +263,8 @@ class _Reading(LinkReader):
         pieces = [self.piece(term, said) for term in said.terms]
         strange = [self.strange(said, n, blank.display.line) for n in range(len(said.ops))]
         doubts = [piece for piece in pieces if isinstance(piece, TwoReadings)]
+        if doubts == pieces[:1] and self.defines_function(said, pieces):
+            doubts = []
         if doubts and self.initial_value(blank, said.terms[0], said.terms[1]):
             self.values.pop()  # it is read again below
             doubts = []
@@ -290,6 +294,16 @@ class _Reading(LinkReader):
                 link = replace(link, claims=(*link.claims, *told))
             self.note_equation(link, said, blank.display.line)
             yield link
+
+    def defines_function(self, said: Said, pieces: Sequence[Piece | str]) -> bool:
+        """Whether a chain begins as ``f(x) = ...`` with x on the right: f is a function there."""
+        head = self.memory.head(said.terms[0])
+        if head is None or not head.parameters or said.ops[:1] not in (("=",), (":=",)):
+            return False
+        right = pieces[1]
+        if isinstance(right, str) or head.name in symbols(right.tree) | unknown_in(right.tree):
+            return False
+        return {*head.parameters} <= symbols(right.tree)
 
     def note_equation(self, link: Link, said: Said, line: int) -> None:
         """Remember an equality that is no definition as an equation for its symbols."""

@@ -46,6 +46,32 @@ _DIFFERENTIAL = re.compile(r"\\(?:dif|dd|diff)(?![a-zA-Z])\s*")
 _DERIVATIVE = re.compile(
     r"\\(dv|od|pdv|pd|odv)(?![a-zA-Z])\s*\*?\s*(?:\[\s*([1-9])\s*\])?\s*(?=\{)"
 )
+_NAMED_BEHIND = re.compile(
+    rf"(?<![a-zA-Z\\])({_LETTER})\s*(?:_\s*(\w|\{{\w+\}}))?\s*(\([^()]{{1,20}}\))\s*_\s*"
+    r"(?:\\(?:mathrm|text|textrm|rm)\s*\{\s*([a-zA-Z]{2,8})\s*\}"
+    r"|\{\s*\\(?:mathrm|text|textrm|rm)\s*\{?\s*([a-zA-Z]{2,8})\s*\}?\s*\}|([LR])(?![a-zA-Z]))"
+)
+"""A name behind the argument, ``y(x)_\\mathrm{out}``, which belongs to the function."""
+_PRIME_FIRST = re.compile(r"(?<![a-zA-Z\\])([a-zA-Z])('+)\s*_\s*(\w|\{\w+\})")
+_STAR_FIRST = re.compile(
+    rf"(?<![a-zA-Z\\])({_LETTER})\s*\^\s*\{{?\s*(?:\\ast|\*|\\star)\s*\}}?\s*_\s*(\w|\{{\w+\}})"
+)
+_HALF_BELOW = re.compile(
+    r"(_\s*\{[^{}]*)\{?\s*\\[dts]?frac\s*\{?\s*(\d)\s*\}?\s*\{?\s*(\d)\s*\}?\s*\}?(?=[^{}]*\})"
+)
+_BRACED_HALF = re.compile(r"\{\s*(\\[dts]?frac\s*\{\s*\d\s*\}\s*\{\s*\d\s*\})\s*\}")
+_POINT_NAMED = re.compile(r"(?<=[a-zA-Z}\d'])\s*\(\s*[a-zA-Z]\s*=\s*(\d+)\s*\)")
+_ORDER_LABEL = re.compile(
+    r"(?:(?<=\\\\)|\A)\s*(?:\{?\\(?:mathcal|cal)\s*\{?)?O\}?\s*"
+    r"(?:\\left\s*)?\((?:[^()]|\([^()]*\))*?(?:\\right\s*)?\)\s*(&?)\s*:(?!\s*=)"
+)
+"""The label of an order in a list, ``O(\\epsilon^2):``."""
+_MORE_TERMS = re.compile(
+    r"(?<=[a-zA-Z0-9})\]!])\s*(\\(?:dots|ldots|cdots|dotsb)(?![a-zA-Z]))"
+    r"(?=\s*(?:\}|\)|\]|\\right|\\\\|&|\Z|=|\\sim|\\approx|\.|\\nonumber|\\label|\n))"
+)
+_SETTING = re.compile(r"\\(?:re)?newcommand\s*(?:\{[^{}]*\}|\\?\w+|[\d.]+)\s*\{[^{}]*\}")
+_CANCELLED_TO = re.compile(r"\\cancelto(?![a-zA-Z])")
 _NUMBER = re.compile(r"\\(?:SI|qty|num)\s*(?:\[[^\[\]]*\])?\s*\{([^{}]*)\}")
 _UNIT_BEHIND = re.compile(r"\s*(?:\[[^\[\]]*\])?\s*\{[^{}]*\}")
 _UNITS = re.compile(r"\\(?:si|unit)\s*\{[^{}]*\}")
@@ -53,10 +79,19 @@ _UNITS = re.compile(r"\\(?:si|unit)\s*\{[^{}]*\}")
 
 def plain_notation(text: str) -> str:
     """Return a formula in the notation that the reader of LaTeX knows."""
-    if "\\" not in text and "^" not in text and "{" not in text:
+    if not any(mark in text for mark in "\\^{('"):
         return text
     text = _SPACES.sub(" ", text)
+    text = _SETTING.sub(" ", text)
     text = _EMPTY.sub(" ", text)
+    text = _without_targets(text)
+    text = _ORDER_LABEL.sub(r" \1 ", text)
+    text = _MORE_TERMS.sub(_with_sign, text)
+    text = _NAMED_BEHIND.sub(_with_name_inside, text)
+    text = _PRIME_FIRST.sub(r"\1_\3\2", text)
+    text = _STAR_FIRST.sub(lambda m: f"{m[1]}_{{{m[2].strip('{}')}star}}", text)
+    text = _HALF_BELOW.sub(r"\1\2/\3", _BRACED_HALF.sub(r"\1", text))
+    text = _POINT_NAMED.sub(r"(\1)", text)
     text = _CANCELLED.sub(" ", text)
     text = _WORDS.sub(lambda m: rf"\text{{{m[1].replace('~', ' ')}}}", text)
     text = _ITALIC.sub(lambda m: f"{m[1]}_{{{m[2]}}}" if m[2] else f" {m[1]} ", text)
@@ -71,6 +106,30 @@ def plain_notation(text: str) -> str:
     text = _with_limits_in_order(text)
     text = _with_euler(text)
     return _SHOCK.sub(_beside_a_shock, text)
+
+
+def _with_sign(found: re.Match[str]) -> str:
+    """Dots behind a term of a sum stand for further terms: ``1 + x \\dots``."""
+    start = max(found.string.rfind(mark, 0, found.start()) for mark in ("\\\\", "=", "&"))
+    before = found.string[max(start, 0) : found.start()]
+    return f" + {found[1]}" if re.search(r"[^\s{(\[=&^_]\s*[-+]", before) else found[0]
+
+
+def _with_name_inside(found: re.Match[str]) -> str:
+    below = (found[2] or "").strip("{}")
+    return f"{found[1]}_{{{below}{found[4] or found[5] or found[6]}}}{found[3]}"
+
+
+def _without_targets(text: str) -> str:
+    r"""``\cancelto{1}{x}`` is x, which the text says to be 1."""
+    while (found := _CANCELLED_TO.search(text)) is not None:
+        try:
+            _, end = group(text, found.end())
+            value, end = group(text, end)
+        except InputError:
+            return text
+        text = f"{text[: found.start()]} {value} {text[end:]}"
+    return text
 
 
 def _beside_a_shock(found: re.Match[str]) -> str:
