@@ -257,6 +257,8 @@ def _is_premise(row: Row, link: Link) -> bool:
         return True
     if own.sides is None or own.sides[1] != "==" or row.why.startswith("one of several"):
         return False
+    if own.display == link.display and link.sides and own.sides[2] == link.sides[0]:
+        return False  # the next link of one chain says something new
     stated = (EQUATION, DEFINED, "ASSUMED", Verdict.UNDECIDED.value)
     return row.status in stated or bool(own.solves) or row.why.startswith("it ")
 

@@ -246,7 +246,7 @@ def _unwrapped(tokens: list[str]) -> list[str]:
     """Return the tokens without braces around everything."""
     tokens = _without_gaps(tokens)
     while tokens[:1] == ["{"] and tokens[-1] == "}":
-        closing = next(n for n, t, d in _levels(tokens) if n and t == "}" and d == 0)
+        closing = next((n for n, t, d in _levels(tokens) if n and t == "}" and d == 0), -1)
         if closing != len(tokens) - 1:
             break
         tokens = _without_gaps(tokens[1:-1])

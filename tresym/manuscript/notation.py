@@ -57,9 +57,9 @@ _STAR_FIRST = re.compile(
     rf"(?<![a-zA-Z\\])({_LETTER})\s*\^\s*\{{?\s*(?:\\ast|\*|\\star)\s*\}}?\s*_\s*(\w|\{{\w+\}})"
 )
 _HALF_BELOW = re.compile(
-    r"(_\s*\{[^{}]*)\{?\s*\\[dts]?frac\s*\{?\s*(\d)\s*\}?\s*\{?\s*(\d)\s*\}?\s*\}?(?=[^{}]*\})"
+    r"(_\s*\{[^{}]*)\\[dts]?frac\s*(?:\{\s*(\d)\s*\}\s*\{\s*(\d)\s*\}|(\d)\s*(\d))(?=[^{}]*\})"
 )
-_BRACED_HALF = re.compile(r"\{\s*(\\[dts]?frac\s*\{\s*\d\s*\}\s*\{\s*\d\s*\})\s*\}")
+_BRACED_HALF = re.compile(r"(?<=[-+,{])(\s*)\{\s*(\\[dts]?frac\s*\{\s*\d\s*\}\s*\{\s*\d\s*\})\s*\}")
 _POINT_NAMED = re.compile(r"(?<=[a-zA-Z}\d'])\s*\(\s*[a-zA-Z]\s*=\s*(\d+)\s*\)")
 _ORDER_LABEL = re.compile(
     r"(?:(?<=\\\\)|\A)\s*(?:\{?\\(?:mathcal|cal)\s*\{?)?O\}?\s*"
@@ -90,7 +90,9 @@ def plain_notation(text: str) -> str:
     text = _NAMED_BEHIND.sub(_with_name_inside, text)
     text = _PRIME_FIRST.sub(r"\1_\3\2", text)
     text = _STAR_FIRST.sub(lambda m: f"{m[1]}_{{{m[2].strip('{}')}star}}", text)
-    text = _HALF_BELOW.sub(r"\1\2/\3", _BRACED_HALF.sub(r"\1", text))
+    text = _HALF_BELOW.sub(
+        lambda m: f"{m[1]}{m[2] or m[4]}/{m[3] or m[5]}", _BRACED_HALF.sub(r"\1\2", text)
+    )
     text = _POINT_NAMED.sub(r"(\1)", text)
     text = _CANCELLED.sub(" ", text)
     text = _WORDS.sub(lambda m: rf"\text{{{m[1].replace('~', ' ')}}}", text)
