@@ -90,7 +90,7 @@ def beyond_positive_bases(
     for case, inside, put in chain(
         _at_negative_bases(claim, whole, doubtful), _at_zero(claim, whole, doubtful)
     ):
-        if not is_empty(inside.given):
+        if not is_empty(_without_powers(inside.given)):
             found = decided(case, inside)
             if found.verdict is Verdict.REFUTED:
                 found = _of_claim(found, put, claim, statement)
@@ -104,6 +104,13 @@ def beyond_positive_bases(
         f"; proved first where the bases of powers are positive ({bases}), then where they are not"
     )
     return replace(answer, why=answer.why + note)
+
+
+def _without_powers(given: Given) -> Given:
+    """The conditions without variable exponents, since such a power would be taken to require a
+    positive base, even where its exponent is an integer."""
+    links = (link for link in given.comparisons if not any(map(holds_powers, link[::2])))
+    return Given(tuple(links))
 
 
 def _sign(e: Expr, given: Given) -> str | None:
