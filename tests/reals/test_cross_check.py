@@ -26,7 +26,7 @@ from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.domain.conditions import Given
 from tresym.reals.functions.table import TABLE
-from tresym.reals.language.expression import FUNCTIONS, Expr, apply, substitute
+from tresym.reals.language.expression import FUNCTIONS, ZERO, Expr, apply, substitute
 from tresym.reals.language.parsing import parse
 from tresym.reals.normal import locally_constant
 from tresym.reals.numbers.arithmetic import ball_precision
@@ -375,3 +375,38 @@ def test_a_power_with_a_half_integer_exponent_needs_a_positive_base() -> None:
     assert value([arb(-1), arb(0)]) is None
     assert cross_check.somewhere([power], (), ["n"])
     assert not cross_check.somewhere([power], [(parse("x"), "<", parse("0"))], ["n"])
+
+
+@pytest.mark.parametrize(
+    ("text", "never"),
+    [
+        ("x**2 + 1", True),
+        ("exp(x)", True),
+        ("x**4*y**2 + abs(x) + 1/2", True),
+        ("pi*sqrt(x) + 3", True),
+        ("x**2 + y**2", False),
+        ("x**3 + 1", False),
+        ("x**2 - 1", False),
+        ("cbrt(x) + 1", False),
+        ("abs(x) - x**2", False),
+    ],
+)
+def test_only_what_has_no_zero_is_passed_over(text: str, never: bool) -> None:
+    e = parse(text)
+    assert cross_check._has_no_zero(e) is never
+    with ball_precision():
+        found = [c for c, _, _ in cross_check.exceptional_points([1 / e], ["x", "y"], [])]
+    assert (e in found) is not never
+
+
+@pytest.mark.parametrize(
+    ("text", "square"), [("x**2 - 2", 2), ("x**4 - 9", 3), ("(x**2 - 5)*exp(x)", 5)]
+)
+def test_a_root_is_between_values_of_both_signs(text: str, square: int) -> None:
+    with ball_precision():
+        sides = cross_check.program([parse(text), ZERO], ["x"])
+        root = cross_check._root(sides, [arb(0)], 0, False)
+        assert root is not None
+        assert (root**2).contains(square)
+        assert root.rad() < arb((1, -60))
+        assert cross_check._exceptional_root(sides, [arb(0)], 0, False, False) is not None

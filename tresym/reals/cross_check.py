@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Callable, Iterator, Sequence, Set
-from functools import lru_cache, partial
+from functools import cache, lru_cache, partial
 from itertools import pairwise
 from math import comb, factorial
 from typing import Any, NamedTuple
@@ -55,7 +55,8 @@ QUADRATURE, TERMS, LONGEST_POWER, LARGEST_FACTORIAL = 600, 400, 10**5, 1000
 """Limits for integrals, sums, powers and factorials."""
 GRID = (-40, -9, -5, -3, -2, -1, 0, 1, 2, 3, 5, 9, 40)
 """The points between which a root of an equation is searched for."""
-HALVINGS = 90
+BRACKETS = sorted(pairwise(GRID), key=lambda pair: abs(pair[0]))
+HALVINGS, SECANTS = 90, 14
 NEARLY = arb((1, -12))
 """How far from a derivative its formula is at most beside a hole."""
 CRITICAL, LARGEST, STARTS, EACH = 10, 40, 8, 2
@@ -223,21 +224,39 @@ def exceptional_points(
     given: Sequence[Comparison],
     integers: Sequence[str] = (),
     moving: Set[str] = frozenset(),
+    speaks: Callable[[Expr, str], bool] = lambda *_: True,
 ) -> Iterator[tuple[Expr, int, Tried]]:
     """Yield an expression, a variable and a point at which the expression is 0 by that variable.
 
     The conditions are proved to hold there; ``trees`` must be evaluated with 0 in place of the
     expression, since the point is a ball.
+
+    Args:
+        trees: the expressions.
+        names: the variables.
+        given: the conditions.
+        integers: the variables that take only integer values.
+        moving: variables that must not occur in the expressions, such as that of a path.
+        speaks: whether zeros of an expression by a variable are wanted.
     """
+    unchanged: tuple[Points, list[tuple[arb | None, arb | None]]] | None = None
     for e in critical([*trees, *(side for c in given for side in c[::2])], moving):
+        if _has_no_zero(e) or not any(speaks(e, name) for name in symbols(e)):
+            continue
         known = {e: ZERO, -e: ZERO}
         there = [(replaced(x, known), r, replaced(y, known)) for x, r, y in given]
-        tried = Points(names, there, integers)
-        ranges = [_range(name, tried.bounds) for name in names]
+        if there != [*given] or unchanged is None:
+            tried = Points(names, there, integers)
+            ranges = [_range(name, tried.bounds) for name in names]
+            if there == [*given]:
+                unchanged = tried, ranges
+        else:
+            tried, ranges = unchanged
         sides = program([e, ZERO], names, integers)
         for n, name in enumerate(names):
-            if name not in symbols(e) or name in tried.solved:
+            if name not in symbols(e) or name in tried.solved or not speaks(e, name):
                 continue
+            linear = _degree(e, name) == 1
             found = 0
             for k in range(STARTS):
                 point: Tried | None = [
@@ -247,7 +266,7 @@ def exceptional_points(
                     for j, x in enumerate(names)
                 ]
                 if point is not None:
-                    root = _exceptional_root(sides, point, n, name in integers)
+                    root = _exceptional_root(sides, point, n, name in integers, linear)
                     point = (
                         None
                         if root is None
@@ -261,7 +280,43 @@ def exceptional_points(
                     break
 
 
-def _exceptional_root(sides: Program, point: Tried, n: int, whole: bool) -> arb | None:
+def _has_no_zero(e: Expr) -> bool:
+    """Return whether ``e`` is positive by its form, such as ``x**2 + 1`` or ``exp(x)``."""
+    return e.op == "exp" or _at_least(e, 1)
+
+
+def _at_least(e: Expr, strict: int) -> bool:
+    """Return whether ``e`` is seen to be positive where it is defined, or not negative."""
+    if e.op == "number":
+        return bool(e.args[0] > 0 if strict else e.args[0] >= 0)
+    if e.op == "+":
+        return all(_at_least(term, 0) for term in e.args) and (
+            not strict or any(_at_least(term, 1) for term in e.args)
+        )
+    if e.op == "*":
+        return all(_at_least(factor, strict) for factor in e.args)
+    if e.op == "^" and e.args[1].op == "number":
+        r = e.args[1].args[0]
+        even = r.q % 2 == 0 or (r.q == 1 and r.p % 2 == 0)
+        return _at_least(e.args[0], strict) or (even and not strict)
+    return e.op in ("pi", "exp", "cosh") or (e.op == "abs" and not strict)
+
+
+def _degree(e: Expr, name: str) -> int:
+    """Return 0 or 1 if ``e`` is seen to be constant or linear in a variable, else 2."""
+    if name not in symbols(e):
+        return 0
+    if e.op == "symbol":
+        return 1
+    if e.op not in ("+", "*"):
+        return 2
+    degrees = [_degree(arg, name) for arg in e.args]
+    return min(2, max(degrees) if e.op == "+" else sum(degrees))
+
+
+def _exceptional_root(
+    sides: Program, point: Tried, n: int, whole: bool, linear: bool
+) -> arb | None:
     """Return a ball that holds a zero of a difference in one variable: exact if it is linear."""
 
     def gap(x: arb) -> arb | None:
@@ -276,6 +331,8 @@ def _exceptional_root(sides: Program, point: Tried, n: int, whole: bool) -> arb 
             value = gap(root)
             if value is not None and value.contains(0):
                 return root if not whole or root.unique_fmpz() is not None else None
+        if linear and not first.contains(0):
+            return None  # there is no other zero than the one that was tried, if there is any
     return _root(sides, point, n, whole)
 
 
@@ -293,21 +350,39 @@ def _at_exceptional(
     plain = program(trees, names, integers, field)
     fixed = [name in integers for name in names]
     by = {d[1] for d in derivatives}
-    for e, n, point in exceptional_points(trees, names, given, integers):
+
+    @cache
+    def beside(e: Expr) -> list[Expr]:
         known = {e: ZERO, -e: ZERO}
-        there = [replaced(x, known) for x in trees]
+        return [replaced(x, known) for x in trees]
+
+    def speaks(e: Expr, name: str) -> bool:
+        return name in by or not any(map(_divides_by_zero, beside(e)))
+
+    for e, n, point in exceptional_points(trees, names, given, integers, speaks=speaks):
         if e not in programs:
-            programs[e] = program(there, names, integers, field)
+            programs[e] = program(beside(e), names, integers, field)
         found = programs[e](point)
         if found is not None and FALSE[relation](found[0], found[1]):
             if _is_a_limit(plain, point, fixed):
                 sides = f"its sides are {said(found[0])} and {said(found[1])}"
                 return f"at {where(names, point)} {sides}"
         elif found is None and names[n] in by:
-            alone = [program([side], names, integers, field)(point) for side in there[:2]]
+            alone = [program([side], names, integers, field)(point) for side in beside(e)[:2]]
             if _fails_at_hole(plain, alone, relation, point, n, derivatives):
                 return f"at {where(names, point)} its derivative contradicts it"
     return None
+
+
+def _divides_by_zero(e: Expr) -> bool:
+    """Return whether a power of 0 with a negative exponent stands in ``e``, so that it is undefined
+    everywhere.
+    """
+    if e.op in LEAVES:
+        return False
+    if e.op == "^" and e.args[0] == ZERO and e.args[1].op == "number" and e.args[1].args[0] < 0:
+        return True
+    return any(_divides_by_zero(arg) for arg in e.args if isinstance(arg, Expr))
 
 
 def _fails_at_hole(
@@ -501,16 +576,17 @@ def _root(sides: Program, point: Tried, n: int, whole: bool) -> arb | None:
             return x
     if whole:
         return None
-    brackets = sorted(pairwise(GRID), key=lambda pair: abs(pair[0]))
     if len(candidates) > len(GRID):
         step = (1 + abs(candidates[-1])) * arb((1, -80))
         found = _halved(gap, (candidates[-1] - step).mid(), (candidates[-1] + step).mid())
         if found is not None:
             return found
-    for x, y in brackets:
-        found = _halved(gap, arb(x), arb(y))
-        if found is not None:
-            return found
+    for x, y in BRACKETS:
+        first, last = at[x], at[y]
+        if first is not None and last is not None and first * last < 0:
+            found = _halved(gap, arb(x), arb(y))
+            if found is not None:
+                return found
     return None
 
 
@@ -519,6 +595,9 @@ def _halved(gap: Callable[[arb], arb | None], low: arb, high: arb) -> arb | None
     first, last = gap(low), gap(high)
     if first is None or last is None or not (first * last < 0):
         return None
+    near = _by_secants(gap, low, high, first, last)
+    if near is not None:
+        return near
     for _ in range(HALVINGS):
         middle = ((low + high) / 2).mid()
         value = gap(middle)
@@ -527,6 +606,36 @@ def _halved(gap: Callable[[arb], arb | None], low: arb, high: arb) -> arb | None
         low, high = (middle, high) if value * first > 0 else (low, middle)
     both = low.union(high)
     return both if gap(both) is not None else None
+
+
+def _by_secants(
+    gap: Callable[[arb], arb | None], low: arb, high: arb, first: arb, last: arb
+) -> arb | None:
+    """Return the same by regula falsi with halved weights, which needs fewer values; None if a few
+    of them do not lead to a small ball with values of both signs at its ends.
+    """
+    x, y, at_x, at_y = low, high, first.mid(), last.mid()
+    for _ in range(SECANTS):
+        if (at_y - at_x).contains(0):
+            return None
+        z = ((x * at_y - y * at_x) / (at_y - at_x)).mid()
+        value = gap(z)
+        if value is None or not value.is_finite():
+            return None
+        if value.contains(0) or abs(z - y) < (1 + abs(z)) * arb((1, -70)):
+            step = (1 + abs(z)) * arb((1, -80))
+            ends = (z - step).mid(), (z + step).mid()
+            values = [gap(end) for end in ends]
+            both = ends[0].union(ends[1])
+            if None in values or not (values[0] * values[1] < 0) or gap(both) is None:  # type: ignore[operator]
+                return None
+            return both if low < ends[0] and ends[1] < high else None
+        if value * at_y < 0:
+            x, at_x = y, at_y
+        else:
+            at_x = at_x / 2
+        y, at_y = z, value.mid()
+    return None
 
 
 def _room(sides: list[arb], relation: str) -> arb:

@@ -28,6 +28,11 @@ SIGNS = [
     ("(0/y)**0", "y != 0", "+"),
     ("y**2*(x - x)**0", "y != 0", "+"),
     ("x**0", "", "+"),
+    # by form, whatever the inner sign; the product of two conditions
+    ("(a + b*x)**2 + 1", "", "+"),
+    ("(a + b*x)**2 + abs(x)", "", ">=0"),
+    ("1 - (a + b*x)**2", "1 - (a + b*x) > 0, 1 + (a + b*x) > 0", "+"),
+    ("1 - (a + b*x)**2", "1 - (a + b*x) >= 0, 1 + (a + b*x) >= 0", ">=0"),
     # half turns
     ("sin(x)", "e > 0, e < pi/2, x >= e, x <= pi - e", "+"),
     ("sin(x)", "0 <= x, x <= pi", ">=0"),

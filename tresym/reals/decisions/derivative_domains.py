@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from functools import lru_cache
+
+from flint import arb
 
 from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.operation_domains import bound, needs
 from tresym.reals.language.expression import (
     Expr,
     symbols,
 )
+from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.signs.interior import PROVING
 from tresym.reals.signs.sign import sign
 
@@ -60,5 +65,25 @@ EXCLUDING = {">": ("-", "0", "<=0"), ">=": ("-",), "!=": ("0",)}
 """The signs that exclude a relation to zero."""
 
 
+SAMPLES = ((1, -2, 3, -5, 7), (-1, 3, -2, 7, -5), (2, 2, -1, -1, 5))
+"""Values of the variables at which an expression is looked at before its sign is proved."""
+
+
+@lru_cache(maxsize=1 << 10)
 def _holds_everywhere(e: Expr, relation: str) -> bool:
-    return sign(e, Given()) in PROVING[relation]
+    return not _takes_other_signs(e, relation) and sign(e, Given()) in PROVING[relation]
+
+
+def _takes_other_signs(e: Expr, relation: str) -> bool:
+    """Return whether values of ``e`` show that it has no sign that proves the relation."""
+    names = sorted(symbols(e))
+    if e.hidden:
+        return False
+    with ball_precision(64):
+        values = [
+            evaluate(e, {name: arb(at[n % len(at)]) for n, name in enumerate(names)})
+            for at in SAMPLES
+        ]
+    positive = any(value > 0 for value in values)
+    negative = any(value < 0 for value in values)
+    return negative and (positive or relation != "!=")

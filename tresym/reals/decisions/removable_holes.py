@@ -35,7 +35,7 @@ from tresym.reals.decisions.readable_witnesses import constants_hold
 from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
-from tresym.reals.domain.operation_domains import needs
+from tresym.reals.domain.operation_domains import bound, needs
 from tresym.reals.expansions.limit_values import limit_of
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.calls import INFINITY
@@ -102,14 +102,15 @@ def _holes(claim: Comparison, inside: Given) -> Iterator[tuple[Expr, str]]:
     marks = {d.value: symbol(f"[d{n}]") for n, d in enumerate(claim.derivatives)}
     sides = (marked(side, marks) for side in (claim.left, claim.right))
     outside = {e for e, _ in needs(sides)}
+    conditions = {*inside.comparisons}
     seen = set()
     for d in claim.derivatives:
         if not elementary(d.value, d.function):
             continue
         for e, relation in needs((d.value,), powers=False):
-            if relation == ">=" or d.by not in symbols(e) or is_nonzero(e, inside):
+            if relation == ">=" or d.by not in symbols(e) or e in outside:
                 continue
-            if e in outside:
+            if {bound(e, ">"), bound(e, "!=")} & conditions or is_nonzero(e, inside):
                 continue
             for part in zeros(e, inside):
                 if (part, d.by) not in seen and d.by in symbols(part):

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import suppress
+from functools import reduce
 
 from flint import fmpq
 
@@ -59,6 +60,20 @@ _RISING = names(lambda row: row.rising) | {"sin", "root"}
 
 Taken = tuple[tuple[Poly, Poly, int], ...]
 """Conditions subtracted from a polynomial one by one: c, m, and the index of the condition."""
+
+
+def sign_by_form(e: Expr) -> str | None:
+    """Return the sign that the outermost operations of ``e`` show, wherever it is defined."""
+    if e.op == "number":
+        return "+" if e.args[0] > 0 else "0" if e.args[0] == 0 else "-"
+    if e.op == "*":
+        factors = [sign_by_form(factor) for factor in e.args]
+        return None if None in factors else reduce(times, factors, "+")  # type: ignore[arg-type]
+    if e.op == "^" and e.args[1].op == "number":
+        r = e.args[1].args[0]
+        even = r.q % 2 == 0 or (r.q == 1 and r.p % 2 == 0)
+        return ("+" if r < 0 else ">=0") if even else None
+    return {"pi": "+", "exp": "+", "abs": ">=0"}.get(e.op)
 
 
 class Parts:
@@ -146,7 +161,20 @@ class Parts:
                 if condition.relation == ">":
                     return "+" if up else "-"
                 found = ">=0" if up else "<=0"
-        return found
+        return self._difference_of_squares(e) if found is None and e.op == "+" else found
+
+    def _difference_of_squares(self, e: Expr) -> str | None:
+        """Return ``"+"`` for ``1 - u**2`` if conditions say that ``1 - u`` and ``1 + u`` are
+        positive.
+        """
+        if len(e.args) != 2 or ONE not in e.args:
+            return None
+        square = -next(arg for arg in e.args if arg != ONE)
+        if square.op != "^" or square.args[1] != number(2):
+            return None
+        u = square.args[0]
+        strict = {c.expression for c in self.given.conditions if c.relation == ">"}
+        return "+" if {ONE - u, ONE + u} <= strict else None
 
     def _by_operation(self, e: Expr) -> str | None:
         match e.op:
@@ -210,6 +238,9 @@ class Parts:
         return inner
 
     def _sum_sign(self, e: Expr) -> str | None:
+        by_form = {sign_by_form(arg) for arg in e.args}
+        if by_form in ({"+"}, {"+", ">=0"}):
+            return "+"  # such as u**2 + 1, where the sign of u is of no interest
         signs = {self.sign(arg) for arg in e.args}
         for up in ("+", "-"):
             weak = ">=0" if up == "+" else "<=0"
