@@ -166,11 +166,13 @@ class Expansion(ABC):
         lemma: the name of the theorem with its source.
         unknown: symbols in the terms that stand for constants.
         constants: what is known of these constants.
+        is_little_o: whether f = A + o(g) is meant in place of f = A + O(g).
     """
 
     lemma: str = ""
     unknown: frozenset[str] = frozenset()
     constants: Given = NONE
+    is_little_o: bool = False
 
     @abstractmethod
     def terms(self, order: int) -> tuple[Expr, Expr] | None:

@@ -18,7 +18,7 @@ left side minus the printed terms is −2/x² + O(1/x³).
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
 from math import factorial
@@ -223,24 +223,50 @@ def _log_terms(e: Expr, k: str, inside: Given) -> list[Expr]:
     return terms or [ZERO]
 
 
+def decide_with_expansions(
+    claim: Comparison, statement: Statement, decided: Decide, expansions: Mapping[Expr, Expansion]
+) -> Answer:
+    """Decide a claim on one side of its path in which the expansions of some nodes are known.
+
+    Args:
+        claim: the comparison.
+        statement: its conditions, without any on these nodes.
+        decided: decides explicit claims.
+        expansions: variables or other nodes with their expansions.
+    """
+    return _Claim(claim, statement, decided, expansions).answer()
+
+
 class _Claim:
     """A claim on one side of its path."""
 
-    def __init__(self, claim: Comparison, statement: Statement, decided: Decide) -> None:
+    def __init__(
+        self,
+        claim: Comparison,
+        statement: Statement,
+        decided: Decide,
+        expansions: Mapping[Expr, Expansion] | None = None,
+    ) -> None:
         claim = claim.mapped(_without_fixed).mapped(partial(_logarithms, given=statement.given))
         self.claim, self.statement, self.decided = claim, statement, decided
         path = statement.path
         assert path is not None
         self.path: Path = path
         names = symbols(claim.left) | symbols(claim.right)
-        self.end = End(path.name, path.point, path.sides[0], statement.given, names)
-        self.expansions: dict[Expr, Expansion] = {}
+        given = statement.given
+        for known in (expansions or {}).values():
+            given, names = given & known.constants, names | known.unknown
+        self.end = End(path.name, path.point, path.sides[0], given, names)
+        self.expansions: dict[Expr, Expansion] = dict(expansions or {})
+        self.names = frozenset(str(e.args[0]) for e in self.expansions if e.op == "symbol")
 
     def answer(self) -> Answer:
         """Return the verdict."""
         sides = [e for e in (self.claim.left, self.claim.right) if e not in _INFINITE]
         nodes = dict.fromkeys(node for e in sides for node in outermost(e))
         for node in nodes:
+            if node in self.expansions:
+                continue
             found = self._expansion(node)
             if found is None:
                 return Answer(Verdict.UNDECIDED, f"no lemma expands {node} as {self.path}")
@@ -280,7 +306,8 @@ class _Claim:
             found = expansion.terms(order)
             if found is None:
                 return None
-            known[node] = Approximation(*map(folded, found))
+            main, error = map(folded, found)
+            known[node] = Approximation(main, error, expansion.is_little_o)
         return known
 
     def _settled(self, known: dict[Expr, Approximation]) -> tuple[Comparison, Expr] | None:
@@ -294,9 +321,9 @@ class _Claim:
             left, right, relation = left - right, ONE, "o"
         f = approximated(left, known, self.end)
         g = Approximation(right, ZERO)
-        if right not in _INFINITE and right.hidden:
+        if right not in _INFINITE and self._unknown(right):
             found = approximated(right, known, self.end)
-            if found is None or self.end.limit(found.error / found.main) != ZERO:
+            if found is None or not self._is_small(found, found.main):
                 return None
             g = found
         if f is None:
@@ -309,9 +336,10 @@ class _Claim:
         f = approximated(self.claim.left - self.claim.right, known, self.end)
         if right is None or f is None:
             return None
-        least = smallest(self.claim.right, self.end) if not self.claim.right.hidden else None
+        explicit = not self._unknown(self.claim.right)
+        least = smallest(self.claim.right, self.end) if explicit else None
         if least is None:
-            if self.end.limit(right.error / right.main) != ZERO:
+            if not self._is_small(right, right.main):
                 return None
             least = right.main
         return self._equivalent(f, "o", least)
@@ -324,14 +352,23 @@ class _Claim:
             return plain, ZERO
         if relation in ("O", "o", "Theta", "omega"):
             part = self.end.limit(f.error / gauge)
-            small = part == ZERO
+            small = part == ZERO or (f.small and part not in (None, *_INFINITE))
             if small or (relation in ("O", "omega") and part not in (None, *_INFINITE)):
                 return plain, f.error
         if relation == LIMIT and self.end.limit(f.error) not in (None, *_INFINITE):
             return plain, f.error
-        if self.end.limit(f.error / f.main) == ZERO:
+        if self._is_small(f, f.main):
             return plain, f.error
         return None
+
+    def _unknown(self, e: Expr) -> bool:
+        """Return whether an expression is not explicit."""
+        return e.hidden or bool(self.names & symbols(e))
+
+    def _is_small(self, f: Approximation, beside: Expr) -> bool:
+        """Return whether the error of an approximation is o(``beside``)."""
+        part = self.end.limit(f.error / beside)
+        return part == ZERO or (f.small and part not in (None, *_INFINITE))
 
     def _proved(
         self, order: int, known: dict[Expr, Approximation], settled: tuple[Comparison, Expr]
@@ -512,7 +549,7 @@ def _sentence(node: Expr, found: Approximation, bound: Bound, path: Path) -> str
     if found.error == ZERO:
         return f"{node} = {found.main}"
     if bound.constant is None:
-        return f"{node} = {found.main} + O({found.error})"
+        return f"{node} = {found.main} + {'o' if found.small else 'O'}({found.error})"
     where = f"{path.name} > 0" if bound.upto is None else region(path, bound.upto)
     limit = number(bound.constant) * found.error
     return f"{node} = {found.main} + R with |R| <= {limit} for {where}"

@@ -41,7 +41,8 @@ def checked(answer: Answer, claim: Comparison, statement: Statement) -> Answer:
     path = statement.path
     if path is None:
         raise TypeError("a claim along a path needs its path")
-    if statement.implicit or statement.has_initial_values or path.together:
+    reduced = statement.implicit or statement.premises or statement.recurrences
+    if reduced or statement.has_initial_values or path.together:
         return answer  # the explicit claim to which it was reduced was confirmed itself
     if answer.uniform is False:
         return answer  # it fails uniformly in the parameters, by the limit of the ratio

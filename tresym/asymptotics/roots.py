@@ -30,7 +30,10 @@ from typing import NamedTuple
 from flint import arb, fmpq, fmpq_poly
 
 from tresym.asymptotics.constants import rounded
+from tresym.asymptotics.lemma import End
+from tresym.asymptotics.lemma_claims import decide_with_expansions
 from tresym.asymptotics.order_claims import region
+from tresym.asymptotics.tubes import Equation, Root, conditions_of, forms, starts
 from tresym.reals.decisions.answer import Answer, Decide, constant_ball, exact_text, worst
 from tresym.reals.decisions.equation_solutions import solved
 from tresym.reals.decisions.equations import chained_zero
@@ -89,6 +92,7 @@ REGIONS = 6
 RANGE_HALVINGS = 20
 SHARP_BITS = 320
 CLOSE = arb("0.01")
+LARGE = arb("1e300")
 _OPEN_ENDS = (INFINITY, -INFINITY)
 
 
@@ -395,7 +399,7 @@ def _of_root(
 ) -> Answer:
     name = _unknown(claim, statement) if name is None else name
     reasons = []
-    for lemma in (_by_elimination, _by_solution, _by_residual):
+    for lemma in (_by_elimination, _by_solution, _by_residual, _by_tube):
         try:
             found = lemma(claim, statement, name, decided)
         except _OpenError as error:
@@ -404,7 +408,8 @@ def _of_root(
         if found.verdict is not Verdict.UNDECIDED:
             return found
         reasons.append(found.why)
-    raise _OpenError(reasons[0] if reasons[0] != reasons[-1] else reasons[-1])
+    unsolved = "could not be solved" in reasons[0]
+    raise _OpenError(reasons[-1] if unsolved else reasons[0])
 
 
 def _by_solution(claim: Comparison, statement: Statement, name: str, decided: Decide) -> Answer:
@@ -874,6 +879,14 @@ def _zeros(e: Expr, name: str, parameters: Given) -> list[Expr]:
     return found
 
 
+def zeros_between(e: Expr, name: str, low: Expr, high: Expr, given: Given) -> list[Expr]:
+    """Return exact zeros of a function between two ends, as far as they are found."""
+    try:
+        return _sorted(_zeros(e, name, given), low, high)
+    except _OpenError:
+        return []
+
+
 def _polynomial_zeros(e: Expr, name: str) -> list[Expr]:
     """Return the rational zeros of a polynomial over the rationals, and real roots of numbers."""
     if symbols(e) != {name} or any(
@@ -1138,6 +1151,57 @@ def _by_residual(claim: Comparison, statement: Statement, name: str, decided: De
     raise _OpenError(f"the value of the equation at {a} does not decide the claim: {found.why}")
 
 
+def _by_tube(claim: Comparison, statement: Statement, name: str, decided: Decide) -> Answer:
+    """Decide any claim about a root near an approximation that the claim states or implies."""
+    path = statement.path
+    assert path is not None
+    left, right = statement.equations[0]
+    if jumps(left - right):
+        raise _OpenError("the equation has jumps")
+    low, high, _ = _interval(name, statement, left - right)
+    links = conditions_of(left - right, name, statement.given.comparisons)
+    others = [x for x in statement.given.comparisons if x not in links]
+    moving = [x for x in others if path.name in symbols(x[0]) | symbols(x[2])]
+    fixed = Given(tuple(x for x in others if x not in moving))
+    rest = replace(statement, equations=(), given=fixed)
+    if not all(_holds_near_the_end(link, rest, decided) for link in moving):
+        raise _OpenError("a condition is not shown to hold near the end of the path")
+    for edge in _closed_ends(name, statement, left - right, (low, high)):
+        at_end = substitute(left - right, {name: edge})
+        if not _holds_near_the_end((at_end, "!=", ZERO), rest, decided):
+            raise _OpenError(f"{name} = {edge} is not shown to be no root")
+    taken = symbols(claim.left) | symbols(claim.right) | symbols(left - right)
+    end = End(path.name, path.point, path.sides[0], fixed, taken)
+    why = f"no approximation of {name} was found"
+    for f, positive in forms(left, right, name):
+        equation = Equation(name, f, end, (low, high), links, (rest, decided))
+        if not all(map(equation.is_positive, positive)):
+            continue
+        for start in (*starts(claim, name), *_at_the_end(f, name, end, (low, high))):
+            root = {symbol(name): Root(equation, start)}
+            found = decide_with_expansions(claim, rest, decided, root)
+            if found.verdict is not Verdict.UNDECIDED:
+                return replace(found, region=None, constant=None)
+            why = found.why
+    raise _OpenError(why)
+
+
+def _at_the_end(f: Expr, name: str, end: End, interval: tuple[Expr, Expr]) -> Iterator[Expr]:
+    """Yield the roots of the equation in the limit, where they are found exactly."""
+    limit = end.limit(f)
+    if limit is None or limit in _OPEN_ENDS:
+        return
+    low, high = interval
+    for zero in _zeros(limit, name, end.given):
+        inside = all(
+            sign(side * (zero - e), end.given, ">=") in ("+", ">=0", "0")
+            for side, e in ((1, low), (-1, high))
+            if e not in _OPEN_ENDS
+        )
+        if inside:
+            yield zero
+
+
 def _slope_bounds(
     slope: Expr, statement: Statement, links: tuple[Compared, ...], decided: Decide
 ) -> tuple[int, Expr, Expr | None, str]:
@@ -1158,7 +1222,7 @@ def _slope_bounds(
         with ball_precision():
             for point in inside.points(names, SAMPLES):
                 value = evaluate(slope, point)
-                if value.is_finite():
+                if value.is_finite() and abs(value) < LARGE:
                     values.append(float(value.mid()))
         if not values or min(values) <= 0 <= max(values):
             continue

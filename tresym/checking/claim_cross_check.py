@@ -80,6 +80,8 @@ def attack(
         return None if statement.path is not None else _attack_series(comparison, statement)
     if any(node.op == "root" for node in outermost(comparison.left, comparison.right)):
         return None  # the claim with a variable in place of the root was attacked itself
+    if statement.premises or statement.recurrences:
+        return None  # the explicit claim to which it was reduced was attacked itself
     if statement.has_initial_values:
         return against_solution(comparison, statement, answer)
     if statement.path is not None and statement.path.together:

@@ -397,6 +397,18 @@ def _implicit(*claim: Any) -> Answer:
     return decide_implicit(*claim)
 
 
+def _premises(*claim: Any) -> Answer:
+    from tresym.asymptotics.premises import decide_under_premises
+
+    return decide_under_premises(*claim)
+
+
+def _recurrences(*claim: Any) -> Answer:
+    from tresym.asymptotics.recurrences import decide_recurrence
+
+    return decide_recurrence(*claim)
+
+
 def _nth_derivatives(*claim: Any) -> Answer:
     from tresym.reals.decisions.induction import decide_repeated
 
@@ -518,6 +530,16 @@ ORDER: tuple[tuple[Procedure, Callable[[_Parts], bool], str], ...] = (
         _together,
         lambda p: p.statement.path is not None and bool(p.statement.path.together),
         "a point of several variables is a distance times a direction",
+    ),
+    (
+        _premises,
+        lambda p: bool(p.statement.premises),
+        "what is claimed of all functions of an order is claimed of none that is known",
+    ),
+    (
+        _recurrences,
+        lambda p: bool(p.statement.recurrences),
+        "a recurrence determines a sequence, of which limit and rate are found",
     ),
     (
         _initial_values,

@@ -24,6 +24,7 @@ from tresym.reals.language.comparisons import (
     comparison_of,
     is_order,
     limit_of,
+    spread,
 )
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import ZERO, Expr, number, symbol, symbols
@@ -70,7 +71,7 @@ def _stated(written: Written, text: str) -> Statement:
             raise InputError("on REGION belongs to an order with a path: f == g + O(h) as x -> 0")
         path = replace(path, reach=reach_of(on, path))
     given = Given(tuple(link for link in said if link[1] not in ("==", "in"))).unfolded()
-    equations = tuple((left, right) for left, relation, right in said if relation == "==")
+    equations = tuple((left, spread(right)) for left, relation, right in said if relation == "==")
     closed = sum(relation in (">=", "<=") for _, relation, _ in said) > 1
     equations += tuple(
         (symbol(name), number(where.low))
@@ -148,6 +149,8 @@ def _checked(statement: Statement) -> Statement:
     if near and len(kinds) > 1:
         raise InputError(NO_CHAIN)
     path = statement.path
+    if path is None and statement.premises:
+        raise InputError("a condition with O or ~ needs a path, such as --as 'x -> oo'")
     if path is None:
         if near and not (near == ["O"] and _without_path(statement)):
             raise InputError("an order claim needs its path, such as --as 'x -> 0+'")

@@ -20,6 +20,7 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.language.formula import chained
+from tresym.reals.language.parsing import without_order
 from tresym.reals.language.paths import Path
 
 _ENDS = (INFINITY, -INFINITY)
@@ -71,6 +72,28 @@ class Statement:
             path is not None
             and bool(self.equations)
             and any(path.name in symbols(e) for e in self.said)
+        )
+
+    @property
+    def premises(self) -> tuple[tuple[Expr, Expr], ...]:
+        """The conditions that bound the error of an approximation, such as ``y == x + O(1)``."""
+        return tuple(pair for pair in self.equations if without_order(pair[1]) is not pair[1])
+
+    @property
+    def recurrences(self) -> tuple[tuple[Expr, Expr], ...]:
+        """The conditions that give a sequence step by step, such as ``a(n + 1) == sin(a(n))``."""
+        path = self.path
+        if path is None:
+            return ()
+        return tuple(
+            pair
+            for pair in self.equations
+            for node in pair
+            if node.op == "unknown"
+            and len(node.args) == 2
+            and path.name in symbols(node.args[1])
+            and not any(node.args[0].args[1])
+            and any(f.args[0] == node.args[0] and f != node for e in pair for f in functions(e))
         )
 
     @property

@@ -18,7 +18,7 @@ from tresym.reals.language.comparisons import LIMIT, ORDERS
 from tresym.reals.language.differential_notation import with_differential_notation
 from tresym.reals.language.expression import ZERO, multiply, number, symbol
 from tresym.reals.language.formula import Compared, chained
-from tresym.reals.language.parsing import parse_claim, parse_given
+from tresym.reals.language.parsing import parse_claim, parse_given, sequences_of
 from tresym.reals.language.paths import MAX_PATH, Path, path_in_latex, read_path
 from tresym.reals.language.sentences import spelled, spelled_conditions
 from tresym.reals.language.sympy import (
@@ -118,7 +118,8 @@ def _strictly(claim: str, given: Any, path: str | None) -> Written:
     text = text if meant is None else f"{text[: meant.start()]})"
     under, end, on = (*_given(given), *_given(own)), _path(own_path or path), _given(region)
     if not _LATEX.search(text):
-        return Written(tuple(parse_claim(plain(text))), under, end, on, uniformly)
+        sequences = sequences_of(f"{given if isinstance(given, str) else ''}, {own}")
+        return Written(tuple(parse_claim(plain(text), sequences)), under, end, on, uniformly)
     from tresym.reals.language.latex import read_latex
 
     chains = read_latex(text.strip().strip("$"))
@@ -156,7 +157,7 @@ def _read_again(shown: str) -> Written:
     claim, _, end = shown.partition(" as ")
     claim, _, under = claim.partition(" given ")
     path = read_path(end) if end else None
-    parts = tuple(parse_claim(claim)), tuple(parse_given(under))
+    parts = tuple(parse_claim(claim, sequences_of(under))), tuple(parse_given(under))
     return Written(*parts, path, _given(on), uniformly)
 
 

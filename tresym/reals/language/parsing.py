@@ -64,6 +64,9 @@ from tresym.reals.numbers.exact import InputError, parse_number, printed
 MAX_CHARACTERS = 30_000
 _NOT_REAL = frozenset(("I", "oo", "zoo", "nan", "inf", "infinity", "Infinity"))
 _INTEGER = re.compile(r"\b(\w+)\s+(?:is\s+)?(?:an\s+)?integer\b")
+_RECURRENCE = re.compile(
+    r"(?:^|,|=)\s*([A-Za-z]\w*)\(\s*([A-Za-z]\w*)\s*\+\s*[1-9]\s*\)\s*(?==|,|$)"
+)
 _EQUALS = re.compile(r"(?<![=<>!~:])=(?![=<>])")
 _LONG_INTEGER = re.compile(r"(?<![\w.])(\d{4000,})(?![\w.])")
 """Python's parser rejects integers with more digits, but accepts them as decimals."""
@@ -88,16 +91,33 @@ def parse(text: str) -> Expr:
     return e
 
 
-def as_written(text: str) -> Expr:
+def sequences_of(text: str) -> frozenset[str]:
+    """Return the names for which conditions state a recurrence, as a in ``a(n + 1) == sin(a(n))``.
+
+    Any name that is not a known function may denote a sequence.
+    """
+    found = {match[1]: match[2] for match in _RECURRENCE.finditer(text)}
+    return frozenset(
+        name
+        for name, n in found.items()
+        if name not in KNOWN and re.search(rf"\b{name}\(\s*{n}\s*\)", text)
+    )
+
+
+def as_written(text: str, sequences: frozenset[str] = frozenset()) -> Expr:
     """Parse an expression, with derivatives and values at a point as nodes.
 
     ``str`` converts the result back to text.
+
+    Args:
+        text: the expression.
+        sequences: names that denote sequences beside the usual names of functions.
 
     Raises:
         InputError: the text is outside the grammar or its bounds; the message is one line.
     """
     source = tidy(text)
-    return _Reader(source).read(tree(source))
+    return _Reader(source, sequences).read(tree(source))
 
 
 def tidy(text: str) -> str:
@@ -150,8 +170,8 @@ def _quoted(source: str) -> str:
 class _Reader:
     """Convert a syntax tree to an expression, taking exact numbers from the text."""
 
-    def __init__(self, source: str) -> None:
-        self.source = source
+    def __init__(self, source: str, sequences: frozenset[str] = frozenset()) -> None:
+        self.source, self.sequences = source, sequences
 
     def read(self, node: ast.expr) -> Expr:
         try:
@@ -231,7 +251,8 @@ class _Reader:
         if name == "at" and len(args) > 2 and len(args) % 2:
             pairs = zip(args[1::2], args[2::2], strict=True)
             return at(self._read(args[0]), {self._name(x): self._read(p) for x, p in pairs})
-        if args and UNKNOWN.fullmatch(name) and not self._stands_alone(name):
+        unknown_here = UNKNOWN.fullmatch(name) or name in self.sequences
+        if args and unknown_here and not self._stands_alone(name):
             return unknown(name, tuple(self._read(arg) for arg in args))
         if name in SPECIAL_NAMES and self._stands_alone(name):
             raise InputError(
@@ -345,22 +366,30 @@ def parse_conditions(text: str) -> list[Compared]:
 def parse_given(text: str) -> list[Compared]:
     """Parse conditions as :func:`parse_conditions` does, also equations and ``n integer``.
 
-    The condition ``n integer`` becomes ``(n, "in", ZZ)``.
+    The condition ``n integer`` becomes ``(n, "in", ZZ)``. An equation may end in an order, as
+    ``y == x + O(1)``, and ``y ~ a + b`` becomes ``y == a + b + o(a)`` and ``y == a + b + o(b)``.
 
     Raises:
-        InputError: the text contains anything but ``== > >= < <= !=`` between expressions.
+        InputError: the text contains anything but ``== ~ > >= < <= !=`` between expressions.
     """
     if not text.strip():
         return []
-    source = tidy(_INTEGER.sub(r"\1 in ZZ", _EQUALS.sub("==", text)))
+    if "~" in text and _TILDE in text:
+        raise InputError("a condition uses one of == ~ > >= < <= !=, as in 0 < x <= 1")
+    source = tidy(_INTEGER.sub(r"\1 in ZZ", _EQUALS.sub("==", text)).replace("~", _TILDE))
     body = tree(source)
-    reader = _Reader(source)
+    reader = _Reader(source, sequences_of(text))
     result: list[Compared] = []
     for part in body.elts if isinstance(body, ast.Tuple) else [body]:
         if not isinstance(part, ast.Compare):
             advice = "" if not isinstance(part, ast.BoolOp) else "; separate conditions by commas"
             shown = _quoted(reader._segment(part))
             raise InputError(f"{shown} is not a condition such as a > 0{advice}")
+        if isinstance(part.ops[0], ast.IsNot) and len(part.ops) == 1 and "~" in text:
+            left, right = reader._end(part.left), reader._end(part.comparators[0])
+            terms = right.args if right.op == "+" else (right,)
+            result += [(left, "==", right + order("o", term)) for term in terms]
+            continue
         result += _chain(reader, part)
     result = [_slopes_at(*part) if part[1] == "==" else part for part in result]
     for left, relation, right in result:
@@ -370,14 +399,22 @@ def parse_given(text: str) -> list[Compared]:
             raise InputError("write n integer for a variable n with integer values")
         if {INFINITY.args[0], DOTS.args[0]} & (symbols(left) | symbols(right)):
             raise InputError(NO_INFINITY)
-        if not all(map(_algebraic, (left, right))):
+        explicit = right if relation != "==" else without_order(right)
+        if not all(map(_algebraic, (left, explicit))):
             raise InputError(NO_DERIVATIVE)
     return result
 
 
+def without_order(e: Expr) -> Expr:
+    """Return the right side of an equation without its one term O(…) or o(…), if it has one."""
+    terms = e.args if e.op == "+" else (e,)
+    rest = [term for term in terms if term.op not in ("O", "o")]
+    return e if len(rest) + 1 != len(terms) else add(*rest) if rest else number(0)
+
+
 def _slopes_at(left: Expr, relation: str, right: Expr) -> Compared:
     """Return an equation with the derivatives of arbitrary functions as nodes of their own."""
-    if elementary(left, right):
+    if elementary(left, right) or without_order(right) is not right:
         return left, relation, right
     return worked_out(left), relation, worked_out(right)
 
@@ -417,6 +454,8 @@ def _is_integers(node: ast.expr) -> bool:
     return isinstance(node, ast.Name) and node.id == INTEGERS.args[0]
 
 
+_TILDE = " is not "
+"""What stands for ``~`` in a syntax tree."""
 NO_INFINITY = "oo is not a real number or variable; all values are real"
 NO_DERIVATIVE = (
     "a condition cannot contain a derivative: write it out, with its domain as a condition"
@@ -438,12 +477,16 @@ def _printed(source: str) -> list[Compared]:
     return [(number(where.low), "<=", left), (left, "<=", number(where.high))]
 
 
-def parse_claim(text: str) -> list[Compared]:
+def parse_claim(text: str, sequences: frozenset[str] = frozenset()) -> list[Compared]:
     """Parse a chain of comparisons, or one asymptotic statement.
 
     The relations are ``== != > >= < <=``, with ``=`` for ``==``, ``f ~ g``, and ``f -> L`` for a
     limit. In ``f == h + O(g)`` the right side contains a node for the order. ``x ~= 0.1150``
     compares with a printed number, to half a unit in its last place.
+
+    Args:
+        text: the claim without its conditions.
+        sequences: names that denote sequences, for which the conditions state a recurrence.
 
     Raises:
         InputError: the text is anything else; the message says in one line what is expected.
@@ -456,11 +499,12 @@ def parse_claim(text: str) -> list[Compared]:
     if "~=" in source:
         return _printed(source)
     if source.count("~") == 1:
-        left, right = (as_written(side) for side in source.split("~"))
+        left, right = (as_written(side, sequences) for side in source.split("~"))
         return [(left, "~", right)]
     if source.count("->") == 1 and not re.search("[<=>]", source.replace("->", "")):
         start, end = source.split("->")
-        return [(as_written(start), "->", INFINITE.get(end.replace(" ", "")) or as_written(end))]
+        value = INFINITE.get(end.replace(" ", "")) or as_written(end, sequences)
+        return [(as_written(start, sequences), "->", value)]
     source = _EQUALS.sub("==", source)
     body = tree(source)
     if not isinstance(body, ast.Compare):
@@ -470,4 +514,4 @@ def parse_claim(text: str) -> list[Compared]:
             f"{_quoted(source)} is not a claim{advice}; compare two expressions with one of "
             "== != > >= < <= ~, as in sin(x)**2 + cos(x)**2 == 1"
         )
-    return _chain(_Reader(source), body)
+    return _chain(_Reader(source, sequences), body)

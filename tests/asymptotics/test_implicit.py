@@ -1,0 +1,72 @@
+"""Claims about roots in tubes, two unknowns, recurrences, and under premises with O, o and ~."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tresym.checking.dispatch import decide_claim
+from tresym.reals.numbers.exact import InputError
+
+DATA = Path(__file__).parent.parent / "data" / "asymptotics"
+ALLOWED = {"H": ("PROVED", "ENCLOSED"), "F": ("REFUTED",), "N": ("UNDECIDED",)}
+
+
+def _lines(name: str) -> list[str]:
+    lines = (DATA / name).read_text().splitlines()
+    return [line for line in lines if line and not line.startswith("#")]
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        pytest.param(line, marks=[pytest.mark.night] if k % 8 or line[0] == "N" else [])
+        for k, line in enumerate(_lines("implicit_unseen.txt"))
+    ],
+)
+def test_statements_of_textbooks(line: str) -> None:
+    kind, _, claim = line.partition(" ")
+    assert decide_claim(claim).verdict.value in ALLOWED[kind]
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        pytest.param(claim, marks=[pytest.mark.night] if k % 6 else [])
+        for k, claim in enumerate(_lines("implicit_guards.txt"))
+    ],
+)
+def test_guards_let_nothing_false_pass(claim: str) -> None:
+    assert not decide_claim(claim)
+
+
+@pytest.mark.parametrize(
+    ("claim", "said"),
+    [
+        ("a(n) -> 0 given a(n+2) == a(n+1) - a(n), a(0) == 1 as n -> oo", "of first order"),
+        ("a(n) -> 0 given a(n+1) == a(n)/n, a(1) == 1 as n -> oo", "through a(n) alone"),
+        ("a(n) -> 0 given a(n+1) == sin(a(n)) as n -> oo", "one first value"),
+        ("y > 0 given y == x + O(1), y == x + O(x) as x -> oo", ""),
+        ("diff(y, x) == O(1) given y == x + O(1) as x -> oo", ""),
+        ("y**2 ~ x given y**2 == x + O(1) as x -> oo", "one variable on its left side"),
+    ],
+)
+def test_the_answer_says_which_kinds_are_supported(claim: str, said: str) -> None:
+    assert said in decide_claim(claim).why
+
+
+def test_a_premise_needs_a_path() -> None:
+    with pytest.raises(InputError, match="needs a path"):
+        decide_claim("y > 0 given y == x + O(1)")
+
+
+def test_an_error_of_order_x_squared_is_not_taken_for_a_smaller_one() -> None:
+    claim = "integral(1/(1 + x*t), t, 0, 1) == 1 - x/2 + o(x**2) as x -> 0+"
+    assert decide_claim(claim).verdict.value == "REFUTED"
+
+
+def test_a_refutation_under_a_premise_names_the_function() -> None:
+    answer = decide_claim("y**2 == x**2 + O(1) given y == x + O(1) as x -> oo")
+    assert answer.witness is not None
+    assert answer.witness["y"] == "x + 1"
