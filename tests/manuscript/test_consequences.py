@@ -56,6 +56,8 @@ CASES = {
     LAYER + r"\[ Z' + Z = a x + B \]": "PROVED",
     LAYER + r"\[ Z' + Z = 2 a x + B \]": "EQUATION",
     LAYER + r"\[ Z' + Z = a x \]": "EQUATION",
+    # a constant that is there alone is not proved to be zero by its derivative
+    LAYER + r"\[ Z = a x + B \] \[ a x + B = a x \]": "EQUATION",
     # a function with an argument in an integral that moves has no derivative here
     r"Put \[ w = \int_0^x \sqrt{1+s^4}\,ds + S \] so that \[ w' = S' \]": "EQUATION",
     # two equations

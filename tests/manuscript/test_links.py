@@ -516,3 +516,10 @@ def test_dots_behind_equalities_are_no_list_of_values(tmp_path: Path) -> None:
     found = [row.status for row in read(tmp_path, text % 5)]
     assert found == ["DEFINED", "PROVED", "DEFINED", "PROVED"]
     assert read(tmp_path, text % 6)[-1].status == "REFUTED"
+
+
+def test_an_expansion_with_coefficients_that_are_sought_is_an_equation(tmp_path: Path) -> None:
+    text = r"For $\epsilon \to 0$ \[ \sqrt{9+\epsilon} = a_1 + a_2 \sin\epsilon + o(\epsilon) \]"
+    (row,) = read(tmp_path, text)
+    assert row.status == "EQUATION"
+    assert "coefficients a1, a2" in row.why

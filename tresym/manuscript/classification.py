@@ -39,6 +39,7 @@ from tresym.reals.numbers.exact import InputError, parse_number
 
 DEFINED, ASSUMED, EQUATION, UNREAD = "DEFINED", "ASSUMED", "EQUATION", "UNREAD"
 CONSTANTS = re.compile(r"[CcAB]_?\d*|[CcA]_\w")
+_NUMBERED = re.compile(r"[A-Za-z]+_?\d+")
 TOLD = "as the text before it says, with"
 WHERE = "under the conditions of the definition, with"
 SHARED = "for any value of the integral or sum on both sides"
@@ -211,6 +212,10 @@ def claim(
             why = f"it has no path: {advice}"
             link = replace(link, obstacle=Obstacle.NO_PATH)
             return replace(read_so(link, compared), status=UNREAD, why=why)
+        sought = _coefficients(left, right, path) - known.keys()
+        if sought:
+            why = f"an expansion whose coefficients {', '.join(sorted(sought))} are sought"
+            return replace(read_so(link, compared), status=EQUATION, why=why)
         as_path = f" as {path}"
     elif (
         relation == "=="
@@ -567,6 +572,14 @@ def usual_path(right: Expr) -> str:
     if base.op != "symbol" or exponent.op != "number":
         return ""
     return f"{base} -> {'0' if exponent.args[0] > 0 else 'oo'}"
+
+
+def _coefficients(left: Expr, right: Expr, path: str) -> set[str]:
+    """Return the numbered symbols on the right of an expansion that its left side does not have:
+    ``\\sqrt{9 + x} = a_1 + a_2 x + O(x^2)`` determines them."""
+    new = symbols(right) - symbols(left) - NO_VARIABLES - {path.partition(" ")[0]}
+    alone = left.op == "symbol" or unknown_in(left, right)
+    return set() if alone else {name for name in new if _NUMBERED.fullmatch(name)}
 
 
 def _path_of_index(left: Expr, right: Expr) -> str:

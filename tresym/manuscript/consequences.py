@@ -714,6 +714,8 @@ class Search:
                     slope = _slope(goal, by, self.moving)
                 except _FAILS:
                     break
+                if is_zero(slope) is not False:
+                    break  # it says what the constant is
                 for known in ((), others) if others else ((),):
                     step = self._by_one(slope, zero, known, words)
                     if step is not None:
