@@ -15,11 +15,13 @@ import random
 import re
 import sys
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import Future
 from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
+from tresym import repair
 from tresym.checking.answer_cache import cached_answers
 from tresym.manuscript import suspects
 from tresym.manuscript.classification import Link
@@ -115,6 +117,28 @@ def explained(row: Row, others: Sequence[Row]) -> str:
     parts.append("lead=" + suspects._words(suspects.prose.last_sentence(link.around[0]))[-160:])
     parts.append("trail=" + suspects._words(suspects.prose.first_sentence(link.around[1]))[:80])
     return "\n        ".join(" ".join(x.split()) for x in parts)
+
+
+class Here:
+    """Stands in for a pool of processes: a search for repairs is done at once, in this process."""
+
+    def __init__(self, *_: object, **__: object) -> None:
+        """Take what a pool takes."""
+
+    def __enter__(self) -> Here:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        pass
+
+    def in_order(
+        self, function: Callable[..., object], work: Iterable[tuple[object, ...]]
+    ) -> Iterator[Future[object]]:
+        """Do the work when its result is asked for."""
+        for args in work:
+            future: Future[object] = Future()
+            future.set_result(function(*args))
+            yield future
 
 
 class Outcome(NamedTuple):
@@ -217,6 +241,7 @@ def main(arguments: Sequence[str]) -> None:
     asked = parser.parse_args(arguments)
     counts: Counter[str] = Counter()
     kinds: Counter[tuple[str, str]] = Counter()
+    repair.Processes = Here  # type: ignore[misc,assignment]
     with cached_answers():
         for name in asked.files:
             for one in outcomes(Path(name), asked.wanted, asked.seed, asked.most, asked.each):
