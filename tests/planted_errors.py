@@ -97,6 +97,14 @@ def links_of(events: Sequence[Event], n: int, text: str) -> tuple[list[Event], l
     return changed, links
 
 
+def settled(link: Link, undecided: dict[tuple[int, int], Row]) -> Link:
+    """Return a link of another display without its claims, if they took long and led to nothing."""
+    row = undecided.get((link.display.number, link.number))
+    if row is None or row.fails_at is not None:
+        return link
+    return replace(link, claims=(), otherwise=(row.status, row.why))
+
+
 def rows_of(links: Sequence[Link]) -> list[Row]:
     """Return the links with their statuses."""
     return proofread(decided(links, LIMIT, 1), 5.0, 1)
@@ -172,6 +180,9 @@ def outcomes(file: Path, wanted: str, seed: str, most: int, each: int = 1) -> It
         if wanted == "anywhere"
         or (row.status in PASSES and (wanted != "asymptotic" or _ASYMPTOTIC.search(row.link.shown)))
     ]
+    undecided = {
+        (one.link.display.number, one.link.number): one for one in rows if one.status == "UNDECIDED"
+    }
     r = random.Random(f"{seed} {file.name}")
     r.shuffle(chosen)
     done = 0
@@ -194,7 +205,9 @@ def outcomes(file: Path, wanted: str, seed: str, most: int, each: int = 1) -> It
             at = next((k for k, x in enumerate(own) if x.number == row.link.number), None)
             if at is None or own[at].shown == row.link.shown:
                 continue
-            found = rows_of(links)
+            found = rows_of(
+                [x if x.display.number == number else settled(x, undecided) for x in links]
+            )
             mine = [one for one in found if one.link.display.number == number]
             keys = lambda some: {  # noqa: E731
                 (one.link.display.number, one.link.number) for one in some

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import json
-import re
 import sys
 import time
 from collections import Counter
@@ -282,20 +281,21 @@ def as_text(rows: list[Row], colour: bool = False, name: str = "", every: bool =
 def _summed_up(rows: list[Row], colour: bool, name: str) -> Iterator[str]:
     """Yield a line for each link that fails somewhere, then for each reason not to decide one."""
     from tresym.manuscript.suspects import failing as failing_somewhere
+    from tresym.manuscript.suspects import grouped_by_reason
 
     failing = failing_somewhere(rows)
     for row in failing[:MOST_HINTS]:
-        at = ", ".join(f"{symbol} = {value}" for symbol, value in (row.fails_at or {}).items())
+        point = (row.fails_at or {}).items()
+        at = ", ".join(f"{symbol} = {value}" for symbol, value in point)
         place = f"{row.link.display.file or name}:{row.link.display.line}"
         yield f"{bold('fails', colour)}     {place}  {abbreviated(row.link.read_as)[:100]}"
-        yield f"  {dim('at      ', colour)} {at[:100] or 'the constants themselves'}"
+        if row.fails_at is None:
+            yield f"  {dim('why     ', colour)} {row.why[:100]}"
+        else:
+            yield f"  {dim('at      ', colour)} {at[:100] or 'the constants themselves'}"
     if len(failing) > MOST_HINTS:
         yield f"          {len(failing) - MOST_HINTS} more fail somewhere (--all shows them)"
-    reasons: dict[tuple[str, str], list[Row]] = {}
-    for row in rows:
-        if row not in failing:
-            reasons.setdefault((row.status, _reason(row)), []).append(row)
-    ranked = sorted(reasons.items(), key=lambda item: -len(item[1]))
+    ranked = grouped_by_reason([row for row in rows if row not in failing])
     for (status, reason), found in ranked[:MOST_REASONS]:
         place = f"{found[0].link.display.file or name}:{found[0].link.display.line}"
         links = "1 link" if len(found) == 1 else f"{len(found)} links"
@@ -304,17 +304,6 @@ def _summed_up(rows: list[Row], colour: bool, name: str) -> Iterator[str]:
     if others:
         yield f"          {others} links for {len(ranked) - MOST_REASONS} other reasons"
     yield "          (--all shows every link)"
-
-
-def _reason(row: Row) -> str:
-    """Return the reason of a row without the names and formulas that are its own."""
-    if row.obstacle is not None and row.status != "EQUATION":
-        return row.obstacle.value.partition(";")[0]
-    if row.status == "EQUATION":
-        return "an equation, or a statement about unknown symbols"
-    text = re.split(r"[;:(]|, near | at '", row.why)[0]
-    text = re.sub(r"^\S+ is (?=an? )", "a symbol is ", text)
-    return text[:80].strip(" ,")
 
 
 _QUIET = ("PROVED", "ENCLOSED", "DEFINED", "ASSUMED")

@@ -110,7 +110,7 @@ class Link:
         firm: whether a refutation makes it REFUTED; if not, it becomes ``otherwise``.
         otherwise: status and reason for a link that fails without being a firm claim.
         same: whether the same variables stand on both sides.
-        goes_on: whether it continues a chain of equalities: the second one of ``a = b = c``.
+        goes_on: whether it is an equality that continues a chain: the second one of ``a = b = c``.
         worked: whether it evaluates a derivative, an integral, a sum, a limit or a series.
         unknown: whether it contains an arbitrary function.
         around: the text before and behind its display, and the number of its scope.
@@ -281,7 +281,7 @@ def claim(
     undecided = "UNDECIDED", ""
     keep = firm or (same and relation == "==" and n > 0) or as_path or relation != "=="
     counted = memory.uses.indices - memory.uses.numbers
-    chain = n > 0 and relation == "==" and {*said.ops[:n]} <= {"="} and under.kind != prose.SOLVE
+    chain = n > 0 and relation == "==" and under.kind != prose.SOLVE
     if any(str(side).count(str(DOTS)) > 1 for side in (left, right)):
         attempts = ()  # series in brackets are compared with what they follow from
     link = replace(link, claims=attempts, firm=firm, same=same, goes_on=chain, worked=worked)

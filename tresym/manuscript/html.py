@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from html import escape
 from itertools import groupby
 
 from tresym.ledger.latex_source import DISPLAYS
 from tresym.manuscript.deciding import STATUSES, Row
 from tresym.manuscript.kinds_in_prose import REAL
-from tresym.manuscript.suspects import attention, printed
+from tresym.manuscript.printed import as_mathml
+from tresym.manuscript.source import Display
+from tresym.manuscript.suspects import attention, failing, grouped_by_reason, printed
 from tresym.reals.language.parsing import parse_claim
 from tresym.reals.language.typesetting import to_mathml
 from tresym.reals.numbers.exact import InputError
@@ -27,30 +30,44 @@ _WORST = (
     "DEFINED",
 )
 _STYLE = """
-body { font: 16px/1.5 system-ui, sans-serif; max-width: 60rem; margin: 2rem auto; padding: 0 1rem }
+body { font: 16px/1.5 system-ui, sans-serif; max-width: 60rem; margin: 2rem auto; padding: 0 1rem;
+  color: #222; overflow-wrap: break-word }
 section { border-left: 4px solid #bbb; margin: 1.5rem 0; padding: 0 1rem }
 section.REFUTED, section.SUSPECT { border-color: #c00 }
 section.PROVED, section.ENCLOSED { border-color: #080 }
 section.UNDECIDED, section.UNREAD { border-color: #c80 }
-h2 { font-size: 1rem; margin: 0 } .status { font-weight: 600 } .why { color: #555 }
-#attention { background: #fff4f0; padding: .5rem 1rem }
-table { border-collapse: collapse } td, th { padding: .1rem .6rem; text-align: left }
-math { font-size: 1.2em } code { overflow-wrap: anywhere }
+h1 { font-size: 1.6rem } h2 { font-size: 1rem; margin: 0 } .why { color: #555 }
+.status { font-weight: 600 } .REFUTED > .status, .SUSPECT > .status { color: #b00 }
+#attention { background: #fff4f0; padding: .5rem 1rem } #attention h2 { font-size: 1.1rem }
+ul { padding-left: 1.2rem } li { margin: .5rem 0 } section > ul { list-style: none; padding: 0 }
+.formula, .wide { overflow-x: auto; padding: .4rem 0 } pre { margin: 0; font-size: .85rem }
+table { border-collapse: collapse } td, th { padding: .1rem .6rem .1rem 0; text-align: left;
+  vertical-align: top }
+math { font-size: 1.15em } code { overflow-wrap: anywhere; font-size: .85em }
+merror { background: none; border: 0; color: #777; font-size: .8em } summary { cursor: pointer }
 """
+_MEANING = (
+    "A link is one relation of a display: <code>a = b = c</code> has two links, "
+    "<code>a = b</code> and <code>b = c</code>."
+)
+MOST_PLACES = 12
+"""The most places that are named for a symbol or a reason."""
 
 
 def page(rows: Sequence[Row], name: str) -> str:
-    """Return an HTML page with every display in order, link by link, typeset as it was read."""
+    """Return an HTML page: what to look at, why links were not decided, every display in order, as
+    its author wrote it, with the status of its links, and the kinds of the symbols."""
     counts = Counter(row.status for row in rows)
     summary = ", ".join(f"{counts[s]} {s}" for s in STATUSES if counts[s])
     title = escape(name)
-    body = "\n".join((*_attention(rows, name), *_sections(rows)))
+    number = len({row.link.display.number for row in rows})
+    body = "\n".join((*_attention(rows, name), *_reasons(rows), *_sections(rows)))
     return (
         f'<!doctype html>\n<html lang="en">\n<meta charset="utf-8">\n{MARK}\n'
         f"<title>{title}</title>\n"
         f'<meta name="viewport" content="width=device-width">\n<style>{_STYLE}</style>\n'
-        f"<h1>{title}</h1>\n<p>{len(rows)} links: {summary}</p>\n{_symbols(rows)}\n"
-        f"{body}\n</html>\n"
+        f"<h1>{title}</h1>\n<p>{number} displays, {len(rows)} links: {summary}</p>\n"
+        f'<p class="why">{_MEANING}</p>\n{body}\n{_symbols(rows)}\n</html>\n'
     )
 
 
@@ -66,27 +83,47 @@ def _symbols(rows: Sequence[Row]) -> str:
     told = sorted(known for known in found if known[1] != REAL or known[2])
     lines = [
         f"<tr><td>{escape(name)}</td><td>{escape(kind)}</td><td>{escape(words)}</td>"
-        f"<td>{', '.join(_place(n) for n in found[name, kind, words][:12])}</td></tr>"
+        f"<td>{_places(found[name, kind, words])}</td></tr>"
         for name, kind, words in told
     ]
     table = (
-        "<table>\n<tr><th>symbol</th><th>kind</th><th>evidence</th><th>displays</th></tr>\n"
+        '<div class="wide"><table>\n'
+        "<tr><th>symbol</th><th>kind</th><th>evidence</th><th>displays</th></tr>\n"
         + "\n".join(lines)
-        + "\n</table>\n"
+        + "\n</table></div>\n"
     )
     names = escape(", ".join(plain)) or "none"
     return (
-        "<details open>\n<summary>Kinds of symbols</summary>\n"
+        "<details>\n<summary>Kinds of symbols</summary>\n"
         f"<p>Taken to be real numbers by default: {names}.</p>\n"
         f"{table if lines else ''}</details>"
     )
 
 
-def _place(number: int) -> str:
-    return f'<a href="#display-{number}">{number}</a>'
+def _places(numbers: Sequence[int]) -> str:
+    """Return links to displays, the first few if there are many."""
+    shown = [f'<a href="#display-{n}">{n}</a>' for n in dict.fromkeys(numbers)]
+    more = len(shown) - MOST_PLACES
+    return ", ".join(shown[:MOST_PLACES]) + (f" and {more} more" if more > 0 else "")
+
+
+def _reasons(rows: Sequence[Row]) -> Iterator[str]:
+    """Yield the reasons why links were not read or not decided, the most common first."""
+    found = grouped_by_reason(rows)
+    if not found:
+        return
+    number = sum(len(same) for _, same in found)
+    yield "<details open>\n"
+    yield f"<summary>Why {number} links are not decided</summary>\n"
+    yield '<div class="wide"><table>\n<tr><th>links</th><th>reason</th><th>displays</th></tr>'
+    for (status, reason), same in found:
+        places = _places([row.link.display.number for row in same])
+        yield (f"<tr><td>{len(same)}</td><td>{status}: {escape(reason)}</td><td>{places}</td></tr>")
+    yield "</table></div>\n</details>"
 
 
 def _sections(rows: Sequence[Row]) -> Iterator[str]:
+    """Yield a section for each display: as it is printed, then its links."""
     for number, links in groupby(rows, key=lambda row: row.link.display.number):
         found = list(links)
         display = found[0].link.display
@@ -95,34 +132,58 @@ def _sections(rows: Sequence[Row]) -> Iterator[str]:
         heading = f"Display {number}{label}, {file}line {display.line}"
         yield (
             f'<section class="{worst(found)}" id="display-{number}">\n<h2>{escape(heading)}</h2>\n'
+            f'<div class="formula">{_as_printed(display)}</div>\n<ul>\n'
             + "\n".join(map(_link, found))
-            + "\n</section>"
+            + "\n</ul>\n</section>"
         )
 
 
+def _as_printed(display: Display) -> str:
+    """Return a display as its author wrote it, typeset if it can be, else its source."""
+    return as_mathml(display) or f"<pre>{escape(display.text.strip())}</pre>"
+
+
 def _attention(rows: Sequence[Row], name: str) -> Iterator[str]:
-    """Yield the section of the problems, which comes first."""
-    found = attention(rows)
-    if not found:
+    """Yield the section of what to look at, which comes first: accusations, then what fails."""
+    accused, failed = attention(rows), failing(rows)
+    if not accused and not failed:
         return
-    heading = f"Formulas to look at: {len(found)}"
-    yield f'<section id="attention" class="REFUTED">\n<h2>{heading}</h2>\n<ul>'
-    for row in found:
-        display = row.link.display
-        place = escape(f"{display.file or name}:{display.line}")
-        text = f'<li><a href="#display-{display.number}">{place}</a> '
-        text += f'<span class="status">{row.status}</span> <code>{escape(printed(row.link))}</code>'
-        text += f"<br>Read as <code>{escape(row.refuted or row.link.read_as)}</code>"
-        yield text + _findings(row) + "</li>"
-    yield "</ul>\n</section>"
+    yield f'<section id="attention" class="{"REFUTED" if accused else "UNDECIDED"}">'
+    if accused:
+        yield f"<h2>Formulas to look at: {len(accused)}</h2>\n<ul>"
+        for row in accused:
+            text = f'<li class="{row.status}">{_place(row, name)} '
+            text += f'<span class="status">{row.status}</span>'
+            line = replace(row.link.display, text=printed(row.link))
+            text += f'<div class="formula">{_as_printed(line)}</div>'
+            text += f"Read as <code>{escape(row.refuted or row.link.read_as)}</code>"
+            yield text + _findings(row) + "</li>"
+        yield "</ul>"
+    if failed:
+        yield f"<h2>Fails somewhere, and may be meant otherwise: {len(failed)}</h2>\n<ul>"
+        for row in failed:
+            values = "" if row.fails_at is None else f"fails at {_values(row.fails_at)}"
+            text = f"<li>{_place(row, name)} <code>{escape(row.link.read_as)}</code>"
+            yield f'{text}<br><span class="why">{escape(values or row.why)}</span></li>'
+        yield "</ul>"
+    yield "</section>"
+
+
+def _place(row: Row, name: str) -> str:
+    display = row.link.display
+    place = escape(f"{display.file or name}:{display.line}")
+    return f'<a href="#display-{display.number}">{place}</a>'
+
+
+def _values(point: Mapping[str, str]) -> str:
+    return ", ".join(f"{name} = {value}" for name, value in point.items()) or "the constants"
 
 
 def _findings(row: Row) -> str:
     """Return the reason of a row, its counterexample and its suggestions."""
     text = f'<br><span class="why">{escape(row.why)}</span>'
-    if row.witness is not None:
-        values = ", ".join(f"{name} = {value}" for name, value in row.witness.items())
-        text += f"<br>Witness: {escape(values or 'the constants themselves')}"
+    if row.witness is not None and not row.why.startswith("it fails at"):
+        text += f"<br>Witness: {escape(_values(row.witness))}"
     for found in row.instead:
         given = f" given <code>{escape(found.given)}</code>" if found.given else ""
         text += f"<br>Instead: {_formula(found.claim)}{given}, {found.verdict} "
@@ -139,13 +200,11 @@ def _formula(claim: str) -> str:
 
 
 def _link(row: Row) -> str:
+    """Return the item of a link: its status, how it was read, and why it has that status."""
     link = row.link
-    formula = to_mathml([link.sides]) if link.sides else f"<p><code>{escape(link.shown)}</code></p>"
-    text = f'<p><span class="status">{row.status}</span>'
-    if link.read_as:
-        text += f" <code>{escape(link.read_as)}</code>"
-    text += _findings(row)
-    return f"{formula}\n{text}</p>"
+    read_as = link.read_as or link.shown
+    text = f'<li class="{row.status}"><span class="status">{row.status}</span>'
+    return f"{text} <code>{escape(read_as)}</code>{_findings(row)}</li>"
 
 
 def worst(rows: Sequence[Row]) -> str:

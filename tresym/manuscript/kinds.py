@@ -309,6 +309,8 @@ class Kinds:
         found: dict[str, tuple[str, str, str]] = {}
         chapter = self.chapters[self.chapter_of[place]]
         for one in mentions(list(tokens)):
+            if one.letter in ("O", "o") and list(tokens[one.end : one.end + 1]) == ["("]:
+                continue  # an order is no symbol
             evidence = self.at(one, place)
             if evidence is None and one.is_index and not one.accent:
                 evidence = chapter.sequences.get(one.letter)

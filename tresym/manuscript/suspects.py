@@ -32,6 +32,7 @@ from tresym.manuscript.classification import (
     Obstacle,
 )
 from tresym.manuscript.deciding import COORDINATE, Row
+from tresym.manuscript.mentions import names_in
 from tresym.manuscript.terms import base_of, unknown_in
 from tresym.reals.decisions.answer import Alternative, Answer
 from tresym.reals.language.binders import elementary
@@ -92,6 +93,7 @@ _WORDS = frozenset((DoubtKind.SENTENCE, DoubtKind.FAR, DoubtKind.FUNCTION))
 """Reasons that the form of an equality may outweigh: words around it, definitions elsewhere."""
 _OPEN = (Cause.NO_POINT, Cause.NO_VALUE)
 """What stopped the decision of an equality that may nevertheless be a misprint."""
+_BOUNDS = frozenset(("<", "<=", ">", ">="))
 _STRICT = re.compile(r" ([<>])=? ")
 _RELATIONS = frozenset(("==", "<", "<=", ">", ">="))
 _HOLD = frozenset(("PROVED", "ENCLOSED"))
@@ -219,9 +221,12 @@ def is_meant(link: Link) -> bool:
     and one side has no symbol that the other does not have."""
     if link.sides is None or link.sides[1] != "==" or link.noted in (prose.SOLVE, prose.ASSUME):
         return False
+    if unknown_in(link.sides[0]) != unknown_in(link.sides[2]):
+        return False  # it says what a function is
     left, right = (symbols(side) for side in link.sides[::2])
     shared = bool(left and right) and (left <= right or right <= left)
-    return (link.goes_on and (shared or link.same)) or (link.worked and link.same)
+    alike = any(asked.same and asked.may_fail for asked in link.claims)
+    return (link.goes_on and (shared or alike)) or (link.worked and link.same)
 
 
 def _has_constants(*sides: Expr) -> bool:
@@ -415,14 +420,44 @@ def failing(rows: Iterable[Row]) -> list[Row]:
 
 def _fails(row: Row) -> bool:
     link = row.link
-    if row.fails_at is None or row.holds_given or link.sides is None:
+    if row.holds_given or link.sides is None:
         return False
+    if row.fails_at is None:
+        return row.cause is Cause.UNCONFIRMED and (link.same or is_meant(link))
+    bounded = names_in(link.claims[0].given) if link.claims else frozenset()
+    if link.sides[1] in _BOUNDS and row.status == "UNDECIDED":
+        return names_in([link.sides]) <= bounded and not is_introduced(link)
+    unread = any(doubt.kind is DoubtKind.UNREAD for doubt in link.ground.doubts)
     if row.status == "UNDECIDED":
-        return link.same or link.solves is not None or is_meant(link)
+        same = link.same and (link.goes_on or not unread)
+        return same or link.solves is not None or is_meant(link)
     if row.status == UNREAD:
         return row.obstacle is Obstacle.CONDITION and is_meant(link)
     names = symbols(link.sides[0]) | symbols(link.sides[2])
     put = {name for name, _ in row.put}
-    closed = bool(names) and names <= put  # nothing is left that it could be an equation for
+    closed = bool(names) and names <= put and not link.unknown  # nothing is left to solve for
     unclear = link.same and not is_introduced(link) and not link.unknown
     return row.status == EQUATION and (closed or unclear or is_meant(link))
+
+
+_OPEN_STATUSES = ("UNREAD", "UNDECIDED", EQUATION)
+
+
+def grouped_by_reason(rows: Iterable[Row]) -> list[tuple[tuple[str, str], list[Row]]]:
+    """Return the rows that are not decided by status and reason, the most common reason first."""
+    reasons: dict[tuple[str, str], list[Row]] = {}
+    for row in rows:
+        if row.status in _OPEN_STATUSES:
+            reasons.setdefault((row.status, _short_reason(row)), []).append(row)
+    return sorted(reasons.items(), key=lambda item: -len(item[1]))
+
+
+def _short_reason(row: Row) -> str:
+    """Return the reason of a row without the names and formulas that are its own."""
+    if row.obstacle is not None and row.status != EQUATION:
+        return row.obstacle.value.partition(";")[0]
+    if row.status == EQUATION:
+        return "an equation, or a statement about unknown symbols"
+    text = re.split(r"[;:(]|, near | at '", row.why)[0]
+    text = re.sub(r"^\S+(?: \S+)? is (?=an? |of unknown)", "a symbol is ", text)
+    return text[:80].strip(" ,")
