@@ -222,7 +222,10 @@ def _step(rows: Sequence[Row], n: int) -> Step | None:
         return None
     if link.sides[1] != "==" or link.noted:
         return None
-    before = [other for other in rows[max(n - NEAR, 0) : n] if _is_premise(other, link)]
+    start = n  # the chain of the link: its links are claims, and no premises of each other
+    while start and rows[start].link.goes_on and rows[start - 1].link.display == link.display:
+        start -= 1
+    before = [other for other in rows[max(n - NEAR, 0) : start] if _is_premise(other, link)]
     if not before:
         return None
     context = Context(moving=link.moving)
