@@ -406,7 +406,7 @@ def _failing(row: Row, answers: list[Answer | InputError]) -> Row:
     for asked, answer in reversed(pairs):
         failed = isinstance(answer, Answer) and answer.verdict is Verdict.REFUTED
         if isinstance(answer, Answer) and failed and asked.may_fail and not asked.far:
-            at = None if answer.witness is None else dict(answer.witness)
+            at = _named(answer.witness)
             text = asked.plain or asked.text
             put = row.put if row.status in PASSES else asked.put
             return replace(row, refuted=text, put=put, fails_at=at, failing=asked.text)

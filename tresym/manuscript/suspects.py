@@ -35,7 +35,7 @@ from tresym.manuscript.deciding import COORDINATE, Row
 from tresym.manuscript.mentions import names_in
 from tresym.manuscript.terms import base_of, unknown_in
 from tresym.reals.decisions.answer import Alternative, Answer
-from tresym.reals.language.binders import elementary
+from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import Expr, substitute, symbol, symbols
 from tresym.reals.verdict import Cause
@@ -112,7 +112,8 @@ def proofread(
     asked = {n: row for n, row in enumerate(rows) if row.status == "REFUTED" or may_be(row)}
     closed = _closing(rows, processes)
     texts = [_question(row) for row in asked.values()]
-    found = dict(zip(asked, suggestions(texts, processes, seconds), strict=True)) if texts else {}
+    searched = suggestions(texts, processes, seconds) if texts else ()
+    found = {n: tuple(map(_as_written, some)) for n, some in zip(asked, searched, strict=True)}
     blocks = _blocks(rows)
     result = list(rows)
     for n, row in asked.items():
@@ -130,6 +131,11 @@ def proofread(
             why = f"{why} the term between them"
             result[n] = replace(row, status=SUSPECT, why=why, instead=chain, witness=row.fails_at)
     return _defined_twice(result)
+
+
+def _as_written(found: Alternative) -> Alternative:
+    """Return a suggestion in which functions have the names that the author uses."""
+    return Alternative(*(re.sub(r"\bfn_", "", text) for text in found))
 
 
 def _closing(rows: Sequence[Row], processes: int | None) -> dict[int, tuple[Alternative, ...]]:
@@ -208,6 +214,8 @@ def may_be(row: Row) -> bool:
         return False
     kinds = {doubt.kind for doubt in link.ground.doubts} - _HARMLESS
     kinds -= _WORDS if meant else {DoubtKind.FAR} if vary else set()
+    if link.goes_on or _of_terms(left, right):
+        kinds -= {DoubtKind.FUNCTION}
     if kinds or _has_constants(left, right):
         return False
     if relation != "==":
@@ -227,6 +235,15 @@ def is_meant(link: Link) -> bool:
     shared = bool(left and right) and (left <= right or right <= left)
     alike = any(asked.same and asked.may_fail for asked in link.claims)
     return (link.goes_on and (shared or alike)) or (link.worked and link.same)
+
+
+def _of_terms(left: Expr, right: Expr) -> bool:
+    """Whether both sides contain the same unknown sequence, each at several places, as identities
+    of differences do: then a near identity tells more than the shape of an equation."""
+    return all(
+        len({node for node in outermost(side) if node.op == "unknown"}) > 1
+        for side in (left, right)
+    ) and unknown_in(left) == unknown_in(right)
 
 
 def _has_constants(*sides: Expr) -> bool:

@@ -191,11 +191,21 @@ def _grid(claim: Claim) -> Points | None:
     terms = claim.defined().terms
     names = sorted(frozenset().union(*map(symbols, terms)) - symbols(INFINITY))
     hard = any(node.op == "integral" for term in terms for node in outermost(term))
+    given = [*claim.given, *_of_ends(terms)]
     try:
-        found = sampled(names, claim.given, *((FEW, SMALL) if hard else (GRID,)))
+        found = sampled(names, given, *((FEW, SMALL) if hard else (GRID,)))
         return None if found is None else _with_values(found, claim.put)
     except (UnsupportedError, InputError):
         return None
+
+
+def _of_ends(terms: Sequence[Expr]) -> list[Compared]:
+    """Return the conditions that the ends of finite sums and products are positive integers."""
+    nodes = [node for node in outermost(*terms) if node.op in ("sum", "product")]
+    names = frozenset().union(*(symbols(end) for node in nodes for end in node.args[1:]))
+    return parse_given(
+        ", ".join(f"{n} integer, {n} >= 1" for n in sorted(names - symbols(INFINITY)))
+    )
 
 
 def _with_values(points: Points, put: Definitions) -> Points:
