@@ -16,10 +16,10 @@ from flint import arb
 from tresym.commands import main
 from tresym.commands.export import _need_compiled
 from tresym.coq import export
+from tresym.coq.checked_proofs import checked, library
 from tresym.coq.coqtop import accepted
 from tresym.coq.ledger_statements import conditions_of, theorem_of
 from tresym.coq.lemma_proofs import candidates, plans
-from tresym.coq.stamps import checked, library
 from tresym.coq.statement import NotExportedError, Theorem, comparison, variable
 from tresym.dev.corpus.rewriting import changed
 from tresym.ledger.paper import all_claims

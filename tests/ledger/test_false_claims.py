@@ -54,8 +54,8 @@ from tresym.ledger.claim import (
     step,
     together,
 )
-from tresym.ledger.evidence import admissible, integrals, remainders
-from tresym.ledger.evidence.admissible import Meant
+from tresym.ledger.evidence import allowed_evidence, integrals, remainders
+from tresym.ledger.evidence.allowed_evidence import Meant
 from tresym.ledger.evidence.asymptotics import Asymptotics, Squeezed, t
 from tresym.ledger.evidence.box_bounds import Boxes
 from tresym.ledger.evidence.chart_bounds import Charted, On, Shown
@@ -726,14 +726,19 @@ BY_NOTHING = (judging, "refute", lambda says, claim: None)
             "bound-of-a-defined-symbol-under-an-integral",
             *(integrals, "dependent", lambda *asked: None),
         ),
-        ("order-beside-a-true-bound", admissible, "untied", lambda claim: None),
-        ("bound-by-a-smaller-gauge", admissible, "untied", lambda claim: None),
+        ("order-beside-a-true-bound", allowed_evidence, "untied", lambda claim: None),
+        ("bound-by-a-smaller-gauge", allowed_evidence, "untied", lambda claim: None),
         ("bound-away-from-the-point", remainders, "unreached", lambda *asked: None),
         ("bound-of-another-difference", remainders, "_equal", lambda *asked: True),
-        ("conjunction-with-a-formula", admissible, "DECIDING", (object,)),
-        ("boxes-away-from-the-point", admissible, "_elsewhere", lambda *asked: None),
-        ("boxes-without-an-order", admissible, "_gauge_gap", lambda *asked: None),
-        ("boxes-where-something-else-tends", admissible, "unfit_to_tend", lambda *asked: None),
+        ("conjunction-with-a-formula", allowed_evidence, "DECIDING", (object,)),
+        ("boxes-away-from-the-point", allowed_evidence, "_elsewhere", lambda *asked: None),
+        ("boxes-without-an-order", allowed_evidence, "_gauge_gap", lambda *asked: None),
+        (
+            "boxes-where-something-else-tends",
+            allowed_evidence,
+            "unfit_to_tend",
+            lambda *asked: None,
+        ),
     ],
 )
 def test_without_its_guard_a_false_claim_holds(

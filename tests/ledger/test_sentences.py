@@ -7,7 +7,7 @@ import pytest
 from sympy import Function, Le, Lt, Rational, Tuple, atan, exp, oo, pi, sqrt
 
 from tresym.ledger.claim import AllOf, Claim, Follows, equal, in_words
-from tresym.ledger.evidence.admissible import is_formal
+from tresym.ledger.evidence.allowed_evidence import is_formal
 from tresym.ledger.finding import Finding
 from tresym.ledger.judge import judge
 from tresym.ledger.paper import all_claims

@@ -17,7 +17,7 @@ from itertools import chain, islice
 from flint import arb, fmpq
 
 from tresym.asymptotics.order_claims import decide_order, region
-from tresym.asymptotics.recurring_failures import failure_where_waves_return
+from tresym.asymptotics.periodic_counterexamples import failure_where_waves_return
 from tresym.reals.decisions.answer import Answer, Decide, exact_text, worst
 from tresym.reals.decisions.derivative_domains import where_real
 from tresym.reals.decisions.equations import is_empty

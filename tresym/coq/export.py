@@ -18,7 +18,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from tresym.coq import stamps
+from tresym.coq import checked_proofs
 from tresym.coq.allowed_axioms import assumptions
 from tresym.coq.coqtop import HEAD, prelude
 from tresym.coq.ledger_statements import (
@@ -152,7 +152,7 @@ def entries(
             why = "no proof is stored for this statement"
             found[claim.label] = Entry(whole, "", None, (), why)
             continue
-        seen = stamps.checked(proof_row, applied(proof_row, store), library_text())
+        seen = checked_proofs.checked(proof_row, applied(proof_row, store), library_text())
         if not seen and not unchecked:
             why = "Coq has not checked its stored proof since that or a lemma it uses was changed"
             found[claim.label] = Entry(whole, "", None, (), why)
@@ -229,7 +229,7 @@ def applied(row: Mapping[str, Any], store: Mapping[str, Any]) -> list[str]:
 def stamped(row: dict[str, Any], store: Mapping[str, Any], coq: str) -> dict[str, Any]:
     """Return a stored proof with the stamp that says that Coq has checked it today."""
     day = datetime.now(UTC).date().isoformat()
-    found = stamps.stamp(row, applied(row, store), coq, day, library_text())
+    found = checked_proofs.stamp(row, applied(row, store), coq, day, library_text())
     return row | {"checked": {"coq": coq, "day": day, "stamp": found}}
 
 
@@ -404,7 +404,7 @@ def closed(chosen: Mapping[str, Entry], parts: Iterable[str], store: Mapping[str
 def _by_machine(entry: Entry) -> bool:
     """Whether a proof, or a lemma or tactic behind it, may use Coq's machine arithmetic."""
     text = f"{entry.lemmas}\n{entry.script}\n{entry.without}"
-    behind = stamps.library(library_text()).behind(text)
+    behind = checked_proofs.library(library_text()).behind(text)
     return any(map(_MACHINE.search, (text, *behind.values())))
 
 

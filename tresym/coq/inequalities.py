@@ -19,7 +19,7 @@ from tresym.coq.equations import (
     unfolded,
 )
 from tresym.coq.linear_dependence import as_expression, expanded
-from tresym.coq.orthant_cones import Span, cone_lines
+from tresym.coq.polynomial_certificates import Span, cone_lines
 from tresym.coq.reductions import Reduction, known, reductions
 from tresym.coq.statement import Theorem, formula, term, variable
 from tresym.coq.sums_of_squares import square_proofs
@@ -150,7 +150,7 @@ def shown(theorem: Theorem, d: Expr, strict: bool, hints: bool, expand: bool = T
 
 
 def cone_proofs(theorem: Theorem, d: Expr) -> Iterator[str]:
-    """Yield proofs by a tree of comparisons (`tresym.coq.orthant_cones`), with roots replaced."""
+    """Yield proofs by a tree of comparisons (`polynomial_certificates`), with roots replaced."""
     lines = ["intros; saturate."]
     roots = [e for e in nodes([d]) if is_root(e)]
     put: dict[Expr, Expr] = {}

@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import Any
 
 from tresym.coq.candidate_search import by_steps
+from tresym.coq.checked_proofs import checked, digest, library
 from tresym.coq.coqtop import Dialogue
 from tresym.coq.definedness import satisfiable, strengthen, trial
 from tresym.coq.export import applied, library_text
@@ -32,7 +33,6 @@ from tresym.coq.ledger_statements import (
     theorem_of,
 )
 from tresym.coq.lemma_proofs import Plan, candidates, plans, without_definitions
-from tresym.coq.stamps import checked, digest, library
 from tresym.coq.statement import NotExportedError, Theorem, comparison, term, variable
 from tresym.coq.witness_points import WAYS, proofs_at
 from tresym.ledger.claim import Claim

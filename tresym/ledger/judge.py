@@ -64,7 +64,7 @@ from tresym.ledger.conversion import (
 )
 from tresym.ledger.counterexamples import contradiction, scalars
 from tresym.ledger.definitions import captured, conflict, confused, judge_definition, table
-from tresym.ledger.evidence.admissible import unfit
+from tresym.ledger.evidence.allowed_evidence import unfit
 from tresym.ledger.evidence.asymptotics import Asymptotics, Squeezed, failing_order, judge_squeezed
 from tresym.ledger.evidence.box_bounds import Boxes
 from tresym.ledger.evidence.chain import check_chain, instantiated

@@ -12,8 +12,8 @@ from flint import arb, fmpq
 from sympy import Basic, Derivative, Integral, Subs, Symbol, false
 
 from tresym.ledger.ball_evaluation import At, value
+from tresym.ledger.computed_once import Kept
 from tresym.ledger.conversion import CircularError
-from tresym.ledger.lazy import Kept
 from tresym.reals import cross_check
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.sample_points import Range

@@ -29,7 +29,7 @@ from tresym.ledger.evidence.box_bounds import Boxes
 from tresym.ledger.evidence.chart_bounds import Charted, On, Reading, Shown
 from tresym.ledger.evidence.refutation import Denied
 from tresym.ledger.evidence.interval_evaluation import Evaluated
-from tresym.ledger.evidence.admissible import Meant
+from tresym.ledger.evidence.allowed_evidence import Meant
 from tresym.ledger.reasons import (
     adding, algebra, applying, changing_variable, citing, collecting, cutting,
     differentiating_integral, differentiation, evaluating, exponentials, integrating, inverses,

@@ -9,7 +9,7 @@ from sympy import Function, Integer, Rational, Symbol, Tuple, exp, oo, sin, sqrt
 
 from tresym.ledger.claim import Claim, Root, UniqueRoot, by, equal, step
 from tresym.ledger.evidence import asymptotics
-from tresym.ledger.evidence.admissible import is_formal
+from tresym.ledger.evidence.allowed_evidence import is_formal
 from tresym.ledger.evidence.asymptotics import Asymptotics, Squeezed, ordered, t
 from tresym.ledger.finding import Finding
 from tresym.ledger.judge import judge

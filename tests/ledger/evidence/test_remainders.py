@@ -7,7 +7,7 @@ from sympy import Abs, Function, Symbol
 
 from tresym.ledger.claim import Claim, equal
 from tresym.ledger.conversion import conditions
-from tresym.ledger.evidence.admissible import is_formal
+from tresym.ledger.evidence.allowed_evidence import is_formal
 from tresym.ledger.evidence.chart_bounds import Charted, On, Shown
 from tresym.ledger.evidence.remainders import HOT, Remainder, unreached, untied
 from tresym.ledger.judge import judge

@@ -14,10 +14,10 @@ from tresym.dev.mutants.mutants import Mutant, mutants, why_few
 from tresym.dev.mutants.seeded_faults import planted
 from tresym.ledger import paper
 from tresym.ledger.claim import AllOf, Claim, Counterexample
+from tresym.ledger.computed_once import Kept
 from tresym.ledger.evidence.refutation import Denied
 from tresym.ledger.finding import RULINGS, Finding, Ruling
 from tresym.ledger.judge import judge, judge_evidence
-from tresym.ledger.lazy import Kept
 from tresym.ledger.refutations import seen_false
 from tresym.ledger.verification import JSON_VERSION, MUTANTS, choose
 from tresym.reals.numbers.exact import InputError

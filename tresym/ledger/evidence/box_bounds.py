@@ -79,7 +79,7 @@ class Boxes:
             stored for this claim, because the search is short or ends at a counterexample.
         budget: maximal number of boxes in a search, per bound.
         meant: for a formula, the meaning of its symbols on the box; see
-            `tresym.ledger.evidence.admissible.Meant`.
+            `tresym.ledger.evidence.allowed_evidence.Meant`.
     """
 
     bounds: tuple[Bound, ...]

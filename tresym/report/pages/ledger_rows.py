@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from tresym.ledger.evidence.admissible import is_formal
+from tresym.ledger.evidence.allowed_evidence import is_formal
 from tresym.ledger.paper import display_lines, racket
 from tresym.ledger.verification import JSON_VERSION, Report, Row
 from tresym.reals.numbers.exact import fraction_text

@@ -11,7 +11,7 @@ from typing import Any
 
 from tresym.ledger.axioms import RULES, Axiom
 from tresym.ledger.claim import AllOf, Claim
-from tresym.ledger.evidence.admissible import is_formal
+from tresym.ledger.evidence.allowed_evidence import is_formal
 from tresym.ledger.paper import corrections, display_lines, racket, sections
 from tresym.ledger.verification import Report, Row
 from tresym.report.pages import coq_page

@@ -12,7 +12,7 @@ from inspect import signature
 from typing import Any
 
 from tresym.ledger.axioms import RULES
-from tresym.ledger.evidence.admissible import is_formal
+from tresym.ledger.evidence.allowed_evidence import is_formal
 from tresym.ledger.evidence.box_bounds import Boxes
 from tresym.ledger.paper import racket
 from tresym.ledger.sentences import sentence_of

@@ -65,7 +65,7 @@ ENCLOSING = (
     ),
     "ledger.evidence.printed_numbers",
     *(f"reals.domain.binder_values.{name}" for name in ("bracketed", "bracket", "value")),
-    "ledger.evidence.admissible._other_meaning",
+    "ledger.evidence.allowed_evidence._other_meaning",
 )
 """Packages, modules and functions on which no verdict PROVED depends."""
 
@@ -140,7 +140,7 @@ RECHECKED = {
         *("reals.decisions.equations._with_value", "reals.decisions.algebraic_witnesses"),
         *(
             "asymptotics.path_claims._fails_beside",
-            "asymptotics.recurring_failures.failure_where_waves_return",
+            "asymptotics.periodic_counterexamples.failure_where_waves_return",
         ),
         *(
             "reals.decisions.unknown_functions._realised",

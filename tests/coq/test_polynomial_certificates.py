@@ -4,7 +4,7 @@ from fractions import Fraction
 
 import pytest
 
-from tresym.coq.orthant_cones import Span, cone_lines
+from tresym.coq.polynomial_certificates import Span, cone_lines
 from tresym.reals.language.parsing import parse
 
 POSITIVE = Span(Fraction(0))

@@ -45,7 +45,7 @@ from tresym.ledger.claim import (
     step,
 )
 from tresym.ledger.evidence import box_bounds as bounds
-from tresym.ledger.evidence.admissible import is_formal, unfit
+from tresym.ledger.evidence.allowed_evidence import is_formal, unfit
 from tresym.ledger.evidence.asymptotics import Asymptotics
 from tresym.ledger.evidence.box_bounds import Boxes
 from tresym.ledger.evidence.refutation import Denied

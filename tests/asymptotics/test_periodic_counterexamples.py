@@ -4,7 +4,7 @@ import pytest
 from cases import cases
 
 import tresym
-from tresym.asymptotics.recurring_failures import failure_where_waves_return
+from tresym.asymptotics.periodic_counterexamples import failure_where_waves_return
 from tresym.reals.decisions.waves import has_no_limit
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
