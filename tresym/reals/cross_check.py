@@ -281,8 +281,8 @@ def exceptional_points(
 
 
 def _has_no_zero(e: Expr) -> bool:
-    """Return whether ``e`` is positive by its form, such as ``x**2 + 1`` or ``exp(x)``."""
-    return e.op == "exp" or _at_least(e, 1)
+    """Return whether ``e`` is not 0 by its form, such as ``x**2 + 1``, ``exp(x)`` or ``sec(x)``."""
+    return e.op in ("sec", "csc", "sech", "csch") or _at_least(e, 1)
 
 
 def _at_least(e: Expr, strict: int) -> bool:
@@ -354,10 +354,18 @@ def _at_exceptional(
     @cache
     def beside(e: Expr) -> list[Expr]:
         known = {e: ZERO, -e: ZERO}
-        return [replaced(x, known) for x in trees]
+        there = {x: replaced(x, known) for x in dict.fromkeys(trees)}
+        return [there[x] for x in trees]
+
+    @cache
+    def undefined(e: Expr) -> tuple[bool, bool]:
+        """Whether some expression is undefined where ``e`` is 0, and whether both sides are."""
+        parts = [_divides_by_zero(x) for x in beside(e)]
+        return any(parts), relation == "==" and all(parts[:2])
 
     def speaks(e: Expr, name: str) -> bool:
-        return name in by or not any(map(_divides_by_zero, beside(e)))
+        some, both = undefined(e)
+        return not some or (name in by and not both)
 
     for e, n, point in exceptional_points(trees, names, given, integers, speaks=speaks):
         if e not in programs:
@@ -598,7 +606,9 @@ def _halved(gap: Callable[[arb], arb | None], low: arb, high: arb) -> arb | None
     near = _by_secants(gap, low, high, first, last)
     if near is not None:
         return near
-    for _ in range(HALVINGS):
+    for n in range(HALVINGS):
+        if n == HALVINGS // 4 and gap(low.union(high)) is None:
+            return None  # a pole
         middle = ((low + high) / 2).mid()
         value = gap(middle)
         if value is None or not (value > 0 or value < 0):

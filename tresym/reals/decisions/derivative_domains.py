@@ -37,6 +37,20 @@ def where_real(
     return Given(given.comparisons + opened), Given(given.comparisons + whole)
 
 
+def interior(given: Given, functions: Iterable[Expr], by: Iterable[str]) -> Given:
+    """Return the first of the conditions of :func:`where_real`, and more that follow from them."""
+    names = {*by}
+    return Given(
+        given.comparisons
+        + tuple(
+            bound(e, ">")
+            if relation == ">=" and symbols(e) & names and not _holds_everywhere(e, relation)
+            else bound(e, relation)
+            for e, relation in needs(functions)
+        )
+    )
+
+
 def real_nowhere(given: Given, functions: Iterable[Expr]) -> bool:
     """Whether what one of ``functions`` needs to be real is shown to fail wherever ``given`` holds,
     and variables are what the functions need of them, as b != 0 for sqrt(-b**2)/b."""

@@ -23,7 +23,7 @@ from dataclasses import replace
 from functools import partial
 
 from tresym.reals.decisions.answer import Answer, Decide, worst
-from tresym.reals.decisions.derivative_domains import where_real
+from tresym.reals.decisions.derivative_domains import interior
 from tresym.reals.decisions.equations import is_empty
 from tresym.reals.decisions.exceptional_values import (
     may_be_defined,
@@ -57,6 +57,7 @@ from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.signs.definedness import undefined
 from tresym.reals.signs.discontinuities import value_at_zero, zeros
 from tresym.reals.signs.interior import is_nonzero
+from tresym.reals.signs.structural import sign_by_form
 from tresym.reals.verdict import Verdict
 
 
@@ -76,7 +77,9 @@ def at_removable_holes(
         decided: the procedure for claims without derivatives.
     """
     answers, left_out = [found], []
-    inside = where_real(statement.given, claim.differentiated, claim.by)[0]
+    if not any(_suspects(d, claim, statement.given) for d in claim.derivatives):
+        return found
+    inside = interior(statement.given, claim.differentiated, claim.by)
     for part, by in _holes(claim, inside):
         value = value_at_zero(part, symbols(part) - {by})
         if value is None:
@@ -97,20 +100,34 @@ def at_removable_holes(
     )
 
 
-def _holes(claim: Comparison, inside: Given) -> Iterator[tuple[Expr, str]]:
-    """Yield what may vanish where a function is real and the formula of its derivative is not."""
+def _suspects(d: Derivative, claim: Comparison, given: Given) -> list[Expr]:
+    """Return what the formula of a derivative requires not to vanish, if neither its form nor a
+    condition, nor what the functions or the rest of the claim require, says so.
+    """
+    if not elementary(d.value, d.function):
+        return []
     marks = {d.value: symbol(f"[d{n}]") for n, d in enumerate(claim.derivatives)}
     sides = (marked(side, marks) for side in (claim.left, claim.right))
     outside = {e for e, _ in needs(sides)}
-    conditions = {*inside.comparisons}
+    real = (part for part in needs(claim.differentiated) if part[1] != ">=")
+    conditions = {*given.comparisons, *(bound(*part) for part in real)}
+    return [
+        e
+        for e, relation in needs((d.value,), powers=False)
+        if relation != ">="
+        and d.by in symbols(e)
+        and e not in outside
+        and sign_by_form(e) != "+"
+        and not {bound(e, ">"), bound(e, "!=")} & conditions
+    ]
+
+
+def _holes(claim: Comparison, inside: Given) -> Iterator[tuple[Expr, str]]:
+    """Yield what may vanish where a function is real and the formula of its derivative is not."""
     seen = set()
     for d in claim.derivatives:
-        if not elementary(d.value, d.function):
-            continue
-        for e, relation in needs((d.value,), powers=False):
-            if relation == ">=" or d.by not in symbols(e) or e in outside:
-                continue
-            if {bound(e, ">"), bound(e, "!=")} & conditions or is_nonzero(e, inside):
+        for e in _suspects(d, claim, inside):
+            if is_nonzero(e, inside):
                 continue
             for part in zeros(e, inside):
                 if (part, d.by) not in seen and d.by in symbols(part):

@@ -73,6 +73,9 @@ def sign_by_form(e: Expr) -> str | None:
         r = e.args[1].args[0]
         even = r.q % 2 == 0 or (r.q == 1 and r.p % 2 == 0)
         return ("+" if r < 0 else ">=0") if even else None
+    if e.op == "+":
+        terms = {sign_by_form(term) for term in e.args}
+        return "+" if terms in ({"+"}, {"+", ">=0"}) else ">=0" if terms == {">=0"} else None
     return {"pi": "+", "exp": "+", "abs": ">=0"}.get(e.op)
 
 
@@ -238,8 +241,7 @@ class Parts:
         return inner
 
     def _sum_sign(self, e: Expr) -> str | None:
-        by_form = {sign_by_form(arg) for arg in e.args}
-        if by_form in ({"+"}, {"+", ">=0"}):
+        if sign_by_form(e) == "+":
             return "+"  # such as u**2 + 1, where the sign of u is of no interest
         signs = {self.sign(arg) for arg in e.args}
         for up in ("+", "-"):
