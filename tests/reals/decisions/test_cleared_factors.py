@@ -56,3 +56,10 @@ def test_the_signs_of_factors_are_those_proved() -> None:
     turned = divided("b*x + b", "b < 0")
     assert turned is not None
     assert turned == -parse("x + 1") or turned == parse("-x - 1")
+
+
+@pytest.mark.parametrize("text", ["1 + cos(x)", "3 + 4*cos(x) + cos(2*x)", "1 - cos(x)"])
+def test_no_factor_is_undefined_where_the_difference_vanishes(text: str) -> None:
+    """In tan(x/2), 1 + cos(x) is 2/(1 + tan(x/2)**2), which has no value at its zero x = pi."""
+    assert cleared(parse(text), Given(), lambda _: True) is None
+    assert tresym.check(f"{text} > 0").verdict is Verdict.REFUTED
