@@ -31,6 +31,7 @@ from tresym.reals.language.expression import (
     Expr,
     add,
     apply,
+    factors_in,
     multiply,
     number,
     power,
@@ -329,7 +330,7 @@ def _is_root(e: Expr) -> bool:
 
 
 def _denominator(e: Expr) -> Expr:
-    factors = e.args if e.op == "*" else (e,)
+    factors = factors_in(e)
     return multiply(
         *(power(f, MINUS_ONE) for f in factors if f.op == "^" and f.args[1] == MINUS_ONE)
     )

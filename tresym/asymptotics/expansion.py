@@ -25,6 +25,7 @@ from tresym.reals.language.expression import (
     ZERO,
     Expr,
     add,
+    factors_in,
     multiply,
     number,
     power,
@@ -129,7 +130,7 @@ def _first(e: Expr, path: Path, given: Given) -> tuple[Expr, Expr] | None:
 
 def _simple(e: Expr) -> Expr:
     """Return a term with its constant factors in normal form, in front."""
-    factors = e.args if e.op == "*" else (e,)
+    factors = factors_in(e)
     fixed = [f for f in factors if not symbols(f)]
     moving = [f for f in factors if symbols(f)]
     constant = normal_form(multiply(ONE, *fixed), Given()) if fixed else ONE

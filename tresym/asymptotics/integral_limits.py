@@ -27,6 +27,7 @@ from tresym.reals.language.expression import (
     ONE,
     ZERO,
     Expr,
+    factors_in,
     multiply,
     number,
     opened,
@@ -87,7 +88,7 @@ def _one_side(claim: Comparison, statement: Statement, decided: Decide) -> Answe
 def _by_derivatives(claim: Comparison, path: Path, given: Given) -> Expr | None:
     """Return the limit by l'Hôpital's rule of an integral with merging ends, or None."""
     compared = compared_of(claim)[0]
-    parts = compared.args if compared.op == "*" else (compared,)
+    parts = factors_in(compared)
     nodes = [part for part in parts if part.op == "integral"]
     rest = multiply(*(part for part in parts if part not in nodes))
     if len(nodes) != 1 or not elementary(rest, *nodes[0].args[1:]):

@@ -22,6 +22,7 @@ from tresym.reals.language.expression import (
     Expr,
     add,
     apply,
+    factors_in,
     integer,
     multiply,
     power,
@@ -59,7 +60,7 @@ def exponentials(body: Expr, t: str, end: End) -> list[Exponential] | None:
 def _summands(body: Expr, t: str, end: End) -> Iterator[Expr]:
     """Yield the terms of the integrand, products of sums with x multiplied out."""
     x = end.name
-    factors = body.args if body.op == "*" else (body,)
+    factors = factors_in(body)
     choices = []
     for f in factors:
         both = {t, x} <= symbols(f)
@@ -80,7 +81,7 @@ def _summands(body: Expr, t: str, end: End) -> Iterator[Expr]:
 def _exponential(term: Expr, t: str, end: End) -> Exponential | None:
     x = end.name
     outside, weight, exponents = [], [], []
-    for f in term.args if term.op == "*" else (term,):
+    for f in factors_in(term):
         if t not in symbols(f):
             outside.append(f)
         elif x not in symbols(f):

@@ -29,6 +29,7 @@ from tresym.reals.language.expression import (
     ONE,
     ZERO,
     Expr,
+    factors_in,
     multiply,
     number,
     rebuild,
@@ -275,7 +276,7 @@ _AT_ZERO = {"exp": ONE, "cos": ONE, "cosh": ONE} | dict.fromkeys(
 
 def _terms(e: Expr) -> tuple[Expr, ...]:
     """Return the terms of a sum, or of a product with one sum among its factors."""
-    factors = e.args if e.op == "*" else (e,)
+    factors = factors_in(e)
     sums = [f for f in factors if f.op == "+"]
     if len(sums) != 1:
         return (e,)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from flint import fmpq, fmpq_poly
 
-from tresym.reals.language.expression import Expr, multiply, number, power
+from tresym.reals.language.expression import Expr, factors_in, multiply, number, power
 
 
 def over(e: Expr) -> tuple[Expr, Expr]:
@@ -16,7 +16,7 @@ def over(e: Expr) -> tuple[Expr, Expr]:
         ['k + 1', 'k**2 + 1']
     """
     above, below = [], []
-    for part in e.args if e.op == "*" else (e,):
+    for part in factors_in(e):
         exponent = part.args[1] if part.op == "^" else None
         if exponent is not None and exponent.op == "number" and exponent.args[0] < 0:
             below.append(power(part.args[0], -exponent))

@@ -59,6 +59,7 @@ from tresym.reals.language.expression import (
     Expr,
     add,
     apply,
+    factors_in,
     integer,
     number,
     power,
@@ -868,7 +869,7 @@ def _zeros(e: Expr, name: str, parameters: Given) -> list[Expr]:
     except InputError:
         parts = [e]
     for part in parts:
-        factors = part.args if part.op == "*" else (part,)
+        factors = factors_in(part)
         for factor in factors:
             if name not in symbols(factor):
                 continue

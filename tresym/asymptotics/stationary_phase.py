@@ -42,6 +42,7 @@ from tresym.reals.language.expression import (
     Expr,
     add,
     apply,
+    factors_in,
     fresh,
     multiply,
     number,
@@ -279,7 +280,7 @@ def _wave(node: Expr, end: End, alpha: fmpq | None) -> Wave | None:
     if any(end.name in symbols(e) for e in (low, high)):
         return None
     outside, weight, waves = [], [], []
-    for f in body.args if body.op == "*" else (body,):
+    for f in factors_in(body):
         if t not in symbols(f):
             outside.append(f)
         elif end.name not in symbols(f):

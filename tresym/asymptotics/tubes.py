@@ -43,6 +43,7 @@ from tresym.reals.language.expression import (
     Expr,
     add,
     apply,
+    factors_in,
     multiply,
     number,
     rebuild,
@@ -541,7 +542,7 @@ def forms(left: Expr, right: Expr, name: str) -> Iterator[tuple[Expr, tuple[Expr
     yield plain, ()
     gap = left - right
     for term in gap.args if gap.op == "+" else ():
-        factors = term.args if term.op == "*" else (term,)
+        factors = factors_in(term)
         large = any(f.op == "exp" or (f.op == "^" and symbols(f.args[1])) for f in factors)
         if large and name in symbols(term):
             rest = term - gap

@@ -27,6 +27,7 @@ from tresym.reals.language.expression import (
     PI,
     Expr,
     add,
+    factors_in,
     multiply,
     number,
     power,
@@ -114,9 +115,11 @@ def quotient(e: Expr) -> tuple[Expr, Expr]:
         parts = [quotient(arg) for arg in e.args]
         bottoms = Counter[Expr]()
         for _, q in parts:
-            bottoms |= Counter(_factors(q))
+            bottoms |= Counter(_repeated_factors(q))
         bottom = multiply(*bottoms.elements())
-        tops = [multiply(p, *(bottoms - Counter(_factors(q))).elements()) for p, q in parts]
+        tops = [
+            multiply(p, *(bottoms - Counter(_repeated_factors(q))).elements()) for p, q in parts
+        ]
         return add(*tops), bottom
     if e.op == "^" and e.args[1].op == "number":
         r = e.args[1].args[0]
@@ -130,10 +133,10 @@ def quotient(e: Expr) -> tuple[Expr, Expr]:
     return e, ONE
 
 
-def _factors(e: Expr) -> list[Expr]:
+def _repeated_factors(e: Expr) -> list[Expr]:
     """Return the factors of a product, with powers expanded."""
     found: list[Expr] = []
-    for arg in e.args if e.op == "*" else (e,):
+    for arg in factors_in(e):
         whole = arg.op == "^" and arg.args[1].op == "number" and arg.args[1].args[0].q == 1
         if whole and 0 < arg.args[1].args[0] <= 50:
             found += [arg.args[0]] * int(arg.args[1].args[0].p)
@@ -274,8 +277,8 @@ class Script:
         if not self.splits:
             return None
         top, bottom = quotient(u)
-        powers: Counter[Expr] = Counter(_factors(top))
-        powers.subtract(Counter(_factors(bottom)))
+        powers: Counter[Expr] = Counter(_repeated_factors(top))
+        powers.subtract(Counter(_repeated_factors(bottom)))
         found = []
         for factor, n in powers.items():
             if factor.op == "number":
@@ -286,7 +289,7 @@ class Script:
                 found.append((factor, n))
         total: Counter[Expr] = Counter()
         for factor, n in found:
-            inside = Counter(_factors(fewest_terms(factor)))
+            inside = Counter(_repeated_factors(fewest_terms(factor)))
             for part, k in ((p, k * m) for f, m in inside.items() for p, k in irreducible(f)):
                 if part.op == "number" and part.args[0].q != 1:
                     return None

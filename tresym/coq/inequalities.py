@@ -30,6 +30,7 @@ from tresym.reals.language.expression import (
     ONE,
     ZERO,
     Expr,
+    factors_in,
     multiply,
     number,
     power,
@@ -157,7 +158,7 @@ def cone_proofs(theorem: Theorem, d: Expr) -> Iterator[str]:
     degrees: dict[Expr, int] = {}
     for e in roots:
         u, q, _ = as_root(e)
-        factors = u.args if u.op == "*" else (u,)
+        factors = factors_in(u)
         if all(f.op == "symbol" or _is_power(f) for f in factors):
             for f in factors:
                 x = f if f.op == "symbol" else f.args[0]
@@ -177,9 +178,7 @@ def cone_proofs(theorem: Theorem, d: Expr) -> Iterator[str]:
     values: dict[Expr, Expr] = {}
     for e in roots:
         u, q, odd = as_root(e)
-        if u.op != "symbol" and not all(
-            f.op == "symbol" or _is_power(f) for f in (u.args if u.op == "*" else (u,))
-        ):
+        if u.op != "symbol" and not all(f.op == "symbol" or _is_power(f) for f in factors_in(u)):
             continue
         shape = (
             Expr("cbrt", (exchanged(u, put),))
@@ -256,7 +255,7 @@ def _is_power(e: Expr) -> bool:
 def _root_value(u: Expr, q: int, put: Mapping[Expr, Expr]) -> Expr | None:
     """Return the root of a product of powers of the substituted symbols."""
     factors = []
-    for f in u.args if u.op == "*" else (u,):
+    for f in factors_in(u):
         x, n = (f, 1) if f.op == "symbol" else (f.args[0], int(f.args[1].args[0].p))
         new, degree = put[x].args[0], int(put[x].args[1].args[0].p)
         if degree * n % q:

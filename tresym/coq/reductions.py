@@ -20,6 +20,7 @@ from tresym.reals.language.expression import (
     Expr,
     add,
     apply,
+    factors_in,
     multiply,
     number,
     symbol,
@@ -146,10 +147,6 @@ def by_turns(t: Theorem) -> Iterator[Reduction]:
     )
 
 
-def _factors(e: Expr) -> tuple[Expr, ...]:
-    return e.args if e.op == "*" else (e,)
-
-
 def log_of(e: Expr) -> Expr:
     """Return the logarithm of a product of positive factors as a sum."""
     if e.op == "*":
@@ -197,11 +194,11 @@ def by_logarithms(t: Theorem) -> Iterator[Reduction]:
     terms = d.args if d.op == "+" else (d,)
     for n, part in enumerate(terms):
         if not any(
-            f.op == "exp" or (f.op == "^" and f.args[1].op != "number") for f in _factors(part)
+            f.op == "exp" or (f.op == "^" and f.args[1].op != "number") for f in factors_in(part)
         ):
             continue
         others = (*terms[:n], *terms[n + 1 :])
-        negative = _factors(part)[0].op == "number" and bool(_factors(part)[0].args[0] < 0)
+        negative = factors_in(part)[0].op == "number" and bool(factors_in(part)[0].args[0] < 0)
         small = add(*others) if negative else part
         great = -part if negative else add(*(-other for other in others))
         if sign(small, given) != "+" or sign(great, given) != "+":

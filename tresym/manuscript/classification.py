@@ -26,6 +26,7 @@ from tresym.reals.language.expression import (
     UNWORKED,
     ZERO,
     Expr,
+    factors_in,
     instantiate,
     number,
     replaced,
@@ -401,7 +402,7 @@ def _implied(*sides: Expr) -> list[Compared]:
 
 def _sign_needed(e: Expr, at_zero: bool) -> Compared | None:
     """Return the bound on a symbol that makes ``c x**n`` positive, if it is of that form."""
-    factors = e.args if e.op == "*" else (e,)
+    factors = factors_in(e)
     moving = [one for one in factors if symbols(one)]
     fixed = [one for one in factors if not symbols(one)]
     if len(moving) != 1 or any(one != PI and one.op != "number" for one in fixed):

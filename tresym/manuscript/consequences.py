@@ -36,6 +36,7 @@ from tresym.reals.language.expression import (
     ZERO,
     Expr,
     add,
+    factors_in,
     multiply,
     number,
     power,
@@ -515,7 +516,7 @@ def _distributed(e: Expr, name: str, shift: int) -> Expr:
     terms = e.args if e.op == "+" else (e,)
     result = []
     for term in terms:
-        factors = term.args if term.op == "*" else (term,)
+        factors = factors_in(term)
         total, rest = shift, []
         for one in factors:
             exponent = _exponent(one, name)

@@ -249,7 +249,7 @@ def _here(e: Expr, names: Sequence[str], indices: Sequence[str]) -> Iterator[Cha
     if e.op == "+":
         yield from _terms(e)
     if e.op == "*":
-        yield from _factors(e)
+        yield from _other_factors(e)
     if e.op == "^" and e.args[1].op != "number":
         yield from _try(OTHER, str(e), str(power(*e.args[::-1])), power, *e.args[::-1])
     if e.op == "abs":
@@ -286,7 +286,7 @@ def _signed(term: Expr) -> str:
     return f"- {text[1:]}" if text.startswith("-") else f"+ {text}"
 
 
-def _factors(e: Expr) -> Iterator[Change]:
+def _other_factors(e: Expr) -> Iterator[Change]:
     """Yield the product with a factor omitted or inverted."""
     for n, factor in enumerate(e.args):
         rest = (*e.args[:n], *e.args[n + 1 :])

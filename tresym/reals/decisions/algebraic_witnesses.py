@@ -36,7 +36,7 @@ MAX_EACH = 3
 def equal_at_algebraic(left: Expr, right: Expr, given: Given) -> Answer | None:
     """Refute a strict inequality or ``!=`` where a factor in one variable is 0, or return None."""
     names = sorted(symbols(left) | symbols(right) | given.names)
-    for name, factor in _factors(left - right):
+    for name, factor in _factors_in_one_variable(left - right):
         others = [{}] if len(names) == 1 else given.points(names, MAX_EACH)
         for (low, high), other in product(_brackets(factor), others):
             with ball_precision(2 * WORKING):
@@ -59,7 +59,7 @@ def equal_at_algebraic(left: Expr, right: Expr, given: Given) -> Answer | None:
     return None
 
 
-def _factors(difference: Expr) -> Iterator[tuple[str, fmpz_poly]]:
+def _factors_in_one_variable(difference: Expr) -> Iterator[tuple[str, fmpz_poly]]:
     """Yield the irreducible factors in one variable of a rational difference."""
     try:
         field = Field(Given())

@@ -52,7 +52,7 @@ def cleared(difference: Expr, region: Given, positive: Callable[[Expr], bool]) -
     Returns:
         None if there is nothing to divide out, or if a denominator has no proven sign.
     """
-    found = _factors(with_split_roots(difference, region))
+    found = _common_factors_with_roots(with_split_roots(difference, region))
     if found is None:
         return None
     (*shared, rest), below = found
@@ -72,7 +72,7 @@ def cleared(difference: Expr, region: Given, positive: Callable[[Expr], bool]) -
     return side * rest
 
 
-def _factors(e: Expr) -> tuple[list[Expr], list[Expr]] | None:
+def _common_factors_with_roots(e: Expr) -> tuple[list[Expr], list[Expr]] | None:
     """Return the common factors of an expression, in which √x and x count as powers of one atom."""
     roots = {n.args[0].args[0]: n for n in operations((e,)) if _is_root_of_symbol(n)}
     marks = {name: symbol(f"√{name}") for name in roots}

@@ -55,7 +55,7 @@ def real_nowhere(given: Given, functions: Iterable[Expr]) -> bool:
     """Whether what one of ``functions`` needs to be real is shown to fail wherever ``given`` holds,
     and variables are what the functions need of them, as b != 0 for sqrt(-b**2)/b."""
     parts = needs(functions)
-    factors = ((part, relation) for e, relation in parts for part in _factors(e, relation))
+    factors = ((part, relation) for e, relation in parts for part in _nonzero_factors(e, relation))
     bounds = (bound(*factor) for factor in factors)
     known = given & Given(tuple(link for link in bounds if link[0].op == "symbol"))
     return any(
@@ -64,13 +64,13 @@ def real_nowhere(given: Given, functions: Iterable[Expr]) -> bool:
     )
 
 
-def _factors(e: Expr, relation: str) -> Iterator[Expr]:
+def _nonzero_factors(e: Expr, relation: str) -> Iterator[Expr]:
     """What stands in the relation to zero because ``e`` does: of what is not 0, every factor."""
     if relation == "!=" and e.op == "*":
         for arg in e.args:
-            yield from _factors(arg, relation)
+            yield from _nonzero_factors(arg, relation)
     elif relation == "!=" and e.op == "^" and e.args[1].op == "number" and e.args[1].args[0] > 0:
-        yield from _factors(e.args[0], relation)
+        yield from _nonzero_factors(e.args[0], relation)
     else:
         yield e
 

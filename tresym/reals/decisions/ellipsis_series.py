@@ -159,20 +159,20 @@ def _raised(terms: list[Expr]) -> Iterator[Expr]:
         yield symbol(name)
         yield 1 / symbol(name)
     last = next((term for term in reversed(terms) if symbols(term)), ZERO)
-    factors = list(_factors(last, 1))
+    factors = list(_factors_with_exponents(last, 1))
     above = [(base, m) for base, m in factors if symbols(base)]
     if len(above) > 1 and len({abs(m) for _, m in above}) == 1:  # (x/a)**3
         yield multiply(*(base if m > 0 else 1 / base for base, m in above))
     yield from (base for base, m in above if base.op != "symbol" and abs(m) > 1)
 
 
-def _factors(e: Expr, times: int) -> Iterator[tuple[Expr, int]]:
+def _factors_with_exponents(e: Expr, times: int) -> Iterator[tuple[Expr, int]]:
     """The factors of a term, with their exponents."""
     if e.op == "*":
         for arg in e.args:
-            yield from _factors(arg, times)
+            yield from _factors_with_exponents(arg, times)
     elif e.op == "^" and e.args[1].op == "number" and e.args[1].args[0].q == 1:
-        yield from _factors(e.args[0], times * int(e.args[1].args[0].p))
+        yield from _factors_with_exponents(e.args[0], times * int(e.args[1].args[0].p))
     else:
         yield e, times
 

@@ -43,6 +43,7 @@ from tresym.reals.language.expression import (
     ZERO,
     Expr,
     add,
+    factors_in,
     integer,
     number,
     opened,
@@ -331,7 +332,7 @@ def _first_of_series(e: Expr) -> Expr:
     rest = replaced(body, calls)
     whole = all(n.args[0].args == (FACTORIAL, (0,)) and n.args[1] == symbol(k) for n in calls)
     fixed = all(sign(x, beyond, r) in PROVING[r] for x, r in needs((rest,), powers=False))
-    factors = body.args if body.op == "*" else (body,)
+    factors = factors_in(body)
     if not (whole and fixed and low >= 0 and after - low <= FIRST_TERMS and raised[0] in factors):
         return e
     return add(ZERO, *(_at_index(body, k, n) for n in range(low, after)))

@@ -31,6 +31,7 @@ from tresym.reals.language.expression import (
     Expr,
     add,
     bind,
+    factors_in,
     fresh,
     instantiate,
     multiply,
@@ -196,7 +197,7 @@ class Antiderivatives:
             return None
         whole, values = collected(f), []
         for term in whole.args if whole.op == "+" else (whole,):
-            factors = term.args if term.op == "*" else (term,)
+            factors = factors_in(term)
             rest = [factor for factor in factors if t in symbols(factor)]
             scale = multiply(*(factor for factor in factors if t not in symbols(factor)))
             g = multiply(*rest) if rest else ONE

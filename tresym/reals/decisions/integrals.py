@@ -329,7 +329,7 @@ def _integral(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Wo
 def _vanishes_where_they_meet(value: Expr, low: Expr, high: Expr, given: Given) -> bool:
     """Whether the value is 0 wherever the ends of the integral are equal."""
     gap = low if high == ZERO else high - low
-    return not _ends(value) and all(_vanishes_with(e, value, given) for e in _factors(gap))
+    return not _ends(value) and all(_vanishes_with(e, value, given) for e in _factors_of_zero(gap))
 
 
 def _vanishes_with(e: Expr, value: Expr, given: Given) -> bool:
@@ -350,13 +350,13 @@ def _vanishes_with(e: Expr, value: Expr, given: Given) -> bool:
     return False
 
 
-def _factors(e: Expr) -> Iterator[Expr]:
+def _factors_of_zero(e: Expr) -> Iterator[Expr]:
     """Yield expressions of which at least one is 0 wherever ``e`` is."""
     if e.op == "*":
         for factor in e.args:
-            yield from _factors(factor)
+            yield from _factors_of_zero(factor)
     elif e.op == "^" and e.args[1].op == "number":
-        yield from _factors(e.args[0])
+        yield from _factors_of_zero(e.args[0])
     elif symbols(e):
         yield e
 

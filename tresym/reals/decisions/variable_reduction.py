@@ -28,6 +28,7 @@ from tresym.reals.language.expression import (
     ZERO,
     Expr,
     add,
+    factors_in,
     multiply,
     number,
     substitute,
@@ -200,7 +201,7 @@ def _at_two_points(difference: Expr, x: str, y: str, given: Given) -> Expr | Non
         return g
     for up, down in (terms, terms[::-1]) if len(terms) == 2 else ():
         if sign(up, given) == sign(-down, given) == "+":
-            over, under = (e.args if e.op == "*" else (e,) for e in (up, -down))
+            over, under = (factors_in(e) for e in (up, -down))
             factors = (*over, *(1 / factor for factor in under))
             g = multiply(*(factor for factor in factors if symbols(factor) == {x}))
             there = substitute(g, other)
@@ -229,7 +230,10 @@ def _by_sizes(left: Expr, relation: str, right: Expr, given: Given, ask: Decide)
     if difference.op != "+" or len(difference.args) != 2:
         return None
     for above, below in (difference.args, difference.args[::-1]):
-        pairs = [_by_variable(*_factors(above, 1)), _by_variable(*_factors(below, 1))]
+        pairs = [
+            _by_variable(*_factors_and_reciprocals(above, 1)),
+            _by_variable(*_factors_and_reciprocals(below, 1)),
+        ]
         names = sorted({*(pairs[0] or ()), *(pairs[1] or ())} - {""})
         if None in pairs or len(names) < 2 or sign(above, given, ">=") not in PROVING[">="]:
             continue
@@ -261,13 +265,13 @@ def _by_variable(*factors: Expr) -> dict[str, Expr] | None:
     return parts
 
 
-def _factors(e: Expr, power: int) -> Iterator[Expr]:
+def _factors_and_reciprocals(e: Expr, power: int) -> Iterator[Expr]:
     """The factors of a product to a power, 1 or −1."""
     if e.op == "*":
         for factor in e.args:
-            yield from _factors(factor, power)
+            yield from _factors_and_reciprocals(factor, power)
     elif e.op == "^" and e.args[1] == -ONE:
-        yield from _factors(e.args[0], -power)
+        yield from _factors_and_reciprocals(e.args[0], -power)
     else:
         yield e if power > 0 else 1 / e
 

@@ -31,6 +31,7 @@ from tresym.reals.language.expression import (
     ZERO,
     Expr,
     apply,
+    factors_in,
     integer,
     multiply,
     number,
@@ -385,7 +386,7 @@ def _phases(turns: int) -> list[Expr]:
 
 def _over(e: Expr) -> tuple[Expr, Expr]:
     """Numerator and denominator of a product."""
-    parts = e.args if e.op == "*" else (e,)
+    parts = factors_in(e)
     negative = [
         x for x in parts if x.op == "^" and x.args[1].op == "number" and x.args[1].args[0] < 0
     ]

@@ -17,6 +17,7 @@ from tresym.reals.language.expression import (
     LEAVES,
     ZERO,
     Expr,
+    factors_in,
     multiply,
     substitute,
     symbol,
@@ -78,7 +79,7 @@ def _without_waves(
     """The limits of the terms without their factors of sines and cosines; none without these."""
     limits = []
     for term in e.args if e.op == "+" else (e,):
-        factors = term.args if term.op == "*" else (term,)
+        factors = factors_in(term)
         waves = [f for f in factors if name in symbols(f) and _is_bounded(f, name)]
         if not waves:
             return []

@@ -17,6 +17,7 @@ from tresym.reals.language.expression import (
     Expr,
     add,
     apply,
+    factors_in,
     multiply,
     number,
     power,
@@ -81,7 +82,7 @@ def times(c: Expr, d: Expr) -> Expr:
         return d if c == ONE else c
     powers: dict[Expr, fmpq] = {}
     exponent = ZERO
-    for part in (part for x in (c, d) for part in (x.args if x.op == "*" else (x,))):
+    for part in (part for x in (c, d) for part in (factors_in(x))):
         if part.op == "exp":
             exponent = plus(exponent, part.args[0])
             continue

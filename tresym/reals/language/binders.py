@@ -17,6 +17,7 @@ from tresym.reals.language.expression import (
     UNWORKED,
     Expr,
     bind,
+    factors_in,
     instantiate,
     multiply,
     number,
@@ -236,7 +237,7 @@ def _factors_out(e: Expr) -> Expr:
     if e.op != "integral":
         return rebuild(e, tuple(map(_factors_out, e.args)))
     body, low, high = e.args
-    factors = body.args if body.op == "*" else (body,)
+    factors = factors_in(body)
     outside = [factor for factor in factors if not factor.loose]
     inside = multiply(*(factor for factor in factors if factor.loose))
     return multiply(*outside, Expr("integral", (inside, low, high), e.names))

@@ -22,6 +22,7 @@ from tresym.reals.language.expression import (
     ZERO,
     Expr,
     add,
+    factors_in,
     instantiate,
     multiply,
     opened,
@@ -188,7 +189,7 @@ def _without_ends(left: Expr, right: Expr) -> Comparison:
             rest.append(-term)
             continue
         (node, *others), name = nodes, str(nodes[0].args[1])
-        parts = term.args if term.op == "*" else (term,)
+        parts = factors_in(term)
         factors = [part for part in parts if part != node]
         if others or len(factors) != len(parts) - 1 or name in symbols(multiply(*factors)):
             raise InputError(NOT_DECIDED["antiderivative"])

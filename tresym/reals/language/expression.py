@@ -251,6 +251,11 @@ def multiply(*factors: Expr) -> Expr:
     return rest[0] if len(rest) == 1 else Expr("*", tuple(rest))
 
 
+def factors_in(e: Expr) -> tuple[Expr, ...]:
+    """Return the factors of a product, or the expression alone."""
+    return e.args if e.op == "*" else (e,)
+
+
 def power(base: Expr, exponent: Expr) -> Expr:
     """Return ``base**exponent``. Numeric exponents are bounded, since decision procedures expand
     them.

@@ -159,7 +159,7 @@ def _loose_ends(
         if condition not in given.beyond_box
         and any(
             _in_symbols(field, end, names) is None
-            for end in _factors(field, left, right, [condition.expression])
+            for end in _irreducible_factors(field, left, right, [condition.expression])
         )
     ]
 
@@ -200,7 +200,9 @@ def _walls(
         found += [condition.expression, *(e for e, _ in singularities(condition.expression))]
     walls = _zeros(left, right, found, field, names)
     if walls:
-        for end in _factors(field, left, right, [c.expression for c in given.conditions]):
+        for end in _irreducible_factors(
+            field, left, right, [c.expression for c in given.conditions]
+        ):
             wall = _in_symbols(field, end, names)
             if wall is not None:
                 walls.append(wall)
@@ -215,7 +217,9 @@ def _zeros(
     edges = _edges(field, field.normal(left, right, *expressions)[2:])
     if edges is None:
         return None
-    for part in {str(p): p for p in [*_factors(field, left, right, expressions), *edges]}.values():
+    for part in {
+        str(p): p for p in [*_irreducible_factors(field, left, right, expressions), *edges]
+    }.values():
         if part.is_constant() or field.signs.definite(part):
             continue
         for inner in _algebraic_walls(field, part) or [part]:
@@ -237,7 +241,9 @@ def nonzero_inside(e: Expr, given: Given) -> bool:
         return False
 
 
-def _factors(field: Field, left: Expr, right: Expr, expressions: list[Expr]) -> list[Poly]:
+def _irreducible_factors(
+    field: Field, left: Expr, right: Expr, expressions: list[Expr]
+) -> list[Poly]:
     """Return the irreducible factors of ``expressions``, on the domain of both sides."""
     factors: dict[str, Poly] = {}
     for value in field.normal(left, right, *expressions)[2:]:

@@ -71,9 +71,14 @@ def common_factors(e: Expr) -> tuple[list[Expr], list[Expr]] | None:
 
 def _split(field: Field, p: Poly) -> list[Expr] | None:
     """Return the powers of generators that all terms of a polynomial share, and what is left."""
-    parts = {i: _generator(field, field.ring.at(i)) for i in field.ring.used(p)}
     terms = list(p.terms())
-    if not terms or any(part is None for part in parts.values()):
+    parts: dict[int, Expr] = {}
+    for i in field.ring.used(p):
+        part = _generator(field, field.ring.at(i))
+        if part is None:
+            return None
+        parts[i] = part
+    if not terms:
         return None
     shared = {i: min(int(monomial[i]) for monomial, _ in terms) for i in parts}
     rest = []

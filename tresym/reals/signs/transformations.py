@@ -15,6 +15,7 @@ from tresym.reals.language.expression import (
     Expr,
     add,
     apply,
+    factors_in,
 )
 from tresym.reals.language.like_terms import scaled
 from tresym.reals.normal.factors import factor_polynomial
@@ -108,16 +109,12 @@ def _sides(difference: Expr) -> Iterator[tuple[Expr, Expr]]:
     """Yield two sides with this difference: one term with an exponential, and the rest."""
     terms = difference.args if difference.op == "+" else (difference,)
     for n, term in enumerate(terms):
-        if any(map(_is_exponential, _factors(term))):
+        if any(map(_is_exponential, factors_in(term))):
             others = (*terms[:n], *terms[n + 1 :])
             if scaled(term)[0] < 0:
                 yield add(*others), -term
             else:
                 yield term, add(*(-other for other in others))
-
-
-def _factors(e: Expr) -> tuple[Expr, ...]:
-    return e.args if e.op == "*" else (e,)
 
 
 def _is_exponential(e: Expr) -> bool:
@@ -126,7 +123,7 @@ def _is_exponential(e: Expr) -> bool:
 
 def _logarithms(left: Expr, right: Expr, region: Given) -> Expr | None:
     """Return log left − log right for two sides that are proved positive, else None."""
-    if any(sign(f, region) != "+" for side in (left, right) for f in _factors(side)):
+    if any(sign(f, region) != "+" for side in (left, right) for f in factors_in(side)):
         return None
     return _logarithm(left) - _logarithm(right)
 

@@ -73,7 +73,7 @@ def _entry(row: Function) -> Iterator[str]:
             found = formula(*here.args, trees)
         if found is not None:
             facts.append(f"As $x \\to {_end(place)}$: ${_latex((here, '==', as_expr(found)))}$.")
-            facts += _factors(as_expr(found))
+            facts += _expansion_factors(as_expr(found))
     facts += [f"Theorem used: {theorem}." for theorem in row.theorems]
     systems = (("SymPy", row.sympy), ("Mathematica", row.mathematica), ("Maple", row.maple),
                ("Coq", row.coq))  # fmt: skip
@@ -103,7 +103,7 @@ def _range(row: Function) -> str:
     return f"Its values lie in ${opening}{low}, {high}{closing}$."
 
 
-def _factors(e: Expr) -> list[str]:
+def _expansion_factors(e: Expr) -> list[str]:
     """Return the series of the factors of expansions in a formula, each once."""
     found: dict[str, str] = {}
 
