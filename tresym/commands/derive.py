@@ -48,7 +48,7 @@ def add(commands: Commands) -> None:
         "--style",
         choices=STYLES,
         default="article",
-        help="LaTeX (the default), ten slides, Markdown, or a notebook that computes the numbers",
+        help="LaTeX (the default), slides, Markdown, or a notebook that computes the numbers",
     )
     parser.add_argument(
         "-o", dest="path", metavar="PATH", help="write to a file instead of standard output"

@@ -202,7 +202,7 @@ def flip_text(answer: Flip, title: str, colour: bool = False) -> str:
         rows = [
             *_shape(answer),
             ("defect   ε", radians(answer.defect, answer.digits)),
-            ("flip    Δψ", radians(answer.turn, answer.digits)),
+            ("flip    Δψ", radians(answer.flip, answer.digits)),
             *_approximations(answer),
             *_model(answer),
             ("realizable", _realizable(answer)),
@@ -216,7 +216,7 @@ def journey_text(answer: Journey, title: str, colour: bool = False) -> str:
     with ball_precision(bits(answer.digits, 64)):
         rows = [
             *_shape(answer),
-            ("flip    Δψ", radians(answer.turn, answer.digits)),
+            ("flip    Δψ", radians(answer.flip, answer.digits)),
             ("ends at  ψ", radians(answer.psi, answer.digits)),
             ("         θ", radians(answer.theta, answer.digits)),
             *_model(answer),
@@ -239,12 +239,12 @@ def _approximations(answer: Flip) -> list[tuple[str, str]]:
     """Return the lines on rounded values, and on the value of the paper's asymptotic formula."""
     if not proves(answer.defect, answer.digits):
         return []
-    defect, turn, degree = answer.defect, answer.turn, arb.pi() / 180
+    defect, turn, degree = answer.defect, answer.flip, arb.pi() / 180
     rows = [
         ("", f"ε ≈ {_short(defect / degree)}°,   Δψ ≈ {_short(turn / degree)}°"),
         ("", f"Δψ = π(1 {'−' if defect > 0 else '+'} {_short(abs(2 * defect / arb.pi()))})"),
     ]
-    estimate = answer.paper
+    estimate = answer.printed_estimate
     if estimate is None:
         return rows
     error = 100 * (estimate / defect - 1)

@@ -20,12 +20,12 @@ GUARD_BITS = 4
 class Flip(NamedTuple):
     """The certified flip of a body in one full turn Δφ = 2π, on the symmetric trajectory.
 
-    ``defect`` (ε) and ``turn`` (Δψ = π − 2ε) are balls in radians that contain the true values.
+    ``defect`` (ε) and ``flip`` (Δψ = π − 2ε) are balls in radians that contain the true values.
     ``model`` names the model that computed them, and ``why`` says why that model was sufficient.
 
     Example:
         >>> import tresym
-        >>> tresym.flip_defect("1", "1/10").turn.str(20, radius=False)
+        >>> tresym.flip_defect("1", "1/10").flip.str(20, radius=False)
         '1.8667941433597176388'
     """
 
@@ -33,7 +33,7 @@ class Flip(NamedTuple):
     gamma: fmpq
     digits: int
     defect: arb
-    turn: arb
+    flip: arb
     model: str
     why: str
     seconds: float
@@ -73,13 +73,35 @@ class Flip(NamedTuple):
             return self.defect * 180 / arb.pi()
 
     @property
+    def turn(self) -> arb:
+        """The old name of ``flip``.
+
+        Example:
+            >>> import tresym
+            >>> tresym.flip_defect("1", "1/10").turn.str(6, radius=False)
+            '1.86679'
+        """
+        return self.flip
+
+    @property
     def paper(self) -> arb | None:
+        """The old name of ``printed_estimate``.
+
+        Example:
+            >>> import tresym
+            >>> tresym.flip_defect("1", "1/10", digits=6).paper.str(4, radius=False)
+            '0.6419'
+        """
+        return self.printed_estimate
+
+    @property
+    def printed_estimate(self) -> arb | None:
         """The defect by the paper's asymptotic formula, or None if γ ≠ 0, for which it has none.
 
         Example:
             >>> import tresym
             >>> found = tresym.flip_defect(tresym.bodies["str"])
-            >>> round(float(found.paper / found.defect - 1), 5)
+            >>> round(float(found.printed_estimate / found.defect - 1), 5)
             0.00072
         """
         if self.gamma != 0:
@@ -110,7 +132,7 @@ class Flip(NamedTuple):
 
 
 class Journey(NamedTuple):
-    """The certified end of a motion from a given start: Δψ, ψ and θ in radians, as balls.
+    """The certified end of a motion from a given start: ``flip`` (Δψ), ψ and θ as balls (radians).
 
     ``gamma`` is an exact rational if the start makes it rational, else a ball.
 
@@ -123,7 +145,7 @@ class Journey(NamedTuple):
     shape: Shape
     gamma: fmpq | arb
     digits: int
-    turn: arb
+    flip: arb
     psi: arb
     theta: arb
     model: str
@@ -140,6 +162,17 @@ class Journey(NamedTuple):
             'planar'
         """
         return self.model
+
+    @property
+    def turn(self) -> arb:
+        """The old name of ``flip``.
+
+        Example:
+            >>> import tresym
+            >>> tresym.flip_angle("1", "1/10", "1", rate="0", digits=6).turn.is_zero()
+            False
+        """
+        return self.flip
 
     @property
     def realizable(self) -> bool:
@@ -182,9 +215,9 @@ MOST_DIGITS = 50
 def _shown(answer: Flip | Journey) -> list[tuple[str, str]]:
     """The names and values of a result, the balls first."""
     if isinstance(answer, Flip):
-        found = [("ε", answer.defect), ("Δψ", answer.turn)]
+        found = [("ε", answer.defect), ("Δψ", answer.flip)]
     else:
-        found = [("Δψ", answer.turn), ("ψ", answer.psi), ("θ", answer.theta)]
+        found = [("Δψ", answer.flip), ("ψ", answer.psi), ("θ", answer.theta)]
     few = min(answer.digits, MOST_DIGITS)
     with ball_precision(bits(answer.digits, 64)):
         rows = [(name, radians(x, few)) for name, x in found]
@@ -244,7 +277,7 @@ def _answer_json(
         else ball_json(gamma, answer.digits),
         "digits": answer.digits,
         "defect": defect,
-        "flip": ball_json(answer.turn, answer.digits),
+        "flip": ball_json(answer.flip, answer.digits),
         "psi": psi,
         "theta": theta,
         "model": answer.model,

@@ -100,7 +100,7 @@ def certified(a: float, b: float, psi: Floats, rate: Floats) -> list[float]:
     p, q = (fmpq(*x.as_integer_ratio()) for x in (a, b))
     pairs = zip(psi.tolist(), rate.tolist(), strict=True)
     exact = ((fmpq(*x.as_integer_ratio()), fmpq(*v.as_integer_ratio())) for x, v in pairs)
-    return [float(flip_angle(p, q, x, v, 15).turn) for x, v in exact]
+    return [float(flip_angle(p, q, x, v, 15).flip) for x, v in exact]
 
 
 def handle(a: float, b: float, psi: Any, rate: Any) -> Any:

@@ -132,7 +132,7 @@ def flip_angle(
     Example:
         >>> import tresym
         >>> end = tresym.flip_angle("1", "1/10", "pi/2", theta0="2")
-        >>> end.turn.str(6, radius=False)
+        >>> end.flip.str(6, radius=False)
         '-2.32688'
     """
     if (rate is None) == (theta0 is None):
