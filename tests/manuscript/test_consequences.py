@@ -100,3 +100,26 @@ def test_definedness_implies_the_sign_in_the_gaussian_integral(tmp_path: Path) -
     text = r"\[ \int_{-\infty}^{\infty} e^{-s t^2}\,dt = %s \]"
     assert read(tmp_path, text % r"\sqrt{\frac{\pi}{s}}")[-1].status == "PROVED"
     assert read(tmp_path, text % r"\sqrt{\frac{\pi}{2 s}}")[-1].status == "REFUTED"
+
+
+DIVIDED = r"Inserting gives \[ r^4 (g'' + (g')^2) + 2 r^3 g' - 1 = 0 \] %s \[ %s = 0 \]"
+
+
+@pytest.mark.parametrize(
+    ("words", "equation", "status"),
+    [
+        ("or, after division,", r"g'' + (g')^2 + \frac{2}{r^2} g' - \frac{1}{r^4}", "SUSPECT"),
+        ("or, after division,", r"g'' + (g')^2 + \frac{2}{r} g' - \frac{1}{r^4}", "PROVED"),
+        # two terms differ, another symbol stands in one, or the text announces nothing
+        ("or, after division,", r"g'' + (g')^2 + \frac{2}{r^2} g' - \frac{1}{r^3}", "EQUATION"),
+        ("or, after division,", r"g'' + (g')^2 + \frac{2}{r} g' - \frac{a}{r^4}", "EQUATION"),
+        ("Another one is", r"g'' + (g')^2 + \frac{2}{r^2} g' - \frac{1}{r^4}", "EQUATION"),
+    ],
+)
+def test_the_term_that_differs_is_told(
+    words: str, equation: str, status: str, tmp_path: Path
+) -> None:
+    row = read(tmp_path, DIVIDED % (words, equation))[-1]
+    assert row.status == status, row.why
+    if status == "SUSPECT":
+        assert "times r**(-4), the term 2*r**(-2)*g_prime should be 2*g_prime/r" in row.why

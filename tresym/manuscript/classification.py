@@ -26,6 +26,7 @@ from tresym.reals.language.expression import (
     UNWORKED,
     ZERO,
     Expr,
+    add,
     factors_in,
     instantiate,
     number,
@@ -202,6 +203,9 @@ def claim(
     link = replace(link, ground=accusations.ground(memory, compared, said, n, under, head))
     orders = any(node.op in ("O", "o") for node in outermost(left, right))
     as_path = ""
+    if relation == "~" and right.op == "+" and DOTS in right.args:
+        right = without_dots(right)
+        compared = left, relation, right
     if relation == "~" or orders:
         if relation == "~" and not symbols(left) | symbols(right):
             return _printed(link, compared, pieces[1])
@@ -229,8 +233,10 @@ def claim(
     changed = (left, right) != _by_one_variable(left, right, {n: known[n] for n in old})
     left, right = _by_one_variable(left, right, known)
     attempts, same = _attempts(memory, (left, relation, right), under, as_path)
-    stated_path = memory.path_for((symbols(left) | symbols(right)) - NO_VARIABLES, under)
-    attempts = (*attempts, *_near_the_end(attempts, stated_path))
+    named = (symbols(left) | symbols(right)) - NO_VARIABLES
+    stated_path = memory.path_for(named, under)
+    near = stated_path or memory.likely_path(named, under) or _path_of_series(left, right)
+    attempts = (*attempts, *_near_the_end(attempts, near))
     sure = under.kind == prose.CLAIM and (under.noted or same or not said.before)
     sure = sure and (under.noted or said.universal or head is None)
     goes_on = n > 0 and same and under.kind != prose.SOLVE
@@ -420,6 +426,22 @@ def _sign_needed(e: Expr, at_zero: bool) -> Compared | None:
     return name, relation, ZERO
 
 
+def _path_of_series(left: Expr, right: Expr) -> str:
+    """Return ``x -> 0`` for a series with dots in whole powers of x; empty if none is seen."""
+    for side in (right, left):
+        if side.op == "+" and DOTS in side.args:
+            names = symbols(side) - NO_VARIABLES
+            powers = {n for n in names if any(t == symbol(n) ** 2 for t in _factors(side))}
+            if len(powers) == 1:
+                return f"{min(powers)} -> 0"
+    return ""
+
+
+def _factors(side: Expr) -> Iterator[Expr]:
+    for term in side.args:
+        yield from term.args if term.op == "*" else (term,)
+
+
 def _near_the_end(attempts: Iterable[Attempt], path: str) -> Iterator[Attempt]:
     """Yield, for a series with dots in a symbol that tends to 0, the claim for small values."""
     name, _, end = path.partition(" -> ")
@@ -573,6 +595,17 @@ def usual_path(right: Expr) -> str:
     if base.op != "symbol" or exponent.op != "number":
         return ""
     return f"{base} -> {'0' if exponent.args[0] > 0 else 'oo'}"
+
+
+def without_dots(series: Expr) -> Expr:
+    """Return the terms of a series: ``f ~ a + b + ...`` asserts a and b, with an error o(b).
+
+    A term that is zero, as in ``e^{-x} ~ 0 + 0/x + ...``, asserts more, so then the dots are kept.
+    """
+    terms = [term for term in series.args if term != DOTS]
+    if any(term.op == "*" and ZERO in term.args for term in terms) or len(terms) < 1:
+        return series
+    return add(*terms)
 
 
 def _coefficients(left: Expr, right: Expr, path: str) -> set[str]:

@@ -321,6 +321,12 @@ def _solved(e: Expr, wanted: frozenset[str], barred: frozenset[str]) -> tuple[st
 # functions of a variable
 
 
+def _base(name: str) -> str:
+    """The symbol that is differentiated in the name of a derivative, else the name."""
+    marked = _PRIMES.fullmatch(name)
+    return marked[1] if marked else name
+
+
 def _slope(e: Expr, by: str, moving: frozenset[str]) -> Expr:
     """Return the derivative of an expression by ``by``, on which the moving symbols depend.
 
@@ -534,8 +540,9 @@ def _distributed(e: Expr, name: str, shift: int) -> Expr:
 class Search:
     """Find the steps by which one link may follow from the facts before it."""
 
-    def __init__(self, context: Context, near: Sequence[Fact]) -> None:
+    def __init__(self, context: Context, near: Sequence[Fact], goal: Fact) -> None:
         self.context = context
+        self.spoken = {_base(n) for n in symbols(goal.zero)}
         self.near = list(near)
         self.moving = _moving(one.zero for one in self.near)
         self.moving |= context.moving
@@ -611,6 +618,8 @@ class Search:
         none to put in and it has no dots."""
         used = [s for s in series.values() if self._speaks_of(one.zero, s.name)]
         if not used and not one.series:
+            used = self._usual_series(one)
+        if not used and not one.series:
             return None
         name = next((p for p in map(parameter_of, [*(s.value for s in used), one.zero]) if p), "")
         if not name:
@@ -621,10 +630,26 @@ class Search:
             return (
                 put_in(cut.walk(one.zero), facts, self.moving),
                 name,
-                "".join(f", with line {s.line} put in" for s in used),
+                "".join(f", with line {s.line} put in" for s in used if s.line),
             )
         except _FAILS:
             return None
+
+    def _usual_series(self, one: Fact) -> list[Fact]:
+        """The series ``y = y_0 + \\epsilon y_1 + \\dots`` that a leading order stands for.
+
+        It is meant where the equation has a small parameter and the section speaks of y_0.
+        """
+        names = {_base(n) for n in symbols(one.zero)}
+        small = next((n for n in SMALL[:2] if n in symbols(one.zero)), "")
+        spoken = self.spoken | {_base(n) for f in self.near for n in symbols(f.zero)}
+        leading = [n for n in sorted(names) if f"{n}0" in spoken and f"{n}0" not in names]
+        if not small or len(leading) != 1 or leading[0] not in self.moving:
+            return []
+        (name,) = leading
+        parts = symbol(f"{name}0"), symbol(small) * symbol(f"{name}1"), DOTS
+        self.moving |= {f"{name}0", f"{name}1"}
+        return [Fact(0, ZERO, (ZERO, ZERO), name, add(*parts), "", True)]
 
     def _speaks_of(self, e: Expr, name: str) -> bool:
         return any(n == name or ((m := _PRIMES.fullmatch(n)) and m[1] == name) for n in symbols(e))
@@ -908,3 +933,101 @@ def _told(used: Sequence[Fact]) -> str:
     """The definitions that were put in, in words."""
     named = [f"{one.name} of line {one.line}" for one in used]
     return f", with {', '.join(named)} put in" if named else ""
+
+
+class Difference(NamedTuple):
+    """A term that keeps an equation from being a multiple of an earlier one.
+
+    Attributes:
+        claim: the claim that the factor times the earlier one differs by that term only.
+        factor: what the earlier one is multiplied by.
+        expected, printed: the term as it should be, and as it stands.
+        right: the equation as it should be, as a claim.
+    """
+
+    claim: str
+    factor: Expr
+    expected: Expr
+    printed: Expr
+    right: str
+
+
+LEAST_ALIKE = 3
+"""The terms that must agree before another one is said to be wrong."""
+
+
+def difference(goal: Fact, one: Fact) -> Difference | None:
+    """Return the one term by which an equation is no multiple of an earlier one.
+
+    At least :data:`LEAST_ALIKE` terms agree with those of the earlier one times one factor, and one
+    of each is left, with the same symbols but for the powers of those in the factor.
+    """
+    first, second = _terms(one.zero), _terms(goal.zero)
+    if len(first) != len(second) or len(first) <= LEAST_ALIKE:
+        return None
+    names = symbols(goal.zero) | symbols(one.zero)
+    points = list(_points(names))
+    try:
+        before = [[_number(term, at) for at in points] for term in first]
+        after = [[_number(term, at) for at in points] for term in second]
+    except (ArithmeticError, ValueError, KeyError):
+        return None
+    for n in range(2):  # one of two terms is right
+        for m, term in enumerate(second):
+            try:
+                ratio = [b / a for a, b in zip(before[n], after[m], strict=True)]
+            except ZeroDivisionError:
+                continue
+            left, found = [*range(len(second))], []
+            for k, values in enumerate(before):
+                wanted = [a * r for a, r in zip(values, ratio, strict=True)]
+                place = next((j for j in left if _alike(wanted, after[j])), None)
+                if place is None:
+                    found.append(k)
+                else:
+                    left.remove(place)
+            if len(found) != 1 or len(left) != 1:
+                continue
+            factor = _tidy(term / first[n])
+            expected, printed = _tidy(factor * first[found[0]]), second[left[0]]
+            moved = {_base(name) for name in symbols(first[found[0]]) ^ symbols(printed)}
+            if not moved <= {_base(name) for name in symbols(first[n]) ^ symbols(term)}:
+                continue
+            claim = f"{factor * one.zero} - ({goal.zero}) == {expected} - ({printed})"
+            terms = [expected if m == left[0] else term for m, term in enumerate(second)]
+            return Difference(claim, factor, expected, printed, f"{add(*terms)} == 0")
+    return None
+
+
+def _alike(first: Sequence[complex], second: Sequence[complex]) -> bool:
+    return all(abs(a - b) <= 1e-9 * abs(a) for a, b in zip(first, second, strict=True))
+
+
+def _tidy(e: Expr) -> Expr:
+    """A product with the powers of each symbol joined; it is used off the zeros of the symbols."""
+    exponents: dict[Expr, Expr] = {}
+    nodes = list(e.args) if e.op == "*" else [e]
+    rest = []
+    while nodes:
+        node = nodes.pop()
+        base, exponent = node.args if node.op == "^" else (node, ONE)
+        if base.op == "*" and exponent.op == "number":
+            nodes += [power(part, exponent) for part in base.args]
+        elif base.op == "number" or exponent.op != "number":
+            rest.append(node)
+        else:
+            exponents[base] = exponents.get(base, ZERO) + exponent
+    powers = [power(base, n) for base, n in exponents.items() if n != ZERO]
+    return multiply(*rest, *powers[::-1])
+
+
+def _terms(e: Expr) -> list[Expr]:
+    """The terms of a sum, with products of sums multiplied out."""
+    if e.op == "+":
+        return [term for arg in e.args for term in _terms(arg)]
+    if e.op == "*":
+        inner = next((arg for arg in e.args if arg.op == "+"), None)
+        if inner is not None:
+            rest = [arg for arg in e.args if arg is not inner]
+            return [term for arg in inner.args for term in _terms(multiply(*rest, arg))]
+    return [e]

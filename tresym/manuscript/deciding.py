@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from tresym.checking.time_limited import Task, check_all, check_within
-from tresym.manuscript import accusations
+from tresym.manuscript import accusations, prose
 from tresym.manuscript.attempts import answers_to
 from tresym.manuscript.classification import (
     DEFINED,
@@ -19,7 +19,15 @@ from tresym.manuscript.classification import (
     Link,
     Obstacle,
 )
-from tresym.manuscript.consequences import Context, Search, Step, fact, learn
+from tresym.manuscript.consequences import (
+    Context,
+    Difference,
+    Search,
+    Step,
+    difference,
+    fact,
+    learn,
+)
 from tresym.manuscript.instances import instances
 from tresym.manuscript.mentions import names_in
 from tresym.manuscript.multiples import multiple_of
@@ -117,8 +125,8 @@ def decided(
     rows = [_failing(_row(link, found, limit), found) for link, found in own]
     rows = _solving(rows, limit, processes)
     rows = _restating(rows, limit, processes)
-    rows = _following(rows, limit, processes)
     rows = _varied(rows, answers, limit, processes)
+    rows = _following(rows, limit, processes)
     rows = _where_positive(rows, limit, processes)
     found = [(row, answers.get(n, [])) for n, row in enumerate(rows)]
     seconds = iter(found[len(links) :])
@@ -174,6 +182,45 @@ def _following(rows: list[Row], limit: float, processes: int | None) -> list[Row
         if all(held[n]):
             status = Verdict.PROVED.value
             rows[n] = replace(rows[n], status=status, why=step.why, refuted="", fails_at=None)
+    return _differing(rows, limit, processes)
+
+
+_REWRITTEN = re.compile(
+    r"\b(?:divi\w+|multipl\w+|simplif\w+|rewrit\w+|rearrang\w+|equivalent\w*|becomes?|i\.e\.)",
+    re.IGNORECASE,
+)
+"""Words that announce that an equation is another form of the one before it."""
+
+
+def _differing(rows: list[Row], limit: float, processes: int | None) -> list[Row]:
+    """Return the rows; an equation that is announced as a multiple of the one before it, and is
+    none because of one term, is SUSPECT."""
+    found: list[tuple[int, Row, Difference]] = []
+    for n, row in enumerate(rows):
+        words = prose.last_sentence(row.link.around[0])
+        if row.status != EQUATION or row.link.sides is None or not _REWRITTEN.search(words):
+            continue
+        near = [other for other in rows[max(n - 3, 0) : n] if other.status == EQUATION]
+        for other in reversed([one for one in near if _is_premise(one, row.link)]):
+            context = Context()
+            sides = [one.link.sides for one in (other, row) if one.link.sides]
+            learn(context, [side for compared in sides for side in compared[::2]])
+            facts = [fact(one, 0, "", context) for one in sides]
+            if len(facts) == 2 and facts[0] and facts[1] and facts[0].zero != facts[1].zero:
+                candidate = difference(facts[1], facts[0])
+                if candidate is not None:
+                    found.append((n, other, candidate))
+                    break
+    tasks = [Task(candidate.claim, line=n) for n, _, candidate in found]
+    answers = check_all(tasks, limit, processes) if tasks else ()
+    for (n, other, candidate), (_, answer) in zip(found, answers, strict=True):
+        if isinstance(answer, Answer) and answer.verdict is Verdict.PROVED:
+            times = "" if candidate.factor == ONE else f", times {candidate.factor},"
+            why = f"by the equation of line {other.link.display.line}{times} the term"
+            why = f"{why} {candidate.printed} should be {candidate.expected}"
+            edit = f"{candidate.expected} in place of {candidate.printed}"
+            instead = (Alternative(candidate.right, "", edit, Verdict.PROVED.value),)
+            rows[n] = replace(rows[n], status="SUSPECT", why=why, instead=instead)
     return rows
 
 
@@ -241,7 +288,7 @@ def _step(rows: Sequence[Row], n: int) -> Step | None:
     goal = fact(link.sides, link.display.line, link.read_as, context)
     if goal is None or not facts:
         return None
-    search = Search(context, facts)
+    search = Search(context, facts, goal)
     if goal.series:
         return search.agreement(goal)
     if goal.name and (step := search.solution(goal.name, goal)) is not None:

@@ -20,6 +20,7 @@ from tresym.manuscript.classification import (
     claim,
     read_so,
     usual_path,
+    without_dots,
 )
 from tresym.manuscript.context import Memory, Under
 from tresym.manuscript.directives import Orders
@@ -53,7 +54,7 @@ from tresym.manuscript.terms import (
 )
 from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.calls import INFINITY
-from tresym.reals.language.expression import Expr, symbol, symbols
+from tresym.reals.language.expression import DOTS, Expr, symbol, symbols
 from tresym.reals.language.formula import NEGATED, Compared, chained
 from tresym.reals.language.latex_operands import Piece
 from tresym.reals.language.latex_tokens import RELATIONS
@@ -380,6 +381,8 @@ class LinkReader:
 
     def expansion(self, link: Link, head: Head, relation: str, value: Expr, under: Under) -> Link:
         """Return the link of an expansion; that of a quantity with an equation is a claim."""
+        if relation == "~" and value.op == "+" and DOTS in value.args:
+            value = without_dots(value)
         line = self.equations.get(head.base)
         if line is None:
             return replace(link, status=DEFINED, why="a definition up to the order given")

@@ -89,9 +89,20 @@ def is_product(cursor: Cursor, name: str, inner: Piece) -> bool:
     return (inner.strength == 0 or raised) and (name == "pi" or name in cursor.author.bare)
 
 
+def _is_own_factor(cursor: Cursor) -> bool:
+    """Whether the letter before the bracket here stands in it as a number: R(1 - R²) is a product;
+    f(f(x)) is none."""
+    letter, inside = cursor.tokens[cursor.at - 1], cursor.tokens[cursor.at + 1 :]
+    inside = inside[: cursor.partner(cursor.at) - cursor.at - 1]
+    places = [n for n, token in enumerate(inside) if token == letter]
+    return bool(places) and all(inside[n + 1 : n + 2] not in (["("], ["_"]) for n in places)
+
+
 def is_argument(cursor: Cursor, name: str) -> bool:
     """Whether the bracket here is the argument of ``name``: f(…), or one symbol, ε(γ)."""
     known = cursor.author and cursor.author.functions.get(name)
+    if cursor.author and cursor.author.strict and _is_own_factor(cursor):
+        return False
     if cursor.author and cursor.author.strict and (known or name in cursor.author.called):
         return name in cursor.author.called or bool(known and known.parameters)
     if cursor.author and name in FORCES & cursor.author.bare - cursor.author.applied:
