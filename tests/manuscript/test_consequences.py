@@ -65,6 +65,15 @@ CASES = {
     LINES + r"\[ 3 p = 4 s \]": "EQUATION",
     ROOTS + r"\[ z = 2 s \]": "PROVED",
     ROOTS + r"\[ z = 3 s \]": "REFUTED",
+    # an equation that is a product may hold because of either factor
+    r"Here \[ s y = 0 \] and \[ s q + s y = 0 \]": "EQUATION",
+    # what is no series in the parameter has no orders
+    r"Here \[ \frac{ds}{dt} = g \] with \[ g = g_0 + \epsilon g_1 + \dots \] so \[ g_1 = 0 \]": (
+        "DEFINED"
+    ),
+    # two equations that contradict each other prove nothing
+    r"Here \[ q' = -\epsilon q^3 s \] and \[ q' = -\epsilon q^3 w \] give"
+    r" \[ \epsilon q s = \epsilon u \]": "EQUATION",
     # of another example nothing follows
     "\\paragraph{Example 1.} Here \\[ a y + b = c \\]\n\n\\paragraph{Example 2.} Here"
     r" \[ a y = c - b \]": "EQUATION",
@@ -122,4 +131,4 @@ def test_the_term_that_differs_is_told(
     row = read(tmp_path, DIVIDED % (words, equation))[-1]
     assert row.status == status, row.why
     if status == "SUSPECT":
-        assert "times r**(-4), the term 2*r**(-2)*g_prime should be 2*g_prime/r" in row.why
+        assert "times r**(-4), the term 2*r**(-2)*g_prime should be 2/r*g_prime" in row.why

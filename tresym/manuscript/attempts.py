@@ -76,8 +76,10 @@ def _first(
         for n, (_, found) in zip(open_, check_all(tasks, limit, processes), strict=True):
             answers.setdefault(n, []).append(found)
             more = attempt + 1 < len(links[n].claims)
-            branches = links[n].solves is not None  # attempts that are the branches of a root
-            more = more and (branches or _spent(answers[n]) < MOST_SPENT * limit)
+            most = (
+                3 * MOST_SPENT if links[n].solves is not None else MOST_SPENT
+            )  # roots have branches
+            more = more and _spent(answers[n]) < most * limit
             if more and not isinstance(found, InputError) and not found:
                 again.append(n)
             else:

@@ -300,21 +300,41 @@ def _linear_in(e: Expr, name: str) -> tuple[Expr, Expr] | None:
     return None if name in symbols(slope) else (slope, rest)
 
 
-def _solved(e: Expr, wanted: frozenset[str], barred: frozenset[str]) -> tuple[str, Expr] | None:
+def _divides(name: str, *parts: Expr) -> bool:
+    """Whether a symbol is a factor of all parts."""
+    try:
+        return all(is_zero(substitute(part, {name: ZERO})) for part in parts)
+    except (InputError, ZeroDivisionError):
+        return False
+
+
+def _solved(
+    e: Expr,
+    wanted: frozenset[str],
+    barred: frozenset[str],
+    barred_factors: frozenset[str] = frozenset(),
+) -> tuple[str, Expr] | None:
     """Return a symbol in which an equation is linear, and the value that it gives it.
 
-    Derivatives come first, the highest ones first, then symbols of the wanted ones.
+    Derivatives come first, the highest ones first, then symbols of the wanted ones. An equation
+    with one of the ``barred_factors`` as a factor is not divided by it.
     """
 
     def rank(name: str) -> tuple[int, int, str]:
         marked = _PRIMES.fullmatch(name)
         return (-int(marked[2] or 1) if marked else 0, name not in wanted, name)
 
-    for name in sorted((n for n in symbols(e) - barred if not n.startswith(REST)), key=rank):
+    names = sorted((n for n in symbols(e) - barred if not n.startswith(REST)), key=rank)
+    for name in names:
         found = _linear_in(e, name)
-        if found is not None and is_zero(found[0]) is False:
-            slope, rest = found
-            return name, (-rest if slope == ONE else -rest / slope)
+        if found is None or is_zero(found[0]) is not False:
+            continue
+        slope, rest = found
+        if symbols(slope) and is_zero(rest) is not False:
+            continue  # a product: the other factor may vanish as well
+        if any(_divides(factor, slope, rest) for factor in symbols(slope) & barred_factors):
+            continue
+        return name, (-rest if slope == ONE else -rest / slope)
     return None
 
 
@@ -603,8 +623,11 @@ class Search:
         if found is None:
             return
         e, name, told = found
-        if self.context.contains(e, name):
-            return
+        parts = frozenset().union(*(symbols(s.value) for s in series.values()))
+        others = {_base(n) for n in symbols(e)} & self.moving - parts
+        others = {n for n in others if not n.startswith(REST) and not n[-1].isdigit()}
+        if self.context.contains(e, name) or others:
+            return  # what is no series may depend on the parameter
         try:
             collected = orders(e, name)
         except _FAILS:
@@ -757,9 +780,9 @@ class Search:
                 return None
             if symbols(e).isdisjoint(symbols(g)):
                 return None
-            solved = _solved(e, symbols(g), frozenset())
+            solved = _solved(e, symbols(g), frozenset(), self.moving)
             if solved is None or solved[0] not in symbols(g):
-                solved = _solved(e, symbols(g), symbols(e) - symbols(g))
+                solved = _solved(e, symbols(g), symbols(e) - symbols(g), self.moving)
             if solved is None:
                 candidate = multiple_of((e, "==", ZERO), (g, "==", ZERO))
                 told = _told([d for d in known if self._speaks_of(goal, d.name)])
@@ -822,13 +845,13 @@ class Search:
 
     def _from_pair(self, goal: Expr, one: Expr, other: Expr) -> tuple[str, ...] | None:
         """The claim that an equation holds where two others do, if it seems true."""
-        first = _solved(one, symbols(goal), frozenset())
+        first = _solved(one, symbols(goal), frozenset(), self.moving)
         if first is None:
             return None
         rest = substitute(other, {first[0]: first[1]})
         if is_zero(rest) is not False:
             return None
-        second = _solved(rest, symbols(goal), frozenset((first[0],)))
+        second = _solved(rest, symbols(goal), frozenset((first[0],)), self.moving)
         if second is None:
             return None
         after = substitute(goal, {first[0]: first[1]})
