@@ -270,3 +270,37 @@ def test_no_link_of_a_chain_with_a_matrix_is_read_as_one_of_numbers(
 ) -> None:
     found = links_of(tmp_path, rf"Let $A$ be a matrix. For all real $x$ \[ {text} \]")
     assert [link.status for link in found] == ["UNREAD", "UNREAD"]
+
+
+KIND_OF_DISPLAY = (
+    *("PROVED", "PROVED", "UNREAD", "UNREAD"),  # molecules, a plane, a norm of N, a vector r
+    *("PROVED", "UNREAD", "UNREAD", "PROVED"),  # r in another section, \hat u, W = … + \hat u, W
+    *("PROVED", "PROVED"),  # an inclination i, products in both orders
+    *("UNREAD", "UNREAD", "UNREAD", "UNREAD"),  # a matrix, a commutator, complex numbers
+)
+
+
+def test_evidence_counts_for_its_symbol_in_its_section(tmp_path: Path) -> None:
+    rows = read(tmp_path, (DATA / "kinds.tex").read_text(encoding="utf-8"))
+    assert tuple(row.status for row in rows) == KIND_OF_DISPLAY
+
+
+@pytest.mark.parametrize(
+    ("text", "status"),
+    [
+        (r"\[ \int_{t_1}^{t_2} \delta L\,dt = 0 \]", "UNREAD"),
+        (r"\[ \int_{t_1}^{t_2} \delta q\,dt = \delta q (t_2 - t_1) \]", "UNREAD"),
+        (r"\[ \int_0^1 \delta x\,dx = \frac{\delta}{2} \]", "PROVED"),
+        (r"\[ \int_0^\delta x\,dx = \frac{\delta^2}{2} \]", "PROVED"),
+    ],
+)
+def test_a_variation_under_an_integral_is_no_product(
+    text: str, status: str, tmp_path: Path
+) -> None:
+    (row,) = read(tmp_path, text)
+    assert row.status == status
+
+
+def test_an_order_is_no_symbol(tmp_path: Path) -> None:
+    (link,) = links_of(tmp_path, r"As $x \to 0$, \[ \sin x = x + O(x^3) \]")
+    assert [name for name, *_ in link.symbols] == ["x"]

@@ -88,3 +88,22 @@ def test_a_definition_is_not_put_in_for_the_variable_of_the_path(tmp_path: Path)
     row = read(tmp_path, text)[-1]
     assert row.status in ("PROVED", "ENCLOSED")
     assert "substituted" not in row.why
+
+
+DRAWN = {
+    r"\[ x^2 + y^2 = r^2, \quad y = \sqrt{r^2 - x^2} \]": "EQUATION",
+    r"\[ x + y = 10 \] Hence \[ y = 10 - x \] \[ x + y = 10 \]": "EQUATION",
+    r"\[ T = \frac{2\pi}{w} = \unreadable{x} \] \[ T = \frac{2\pi}{w} \]": "DEFINED",
+    r"\[ t = \frac1a \] \[ 1 + t = \frac{a + 1}{a} \]": "PROVED",
+}
+
+
+@pytest.mark.parametrize("text", DRAWN)
+def test_a_constraint_is_not_proved_by_what_was_drawn_from_it(text: str, tmp_path: Path) -> None:
+    rows = read(tmp_path, text)
+    assert (rows[0] if ", \\quad" in text else rows[-1]).status == DRAWN[text]
+
+
+def test_a_link_of_a_chain_is_no_premise_of_the_next(tmp_path: Path) -> None:
+    rows = read(tmp_path, r"\[ \sin 2x + 1 = 2\sin x\cos y + 1 = 1 + 2\cos x\sin x \]")
+    assert [row.status for row in rows] == ["EQUATION", "EQUATION"]

@@ -12,7 +12,7 @@ from tresym.commands import main
 from tresym.manuscript.deciding import Row, decided
 from tresym.manuscript.links import read_links
 from tresym.manuscript.source import read_manuscript
-from tresym.manuscript.suspects import may_be, proofread
+from tresym.manuscript.suspects import failing, may_be, proofread
 from tresym.reals.verdict import Cause
 
 
@@ -238,3 +238,56 @@ def test_what_stopped_a_decision_says_whether_a_misprint_is_sought(tmp_path: Pat
     assert may_be(row)
     assert may_be(replace(row, cause=Cause.NO_POINT))
     assert not may_be(replace(row, cause=Cause.STOPPED))
+
+
+NOT_HIDDEN = {
+    r"Pick $t$ in some interval. \[ y = (1-x)(1-t) + xt = 1 - x - t - 2xt \]": "SUSPECT",
+    r"Fix $x > 0$. Then \[ y = e^{1-x} + e^1 (1 - e^{x/s}) - e^1 "
+    r"= e^1 (e^{-x} - e^{-x/s}) \]": "SUSPECT",
+    r"\[ T\frac{\eta_{i+1}-\eta_i}{h} - T\frac{\eta_i-\eta_{i-1}}{h} "
+    r"= T\frac{\eta_{i+1}-\eta_{i-1}}{h} \]": "SUSPECT",
+    r"\[ \sum_{k=1}^n k(k+1) = \frac{n(n+1)(n-2)}{3} \]": "REFUTED",
+    r"The rate is \[ R = \frac{c^3/\sqrt{G^3 q}}{1/\sqrt{G q}} = \frac{c^3}{G} \]": "UNDECIDED",
+}
+
+
+@pytest.mark.parametrize("text", NOT_HIDDEN)
+def test_words_hide_no_misprint(text: str, tmp_path: Path) -> None:
+    row = read(tmp_path, text)[-1]
+    assert row.status == NOT_HIDDEN[text]
+    assert row.instead or row.holds_given
+
+
+FUNCTIONAL = (
+    *(r"f(x) = f(-x)", r"f(x + y) = f(x) + f(y)", r"f(x + T) = f(x)"),
+    *(r"f(x) f(y) = f(x + y) + f(x-y)", r"a_{n+1} - a_n = a_n - a_{n-1}"),
+    r"x_{n+1} - x_n = x_{n} - x_{n+1}",
+)
+
+
+@pytest.mark.parametrize("text", FUNCTIONAL)
+def test_equations_for_functions_and_sequences_are_no_misprints(text: str, tmp_path: Path) -> None:
+    (row,) = read(tmp_path, rf"\[ {text} \]")
+    assert row.status == "EQUATION"
+
+
+LISTED = {
+    r"The error function \[ \int_0^x t\,dt = \frac{x^2}{3} \] is approximate.": True,
+    r"For $x \ge 0$, \[ \frac{x}{x + 1} > \frac12 \]": True,
+    r"Solve \[ x^2 + x = 2x. \]": False,
+    r"Let $s > 0$. \[ y = \sqrt{s^2 + r^2 + 2sr} = s + r \]": False,  # it holds for r > 0
+}
+
+
+@pytest.mark.parametrize("text", LISTED)
+def test_what_fails_somewhere_is_listed(text: str, tmp_path: Path) -> None:
+    rows = read(tmp_path, text)
+    told = [row for row in rows if row.status in ("REFUTED", "SUSPECT")]
+    assert bool([*told, *failing(rows)]) == LISTED[text]
+
+
+def test_digits_that_are_cut_off_are_within_a_unit(tmp_path: Path) -> None:
+    row = read(tmp_path, r"\[ 2 \approx 1 \]")[-1]
+    assert row.status not in ("PROVED", "ENCLOSED")
+    row = read(tmp_path, r"\[ \frac23 \approx 0.6 \]")[-1]
+    assert row.status in ("PROVED", "ENCLOSED")

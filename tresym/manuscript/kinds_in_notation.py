@@ -387,8 +387,13 @@ def _operators(tokens: Sequence[str]) -> str:
             return f"D/D{after[0].removeprefix(chr(92))} may be a derivative along the motion"
         if token == "\\delta" and after[:1] in (["\\int"], ["\\iint"]):
             return "\\delta before an integral may be a variation"
-        if token == "\\delta" and after[:1] and is_letter(after[0]) and after[1:] == ["("]:
-            return f"\\delta before {after[0]}( may be a variation"
+        if token == "\\delta" and after[:1] and is_letter(after[0]):
+            if after[1:] == ["("]:
+                return f"\\delta before {after[0]}( may be a variation"
+            varied = bare[at - 1 : at] not in (["d"], ["^"], ["_"])
+            by = {bare[n + 1] for n, t in enumerate(bare[:-1]) if t == "d"}
+            if "\\int" in bare[:at] and varied and after[0] not in by:
+                return f"\\delta before {after[0]} under an integral may be a variation"
     return ""
 
 

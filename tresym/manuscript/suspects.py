@@ -24,6 +24,7 @@ from tresym.checking.time_limited import Task, check_all
 from tresym.manuscript import prose
 from tresym.manuscript.accusations import DoubtKind
 from tresym.manuscript.classification import (
+    ASSUMED,
     CONSTANTS,
     DEFINED,
     EQUATION,
@@ -441,6 +442,10 @@ def _fails(row: Row) -> bool:
         return False
     if row.fails_at is None:
         return row.cause is Cause.UNCONFIRMED and (link.same or is_meant(link))
+    if row.status == DEFINED:  # it does not solve the equation before it
+        return link.solves is not None
+    if row.status == ASSUMED:  # f << g along a stated path
+        return " as " in row.refuted
     bounded = names_in(link.claims[0].given) if link.claims else frozenset()
     if link.sides[1] in _BOUNDS and row.status == "UNDECIDED":
         return names_in([link.sides]) <= bounded and not is_introduced(link)
