@@ -54,4 +54,4 @@ def test_every_command_is_completed(capsys: pytest.CaptureFixture[str]) -> None:
 
 def test_alone_it_says_how_to_begin(capsys: pytest.CaptureFixture[str]) -> None:
     assert main([]) == 0
-    assert "tresym flip --body str" in capsys.readouterr().out
+    assert "tresym flip --body wilson" in capsys.readouterr().out

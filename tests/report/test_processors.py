@@ -19,7 +19,6 @@ from hangs import HANGS
 from tresym.proofs import figures
 from tresym.proofs.tables import TABLES, table, written
 
-from tresym.racket.floats import flipmap
 from tresym.report import charts
 from tresym.report.figures.grid import coordinate, on_grid, shown
 from tresym.report.pages import documents
@@ -73,8 +72,6 @@ def shaken(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> N
         for name in names.split():
             other = Shaken(getattr(module, name), request.param)
             monkeypatch.setattr(module, name, other)
-    # Numba compiles what it knows, and is not everywhere.
-    monkeypatch.setattr(flipmap, "_compiled", lambda: None)
 
 
 def by_turns(names: Iterable[str]) -> list[Any]:

@@ -45,8 +45,9 @@ from tresym.reals.decisions.statement import functions
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import outermost
 from tresym.reals.language.calls import INFINITY, INTEGERS, KNOWN
-from tresym.reals.language.claims import read_as
+from tresym.reals.language.claims import UNIFORMLY, read_as
 from tresym.reals.language.comparisons import spread
+from tresym.reals.language.differential_notation import with_differential_notation
 from tresym.reals.language.expression import (
     DOTS,
     ORDERS,
@@ -61,7 +62,7 @@ from tresym.reals.language.expression import (
 )
 from tresym.reals.language.formula import Compared, chained
 from tresym.reals.language.latex_tokens import GREEK
-from tresym.reals.language.parsing import as_written, parse_claim, parse_given
+from tresym.reals.language.parsing import as_written, parse_claim, parse_given, sequences_of
 from tresym.reals.language.paths import read_path
 from tresym.reals.language.unicode_input import plain
 from tresym.reals.numbers.exact import InputError, parse_number
@@ -143,6 +144,7 @@ class PaperClaim:
         expect_refuted: whether the file says that the claim is false.
         source: whom the claim is quoted from; "" for the paper's own.
         rounded: the number as printed, for ``~=``.
+        uniformly: whether an order is claimed with one constant for all its parameters.
     """
 
     label: str
@@ -161,6 +163,11 @@ class PaperClaim:
     expect_refuted: bool = False
     source: str = ""
     rounded: str = ""
+    uniformly: bool = False
+
+    def asserted(self, link: Compared) -> str:
+        """Return a comparison of the claim as text for ``tresym check``."""
+        return chained((link,)) + (" uniformly" if self.uniformly else "")
 
     @property
     def is_derivation(self) -> bool:
@@ -529,7 +536,7 @@ class _Reader:
                         f"{name} is no function: write {name}*(…) for a product, or define "
                         f"{name}(x) := …"
                     )
-                if name.startswith("fn_"):
+                if name.startswith("fn_") and name[3:] in self.definitions:
                     raise InputError(f"{name[3:]} is used with another number of arguments")
 
     def _about(self, e: Expr, more: Iterable[Compared]) -> tuple[Compared, ...]:
@@ -563,7 +570,7 @@ class _Reader:
         cited = tuple(link for used in uses for link in self._cited(claim, self.claims[used]))
         claim = replace(claim, conditions=(*claim.conditions, *cited))
         for task in claim.links:
-            read(chained((task,)), chained(claim.conditions), claim.path)
+            read(claim.asserted(task), chained(claim.conditions), claim.path)
         self.claims[label] = claim
         self.items.append(claim)
 
@@ -593,15 +600,18 @@ class _Reader:
 
     def _formula(self, label: str, line: int, text: str, clauses: Mapping[str, str]) -> PaperClaim:
         """The formula of a claim, with its conditions, its path and the values of its variables."""
-        called = self._called(text)
+        uniformly = UNIFORMLY.search(text) is not None
+        called, under = with_differential_notation(
+            self._called(UNIFORMLY.sub("", text)), self._called(clauses.get("given", ""))
+        )
         rounded = ""
         in_words: tuple[Compared, ...] = ()
         if "~=" in called or "≈" in called:
             left, rounded = _rounded(called)
             comparisons = [(as_written(plain(left)), "~=", number(parse_number(rounded)))]
         else:
-            comparisons, in_words = _compared(called)
-        given = tuple(parse_given(plain(self._called(clauses.get("given", "")))))
+            comparisons, in_words = _compared(called, sequences_of(under))
+        given = tuple(parse_given(plain(under)))
         given = (*in_words, *given)
         path = read_path(clauses["as"]) if "as" in clauses else None
         values = tuple(_values(clauses["at"])) if "at" in clauses else ()
@@ -643,6 +653,7 @@ class _Reader:
             must,
             rests_on=rests,
             rounded=rounded,
+            uniformly=uniformly,
         )
 
 
@@ -686,10 +697,10 @@ def _clauses(written: str) -> tuple[str, dict[str, str]]:
     return formula.strip(), found
 
 
-def _compared(text: str) -> tuple[list[Compared], tuple[Compared, ...]]:
+def _compared(text: str, sequences: frozenset[str]) -> tuple[list[Compared], tuple[Compared, ...]]:
     """The comparisons of a claim, in text, LaTeX or with signs of print, and conditions in it."""
     try:
-        return parse_claim(plain(text)), ()
+        return parse_claim(plain(text), sequences), ()
     except InputError:
         again = read_as(text)
         if not again or " as " in again:

@@ -271,7 +271,10 @@ def _questions(item: PaperClaim | Definition) -> list[Task]:
         return [task for root in _roots(item.expression) for task in _root_tasks(root, item)]
     plain = tuple(c for c in item.conditions if c[1] != "==" and not (c[0].hidden or c[2].hidden))
     return [
-        *(_task(link, item.conditions, item.path, item.line) for link in item.links),
+        *(
+            Task(item.asserted(link), chained(item.conditions), item.path, item.line)
+            for link in item.links
+        ),
         *(_task(link, (), None, item.line) for link in item.must_hold),
         *(_task(link, plain, item.path, item.line) for link in item.near_end),
     ]
@@ -341,7 +344,8 @@ def _with_wider_roots(
     for n, (left, relation, right) in enumerate(claim.links):
         other = replaced(left, put), relation, replaced(right, put)
         if claim.path and found[n].verdict is UNDECIDED and other != (left, relation, right):
-            again[n] = _task(other, claim.conditions, claim.path, claim.line)
+            given = chained(claim.conditions)
+            again[n] = Task(claim.asserted(other), given, claim.path, claim.line)
     answers = [*found]
     for n, pair in zip(again, check_all(again.values(), limit, processes), strict=True):
         answer = _answered(pair)

@@ -41,7 +41,7 @@ _AND = re.compile(r"\band\b|;|&&?|∧")
 _DANGLING = re.compile(r"\b(and|or)\s*$")
 _MEANT = re.compile(r",\s*\((\w+),\s*([\w./+-]+)\)\s*\)\s*$")
 """The end of an order as SymPy prints it: O(x**(-4), (x, oo))."""
-_UNIFORMLY = re.compile(r"\suniformly\b")
+UNIFORMLY = re.compile(r"\suniformly\b")
 
 
 class Written(NamedTuple):
@@ -110,8 +110,8 @@ def as_written(claim: Any, given: Any, path: str | None) -> Written:
 
 def _strictly(claim: str, given: Any, path: str | None) -> Written:
     """A claim of text or LaTeX in the grammar as it stands."""
-    uniformly = _UNIFORMLY.search(claim) is not None
-    text, own, own_path, region = parts_of(_UNIFORMLY.sub("", claim))
+    uniformly = UNIFORMLY.search(claim) is not None
+    text, own, own_path, region = parts_of(UNIFORMLY.sub("", claim))
     meant = _MEANT.search(text)
     if meant is not None and not (own_path or path):
         own_path = f"{meant[1]} -> {meant[2]}"
@@ -152,8 +152,8 @@ def parts_of(text: str) -> tuple[str, str, str, str]:
 
 def _read_again(shown: str) -> Written:
     """What is written in the text that is shown: of LaTeX and of SymPy just that is decided."""
-    uniformly = _UNIFORMLY.search(shown) is not None
-    shown, _, on = _UNIFORMLY.sub("", shown).partition(" on ")
+    uniformly = UNIFORMLY.search(shown) is not None
+    shown, _, on = UNIFORMLY.sub("", shown).partition(" on ")
     claim, _, end = shown.partition(" as ")
     claim, _, under = claim.partition(" given ")
     path = read_path(end) if end else None

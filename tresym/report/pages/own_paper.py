@@ -337,6 +337,8 @@ def statement_latex(claim: PaperClaim, aligned: bool = False) -> str:
         extra.append(conditions_latex(claim.given))
     if claim.path is not None:
         extra.append(path_latex(claim.path))
+    if claim.uniformly:
+        extra.append(r"\text{uniformly}")
     listed = r",\ ".join(extra)
     return text + (rf" \qquad ({listed})" if extra else "")
 
