@@ -9,6 +9,13 @@ bisection tree that can be stored, checked again without a search, and found ane
 Unbounded regions are mapped to boxes by charts (with a coordinate 1/a, for example), so that
 infinity becomes an edge. The margin must be positive on the closed box. Where it tends to 0 at an
 edge, the search cannot succeed, and the vanishing factor must be divided out first.
+
+Example: the margin 2 − x² − y on the box [0, 1] × [0, 1/2]. Its ball over the whole box is about
+[1/2, 2], so that one box proves x² + y < 2 there; on [0, 1] × [0, 1] it reaches 0, and the
+inequality is closed only off the corner (1, 1).
+
+Source: R. E. Moore, R. B. Kearfott, M. J. Cloud, *Introduction to Interval Analysis*, SIAM 2009,
+chapters 5 and 6 (mean-value form, monotonicity test, subdivision).
 """
 
 from __future__ import annotations

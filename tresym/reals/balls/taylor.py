@@ -4,7 +4,11 @@
 
 where R is the n-th Taylor coefficient over the whole interval. This gives sharp enclosures of a
 difference that nearly vanishes together with its first derivatives, where direct evaluation in
-balls and the mean value theorem are too coarse.
+balls and the mean value theorem are too coarse. For example, 1 − cos(x) − x²/2 + x⁴/24 is at most
+x⁶/720, below 10⁻¹⁰ on [0, 1/16], where the balls of its terms add up to 10⁻³.
+
+Source: K. Makino, M. Berz, *Taylor models and other validated functional inclusion methods*,
+Int. J. Pure Appl. Math. 4, 2003.
 """
 
 from __future__ import annotations

@@ -41,7 +41,7 @@ def read(claim: Any, given: Any = "", path: str | None = None) -> Statement:
     Args:
         claim: text, LaTeX or a SymPy relation. Text may end in ``given CONDITIONS`` and
             ``as PATH``.
-        given: text, LaTeX, SymPy relations, or a :class:`~tresym.reals.Given`.
+        given: text, LaTeX, SymPy relations, or a :class:`~tresym.reals.domain.conditions.Given`.
         path: such as ``"x -> 0+"``.
 
     Raises:

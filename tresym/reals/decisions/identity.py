@@ -3,26 +3,29 @@
 What a claim means: ``left`` and ``right`` are equal at every real point of ``given`` where both
 are defined. More exactly: at every point that is a limit of interior points of that set, for the
 normal form is silent on isolated points of the domain of the two sides; of the conditions it is
-shown that they have none. This is not the convention of complex
-principal branches: ``log(x**2) = 2*log(x)`` is PROVED, since negative x are outside the common
-domain, and ``sqrt(x**2) = x`` is REFUTED.
+shown that they have none. This is not the convention of complex principal branches:
+``log(x**2) = 2*log(x)`` is PROVED, since negative x are outside the common domain, and
+``sqrt(x**2) = x`` is REFUTED.
 
 Nothing is proved vacuously: a point inside ``given`` must be found at which both sides are shown,
 in balls, to be defined.
 
 1. Balls at a few exact rational points: disjoint values refute.
-2. The exact normal form of field.py: a difference that is zero proves.
+2. The exact normal form of :mod:`tresym.reals.normal.field`: a difference that is zero proves.
 3. Balls again, at many points and 700 bits.
-4. What the normal form leaves is tried by derivative: see locally_constant.py.
+4. What the normal form leaves is tried by derivatives, see
+   :mod:`tresym.reals.normal.locally_constant`.
 5. Where sign and atan2 jump, which a proof at almost all points leaves out, the claim with the
-   value put in is decided by itself: see jumps.py. Where the conditions may have points
-   that are no limits from inside, the proof must do without those with equality: see regular.py.
-6. An inverse function is taken away where the other side is in its range: see branches.py.
+   value substituted is decided by itself, see :mod:`tresym.reals.signs.discontinuities`. Where the
+   conditions may have points that are not limits of interior points, the proof must do without
+   those with equality, see :mod:`tresym.reals.signs.closure`.
+6. An inverse function is removed where the other side is in its range, see
+   :mod:`tresym.reals.decisions.inverse_branches`.
 7. Where the normal form depends on the sign of a polynomial in the symbols, it is proved for either
    sign. Its zeros are limits of other points, and functions are continuous where they are defined.
 
-No claim of the ledger needs 4, the algebraic constants of constants.py, the values of 5 or the
-cases of 7, and its judge does without.
+No claim of the ledger needs 4, the algebraic constants of :mod:`tresym.reals.normal.constants`, the
+values of 5 or the cases of 7, and its judge does without.
 """
 
 from __future__ import annotations

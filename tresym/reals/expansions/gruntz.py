@@ -3,6 +3,13 @@
 For u → ±∞, exp u becomes a product of powers of scale elements times the exponential of a bounded
 function; a new element is added if none has this order of growth. log u is expanded in the elements
 of u. sin u and cos u become functions of a phase about which nothing is assumed.
+
+Example: e^(x + e^(−x)) − e^x for x → ∞. The most rapidly varying subexpression is w = e^(−x), which
+becomes the first element of the scale; e^x is 1/w, and e^(x + w) is e^w/w, as w is bounded. The
+expansion of e^w/w − 1/w in w begins with 1, so that the limit is 1.
+
+Source: D. Gruntz, *On Computing Limits in a Symbolic Manipulation System*, thesis, ETH Zürich 1996,
+chapters 3 and 4.
 """
 
 from __future__ import annotations

@@ -5,13 +5,11 @@ points: ``x**2*(x - 1) >= 0`` also holds at x = 0, which is not a limit of inter
 under closed conditions therefore counts only where one of these criteria excludes isolated points:
 
 - Every closed condition is concave (``x + y <= 1``, ``abs(x) <= y``, ``x**2 + y**2 <= 1``).
-  Together
-  with the ranges of the variables they describe a convex set, which has interior points.
+  Together with the ranges of the variables they describe a convex set, which has interior points.
 - The closed conditions are polynomials in one variable with simple zeros and no common zero.
 - All closed conditions that depend on some variable increase strictly in it, and the others are
   ranges of other variables. A small step in this variable leads into the interior (``x*y >= 1``
-  with
-  y > 0).
+  with y > 0).
 - One closed condition is strictly convex in a variable, and the others are ranges of other
   variables. A small step in one of the two directions leads into the interior (``b**2 >= 4*a*c``).
 - There is only one closed condition, and it is a polynomial of degree 2 (``x*y >= 0``).
@@ -86,8 +84,7 @@ def has_inside(given: Given) -> bool:
     """Return whether a point is found that satisfies every condition strictly.
 
     The conditions ``x >= y, y >= x`` have no such point, so that every statement about their
-    interior
-    is true and proves nothing.
+    interior is true and proves nothing.
     """
     atoms = Parts(Given()).atoms
     with suppress(TooLargeError, UndefinedError):

@@ -1,4 +1,8 @@
-"""A concave difference that is nonnegative at both ends is nonnegative between them."""
+"""A concave difference that is nonnegative at both ends is nonnegative between them.
+
+For example, sin(x) − 2x/π is concave for 0 ≤ x ≤ π/2 and 0 at both ends, which proves Jordan's
+inequality. Source: S. Boyd, L. Vandenberghe, *Convex Optimization*, 2004, section 3.1.
+"""
 
 from __future__ import annotations
 

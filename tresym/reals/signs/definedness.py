@@ -1,12 +1,11 @@
 """Prove that an expression is defined, or smooth, wherever the conditions hold.
 
-A division is accepted only where the denominator is proved non-zero, and a root or logarithm only
-where its argument is proved to lie in the domain, everywhere under the conditions. An operation
-that
-binds a variable and is not evaluated, such as an integral, has conditions of its own and is never
-shown to be smooth. A value at a point, ``f`` at ``x = c``, is checked after substitution. A
-derivative
-at a point is checked in the same way, and its function must be smooth there.
+For example, log(x − y)/x is defined under x > y, y > 0. A division is accepted only where the
+denominator is proved non-zero, and a root or logarithm only where its argument is proved to lie in
+the domain, everywhere under the conditions. An operation that binds a variable and is not
+evaluated, such as an integral, has conditions of its own and is never shown to be smooth. A value
+at a point, ``f`` at ``x = c``, is checked after substitution. A derivative at a point is checked in
+the same way, and its function must be smooth there.
 """
 
 from __future__ import annotations

@@ -1,12 +1,12 @@
 """Cover the points at which sign and atan2 jump, which a proof on a dense set does not reach.
 
 ``sign(u)`` jumps where u is 0, and ``atan2(y, x)`` where y is 0 and x is negative. All other
-functions
-are continuous where they are defined. A claim that is proved at almost all points must therefore be
-proved separately at each possible jump, in one of two ways. If the jump lies where a variable has a
-certain value, or at a closed end of the conditions, that value is substituted. Otherwise 0 is
-substituted for the argument that vanishes there, and the claim must hold for all values of the
-variables.
+functions are continuous where they are defined. A claim that is proved at almost all points must
+therefore be proved separately at each possible jump, in one of two ways. If the jump lies where a
+variable has a certain value, or at a closed end of the conditions, that value is substituted.
+Otherwise 0 is substituted for the argument that vanishes there, and the claim must hold for all
+values of the variables. For example, ``sign(x)**2 == 1`` holds at almost all points and is false at
+x = 0.
 """
 
 from __future__ import annotations

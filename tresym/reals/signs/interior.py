@@ -1,5 +1,9 @@
 """Prove signs in the interior of the conditions, and by continuity at limits of interior points.
 
+For example, x·(x − y) for x > y > 0 is a product of a positive symbol and a condition. The normal
+form of :mod:`tresym.reals.normal.field` is factored, and the sign of each factor is proved from the
+ranges of its generators.
+
 Closed conditions may also hold at isolated points, for which nothing is proved here (see
 :mod:`tresym.reals.signs.closure`).
 """

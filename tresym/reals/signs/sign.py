@@ -1,14 +1,15 @@
 """Prove the sign of an expression: the methods in one list, cheapest first.
 
-:func:`sign` and :func:`proof` are the entry points. A method in :data:`METHODS` takes a difference,
-a relation to zero and the conditions. It returns a sentence that proves the relation in the
-interior
-of the conditions and, by continuity, at the limits of interior points; or it returns None.
+:func:`sign` and :func:`proof` are the entry points. For example, exp(x) − 1 − x is not negative:
+the signs of its parts say nothing, and it is not a polynomial, but Taylor's theorem about 0 proves
+it. A method in :data:`METHODS` takes
+a difference, a relation to zero and the conditions. It returns a sentence that proves the relation
+in the interior of the conditions and, by continuity, at the limits of interior points; or it
+returns None.
 
 Only the first method also proves the relation at isolated points of the conditions, so it is tried
 first. The results of the others count only where the conditions are shown to have no isolated
-points
-(see :mod:`tresym.reals.signs.closure`).
+points (see :mod:`tresym.reals.signs.closure`).
 
 The claims of the ledger need only the few methods in :data:`FEW`, so that the trusted code of the
 ledger does not include the others.
@@ -123,8 +124,8 @@ def sign_by(
         e: the expression.
         given: the conditions.
         wanted: a relation of ``e`` to zero: ``> >= < <= !=``. The expensive methods are tried only
-            for
-            this relation, and not at all once it is proved. None means that no relation is sought.
+            for this relation, and not at all once it is proved. None means that no relation is
+            sought.
         prover: the expensive methods, such as :func:`proof`; None for none.
 
     Returns:

@@ -1,4 +1,7 @@
-"""Signs and ranges of constants and of sums and products of ranges."""
+"""Signs and ranges of constants and of sums and products of ranges.
+
+For example, the range of π/2 − x for 0 < x < 1 is the interval from π/2 − 1 to π/2.
+"""
 
 from __future__ import annotations
 

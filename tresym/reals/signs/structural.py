@@ -3,7 +3,9 @@
 A sum is written as a polynomial in its atoms (symbols, sines, roots, exponentials, …), each with
 its range. A Möbius map takes every range to [0, ∞]. A polynomial without negative coefficients is
 not negative there, and it is positive if it keeps a term at each closed corner. Where this is not
-enough, the polynomial is factored, or written as multiples of conditions plus a rest.
+enough, the polynomial is factored, or written as multiples of conditions plus a rest. For example,
+x² − xy + y for 0 < y < 1 < x becomes, with x = 1 + u and y = v/(1 + v), a polynomial in u and v
+without negative coefficients.
 """
 
 from __future__ import annotations

@@ -1,10 +1,14 @@
 """Prove the sign of a difference by Taylor's theorem about one point.
 
+For example, exp(x) − 1 − x has the value and the slope 0 at 0 and a positive second derivative, so
+that it is exp(ξ)x²/2 ≥ 0.
+
 On a segment from c to x, d(x) = Σ_{j<k} d⁽ʲ⁾(c) (x−c)ʲ/j! + d⁽ᵏ⁾(ξ) (x−c)ᵏ/k!. If all terms have
 one sign, d has it too. The other symbols are parameters, and c may depend on them: it is an end of
 the range, 0, 1, another symbol, or a zero of the derivative. The sign of a term that contains
 parameters may itself be proved by another expansion, so that a corner of the region is treated one
-edge after the other. All arithmetic is exact.
+edge after the other. All arithmetic is exact. Source: W. Rudin, *Principles of Mathematical
+Analysis*, 1976, theorem 5.15.
 """
 
 from __future__ import annotations

@@ -1,7 +1,8 @@
 """Transform an inequality into an equivalent simpler one.
 
 The functions that find transformations are not trusted: :func:`holds` checks for each one that the
-simpler inequality implies the original.
+simpler inequality implies the original. For example, √(x² + 1) < x + 1 for x > 0 follows from the
+inequality of the squares, x² + 1 < x² + 2x + 1.
 """
 
 from __future__ import annotations
