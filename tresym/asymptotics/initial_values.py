@@ -35,6 +35,7 @@ from functools import partial
 
 from flint import arb, fmpq
 
+from tresym.asymptotics.boundary_values import decide_boundary_values
 from tresym.asymptotics.constants import rounded
 from tresym.asymptotics.differential_problem import (
     OpenError,
@@ -45,9 +46,22 @@ from tresym.asymptotics.differential_problem import (
     symbols_of,
     with_initial_point,
 )
+from tresym.asymptotics.explicit_claims import (
+    EXACT,
+    curve_of_claim,
+    exactly,
+    first_term,
+    need_smooth,
+    nonzero_at,
+    order_of,
+    power_text,
+    put_in,
+    without_time,
+)
 from tresym.asymptotics.explicit_solutions import Curve, expansion, next_term, solutions
 from tresym.asymptotics.exponential_polynomials import expression, is_bounded, polynomial
-from tresym.asymptotics.logarithmic_norm import Range, error_bound, supremum
+from tresym.asymptotics.logarithmic_norm import Range, error_bound, exact, supremum
+from tresym.asymptotics.long_time import decide_autonomous
 from tresym.asymptotics.order_claims import region
 from tresym.reals.decisions.answer import Answer, Decide, constant_ball, exact_text
 from tresym.reals.decisions.readable_witnesses import tidied
@@ -55,7 +69,6 @@ from tresym.reals.decisions.statement import Statement, functions
 from tresym.reals.domain.binder_values import jumps
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
-from tresym.reals.language.binders import elementary
 from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
@@ -76,16 +89,12 @@ from tresym.reals.signs.interior import PROVING, is_zero
 from tresym.reals.signs.sign import proof, sign
 from tresym.reals.verdict import Verdict
 
-EXACT = "uniqueness of the solution (Picard and Lindelöf; Hale 1980, theorem I.3.1)"
 REGULAR = "regular dependence on a parameter (Hale 1980, theorem I.3.3)"
 GRONWALL = "residual and logarithmic norm (Gronwall, Dahlquist; Hairer et al. 1993, theorem I.10.6)"
 COMPARISON = "comparison of solutions (Hale 1980, theorem I.6.1)"
-HIGHEST = 6
-"""The highest power of the small parameter."""
 RANGES = (fmpq(1, 2), fmpq(1, 5), fmpq(1, 20), fmpq(1, 100), fmpq(1, 400))
 SHARP = arb("1.08")
 """The constant is at most this times the supremum, if a range of the parameter allows that."""
-SAMPLES = 80
 
 
 def decide_initial_values(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
@@ -113,111 +122,21 @@ def _decide(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
     if any(jumps(e) for e in (*problem.right.values(), claim.left, claim.right)):
         raise OpenError("functions with jumps are not supported in differential equations")
     if not problem.is_initial:
-        raise OpenError("boundary conditions are not supported: give all values at one point")
+        return decide_boundary_values(claim, problem, statement, decided)
+    if path is not None and path.name == problem.time:
+        return _long_time(claim, problem, statement, path, decided)
     domain = domain_of(problem, statement)
     if path is None:
         return _at_points(claim, problem, statement, domain, decided)
-    if path.name == problem.time:
-        raise OpenError(f"claims as {path.name} -> oo about a solution are not supported")
     return _small_parameter(claim, problem, statement, domain, path, decided)
 
 
 # What a claim gives for the solution
 
 
-def curve_of_claim(claim: Comparison, problem: Problem, found: Curve | None = None) -> Curve:
-    """Return what the claim gives for each variable of the system.
-
-    Args:
-        found: what is put in for functions that the claim does not mention and that no equation
-            gives, since it is linear in them.
-
-    Raises:
-        OpenError: the claim does not have the form y(t) == A.
-    """
-    gap = claim.left - claim.right if claim.relation in ("==", "->") else claim.left
-    nodes = set(functions(gap))
-    t = symbol(problem.time)
-    if len(nodes) != 1:
-        raise OpenError("the claim must be about one function of the differential equations")
-    (node,) = nodes
-    name, orders = node.args[0].args
-    if (name, 0) not in problem.state or any(orders) or node.args[1] != t:
-        raise OpenError("the claim must be about the function of the differential equation")
-    mark = symbol("[S]")
-    e = replaced(gap, {node: mark})
-    factor = tidied(differentiate(e, "[S]"))
-    if factor.op != "number" or factor == ZERO or not elementary(e):
-        raise OpenError("the claim must be linear in the function of the differential equation")
-    start = tidied(-substitute(e, {"[S]": ZERO}) / factor)
-    curve: Curve = {}
-
-    def follow(name: str, e: Expr) -> None:
-        for (other, j), variable in problem.state.items():
-            if other == name:
-                slope = e
-                for _ in range(j):
-                    slope = differentiate(slope, problem.time)
-                curve[variable] = tidied(slope)
-
-    follow(name, start)
-    waiting = sorted({other for other, _ in problem.state} - {name})
-    for _ in range(len(waiting)):
-        for other in waiting:
-            if problem.state[other, 0] in curve:
-                continue
-            for variable, right in problem.right.items():
-                missing = symbols(right) & set(problem.right) - set(curve)
-                if variable not in curve or missing != {problem.state[other, 0]}:
-                    continue
-                (target,) = missing
-                slope = tidied(differentiate(right, target))
-                if slope.op != "number" or slope == ZERO:
-                    continue
-                rest = substitute(substitute(right, {target: ZERO}), curve)
-                own = differentiate(curve[variable], problem.time)
-                follow(other, tidied((own - rest) / slope))
-                break
-    if found is not None:
-        curve = {variable: curve.get(variable, found[variable]) for variable in problem.right}
-    if set(curve) != set(problem.right):
-        raise OpenError("the claim says nothing of the other functions of the system")
-    return curve
-
-
-def put_in(claim: Comparison, problem: Problem, curve: Curve) -> tuple[Comparison, list[Expr]]:
-    """Return the claim with an explicit solution in place of its functions, and their arguments.
-
-    Raises:
-        OpenError: a function of the claim is none of the differential equations.
-    """
-    known: dict[Expr, Expr] = {}
-    for side in (claim.left, claim.right):
-        for node in functions(side):
-            name, orders = node.args[0].args
-            highest = max((k for n, k in problem.state if n == name), default=-1)
-            if len(node.args) != 2 or highest < 0 or node.args[1].hidden:
-                raise OpenError(f"{node} is no value of a function of the differential equations")
-            order = orders[0]
-            e = curve[problem.state[name, min(order, highest)]]
-            for _ in range(order - highest):
-                e = differentiate(e, problem.time)
-            known[node] = tidied(substitute(e, {problem.time: node.args[1]}))
-    arguments = list(dict.fromkeys(node.args[1] for node in known))
-    if not known:
-        raise OpenError("the claim contains no function of the differential equations")
-    return claim.mapped(partial(replaced, known=known)), arguments
-
-
-def _fixed(domain: Given, problem: Problem) -> Given:
-    """Return the conditions without the time."""
-    links = domain.comparisons
-    return Given(tuple(x for x in links if problem.time not in symbols(x[0]) | symbols(x[2])))
-
-
 def _segment(domain: Given, problem: Problem, argument: Expr) -> Given:
     """Return the conditions with the time between the initial point and an argument."""
-    t, fixed = symbol(problem.time), _fixed(domain, problem)
+    t, fixed = symbol(problem.time), without_time(domain, problem)
     if argument == t:
         return domain
     if problem.time in symbols(argument):
@@ -237,14 +156,14 @@ def _at_points(
     reason = None
     if claim.relation == "==":
         try:
-            return _exactly(problem, curve_of_claim(claim, problem), domain, decided)
+            return exactly(problem, curve_of_claim(claim, problem), domain, decided)
         except OpenError as error:
             reason = error
     found_ = _compared(claim, problem, domain, decided)
     if found_ is not None:
         return found_
     try:
-        for curve in solutions(problem, _fixed(domain, problem)):
+        for curve in solutions(problem, without_time(domain, problem)):
             found = by_solution(claim, problem, curve, statement, domain, decided)
             if found.verdict is not Verdict.UNDECIDED:
                 return found
@@ -269,7 +188,7 @@ def by_solution(
     """
     explicit, arguments = put_in(claim, problem, curve)
     for argument in arguments:
-        shown = _exactly(problem, curve, _segment(domain, problem, argument), decided)
+        shown = exactly(problem, curve, _segment(domain, problem, argument), decided)
         if not shown:
             raise OpenError("the explicit function that was found is no solution")
     plain = Statement((), domain, statement.path, "", uniformly=statement.uniformly)
@@ -277,52 +196,6 @@ def by_solution(
     name, _ = next(key for key in problem.state if key[1] == 0)
     shown_as = f"{name}({problem.time}) = {curve[problem.state[name, 0]]}"
     return replace(found, why=f"the solution is {shown_as}: {found.why}", lemma=EXACT)
-
-
-def _exactly(problem: Problem, curve: Curve, domain: Given, decided: Decide) -> Answer:
-    """Decide whether a curve is the solution of an initial value problem."""
-    start = {problem.time: problem.start}
-    plain = Statement((), domain, None, "")
-    fixed = _fixed(domain, problem)
-    for name, value in problem.values.items():
-        found = decided(
-            Comparison(substitute(curve[name], start), "==", value), replace(plain, given=fixed)
-        )
-        if found.verdict is Verdict.REFUTED:
-            witness = {**dict(found.witness or {}), problem.time: exact_text(problem.start)}
-            why = f"the initial value is not {substitute(curve[name], start)}: {found.why}"
-            return Answer(Verdict.REFUTED, why, witness=witness, lemma=EXACT)
-        if not found:
-            raise OpenError(f"the initial value {value} is not shown: {found.why}")
-    _need_smooth(problem, curve, with_initial_point(domain, problem))
-    for residual in residuals(problem, curve):
-        found = decided(Comparison(residual, "==", ZERO), plain)
-        if found.verdict is Verdict.REFUTED:
-            why = f"the differential equation is not satisfied: {found.why}"
-            return Answer(Verdict.REFUTED, why, lemma=EXACT)
-        if not found:
-            raise OpenError(f"it is not shown that the equation is satisfied: {found.why}")
-    why = (
-        "it satisfies the differential equation and the initial values, and the equation has only "
-        "one solution"
-    )
-    return Answer(Verdict.PROVED, why, lemma=EXACT)
-
-
-def _need_smooth(problem: Problem, curve: Curve, closed: Given) -> None:
-    """Require that the curve is analytic in t, and the equation near it."""
-    for e in curve.values():
-        gap = continuous_on(e, closed, proof)
-        if gap is not None:
-            raise OpenError(
-                f"{e} is not shown to be smooth: {gap} may leave its domain; restrict "
-                f"{problem.time} to an interval around {problem.start}"
-            )
-    slopes = (differentiate(e, n) for e in problem.right.values() for n in problem.right)
-    for e in (*problem.right.values(), *slopes):
-        gap = continuous_on(substitute(e, curve), closed, proof)
-        if gap is not None:
-            raise OpenError(f"the equation is not shown to be smooth at the solution: {gap}")
 
 
 def _compared(claim: Comparison, problem: Problem, domain: Given, decided: Decide) -> Answer | None:
@@ -359,7 +232,7 @@ def _compared(claim: Comparison, problem: Problem, domain: Given, decided: Decid
     slope = differentiate(bound[name], problem.time)
     rising = Comparison(along, f"{relation}=", slope)
     plain = Statement((), domain, None, "")
-    if not decided(begin, replace(plain, given=_fixed(domain, problem))) or not decided(
+    if not decided(begin, replace(plain, given=without_time(domain, problem))) or not decided(
         rising, plain
     ):
         return None
@@ -369,6 +242,53 @@ def _compared(claim: Comparison, problem: Problem, domain: Given, decided: Decid
         f"{rising.left} {rising.relation} {rising.right}"
     )
     return Answer(Verdict.PROVED, why, lemma=COMPARISON)
+
+
+# Large times
+
+
+def _long_time(
+    claim: Comparison, problem: Problem, statement: Statement, path: Path, decided: Decide
+) -> Answer:
+    """Decide a claim as the time tends to infinity, by an explicit solution if one is found."""
+    if path.point is not None or path.sides != (1,):
+        raise OpenError(f"claims about a solution are supported as {path.name} -> oo")
+    t = symbol(problem.time)
+    if any(
+        problem.time in symbols(x) | symbols(y) and t not in (x, y)
+        for x, _, y in statement.given.comparisons
+    ):
+        raise OpenError(f"the conditions must keep {t} in an interval")
+    fixed = without_time(statement.given, problem)  # those with the time hold or fail far out
+    if any(
+        (x == t and r[0] != ">") or (y == t and r[0] != "<")
+        for x, r, y in statement.given.comparisons
+        if t in (x, y)
+    ):
+        raise OpenError(f"the conditions keep {t} from infinity")
+    after = fixed & Given(((t, ">=", problem.start),))
+    reason: OpenError | None = None
+    for curve in solutions(problem, fixed):
+        try:
+            explicit, arguments = put_in(claim, problem, curve)
+            for argument in arguments:
+                where = after if argument == t else _segment(fixed, problem, argument)
+                if not exactly(problem, curve, where, decided):
+                    raise OpenError("the explicit function that was found is no solution")
+        except OpenError as error:
+            reason = error
+            continue
+        plain = Statement((), fixed, path, "", uniformly=statement.uniformly)
+        found = decided(explicit, plain)
+        if found.verdict is not Verdict.UNDECIDED:
+            name, _ = next(key for key in problem.state if key[1] == 0)
+            shown = f"{name}({t}) = {curve[problem.state[name, 0]]}"
+            return replace(found, why=f"the solution is {shown}: {found.why}", lemma=EXACT)
+        reason = OpenError(found.why)
+    try:
+        return decide_autonomous(claim, problem, statement, fixed, decided)
+    except OpenError as error:
+        raise reason or error from None
 
 
 # A small parameter
@@ -395,9 +315,9 @@ def _small_parameter(
         claim = claim.mapped(put)
     if path.name in symbols(problem.start):
         raise OpenError("the initial point must not depend on the small parameter")
-    order = _order(claim, path.name)
+    order = order_of(claim, path.name)
     terms = order if claim.relation == "O" else order + 1
-    fixed = _fixed(domain, problem)
+    fixed = without_time(domain, problem)
     try:
         found = expansion(problem, path.name, terms, fixed)
     except (InputError, ZeroDivisionError, ValueError):
@@ -424,19 +344,6 @@ def _small_parameter(
     return _uniformly(pointwise, claim, problem, curve, statement, path, order, decided)
 
 
-def _order(claim: Comparison, name: str) -> int:
-    """Return n for the comparison function eⁿ, or for o(eⁿ)."""
-    if claim.relation == "->":
-        return 0
-    for n in range(HIGHEST + 1):
-        rest = normal_form(claim.right / symbol(name) ** n if n else claim.right, Given())
-        if name not in symbols(rest):
-            if rest.op != "number" or rest == ZERO:
-                raise OpenError("the comparison function must be a power of the small parameter")
-            return n
-    raise OpenError("the comparison function must be a power of the small parameter")
-
-
 def _at_zero(problem: Problem, name: str) -> Problem:
     put = partial(substitute, mapping={name: ZERO})
     return problem._replace(right={m: put(f) for m, f in problem.right.items()})
@@ -456,24 +363,26 @@ def _by_expansion(
         if not _is_polynomial(gap, node):
             raise OpenError(f"the claim must be a polynomial in {node}")
     e = path.name
-    first = _first_term(explicit.left, e, terms, with_initial_point(domain, problem))
+    first = first_term(explicit.left, e, terms, with_initial_point(domain, problem))
     if first is None:
         why = (
             "it agrees with the expansion of the solution, whose equations and initial values were "
-            f"checked, up to {_power(e, terms)}, for each fixed {problem.time}"
+            f"checked, up to {power_text(e, terms)}, for each fixed {problem.time}"
         )
         return Answer(Verdict.PROVED, why, lemma=REGULAR)
     k, coefficient = first
-    witness = _nonzero_at(coefficient, with_initial_point(domain, problem))
+    witness = nonzero_at(coefficient, with_initial_point(domain, problem))
     if witness is None:
         raise OpenError("a coefficient of the error is not shown to differ from 0")
     names = sorted({key for key in problem.state if key[1] == 0})
     shown = "; ".join(
         f"{name}({problem.time}) = {_ordered(found[problem.state[name, 0]], e, k + 1)} + "
-        f"O({_power(e, k + 1)})"
+        f"O({power_text(e, k + 1)})"
         for name, _ in names[:1]
     )
-    why = f"the error is ({coefficient})*{_power(e, k)} to leading order; the solution is {shown}"
+    why = (
+        f"the error is ({coefficient})*{power_text(e, k)} to leading order; the solution is {shown}"
+    )
     return Answer(Verdict.REFUTED, why, witness=witness, lemma=REGULAR)
 
 
@@ -485,14 +394,10 @@ def _ordered(e: Expr, name: str, terms: int) -> str:
         c = normal_form(substitute(e, {name: ZERO}), Given()) / number(fmpq(factorial))
         c = tidied(normal_form(c, Given()))
         if c != ZERO:
-            parts.append(f"{c}" if k == 0 else f"{_power(name, k)}*({c})")
+            parts.append(f"{c}" if k == 0 else f"{power_text(name, k)}*({c})")
         e = differentiate(e, name)
         factorial *= k + 1
     return " + ".join(parts) or "0"
-
-
-def _power(name: str, k: int) -> str:
-    return "1" if k == 0 else name if k == 1 else f"{name}**{k}"
 
 
 def _is_polynomial(e: Expr, node: Expr) -> bool:
@@ -508,18 +413,6 @@ def _is_polynomial(e: Expr, node: Expr) -> bool:
     return e.op in ("+", "*") and all(_is_polynomial(arg, node) for arg in e.args)
 
 
-def _nonzero_at(e: Expr, given: Given) -> dict[str, str] | None:
-    """Return a point at which an expression is not 0."""
-    with ball_precision():
-        names = sorted(symbols(e))
-        if not names:
-            return {} if evaluate(e, {}) != 0 else None
-        for at in given.points(names, SAMPLES):
-            if evaluate(e, at) != 0:
-                return {name: exact_text(value) for name, value in at.items()}
-    return None
-
-
 def _pointwise(problem: Problem, curve: Curve, domain: Given, path: Path, terms: int) -> Answer:
     """Decide whether a curve is the solution up to a power of e, for each fixed time.
 
@@ -528,59 +421,36 @@ def _pointwise(problem: Problem, curve: Curve, domain: Given, path: Path, terms:
     e = path.name
     closed = with_initial_point(domain, problem)
     at_zero = partial(substitute, mapping={e: ZERO})
-    _need_smooth(_at_zero(problem, e), {m: at_zero(c) for m, c in curve.items()}, closed)
+    need_smooth(_at_zero(problem, e), {m: at_zero(c) for m, c in curve.items()}, closed)
     for name, value in problem.values.items():
         gap = substitute(curve[name], {problem.time: problem.start}) - value
-        found = _first_term(gap, e, terms, closed)
+        found = first_term(gap, e, terms, closed)
         if found is not None:
             k, coefficient = found
-            at = _nonzero_at(coefficient, closed)
+            at = nonzero_at(coefficient, closed)
             if at is None:
                 raise OpenError("a coefficient of an initial value is not shown to differ")
-            why = (
-                f"the initial value differs from that of the claim by {coefficient}*{_power(e, k)}"
-            )
+            power = power_text(e, k)
+            why = f"the initial value differs from that of the claim by {coefficient}*{power}"
             witness = {**at, problem.time: exact_text(problem.start)}
             return Answer(Verdict.REFUTED, why, witness=witness, lemma=REGULAR)
     for residual in residuals(problem, curve):
-        found = _first_term(residual, e, terms, closed)
+        found = first_term(residual, e, terms, closed)
         if found is None:
             continue
         k, coefficient = found
-        if _nonzero_at(coefficient, closed) is None:
+        if nonzero_at(coefficient, closed) is None:
             raise OpenError("a coefficient of the residual is not shown to vanish")
         why = (
-            f"the residual of the equation is {coefficient}*{_power(e, k)} to leading order, so "
-            f"that the error is of order {_power(e, k)} for some {problem.time}"
+            f"the residual of the equation is {coefficient}*{power_text(e, k)} to leading order, "
+            f"so that the error is of order {power_text(e, k)} for some {problem.time}"
         )
         return Answer(Verdict.REFUTED, why, witness={}, lemma=REGULAR)
     why = (
         f"the initial values agree and the residual of the equation is of order "
-        f"{_power(e, terms)}, for each fixed {problem.time}"
+        f"{power_text(e, terms)}, for each fixed {problem.time}"
     )
     return Answer(Verdict.PROVED, why, lemma=REGULAR)
-
-
-def _first_term(gap: Expr, name: str, terms: int, given: Given) -> tuple[int, Expr] | None:
-    """Return the first Taylor coefficient in the small parameter that does not vanish identically.
-
-    None if all below ``terms`` do. The function must be analytic where the parameter is 0, and so
-    near every bounded part of the interval.
-
-    Raises:
-        OpenError: this is not shown.
-    """
-    missing = continuous_on(substitute(gap, {name: ZERO}), given, proof)
-    if missing is not None:
-        raise OpenError(f"{gap} is not shown to be smooth at {name} = 0: {missing}")
-    factorial = 1
-    for k in range(terms):
-        coefficient = tidied(substitute(gap, {name: ZERO}))
-        if not is_zero(coefficient, given):
-            return k, tidied(normal_form(coefficient, given) * number(fmpq(1, factorial)))
-        gap = differentiate(gap, name)
-        factorial *= k + 1
-    return None
 
 
 # Uniformly in the time
@@ -671,6 +541,17 @@ def _bounded(
         following = next_term(problem, curve, e, order, Given())
     except (InputError, ZeroDivisionError, ValueError):
         following = None
+    if following is not None:
+        t = symbol(problem.time)
+        later = Given(
+            ((t, ">=", ZERO), *(() if length is None else ((t, "<=", number(exact(length))),)))
+        )
+        more = {n: curve[n] + symbol(e) ** order * following[n] for n in curve}
+        try:
+            if not _pointwise(problem, more, later, path, order + 1):
+                following = None
+        except OpenError:
+            following = None
     v = None if following is None else polynomial(following[variable], problem.time)
     if v is not None and length is None and not is_bounded(v):
         return _secular(pointwise, problem, expression(v, problem.time), path, order, statement)
@@ -738,8 +619,8 @@ def _secular(
 ) -> Answer:
     """Return that no constant serves for all times, since the next coefficient is unbounded."""
     why = (
-        f"for each fixed {problem.time}, not uniformly: the next term, {_power(path.name, order)} "
-        f"times {following}, is unbounded"
+        f"for each fixed {problem.time}, not uniformly: the next term, "
+        f"{power_text(path.name, order)} times {following}, is unbounded"
     )
     if not statement.uniformly:
         return replace(pointwise, why=f"{pointwise.why}; {why}", uniform=False)

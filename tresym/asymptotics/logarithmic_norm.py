@@ -88,14 +88,14 @@ class Range(NamedTuple):
         """Return the conditions for the prover of inequalities."""
         e, t = symbol(self.name), symbol(self.time)
         ends = [
-            (e, relation, number(_exact(x)))
-            for relation, x in ((">=", self.low), ("<=", self.high))
+            (e, relation, number(exact(x))) for relation, x in ((">=", self.low), ("<=", self.high))
         ]
-        more = [] if self.length is None else [(t, "<=", number(_exact(self.length)))]
+        more = [] if self.length is None else [(t, "<=", number(exact(self.length)))]
         return (*ends, (e, "!=", ZERO), (t, ">=", ZERO), *more)
 
 
-def _exact(x: arb) -> fmpq:
+def exact(x: arb) -> fmpq:
+    """Return the midpoint of a ball."""
     man, exp = x.mid().man_exp()
     return fmpq(int(man)) * fmpq(2) ** int(exp)
 
@@ -174,7 +174,7 @@ def supremum(
         low = x if x.lower() > low.lower() else low
     low = arb(low.lower())
     high = arb(0)
-    for _ in range(REFINED if parts == PIECES else 3):
+    for _ in range(REFINED if parts == PIECES else 6):
         wide = []
         for a, b in pieces:
             x = abs(evaluate(e, {**box, time: a.union(b)}))
