@@ -253,6 +253,8 @@ def test_mutants_that_only_the_advocate_stops_are_told(monkeypatch: Patch, capsy
 
     true = Claim("true", equal(sin(x) ** 2, 1 - cos(x) ** 2), by())
     monkeypatch.setattr("tresym.ledger.paper.all_claims", lambda *_: (true,))
+    monkeypatch.setattr("tresym.ledger.verification.choose", lambda *_: (true,))
+    monkeypatch.setattr("tresym.dev.mutants.report.choose", lambda *_: (true,))
     report = verify_mutants(["true"], 3)
     assert not report.survivors
     assert report.stopped
