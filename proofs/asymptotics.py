@@ -551,7 +551,7 @@ newton_line = _improved(
     lambda m: m.pi,
     "0.0001",
     (pi_readings, newton_beyond_pi),
-    "It errs on the side of too small an ε₀ (`newton_side`).",
+    "The formula gives a value of ε₀ that is too small (`newton_side`).",
 )
 balanced_newton = _improved(
     "balanced_newton",
@@ -559,7 +559,7 @@ balanced_newton = _improved(
     lambda m: fmpq(4),
     "0.000004",
     (four_readings, newton_beyond_four),
-    "It errs on the same side.",
+    "This formula, too, gives a value of ε₀ that is too small.",
 )
 
 uniform_formulas = Claim(

@@ -143,7 +143,8 @@ table_units = Claim(
     where=line(295),
     expect=Verdict.REFUTED,
     amended_by=(unit_of_inertia,),
-    note="It is a unit of pressure; the numbers agree with those of the bibliography in kg mm².",
+    note="The printed unit is a unit of pressure; the numbers agree with those of the "
+    "bibliography in kg mm².",
     fault=Fault.MISPRINT,
 )
 

@@ -74,8 +74,8 @@ elimination_of_time = Claim(
     given=(dphi_dt > 0,),
     proof=Definition(),
     note=(
-        "These are only names for the quotients; "
-        "`rates_along_the_path` shows that they are derivatives along a motion."
+        "The new symbols are only names for the quotients; `rates_along_the_path` shows that "
+        "the quotients are derivatives along a motion."
     ),
 )
 

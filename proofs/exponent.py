@@ -62,7 +62,8 @@ sine_of_turn = Claim(
     says=equal(sin(_turn), sqrt(b / a) * sin(epsilon) ** 2 / (cos(epsilon) + _root)),
     given=(*shape, *defect),
     proof=by(inverses, roots, trigonometry),
-    note="Both arcsines are between 0 and π/2, so that their difference is the arcsine of this.",
+    note="Both arcsines are between 0 and π/2, so that their difference is the arcsine of the "
+    "right side.",
 )
 
 arctangent_above = Claim(says=x - atan(x) <= x**3 / 3, given=(x > 0,), proof=manifest)

@@ -118,7 +118,7 @@ near_intermediate_axis = Claim(
 d02 = Claim(
     **jointly(eq_Mi, near_intermediate_axis),
     where=display(2),
-    note="The same holds at ψ = π, with e₂ along M instead of against it.",
+    note="At ψ = π the same holds with e₂ along M instead of against it.",
 )
 
 _turn = Symbol("alpha", real=True)

@@ -287,8 +287,8 @@ G_is_smooth = Claim(
     where=line(367),
     expect=Verdict.REFUTED,
     amended_by=(defect_is_flat,),
-    note="Not for λ < 0, where ε₀ is not small. On λ ≥ 0, which is all that the argument needs, it "
-    "is: e^{−1/s} is flat from above.",
+    note="G is not smooth for λ < 0, where ε₀ is not small. On λ ≥ 0, which is all that the "
+    "argument needs, G is smooth: e^{−1/s} is flat from above.",
 )
 
 G_u_value, G_u_at_origin = _at_origin(

@@ -171,7 +171,8 @@ up_and_down = Claim(
     ),
     given=(equal(a, 10), equal(b, Rational(1, 2))),
     proof=Evaluated((one_time,)),
-    note="It takes the value ε(−19/60) at least twice more, once above −3/20 and once below −7/15.",
+    note="ε(γ) takes the value ε(−19/60) at least twice more, once above −3/20 and once below "
+    "−7/15.",
 )
 
 always_decreasing = Claim(
@@ -182,8 +183,8 @@ always_decreasing = Claim(
     expect=Verdict.REFUTED,
     amended_by=(decrease_in_gamma, decrease_of_bodies, up_and_down),
     note=(
-        "It increases at every level with χ = 3π/2, 7π/2, …: the "
-        "formula is dε/dγ at the first of them."
+        "ε(γ) increases at every level with χ = 3π/2, 7π/2, …: the formula is dε/dγ at the "
+        "first of these levels."
     ),
 )
 

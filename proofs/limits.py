@@ -77,8 +77,8 @@ dominant_exponential = Claim(
 implicit_solution = Claim(
     **jointly(G_at_origin, G_u_at_origin, defect_is_flat),
     where=line(368),
-    note="Not for λ < 0, where e^{−1/s} is not flat. With |λ| for λ the equation is smooth on both "
-    "sides.",
+    note="The theorem does not apply for λ < 0, where e^{−1/s} is not flat. With |λ| in place "
+    "of λ the equation is smooth on both sides.",
     quotes=(IMPLICIT_FUNCTION,),
 )
 
@@ -113,8 +113,8 @@ slope_is_variation = Claim(
     **jointly(eq_depsdgamma_form, bend_carries),
     where=line(222),
     note=(
-        "It is the derivative of ε at γ = 0; the range in which the "
-        "linear formula is accurate is shown for the standard racket."
+        "The slope is the derivative of ε at γ = 0; the range in which the linear formula is "
+        "accurate is shown for the standard racket."
     ),
 )
 

@@ -67,7 +67,7 @@ two_first_integrals = Claim(
     ),
     given=ordered_moments,
     proof=follows(Conservation(), Conservation()),
-    note="They are E and M² by `eq_first_int`.",
+    note="The two constants are E and M², by `eq_first_int`.",
     where=display(5),
 )
 

@@ -295,7 +295,8 @@ larger_ab_smaller_eps0 = Claim(
     proof=Counterexample(_shapes("1", "3/10", "10", "31/1000"), (defect_is_one,)),
     where=line(251),
     amended_by=(monotonicity,),
-    note="True at fixed a and at fixed b. Both shapes are those of bodies.",
+    note="The statement is true at fixed a and at fixed b. Both shapes of the counterexample "
+    "are those of rigid bodies.",
 )
 
 formula_shows_larger_ab = Claim(
@@ -306,7 +307,8 @@ formula_shows_larger_ab = Claim(
     proof=Counterexample(_shapes("1", "3/10", "10", "31/1000")),
     where=line(251),
     amended_by=(monotonicity,),
-    note="True at fixed a and at fixed b. Both shapes are those of bodies.",
+    note="The statement is true at fixed a and at fixed b. Both shapes of the counterexample "
+    "are those of rigid bodies.",
 )
 
 robustness_at_fixed_b = Claim(
@@ -468,7 +470,7 @@ slow_on_separatrix = Claim(
     proof=Counterexample({"psi": fmpq(3, 2)}),
     where=line(284),
     amended_by=(rate_at_the_top,),
-    note="It is slow only near the unstable points.",
+    note="The motion is slow only near the unstable points.",
 )
 
 separatrix_curve = Claim(
@@ -536,7 +538,7 @@ flip_of_no_flip = number(
     inputs(a=1, b=Rational(1, 100)),
     *(flip_defect, one_flip_defect),
     where=line(318),
-    note="So the effect needs constraints on the moments, as the conclusion says.",
+    note="Hence the effect needs constraints on the moments, as the conclusion of the paper says.",
 )
 
 label_claims(globals())

@@ -47,7 +47,7 @@ level_is_small = Claim(
 near_separatrix = Claim(
     **jointly(level_of_a_start, level_is_small),
     where=line(164),
-    note="Such starts are those from which the racket flips (`two_rectangles`).",
+    note="The starts near the separatrix are those from which the racket flips (`two_rectangles`).",
 )
 
 separatrix_is_followed = Claim(

@@ -385,7 +385,7 @@ d31 = Claim(
     where=display(31),
     expect=Verdict.REFUTED,
     amended_by=(eq_epsilon_gen,),
-    note="This is the tangent, not the curve.",
+    note="The formula is that of the tangent at γ = 0, not of the curve ε(γ).",
     paper_says="“the idea is to express the angle ε close to γ = 0 as the sum of two terms.” Read "
     "as: up to O(γ²), as it is printed elsewhere.",
 )
@@ -432,7 +432,8 @@ bend_carries = Claim(
     means=Tuple(_beside_linear("0.03") < pi, _beside_linear("-0.03") > pi),
     given=(*standard_racket, gamma >= Rational(-1, 500), gamma <= Rational(1, 500)),
     proof=Evaluated((flip_defect,), certificate("bend_carries")),
-    note="This is 60 % of the way to −4bε₀², where the formula leaves the admissible range.",
+    note="The range reaches 60 % of the way to −4bε₀², where the formula leaves the admissible "
+    "range.",
 )
 
 curve_within = Claim(
@@ -482,7 +483,8 @@ remark1_speed = Claim(
     says="For fixed a and b, ε tends to ε₀ with γ at the speed −1/(4bε₀).",
     where=line(243),
     amended_by=(eq_epsilon_gen, slope_leading_term),
-    note="It does tend to ε₀, but at the rate dε/dγ, of which this is the leading term.",
+    note="ε does tend to ε₀, but at the rate dε/dγ; the printed speed is the leading term of "
+    "this rate.",
     fault=Fault.THEOREM,
     **printed_speed,
 )

@@ -92,7 +92,8 @@ positive_only_if = Claim(
     proof=Counterexample({"b": fmpq(1, 2), "a": fmpq(1), "gamma": fmpq(-1, 8), "psi": fmpq(1)}),
     where=line(160),
     amended_by=(positive_beyond,),
-    note="There it vanishes; it is positive where sin²ψ > |γ|/b. The extreme values are correct.",
+    note="At the printed extreme values of ψ the argument of the root vanishes; it is positive "
+    "where sin²ψ > |γ|/b. The extreme values are correct.",
     fault=Fault.MISPRINT,
 )
 
@@ -113,7 +114,7 @@ flip_between = Claim(
 eq_borne_psi = Claim(
     **jointly(flip_bounds, flip_between, tilt_by_flip, turning_points),
     where=display(14),
-    note="One with −π < ψ < 0 stays between −ψ_max and −ψ_min.",
+    note="An oscillating motion with −π < ψ < 0 stays between −ψ_max and −ψ_min.",
     quotes=(MOTION,),
 )
 
@@ -127,7 +128,8 @@ each_oscillating_trajectory = Claim(
     proof=Counterexample({"b": fmpq(1, 2), "a": fmpq(1), "gamma": fmpq(-1, 8), "psi": fmpq(-3, 2)}),
     where=line(160),
     amended_by=(eq_borne_psi,),
-    note="True of ψ or of −ψ: the other half of the motions are mirror images.",
+    note="The bounds hold for ψ or for −ψ: one half of the oscillating motions are mirror "
+    "images of the other half.",
 )
 
 eigenvalue = Symbol("eigenvalue", real=True)

@@ -30,7 +30,8 @@ planar_constraint = Claim(
     given=ordered_moments,
     proof=by(multiplying(-I2 / (I3 * (I1 + I2))), adding(Integer(1)), substituting(d08)),
     where=line(45),
-    note="These are the planar bodies; their shapes form a one-parameter family.",
+    note="Bodies with I₃ = I₁ + I₂ are the planar bodies; their shapes form a one-parameter "
+    "family.",
 )
 
 _below_root = (
@@ -76,7 +77,8 @@ coincide_large_class = Claim(
 variety_of_bodies = Claim(
     **jointly(str_realizable, flip_str_exact, ethylene, ethylene_flip_exact, tre_if_eps0_small),
     where=line(38),
-    note="Both can exist. The other rackets of Table 1 cannot, by their printed moments.",
+    note="The standard racket and ethylene can exist. The other rackets of Table 1 cannot, by "
+    "their printed moments.",
 )
 
 some_bodies = Claim(

@@ -147,7 +147,7 @@ tilt_near_flip = Claim(
 delta_theta_zero = Claim(
     **jointly(tilt_by_flip, tilt_after_flip, tilt_near_flip),
     where=line(78),
-    note="This uses the energy: at given γ, cos²θ is a function of sin²ψ.",
+    note="The proof uses the energy: at given γ, cos²θ is a function of sin²ψ.",
 )
 
 _end = Symbol("theta_f", real=True)
@@ -164,7 +164,8 @@ components_are_sufficient = Claim(
     proof=Counterexample({"M": fmpq(1), "theta": fmpq(3, 2), "theta_f": fmpq(3, 4)}),
     where=line(102),
     amended_by=(delta_theta_zero,),
-    note="They give the length M for all angles; the conclusion also needs the energy.",
+    note="The three components give the length M for all angles; the conclusion Δθ = 0 also "
+    "needs the energy.",
 )
 
 _momentum = printed.momentum(theta, psi, M, sympy)

@@ -219,7 +219,7 @@ defect_is_one = Claim(
         ),
         at_high=(step(tanh(sqrt(a * b) * pi), exponentials, roots, trigonometry, inverses),),
     ),
-    note="This is the stable equation, solved for tanh T.",
+    note="The equation is the stable equation, solved for tanh T.",
 )
 
 tangent_form = Claim(

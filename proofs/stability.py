@@ -180,9 +180,8 @@ any_rigid_body_is_unstable = Claim(
     where=line(49),
     amended_by=(stable_e1, stable_e3, unstable_e2, sphere_at_rest),
     note=(
-        "True if the three moments are different: the formula is the "
-        "square of the eigenvalue. A body with three equal moments "
-        "rotates uniformly about any axis."
+        "The statement is true if the three moments are different: the formula is the square "
+        "of the eigenvalue. A body with three equal moments rotates uniformly about any axis."
     ),
 )
 
@@ -262,7 +261,7 @@ only_about_the_handle = Claim(
     ),
     where=line(103),
     amended_by=(transverse_velocity,),
-    note="True at p₊; around it Ω₂ and Ω₃ are small, not zero.",
+    note="The statement is true at p₊; near p₊ the components Ω₂ and Ω₃ are small, but not zero.",
 )
 
 label_claims(globals())

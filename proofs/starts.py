@@ -144,7 +144,8 @@ far_from_separatrix = Claim(
         flip_between,
     ),
     where=line(272),
-    note="Both are near the 10⁻² of the paper, which says approximately; b sin²(π/12) is 0.00422.",
+    note="Both limits are near the 10⁻² of the paper, which says “approximately”; b sin²(π/12) "
+    "is 0.00422.",
 )
 
 no_tre_far = Claim(

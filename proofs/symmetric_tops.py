@@ -69,8 +69,8 @@ one_circle_e1 = Claim(
     where=line(112),
     amended_by=(depth_b_zero, circle_e1),
     note=(
-        "They intersect in two circles, M₁ = ±M√(γ/a), and a "
-        "solution stays on one of them; on the separatrix the two coincide."
+        "The two surfaces intersect in two circles, M₁ = ±M√(γ/a), and a solution stays on "
+        "one of them; on the separatrix the two circles coincide."
     ),
 )
 

@@ -36,7 +36,7 @@ class Point(NamedTuple):
     Attributes:
         method: the name of the method.
         asked: the digits asked for; None for double precision.
-        digits: the true digits of the answer, at most those asked for by a factor of 1.
+        digits: the correct digits of the answer, at most the number asked for.
         seconds: processor time.
         certified: whether the method proves its digits.
     """

@@ -200,7 +200,7 @@ def _attack_dots(comparison: Comparison, statement: Statement) -> str | None:
 
 
 def with_orders(e: Expr, put: Mapping[str, Expr]) -> Expr:
-    """Return ``e`` with ``put`` substituted and derivatives of fixed order carried out."""
+    """Return ``e`` after substituting ``put`` and carrying out derivatives of fixed order."""
     e = substitute(e, put)
     known = {}
     for node in outermost(e):

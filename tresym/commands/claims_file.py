@@ -46,7 +46,7 @@ def is_file_of_claims(words: Sequence[str]) -> bool:
 
 
 def opened(path: str) -> OwnPaper:
-    """Read a file of claims, and print a line on standard error for each line of it not read.
+    """Read a file of claims, and report each line that cannot be read on standard error.
 
     Raises:
         InputError: there is no such file.

@@ -488,7 +488,7 @@ class _Steps(Bases):
                 return
 
     def jumps(self, e: Expr, u: Expr) -> None:
-        """Split by the sign of a factor, if a similar angle exists for one sign."""
+        """Distinguish the signs of a factor, if for one of them an angle like ``e`` is known."""
         for f, _ in self.quotients.factors(u)[1]:
             if self.sign(f) is None:
                 above = copy(self)

@@ -174,7 +174,7 @@ def _need_conditions(claim: PaperClaim, values: Mapping[str, Expr]) -> None:
 
 
 def chart_points(claim: PaperClaim, drawn: Drawn, tables: tuple[Drawn, ...]) -> Drawn:
-    """Return a chart with points: its own, or those of a table of the claim, or along the path.
+    """Return a chart with its points: as given, from a table of the same claim, or along the path.
 
     Raises:
         InputError: the claim has no path, and neither the chart nor a table states points.

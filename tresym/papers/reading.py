@@ -423,8 +423,8 @@ class _Reader:
             self._claim(line, match[1], match[2])
         elif unlabelled := _UNLABELLED.search(_QUOTED.sub("", text)):
             raise InputError(
-                f"'{unlabelled[0]}' stands in a line without a label: write a claim as "
-                f"label: {text[:60]}, and prose with such a sign as > {text[:20]} …"
+                f"the line contains '{unlabelled[0]}' but has no label: write a claim as "
+                f"label: {text[:60]}; begin a line of prose with >, as in > {text[:20]} …"
             )
         elif _is_comparison(text):
             raise InputError(
@@ -555,7 +555,9 @@ class _Reader:
         uses = tuple(filter(None, re.split(r"[,\s]+", clauses.get("using", ""))))
         for used in uses:
             if used not in self.claims:
-                raise InputError(f"'{used}' labels no claim above{_near(used, self.claims)}")
+                raise InputError(
+                    f"no claim above this line is labelled '{used}'{_near(used, self.claims)}"
+                )
         source, expect = clauses.get("quoted from", ""), clauses.get("expect", "")
         if expect.lower() not in ("", "refuted"):
             raise InputError(f"'{expect}': only 'expect refuted' can be expected of a claim")

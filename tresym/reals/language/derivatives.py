@@ -33,8 +33,9 @@ def differentiate(e: Expr, name: str) -> Expr:
 
     Formal means that ``log u`` gives ``u'/u`` and ``atanh u`` gives ``u'/(1 − u²)`` whatever the
     sign, so that the derivative may have a larger domain than ``e``. The derivative of an integral,
-    a derivative or a limit is a node, since nothing here proves that it exists. That of a root is
-    the one of the implicit function theorem, which has no value where the slope vanishes.
+    a derivative or a limit stays a node of the tree, since nothing here proves that this derivative
+    exists. A root is differentiated by the implicit function theorem; the result has no value where
+    the slope vanishes.
 
     Raises:
         InputError: ``e`` contains an order such as O(x), which is not a function.

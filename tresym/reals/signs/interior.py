@@ -110,7 +110,7 @@ def jumps(expressions: Iterable[Expr], given: Given) -> list[Expr]:
 
 
 def _vanishes_beside(node: Expr, factors: tuple[Expr, ...]) -> bool:
-    """Return whether a factor is continuous and vanishes where the argument of the node does."""
+    """Return whether some factor is continuous and is 0 wherever the node's argument is 0."""
     known = {node.args[0]: ZERO, -node.args[0]: ZERO}
     return any(
         Parts(Given()).sign(rest) == "0" and not jumps((factor,), Given())

@@ -141,7 +141,7 @@ def _logarithm(e: Expr) -> Expr:
 
 
 def _cleared(difference: Expr, region: Given) -> Expr | None:
-    """Return the factors of unknown sign, times the sign of the others; None if it is not found."""
+    """Return the product of the factors of unknown sign, with the sign of the others, or None."""
     try:
         field = Field(region)
         (value,) = field.normal(difference)

@@ -5,7 +5,7 @@ A function is enclosed, at once for all t ≥ T, by a finite sum
     f(t) = B₁ m₁(t) + … + Bₙ mₙ(t),    m = exp(c₁ t^r₁ + …) · t^p · (log t)^q,
 
 where the scales m are ordered by growth and the coefficients are balls: B(t) ∈ B for every t ≥ T.
-Sums, products, powers, logarithms and exponentials of such sums are such sums again. A ratio of
+Sums, products, powers, logarithms and exponentials of f(t) have the same form. A ratio of
 scales that decreases from T on lies between 0 and its value at T, so small terms are folded into
 larger ones. An analytic function of c + v(t), where v tends to 0, is its Taylor polynomial at c
 with Lagrange's remainder over the range of v. Coefficients that are rational stay exact, so that a

@@ -168,7 +168,7 @@ def _times_exponential(term: Expr, g: Expr) -> Expr:
 def _growth(
     body: Expr, name: str, outer: InBalls, at_zero: bool = False, disc: bool = False
 ) -> tuple[Growth, Sum]:
-    """Return the growth of a body, from the first T from which it is found."""
+    """Return how an integrand grows, with the first T from which the description holds."""
     for start in STARTS:
         growth = Growth(name, start, outer.value, at_zero, disc, vanishes=_vanishes)
         try:
