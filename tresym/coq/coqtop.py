@@ -18,6 +18,7 @@ from pathlib import Path
 from shutil import rmtree
 
 from tresym.checking.cache_folder import cache_folder
+from tresym.reals.resource_limits import processor_time
 
 SENTENCE_SECONDS = 4
 TEXT_SECONDS = 20.0
@@ -182,12 +183,9 @@ class Dialogue:
 
 
 def _worked(process: int) -> float:
-    """Return the CPU seconds that a process has used; wall time where /proc is missing."""
-    try:
-        fields = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()
-    except OSError:
-        return time.monotonic()
-    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+    """Return the CPU seconds that a process has used; wall time where that cannot be asked for."""
+    worked = processor_time(process)
+    return time.monotonic() if worked is None else worked
 
 
 def accepted(texts: Sequence[str]) -> list[bool]:

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import json
 import re
-import signal
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
@@ -39,6 +38,7 @@ from tresym.ledger.claim import Claim
 from tresym.ledger.conversion import known
 from tresym.reals.language.expression import number, symbols
 from tresym.reals.numbers.exact import InputError
+from tresym.reals.resource_limits import TimeUp, time_limit
 
 _AND = " /\\ "
 _LEMMA = re.compile(r"Theorem \w+ :\n(.*?)\.\nProof\.\n(.*?)\nQed\.", re.DOTALL)
@@ -262,31 +262,17 @@ def _first_accepted(body: str, scripts: Iterable[str], memory: Memory) -> dict[s
     return {}
 
 
-class _LateError(BaseException):
-    """Writing a proof took too long; not an Exception, so that no handler of errors catches it."""
-
-
 def _found_soon(proofs: Iterator[str]) -> Iterator[str]:
     """Yield proofs as long as writing each takes only little CPU time."""
-
-    def late(*_: object) -> None:
-        raise _LateError
-
-    before = signal.signal(signal.SIGVTALRM, late)
-    try:
-        while True:
-            signal.setitimer(signal.ITIMER_VIRTUAL, WRITING_SECONDS)
-            try:
+    while True:
+        try:
+            with time_limit(WRITING_SECONDS):
                 proof = next(proofs, None)
-            except _LateError:
-                return
-            finally:
-                signal.setitimer(signal.ITIMER_VIRTUAL, 0)
-            if proof is None:
-                return
-            yield proof
-    finally:
-        signal.signal(signal.SIGVTALRM, before)
+        except TimeUp:
+            return
+        if proof is None:
+            return
+        yield proof
 
 
 def _trial(claim: Claim, whole: Exported, plan: Plan) -> str | None:

@@ -18,7 +18,7 @@ from multiprocessing.process import BaseProcess
 from typing import Any, NamedTuple
 
 from tresym.reals.numbers.exact import whole_number
-from tresym.reals.resource_limits import BOARD_SIZE, show_stages_on
+from tresym.reals.resource_limits import BOARD_SIZE, processor_time, show_stages_on
 
 DEATHS = 3
 """The number of processes that may die during one call before it fails."""
@@ -94,11 +94,7 @@ class _Child(NamedTuple):
 
     def worked(self) -> float | None:
         """Return the processor time of the process, or None where that cannot be asked for."""
-        pid = self.process.pid or 0
-        try:
-            return time.clock_gettime(~pid << 3 | 2)  # as clock_getcpuclockid of Linux does
-        except OSError:
-            return None
+        return processor_time(self.process.pid or 0)
 
     @property
     def stage(self) -> str:

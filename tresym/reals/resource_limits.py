@@ -1,7 +1,10 @@
 """Limit processor time and garbage collection, and name the stage at which a limit was reached.
 
-The limit on time uses a timer signal of the operating system. It counts the processor time of this
-process, so that an answer does not depend on what else the machine does.
+All limits on time count processor time, so that an answer does not depend on what else the machine
+does, and there are two kinds. :func:`time_limit` raises an exception in this process, in which one
+method may give up and another go on. :class:`tresym.reals.processes.Processes` ends a process, also
+in the middle of a call of FLINT; what it was to decide stays undecided, and is not stored. Both use
+timer signals of the operating system.
 """
 
 from __future__ import annotations
@@ -9,6 +12,7 @@ from __future__ import annotations
 import gc
 import signal
 import threading
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from mmap import mmap
@@ -21,6 +25,14 @@ class TimeUp(BaseException):
     """Raised at the time limit. It is not an ``Exception``, so that a method cannot catch it by
     mistake.
     """
+
+
+def processor_time(process: int) -> float | None:
+    """Return the seconds for which a process has worked, or None where that cannot be asked for."""
+    try:
+        return time.clock_gettime(~process << 3 | 2)  # as clock_getcpuclockid of Linux does
+    except (AttributeError, OSError):
+        return None
 
 
 SOON = 0.01
