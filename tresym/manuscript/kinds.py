@@ -429,7 +429,7 @@ def _spoken_of(
     spoken = prose.INLINE.sub(" ", words)
     if match := OF_BARS.search(spoken):
         for one in found:
-            between = tokens[one.start - 1 : one.start] + tokens[one.end : one.end + 1]
+            between = *tokens[one.start - 1 : one.start], *tokens[one.end : one.end + 1]
             if one.letter[0].isupper() and len(between) == 2 and all("|" in t for t in between):
                 yield one, UNKNOWN, match[0]
     for pattern, letter in SPEAKERS:
