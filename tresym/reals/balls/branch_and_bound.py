@@ -177,17 +177,17 @@ def decide_bound(
     Raises:
         CertificateError: ``stored``, or the result of the search, does not pass the check.
     """
-    found = stored or _found(bound, budget)
-    if isinstance(found, BoxProof):
-        recheck(bound, found)
-    elif isinstance(found, Counterexample):
+    outcome = stored or _found(bound, budget)
+    if isinstance(outcome, BoxProof):
+        recheck(bound, outcome)
+    elif isinstance(outcome, Counterexample):
         with ball_precision(bound.precision):
-            inside = all(s.holds(x) for s, x in zip(bound.box, found.point, strict=True))
-            if not (inside and value_at(bound.margin, found.point) < 0):
+            inside = all(s.holds(x) for s, x in zip(bound.box, outcome.point, strict=True))
+            if not (inside and value_at(bound.margin, outcome.point) < 0):
                 raise CertificateError(
                     "the margin is not negative at the counterexample that was found"
                 )
-    return found
+    return outcome
 
 
 def _found(bound: Bound, budget: int) -> BoxProof | Counterexample | Open:

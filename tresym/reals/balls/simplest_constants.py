@@ -42,7 +42,7 @@ def candidates(worst: Interval, known: Sequence[Expr] = ()) -> Iterator[Expr]:
     for wider in (1, 2**12, 2**24):
         gap = wider * (worst.width or fmpq(1, 2**40))
         about = Interval(worst.low - gap, worst.high + gap)
-        found = [number(about.simplest())]
+        constants = [number(about.simplest())]
         with ball_precision():
             for there, back in _KINDS:
                 low = rational_ends(there(arb(about.low))).low
@@ -51,8 +51,8 @@ def candidates(worst: Interval, known: Sequence[Expr] = ()) -> Iterator[Expr]:
                     continue
                 r = Interval(low, high).simplest()
                 if r != 0 and max(abs(r.p), r.q) < LARGEST_DENOMINATOR:
-                    found.append(back(number(r)))
-        for point in found:
+                    constants.append(back(number(r)))
+        for point in constants:
             if point not in seen:
                 seen.add(point)
                 yield point

@@ -39,8 +39,8 @@ class InSeries(Walker):
             return self._number(arb.pi())
         if e.op == "atan2":
             return self.value(off_the_cut(e))
-        found: arb_series = super()._computed(e)
-        return found
+        series: arb_series = super()._computed(e)
+        return series
 
     def _power(self, base: Expr, exponent: Expr) -> arb_series:
         x = self.value(base)
@@ -54,8 +54,8 @@ class InSeries(Walker):
             return x * side if name == "abs" else side * ((x * side).log() / 3).exp()
         row = TABLE[name]
         if row.series is not None:
-            found: arb_series = row.series(*values)
-            return found
+            series: arb_series = row.series(*values)
+            return series
         if row.quotient is None:
             raise ZeroDivisionError(f"{name} is not smooth")
         above, below = row.quotient
@@ -88,8 +88,8 @@ class SeriesSteps:
             values[k] = self._walker._number(arb.pi() if leaf.op == "pi" else leaf.args[0])
         for operation, places, k in self._steps:
             values[k] = operation(*(values[n] for n in places))
-        found: arb_series = values[self._end]
-        return found
+        series: arb_series = values[self._end]
+        return series
 
     def _place(self, e: Expr) -> int:
         """Return the place of the value of ``e``, which is computed in a step if it is new."""

@@ -136,8 +136,8 @@ class Part:
     def __call__(self, *args: Any) -> Any:
         """Return the value, or a record of this step."""
         *numbers, m = args
-        found = self.formula(*numbers, m)
-        return Traced(self, (found, *numbers)) if m is tracing else found
+        value = self.formula(*numbers, m)
+        return Traced(self, (value, *numbers)) if m is tracing else value
 
 
 @dataclass(frozen=True)
@@ -180,8 +180,8 @@ class Program:
                     known[x] = _done(op, tuple(map(at, operands)), trees, special)
             return known[x]
 
-        found: Expr = at((True, self.end))
-        return found
+        tree: Expr = at((True, self.end))
+        return tree
 
     def run(self, numbers: Sequence[Any], m: Any, special: Callable[..., Any]) -> Any:
         """Return the value in an arithmetic, with ``special`` for the named steps."""
@@ -214,8 +214,8 @@ def _function(m: Any, name: str) -> Callable[[Any], Any]:
         return lambda x: trees.exp(x) - 1
     if m is trees and name == "log1p":
         return lambda x: trees.log(1 + x)
-    found: Callable[[Any], Any] = getattr(m, name)
-    return found
+    function: Callable[[Any], Any] = getattr(m, name)
+    return function
 
 
 @lru_cache(maxsize=4096)

@@ -29,7 +29,7 @@ def suggested(f: Expr, name: str, positive: frozenset[str]) -> list[Expr]:
     import sympy
     from sympy.integrals.manualintegrate import manualintegrate
 
-    found: list[Expr] = []
+    candidates: list[Expr] = []
     values = {
         s: sympy.Symbol(s, real=True, positive=True if s in positive else None) for s in symbols(f)
     }
@@ -54,10 +54,10 @@ def suggested(f: Expr, name: str, positive: frozenset[str]) -> list[Expr]:
                 tree = from_sympy(candidate.replace(sympy.floor, lambda _: sympy.Integer(0)))
             except (InputError, RecursionError):
                 continue
-            found += [e for e in (tree, _real_logarithms(tree)) if e not in found]
-        if found:
+            candidates += [e for e in (tree, _real_logarithms(tree)) if e not in candidates]
+        if candidates:
             break
-    return found[:MOST]
+    return candidates[:MOST]
 
 
 def summed(kind: str, f: Expr, name: str, low: Expr, high: Expr) -> list[Expr]:

@@ -82,11 +82,11 @@ def _stated(written: Written, text: str) -> Statement:
     integers = tuple(dict.fromkeys(str(link[0]) for link in said if link[1] == "in"))
     if len(parts) == 1 and any(side.op == "limit" for side in parts[0][::2]):
         comparison, path = limit_of(*parts[0], path)
-        found: tuple[Comparison, ...] = (comparison,)
+        comparisons: tuple[Comparison, ...] = (comparison,)
     else:
-        found = tuple(comparison_of(*part) for part in parts)
-    _need_apart(found, said)
-    return Statement(found, given, path, text, str(written), equations, integers, uniformly)
+        comparisons = tuple(comparison_of(*part) for part in parts)
+    _need_apart(comparisons, said)
+    return Statement(comparisons, given, path, text, str(written), equations, integers, uniformly)
 
 
 def _need_apart(comparisons: Iterable[Comparison], said: Iterable[Compared]) -> None:

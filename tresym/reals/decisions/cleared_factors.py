@@ -52,10 +52,10 @@ def cleared(difference: Expr, region: Given, positive: Callable[[Expr], bool]) -
     Returns:
         None if there is nothing to divide out, or if a denominator has no proven sign.
     """
-    found = _common_factors_with_roots(with_split_roots(difference, region))
-    if found is None:
+    common = _common_factors_with_roots(with_split_roots(difference, region))
+    if common is None:
         return None
-    (*shared, rest), below = found
+    (*shared, rest), below = common
     if not shared and not any(symbols(factor) for factor in below):
         return None
     side = 1
@@ -78,11 +78,11 @@ def _common_factors_with_roots(e: Expr) -> tuple[list[Expr], list[Expr]] | None:
     marks = {name: symbol(f"√{name}") for name in roots}
     put = {name: mark**2 for name, mark in marks.items()}
     plain = substitute(replaced(e, {roots[name]: mark for name, mark in marks.items()}), put)
-    found = common_factors(plain)
-    if found is None:
+    common = common_factors(plain)
+    if common is None:
         return None
     back = {str(mark.args[0]): roots[name] for name, mark in marks.items()}
-    above, below = ([_with_powers(x, back) for x in part] for part in found)
+    above, below = ([_with_powers(x, back) for x in part] for part in common)
     return above, below
 
 
@@ -116,10 +116,10 @@ def with_split_roots(e: Expr, given: Given) -> Expr:
     """
     if e.op in LEAVES or e.names:
         return e
-    found = rebuild(e, tuple(with_split_roots(arg, given) for arg in e.args))
-    if found.op != "^" or found.args[1].op != "number" or found.args[1].args[0].q != 2:
-        return found
-    factors = common_factors(found.args[0])
+    split = rebuild(e, tuple(with_split_roots(arg, given) for arg in e.args))
+    if split.op != "^" or split.args[1].op != "number" or split.args[1].args[0].q != 2:
+        return split
+    factors = common_factors(split.args[0])
     root = ONE
     for side, part in zip((1, -1), factors or (), strict=False):
         for factor in part:
@@ -128,10 +128,10 @@ def with_split_roots(e: Expr, given: Given) -> Expr:
             times = int(n.args[0]) if whole else 1
             base = base if whole else factor
             if (side < 0 or times > 1) and sign(base, given) != "+":
-                return found
+                return split
             odd = sqrt(base) if times % 2 and base != ONE else ONE
             root = root * power(base ** (times // 2) * odd, number(side))
-    return power(root, number(2 * found.args[1].args[0])) if factors else found
+    return power(root, number(2 * split.args[1].args[0])) if factors else split
 
 
 def is_singular(difference: Expr, region: Given) -> bool:

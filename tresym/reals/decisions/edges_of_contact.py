@@ -65,14 +65,14 @@ def edges_of_contact(
         box: the sides.
         given: conditions under which coefficients may be shown to vanish.
     """
-    found = []
+    edges = []
     for axis, (name, where) in enumerate(zip(names, box, strict=True)):
         others = Given(tuple(c for c in given.comparisons if name not in symbols(c[0] - c[2])))
         for side, end in ((1, where.low), (-1, where.high)):
             power = _seen(difference, names, box, axis, end)
             if power and _vanish(difference, name, end, power, others):
-                found.append(Edge(axis, end, side, power))
-    return found
+                edges.append(Edge(axis, end, side, power))
+    return edges
 
 
 def _seen(
@@ -115,10 +115,10 @@ def _series(steps: SeriesSteps, point: Sequence[arb], axis: int, cap: int) -> li
     ctx.cap = cap
     try:
         at = [arb_series([x, 1] if n == axis else [x], cap) for n, x in enumerate(point)]
-        found = steps.value(at)
-        if found.prec < cap:
+        value = steps.value(at)
+        if value.prec < cap:
             return None
-        coefficients = [found[j] for j in range(cap)]
+        coefficients = [value[j] for j in range(cap)]
         return coefficients if all(c.is_finite() for c in coefficients) else None
     except (ValueError, ZeroDivisionError, UndefinedError):
         return None

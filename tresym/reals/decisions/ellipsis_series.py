@@ -84,8 +84,8 @@ def decide_dotted(claim: Comparison, statement: Statement, decided: Decide) -> A
     if solution is None:
         return Answer(_OPEN, "the equation could not be solved for the sum with dots")
     side, slope = solution
-    found = _dotted(node, side, statement)
-    return also_at_zeros(found, [slope], claim, statement, decided, node) if found else found
+    answer = _dotted(node, side, statement)
+    return also_at_zeros(answer, [slope], claim, statement, decided, node) if answer else answer
 
 
 def _dotted(node: Expr, side: Expr, statement: Statement) -> Answer:
@@ -114,10 +114,10 @@ def _dotted(node: Expr, side: Expr, statement: Statement) -> Answer:
         for x in sorted(symbols(u)):
             fixed = without(x, given)
             for moved in functions_of(rest, u, x, y, given):
-                found = _decided(moved, y, u, powers, given, fixed)
-                if found.verdict is not _OPEN:
-                    return found
-                why = found.why
+                answer = _decided(moved, y, u, powers, given, fixed)
+                if answer.verdict is not _OPEN:
+                    return answer
+                why = answer.why
     return Answer(_OPEN, why)
 
 
@@ -131,11 +131,11 @@ def _first_of(series: Expr, terms: Expr, given: Given) -> Answer:
             if term is None:
                 break
             first = first + term
-            found = decide(first, terms, given)
-            if n and found.verdict is Verdict.PROVED:
+            answer = decide(first, terms, given)
+            if n and answer.verdict is Verdict.PROVED:
                 why = (
                     f"the terms before the dots are the first {n + 1} terms of "
-                    f"the series: {found.why}"
+                    f"the series: {answer.why}"
                 )
                 return Answer(Verdict.PROVED, why)
     return Answer(
@@ -179,7 +179,7 @@ def _factors_with_exponents(e: Expr, times: int) -> Iterator[tuple[Expr, int]]:
 
 def _powers(terms: list[Expr], u: Expr) -> dict[int, Expr] | None:
     """Return the coefficients of the terms by their power of ``u``; None if not increasing."""
-    found: dict[int, Expr] = {}
+    coefficients: dict[int, Expr] = {}
     rising: list[int] = []
     if u.op == "+":  # x - 1 is a power of it, as a sum
         lone = [t for t in terms if t.op == "number" or _power(t, u) is None]
@@ -190,11 +190,11 @@ def _powers(terms: list[Expr], u: Expr) -> dict[int, Expr] | None:
         if power is None:
             return None
         m, c = power
-        if m in found or (term.op != "number" and any(k >= m for k in rising)):
+        if m in coefficients or (term.op != "number" and any(k >= m for k in rising)):
             return None
         rising += [] if term.op == "number" else [m]
-        found[m] = c
-    return found if len(found) > 1 and rising[-1] > 0 else None
+        coefficients[m] = c
+    return coefficients if len(coefficients) > 1 and rising[-1] > 0 else None
 
 
 def _power(term: Expr, u: Expr) -> tuple[int, Expr] | None:
@@ -221,11 +221,11 @@ def _decided(
         coefficients = _by_derivatives(f, y, last)
     for m in range(min(*powers, *coefficients), last + 1):
         one, other = coefficients.get(m, ZERO), powers.get(m, ZERO)
-        found = decide(one, other, fixed)
-        if found.verdict is Verdict.REFUTED and germ is not None and _is_near(u, given):
+        answer = decide(one, other, fixed)
+        if answer.verdict is Verdict.REFUTED and germ is not None and _is_near(u, given):
             why = f"the coefficient of order {m} in {u} is {one}, not {other}"
             return Answer(Verdict.REFUTED, why, witness={f"coefficient of {u}**{m}": str(one)})
-        if found.verdict is not Verdict.PROVED:
+        if answer.verdict is not Verdict.PROVED:
             return Answer(
                 _OPEN, f"the coefficient of order {m} in {u} could not be shown to be {other}"
             )
@@ -253,11 +253,11 @@ def _is_near(u: Expr, given: Given) -> bool:
 
 
 def _by_derivatives(f: Expr, y: str, last: int) -> dict[int, Expr]:
-    found = {}
+    derivatives = {}
     for m in range(last + 1):
-        found[m] = substitute(f, {y: ZERO}) / factorial(m)
+        derivatives[m] = substitute(f, {y: ZERO}) / factorial(m)
         f = in_lowest_terms(differentiate(f, y))
-    return found
+    return derivatives
 
 
 def _fitted(germ: Germ, u: Expr) -> Series | None:
@@ -356,8 +356,10 @@ def _scaled(distance: Expr, inner: Expr, y: str) -> Expr:
     for m in range(1, HIGHEST):
         c = in_lowest_terms(inner * symbol(y) ** number(-m))
         if y not in symbols(c):
-            found = distance / apply("abs", c) if c.op != "number" else distance / abs(c.args[0])
-            return found if m == 1 else found ** number(fmpq(1, m))
+            scaled_distance = (
+                distance / apply("abs", c) if c.op != "number" else distance / abs(c.args[0])
+            )
+            return scaled_distance if m == 1 else scaled_distance ** number(fmpq(1, m))
     raise OpenError(f"the singularities of a function of {inner} are not known")
 
 

@@ -95,7 +95,7 @@ def _pieces(parts: list[Expr], given: Given, name: str) -> list[tuple[End, End]]
             walls.add(fmpq(right.args[0]))
         else:
             other.append((e, relation))
-    found: list[tuple[End, End]] = []
+    pieces: list[tuple[End, End]] = []
     for low, high in pairwise([None, *sorted(walls), None]):
         here = _inside(low, high, name)
         middle = {name: _middle(low, high)}
@@ -111,8 +111,8 @@ def _pieces(parts: list[Expr], given: Given, name: str) -> list[tuple[End, End]]
             for e, relation in other
         ):
             return []
-        found.append((low, high))
-    return found
+        pieces.append((low, high))
+    return pieces
 
 
 def _inside(low: End, high: End, name: str) -> Given:
@@ -144,8 +144,8 @@ def _place(e: Expr, target: Expr, name: str, piece: tuple[End, End]) -> str | No
         point = None if end is None else number(end)
         way = (1 if end is not None else -1) if side > 0 else (-1 if end is not None else 1)
         with suppress(InputError):
-            found = limit_of(e, name, point, way, Given())
-            if found is not None and equal_constants(found, target, ALL_THEORIES):
+            limit = limit_of(e, name, point, way, Given())
+            if limit is not None and equal_constants(limit, target, ALL_THEORIES):
                 where = (
                     f"{'-' if way < 0 else ''}oo"
                     if end is None

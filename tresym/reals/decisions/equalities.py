@@ -42,35 +42,35 @@ def decide_equality(
         differentiated: the functions whose derivatives occur in the claim.
         by: the variables of differentiation.
     """
-    found = decide(left, right, given)
+    answer = decide(left, right, given)
     if not differentiated:
-        return found
-    if found.witness is not None and _is_real(differentiated, by, found.witness):
-        return found
+        return answer
+    if answer.witness is not None and _is_real(differentiated, by, answer.witness):
+        return answer
     parts = (left, right, *differentiated)
     names = sorted(frozenset().union(*map(symbols, parts)))
-    if found.at is not None:
+    if answer.at is not None:
         more = (point for point, _ in sampled_values(left, right, given, names, LOOKS))
-        for point in chain((found.at,), more):
+        for point in chain((answer.at,), more):
             if _is_real(differentiated, by, point):
-                return replace(found, why=exactly(f"{found.why}; {REAL}", point))
-    proved = found.verdict is Verdict.PROVED
+                return replace(answer, why=exactly(f"{answer.why}; {REAL}", point))
+    proved = answer.verdict is Verdict.PROVED
     if real_nowhere(given, differentiated if proved else parts):
         why = f"{REAL} nowhere, {FORMAL}" if proved else f"{NOWHERE}, and none exists"
         verdict = Verdict.PROVED if proved else Verdict.UNDECIDED
-        return Decision(verdict, f"{found.why}; {why}", cause=Cause.NO_POINT)
+        return Decision(verdict, f"{answer.why}; {why}", cause=Cause.NO_POINT)
     inside, whole = where_real(given, differentiated, by)
     real = next(sampled_values(left, right, inside, names, 1), None)
     if proved:
         where = exactly(f"; {REAL}", real[0]) if real else f"; {NOWHERE}, {FORMAL}"
-        return replace(found, why=found.why + where)
+        return replace(answer, why=answer.why + where)
     if real is None:
         why = f"{no_point(parts, given)}; {NOWHERE}"
         return Decision(Verdict.UNDECIDED, why, cause=Cause.NO_POINT)
     again = decide(left, right, whole, stated=given)
-    if again.verdict is Verdict.UNDECIDED and found.witness is not None:
+    if again.verdict is Verdict.UNDECIDED and answer.witness is not None:
         why = (
-            f"{again.why}; {found.why}, but the differentiated functions "
+            f"{again.why}; {answer.why}, but the differentiated functions "
             "could not be shown to be real there"
         )
         return replace(again, why=why)

@@ -63,9 +63,9 @@ def decide_under_equations(claim: Comparison, statement: Statement, decided: Dec
     """
     statement = among_integers(statement) or statement
     for pair in statement.equations:
-        found = _without_variables(claim, statement, pair, decided)
-        if found is not None:
-            return found
+        answer = _without_variables(claim, statement, pair, decided)
+        if answer is not None:
+            return answer
     if is_contradictory(statement):
         return NO_POINT
     statement = _speaking(claim, statement)
@@ -285,13 +285,13 @@ def _by_cases(
             )
         if is_empty(inside.given):
             continue
-        found = decided(sides, inside)
-        if found == NO_POINT:
+        answer = decided(sides, inside)
+        if answer == NO_POINT:
             continue
-        if found.verdict is Verdict.REFUTED and known:
-            found = _with_value(found, case, name)
+        if answer.verdict is Verdict.REFUTED and known:
+            answer = _with_value(answer, case, name)
         shown = f"{name} = {case.value}" if known else chained_zero(case)
-        answers.append(replace(found, why=f"with {shown}: {found.why}", region=None))
+        answers.append(replace(answer, why=f"with {shown}: {answer.why}", region=None))
     return worst(answers) if answers else NO_POINT
 
 
@@ -332,10 +332,10 @@ def is_empty(given: Given) -> bool:
         if symbols(left) | symbols(right):
             against = NEGATED[relation]
             wanted = {"==": "0"}.get(against)
-            found = sign(left - right, others, None if wanted else against, dear=False)
+            its_sign = sign(left - right, others, None if wanted else against, dear=False)
             negative = {"<": ("-",), "<=": ("-", "<=0", "0")}
             proving = (wanted,) if wanted else (PROVING | negative)[against]
-            if found in proving:
+            if its_sign in proving:
                 return True
         else:
             with ball_precision():

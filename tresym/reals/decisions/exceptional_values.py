@@ -85,10 +85,12 @@ def decide_with_jumps(
     for node in nodes:
         parts += [part for part in zeros(node.args[0], given) if part not in parts]
     apart = given & Given(tuple((part, "!=", ZERO) for part in parts))
-    found = procedure(claim, replace(statement, given=apart), decided)
-    if found.verdict is Verdict.UNDECIDED and 0 < len(nodes) <= MOST_SIGNS:
-        found = _for_each_sign(nodes, claim, replace(statement, given=apart), decided) or found
-    return found if _is_refuted(found) else also_at_zeros(found, parts, claim, statement, decided)
+    answer = procedure(claim, replace(statement, given=apart), decided)
+    if answer.verdict is Verdict.UNDECIDED and 0 < len(nodes) <= MOST_SIGNS:
+        answer = _for_each_sign(nodes, claim, replace(statement, given=apart), decided) or answer
+    return (
+        answer if _is_refuted(answer) else also_at_zeros(answer, parts, claim, statement, decided)
+    )
 
 
 def also_at_zeros(
@@ -133,9 +135,9 @@ def refuted_at_jumps(claim: Comparison, statement: Statement, decided: Decide) -
     for node in _parameter_jumps(claim, statement):
         for part in zeros(node.args[0], statement.given):
             if value_at_zero(part) is None:
-                for found in _under_equation(part, claim, statement, decided):
-                    if _is_refuted(found):
-                        return found
+                for answer in _under_equation(part, claim, statement, decided):
+                    if _is_refuted(answer):
+                        return answer
     return None
 
 
@@ -239,10 +241,10 @@ def _at_zeros(
             continue
         kept = constants_hold(there.given.comparisons)
         given = there.given if kept is None else kept
-        found = decided(claim.mapped(change), replace(there, given=given, integers=integers))
-        if found == NO_POINT:
+        answer = decided(claim.mapped(change), replace(there, given=given, integers=integers))
+        if answer == NO_POINT:
             continue
-        yield with_substituted_witness(found, f"{name} = {at}", value)
+        yield with_substituted_witness(answer, f"{name} = {at}", value)
 
 
 def _under_equation(
@@ -252,9 +254,9 @@ def _under_equation(
     change = partial(_with_zero, part=part)
     there = statement.mapped(change)
     there = replace(there, equations=(*there.equations, (part, ZERO)))
-    found = decided(claim.mapped(change), there)
-    if found != NO_POINT:
-        yield with_substituted_witness(found, f"{part} = 0", {})
+    answer = decided(claim.mapped(change), there)
+    if answer != NO_POINT:
+        yield with_substituted_witness(answer, f"{part} = 0", {})
 
 
 def with_substituted_witness(found: Answer, where: str, value: dict[str, Expr]) -> Answer:
@@ -356,8 +358,8 @@ def _needs_outside(claim: Comparison) -> list[tuple[Expr, str]]:
     nodes = list(outermost(claim.left, claim.right))
     marks = {node: symbol(f"[{n}]") for n, node in enumerate(nodes) if not node.loose}
     hidden = frozenset(str(mark) for mark in marks.values())
-    found = needs((replaced(side, marks) for side in (claim.left, claim.right)), powers=False)
-    return [part for part in found if symbols(part[0]).isdisjoint(hidden) and not part[0].hidden]
+    needed = needs((replaced(side, marks) for side in (claim.left, claim.right)), powers=False)
+    return [part for part in needed if symbols(part[0]).isdisjoint(hidden) and not part[0].hidden]
 
 
 def may_be_defined(claim: Comparison) -> bool:

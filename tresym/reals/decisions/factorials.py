@@ -73,23 +73,23 @@ def decide_factorials(claim: Comparison, statement: Statement, decided: Decide) 
     near = (
         at for at in points if None not in (_value(substitute(node.args[1], at)) for node in nodes)
     )
-    found, proved = decided_at(near, claim, statement, decided)
-    if found is not None:
-        return found
+    answer, proved = decided_at(near, claim, statement, decided)
+    if answer is not None:
+        return answer
     if not proved:
         return Answer(Verdict.UNDECIDED, "the claim could not be proved at any small integers")
     known, positive = _by_least(list(nodes), statement.given)
     left, right = (replaced(side, known) for side in sides)
     given = statement.given & Given(tuple(positive))
-    found = decided(Comparison(left, claim.relation, right), replace(statement, given=given))
-    if found.verdict is Verdict.REFUTED:
+    answer = decided(Comparison(left, claim.relation, right), replace(statement, given=given))
+    if answer.verdict is Verdict.REFUTED:
         meant = ", ".join(f"{node} = {value}" for node, value in known.items())
         return Answer(
             Verdict.UNDECIDED,
             "no counterexample was found at small integers, but the claim fails when factorials "
-            f"are replaced by arbitrary numbers >= 1 (with {meant}: {found.why})",
+            f"are replaced by arbitrary numbers >= 1 (with {meant}: {answer.why})",
         )
-    return found
+    return answer
 
 
 def _small(names: list[str]) -> Iterator[dict[str, Expr]]:

@@ -234,8 +234,8 @@ def folded(e: Expr) -> Expr | None:
         n = integer(e.args[1]) if e.args[0].args == (FACTORIAL, (0,)) else None
         return None if n is None or not 0 <= n <= 1000 else number(factorial(n))
     args = [folded(arg) for arg in e.args]
-    found = [arg for arg in args if arg is not None]
-    return rebuild(e, tuple(found)) if len(found) == len(args) else None
+    known = [arg for arg in args if arg is not None]
+    return rebuild(e, tuple(known)) if len(known) == len(args) else None
 
 
 def whole_roots(p: fmpq_poly) -> list[int]:
@@ -264,13 +264,13 @@ def out_of_range(s: Series, given: Given) -> str:
     if radius is None or _sign(radius - size_of(s.u), given) == "+":
         return ""
     for side in (1, -1):
-        found = _sign(radius - side * s.u, given)
-        if found == "+":
+        its_sign = _sign(radius - side * s.u, given)
+        if its_sign == "+":
             continue
         even = side > 0 or s.step % 2 == 0
-        if found == "-" and not symbols(s.u):
+        if its_sign == "-" and not symbols(s.u):
             return "the series diverges"
-        if found not in ("0", ">=0"):
+        if its_sign not in ("0", ">=0"):
             return f"the series converges only where abs({s.u}) < {radius}: add this as a condition"
         if not s.converges(bool((s.rate or 0) > 0) == even):
             where = f" where {s.u} is {radius * side}" if symbols(s.u) else ""

@@ -111,20 +111,20 @@ class System:
 
     def relations(self) -> list[fmpz_mpoly]:
         """What the functions satisfy wherever they are defined."""
-        found = []
+        equations = []
         for atom, i in self.atoms.items():
             x = self.generators[i]
             if atom.op == "sin":
-                found.append(
+                equations.append(
                     x**2 + self.generators[self.atoms[apply("cos", atom.args[0])]] ** 2 - 1
                 )
             elif atom.op == "abs":
                 top, bottom = self.quotient(atom.args[0])
-                found.append(x**2 * bottom**2 - top**2)
+                equations.append(x**2 * bottom**2 - top**2)
             elif atom.op == "^" and atom.args[1].op == "number":
                 top, bottom = self.quotient(atom.args[0])
-                found.append(x ** int(atom.args[1].args[0].q) * bottom - top)
-        return found
+                equations.append(x ** int(atom.args[1].args[0].q) * bottom - top)
+        return equations
 
     # -- the quotients ----------------------------------------------------------------------
 
@@ -284,8 +284,8 @@ def follows(e: Expr, equations: Sequence[Expr], nonzero: Sequence[Expr], *, vani
     basis = [p for p in tops if not p.is_zero()]
     if not vanishes:
         return _is_contradiction(system, [*basis, claim.top], apart)
-    found = _basis(system, basis) if basis else None
-    if claim.top.is_zero() or (found and claim.top.reduction_primitive_part(found).is_zero()):
+    groebner = _basis(system, basis) if basis else None
+    if claim.top.is_zero() or (groebner and claim.top.reduction_primitive_part(groebner).is_zero()):
         return True
     return _is_contradiction(system, basis, [*apart, claim.top])
 
@@ -299,8 +299,8 @@ def _is_contradiction(system: System, zero: list[fmpz_mpoly], apart: list[fmpz_m
     product = reduce(mul, factors.values(), system.one)
     if product.total_degree() > MOST_POWER:
         return False
-    found = _basis(system, [*zero, 1 - system.generators[-1] * product])
-    return found is not None and any(p.is_constant() and not p.is_zero() for p in found)
+    groebner = _basis(system, [*zero, 1 - system.generators[-1] * product])
+    return groebner is not None and any(p.is_constant() and not p.is_zero() for p in groebner)
 
 
 def _basis(system: System, polynomials: list[fmpz_mpoly]) -> fmpz_mpoly_vec | None:

@@ -121,16 +121,16 @@ def decide(
         return Decision(
             Verdict.UNDECIDED, "a sum, an integral or a limit in the claim could not be evaluated"
         )
-    found = _almost_everywhere(left, right, given, theories, _by_constants)
-    if found.verdict is Verdict.UNDECIDED and (moved := at_domain_ends((left, right), given)):
+    decision = _almost_everywhere(left, right, given, theories, _by_constants)
+    if decision.verdict is Verdict.UNDECIDED and (moved := at_domain_ends((left, right), given)):
         (left, right), inside = moved
-        found = decide(left, right, inside, theories, given if stated is None else stated)
-        return replace(found, why=f"rewritten as {left} = {right}: {found.why}")
-    if found.verdict is not Verdict.PROVED:
-        return found
+        decision = decide(left, right, inside, theories, given if stated is None else stated)
+        return replace(decision, why=f"rewritten as {left} = {right}: {decision.why}")
+    if decision.verdict is not Verdict.PROVED:
+        return decision
     unproved = _at_jumps((left, right), given, theories)
     stated = given if stated is None else stated
-    return unproved or _at_limits(left, right, given, theories, stated, _by_constants) or found
+    return unproved or _at_limits(left, right, given, theories, stated, _by_constants) or decision
 
 
 def decide_continuous(
@@ -140,12 +140,12 @@ def decide_continuous(
     theories: frozenset[str] = ALL_THEORIES,
 ) -> Decision:
     """Decide as :func:`decide`, by the normal form alone; UNDECIDED if a side may jump."""
-    found = _almost_everywhere(left, right, given, theories, None)
-    if found.verdict is not Verdict.PROVED:
-        return found
+    decision = _almost_everywhere(left, right, given, theories, None)
+    if decision.verdict is not Verdict.PROVED:
+        return decision
     if left != right and jumps((left, right), given):
         return Decision(Verdict.UNDECIDED, JUMP)
-    return _at_limits(left, right, given, theories, given, None) or found
+    return _at_limits(left, right, given, theories, given, None) or decision
 
 
 def _almost_everywhere(
@@ -210,8 +210,8 @@ def _at_limits(
     names, fewer = sorted(symbols(left) | symbols(right)), _open(given)
 
     def points(where: Given) -> Iterator[dict[str, fmpq]]:
-        found = sampled_values(left, right, where, names, SIGN_POINTS)
-        yield from (point for point, _ in found)
+        samples = sampled_values(left, right, where, names, SIGN_POINTS)
+        yield from (point for point, _ in samples)
 
     if is_regular(fewer) and _prove((left, right), fewer, theories, points, further)[0]:
         return None
@@ -233,15 +233,15 @@ def _at_jumps(sides: tuple[Expr, ...], given: Given, theories: frozenset[str]) -
     for case in cases_at_jumps(sides, given):
         if case is None:
             return Decision(Verdict.UNDECIDED, JUMP)
-        found = decide(case.of(left), case.of(right), case.given, theories)
-        if found.verdict is Verdict.PROVED:
+        answer = decide(case.of(left), case.of(right), case.given, theories)
+        if answer.verdict is Verdict.PROVED:
             continue
-        why = f"it is proved except {case}; there, {found.why}"
+        why = f"it is proved except {case}; there, {answer.why}"
         if not case.values:  # the variables are arbitrary in that claim
             why = f"it is proved except {case}, and could not be decided there"
-        point = case.point(found.witness)
-        if point is not None and found.values is not None:
-            return _refutation(point, found.values)
+        point = case.point(answer.witness)
+        if point is not None and answer.values is not None:
+            return _refutation(point, answer.values)
         return Decision(Verdict.UNDECIDED, why)
     return None
 

@@ -116,9 +116,9 @@ def decide_totals(claim: Comparison, statement: Statement, decided: Decide) -> A
     (n,) = names
     least = max(end[2] - 1 - end[1] for end in ends if end is not None)
     plain, least = from_on(statement, n, least)
-    found = _looked_at(claim, statement, n, least, decided)
-    if found is not None:
-        return found
+    result = _looked_at(claim, statement, n, least, decided)
+    if result is not None:
+        return result
     answer = _induction(claim, plain, n, least, decided)
     known = {} if answer else _closed_forms(nodes, claim, plain, decided)
     if answer or len(known) < len({*nodes}):
@@ -156,9 +156,9 @@ def with_values(
 
     Where a value is undefined, the claim is decided with the sums themselves.
     """
-    found = decided(claim.mapped(partial(replaced, known=known)), statement)
-    found = replace(found, why=f"{said}; {found.why}", region=None)
-    return also_at_holes(found, known, claim, statement, decided)
+    answer = decided(claim.mapped(partial(replaced, known=known)), statement)
+    answer = replace(answer, why=f"{said}; {answer.why}", region=None)
+    return also_at_holes(answer, known, claim, statement, decided)
 
 
 def _closed_forms(
@@ -269,12 +269,12 @@ def _by_powers(e: Expr, given: Given) -> Expr:
 
 def _coefficients(e: Expr, n: str) -> list[Expr]:
     """Return the coefficients of n⁰, n¹, … in a polynomial of low degree; none for others."""
-    found: list[Expr] = []
-    while len(found) <= MOST_POWERS and _is_polynomial(e, n):
-        found.append(substitute(e, {n: ZERO}))
-        e = differentiate(e, n) / len(found)
+    coefficients: list[Expr] = []
+    while len(coefficients) <= MOST_POWERS and _is_polynomial(e, n):
+        coefficients.append(substitute(e, {n: ZERO}))
+        e = differentiate(e, n) / len(coefficients)
         if e == ZERO:
-            return found
+            return coefficients
     return []
 
 
@@ -334,10 +334,10 @@ def _looked_at(
     seen = empty = False
     for value in range(least, least + FIRST):
         no_term = _has_no_term(claim, n, value)
-        found, proved = decided_at([{n: number(value)}], claim, statement, decided)
-        if found is not None and not (n not in statement.given.names and no_term):
-            return found
-        empty = empty or found is not None
+        answer, proved = decided_at([{n: number(value)}], claim, statement, decided)
+        if answer is not None and not (n not in statement.given.names and no_term):
+            return answer
+        empty = empty or answer is not None
         seen = seen or (proved and not no_term)
     if empty:
         why = f"it fails where a sum is empty: add a condition that says from which {n} on it holds"
@@ -404,9 +404,9 @@ def _induction(
     step = worst(smaller) if smaller and all(smaller) else decided(after, under)
     if not step:
         meant = ", ".join(f"{mark} = {node}" for node, mark in now.items())
-        found = _beyond_a_failing_step(claim, statement, n, step, decided)
-        if found is not None:
-            return found
+        answer = _beyond_a_failing_step(claim, statement, n, step, decided)
+        if answer is not None:
+            return answer
         why = f"the induction step could not be proved (with {meant}: {step.why})"
         if step.verdict is Verdict.REFUTED:
             why = f"the claim at {n} alone does not imply the claim at {n} + 1 (with {meant})"
@@ -468,8 +468,8 @@ def decide_repeated(claim: Comparison, statement: Statement, decided: Decide) ->
             ("a derivative of order n is supported only in an equation that is linear in it"),
         )
     g, slope = solution
-    found = _nth_derivative(nodes[0], g, claim, statement, decided)
-    return also_at_zeros(found, [slope], claim, statement, decided, nodes[0]) if found else found
+    answer = _nth_derivative(nodes[0], g, claim, statement, decided)
+    return also_at_zeros(answer, [slope], claim, statement, decided, nodes[0]) if answer else answer
 
 
 def _nth_derivative(
@@ -495,9 +495,9 @@ def _nth_derivative(
         if value is None:
             break
         same = Comparison(derivative, "==", value)
-        found, _ = decided_at([{n: number(k)}], same, statement, decided)
-        if found is not None:
-            return found
+        answer, _ = decided_at([{n: number(k)}], same, statement, decided)
+        if answer is not None:
+            return answer
         first = decided(same, plain) if k == least else first
     if not first:
         why = f"the base case of the induction, {n} = {least}, could not be proved: {first.why}"

@@ -112,10 +112,10 @@ def decide_inequality(
         if divided is not None:
             return _shown_under(given, divided)
     with stage("proof of a sign"):
-        found = proof(left - right, relation, region)
-    partly = found is not None and not is_regular(given)
-    if found is not None and not partly:
-        return Answer(Verdict.PROVED, exactly(f"{found}; both sides are defined", defined))
+        sentence = proof(left - right, relation, region)
+    partly = sentence is not None and not is_regular(given)
+    if sentence is not None and not partly:
+        return Answer(Verdict.PROVED, exactly(f"{sentence}; both sides are defined", defined))
     zero = equal_at_algebraic(left, right, inside) if relation != ">=" else None
     if zero is not None:
         return zero
@@ -283,9 +283,9 @@ def _sampled(
 def _in_cells(difference: Expr, region: Given) -> Iterator[dict[str, fmpq]]:
     """Yield a point of each open cell in which the polynomial difference is negative."""
     with suppress(TooLargeError):
-        found = cells(difference, region)
-        if found is not None and found.against:
-            yield dict(found.against)
+        open_cells = cells(difference, region)
+        if open_cells is not None and open_cells.against:
+            yield dict(open_cells.against)
 
 
 def _at_corners(
@@ -293,9 +293,9 @@ def _at_corners(
 ) -> Answer | None:
     """Return a refutation with variables at 0, 1 or the closed ends of their ranges, or None."""
     for point in dict.fromkeys(tuple(p.items()) for p in corners(names, given.box)):
-        found = _refuted_at(dict(point), left, relation, right, given)
-        if found is not None:
-            return found
+        answer = _refuted_at(dict(point), left, relation, right, given)
+        if answer is not None:
+            return answer
     return None
 
 
@@ -328,8 +328,8 @@ def _constants(left: Expr, relation: str, right: Expr) -> Answer:
         if relation == ">=":
             return Answer(Verdict.PROVED, "the two constants are equal")
         return refuted("the two constants are equal", {})
-    found = sign(left - right, Given())
-    if found in PROVING[relation]:
+    its_sign = sign(left - right, Given())
+    if its_sign in PROVING[relation]:
         return Answer(Verdict.ENCLOSED, "interval arithmetic separates the two constants")
     return Answer(
         Verdict.UNDECIDED,
@@ -357,12 +357,12 @@ def _apart(
         why = "the difference takes both signs, so it may vanish, but no zero was found"
         return Answer(Verdict.UNDECIDED, why)
     pair = (left, right) if above else (right, left)
-    found = search(*pair, True, region, inside)
-    if found.verdict is not Verdict.REFUTED:
-        return found
-    point = {name: parse(text) for name, text in (found.witness or {}).items()}
+    answer = search(*pair, True, region, inside)
+    if answer.verdict is not Verdict.REFUTED:
+        return answer
+    point = {name: parse(text) for name, text in (answer.witness or {}).items()}
     if equal_at(left, right, point):
-        return replace(found, why=exactly("both sides are equal", point))
+        return replace(answer, why=exactly("both sides are equal", point))
     if all(value.op == "number" for value in point.values()):
         exact = defined | {name: value.args[0] for name, value in point.items()}
         zero = _zero_between(left - right, region, defined, exact)
@@ -410,13 +410,13 @@ def _sides(given: Given) -> tuple[Given, Given] | None:
 
 def _on_both_sides(left: Expr, right: Expr, one: Given, other: Given, answer: Answer) -> Answer:
     """Decide ``left != right`` in two cases; return ``answer`` if they do not decide it."""
-    found = [decide_inequality(left, "!=", right, case) for case in (one, other)]
-    for each in found:
+    answers = [decide_inequality(left, "!=", right, case) for case in (one, other)]
+    for each in answers:
         if each.verdict is Verdict.REFUTED:
             return each
-    if not all(found):
+    if not all(answers):
         return answer
-    weakest = next((each for each in found if each.verdict is Verdict.ENCLOSED), found[0])
+    weakest = next((each for each in answers if each.verdict is Verdict.ENCLOSED), answers[0])
     why = f"in each of the two cases left by the condition with !=: {weakest.why}"
     return replace(weakest, why=why, region=None)
 

@@ -90,10 +90,10 @@ def _about(region: Given, names: frozenset[str]) -> Given:
             for comparison, condition in zip(region.comparisons, region.conditions, strict=True)
             if symbols(condition.expression) & names
         ]
-        found = Given(tuple(kept))
-        if found.names <= names:
-            return found
-        names |= found.names
+        others = Given(tuple(kept))
+        if others.names <= names:
+            return others
+        names |= others.names
 
 
 def _bounded(where: Range) -> bool:
@@ -149,8 +149,8 @@ class _Search:
         low, high = ends
         if low > high:  # the neighbourhoods of both infinities cover the line
             low, high = high, low
-        found = self._within(Interval(low, high))
-        return found if failure is None or found.verdict is Verdict.REFUTED else failure
+        answer = self._within(Interval(low, high))
+        return answer if failure is None or answer.verdict is Verdict.REFUTED else failure
 
     def _within(self, whole: Interval) -> Answer:
         """A bounded range: boxes, and neighbourhoods of the points of contact."""
@@ -253,9 +253,9 @@ class _Search:
             for k in range(1, 12):
                 t = beside[1] / 2**k
                 x = side / t if point is None else point.args[0] + side * t
-                found = self._refute((x,))
-                if found is not None:
-                    return found
+                answer = self._refute((x,))
+                if answer is not None:
+                    return answer
         return Answer(
             Verdict.UNDECIDED,
             f"the sign of the difference near {where} could not be determined; a condition that "
@@ -281,8 +281,10 @@ class _Search:
         if isinstance(outcome, BoxProof):
             return Answer(Verdict.ENCLOSED, self._closed(outcome.leaves))
         if isinstance(outcome, Counterexample):
-            found = self._refute(outcome.point)
-            return tuple(Interval(x, x) for x in outcome.point) if found is None else found
+            refutation = self._refute(outcome.point)
+            return (
+                tuple(Interval(x, x) for x in outcome.point) if refutation is None else refutation
+            )
         return outcome.worst
 
     def _closed(self, leaves: int) -> str:
@@ -298,9 +300,9 @@ class _Search:
     def _refute(self, point: tuple[fmpq, ...]) -> Answer | None:
         """A refutation at a simple point nearby, or at the point itself."""
         for tolerance in (fmpq(1, 2**10), fmpq(1, 2**30)):
-            found = self._refute_at(tuple(near(x, tolerance) for x in point))
-            if found is not None:
-                return found
+            answer = self._refute_at(tuple(near(x, tolerance) for x in point))
+            if answer is not None:
+                return answer
         return self._refute_at(point)
 
     def _refute_at(self, point: tuple[fmpq, ...]) -> Answer | None:

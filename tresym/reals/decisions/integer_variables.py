@@ -79,27 +79,28 @@ def decide_whole(claim: Comparison, statement: Statement, decided: Decide) -> An
     plain = replace(statement, integers=())
     if not names:
         return decided(claim, plain)
-    found, proved = decided_at(_small(names, statement.given), claim, plain, decided)
-    if found is not None:
-        return found
+    answer, proved = decided_at(_small(names, statement.given), claim, plain, decided)
+    if answer is not None:
+        return answer
     if not proved:
         why = f"the claim could not be proved at any small integer {', '.join(names)}"
         return Answer(Verdict.UNDECIDED, why)
     exact = _by_divisors(claim, statement, names)
     if exact is not None:
         return exact
-    found = _by_residues(claim, plain, names, decided)
-    if not found and len(names) == 1:
+    answer = _by_residues(claim, plain, names, decided)
+    if not answer and len(names) == 1:
         beyond = _beyond(claim, statement, names[0], decided)
-        found = found if beyond is None else beyond
-    if found.verdict is Verdict.REFUTED:  # at what need be no integer
-        near = decided_at(_beside(found, names, statement.given), claim, plain, decided)[0]
+        answer = answer if beyond is None else beyond
+    if answer.verdict is Verdict.REFUTED:  # at what need be no integer
+        near = decided_at(_beside(answer, names, statement.given), claim, plain, decided)[0]
         if near is not None:
             return near
         return Answer(
-            Verdict.UNDECIDED, (f"undecided for integers; it is false for real values: {found.why}")
+            Verdict.UNDECIDED,
+            (f"undecided for integers; it is false for real values: {answer.why}"),
         )
-    return replace(found, why=f"for integers {', '.join(names)}: {found.why}", region=None)
+    return replace(answer, why=f"for integers {', '.join(names)}: {answer.why}", region=None)
 
 
 def with_integer_bounds(given: Given, integers: Iterable[str]) -> Given:
@@ -134,14 +135,14 @@ def _small(names: list[str], given: Given) -> Iterator[dict[str, Expr]]:
 def _from_end(name: str, given: Given) -> list[int]:
     """Integers that are looked at, the first ones from an end of a range among them."""
     low, high = given.box.get(name, Interval())[:2]
-    found: list[int] = []
+    values: list[int] = []
     if low is not None and abs(low) > LOOKED_AT[3]:
         start = int(low.ceil())
-        found += range(start, start + AT_AN_END)
+        values += range(start, start + AT_AN_END)
     if high is not None and abs(high) > LOOKED_AT[3]:
         start = int(high.floor())
-        found += range(start, start - AT_AN_END, -1)
-    return list(dict.fromkeys((*found, *LOOKED_AT)))
+        values += range(start, start - AT_AN_END, -1)
+    return list(dict.fromkeys((*values, *LOOKED_AT)))
 
 
 def _beside(found: Answer, names: list[str], given: Given) -> Iterator[dict[str, Expr]]:
@@ -261,14 +262,14 @@ def residues(
     periods = _moduli(claim, statement, names, given)
     if prod(periods) > MOST_RESIDUES:
         return None
-    found = []
+    cases = []
     for rest in product(*map(range, periods)):
         parts = zip(names, periods, rest, strict=True)
         at = {n: number(p) * symbol(n) + number(r) if p > 1 else symbol(n) for n, p, r in parts}
         moved = given.mapped(partial(substitute, mapping=at))
         change = partial(residue_of, at=at, names=names, given=moved)
-        found.append((claim.mapped(change), statement.mapped(change)))
-    return found
+        cases.append((claim.mapped(change), statement.mapped(change)))
+    return cases
 
 
 def _moduli(
@@ -288,7 +289,7 @@ def residue_of(e: Expr, at: dict[str, Expr], names: Sequence[str], given: Given)
 
 def period_of(trees: Iterable[Expr], name: str, given: Given) -> int | None:
     """M such that n = M m + r leaves no angle and no exponent of what may be negative."""
-    found = 1
+    period = 1
     for node, inside in _operations(trees, given):
         if node.op in PERIODIC and name in symbols(node):
             inner, unit = node.args[0], PI
@@ -298,11 +299,11 @@ def period_of(trees: Iterable[Expr], name: str, given: Given) -> int | None:
             continue
         turns = _ratio(differentiate(inner, name), unit)
         if turns is not None:
-            found = lcm(found, int(turns.q) * (1 if int(turns.p) % 2 == 0 else 2))
+            period = lcm(period, int(turns.q) * (1 if int(turns.p) % 2 == 0 else 2))
         else:  # (2 q m + r)^k - r^k is a multiple of 2 q; what is no polynomial is left as it is
             terms = _terms(inner, unit)
-            found = lcm(found, *(2 * int(c.q) for m, c in terms.items() if name in dict(m)))
-    return found if found <= MOST_RESIDUES else None
+            period = lcm(period, *(2 * int(c.q) for m, c in terms.items() if name in dict(m)))
+    return period if period <= MOST_RESIDUES else None
 
 
 def _is_alternating(node: Expr, name: str, given: Given) -> bool:
@@ -378,8 +379,8 @@ def _ratio(e: Expr, unit: Expr) -> fmpq | None:
         for q in range(1, MOST_RESIDUES + 1):
             p = (ball * q).unique_fmpz()
             if p is not None:
-                found = fmpq(int(p), q)
-                return found if is_zero(e - number(found) * unit, Given()) else None
+                ratio = fmpq(int(p), q)
+                return ratio if is_zero(e - number(ratio) * unit, Given()) else None
     return None
 
 
@@ -443,8 +444,8 @@ def _without_even(e: Expr, unit: Expr, names: list[str]) -> tuple[Expr, Expr] | 
 
 
 def _as_number(e: Expr) -> Expr:
-    found = _ratio(e, ONE)
-    return e if found is None else number(found)
+    ratio = _ratio(e, ONE)
+    return e if ratio is None else number(ratio)
 
 
 # Beyond small integers

@@ -143,11 +143,11 @@ def _rule(node: Expr, name: str, given: Given) -> Expr:
 
 def between(t: str, low: Expr, high: Expr, given: Given) -> list[Given]:
     """The conditions, and that t is from one end to the other, in each order that may be."""
-    x, found = symbol(t), []
+    x, regions = symbol(t), []
     for a, b in ((low, high), (high, low)):
         if sign(b - a, given, "<") != "-":
-            found.append(given & Given(((b, ">=", a), (x, ">=", a), (x, "<=", b))))
-    return found
+            regions.append(given & Given(((b, ">=", a), (x, ">=", a), (x, "<=", b))))
+    return regions
 
 
 def is_smooth(f: Expr, given: Given) -> bool:

@@ -108,20 +108,20 @@ def decide_integrals(claim: Comparison, statement: Statement, decided: Decide) -
     """
     if any(next(functions(side), None) for side in (claim.left, claim.right)):
         return Answer(Verdict.UNDECIDED, "integrals of arbitrary functions cannot be evaluated")
-    found = _by_quadrature(claim, statement)
-    if found is not None:
-        return found
+    result = _by_quadrature(claim, statement)
+    if result is not None:
+        return result
     work = _Work([], claim.primitives)
     given = _where_defined(claim, statement.given)
     try:
         sides = [_without(side, given, work) for side in (claim.left, claim.right)]
     except _OpenError as error:
-        found = _without_value(claim, error)
-        found = _by_identity(claim, statement, decided) if found is None else found
-        found = _at_parameters(claim, statement, decided) if found is None else found
-        found = _for_each_sign(claim, statement, decided) if found is None else found
-        if found is not None:
-            return found
+        result = _without_value(claim, error)
+        result = _by_identity(claim, statement, decided) if result is None else result
+        result = _at_parameters(claim, statement, decided) if result is None else result
+        result = _for_each_sign(claim, statement, decided) if result is None else result
+        if result is not None:
+            return result
         return Answer(Verdict.UNDECIDED, str(error), cause=Cause.NO_VALUE)
     except InputError as error:
         why = f"an intermediate expression exceeds the size limit: {error}"
@@ -148,10 +148,10 @@ def without_integrals(
     """Return the sides with their integrals evaluated and the reason; None if that fails."""
     work = _Work([], primitives)
     try:
-        found = [_without(side, given, work) for side in sides]
+        answers = [_without(side, given, work) for side in sides]
     except (_OpenError, InputError):
         return None
-    return found, "; ".join(dict.fromkeys(work.notes))
+    return answers, "; ".join(dict.fromkeys(work.notes))
 
 
 def _where_defined(claim: Comparison, given: Given) -> Given:
@@ -252,9 +252,11 @@ def _for_each_sign(claim: Comparison, statement: Statement, decided: Decide) -> 
                 parts.append(decided(claim, replace(statement, given=there)))
                 if not parts[-1]:
                     return None
-        found = worst(parts) if parts else Answer(Verdict.UNDECIDED, "")
-        found = replace(found, why=f"for each sign of {name}: {found.why}")
-        whole = also_at_zeros(found, [symbol(name)], claim, statement, decided) if found else found
+        answer = worst(parts) if parts else Answer(Verdict.UNDECIDED, "")
+        answer = replace(answer, why=f"for each sign of {name}: {answer.why}")
+        whole = (
+            also_at_zeros(answer, [symbol(name)], claim, statement, decided) if answer else answer
+        )
         return whole if whole else None
     return None
 
@@ -300,15 +302,15 @@ def _integral(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Wo
     if low == high and not _ends(low):
         high, low = low + 1, low  # shown to be defined around the point
         return multiply(ZERO, _integral(name, f, low, high, given, work))
-    found = "+" if _order(low, high) > 0 else "-" if _order(low, high) < 0 else None
-    found = found or sign(high - low, given, "!=") or sign(high - low, given, ">=")
-    found = found or sign(high - low, given, "<=")
+    direction = "+" if _order(low, high) > 0 else "-" if _order(low, high) < 0 else None
+    direction = direction or sign(high - low, given, "!=") or sign(high - low, given, ">=")
+    direction = direction or sign(high - low, given, "<=")
     rising, falling = (given & Given(((low, r, high),)) for r in ("<", ">"))
-    if found in ("+", ">=0"):
-        inside = given if found == "+" else rising
+    if direction in ("+", ">=0"):
+        inside = given if direction == "+" else rising
         value = _between(name, f, low, high, inside, work)
-    elif found in ("-", "<=0"):
-        inside = given if found == "-" else falling
+    elif direction in ("-", "<=0"):
+        inside = given if direction == "-" else falling
         value = -_between(name, f, high, low, inside, work)
     else:
         value = _between(name, f, low, high, rising, work)
@@ -318,7 +320,7 @@ def _integral(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Wo
                 f"it could not be determined which of {low} and {high} is "
                 "larger; a condition may help"
             )
-    if found not in PROVING["!="] and not _vanishes_where_they_meet(value, low, high, given):
+    if direction not in PROVING["!="] and not _vanishes_where_they_meet(value, low, high, given):
         raise _OpenError(
             f"the integral is 0 where {low} = {high}, unlike the formula: "
             f"add the condition {low} != {high}"
@@ -459,10 +461,10 @@ def _infinite_by_an_end(name: str, f: Expr, low: Expr, high: Expr, inside: Given
                 return None
             signs.append(0)
             continue
-        found = {INFINITY: "+", MINUS_INFINITY: "-"}.get(scaled) or sign(scaled, Given(), "!=")
-        if found not in ("+", "-"):
+        its_sign = {INFINITY: "+", MINUS_INFINITY: "-"}.get(scaled) or sign(scaled, Given(), "!=")
+        if its_sign not in ("+", "-"):
             return None
-        signs.append(way if found == "+" else -way)
+        signs.append(way if its_sign == "+" else -way)
     if not any(signs) or {1, -1} <= {*signs}:
         return None
     return INFINITY if 1 in signs else MINUS_INFINITY

@@ -118,8 +118,8 @@ def decided_number(e: Expr) -> fmpq | None:
         return None
     with ball_precision():
         ball = evaluate(e, {})
-        found = (ball * DENOMINATOR).unique_fmpz() if ball.is_finite() else None
-    return None if found is None else fmpq(int(found), DENOMINATOR)
+        multiple = (ball * DENOMINATOR).unique_fmpz() if ball.is_finite() else None
+    return None if multiple is None else fmpq(int(multiple), DENOMINATOR)
 
 
 def _turns(part: Expr, name: str) -> Iterator[Expr]:
@@ -151,8 +151,8 @@ def without_corners(e: Expr, given: Given) -> Expr:
         return e
     args = tuple(without_corners(arg, given) for arg in e.args)
     if e.op in ("abs", "sign"):
-        found = sign(args[0], given)
-        if found in ("+", "-") or (e.op == "abs" and found in ("0", ">=0", "<=0")):
-            up = 1 if found in ("+", "0", ">=0") else -1
+        its_sign = sign(args[0], given)
+        if its_sign in ("+", "-") or (e.op == "abs" and its_sign in ("0", ">=0", "<=0")):
+            up = 1 if its_sign in ("+", "0", ">=0") else -1
             return up * args[0] if e.op == "abs" else number(up)
     return rebuild(e, args)

@@ -79,10 +79,10 @@ def known_value(kind: str, f: Expr, name: str, low: Expr, high: Expr, given: Giv
 
 def _on_both_sides(kind: str, f: Expr, name: str, given: Given) -> Known | None:
     """By a theorem about all numbers or integers, or as twice the value on the positive ones."""
-    found = _matched(kind, f, name, (-INFINITY, INFINITY), given)
+    known = _matched(kind, f, name, (-INFINITY, INFINITY), given)
     mirrored = substitute(f, {name: -symbol(name)})
-    if found or kind == "product" or not _same(f, mirrored, given):
-        return found
+    if known or kind == "product" or not _same(f, mirrored, given):
+        return known
     low = ZERO if kind == "integral" else ONE
     half = known_value(kind, f, name, low, INFINITY, given)
     middle = ZERO if kind == "integral" else substitute(f, {name: ZERO})
@@ -151,8 +151,8 @@ def _matched(kind: str, f: Expr, name: str, ends: tuple[Expr, Expr], given: Give
                 if c is None or (kind == "product" and c != ONE):
                     continue
                 if _hold(row.given, at, given):
-                    found = c * substitute(value, at) ** number(up)
-                    return Known(found, row.source.replace("GR", "Gradshteyn and Ryzhik"))
+                    value_there = c * substitute(value, at) ** number(up)
+                    return Known(value_there, row.source.replace("GR", "Gradshteyn and Ryzhik"))
     return None
 
 
@@ -203,8 +203,8 @@ def _hold(conditions: str, at: dict[str, Expr], given: Given) -> bool:
 def _candidates(f: Expr, name: str) -> Iterator[Expr]:
     """What the parameters of a theorem may be: variables, coefficients, roots of them, and 1."""
     names = [symbol(other) for other in sorted(symbols(f) - {name, SIGN})]
-    found = {c: None for c in _coefficients(f, name) if c != ZERO and name not in symbols(c)}
-    small = [c for c in found if c not in names]
+    constants = {c: None for c in _coefficients(f, name) if c != ZERO and name not in symbols(c)}
+    small = [c for c in constants if c not in names]
     yield from (*names, *small, ONE, *(-c for c in (*names, *small)))
 
 
@@ -253,8 +253,8 @@ def _root(e: Expr) -> Expr:
 
 @cache
 def _templates() -> list[tuple[Series, str]]:
-    found = [(series_of(parse(f"sum({term}, k, 0, oo)")), value) for term, value in POWER_SERIES]
-    return [(s, value) for s, value in found if s is not None]
+    series = [(series_of(parse(f"sum({term}, k, 0, oo)")), value) for term, value in POWER_SERIES]
+    return [(s, value) for s, value in series if s is not None]
 
 
 def _power_series(s: Series, given: Given) -> Known | None:

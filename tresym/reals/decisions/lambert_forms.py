@@ -64,8 +64,8 @@ _PATHS = ((None, (1,)), (ZERO, (1,)), (ZERO, (-1,)))
 def _variable(comparison: Comparison, statement: Statement) -> str | None:
     """Return the variable of which alone W is taken, or None."""
     trees = (comparison.left, comparison.right, *statement.said)
-    found = {node.args[0] for node in operations(trees) if node.op == "lambertw"}
-    if len(found) != 1 or any(e.hidden for e in trees):
+    arguments = {node.args[0] for node in operations(trees) if node.op == "lambertw"}
+    if len(arguments) != 1 or any(e.hidden for e in trees):
         return None
-    (inner,) = found
+    (inner,) = arguments
     return str(inner.args[0]) if inner.op == "symbol" and symbols(inner) else None

@@ -40,15 +40,15 @@ def reach_of(region: Iterable[Compared], path: Path) -> fmpq:
     if path.point is None or path.point == ZERO:
         example = EXAMPLES[0 if path.point == ZERO else path.sides[0]].format(path.name)
     wrong = InputError(f"write a region that reaches the end of the path, such as {example}")
-    found: dict[int, fmpq] = {}
+    reaches: dict[int, fmpq] = {}
     for link in region:
         for side in path.sides:
             bound = _bound(link, path, side, wrong)
             if bound is not None:
-                found[side] = min(bound, found.get(side, bound))
-    if set(found) != set(path.sides) or len({*found.values()}) > 1:
+                reaches[side] = min(bound, reaches.get(side, bound))
+    if set(reaches) != set(path.sides) or len({*reaches.values()}) > 1:
         raise wrong  # on both sides of a point the region is symmetric
-    return next(iter(found.values()))
+    return next(iter(reaches.values()))
 
 
 def _bound(link: Compared, path: Path, side: int, wrong: InputError) -> fmpq | None:

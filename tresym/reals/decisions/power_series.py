@@ -155,9 +155,9 @@ def decide_power_series(side: Expr, node: Expr, given: Given) -> Answer:
                 "consecutive terms is rational in the index"
             ),
         )
-    found = _at_points(side, s, given)
-    if found is not None:
-        return found
+    answer = _at_points(side, s, given)
+    if answer is not None:
+        return answer
     try:
         how = _shown(side, s, given)
     except OpenError as error:
@@ -188,9 +188,9 @@ def _shown(side: Expr, s: Series, given: Given) -> str:
         if power is None:
             continue
         for moved in functions_of(side, s.u, x, y, given):
-            found = by_equation(moved, power, s, y, without(x, given))
-            if found:
-                return found
+            shown = by_equation(moved, power, s, y, without(x, given))
+            if shown:
+                return shown
     raise OpenError(
         "the other side could not be shown to satisfy the differential equation of the series"
     )

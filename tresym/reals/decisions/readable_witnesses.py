@@ -35,17 +35,17 @@ def simple_points(
     Args:
         integers: the names that have integer values.
     """
-    found = []
+    points = []
     with ball_precision():
         for values in islice(product(SIMPLE, repeat=len(names)), MOST_TRIED):
             at = dict(zip(names, values, strict=True))
             if any(at[name].q != 1 for name in integers if name in at):
                 continue
             if given.names <= at.keys() and all(c.holds(at) for c in given.conditions):
-                found.append(at)
-                if len(found) == count:
-                    return found
-    return found if found or integers else list(given.points(names, count))
+                points.append(at)
+                if len(points) == count:
+                    return points
+    return points if points or integers else list(given.points(names, count))
 
 
 def tidied(e: Expr) -> Expr:
@@ -108,11 +108,11 @@ def decided_at(
         if given is None:
             continue
         integers = tuple(name for name in statement.integers if name not in at)
-        found = decided(fixed, replace(there, given=given, integers=integers))
-        if found.verdict is Verdict.REFUTED:
+        answer = decided(fixed, replace(there, given=given, integers=integers))
+        if answer.verdict is Verdict.REFUTED:
             point = {name: exact_text(value) for name, value in at.items()}
             shown = ", ".join(f"{name} = {value}" for name, value in point.items())
-            witness = point | dict(found.witness or {})
-            return replace(found, why=f"at {shown}: {found.why}", witness=witness), proved
-        proved = proved or bool(found)
+            witness = point | dict(answer.witness or {})
+            return replace(answer, why=f"at {shown}: {answer.why}", witness=witness), proved
+        proved = proved or bool(answer)
     return None, proved

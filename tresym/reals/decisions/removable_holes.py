@@ -171,8 +171,8 @@ def _at(
         raise _OpenError(by)
     kept = constants_hold(there.given.comparisons)
     there = replace(there, given=there.given if kept is None else kept)
-    found = decided(here, there)
-    yield with_substituted_witness(found, f"{by} = {c}", value)
+    answer = decided(here, there)
+    yield with_substituted_witness(answer, f"{by} = {c}", value)
 
 
 def _slope_at(d: Derivative, c: Expr, by: str, inside: Given) -> Expr | None:

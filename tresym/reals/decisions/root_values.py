@@ -132,11 +132,11 @@ def slope_sign(e: Expr, given: Given) -> int:
     inside = given & between(e, name)
     if continuous_on(body, inside, proof) is not None:
         return 0
-    found = sign(slope, inside, ">=")
-    if found in ("+", ">=0"):
+    its_sign = sign(slope, inside, ">=")
+    if its_sign in ("+", ">=0"):
         return 1
-    found = found if found in ("-", "<=0") else sign(slope, inside, "<=")
-    return -1 if found in ("-", "<=0") else 0
+    its_sign = its_sign if its_sign in ("-", "<=0") else sign(slope, inside, "<=")
+    return -1 if its_sign in ("-", "<=0") else 0
 
 
 def between(e: Expr, name: str) -> Given:

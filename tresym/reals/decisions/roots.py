@@ -56,20 +56,20 @@ _NOWHERE = (
 
 def root_nodes(*trees: Expr) -> list[Expr]:
     """Return the closed root nodes in the trees, outermost ones first, each once."""
-    found: dict[Expr, None] = {}
+    nodes: dict[Expr, None] = {}
 
     def walk(e: Expr) -> None:
         if not e.hidden or e.op in LEAVES:
             return
         if e.op == "root" and not e.loose:
-            found[e] = None
+            nodes[e] = None
         else:
             for arg in e.args:
                 walk(arg)
 
     for e in trees:
         walk(e)
-    return list(found)
+    return list(nodes)
 
 
 def decide_roots(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
@@ -91,9 +91,9 @@ def decide_roots(claim: Comparison, statement: Statement, decided: Decide) -> An
                     "supported only in claims without variables",
                 )
     if not (symbols(claim.left) | symbols(claim.right)) - {INFINITY.args[0]}:
-        found = _constants(claim, {})
-        if found is not None:
-            return found
+        result = _constants(claim, {})
+        if result is not None:
+            return result
     if not all(_is_smooth(d.function, nodes) for d in claim.derivatives if root_nodes(d.function)):
         return Answer(
             Verdict.UNDECIDED,
@@ -196,9 +196,9 @@ def _points(names: list[str], statement: Statement) -> list[dict[str, fmpq]]:
         return []
     if not names and not statement.given.names:
         return [{}]
-    found = islice(statement.given.points(names, 4 * LOOKED_AT), 4 * LOOKED_AT)
+    points = islice(statement.given.points(names, 4 * LOOKED_AT), 4 * LOOKED_AT)
     whole = statement.integers
-    rounded = ({n: x.ceil() if n in whole else x for n, x in at.items()} for at in found)
+    rounded = ({n: x.ceil() if n in whole else x for n, x in at.items()} for at in points)
     return list(islice(({n: fmpq(x) for n, x in at.items()} for at in rounded), LOOKED_AT))
 
 
@@ -261,7 +261,7 @@ def _by_monotonicity(
     # The function at the bound has the sign of the slope if the root lies below it.
     at_bound = slope * substitute(body, {name: bound})
     reduced = Comparison(at_bound, MIRRORED[relation], ZERO)
-    found = decided(reduced, replace(statement, given=statement.given & Given(tuple(inside))))
-    if not found:
+    answer = decided(reduced, replace(statement, given=statement.given & Given(tuple(inside))))
+    if not answer:
         return None
-    return replace(found, why=f"the function is monotone, and at {bound} {found.why}")
+    return replace(answer, why=f"the function is monotone, and at {bound} {answer.why}")

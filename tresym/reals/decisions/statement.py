@@ -132,12 +132,12 @@ def factorial_arguments(trees: Iterable[Expr]) -> list[Expr]:
 
     A claim says nothing where one of them is negative, even if it stands in an empty sum.
     """
-    found: dict[Expr, None] = {}
+    arguments: dict[Expr, None] = {}
     for e in trees:
         for node in functions(e):
             if node.args[0].args[0] == FACTORIAL and not node.args[1].loose:
-                found[node.args[1]] = None
-    return list(found)
+                arguments[node.args[1]] = None
+    return list(arguments)
 
 
 def implied_integers(trees: Iterable[Expr], known: Iterable[str] = ()) -> tuple[str, ...]:
@@ -147,16 +147,16 @@ def implied_integers(trees: Iterable[Expr], known: Iterable[str] = ()) -> tuple[
         known: those that are integers already.
     """
     places = [place for e in trees for place in _integer_places(e)]
-    found = dict.fromkeys(known)
+    names = dict.fromkeys(known)
     for _ in places:
         for e in places:
-            new = sorted(symbols(e) - {*found})
+            new = sorted(symbols(e) - {*names})
             slopes = [differentiate(e, name) for name in sorted(symbols(e))]
             linear = all(slope in (ONE, MINUS_ONE) for slope in slopes)
             rest = integer(substitute(e, dict.fromkeys(symbols(e), ZERO)))
             if linear and len(new) == 1 and rest is not None:
-                found[new[0]] = None
-    return tuple(found)
+                names[new[0]] = None
+    return tuple(names)
 
 
 def _integer_places(e: Expr) -> Iterator[Expr]:

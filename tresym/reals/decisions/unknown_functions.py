@@ -45,8 +45,12 @@ def decide_unknown(claim: Comparison, statement: Statement, decided: Decide) -> 
     Args:
         decided: the procedure for claims without arbitrary functions.
     """
-    found = Antiderivatives(statement.given)
-    sides = None if claim.derivatives else [found.put_in(e) for e in (claim.left, claim.right)]
+    antiderivatives = Antiderivatives(statement.given)
+    sides = (
+        None
+        if claim.derivatives
+        else [antiderivatives.put_in(e) for e in (claim.left, claim.right)]
+    )
     if sides is not None and None not in sides and statement.path is None:
         left, right = (side for side in sides if side is not None)
         claim = replace(claim, left=left, right=right)
@@ -91,7 +95,7 @@ def decide_unknown(claim: Comparison, statement: Statement, decided: Decide) -> 
     answer = decided(Comparison(left, claim.relation, right), replace(plain, given=given))
     if answer.verdict is Verdict.REFUTED:
         answer = _realised(atoms, answer)
-    if answer.verdict is Verdict.REFUTED and not found.any_values:
+    if answer.verdict is Verdict.REFUTED and not antiderivatives.any_values:
         why = (
             f"it fails for independent values of the integrals ({answer.why}), "
             "but integrals may not take all of these values"

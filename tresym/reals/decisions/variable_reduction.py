@@ -58,9 +58,9 @@ def by_one_variable(
     if _jumps((left, right, *(c.expression for c in given.conditions))):
         return None
     for method in (_scaled, _of_one_part, _monotone, _by_sizes):
-        found = method(left, relation, right, given, decide)
-        if found is not None:
-            return found
+        answer = method(left, relation, right, given, decide)
+        if answer is not None:
+            return answer
     return None
 
 
@@ -86,14 +86,16 @@ def _scaled(left: Expr, relation: str, right: Expr, given: Given, ask: Decide) -
             continue
         put_in = partial(substitute, mapping={y: ONE})
         one = tuple(c for c in given.mapped(put_in).comparisons if symbols(c[0] - c[2]))
-        found = ask(put_in(left), relation, put_in(right), Given(one))
-        if found.verdict is Verdict.UNDECIDED:
+        answer = ask(put_in(left), relation, put_in(right), Given(one))
+        if answer.verdict is Verdict.UNDECIDED:
             return None
-        if found.witness is not None:
-            return replace(found, witness={**found.witness, y: "1"})
+        if answer.witness is not None:
+            return replace(answer, witness={**answer.witness, y: "1"})
         return replace(
-            found,
-            why=(f"the claim is homogeneous, so it is enough to prove it for {y} = 1: {found.why}"),
+            answer,
+            why=(
+                f"the claim is homogeneous, so it is enough to prove it for {y} = 1: {answer.why}"
+            ),
             region=None,
         )
     return None
@@ -133,10 +135,10 @@ def _of_one_part(
     if not all(sign(e, region, r) in PROVING[r] for e, r in needs((there,))):
         return None  # the difference may be real where the function of the sum is not
     values = _sum(*(given.box.get(name, Interval()) for name in names))
-    found = ask(f, relation, ZERO, Given(tuple(_within(symbol(names[0]), values))))
-    if not found:
+    answer = ask(f, relation, ZERO, Given(tuple(_within(symbol(names[0]), values))))
+    if not answer:
         return None
-    return replace(found, why=f"the difference depends only on {part}: {found.why}", region=None)
+    return replace(answer, why=f"the difference depends only on {part}: {answer.why}", region=None)
 
 
 def _differ(e: Expr, other: Expr, given: Given) -> bool:
@@ -183,14 +185,14 @@ def _monotone(left: Expr, relation: str, right: Expr, given: Given, ask: Decide)
     if not all(sign(e, where, r) in PROVING[r] for e, r in needs((g, slope))):
         return None  # a jump or a pole between the two
     sides = (ZERO, slope) if order == "+" else (slope, ZERO)
-    found = ask(sides[0], relation, sides[1], where)
-    if not found:
+    answer = ask(sides[0], relation, sides[1], where)
+    if not answer:
         return None
     why = (
         f"the difference is that of {g} at two points, and its "
-        f"derivative has constant sign: {found.why}"
+        f"derivative has constant sign: {answer.why}"
     )
-    return replace(found, why=why, region=None)
+    return replace(answer, why=why, region=None)
 
 
 def _at_two_points(difference: Expr, x: str, y: str, given: Given) -> Expr | None:

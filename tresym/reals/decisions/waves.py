@@ -47,8 +47,8 @@ def has_no_limit(e: Expr, name: str, side: int, given: Given) -> bool:
     e = substitute(e, {name: side * symbol(name)})
     fixed = (left for _, _, left in with_fixed_waves(e, name, given))
     limits = (limit_of(left, name, None, 1, given) for left in fixed)
-    found = [value for value in limits if value is not None]
-    return any(differ(x, y, given) for x, y in pairwise(found))
+    known = [value for value in limits if value is not None]
+    return any(differ(x, y, given) for x, y in pairwise(known))
 
 
 def differ(x: Expr, y: Expr, given: Given) -> bool:

@@ -133,13 +133,13 @@ class Given:
     @cached_property
     def half_turns(self) -> dict[str, Interval]:
         """Return the same bounds in multiples of π, exact where a bound is written as one."""
-        found: dict[str, Interval] = {}
+        turns: dict[str, Interval] = {}
         for side, relation, bound in self._bounds():
             r = _pi_multiple(bound)
-            _tighten(found, side, relation, bound / PI if r is None else number(r))
+            _tighten(turns, side, relation, bound / PI if r is None else number(r))
         for condition in 2 * (*self.conditions, *self._implied):
-            _propagate(found, condition, homogeneous=True)
-        return found
+            _propagate(turns, condition, homogeneous=True)
+        return turns
 
     def _bounds(self) -> Iterator[tuple[Expr, str, Expr]]:
         """Yield each comparison of an expression with a constant, the expression on the left."""
@@ -207,7 +207,7 @@ class Given:
         ranges = [self.box.get(name, Interval()) for name in wanted]
         if any(r.low is not None and r.high is not None and r.low >= r.high for r in ranges):
             return
-        found, conditions = 0, list(self.conditions)
+        count, conditions = 0, list(self.conditions)
         for k in range(start, start + (_TRIES if self.conditions else n)):
             point = {
                 name: _sample(where, k, j)
@@ -215,10 +215,10 @@ class Given:
             }
             if _hold(conditions, point):
                 yield point
-                found += 1
-                if found == n:
+                count += 1
+                if count == n:
                     return
-        if not found and self.conditions:
+        if not count and self.conditions:
             yield from islice(filter(partial(_hold, conditions), self._far(wanted, ranges)), n)
 
     def _far(self, wanted: list[str], ranges: list[Interval]) -> Iterator[dict[str, fmpq]]:

@@ -51,18 +51,20 @@ def sample_points(
 
 def _irreducible(polynomials: list[fmpz_mpoly]) -> list[fmpz_mpoly]:
     """Return the irreducible factors, or raise if they are too many or too large."""
-    found: dict[str, fmpz_mpoly] = {}
+    factors: dict[str, fmpz_mpoly] = {}
     for p in polynomials:
         if p.is_zero() or p.is_constant():
             continue
         for factor, _ in factors_of(p)[1]:
-            found[str(factor)] = factor
-    if len(found) > MAX_POLYNOMIALS or any(p.total_degree() > MAX_DEGREE for p in found.values()):
+            factors[str(factor)] = factor
+    if len(factors) > MAX_POLYNOMIALS or any(
+        p.total_degree() > MAX_DEGREE for p in factors.values()
+    ):
         raise TooLargeError(
             f"a decomposition by more than {MAX_POLYNOMIALS} polynomials "
             f"or by one of degree over {MAX_DEGREE}"
         )
-    return list(found.values())
+    return list(factors.values())
 
 
 def _projection(polynomials: list[fmpz_mpoly], variable: int) -> list[fmpz_mpoly]:
@@ -143,7 +145,7 @@ def between(p: fmpz_poly) -> list[fmpq]:
     gaps = [Interval(low, high, True, True) for (_, low), (high, _) in pairwise(ends)]
     if any(not gap.low < gap.high for gap in gaps[1:-1]):
         raise TooLargeError("a polynomial has real roots that are too close to be separated")
-    found = [gap.simplest() for gap in gaps]
-    if not all(gap.holds(x) for gap, x in zip(gaps, found, strict=True)):
+    middles = [gap.simplest() for gap in gaps]
+    if not all(gap.holds(x) for gap, x in zip(gaps, middles, strict=True)):
         raise TooLargeError("no rational point was found between two roots of a polynomial")
-    return found
+    return middles

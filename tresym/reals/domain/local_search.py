@@ -43,10 +43,10 @@ def low_points(
 
     known = [(-size, k, p) for k, p in enumerate(starts) if (size := depth(p)) is not None]
     for _, _, start in sorted(known, key=lambda item: item[:2])[:MAX_STARTS]:
-        found = climbed(depth, start, list(_directions(sorted(start))), SMALLEST_STEP)
+        lowest = climbed(depth, start, list(_directions(sorted(start))), SMALLEST_STEP)
         for tolerance in TOLERANCES:
-            yield {name: near(x, tolerance) for name, x in found.items()}
-        yield found
+            yield {name: near(x, tolerance) for name, x in lowest.items()}
+        yield lowest
 
 
 def _directions(names: list[str]) -> Iterator[dict[str, int]]:

@@ -45,11 +45,11 @@ def windows(conditions: Sequence[Expr], starts: Sequence[ExactPoint]) -> Iterato
     axes = [{name: way} for name in names for way in (1, -1)]
     score, enough = partial(_score, conditions), (len(conditions), 0)
     for centre in [*centres, *starts][:MAX_CLIMBS]:
-        found = climbed(score, centre, axes, SMALLEST_STEP, enough)
-        yield found
+        point = climbed(score, centre, axes, SMALLEST_STEP, enough)
+        yield point
         for name in names:
             for step in BESIDE:
-                yield found | {name: found[name] + step}
+                yield point | {name: point[name] + step}
 
 
 def _of_regions(

@@ -81,7 +81,7 @@ def _solution(
     else:
         return None
     box = point | {n: point[n] + arb(0, WIDTH) for n in moving}
-    found = step(point, box)
-    if found is None or not all(box[n].contains_interior(found[n]) for n in moving):
+    enclosure = step(point, box)
+    if enclosure is None or not all(box[n].contains_interior(enclosure[n]) for n in moving):
         return None
-    return found
+    return enclosure

@@ -35,11 +35,11 @@ def sign_on_box(p: Poly, spans: list[Interval], start: int = 0) -> str | None:
     """
     if p.is_zero():
         return "0"
-    found = coefficient_sign(p, spans)
-    if found is None and len(p) <= MAX_QUADRATIC:
+    sign = coefficient_sign(p, spans)
+    if sign is None and len(p) <= MAX_QUADRATIC:
         for i in range(start, len(spans)):
-            found = found or quadratic_sign(p, i, partial(sign_on_box, spans=spans, start=i + 1))
-    return found
+            sign = sign or quadratic_sign(p, i, partial(sign_on_box, spans=spans, start=i + 1))
+    return sign
 
 
 def coefficient_sign(p: Poly, spans: list[Interval]) -> str | None:

@@ -66,12 +66,12 @@ def algebraic_zero(ring: Ring, p: Poly) -> bool:
 
 def _involved(ring: Ring, p: Poly) -> set[int]:
     """Return the generators in ``p`` and inside its roots."""
-    found: set[int] = set()
+    positions: set[int] = set()
     for i in ring.used(p):
-        found.add(i)
+        positions.add(i)
         if ring.at(i).kind == "root":
-            found |= _involved(ring, ring.at(i).data[0])
-    return found
+            positions |= _involved(ring, ring.at(i).data[0])
+    return positions
 
 
 def _house(ring: Ring, p: Poly) -> arb:
@@ -130,15 +130,15 @@ def _groups(ring: Ring, x: Fraction, kind: str) -> list[tuple[Poly, dict[int, fm
         if sum(int(monomial[i]) for i in present) == 1:
             rest = tuple(0 if i in present else int(k) for i, k in enumerate(monomial))
             groups.setdefault(rest, {})[present[0]] = value
-    found = []
+    combinations = []
     for rest, terms in groups.items():
         content = fmpz(0)
         for value in terms.values():
             content = content.gcd(value)
         reduced = {i: value // content for i, value in terms.items()}
         if all(abs(n) <= MAX_MULTIPLE for n in reduced.values()):
-            found.append((ring.context.from_dict({rest: content}), reduced))
-    return found
+            combinations.append((ring.context.from_dict({rest: content}), reduced))
+    return combinations
 
 
 def _log_sum(ring: Ring, terms: dict[int, fmpz]) -> Fraction | None:

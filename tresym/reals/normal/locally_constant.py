@@ -195,10 +195,10 @@ def _walls(
         The polynomials; an empty list if only bounds of single variables limit the region; None if
             some singularity is not such a polynomial.
     """
-    found = [e for e, _ in [*singularities(left), *singularities(right)]]
+    expressions = [e for e, _ in [*singularities(left), *singularities(right)]]
     for condition in given.beyond_box:
-        found += [condition.expression, *(e for e, _ in singularities(condition.expression))]
-    walls = _zeros(left, right, found, field, names)
+        expressions += [condition.expression, *(e for e, _ in singularities(condition.expression))]
+    walls = _zeros(left, right, expressions, field, names)
     if walls:
         for end in _irreducible_factors(
             field, left, right, [c.expression for c in given.conditions]
@@ -256,16 +256,16 @@ def _edges(field: Field, values: list[Fraction]) -> list[Poly] | None:
 
     None if one of the values may vanish where a half angle is π/2, or if this is not decided.
     """
-    found = [p for value in values for p in _at_poles(field, value)]
+    polynomials = [p for value in values for p in _at_poles(field, value)]
     for position in set().union(*map(field.ring.involved, values)):
         generator = field.ring.at(position)
         if generator.kind in ("root", "sign", "log"):
-            found.append(generator.data[0])
+            polynomials.append(generator.data[0])
         elif generator.kind in ("exp", "tan", "cos", "sin", "atan"):
-            found.append(generator.data[-1].den)
-    if any(p.is_zero() for p in found):
+            polynomials.append(generator.data[-1].den)
+    if any(p.is_zero() for p in polynomials):
         return None
-    return [part for p in found for part, _ in factor_polynomial(field.ring, p)[1]]
+    return [part for p in polynomials for part, _ in factor_polynomial(field.ring, p)[1]]
 
 
 def _at_poles(field: Field, value: Fraction) -> list[Poly]:

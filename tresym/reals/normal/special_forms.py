@@ -60,30 +60,30 @@ def _reduced(e: Expr) -> Expr | None:
         return None
     args = tuple(map(collected, e.args))
     if row.rewritten is not None:
-        found = row.rewritten(*args, trees)
-        if found is not None:
-            return as_expr(found)
+        other = row.rewritten(*args, trees)
+        if other is not None:
+            return as_expr(other)
     last = args[-1]
     if last == ZERO:
-        found = (
+        other = (
             ZERO if row.vanishes_with_argument else row.taylor and row.taylor(*args[:-1], 0, trees)
         )
-        return None if found is None or row.remainder is not None else as_expr(found)
+        return None if other is None or row.remainder is not None else as_expr(other)
     if _is_negative(last):
         if row.odd:
             return -apply(e.op, *args[:-1], collected(-last))
         if row.even:
             return apply(e.op, *args[:-1], collected(-last))
-        found = row.mirror and row.mirror(*args, trees)
-        if found is not None:
-            return tidy(found)
+        other = row.mirror and row.mirror(*args, trees)
+        if other is not None:
+            return tidy(other)
     times = _multiple(last) if row.multiplied is not None else 1
     if row.multiplied is not None and times > 1:
-        found = row.multiplied(times, *args, trees)
-        if found is not None:
-            return tidy(found)
-    found = _shifted(row, args)
-    return None if found is None else tidy(found)
+        other = row.multiplied(times, *args, trees)
+        if other is not None:
+            return tidy(other)
+    other = _shifted(row, args)
+    return None if other is None else tidy(other)
 
 
 def tidy(e: Expr) -> Expr:
@@ -109,12 +109,12 @@ def _shifted(row: Function, args: tuple[Expr, ...]) -> Expr | None:
     away = constant - row.start
     if abs(away) > MAX_SHIFT:
         return None
-    found = None
+    moved = None
     if away >= row.base:
-        found = row.recurrence(*args, trees)
+        moved = row.recurrence(*args, trees)
     elif away < 0:
-        found = row.raising(*args, trees)
-    return None if found is None else as_expr(found)
+        moved = row.raising(*args, trees)
+    return None if moved is None else as_expr(moved)
 
 
 def _constant(e: Expr) -> fmpq:
@@ -130,8 +130,8 @@ def _multiple(e: Expr) -> int:
     terms = [scaled(term)[0] for term in (e.args if e.op == "+" else (e,)) if term.op != "number"]
     if not terms or any(scale.q != 1 for scale in terms):
         return 1
-    found = gcd(*(int(scale.p) for scale in terms))
-    return found if found <= MAX_TIMES else 1
+    divisor = gcd(*(int(scale.p) for scale in terms))
+    return divisor if divisor <= MAX_TIMES else 1
 
 
 def _is_negative(e: Expr) -> bool:

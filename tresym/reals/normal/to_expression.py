@@ -137,8 +137,8 @@ def in_lowest_terms(e: Expr) -> Expr:
     try:
         field = Field(Given())
         (value,) = field.normal(plain)
-        found = _fraction(field, value)
-        return e if found is None else substitute(found, atoms)
+        written_form = _fraction(field, value)
+        return e if written_form is None else substitute(written_form, atoms)
     except (TooLargeError, UndefinedError, InputError):
         return e
 

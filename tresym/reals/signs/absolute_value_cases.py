@@ -39,9 +39,9 @@ def by_cases(difference: Expr, relation: str, given: Given, ask: Ask) -> str | N
 def _absolute(e: Expr) -> Expr | None:
     """Return the argument of an innermost absolute value in ``e``, or None if there is none."""
     for arg in e.args if e.op not in ("number", "symbol", "pi") else ():
-        found = _absolute(arg)
-        if found is not None:
-            return found
+        inner = _absolute(arg)
+        if inner is not None:
+            return inner
     return e.args[0] if e.op == "abs" else None
 
 

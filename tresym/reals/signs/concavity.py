@@ -36,8 +36,8 @@ def sign_by_concavity(
     Returns:
         A sentence that states the proof, or None.
     """
-    found = (_in(name, difference, relation, region) for name in sorted(symbols(difference)))
-    return next((sentence for sentence in found if sentence is not None), None)
+    sentences = (_in(name, difference, relation, region) for name in sorted(symbols(difference)))
+    return next((sentence for sentence in sentences if sentence is not None), None)
 
 
 def _in(name: str, difference: Expr, relation: str, region: Given) -> str | None:
@@ -59,11 +59,11 @@ def _in(name: str, difference: Expr, relation: str, region: Given) -> str | None
         if symbols(value):
             inside = closed  # where nothing can be evaluated, the ends are to be proved regular too
             weak = bool(sign_by_concavity(value, ">=", others))
-            found = sign(value, others) or (">=0" if weak else None)
+            at_end = sign(value, others) or (">=0" if weak else None)
         else:
             with ball_precision():
-                found = sign(value, Given()) if evaluate(value, {}).is_finite() else None
-        if found not in ("+", ">=0", "0") or (relation != ">=" and found != "+" and not is_open):
+                at_end = sign(value, Given()) if evaluate(value, {}).is_finite() else None
+        if at_end not in ("+", ">=0", "0") or (relation != ">=" and at_end != "+" and not is_open):
             return None
     if any(sign(part, inside) not in ("+", "-") for part, _ in singularities(difference)):
         return None

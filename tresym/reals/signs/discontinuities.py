@@ -185,10 +185,10 @@ def _remaining(given: Given, values: dict[str, Expr]) -> Given | None:
         comparison = substitute(left, values), relation, substitute(right, values)
         (condition,) = Given((comparison,)).conditions
         e = condition.expression
-        found = None if singularities(e) and symbols(e) else sign(e, Given())
-        if found in PROVING[condition.relation]:
+        constant_sign = None if singularities(e) and symbols(e) else sign(e, Given())
+        if constant_sign in PROVING[condition.relation]:
             continue
-        if found in _EXCLUDING[condition.relation]:
+        if constant_sign in _EXCLUDING[condition.relation]:
             return EMPTY
         if not symbols(e):
             return None

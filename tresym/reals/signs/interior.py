@@ -44,13 +44,13 @@ def sign_inside(e: Expr, given: Given) -> str | None:
             signs also hold at closed ends.
     """
     parts = Parts(given)
-    found = parts.sign(e)
-    if found in ("+", "-", "0"):
-        return found
-    found = _open_sign(e, given) or found
-    if found in (">=0", "<=0") and parts.nonzero(e):
-        return "+" if found == ">=0" else "-"
-    return found
+    sign = parts.sign(e)
+    if sign in ("+", "-", "0"):
+        return sign
+    sign = _open_sign(e, given) or sign
+    if sign in (">=0", "<=0") and parts.nonzero(e):
+        return "+" if sign == ">=0" else "-"
+    return sign
 
 
 def strict_by_conditions(e: Expr, given: Given) -> bool:
@@ -88,7 +88,7 @@ def jumps(expressions: Iterable[Expr], given: Given) -> list[Expr]:
         expressions: the expressions that are searched.
         given: the conditions.
     """
-    found: list[Expr] = []
+    nodes: list[Expr] = []
     seen: set[Expr] = set()
     stack = list(expressions)
     while stack:
@@ -105,8 +105,8 @@ def jumps(expressions: Iterable[Expr], given: Given) -> list[Expr]:
             and sign_inside(node.args[0], given) != "0"
             and not (node.op == "atan2" and sign_inside(node.args[1], given) == "+")
         ):
-            found.append(node)
-    return found
+            nodes.append(node)
+    return nodes
 
 
 def _vanishes_beside(node: Expr, factors: tuple[Expr, ...]) -> bool:
@@ -132,10 +132,10 @@ def _open_sign(e: Expr, given: Given) -> str | None:
         if value.num.is_zero():
             return "0"
         num, den = (without_powers(field, p) for p in (value.num, value.den))
-        found = _factored_sign(field, num) * _factored_sign(field, den)
+        number = _factored_sign(field, num) * _factored_sign(field, den)
     except (TooLargeError, UndefinedError):
         return None
-    return {1: ">=0", -1: "<=0", 0: None}[found]
+    return {1: ">=0", -1: "<=0", 0: None}[number]
 
 
 def without_powers(field: Field, p: Poly, other: Poly | None = None) -> Poly:
@@ -161,9 +161,9 @@ def without_powers(field: Field, p: Poly, other: Poly | None = None) -> Poly:
 
 def _factored_sign(field: Field, p: Poly) -> int:
     """Return the sign of ``p`` where it is not zero, from its odd factors; 0 if unknown."""
-    found = field.signs.sign(p)
-    if found:
-        return found
+    its_sign = field.signs.sign(p)
+    if its_sign:
+        return its_sign
     content, parts = factor_polynomial(field.ring, p)
     total = 1 if content > 0 else -1
     for part, multiplicity in parts:
@@ -195,12 +195,12 @@ def by_signs_of_parts(
     Returns:
         A sentence that states the proof, or None.
     """
-    found = sign_inside(difference, given)
-    if found not in PROVING[relation]:
+    known = sign_inside(difference, given)
+    if known not in PROVING[relation]:
         apart = relation == "!=" and Parts(given).nonzero(difference)
         return "the difference vanishes nowhere by the signs of its parts" if apart else None
     return (
-        f"the difference {_WORDS.get(found or '', 'is nowhere negative')} by the signs of its parts"
+        f"the difference {_WORDS.get(known or '', 'is nowhere negative')} by the signs of its parts"
     )
 
 

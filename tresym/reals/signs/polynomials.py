@@ -120,9 +120,9 @@ def _least(difference: Expr, region: Given) -> fmpq | None:
 def _count(difference: Expr, region: Given) -> int | None:
     """Return the number of cells that show ``difference >= 0``, or None if they do not."""
     try:
-        found, system = cells(difference, region), _system(difference, region)
-        if system is None or (found is not None and found.against is None):
-            return found and (found.number or None)
+        region_cells, system = cells(difference, region), _system(difference, region)
+        if system is None or (region_cells is not None and region_cells.against is None):
+            return region_cells and (region_cells.number or None)
         return _by_conjugate(*system)
     except TooLargeError:
         return None
@@ -228,9 +228,9 @@ def _shown(field: Field, p: Poly, facts: tuple[Poly, ...]) -> int | None:
     """Return the number of cells that show ``p >= 0``, or None."""
     if p.is_constant():
         return 1 if p.is_zero() or p.leading_coefficient() > 0 else None
-    found = _cells(field, p, facts)
-    if found is not None and found.against is None:
-        return found.number or None
+    region_cells = _cells(field, p, facts)
+    if region_cells is not None and region_cells.against is None:
+        return region_cells.number or None
     return _by_conjugate(field, p, facts)
 
 

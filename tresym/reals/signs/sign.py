@@ -69,28 +69,28 @@ def proof(difference: Expr, relation: str, given: Given, cases: int = MAX_CASES)
         A sentence that states the proof, or None if no method succeeds.
     """
     (difference,) = generalised(difference)
-    found = directly(difference, relation, given)
-    if found is None and cases:
-        found = by_cases(difference, relation, given, partial(proof, cases=cases - 1))
-    return by_equivalents(difference, relation, given, directly) if found is None else found
+    sentence = directly(difference, relation, given)
+    if sentence is None and cases:
+        sentence = by_cases(difference, relation, given, partial(proof, cases=cases - 1))
+    return by_equivalents(difference, relation, given, directly) if sentence is None else sentence
 
 
 def directly(difference: Expr, relation: str, given: Given) -> str | None:
     """Prove the relation as :func:`proof` does, without splitting cases or transforming it."""
-    found = (method(difference, relation, given) for method in DIRECT)
-    return next((sentence for sentence in found if sentence is not None), None)
+    sentences = (method(difference, relation, given) for method in DIRECT)
+    return next((sentence for sentence in sentences if sentence is not None), None)
 
 
 def proof_for_ledger(difference: Expr, relation: str, given: Given) -> str | None:
     """Prove the relation as :func:`proof` does, with only the methods that ledger claims need."""
-    found = _by_few(difference, relation, given)
-    return by_equivalents(difference, relation, given, _by_few) if found is None else found
+    sentence = _by_few(difference, relation, given)
+    return by_equivalents(difference, relation, given, _by_few) if sentence is None else sentence
 
 
 def _by_few(difference: Expr, relation: str, given: Given) -> str | None:
     """Try the methods in :data:`FEW`."""
-    found = (method(difference, relation, given) for method in FEW)
-    return next((sentence for sentence in found if sentence is not None), None)
+    sentences = (method(difference, relation, given) for method in FEW)
+    return next((sentence for sentence in sentences if sentence is not None), None)
 
 
 def sign(e: Expr, given: Given, wanted: str | None = None, dear: bool = True) -> str | None:
@@ -137,22 +137,24 @@ def sign_by(
         return FLIP[sign_by(-e, given, wanted.replace("<", ">"), prover)]
     enough = ("+", "-", "0") if wanted is None else PROVING[wanted]
     parts = Parts(given)
-    found = parts.sign(e)
-    if found in enough or found in ("+", "-", "0"):
-        return found
+    its_sign = parts.sign(e)
+    if its_sign in enough or its_sign in ("+", "-", "0"):
+        return its_sign
     if wanted == "!=" and parts.nonzero(e):
         return "!="
     if not (is_regular(given) and has_inside(given)):
-        return found
-    found = sign_inside(e, given) or found
-    if found in (">=0", "<=0") and wanted in (">", "!="):
-        up, side = ("+", e) if found == ">=0" else ("-", -e)
-        found = up if strict_by_conditions(side, given) else found
-    if prover is None or wanted is None or found in (*enough, "+", "-", "0"):
-        return found
+        return its_sign
+    its_sign = sign_inside(e, given) or its_sign
+    if its_sign in (">=0", "<=0") and wanted in (">", "!="):
+        up, side = ("+", e) if its_sign == ">=0" else ("-", -e)
+        its_sign = up if strict_by_conditions(side, given) else its_sign
+    if prover is None or wanted is None or its_sign in (*enough, "+", "-", "0"):
+        return its_sign
     if jumps((e,), given):
-        return found  # the methods prove almost all points, which says nothing about points of jump
+        return (
+            its_sign  # the methods prove almost all points, which says nothing about points of jump
+        )
     for up, side in (("+", e), ("-", -e))[: 1 + (wanted == "!=")]:
         if prover(side, wanted.replace("!=", ">"), given) is not None:
             return ">=0" if wanted == ">=" else up
-    return found
+    return its_sign

@@ -109,12 +109,12 @@ class Parts:
             return None
         self._asked.add(e)
         before, self._cut = self._cut, False
-        found = self._sign(e)
+        its_sign = self._sign(e)
         self._asked.discard(e)
         if not self._cut or not self._asked:
-            self._signs[e] = found
+            self._signs[e] = its_sign
         self._cut = (self._cut or before) and bool(self._asked)
-        return found
+        return its_sign
 
     def nonzero(self, e: Expr) -> bool:
         """Return whether ``e`` is shown to vanish nowhere."""
@@ -154,19 +154,19 @@ class Parts:
         stated = self._stated(e)
         if stated in ("+", "-"):
             return stated
-        found = self._by_operation(e)
-        return found if found in ("+", "-", "0") else stated or found
+        by_operation = self._by_operation(e)
+        return by_operation if by_operation in ("+", "-", "0") else stated or by_operation
 
     def _stated(self, e: Expr) -> str | None:
         """Return the sign that a condition states directly."""
-        found = None
+        stated = None
         for condition in self.given.conditions:
             if condition.relation != "!=" and condition.expression in (e, -e):
                 up = condition.expression == e
                 if condition.relation == ">":
                     return "+" if up else "-"
-                found = ">=0" if up else "<=0"
-        return self._difference_of_squares(e) if found is None and e.op == "+" else found
+                stated = ">=0" if up else "<=0"
+        return self._difference_of_squares(e) if stated is None and e.op == "+" else stated
 
     def _difference_of_squares(self, e: Expr) -> str | None:
         """Return ``"+"`` for ``1 - u**2`` if conditions say that ``1 - u`` and ``1 + u`` are
@@ -217,10 +217,10 @@ class Parts:
     def _product_sign(self, factors: list[Expr] | tuple[Expr, ...]) -> str | None:
         total = "+"
         for factor in factors:
-            found = self.sign(factor)
-            if found is None:
+            its_sign = self.sign(factor)
+            if its_sign is None:
                 return None
-            total = times(total, found)
+            total = times(total, its_sign)
         return total
 
     def _power_sign(self, base: Expr, exponent: Expr) -> str | None:
@@ -259,8 +259,8 @@ class Parts:
             return None
         rest = sum((part for part in e.args if part != angles[0]), number(0))
         if angles[0].op != "atan2":
-            found = self._angle_sign(-angles[0] - rest)
-            return {"+": "-", "-": "+", ">=0": "<=0", "<=0": ">=0"}.get(found or "")
+            opposite = self._angle_sign(-angles[0] - rest)
+            return {"+": "-", "-": "+", ">=0": "<=0", "<=0": ">=0"}.get(opposite or "")
         above = "0" if rest == PI else constant_sign(rest - PI)
         if above in ("+", "0"):
             return "+"
@@ -275,9 +275,9 @@ class Parts:
         middle = PI / 2 if e.op == "sin" else number(0)
         for turns, up in ((0, "+"), (1, "-"), (-1, "-")):
             from_middle = angle - middle - turns * PI
-            found = [self.sign(PI / 2 + from_middle), self.sign(PI / 2 - from_middle)]
-            if all(sign in WEAK for sign in found):
-                strict = found == ["+", "+"]
+            signs = [self.sign(PI / 2 + from_middle), self.sign(PI / 2 - from_middle)]
+            if all(sign in WEAK for sign in signs):
+                strict = signs == ["+", "+"]
                 return up if strict else ">=0" if up == "+" else "<=0"
         return None
 
@@ -300,12 +300,12 @@ class Parts:
         """Return the range given by the sign of ``e`` and, for an exponential or root, of ``e −
         1``.
         """
-        found, above_one = self.sign(e), None
+        own_sign, above_one = self.sign(e), None
         if e.op == "exp":
             above_one = self.sign(e.args[0])
         elif e.op == "^" and e.args[1].op == "number" and e.args[1].args[0] > 0:
             above_one = self.sign(e.args[0] - ONE)
-        return beside(fmpq(0), found) & beside(fmpq(1), above_one)
+        return beside(fmpq(0), own_sign) & beside(fmpq(1), above_one)
 
     # -- polynomials in atoms -------------------------------------------------------------------
 
@@ -333,10 +333,10 @@ class Parts:
         if best not in ("+", "-", "0") and depth:
             for up, p in (("+", num), ("-", -num)):
                 for taken in self._ways(p, den, depth):
-                    found = self._less(p, taken)
-                    if found == "+":
+                    less = self._less(p, taken)
+                    if less == "+":
                         return up
-                    best = best or (found and (">=0" if up == "+" else "<=0"))
+                    best = best or (less and (">=0" if up == "+" else "<=0"))
         return best
 
     def _less(self, p: Poly, taken: Taken) -> str | None:
@@ -353,8 +353,8 @@ class Parts:
                 return None
             p = p * scale - multiple * fact
             strict = strict or (is_strict and room == "+")
-        found = self._polynomial(p, roots=False)  # conjugates subtract conditions by themselves
-        return None if found not in WEAK else "+" if strict or found == "+" else ">=0"
+        terms = self._polynomial(p, roots=False)  # conjugates subtract conditions by themselves
+        return None if terms not in WEAK else "+" if strict or terms == "+" else ">=0"
 
     def _ways(self, p: Poly, den: Poly, depth: int) -> Iterator[Taken]:
         """Yield conditions whose multiples may be subtracted from ``p/den`` to cancel a term."""
@@ -371,10 +371,10 @@ class Parts:
             ):
                 few = len(p) <= MAX_SPLIT
                 multiples = self._multiples(p, fact) if few else ()
-                found = {(str(c), str(m)): (c, m, n) for c, m in multiples}
+                multiples_by_text = {(str(c), str(m)): (c, m, n) for c, m in multiples}
                 if len(p * below - den * fact) < len(p * below) + len(fact):
-                    found[str(below), str(den)] = below, den, n
-                steps += found.values()
+                    multiples_by_text[str(below), str(den)] = below, den, n
+                steps += multiples_by_text.values()
         for step in steps[: max(0, MAX_TRIALS - self._trials)]:
             self._trials += 1
             yield (step,)
@@ -405,11 +405,11 @@ class Parts:
             return None
         best = None
         for q in self.atoms.rewritten(p, self._is_positive):
-            found = self._on_box(q)
-            found = found if found in ("+", "-", "0") else self._by_factors(q) or found
-            if found in ("+", "-", "0"):
-                return found
-            best = best or found
+            sign = self._on_box(q)
+            sign = sign if sign in ("+", "-", "0") else self._by_factors(q) or sign
+            if sign in ("+", "-", "0"):
+                return sign
+            best = best or sign
         return best or self._at_ends(p) or (self._by_conjugate(p) if roots else None)
 
     def _by_conjugate(self, p: Poly) -> str | None:
@@ -425,8 +425,8 @@ class Parts:
                 self.atoms.ring.fraction(parts[0]) ** 2 - parts[1] ** 2 * inner, 1
             )
             if size in ("+", "-"):
-                found = self._polynomial(parts[0 if size == "+" else 1])
-                return {">=0": "+", "<=0": "-"}.get(found or "", found)
+                terms = self._polynomial(parts[0 if size == "+" else 1])
+                return {">=0": "+", "<=0": "-"}.get(terms or "", terms)
         return None
 
     def _at_ends(self, p: Poly) -> str | None:
@@ -454,12 +454,12 @@ class Parts:
             return None
         spans = [self.span(self.atoms.expression(i)) for i in used]
         known = self._boxes.setdefault(str(p), [])
-        for others, found in known:  # the known ranges may have become narrower meanwhile
+        for others, its_sign in known:  # the known ranges may have become narrower meanwhile
             if others == spans:
-                return found
-        found = sign_on_box(project(p, used), spans)
-        known.append((spans, found))
-        return found
+                return its_sign
+        its_sign = sign_on_box(project(p, used), spans)
+        known.append((spans, its_sign))
+        return its_sign
 
     def _by_factors(self, p: Poly) -> str | None:
         unit, parts = small_factor(self.atoms.ring, p)
@@ -467,12 +467,12 @@ class Parts:
             return self._known_part(p)
         total = "+" if unit > 0 else "-"
         for part, multiplicity in parts:
-            found = self._on_box(part) or self._known_part(part)
+            its_sign = self._on_box(part) or self._known_part(part)
             if multiplicity % 2 == 0:
-                found = "+" if found in ("+", "-") else ">=0"
-            if found is None:
+                its_sign = "+" if its_sign in ("+", "-") else ">=0"
+            if its_sign is None:
                 return None
-            total = times(total, found)
+            total = times(total, its_sign)
         return total
 
     def _known_part(self, p: Poly) -> str | None:
@@ -506,8 +506,8 @@ class Parts:
             return None
         if first.kind == "root" and first.data[2] != second.data[2]:
             return None
-        found = self.sign(u - v)
-        return found if scales[0] > 0 else FLIP[found]
+        its_sign = self.sign(u - v)
+        return its_sign if scales[0] > 0 else FLIP[its_sign]
 
     @property
     def known(self) -> list[tuple[Fraction, bool]]:
@@ -531,11 +531,11 @@ class Parts:
         """Return the same as polynomials, with their denominators, which are positive."""
         if self._facts is None:
             self._facts = []
-            found = []
+            pieces = []
             for value, strict in self.known:
                 below = self._polynomial(value.den)
                 if below is not None and below != "0":
                     side = 1 if below in WEAK else -1
-                    found.append((side * value.num, strict, side * value.den))
-            self._facts = found
+                    pieces.append((side * value.num, strict, side * value.den))
+            self._facts = pieces
         return self._facts

@@ -90,11 +90,11 @@ def opened(region: Given, name: str) -> Given:
 
 def _bases(difference: Expr, name: str, where: Range, inside: Given) -> list[Expr]:
     """Return candidate points of expansion, whether or not they lie in the range."""
-    found = [number(c) for c in (where.low, where.high) if c is not None and c.q < 2**64]
-    found += [ZERO, ONE, *map(symbol, sorted(symbols(difference) - {name}))]
+    points = [number(c) for c in (where.low, where.high) if c is not None and c.q < 2**64]
+    points += [ZERO, ONE, *map(symbol, sorted(symbols(difference) - {name}))]
     slope = differentiate(difference, name)
-    found += solutions(slope, name) or solutions(numerator(slope, inside), name)
-    return list(dict.fromkeys(found))[:MAX_BASES]
+    points += solutions(slope, name) or solutions(numerator(slope, inside), name)
+    return list(dict.fromkeys(points))[:MAX_BASES]
 
 
 def _within(region: Given, name: str, c: Expr, inside: Given) -> bool:
@@ -136,14 +136,14 @@ def _expansion(
     for order in range(1, MAX_ORDER + 1):
         term = substitute(derivative, at)
         seen, ways = _seen(term, inside), {side ** (order - 1) for side in sides}
-        found = None if len(seen) > 1 else sign(term, inside)
-        if found is None:
+        term_sign = None if len(seen) > 1 else sign(term, inside)
+        if term_sign is None:
             if len(seen | ways) > 1:
                 return None
             (way,) = ways
             assumed.append(way * term)
-            found = {1: ">=0", -1: "<=0"}[way]
-        terms.append(found)
+            term_sign = {1: ">=0", -1: "<=0"}[way]
+        terms.append(term_sign)
         derivative = differentiate(derivative, name)
         if derivative.size > MAX_SIZE:
             return None

@@ -65,9 +65,9 @@ def by_equivalents(difference: Expr, relation: str, given: Given, ask: Ask) -> s
         A sentence that states the proof, or None.
     """
     for links in equivalents(difference, relation, given):
-        found = ask(links[-1].easy, relation, given)
-        if found is not None and all(holds(link, relation, given) for link in links):
-            return "".join(link.words for link in links) + found
+        sentence = ask(links[-1].easy, relation, given)
+        if sentence is not None and all(holds(link, relation, given) for link in links):
+            return "".join(link.words for link in links) + sentence
     return None
 
 
