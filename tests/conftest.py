@@ -105,6 +105,9 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     for item in items:
         inner = item.path.relative_to(TESTS).as_posix()
         marks = {mark.name for mark in item.iter_markers()}
+        if "whole" in getattr(item, "fixturenames", ()) and "night" not in marks:
+            item.add_marker("slow")  # the whole ledger is judged first
+            marks.add("slow")
         if inner.startswith(CORE) and not marks & {"slow", "night"}:
             item.add_marker("quick")
         if "coq" in marks and shutil.which("coqc") is None:

@@ -4,6 +4,7 @@ import ast
 import re
 import subprocess
 import sys
+from functools import cache
 from importlib import import_module
 from pathlib import Path
 
@@ -65,13 +66,11 @@ def name_of(path: Path) -> tuple[str, ...]:
 MODULES = {name_of(path) for path in FILES}
 
 
-def imported(path: Path, types: bool = True) -> set[tuple[str, ...]]:
+@cache
+def imported(path: Path) -> set[tuple[str, ...]]:
     """The modules of tresym that a file imports, anywhere in it, for type checkers too."""
     found = set()
-    tree = ast.parse(path.read_text(encoding="utf-8"))
-    if not types:
-        tree.body = [n for n in tree.body if not _is_for_types(n)]
-    for node in ast.walk(tree):
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         names = []
         if isinstance(node, ast.ImportFrom):
             assert node.level == 0, f"{path}: relative import"
@@ -82,10 +81,6 @@ def imported(path: Path, types: bool = True) -> set[tuple[str, ...]]:
         assert not any(n.split(".")[0] == "proofs" for n in names), f"{path}: say tresym.proofs"
         found |= {tuple(n.split(".")[1:]) for n in names if n.startswith("tresym.")}
     return found
-
-
-def _is_for_types(node: ast.stmt) -> bool:
-    return isinstance(node, ast.If) and "TYPE_CHECKING" in ast.unparse(node.test)
 
 
 def layer_of(package: str, layers: tuple[tuple[str, ...], ...]) -> int:
@@ -218,13 +213,3 @@ def test_no_generator_waits_while_it_holds_the_precision() -> None:
             if any("_precision(" in name for name in names):
                 inner = [n for n in ast.walk(node) if isinstance(n, ast.Yield | ast.YieldFrom)]
                 assert not inner or path.name == "arithmetic.py", (path, node.lineno)
-
-
-def test_no_module_imports_itself_through_others() -> None:
-    """Imports in functions count; those for type checkers alone do not."""
-    imports = {name_of(path): imported(path, types=False) & MODULES for path in FILES}
-    for name in imports:
-        imports[name] -= {name}
-    while leaves := {name for name, found in imports.items() if not found & imports.keys()}:
-        imports = {name: found for name, found in imports.items() if name not in leaves}
-    assert not imports
