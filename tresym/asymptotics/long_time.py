@@ -102,7 +102,7 @@ def decide_autonomous(
     if any(node.args[0].args[1]):
         raise OpenError("no explicit solution was found, which claims about slopes need")
     plain = Statement((), fixed, None, "")
-    for limit in _candidates(claim, problem, node):
+    for limit in _candidates(claim, problem):
         found = _approach(problem, name, right, limit, plain, decided)
         if found is not None:
             return _at_equilibrium(claim, node, found, plain, path, decided)
@@ -112,7 +112,7 @@ def decide_autonomous(
     raise OpenError("no explicit solution and no equilibrium that it tends to were found")
 
 
-def _candidates(claim: Comparison, problem: Problem, node: Expr) -> Iterator[Expr]:
+def _candidates(claim: Comparison, problem: Problem) -> Iterator[Expr]:
     """Yield where the solution may tend: what the claim says, and the next zero of f."""
     ((name, right),) = problem.right.items()
     if claim.relation == "->":
@@ -122,23 +122,29 @@ def _candidates(claim: Comparison, problem: Problem, node: Expr) -> Iterator[Exp
         yield ZERO
         yield number(fmpq(1))
         return
+    yield from _next_zero(start, name, right)
+
+
+def _next_zero(start: Expr, name: str, right: Expr) -> list[Expr]:
+    """Return exact numbers near the first zero of f that the solution moves towards."""
+    found: list[Expr] = []
     with ball_precision(256):
         x = evaluate(start, {})
         value = evaluate(right, {name: x})
         if not value.is_finite() or value.contains(0):
-            return
+            return found
         up = 1 if value > 0 else -1
         step = arb("0.03") * up
         for _ in range(STEPS):
             following = arb((x + step).mid())
             other = evaluate(right, {name: following})
             if not other.is_finite():
-                return
+                return found
             if not other * up > 0:
                 break
             x, step = following, step * FACTOR
         else:
-            return
+            return found
         low, high = x, following
         for _ in range(HALVINGS * 4):
             middle = arb(((low + high) / 2).mid())
@@ -151,9 +157,9 @@ def _candidates(claim: Comparison, problem: Problem, node: Expr) -> Iterator[Exp
             for q in range(1, DENOMINATORS + 1):
                 p = (high / scale * q + arb("0.5")).floor().unique_fmpz()
                 if p is not None and abs(high / scale * q - int(p)) < arb("1e-9"):
-                    yield number(fmpq(int(p), q)) * unit
+                    found.append(number(fmpq(int(p), q)) * unit)
                     break
-    del node
+    return found
 
 
 def _approach(
