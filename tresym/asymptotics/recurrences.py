@@ -327,14 +327,15 @@ def _starts(sequence: _Sequence) -> Iterator[tuple[Expr, Expr]]:
     yield sequence.start, sequence.start
     if symbols(sequence.start) or symbols(sequence.f) - {_X}:
         return
+    found = []
     with ball_precision(256):
         x = evaluate(sequence.start, {})
         for _ in range(MOST_STEPS):
             x = evaluate(sequence.f, {_X: x})
             if not x.is_finite():
-                return
-            low, high = (_rational(end, side) for end, side in ((x.lower(), -1), (x.upper(), 1)))
-            yield number(low), number(high)
+                break
+            found.append((number(_rational(x.lower(), -1)), number(_rational(x.upper(), 1))))
+    yield from found
 
 
 def _rational(x: arb, side: int) -> fmpq:
