@@ -443,7 +443,7 @@ def _fails(row: Row) -> bool:
     if row.fails_at is None:
         return row.cause is Cause.UNCONFIRMED and (link.same or is_meant(link))
     if row.status == DEFINED:  # it does not solve the equation before it
-        return link.solves is not None
+        return link.solves is not None and link.solves.called
     if row.status == ASSUMED:  # f << g along a stated path
         return " as " in row.refuted
     bounded = names_in(link.claims[0].given) if link.claims else frozenset()
