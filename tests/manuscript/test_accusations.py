@@ -198,3 +198,8 @@ NUMBERS = {
 @pytest.mark.parametrize("text", NUMBERS)
 def test_numbers_as_they_are_printed(text: str, tmp_path: Path) -> None:
     assert read(tmp_path, text)[-1].status == NUMBERS[text]
+
+
+def test_exponents_at_random_points_stop_no_paper(tmp_path: Path) -> None:
+    (*_, row) = read(tmp_path, r"Then \[ y = x^a x^b = x^{a - b} \]")
+    assert row.status in ("REFUTED", "SUSPECT", "UNDECIDED", "EQUATION")

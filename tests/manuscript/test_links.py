@@ -409,7 +409,7 @@ PHYSICS = {
     ),
     r"For $x>0$ let \[ w(x) = \sqrt{x^2} \] For all $x$ \[ w(x) = x \]": "DEFINED w(x) == x",
     r"For large $x$ \[ \sinh x \approx \tfrac12 e^x \]": ("ENCLOSED sinh(x) ~ exp(x)/2 as x -> oo"),
-    r"For small $x$ \[ \sinh x \approx \tfrac12 e^x \]": ("UNDECIDED sinh(x) ~ exp(x)/2 as x -> 0"),
+    r"For small $x$ \[ \sinh x \approx \tfrac12 e^x \]": ("REFUTED sinh(x) ~ exp(x)/2 as x -> 0"),
     r"\[ x' = \frac{x - vt}{\sqrt{1-v^2}}, \qquad t' = \frac{t - vx}{\sqrt{1-v^2}} \]"
     r" \[ t'^2 - x'^2 = t^2 - x^2 \]": "PROVED t_primed**2 - x_primed**2 == t**2 - x**2",
     r"\[ x' = -y, \quad y' = x \] \[ x'^2 + y'^2 = x^2 + y^2 \]": (

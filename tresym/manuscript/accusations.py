@@ -37,6 +37,8 @@ _POINTS = 120
 _INDICES = frozenset("ijklmnpqrsKLMN")
 _SUBSCRIPT = re.compile(r"[A-Za-z]+?_?(\d*[i-s][i-s\d]{0,3})")
 _WAVES = re.compile(r"\b(?:sin|cos|tan|cot|sec|csc)\(|\(-1\)\*\*")
+_NEAR_END = re.compile(r"small|large|asymptotic\w*|leading|(?<!using the )order", re.IGNORECASE)
+"""Words that say no more than a path does."""
 _BOUNDS = frozenset(("<", ">", "<=", ">=", "!="))
 
 
@@ -103,7 +105,8 @@ def ground(
     own = [c for c in (*under.passing, *under.row) if symbols(c[0]) | symbols(c[2])]
     explicit = bool(names) and names <= names_in(own) | under.anew
     universal = said.universal or under.universal or under.kind == prose.CLAIM
-    free = names - {under.path.split(" ")[0]}  # a path says for which values it is meant
+    path = memory.path_for(names, under)
+    free = names - {path.split(" ")[0]}  # a path says for which values it is meant
     tied = free | unknown | names_in(c for c in own if names & names_in((c,)))
     here = {n: r for n, r in now.restricted.items() if r.within in (0, now.paragraph)}
     restricted = {name: here[name] for name in sorted(tied & here.keys())}
@@ -117,7 +120,7 @@ def ground(
     def doubt(kind: DoubtKind, text: str) -> None:
         doubts.append(Doubt(kind, text))
 
-    if under.stated:
+    if under.stated and not (path and _NEAR_END.fullmatch(under.stated)):
         doubt(DoubtKind.SENTENCE, f"the sentence says '{under.stated}'")
     for name in sorted(unknown):
         doubt(DoubtKind.FUNCTION, f"the text does not say what the function {name} is")
@@ -239,7 +242,10 @@ def holds_elsewhere(sides: Compared, given: Sequence[Compared]) -> dict[str, str
             if not all(_given_holds(c, point) for c in given):
                 continue
             exact = {name: number(value) for name, value in point.items()}
-            gap = evaluate(substitute(one - other, exact), {})
+            try:
+                gap = evaluate(substitute(one - other, exact), {})
+            except InputError:
+                continue  # an exponent with large numerator, say
             if not gap.is_finite():
                 continue
             tried[whole] += 1

@@ -210,7 +210,8 @@ def may_be(row: Row) -> bool:
     vary = link.same and bool(symbols(left)) and bool(symbols(right))
     if relation not in _RELATIONS:
         return False
-    meant = is_meant(link)
+    to_constant = link.goes_on and not symbols(right)  # … = f(x) = 1: only a repair tells
+    meant = is_meant(link) or to_constant
     if not meant and (is_introduced(link) or _stands_alone(left, right)):
         return False
     kinds = {doubt.kind for doubt in link.ground.doubts} - _HARMLESS
