@@ -291,3 +291,8 @@ def test_digits_that_are_cut_off_are_within_a_unit(tmp_path: Path) -> None:
     assert row.status not in ("PROVED", "ENCLOSED")
     row = read(tmp_path, r"\[ \frac23 \approx 0.6 \]")[-1]
     assert row.status in ("PROVED", "ENCLOSED")
+
+
+def test_an_integral_that_needs_a_positive_end_is_no_misprint(tmp_path: Path) -> None:
+    text = r"\[ \int_1^x \frac{1}{t^2}\,dt = \left[-\frac1t\right]_1^x = 1 - \frac1x \]"
+    assert {"SUSPECT", "REFUTED"}.isdisjoint(statuses(tmp_path, text))

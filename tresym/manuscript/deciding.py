@@ -400,7 +400,8 @@ def _where_positive(rows: list[Row], limit: float, processes: int | None) -> lis
         }
         names -= accusations.NO_VARIABLES
         powers = "sqrt(" in row.failing or "/" in row.failing or "log(" in row.failing
-        if sides[1] != "==" or not powers or all(map(COORDINATE.fullmatch, names)):
+        plain = elementary(sides[0], sides[2]) and all(map(COORDINATE.fullmatch, names))
+        if sides[1] != "==" or not names or not powers or plain:
             continue
         conditions = ", ".join(f"{name} > 0" for name in sorted(names))
         asked.append((n, conditions))

@@ -453,7 +453,8 @@ def _fails(row: Row) -> bool:
     unread = any(doubt.kind is DoubtKind.UNREAD for doubt in link.ground.doubts)
     if row.status == "UNDECIDED":
         same = link.same and (link.goes_on or not unread)
-        return same or link.solves is not None or is_meant(link)
+        tends = " as " in row.refuted or "limit(" in row.refuted
+        return same or tends or link.solves is not None or is_meant(link)
     if row.status == UNREAD:
         return row.obstacle is Obstacle.CONDITION and is_meant(link)
     names = symbols(link.sides[0]) | symbols(link.sides[2])
