@@ -212,20 +212,21 @@ class ClaimDirective(SphinxDirective):
 
     def run(self) -> list[nodes.Node]:
         """Return the statement in a frame."""
-        (label,) = self.arguments
-        claim = _named(self, label)
+        label, claim = _named(self, self.arguments[0])
         box = nodes.container(classes=["claim"])
         text = f"{titled(label, claim)}\n\n{statement(claim)}"
         box += self.parse_text_to_nodes(text)
         return [box]
 
 
-def _named(directive: SphinxDirective, label: str) -> dict[str, Any]:
+def _named(directive: SphinxDirective, name: str) -> tuple[str, dict[str, Any]]:
+    """The label and the data of the claim with a label or a readable name."""
     found = ledger_of(Path(directive.env.srcdir))["claims"]
+    aliases = {claim["alias"]: label for label, claim in found.items()}
+    label = aliases.get(name, name)
     if label not in found:
-        raise directive.error(f"no claim is labelled {label}")
-    claim: dict[str, Any] = found[label]
-    return claim
+        raise directive.error(f"no claim is labelled {name}")
+    return label, found[label]
 
 
 class ChartsDirective(SphinxDirective):
