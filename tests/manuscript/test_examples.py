@@ -62,6 +62,9 @@ def test_page_and_marks_show_every_display(
     parser = _Balanced()
     parser.feed(page)
     assert not parser.open
+    parts = ('id="attention"', "links are not decided", 'id="display-1"', "Kinds of symbols")
+    places = [page.index(part) for part in parts]
+    assert places == sorted(places)
     accused = sum(row["status"] in ("REFUTED", "SUSPECT") for row in found)
     assert page.count('<math display="block">') == 11 + accused
     assert page.count("<section class=") == 11
