@@ -39,7 +39,8 @@ section.UNDECIDED, section.UNREAD { border-color: #c80 }
 h1 { font-size: 1.6rem } h2 { font-size: 1rem; margin: 0 } .why { color: #555 }
 .status { font-weight: 600 } .REFUTED > .status, .SUSPECT > .status { color: #b00 }
 #attention { background: #fff4f0; padding: .5rem 1rem } #attention h2 { font-size: 1.1rem }
-ul { padding-left: 1.2rem } li { margin: .5rem 0; overflow-x: auto } section > ul { list-style: none; padding: 0 }
+ul { padding-left: 1.2rem } li { margin: .5rem 0; overflow-x: auto }
+section > ul { list-style: none; padding: 0 }
 .formula, .wide { overflow-x: auto; padding: .4rem 0 } pre { margin: 0; font-size: .85rem }
 table { border-collapse: collapse } td, th { padding: .1rem .6rem .1rem 0; text-align: left;
   vertical-align: top }
@@ -113,8 +114,9 @@ def _reasons(rows: Sequence[Row]) -> Iterator[str]:
     if not found:
         return
     number = sum(len(same) for _, same in found)
+    what = "1 link is" if number == 1 else f"{number} links are"
     yield "<details open>\n"
-    yield f"<summary>Why {number} links are not decided</summary>\n"
+    yield f"<summary>Why {what} not decided</summary>\n"
     yield '<div class="wide"><table>\n<tr><th>links</th><th>reason</th><th>displays</th></tr>'
     for (status, reason), same in found:
         places = _places([row.link.display.number for row in same])
