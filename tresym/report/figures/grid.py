@@ -23,6 +23,7 @@ _HOME = re.compile(r"(M (\S+ \S+)\n(?:[LQC] .*\n)*?)L \2\nz")
 _NAME = re.compile(r'(?<=[#"])([a-zC]*)[0-9a-f]{10}(?=[_")])')
 _METADATA = re.compile(r"^ *<metadata>.*?</metadata>\n", re.MULTILINE | re.DOTALL)
 _INDENT = re.compile(r"^ +(?=<)", re.MULTILINE)
+_GROUP = re.compile(r'<g id="(?!text_)[^"]*"')
 _LETTER = re.compile(r'(<use xlink:href="#[^"]*") transform="translate\((\S+) 0\)"')
 _STEP = re.compile(r"\n([LQCz]) ?(?=[-\d\n\"])")
 _GLYPH = re.compile(r'(?<=[#"])(DejaVuSans[A-Za-z-]*)-(?=[0-9a-f]+")')
@@ -52,7 +53,7 @@ def on_grid(text: str, title: str) -> str:
 
     def named(found: re.Match[str]) -> str:
         order = f"{title}{len(names)}".encode()
-        return names.setdefault(found[0], found[1] + hashlib.sha256(order).hexdigest()[:10])
+        return names.setdefault(found[0], found[1] + hashlib.sha256(order).hexdigest()[:6])
 
     return _NAME.sub(named, _HOME.sub(r"\1z", _AGAIN.sub(r"\1", text)))
 
@@ -61,9 +62,10 @@ def compact(text: str, described: str) -> str:
     """Return an SVG of matplotlib in fewer bytes, with its description in place of the metadata.
 
     Most of a chart's bytes place letters, one ``use`` for each: they lose their indentation, and
-    the glyphs their long names.
+    the glyphs their long names. Of groups only texts keep names.
     """
     text = _INDENT.sub("", _METADATA.sub(lambda _: described, text, count=1))
+    text = _GROUP.sub("<g", text)
     text = _STEP.sub(r"\1", _LETTER.sub(r'\1 x="\2"', text))
     return _GLYPH.sub(lambda font: "".join(c for c in font[1] if c.isupper()), text)
 
