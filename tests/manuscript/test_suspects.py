@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 from cases import cases
 from hangs import HANGS
+from planted_errors import outcomes
 
 from tresym.commands import main
 from tresym.manuscript.deciding import Row, decided
@@ -296,3 +297,26 @@ def test_digits_that_are_cut_off_are_within_a_unit(tmp_path: Path) -> None:
 def test_an_integral_that_needs_a_positive_end_is_no_misprint(tmp_path: Path) -> None:
     text = r"\[ \int_1^x \frac{1}{t^2}\,dt = \left[-\frac1t\right]_1^x = 1 - \frac1x \]"
     assert {"SUSPECT", "REFUTED"}.isdisjoint(statuses(tmp_path, text))
+
+
+FAMILIES = (
+    *("REFUTED", "REFUTED", "REFUTED", "REFUTED"),  # a sum, a derivative, second terms
+    *("DEFINED", "SUSPECT", "DEFINED", "SUSPECT"),  # chains beside "choose", "would", "some"
+    *("PROVED", "PROVED", "PROVED", "PROVED"),  # "ring", \mathscr, a column, \simeq
+    *("UNREAD", "UNREAD", "UNDECIDED"),  # a variation, D/Dt, positive constants
+    *("EQUATION", "EQUATION", "DEFINED", "DEFINED", "SUSPECT"),  # an unknown, a special case
+)
+
+
+def test_families_of_misprints_and_of_what_is_none(tmp_path: Path) -> None:
+    text = Path(__file__).parents[1].joinpath("data", "misprints.tex").read_text(encoding="utf-8")
+    assert tuple(statuses(tmp_path, text)) == FAMILIES
+
+
+@pytest.mark.night
+@pytest.mark.parametrize(("name", "share"), [("chains", 0.85), ("expansions", 0.8)])
+def test_planted_errors_are_told(name: str, share: float) -> None:
+    path = Path(__file__).parents[1] / "data" / f"{name}.tex"
+    found = [one.outcome for one in outcomes(path, "judged", "1", 40, 3)]
+    told = sum(one.startswith(("told", "listed")) for one in found)
+    assert told >= share * sum(one != "kept" for one in found)
