@@ -320,3 +320,8 @@ def test_planted_errors_are_told(name: str, share: float) -> None:
     found = [one.outcome for one in outcomes(path, "judged", "1", 40, 3)]
     told = sum(one.startswith(("told", "listed")) for one in found)
     assert told >= share * sum(one != "kept" for one in found)
+
+
+def test_a_ratio_of_another_quantity_is_no_second_definition(tmp_path: Path) -> None:
+    text = r"The Mach number is \[ M = \frac{V}{c_s} \] in the shell \[ M = \frac{w}{c_s}. \]"
+    assert statuses(tmp_path, text) == ["DEFINED", "DEFINED"]

@@ -403,6 +403,8 @@ def _defined_twice(rows: list[Row]) -> list[Row]:
 def _differ(first: Link, second: Link) -> bool:
     if first.sides is None or second.sides is None or first.display == second.display:
         return False
+    if symbols(first.sides[2]) != symbols(second.sides[2]):
+        return False  # another quantity is meant: sigma/c in one place, V/c in another
     if _without_subscripts(first.sides[2]) == _without_subscripts(second.sides[2]):
         return False  # a formula and its special case
     return is_one_edit(first.sides[2], second.sides[2])
