@@ -56,7 +56,7 @@ def judged() -> Report:
         found, findings = pickle.loads(place.read_bytes())
         if found == wanted:
             rows = (Row(claim, replace(findings[claim.label], of=claim)) for claim in all_claims())
-            return Report(tuple(rows))
+            return Report(tuple(rows), racket().labels_by_alias)
     report = verify(workers=cores())
     findings = {row.claim.label: replace(row.finding, of=None) for row in report.rows}
     place.parent.mkdir(exist_ok=True)

@@ -49,7 +49,7 @@ def _file(name: str) -> str:
 def _symbols(known: Collection[str]) -> Iterator[str]:
     """The table of the symbols of the paper, each with the claim that defines it."""
     yield rf"\section{{{SYMBOLS}}}" + "\n"
-    yield r"{\small\begin{longtable}{@{}l>{\raggedright}p{0.6\linewidth}l@{}}\toprule"
+    yield r"{\small\begin{longtable}{@{}l>{\raggedright}p{0.54\linewidth}l@{}}\toprule"
     named = {row.name: row for row in table_of_symbols() if row.words}
     for row in named.values():
         by = reference(row.entry.claim, known) if row.entry else ""
