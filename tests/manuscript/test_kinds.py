@@ -304,3 +304,8 @@ def test_a_variation_under_an_integral_is_no_product(
 def test_an_order_is_no_symbol(tmp_path: Path) -> None:
     (link,) = links_of(tmp_path, r"As $x \to 0$, \[ \sin x = x + O(x^3) \]")
     assert [name for name, *_ in link.symbols] == ["x"]
+
+
+def test_a_value_at_zero_is_no_product(tmp_path: Path) -> None:
+    text = r"For real $x$ and $c$, \[ \frac{x(0)}{c} = 0 \] Let $f(t) = 3t$. \[ f(0) + 1 = 1 \]"
+    assert [row.status for row in read(tmp_path, text)] == ["UNREAD", "PROVED"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
@@ -56,6 +57,7 @@ from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import DOTS, Expr, symbol, symbols
 from tresym.reals.language.formula import NEGATED, Compared, chained
+from tresym.reals.language.latex_cursor import is_letter
 from tresym.reals.language.latex_operands import Piece
 from tresym.reals.language.latex_tokens import RELATIONS
 from tresym.reals.numbers.exact import AmbiguityError, InputError
@@ -465,8 +467,22 @@ class LinkReader:
                 tokens = with_derivatives_counted(tokens)
             if said.either and tokens[:1] in (("\\pm",), ("\\mp",)):
                 tokens = tokens[1:]
-            return read_term(tokens, self.memory.author)
+            found = read_term(tokens, self.memory.author)
+            if name := _times_zero(tokens, found.tree):
+                return f"{name}(0) may be the value of {name} at 0, which the text does not state"
+            return found
         except AmbiguityError as error:
             return TwoReadings(plain(str(error)))
         except InputError as error:
             return plain(str(error))
+
+
+def _times_zero(tokens: Sequence[str], tree: Expr) -> str:
+    """Return the name before ``(0)`` that was read as a factor of 0, as in ``x(0)/x_c``; nobody
+    writes such a product."""
+    for at in range(1, len(tokens) - 2):
+        name = tokens[at - 1].lstrip("\\")
+        valued = tuple(tokens[at : at + 3]) == ("(", "0", ")") and is_letter(tokens[at - 1])
+        if valued and name != "pi" and re.search(rf"(?<![\w.])0\*{name}\b", str(tree)):
+            return name
+    return ""
