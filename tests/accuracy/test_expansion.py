@@ -37,6 +37,38 @@ def test_expansions_are_found_and_certified(
     assert found.answer.constant is not None
 
 
+IMPLICIT = [
+    ("integral(exp(-x*t)/(1 + t), t, 0, oo)", "", "x -> oo", 2, ("1/x", "-x**(-2)"), "x**(-3)"),
+    ("sum(1/k, k, 1, n)", "", "n -> oo", 2, ("log(n)", "EulerGamma"), "1/n"),
+    ("lambertw(x)", "", "x -> oo", 2, ("log(x)", "-log(log(x))"), "log(log(x))/log(x)"),
+    ("x", "x**n == 1 + x, x > 1, n > 0", "n -> oo", 2, ("1", "log(2)/n"), "n**(-2)"),
+    (
+        "a(n)",
+        "a(n + 1) == sin(a(n)), a(0) == 1",
+        "n -> oo",
+        1,
+        ("sqrt(3)*sqrt(1/n)",),
+        "log(n)*(1/n)**(3/2)",
+    ),
+]
+
+
+@pytest.mark.parametrize(("exact", "given", "path", "count", "terms", "gauge"), IMPLICIT)
+def test_integrals_sums_roots_and_sequences_are_expanded(
+    exact: str, given: str, path: str, count: int, terms: tuple[str, ...], gauge: str
+) -> None:
+    found = expand(exact, path, count, given)
+    assert found.terms == terms
+    assert found.gauge == gauge
+    assert found.answer
+    assert found.as_latex()
+
+
+def test_solutions_of_differential_equations_are_not_expanded() -> None:
+    with pytest.raises(InputError, match="differential equations"):
+        expand("y(t)", "e -> 0", 2, "diff(y(t), t) == e*y(t), y(0) == 1")
+
+
 def test_a_finite_expansion_is_an_identity() -> None:
     found = expand("(x + 1)**2", "x -> oo", 4)
     assert found.gauge == ""

@@ -21,8 +21,9 @@ def _lines(name: str) -> list[str]:
 @pytest.mark.parametrize(
     "line",
     [
-        pytest.param(line, marks=[pytest.mark.night] if k % 8 or line[0] == "N" else [])
-        for k, line in enumerate(_lines("implicit_unseen.txt"))
+        pytest.param(line, marks=[pytest.mark.night] if k % 8 != 4 or line[0] == "N" else [])
+        for name in ("implicit_unseen.txt", "implicit_more.txt")
+        for k, line in enumerate(_lines(name))
     ],
 )
 def test_statements_of_textbooks(line: str) -> None:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any
 
-from tresym.asymptotics.expansion import MOST, Terms, explicit_terms, root_terms
+from tresym.asymptotics.expansion import MOST, Terms, terms_of
 from tresym.checking import check
 from tresym.checking.dispatch import decide_within_limits
 from tresym.reals.decisions.answer import Answer, ball_text
@@ -18,8 +18,7 @@ from tresym.reals.decisions.roots import as_variables, root_nodes
 from tresym.reals.decisions.statement import Statement
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.claims import in_latex
-from tresym.reals.language.expression import Expr, opened, symbol
-from tresym.reals.language.paths import Path
+from tresym.reals.language.expression import Expr, opened
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
@@ -82,8 +81,9 @@ def expand(exact: str, path: str, terms: int = 3, given: str = "", region: str =
     """Return the first terms of the expansion of an expression along a path, certified.
 
     Args:
-        exact: an explicit expression, a root of an equation ``root(f, y, low, high)``, or an
-            unknown that an equation in ``given`` determines.
+        exact: an explicit expression, integrals, sums or factorials, a root of an equation
+            ``root(f, y, low, high)``, or an unknown or a sequence a(n) that an equation in
+            ``given`` determines.
         path: such as ``"x -> 0"``.
         terms: the number of terms.
         given: conditions; for an unknown also its equation.
@@ -137,22 +137,8 @@ def _terms(statement: Statement, count: int) -> Terms | None:
     nodes = root_nodes(claim.left)
     if nodes:
         statement = _with_variable(statement, claim.left, nodes)
-    if statement.equations:
-        found = root_terms(_one_side(statement, path), count, decide_within_limits)
-        if found is None:
-            return None
-        if claim.left != symbol(found[0]) and not nodes:
-            raise InputError(f"write {found[0]}, which the equation determines, to be expanded")
-        return found[1]
-    if not elementary(claim.left):
-        raise InputError("expansions of explicit expressions and of roots are found")
-    if path.name in statement.given.names:
-        raise InputError(f"leave out the conditions on {path.name}")
-    return explicit_terms(claim.left, path, statement.given, count)
-
-
-def _one_side(statement: Statement, path: Path) -> Statement:
-    return replace(statement, path=replace(path, sides=path.sides[:1]))
+    name = statement.comparisons[0].left
+    return terms_of(name if nodes else claim.left, statement, count, decide_within_limits)
 
 
 def _with_variable(statement: Statement, e: Expr, nodes: list[Expr]) -> Statement:

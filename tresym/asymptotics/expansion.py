@@ -11,29 +11,40 @@ What is found here is a guess of the expansion; it is decided afterwards like an
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from dataclasses import replace
 from typing import NamedTuple
 
-from tresym.asymptotics.roots import start_of_root
+from tresym.asymptotics.lemma import End
+from tresym.asymptotics.lemma_claims import approximations
+from tresym.asymptotics.recurrences import sequence_approximations
+from tresym.asymptotics.roots import roots_near, start_of_root
+from tresym.asymptotics.tubes import STEPS
 from tresym.reals.decisions.answer import Decide
 from tresym.reals.decisions.readable_witnesses import tidied
 from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.expansions.leading_terms import written_term
+from tresym.reals.language.binders import elementary
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
+    MINUS_ONE,
     ONE,
     ZERO,
     Expr,
     add,
+    apply,
     factors_in,
     multiply,
     number,
     power,
     substitute,
+    symbol,
     symbols,
 )
 from tresym.reals.language.paths import Path
 from tresym.reals.normal.to_expression import normal_form
+from tresym.reals.numbers.exact import InputError
 from tresym.reals.signs.interior import is_zero
 
 MOST = 12
@@ -54,6 +65,70 @@ class Terms(NamedTuple):
     gauge: Expr | None
 
 
+def terms_of(f: Expr, statement: Statement, count: int, decided: Decide) -> Terms | None:
+    """Return the first terms of a function along the first side of a path.
+
+    Args:
+        f: an explicit expression, integrals, sums or factorials, or an unknown or a sequence that
+            the conditions determine.
+        statement: the conditions and the path.
+        count: the number of terms.
+        decided: decides explicit claims.
+
+    Returns:
+        The terms, or None if they are not found.
+
+    Raises:
+        InputError: nothing is to be found; the text says why.
+    """
+    path = statement.path
+    assert path is not None
+    statement = replace(statement, path=replace(path, sides=path.sides[:1]))
+    given = statement.given
+    if statement.has_initial_values:
+        raise InputError(
+            "solutions of differential equations are not expanded; check decides an expansion of "
+            "them that is written down"
+        )
+    if statement.premises:
+        raise InputError("a function of which only an order is known has no expansion")
+    if statement.recurrences:
+        known = sequence_approximations(f, statement, decided)
+        return approximated_terms(known, path, given, count)
+    if statement.equations:
+        return _of_unknown(f, statement, count, decided)
+    if path.name in given.names:
+        raise InputError(f"leave out the conditions on {path.name}")
+    if f.op == "lambertw":
+        w = symbol("[w]")
+        lowest = ZERO if path.point is None else MINUS_ONE
+        inside = given & Given(((w, ">", lowest),))
+        equations = ((w * apply("exp", w), f.args[0]),)
+        whole = replace(statement, given=inside, equations=equations)
+        found = corrected_terms(whole, count, decided)
+        if found is not None:
+            return found
+    if elementary(f):
+        return explicit_terms(f, path, given, count)
+    return approximated_terms(approximations(f, statement, decided), path, given, count)
+
+
+def _of_unknown(f: Expr, statement: Statement, count: int, decided: Decide) -> Terms | None:
+    """Return the first terms of a root."""
+    try:
+        found = root_terms(statement, count, decided)
+    except InputError:
+        other = corrected_terms(statement, count, decided)
+        if other is None:
+            raise
+        return other
+    if found is None:
+        return corrected_terms(statement, count, decided)
+    if f != symbol(found[0]):
+        raise InputError(f"write {found[0]}, which the equation determines, to be expanded")
+    return found[1]
+
+
 def explicit_terms(f: Expr, path: Path, given: Given, count: int) -> Terms | None:
     """Return the first terms of an explicit function, from the first side of the path.
 
@@ -70,6 +145,47 @@ def explicit_terms(f: Expr, path: Path, given: Given, count: int) -> Terms | Non
         if len(found) == count:
             return Terms(tuple(found), first[1])
         found.append(first[0])
+    return None
+
+
+def approximated_terms(
+    known: Iterable[tuple[Expr, Expr]], path: Path, given: Given, count: int
+) -> Terms | None:
+    """Return the first terms of a function from explicit approximations with their errors.
+
+    Args:
+        known: approximations, each better than the one before, with the sizes of the errors.
+        path: where the variable tends, from its first side.
+        given: the conditions on parameters.
+        count: the number of terms.
+    """
+    for main, error in known:
+        found = explicit_terms(main, path, given, count)
+        if found is None:
+            continue
+        if error == ZERO:
+            return found
+        end = End(path.name, path.point, path.sides[0], given)
+        if len(found.terms) < count or any(end.limit(error / t) != ZERO for t in found.terms):
+            continue
+        rest = found.gauge
+        if rest is None or end.limit(rest / error) == ZERO:
+            first = _first(error, path, given)
+            rest = error if first is None else first[1]
+        return Terms(found.terms, rest)
+    return None
+
+
+def corrected_terms(statement: Statement, count: int, decided: Decide) -> Terms | None:
+    """Return the first terms of a root by Newton's corrections of its limit, or of log x or x."""
+    path = statement.path
+    assert path is not None
+    for root in roots_near(statement, decided):
+        known = (root.terms(order) for order in range(1, STEPS + 1))
+        pairs = (pair for pair in known if pair is not None)
+        terms = approximated_terms(pairs, path, Given(), count)
+        if terms is not None:
+            return terms
     return None
 
 

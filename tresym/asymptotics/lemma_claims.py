@@ -18,7 +18,7 @@ left side minus the printed terms is −2/x² + O(1/x³).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from functools import partial
 from math import factorial
@@ -235,6 +235,28 @@ def decide_with_expansions(
         expansions: variables or other nodes with their expansions.
     """
     return _Claim(claim, statement, decided, expansions).answer()
+
+
+def approximations(e: Expr, statement: Statement, decided: Decide) -> Iterator[tuple[Expr, Expr]]:
+    """Yield longer and longer explicit approximations of an expression, each with its error.
+
+    Args:
+        e: an expression with integrals, sums or factorials.
+        statement: the conditions and a path on one side.
+        decided: decides explicit claims.
+    """
+    claim = _Claim(Comparison(e, "O", ONE), statement, decided)
+    for node in dict.fromkeys(outermost(claim.claim.left)):
+        found = claim._expansion(node)
+        if found is None or found.unknown:
+            return
+        claim.expansions[node] = found
+    for order in range(1, MOST + 1):
+        known = claim._terms(order)
+        whole = None if known is None else approximated(claim.claim.left, known, claim.end)
+        if whole is None:
+            return
+        yield whole.main, whole.error
 
 
 class _Claim:

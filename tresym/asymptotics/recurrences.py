@@ -33,7 +33,7 @@ from flint import arb, fmpq
 from tresym.asymptotics.approximation import Approximation, approximated, size
 from tresym.asymptotics.lemma import Bound, End, Expansion, Obligations
 from tresym.asymptotics.lemma_claims import decide_with_expansions
-from tresym.asymptotics.roots import zeros_between
+from tresym.asymptotics.roots import zeros_of
 from tresym.reals.decisions.answer import Answer, Decide
 from tresym.reals.decisions.readable_witnesses import tidied
 from tresym.reals.decisions.statement import Statement, functions
@@ -63,6 +63,7 @@ from tresym.reals.language.expression import (
 from tresym.reals.language.parsing import Compared
 from tresym.reals.normal.to_expression import normal_form
 from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import InputError
 from tresym.reals.signs.definedness import continuous_on
 from tresym.reals.signs.interior import is_zero
 from tresym.reals.signs.sign import proof, sign
@@ -347,7 +348,7 @@ def _rational(x: arb, side: int) -> fmpq:
 
 def _candidates(claim: Comparison, sequence: _Sequence, guess: arb | None) -> list[Expr]:
     """Return what may be the limit, the likeliest first."""
-    fixed = zeros_between(sequence.f - symbol(_X), _X, -INFINITY, INFINITY, sequence.given)
+    fixed = zeros_of(sequence.f - symbol(_X), _X, sequence.given)
     fixed += [e for e in _simple(guess) if e not in fixed]
     fixed = [e for e in fixed if _is_fixed(sequence.f, e, sequence.given)]
     found = [*fixed, INFINITY, -INFINITY]
@@ -553,6 +554,38 @@ def _rate(
         known = _stolz(gain, rest, value, (point, side), end)
         return value, _Stolz(known, found)
     return None
+
+
+def sequence_approximations(
+    e: Expr, statement: Statement, decided: Decide
+) -> Iterator[tuple[Expr, Expr]]:
+    """Yield explicit approximations of a sequence a(n), each with its error.
+
+    Raises:
+        InputError: nothing is found; the text says why.
+    """
+    path = statement.path
+    assert path is not None
+    try:
+        sequence = _sequence(statement)
+        if e != sequence.node:
+            raise _OpenError(f"write {sequence.node} to be expanded")
+        solution = _linear(sequence, symbol(path.name))
+        if solution is not None:
+            yield solution, ZERO
+            return
+        rest = replace(statement, equations=(), given=sequence.given, integers=())
+        found = _limit(Comparison(e, "O", ONE), sequence, rest, decided)
+        rate = None if found is None else _rate(sequence, found, statement)
+    except _OpenError as error:
+        raise InputError(str(error)) from None
+    if rate is None or not isinstance(rate[1], _Stolz):
+        raise InputError(f"no rate of {sequence.node} was found")
+    end = End(path.name, None, 1, sequence.given)
+    for known in rate[1].known:
+        whole = approximated(rate[0], {symbol(_W): known}, end)
+        if whole is not None:
+            yield whole.main, whole.error
 
 
 def _transforms(step: Expr, distance: Expr) -> Iterator[tuple[Expr, Expr]]:

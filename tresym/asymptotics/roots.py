@@ -33,6 +33,7 @@ from tresym.asymptotics.constants import rounded
 from tresym.asymptotics.lemma import End
 from tresym.asymptotics.lemma_claims import decide_with_expansions
 from tresym.asymptotics.order_claims import region
+from tresym.asymptotics.root_systems import Component, System, starts_of, system_of
 from tresym.asymptotics.tubes import Equation, Root, conditions_of, forms, starts
 from tresym.reals.decisions.answer import Answer, Decide, constant_ball, exact_text, worst
 from tresym.reals.decisions.equation_solutions import solved
@@ -44,7 +45,7 @@ from tresym.reals.domain.binder_values import jumps
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.operation_domains import bound, needs, operations
-from tresym.reals.expansions.leading_terms import leading_term, sharp_constant
+from tresym.reals.expansions.leading_terms import leading_sign, leading_term, sharp_constant
 from tresym.reals.expansions.limit_values import limit_of
 from tresym.reals.expansions.scale import T
 from tresym.reals.language.binders import elementary
@@ -143,7 +144,16 @@ def _decide(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
     if not statement.equations:
         return _along(claim, statement, (), decided)
     if len(statement.equations) > 1:
-        claim, statement = _with_one_less(claim, statement)
+        whole = claim, statement
+        try:
+            claim, statement = _with_one_less(claim, statement)
+            found = (_in_families if statement.integers else _of_root)(claim, statement, decided)
+            if found.verdict is not Verdict.UNDECIDED:
+                return found
+        except _OpenError:
+            if len(whole[1].equations) != 2 or statement.integers:
+                raise
+        return _of_two(*whole, decided)
     if statement.integers:
         return _in_families(claim, statement, decided)
     return _of_root(claim, statement, decided)
@@ -880,10 +890,10 @@ def _zeros(e: Expr, name: str, parameters: Given) -> list[Expr]:
     return found
 
 
-def zeros_between(e: Expr, name: str, low: Expr, high: Expr, given: Given) -> list[Expr]:
-    """Return exact zeros of a function between two ends, as far as they are found."""
+def zeros_of(e: Expr, name: str, given: Given) -> list[Expr]:
+    """Return exact zeros of a function in their order, as far as they are found."""
     try:
-        return _sorted(_zeros(e, name, given), low, high)
+        return _sorted(_zeros(e, name, given), -INFINITY, INFINITY)
     except _OpenError:
         return []
 
@@ -1156,6 +1166,24 @@ def _by_tube(claim: Comparison, statement: Statement, name: str, decided: Decide
     """Decide any claim about a root near an approximation that the claim states or implies."""
     path = statement.path
     assert path is not None
+    equations, rest = _tube_equations(statement, name, decided)
+    why = f"no approximation of {name} was found"
+    for equation in equations:
+        for start in (*starts(claim, name), *_at_the_end(equation)):
+            root = {symbol(name): Root(equation, start)}
+            found = decide_with_expansions(claim, rest, decided, root)
+            if found.verdict is not Verdict.UNDECIDED:
+                return replace(found, region=None, constant=None)
+            why = found.why
+    raise _OpenError(why)
+
+
+def _tube_equations(
+    statement: Statement, name: str, decided: Decide
+) -> tuple[Iterator[Equation], Statement]:
+    """Return equations with the same root, and the statement without what determines it."""
+    path = statement.path
+    assert path is not None
     left, right = statement.equations[0]
     if jumps(left - right):
         raise _OpenError("the equation has jumps")
@@ -1171,29 +1199,55 @@ def _by_tube(claim: Comparison, statement: Statement, name: str, decided: Decide
         at_end = substitute(left - right, {name: edge})
         if not _holds_near_the_end((at_end, "!=", ZERO), rest, decided):
             raise _OpenError(f"{name} = {edge} is not shown to be no root")
-    taken = symbols(claim.left) | symbols(claim.right) | symbols(left - right)
+    taken = symbols(left - right) | statement.given.names
     end = End(path.name, path.point, path.sides[0], fixed, taken)
-    why = f"no approximation of {name} was found"
-    for f, positive in forms(left, right, name):
-        equation = Equation(name, f, end, (low, high), links, (rest, decided))
-        if not all(map(equation.is_positive, positive)):
-            continue
-        for start in (*starts(claim, name), *_at_the_end(f, name, end, (low, high))):
-            root = {symbol(name): Root(equation, start)}
-            found = decide_with_expansions(claim, rest, decided, root)
-            if found.verdict is not Verdict.UNDECIDED:
-                return replace(found, region=None, constant=None)
-            why = found.why
-    raise _OpenError(why)
+
+    def found() -> Iterator[Equation]:
+        for f, positive in forms(left, right, name):
+            equation = Equation(name, f, end, (low, high), links, (rest, decided))
+            if all(map(equation.is_positive, positive)):
+                yield equation
+
+    return found(), rest
 
 
-def _at_the_end(f: Expr, name: str, end: End, interval: tuple[Expr, Expr]) -> Iterator[Expr]:
+def roots_near(statement: Statement, decided: Decide) -> Iterator[Root]:
+    """Yield what may be expansions of the root that a statement determines; nothing is proved."""
+    path = statement.path
+    assert path is not None
+    try:
+        _, statement = _with_explicit(Comparison(ZERO, "==", ZERO), statement)
+        if len(statement.equations) != 1:
+            return
+        name = _unknown(Comparison(ZERO, "==", ZERO), statement)
+        x = symbol(path.name)
+        large = path.sides[0] * x if path.point is None else 1 / (path.sides[0] * (x - path.point))
+        for equation in _tube_equations(statement, name, decided)[0]:
+            for start in (*_at_the_end(equation), ONE, apply("log", large), large, 1 / large):
+                if not _excluded(equation, start):
+                    yield Root(equation, start)
+    except _OpenError:
+        return
+
+
+def _excluded(here: Equation, start: Expr) -> bool:
+    """Return whether a value of the unknown violates a condition near the end of the path."""
+    end = here.end
+    for left, relation, right in here.links:
+        gap = substitute(left - right, {here.name: start})
+        found = leading_sign(gap, end.name, end.point, end.side, end.given)
+        if found is not None and found * (1 if relation[0] == ">" else -1) < 0:
+            return relation != "!="
+    return False
+
+
+def _at_the_end(here: Equation) -> Iterator[Expr]:
     """Yield the roots of the equation in the limit, where they are found exactly."""
-    limit = end.limit(f)
+    end, low, high = here.end, here.low, here.high
+    limit = end.limit(here.f)
     if limit is None or limit in _OPEN_ENDS:
         return
-    low, high = interval
-    for zero in _zeros(limit, name, end.given):
+    for zero in _zeros(limit, here.name, end.given):
         inside = all(
             sign(side * (zero - e), end.given, ">=") in ("+", ">=0", "0")
             for side, e in ((1, low), (-1, high))
@@ -1201,6 +1255,47 @@ def _at_the_end(f: Expr, name: str, end: End, interval: tuple[Expr, Expr]) -> It
         )
         if inside:
             yield zero
+
+
+def _of_two(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
+    """Decide a claim about the root of two equations for two unknowns."""
+    path = statement.path
+    assert path is not None
+    trees = [e for pair in statement.equations for e in pair]
+    names = sorted(frozenset().union(*map(symbols, trees)) - {path.name})
+    if len(names) != 2 or len(statement.equations) != 2 or statement.integers:
+        raise _OpenError("no equation could be solved for one of its unknowns")
+    f = tuple(left - right for left, right in statement.equations)
+    if any(map(jumps, f)):
+        raise _OpenError("the equations have jumps")
+    one, two = names
+    intervals = []
+    for name in names:
+        inner = statement.given.comparisons
+        links = tuple(x for x in inner if symbols(x[0]) | symbols(x[2]) == {name})
+        low, high, _ = _interval(name, replace(statement, given=Given(links)), ZERO)
+        intervals.append((low, high))
+    domain = tuple(bound(*part) for part in needs(f) if {*names} & symbols(part[0]))
+    links = (*statement.given.comparisons, *domain)
+    links = tuple(x for x in links if {*names} & (symbols(x[0]) | symbols(x[2])))
+    others = [x for x in statement.given.comparisons if x not in links]
+    if any(path.name in symbols(x[0]) | symbols(x[2]) for x in others):
+        raise _OpenError(f"conditions on {path.name} beside two equations are not supported")
+    fixed = Given(tuple(others))
+    rest = replace(statement, equations=(), given=fixed)
+    end = End(path.name, path.point, path.sides[0], fixed, frozenset((*names, path.name)))
+    why = "no root of the two equations in the limit was found"
+    pair = system_of(
+        (f[0], f[1]), (one, two), end, (intervals[0], intervals[1]), links, (rest, decided)
+    )
+    for start in starts_of((f[0], f[1]), (one, two), end, zeros_of):
+        system = System(pair, start)
+        known = {symbol(name): Component(system, k) for k, name in enumerate(names)}
+        found = decide_with_expansions(claim, rest, decided, known)
+        if found.verdict is not Verdict.UNDECIDED:
+            return replace(found, region=None, constant=None)
+        why = found.why
+    raise _OpenError(why)
 
 
 def _slope_bounds(

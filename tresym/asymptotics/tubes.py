@@ -52,6 +52,7 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
+from tresym.reals.language.like_terms import collected
 from tresym.reals.language.parsing import Compared
 from tresym.reals.language.paths import Path
 from tresym.reals.normal.to_expression import normal_form
@@ -72,6 +73,8 @@ RADII = (fmpq(1, 2), fmpq(1, 8), fmpq(1, 50))
 MOST_PARTS = 9
 """Intervals beside that around the root that are looked at."""
 SAMPLES = 12
+MOST_FAILURES = 12
+"""Inequalities that are not proved, after which no further ones are tried for an equation."""
 PLACES = 3
 """Points at which a second root is looked for in numbers."""
 BOUNDS = tuple(
@@ -80,6 +83,7 @@ BOUNDS = tuple(
 )
 """Bounds that are tried for parts of an equation that depend on the path variable."""
 _INFINITE = (INFINITY, -INFINITY)
+_TRIGONOMETRIC = frozenset(("sin", "cos", "tan", "cot", "sec", "csc"))
 
 
 class Equation:
@@ -117,6 +121,7 @@ class Equation:
         self.low, self.high = interval
         self.slope = differentiate(f, name)
         self.statement, self.decided = ask
+        self.failures = 0
 
     def near(self, far: int) -> Given:
         """Return the conditions that the path variable is near its end."""
@@ -131,15 +136,21 @@ class Equation:
         whole = {"+": (">", ">=", "!="), "-": ("<", "<=", "!="), ">=0": (">=",), "<=0": ("<=",)}
         there = replace(self.statement, path=None, equations=(), given=given)
         try:
-            if relation in whole.get(sign(left - right, given, relation) or "", ()):
+            if relation in whole.get(sign(left - right, given, relation, dear=False) or "", ()):
                 return True
+            if self.failures >= MOST_FAILURES:
+                return False
+            self.failures += 1
             if Obligations(there, self.decided).holds(left, relation, right, given):
+                self.failures -= 1
                 return True
             bounded = self._with_bounds(left - right, given)
             if bounded is None:
                 return False
             e, inside = bounded
-            return Obligations(there, self.decided).holds(e, relation, ZERO, inside)
+            found = Obligations(there, self.decided).holds(e, relation, ZERO, inside)
+            self.failures -= found
+            return found
         except InputError:  # an intermediate expression exceeds the size limit
             return False
 
@@ -289,10 +300,10 @@ class Root(Expansion):
             self.next = None
             gauge = size(correction, end)
             return main, gauge
-        gauge = size(normal_form(first[1], Given()), end)
+        gauge = size(simplified(first[1]), end)
         if self.last is not None and end.limit(gauge / self.last) != ZERO:
             return None  # the corrections do not decrease
-        self.next = _joined(main, tidied(normal_form(first[0], Given())))
+        self.next = collected(main + simplified(first[0]))
         self.last = gauge
         return main, gauge
 
@@ -326,9 +337,11 @@ class Root(Expansion):
         return end.limit(abs(ratio)) not in (None, *_INFINITE)
 
 
-def _joined(main: Expr, term: Expr) -> Expr:
-    """Return a sum in which terms that differ by a constant factor are one."""
-    return tidied(normal_form(main + term, Given()))
+def simplified(term: Expr) -> Expr:
+    """Return a term in normal form, unless that changes functions of constants in it."""
+    if any(e.op in _TRIGONOMETRIC and not symbols(e) for e in operations((term,))):
+        return tidied(term)
+    return tidied(normal_form(term, Given()))
 
 
 def _is_selected(here: Equation, root: Approximation, ask: Obligations) -> bool:

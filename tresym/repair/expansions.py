@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from tresym.asymptotics.expansion import Terms, explicit_terms, root_terms
+from tresym.asymptotics.expansion import Terms, terms_of
 from tresym.checking.dispatch import decide_within_limits
 from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.decisions.statement import Statement
@@ -83,21 +83,19 @@ def _limit(f: Expr, statement: Statement) -> Expr | None:
     path = statement.path
     assert path is not None
     if statement.equations or not elementary(f):
-        return None
+        terms = _terms(f, statement, 1)
+        if terms is None or len(path.sides) > 1:
+            return None
+        place = path.name, path.point, path.sides[0], statement.given
+        small = terms.gauge is None or limit_of(terms.gauge, *place) == ZERO
+        return limit_of(add(ZERO, *terms.terms), *place) if small else None
     ends = (path.name, path.point)
     found = [limit_of(f, *ends, side, statement.given) for side in path.sides]
     return found[0] if None not in found and len({*found}) == 1 else None
 
 
 def _terms(f: Expr, statement: Statement, count: int) -> Terms | None:
-    path = statement.path
-    assert path is not None
-    if statement.implicit:
-        try:
-            found = root_terms(statement, count, decide_within_limits)
-        except InputError:
-            return None
-        return found[1] if found is not None and str(f) == found[0] else None
-    if statement.equations or not elementary(f):
+    try:
+        return terms_of(f, statement, count, decide_within_limits)
+    except InputError:
         return None
-    return explicit_terms(f, path, statement.given, count)

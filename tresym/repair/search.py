@@ -22,7 +22,7 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.language.formula import Compared, chained
-from tresym.reals.language.parsing import parse_claim, parse_given
+from tresym.reals.language.parsing import parse_claim, parse_given, sequences_of
 from tresym.reals.language.paths import read_path
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.resource_limits import TimeUp, time_limit
@@ -153,7 +153,7 @@ def _parsed(text: str) -> Claim:
     text, _, _ = text.replace(" uniformly", "").partition(" on ")
     claim, _, end = text.partition(" as ")
     claim, _, under = claim.partition(" given ")
-    links = parse_claim(claim)
+    links = parse_claim(claim, sequences_of(under))
     terms = (links[0][0], *(link[2] for link in links))
     relations = tuple(link[1] for link in links)
     return Claim(terms, relations, tuple(parse_given(under)), read_path(end) if end else None)
