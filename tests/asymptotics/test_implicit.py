@@ -21,9 +21,11 @@ def _lines(name: str) -> list[str]:
 @pytest.mark.parametrize(
     "line",
     [
-        pytest.param(line, marks=[pytest.mark.night] if k % 8 != 4 or line[0] == "N" else [])
+        pytest.param(
+            line, marks=[pytest.mark.night] if k % 8 or line[0] == "N" or "exp(x*y)" in line else []
+        )
         for name in ("implicit_unseen.txt", "implicit_more.txt")
-        for k, line in enumerate(_lines(name))
+        for k, line in enumerate(_lines(name), start=name == "implicit_more.txt")
     ],
 )
 def test_statements_of_textbooks(line: str) -> None:

@@ -339,9 +339,9 @@ class Root(Expansion):
 
 def simplified(term: Expr) -> Expr:
     """Return a term in normal form, unless that changes functions of constants in it."""
-    if any(e.op in _TRIGONOMETRIC and not symbols(e) for e in operations((term,))):
-        return tidied(term)
-    return tidied(normal_form(term, Given()))
+    found = tidied(normal_form(term, Given()))
+    halves = any(e.op in _TRIGONOMETRIC and not symbols(e) for e in operations((found,)))
+    return tidied(term) if halves else found
 
 
 def _is_selected(here: Equation, root: Approximation, ask: Obligations) -> bool:
