@@ -377,7 +377,13 @@ def parse_given(text: str) -> list[Compared]:
     if "~" in text and _TILDE in text:
         raise InputError("a condition uses one of == ~ > >= < <= !=, as in 0 < x <= 1")
     source = tidy(_INTEGER.sub(r"\1 in ZZ", _EQUALS.sub("==", text)).replace("~", _TILDE))
-    body = tree(source)
+    try:
+        body = tree(source)
+    except InputError:
+        if "~" not in text:
+            raise
+        shown = _quoted(text.strip())
+        raise InputError(f"{shown} is not a condition such as y ~ x or a > 0") from None
     reader = _Reader(source, sequences_of(text))
     result: list[Compared] = []
     for part in body.elts if isinstance(body, ast.Tuple) else [body]:
