@@ -107,3 +107,12 @@ def test_a_constraint_is_not_proved_by_what_was_drawn_from_it(text: str, tmp_pat
 def test_a_link_of_a_chain_is_no_premise_of_the_next(tmp_path: Path) -> None:
     rows = read(tmp_path, r"\[ \sin 2x + 1 = 2\sin x\cos y + 1 = 1 + 2\cos x\sin x \]")
     assert [row.status for row in rows] == ["EQUATION", "EQUATION"]
+
+
+def test_what_is_called_a_function_elsewhere_is_no_constant_of_a_derivative(tmp_path: Path) -> None:
+    text = (
+        r"\[ S = (z^2 + 1) P \qquad S' = %s \] The solution is \[ P(z) = \frac{1}{\sqrt{z^2+1}} \]"
+    )
+    for slope in ("2zP", "zP"):
+        row = read(tmp_path, text % slope)[1]
+        assert row.status != "PROVED"

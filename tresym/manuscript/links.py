@@ -113,7 +113,7 @@ class _Reading(LinkReader):
                         around=text,
                         noted=noted,
                         reach=self.memory.scopes.path,
-                        moving=frozenset(self.memory.dependent),
+                        moving=frozenset(self.memory.dependent) | self.memory.called,
                     )
                     for link in self.display(event, before, after)
                 ]
