@@ -523,3 +523,14 @@ def test_an_expansion_with_coefficients_that_are_sought_is_an_equation(tmp_path:
     (row,) = read(tmp_path, text)
     assert row.status == "EQUATION"
     assert "coefficients a1, a2" in row.why
+
+
+def test_a_row_that_begins_with_a_sign_goes_on_where_no_relation_stood(tmp_path: Path) -> None:
+    text = r"\begin{gather} a (b + c) \\ + d (b + c) = (a + d)(b + c) \end{gather}"
+    (row,) = read(tmp_path, text)
+    assert row.status == "PROVED"
+    assert row.link.read_as.startswith("a*(b + c) + d*(b + c) ==")
+    text = r"\begin{gather} 2 a = a + a \\ - a + b = b - a \end{gather}"
+    assert [row.link.read_as for row in read(tmp_path, text)] == [
+        *("2*a == a + a", "-a + b == b - a")
+    ]

@@ -212,7 +212,8 @@ def _goes_on(
         return True
     starts = after[:1] and after[0] in RELATIONS and _relation_in(before)
     if cell[0] in _OPERATORS:  # an equation begins in an even column of an align
-        return not (starts and column % 2 == 0) and (column > 0 or not _relation_in(row))
+        alone = column == 0 and _relation_in(row) and _relation_in(before)
+        return not (starts and column % 2 == 0) and not alone
     return column > 0 and not starts and not _relation_in(cell) and cell[0] != CONDITION
 
 
