@@ -113,6 +113,14 @@ def _on_one_side(claim: Comparison, statement: Statement, path: Path, decided: D
         known[symbol(name)] = found if old is None else _both(old, found, end)
     rest = replace(statement, equations=(), given=fixed)
     answer = decide_with_expansions(claim, rest, decided, known)
+    if answer and len(fixed.comparisons) < len(links):
+        choices = [[(node, f) for f in _functions(p, end)] for node, p in known.items()]
+        tried = islice(product(*choices), MOST_TRIED)
+        if not any(_satisfied(statement, rest, chosen, end, decided) for chosen in tried):
+            raise _OpenError(
+                "no function was found that satisfies the conditions, so there may be nothing to "
+                "prove"
+            )
     if answer.verdict is not Verdict.UNDECIDED:
         return replace(answer, region=None, constant=None)
     against = _refuted(claim, statement, rest, known, end, decided)
@@ -162,15 +170,11 @@ def _refuted(
     """Return a refutation by functions that satisfy the premises, or None."""
     choices = [[(node, f) for f in _functions(premise, end)] for node, premise in known.items()]
     for chosen in islice(product(*choices), MOST_TRIED):
+        if not _satisfied(statement, rest, chosen, end, decided):
+            continue
         values = {str(node.args[0]): f for node, f in chosen}
         put = partial(substitute, mapping=values)
-        links = statement.given.mapped(put).comparisons
-        moving = [x for x in links if end.name in symbols(x[0]) | symbols(x[2])]
-        kept = Given(tuple(x for x in links if x not in moving))
-        there = replace(rest, given=kept)
-        if not all(decided(Comparison(*link), there) for link in moving):
-            continue
-        answer = decided(claim.mapped(put), there)
+        answer = decided(claim.mapped(put), rest)
         if answer.verdict is Verdict.REFUTED:
             shown = ", ".join(f"{name} = {value}" for name, value in values.items())
             texts = {name: str(value) for name, value in values.items()}
@@ -178,6 +182,21 @@ def _refuted(
             witness = dict(answer.witness or {}) | texts
             return replace(answer, why=why, witness=witness, values=None, lemma=LEMMA)
     return None
+
+
+def _satisfied(
+    statement: Statement,
+    rest: Statement,
+    chosen: tuple[tuple[Expr, Expr], ...],
+    end: End,
+    decided: Decide,
+) -> bool:
+    """Return whether functions in place of the unknowns satisfy the conditions near the end."""
+    put = partial(substitute, mapping={str(node.args[0]): f for node, f in chosen})
+    links = statement.given.mapped(put).comparisons
+    return all(
+        decided(Comparison(*link), rest) for link in links if link not in rest.given.comparisons
+    )
 
 
 def _functions(premise: Premise, end: End) -> Iterator[Expr]:

@@ -246,7 +246,7 @@ class _Found(NamedTuple):
 
 def _is_fixed(f: Expr, x: Expr, given: Given) -> bool:
     """Return whether f(x) = x, where x is defined and a number if it has no parameters."""
-    if not symbols(x):
+    if not symbols(x) and symbols(f) <= {_X}:
         with ball_precision():
             if not evaluate(f, {_X: evaluate(x, {})}).is_finite():
                 return False
@@ -310,7 +310,8 @@ def _limit(
 
 def _iterated(sequence: _Sequence) -> arb | None:
     """Return a late value of the sequence in numbers, or None; nothing is proved."""
-    point = sequence.given.satisfying_point(sorted(symbols(sequence.start)))
+    names = symbols(sequence.start) | symbols(sequence.f) - {_X}
+    point = sequence.given.satisfying_point(sorted(names))
     if point is None:
         return None
     with ball_precision(128):
