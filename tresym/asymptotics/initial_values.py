@@ -69,6 +69,7 @@ from tresym.reals.decisions.statement import Statement, functions
 from tresym.reals.domain.binder_values import jumps
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
+from tresym.reals.language.binders import elementary
 from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
@@ -91,6 +92,7 @@ from tresym.reals.verdict import Verdict
 
 REGULAR = "regular dependence on a parameter (Hale 1980, theorem I.3.3)"
 GRONWALL = "residual and logarithmic norm (Gronwall, Dahlquist; Hairer et al. 1993, theorem I.10.6)"
+INTEGRAL = "derivative along the solutions (first integrals, Lyapunov functions; Hale 1980, X.1)"
 COMPARISON = "comparison of solutions (Hale 1980, theorem I.6.1)"
 RANGES = (fmpq(1, 2), fmpq(1, 5), fmpq(1, 20), fmpq(1, 100), fmpq(1, 400))
 SHARP = arb("1.08")
@@ -162,6 +164,9 @@ def _at_points(
     found_ = _compared(claim, problem, domain, decided)
     if found_ is not None:
         return found_
+    found_ = _along_solutions(claim, problem, domain, decided)
+    if found_ is not None:
+        return found_
     try:
         for curve in solutions(problem, without_time(domain, problem)):
             found = by_solution(claim, problem, curve, statement, domain, decided)
@@ -211,13 +216,8 @@ def _compared(claim: Comparison, problem: Problem, domain: Given, decided: Decid
         bound = curve_of_claim(replace(claim, relation="=="), problem)
     except OpenError:
         return None
-    t = symbol(problem.time)
     closed, along = with_initial_point(domain, problem), substitute(right, bound)
-    sides = [x for x in domain.comparisons if t in (x[0], x[2])]
-    after = any(
-        (x == t) == (r[0] == ">") and is_zero((y if x == t else x) - problem.start, domain)
-        for x, r, y in sides
-    )
+    after = _is_later(domain, problem)
     steep = substitute(differentiate(right, name), bound)
     if not after or any(continuous_on(e, closed, proof) for e in (bound[name], along, steep)):
         return None
@@ -242,6 +242,61 @@ def _compared(claim: Comparison, problem: Problem, domain: Given, decided: Decid
         f"{rising.left} {rising.relation} {rising.right}"
     )
     return Answer(Verdict.PROVED, why, lemma=COMPARISON)
+
+
+def _along_solutions(
+    claim: Comparison, problem: Problem, domain: Given, decided: Decide
+) -> Answer | None:
+    """Prove a relation by its derivative along all solutions, as for the energy of a pendulum.
+
+    With G for left minus right, G = 0 at the initial point and G' = 0 for all values of the
+    variables shows an equation, and G >= 0 there and G' >= 0 an inequality at later times.
+    """
+    if claim.relation not in ("==", "<", "<=", ">", ">="):
+        return None
+    t = symbol(problem.time)
+    known: dict[Expr, Expr] = {}
+    for side in (claim.left, claim.right):
+        for node in functions(side):
+            key = (node.args[0].args[0], node.args[0].args[1][0])
+            if len(node.args) != 2 or node.args[1] != t or key not in problem.state:
+                return None
+            known[node] = symbol(problem.state[key])
+    gap = replaced(claim.left - claim.right, known)
+    if not known or not elementary(gap):
+        return None
+    rate = differentiate(gap, problem.time)
+    for name, right in problem.right.items():
+        rate = rate + differentiate(gap, name) * right
+    closed = with_initial_point(domain, problem)
+    if any(continuous_on(e, closed, proof) is not None for e in (gap, rate)):
+        return None
+    relation = claim.relation
+    if relation != "==" and not _is_later(domain, problem):
+        return None
+    start = substitute(substitute(gap, problem.values), {problem.time: problem.start})
+    fixed = Statement((), without_time(domain, problem), None, "")
+    weak = relation if relation == "==" else f"{relation[0]}="
+    begins = decided(Comparison(start, relation, ZERO), fixed)
+    if not begins or not decided(Comparison(rate, weak, ZERO), replace(fixed, given=closed)):
+        return None
+    what = "vanishes" if relation == "==" else "keeps its sign"
+    why = (
+        f"it holds at {problem.time} = {problem.start}, and the derivative of left minus right "
+        f"along every solution, {normal_form(rate, Given())}, {what}"
+    )
+    return Answer(Verdict.PROVED, why, lemma=INTEGRAL)
+
+
+def _is_later(domain: Given, problem: Problem) -> bool:
+    """Whether the conditions keep the time at or after the initial point."""
+    t = symbol(problem.time)
+    return any(
+        t in (x, y)
+        and (x == t) == (r[0] == ">")
+        and is_zero((y if x == t else x) - problem.start, domain)
+        for x, r, y in domain.comparisons
+    )
 
 
 # Large times

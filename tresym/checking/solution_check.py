@@ -39,7 +39,8 @@ RUNS = ((26, arb("1e-32")), (22, arb("1e-26")))
 """Order and tolerance of the two integrations, whose difference tells the error."""
 STEPS = 240
 """The most steps of one integration."""
-SECANTS = 8
+SECANTS, SLACK = 8, arb("1e-16")
+"""Steps of the secant method for boundary values, and the error that is assumed of its result."""
 SMALLEST = arb("1e-6")
 """The step below which a singularity is near."""
 LEAST = arb("1e-22")
@@ -57,7 +58,7 @@ SECULAR = (fmpq(1, 6), fmpq(1, 12), fmpq(1, 24))
 """Values of a small parameter e at which times of the order of 1/e are looked at."""
 PARAMETERS = (fmpq(3, 2), fmpq(2, 3), fmpq(-5, 4), fmpq(1, 5), fmpq(7, 2))
 CHOICES = 3
-AGREED = arb("1e-18")
+AGREED = arb("1e-15")
 GROWS = 3
 """Between values of the small parameter the ratio of a false order grows by a power of 8."""
 
@@ -291,8 +292,10 @@ class _Solver:
         self.knots: dict[tuple[int, int], list[tuple[arb, list[arb]]]] = {}
         if not all(x.is_finite() for x in (*self.begin, self.start)):
             raise _UnsupportedError
+        self.slack = arb(0)
         if system.end is not None:
             self._shoot(*system.end)
+            self.slack, self.knots = SLACK, {}
 
     def _shoot(self, point: Expr, key: tuple[str, int], equation: Expr) -> None:
         """Find the initial value that is not given by the secant method from the boundary value."""
@@ -350,13 +353,13 @@ class _Solver:
         """Return the state at a point, as balls around two results; None if it is not reached."""
         gap = target - self.start
         if gap.contains(0):
-            return list(self.begin) if gap.is_zero() else None
+            return [x + arb(0, self.slack) for x in self.begin] if gap.is_zero() else None
         runs = [self._run(target, n) for n in range(len(RUNS))]
         if any(run is None for run in runs):
             return None
         fine, coarse = (run for run in runs if run is not None)
         return [
-            x + arb(0, 20 * abs(x - y).upper() + LEAST * (1 + abs(x).upper()))
+            x + arb(0, 20 * abs(x - y).upper() + (LEAST + self.slack) * (1 + abs(x).upper()))
             for x, y in zip(fine, coarse, strict=True)
         ]
 
