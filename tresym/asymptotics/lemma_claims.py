@@ -234,6 +234,10 @@ def decide_with_expansions(
         decided: decides explicit claims.
         expansions: variables or other nodes with their expansions.
     """
+    given = statement.given
+    if given.comparisons and given.satisfying_point(sorted(given.names)) is None:
+        why = "no values of the parameters were found that satisfy the conditions; check them"
+        return Answer(Verdict.UNDECIDED, why)
     return _Claim(claim, statement, decided, expansions).answer()
 
 
