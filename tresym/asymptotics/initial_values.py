@@ -278,6 +278,10 @@ def _along_solutions(
     fixed = Statement((), without_time(domain, problem), None, "")
     weak = relation if relation == "==" else f"{relation[0]}="
     begins = decided(Comparison(start, relation, ZERO), fixed)
+    if begins.verdict is Verdict.REFUTED and relation == "==":  # the gap is continuous there
+        witness = {**dict(begins.witness or {}), problem.time: exact_text(problem.start)}
+        why = f"at the initial point left minus right is {start}: {begins.why}"
+        return Answer(Verdict.REFUTED, why, witness=witness, lemma=INTEGRAL)
     if not begins or not decided(Comparison(rate, weak, ZERO), replace(fixed, given=closed)):
         return None
     what = "vanishes" if relation == "==" else "keeps its sign"
