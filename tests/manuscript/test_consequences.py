@@ -74,6 +74,10 @@ CASES = {
     # two equations that contradict each other prove nothing
     r"Here \[ q' = -\epsilon q^3 s \] and \[ q' = -\epsilon q^3 w \] give"
     r" \[ \epsilon q s = \epsilon u \]": "EQUATION",
+    # derivatives that are marked by subscripts
+    r"Here \[ V_{XX} + V_X = 0 \] for \[ V = 2 + e^{-X} \]": "PROVED",
+    r"Here \[ V_{XX} + V_X = 0 \] for \[ V = 2 + e^{X} \]": "DEFINED",
+    r"Here \[ \epsilon V_t + V = s \] gives \[ V_0 = s \]": "DEFINED",
     # of another example nothing follows
     "\\paragraph{Example 1.} Here \\[ a y + b = c \\]\n\n\\paragraph{Example 2.} Here"
     r" \[ a y = c - b \]": "EQUATION",
@@ -85,6 +89,16 @@ def test_a_link_follows_from_those_before_it(text: str, tmp_path: Path) -> None:
     row = read(tmp_path, text)[-1]
     assert row.status == CASES[text], row.why
     assert "line 1" in row.why or row.status != "PROVED"
+
+
+@pytest.mark.parametrize(("second", "status"), [("s", "PROVED"), ("2s", "DEFINED")])
+def test_the_unknowns_of_a_system_are_put_in_together(
+    second: str, status: str, tmp_path: Path
+) -> None:
+    """The second pair solves the first equation, but not the other."""
+    text = r"\[ p_1 + p_2 = 3 s, \qquad p_1 - p_2 = s \] give \[ p_1 = %s, \qquad p_2 = %s \]"
+    first = "2s" if second == "s" else "s"
+    assert read(tmp_path, text % (first, second))[-1].status == status
 
 
 def test_two_variables_of_a_function_are_kept_apart(tmp_path: Path) -> None:

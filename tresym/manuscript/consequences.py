@@ -27,7 +27,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from tresym.manuscript.multiples import multiple_of
-from tresym.reals.language.binders import outermost
+from tresym.reals.language.binders import outermost, worked_out
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     DOTS,
@@ -60,6 +60,7 @@ SMALL = ("epsilon", "varepsilon", "delta", "eta", "mu", "lambda_", "kappa", "h")
 VARIABLES = ("t", "x", "s", "tau", "X", "T", "z", "r", "theta", "xi", "phi")
 """Letters by which functions marked with primes are differentiated, the usual ones first."""
 _PLAIN = re.compile(r"d(\d?)([A-Za-z]\w*?)_d([A-Za-z]\w*?)\d?")
+_BELOW = re.compile(r"([A-Za-z]+\d?)_(([A-Za-z])\3*)")
 _PRIMES = re.compile(r"(\w+?)_prime(\d?)")
 _DERIVED = re.compile(r"(?:d|partial)\d?[A-Za-z]\w*_(?:d|partial)[A-Za-z]")
 CONSTANT = re.compile(r"[CcAaBbKkDE]_?\d*")
@@ -132,6 +133,7 @@ class Context:
         by: the variable by which a symbol is differentiated, if there is one.
         apart: symbols with derivatives by several variables, or values at several arguments; these
             are kept apart.
+        below: symbols whose derivatives are marked by subscripts: ``Y_XX`` stands beside ``Y``.
         moving: letters that the text differentiates somewhere.
     """
 
@@ -140,6 +142,7 @@ class Context:
     hidden: dict[Expr, str] = field(default_factory=dict)
     by: dict[str, str] = field(default_factory=dict)
     apart: frozenset[str] = frozenset()
+    below: frozenset[str] = frozenset()
     moving: frozenset[str] = frozenset()
 
     def contains(self, e: Expr, name: str) -> bool:
@@ -160,6 +163,10 @@ def flattened(e: Expr, context: Context) -> Expr | None:
     if e.size > LARGEST:
         return None
     put: dict[Expr, Expr] = {}
+    try:
+        e = worked_out(e)
+    except InputError:
+        return None
     for node in outermost(e):
         if node.op in ORDERS:
             return None
@@ -172,14 +179,19 @@ def flattened(e: Expr, context: Context) -> Expr | None:
                 continue
         put[node] = symbol(context.hidden.setdefault(node, f"hidden{len(context.hidden) + 1}"))
     e = replaced(e, put) if put else e
-    names = {n: _canonical(n, context.apart) for n in symbols(e)}
+    names = {n: _canonical(n, context) for n in symbols(e)}
     return substitute(e, {n: symbol(m) for n, m in names.items() if n != m})
 
 
-def _canonical(name: str, apart: frozenset[str]) -> str:
-    """Return ``y_prime2`` for ``d2y_dx2``; of other names the name."""
+def _canonical(name: str, context: Context) -> str:
+    """Return ``y_prime2`` for ``d2y_dx2`` and for ``Y_XX``; of other names the name."""
     found = _PLAIN.fullmatch(name)
-    return name if not found or found[2] in apart else _primed(found[2], int(found[1] or 1))
+    if found and found[2] not in context.apart:
+        return _primed(found[2], int(found[1] or 1))
+    below = _BELOW.fullmatch(name)
+    if below and below[1] in context.below - context.apart:
+        return _primed(below[1], len(below[2]))
+    return name
 
 
 def _primed(name: str, times: int) -> str:
@@ -193,6 +205,13 @@ def learn(context: Context, trees: Iterable[Expr]) -> None:
     """
     by: dict[str, set[str]] = {}
     at: dict[str, set[str]] = {}
+    trees = list(trees)
+    names = frozenset().union(*map(symbols, trees))
+    twice = {m[1] for n in names if (m := _BELOW.fullmatch(n)) and len(m[2]) > 1 and m[1] in names}
+    for name in names:
+        if (below := _BELOW.fullmatch(name)) is not None and below[1] in twice:
+            by.setdefault(below[1], set()).add(below[2][0])
+    context.below = frozenset(twice)
     for e in trees:
         for name in symbols(e):
             if (found := _PLAIN.fullmatch(name)) is not None:
@@ -223,6 +242,8 @@ def fact(compared: Compared, line: int, shown: str, context: Context) -> Fact | 
     if name and (name in symbols(other) or _PRIMES.fullmatch(name)):
         name = ""
     head = re.match(rf"{re.escape(name)}\((\w+)[,)]", shown) if name else None
+    if head and head[1] == "oo":
+        return None  # a value at infinity
     by = head[1] if head else context.by.get(name, "")
     return Fact(line, one - other, (one, other), name, other, by, series)
 
@@ -560,10 +581,13 @@ def _distributed(e: Expr, name: str, shift: int) -> Expr:
 class Search:
     """Find the steps by which one link may follow from the facts before it."""
 
-    def __init__(self, context: Context, near: Sequence[Fact], goal: Fact) -> None:
+    def __init__(
+        self, context: Context, near: Sequence[Fact], goal: Fact, ahead: Sequence[Fact] = ()
+    ) -> None:
         self.context = context
         self.spoken = {_base(n) for n in symbols(goal.zero)}
         self.near = list(near)
+        self.ahead = [one for one in ahead if one.name and one.name != goal.name]
         self.moving = _moving(one.zero for one in self.near)
         self.moving |= context.moving
         for one in self.near:
@@ -706,7 +730,8 @@ class Search:
                 continue
             if not self._speaks_of(zero, name) or is_zero(zero) is not False:
                 continue
-            ways = [way for way in ((), others, [*others, *self.implied(name)]) if way]
+            system = [*others, *self.ahead] if self.ahead else []
+            ways = [way for way in (others, [*others, *self.implied(name)], system) if way]
             for known in ((), *ways):
                 try:
                     before = put_in(zero, known, self.moving)
@@ -717,10 +742,27 @@ class Search:
                     continue
                 if not symbols(value.value) and _linear_in(before, name) is None:
                     continue  # one of several numbers
+                if is_zero(after) and self._contradicts(one, [*known, value], zero):
+                    continue
                 if is_zero(after):
                     told = _told([d for d in known if self._speaks_of(zero, d.name)])
                     return Step((f"{after} == 0",), f"it solves {words}{told}")
         return None
+
+    def _contradicts(self, one: Fact, put: Sequence[Fact], zero: Expr) -> bool:
+        """Whether another equation of the same line fails where all its unknowns are put in."""
+        parameters = frozenset().union(*(symbols(d.value) for d in put))
+        parameters -= {d.name for d in put}
+        for other in self.near:
+            if other.line != one.line or other.name or other.series or other.zero == zero:
+                continue
+            try:
+                after = put_in(other.zero, put, self.moving)
+            except _FAILS:
+                continue
+            if symbols(after) <= parameters and is_zero(after) is False:
+                return True
+        return False
 
     def consequence(self, goal: Expr, sides: tuple[Expr, Expr], line: int) -> Step | None:
         """Return how an equation follows from one or two before it."""
@@ -778,8 +820,8 @@ class Search:
             g = put_in(goal, known, self.moving) if known else goal
             if known and (is_zero(g) is not False or is_zero(e) is not False):
                 return None
-            if symbols(e).isdisjoint(symbols(g)):
-                return None
+            if symbols(e).isdisjoint(symbols(g)) or g in (e, -e):
+                return None  # a restatement
             solved = _solved(e, symbols(g), frozenset(), self.moving)
             if solved is None or solved[0] not in symbols(g):
                 solved = _solved(e, symbols(g), symbols(e) - symbols(g), self.moving)

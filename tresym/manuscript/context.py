@@ -48,6 +48,8 @@ _CALLED = re.compile(
     r"(?:\s*,\s*(?:[a-z]|\\[a-z]+))*\s*\)\s*&?\s*(?::?=|\\equiv|\\coloneqq)"
 )
 """The head of a function's definition."""
+_TERMS = "012345"
+"""The terms of a series of functions: y_2(x) is a function where y(x) and y_0(x) are."""
 _ITERATES = re.compile(
     r"\b(?:iterat|with itself|compositional power|period-\w|n-fold)", re.IGNORECASE
 )
@@ -153,6 +155,9 @@ class Memory(ConditionReader):
         self.called = frozenset(
             head.name for m in _CALLED.finditer(text) if (head := self.head(tokenize(m[1])))
         )
+        self.called |= {
+            f"{n[:-1]}{k}" for n in self.called if n[:-1] in self.called for k in _TERMS
+        }
 
     @property
     def functions(self) -> dict[str, Function]:

@@ -22,6 +22,7 @@ from tresym.manuscript.classification import (
 from tresym.manuscript.consequences import (
     Context,
     Difference,
+    Fact,
     Search,
     Step,
     difference,
@@ -288,7 +289,7 @@ def _step(rows: Sequence[Row], n: int) -> Step | None:
     goal = fact(link.sides, link.display.line, link.read_as, context)
     if goal is None or not facts:
         return None
-    search = Search(context, facts, goal)
+    search = Search(context, facts, goal, _beside(rows, n, context))
     if goal.series:
         return search.agreement(goal)
     if goal.name and (step := search.solution(goal.name, goal)) is not None:
@@ -296,6 +297,18 @@ def _step(rows: Sequence[Row], n: int) -> Step | None:
     if row.status == DEFINED and goal.name:
         return None
     return search.consequence(goal.zero, goal.sides, goal.line) or search.agreement(goal)
+
+
+def _beside(rows: Sequence[Row], n: int, context: Context) -> list[Fact]:
+    """Return the definitions further on in the display: the other unknowns of a system."""
+    link, found = rows[n].link, []
+    for other in rows[n + 1 : n + 5]:
+        sides = other.link.sides
+        if other.link.display != link.display or sides is None or sides[1] != "==":
+            break
+        one = fact(sides, other.link.display.line, other.link.read_as, context)
+        found += [one] if one and one.name and not one.series else []
+    return found
 
 
 def _is_premise(row: Row, link: Link) -> bool:

@@ -89,12 +89,18 @@ def is_product(cursor: Cursor, name: str, inner: Piece) -> bool:
     return (inner.strength == 0 or raised) and (name == "pi" or name in cursor.author.bare)
 
 
+_COEFFICIENTS = frozenset("ABCDKabck")
+
+
 def _is_own_factor(cursor: Cursor) -> bool:
     """Whether the letter before the bracket here stands in it as a number: R(1 - R²) is a product;
     f(f(x)) is none."""
     letter, inside = cursor.tokens[cursor.at - 1], cursor.tokens[cursor.at + 1 :]
     inside = inside[: cursor.partner(cursor.at) - cursor.at - 1]
     places = [n for n, token in enumerate(inside) if token == letter]
+    constant = letter in _COEFFICIENTS and letter in (cursor.author.bare if cursor.author else ())
+    if constant and inside[:1] and inside[0].isdigit() and {"+", "-"} & {*inside[1:2]}:
+        return True  # A(1 - e^{-x}), where A stands alone elsewhere
     return bool(places) and all(inside[n + 1 : n + 2] not in (["("], ["_"]) for n in places)
 
 
