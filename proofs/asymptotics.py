@@ -33,14 +33,19 @@ from tresym.proofs.monotonicity import slope_in_T_positive
 from tresym.proofs.near import (
     BY_K,
     BY_KAPPA,
+    BY_LAMBDA,
+    BY_RATIO,
     KAPPA,
+    ROOT,
     below,
     bound,
+    defect_between,
     defect_by_phase,
     everywhere_shown,
     exponent_is_logarithm,
     first_coefficient,
     four_readings,
+    kappa_bounded,
     leading_by_defect,
     leading_term,
     misses_from_four,
@@ -48,11 +53,13 @@ from tresym.proofs.near import (
     newton_beyond_four,
     newton_beyond_pi,
     phase,
-    phase_by_defect,
+    phase_range,
     pi_readings,
     quarter,
+    ratio_bounded,
     second_coefficient,
     too_small,
+    turn_logarithm,
     within,
 )
 from tresym.proofs.power_series import (
@@ -252,23 +259,15 @@ third_order_too_small = Claim(
 )
 
 
-def _room_for_majorant(b: Any, kappa: Any, m: Any) -> Any:
-    """1 − R sinh²√ρ."""
-    R = b * kappa * b * kappa
-    return 1 - R * m.sinh(m.sqrt(4 / (4 + 9 * R))) ** 2
-
-
 _rho = 4 / (4 + 9 * b / a)
 _sizes = majorant(_rho, b, b / a, sympy)
 
 _under_root = b / a * sinh(sqrt(_rho)) ** 2
 
-majorant_exists = bound(
-    "majorant_exists",
-    _under_root < 1,
-    On(BY_KAPPA, KAPPA, (Shown(_room_for_majorant),)),
-    put=(),
+majorant_exists = Claim(
+    says=_under_root < 1,
     given=quarter,
+    proof=Decided(cited=(ratio_bounded,), variables=BY_RATIO, also=(*ROOT, phase_range)),
 )
 
 terms_decrease = bound(
@@ -642,14 +641,17 @@ DEFECT_SLOPE = -printed.defect_per_turn(epsilon0, a, b, 1, sympy) * printed.turn
 _beside_slope = DEFECT_SLOPE + 1 / (4 * b * epsilon0)
 _unit = sqrt(a * b) * epsilon0 / (4 * b)
 
-slope_leading_term = below(
-    "slope_leading_term",
-    _beside_slope,
-    "12.6",
-    _unit,
-    charts.slope_rest,
-    put=(phase_by_defect,),
-    also=(slope_by_phase,),
+slope_leading_term = Claim(
+    says=Abs(_beside_slope) <= Rational("12.6") * _unit,
+    given=quarter,
+    proof=Decided(
+        put=(turn_logarithm,),
+        cited=(defect_between, kappa_bounded),
+        variables=BY_LAMBDA,
+        constant=fmpq(126, 10),
+        gauge=_unit,
+        also=(slope_by_phase,),
+    ),
     note="The remainder is of order ε₀ log(1/ε₀) at fixed b, where the paper prints O(1).",
 )
 
@@ -668,28 +670,12 @@ bend = Claim(
 )
 
 
-def _beyond_turning(defect: Any, m: Any) -> Any:
-    """(4ε₀² − sin² 2ε₀)/(2ε₀)⁴, which is −(γ + b sin²ε)/(16bε₀⁴) at γ = −4bε₀², ε = 2ε₀."""
-    sinc = charts.sine_over(2 * defect)
-    return -charts.sine_rest(2 * defect) * (1 + sinc)
-
-
 _past = 4 * b * epsilon0**2 - b * sin(2 * epsilon0) ** 2
 
-bend_leaves = bound(
-    "bend_leaves",
-    Tuple(_past > Rational(7, 2) * b * epsilon0**4, _past < 6 * b * epsilon0**4),
-    On(
-        (epsilon0,),
-        box((0, "3/4")),
-        (
-            Shown(lambda e, m: 16 * _beyond_turning(e, m) - fmpq(7, 2), b * epsilon0**4),
-            Shown(lambda e, m: 6 - 16 * _beyond_turning(e, m), b * epsilon0**4),
-        ),
-    ),
-    put=(),
+bend_leaves = Claim(
+    says=Tuple(_past > Rational(7, 2) * b * epsilon0**4, _past < 6 * b * epsilon0**4),
     given=(*shape, epsilon0 <= Rational(3, 4)),
-    constant="6",
+    proof=Decided(cited=(flip_defect,), constant=fmpq(6), gauge=b * epsilon0**4),
     note=(
         "At γ = −4bε₀² the linear formula gives ε = 2ε₀, where γ + b "
         "sin²ε is negative by this amount. No such motion exists, since √(γ + b sin²ε) is not real."

@@ -94,6 +94,89 @@ phase_by_defect = Claim(
     ),
 )
 
+quarter = (*shape, a * b >= Rational(1, 4))
+"""ab ≥ 1/4, 0 < b ≤ 1."""
+_wait = pi + asin(_mu * _cosine)
+_time = asinh(sqrt(a / (a + b)) * _cosine / _sine)
+_in_range = citing(flip_defect, defect_range)
+
+ratio_bounded = Claim(
+    says=_ratio <= 2 * b,
+    given=quarter,
+    proof=(
+        step(2 * _ratio * (sqrt(a * b) - Rational(1, 2)), roots),
+        step(2 * _ratio * (a * b - Rational(1, 4)) / (sqrt(a * b) + Rational(1, 2)), roots),
+    ),
+)
+
+kappa_bounded = Claim(
+    says=1 / sqrt(a * b) <= 2,
+    given=quarter,
+    proof=(
+        step(2 * (a * b - Rational(1, 4)) / (sqrt(a * b) * (sqrt(a * b) + Rational(1, 2))), roots),
+    ),
+)
+
+time_by_b = Claim(
+    says=b * _wait <= _ratio * _time,
+    given=shape,
+    proof=(
+        step(_ratio * sqrt(a * b) * P - b * _wait, substituting(phase_by_defect), roots, _in_range),
+        step(b * (P - _wait), roots),
+        step(Integer(0), substituting(phase)),
+    ),
+    note="Both sides are equal; this half bounds ε₀ from above.",
+)
+
+time_is_long = Claim(
+    says=_wait / 2 <= _time,
+    given=quarter,
+    proof=(
+        step(sqrt(a * b) * P - _wait / 2, substituting(phase_by_defect), roots, _in_range),
+        step(
+            (a * b - Rational(1, 4)) * _wait / (sqrt(a * b) + Rational(1, 2)),
+            *(substituting(phase), roots, _in_range),
+        ),
+    ),
+)
+
+turn_logarithm = Claim(
+    says=equal(
+        log((sqrt(a) * _cosine + sqrt(a + b * _sine**2)) / _sine),
+        sqrt(a * b) * _wait + log(sqrt(a + b)),
+    ),
+    given=shape,
+    proof=(
+        step(
+            log(sqrt(a / (a + b)) * (_cosine + _root) / _sine) + log(sqrt(a + b)),
+            *(exponentials, roots, _in_range),
+        ),
+        step(_time + log(sqrt(a + b)), exponentials, inverses, roots, trigonometry, _in_range),
+        step(sqrt(a * b) * P + log(sqrt(a + b)), substituting(phase_by_defect), roots, _in_range),
+        step(None, substituting(phase)),
+    ),
+)
+
+BY_RATIO = InVariables({r: _ratio}, {a: b / r**2}, (r > 0, r <= 2 * b))
+"""Statements in b and r = √(b/a), on ab ≥ 1/4."""
+BY_LAMBDA = InVariables({kappa: 1 / sqrt(a * b)}, {a: 1 / (b * kappa**2)}, (kappa > 0, kappa <= 2))
+"""Statements in b and κ = 1/√(ab), on ab ≥ 1/4."""
+
+defect_bounded = Claim(
+    says=epsilon0 <= Rational(21, 50) - Rational(31, 100) * b,
+    given=quarter,
+    proof=Decided(
+        cited=(flip_defect, defect_range, ratio_bounded, time_is_long, time_by_b),
+        variables=BY_RATIO,
+    ),
+    kind="bound",
+)
+defect_between = Claim(
+    says=Tuple(epsilon0 > 0, epsilon0 <= Rational(21, 50) - Rational(31, 100) * b),
+    given=quarter,
+    proof=follows(by(citing(flip_defect)), all_of(defect_bounded)),
+)
+
 _turn = asin(_ratio * _sine**2 / (_cosine + _root))
 
 leading_term = Claim(
@@ -368,8 +451,6 @@ READINGS = (
     leading_in_kappa,
 )
 
-quarter = (*shape, a * b >= Rational(1, 4))
-"""ab ≥ 1/4, 0 < b ≤ 1."""
 KAPPA = box((0, 1), (0, 2))
 """The chart (b, κ) of it."""
 

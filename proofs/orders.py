@@ -35,14 +35,22 @@ from tresym.proofs.implicit_function import d40, unknown
 from tresym.proofs.moments import fourth_moment
 from tresym.proofs.near import (
     BY_KAPPA,
+    BY_LAMBDA,
+    BY_RATIO,
+    ROOT,
     below,
     between,
     decay_by_defect,
+    defect_between,
     exponent_is_logarithm,
+    kappa_bounded,
     leading_by_defect,
     leading_term,
     phase_by_defect,
+    phase_range,
     quarter,
+    ratio_bounded,
+    time_by_b,
 )
 from tresym.proofs.separatrix import flip_defect, one_flip_defect
 from tresym.proofs.slope import d55
@@ -64,8 +72,6 @@ _turn_slope = Subs(partialF_partialgamma, gamma, 0)
 _slope = Subs(partialepsilon_partialgamma, gamma, 0)
 _exponent = pi + asin(sqrt(b / (a + b)) * cos(epsilon0))
 
-WIDE = box((0, 4), (0, "1/4"))
-"""The chart (R, ε₀) with R = b/a ≤ 4, of which ab ≥ 1/4 is a part."""
 wide = (*shape, 4 * a - b >= 0, epsilon0 <= Rational(1, 4))
 
 # -- the theorem's remainder ----------------------------------------------------------------------
@@ -99,49 +105,40 @@ d24 = Claim(
 # -- what "higher orders" leave out ---------------------------------------------------------------
 
 
-def _left_side_rest(R: Any, e: Any, m: Any) -> Any:
-    """(√L / (√(1+R) e/2) − 1)/e² for the left side L of the equation; L = (1+R)s²/(ρ+c)²."""
-    sinc, half = charts.sine_over(e), charts.sine_over(e / 2)
-    root = m.sqrt(1 + R * e * e * sinc * sinc)
-    mean = (R * sinc * sinc / (1 + root) - half * half / 2) / 2
-    return (charts.sine_rest(e) - mean) / (1 + e * e * mean)
+_wide = InVariables({r: b / a}, {a: b / r}, (r > 0, r <= 4))
 
 
-def _square_rest(R: Any, e: Any, m: Any) -> Any:
-    rest = _left_side_rest(R, e, m)
-    return rest * (2 + e * e * rest)
+def _left_out(size: Expr, limit: fmpq, gauge: Expr, says: Basic, **rest: Any) -> Claim:
+    """|size| ≤ limit · gauge, where the paper says that higher orders are left out."""
+    proof = Decided(
+        put=(decay_by_defect,),
+        cited=(flip_defect,),
+        variables=_wide,
+        constant=limit,
+        gauge=gauge,
+        remainder=Remainder(epsilon0, (a, b)),
+        also=(*ROOT, phase_range),
+    )
+    means = Abs(size) <= Rational(int(limit.p), int(limit.q)) * gauge
+    return Claim(says=says, means=means, proof=proof, given=wide, kind="bound", **rest)
 
 
-_wide: dict[str, Any] = {
-    "given": wide,
-    "chart": ((b / a, epsilon0), WIDE),
-    "put": (decay_by_defect,),
-    "slopes": True,
-    "remainder": Remainder(epsilon0, (a, b)),
-}
-
-d38 = below(
-    "d38",
+d38 = _left_out(
     exp(-2 * sqrt(a * b) * _exponent) - (1 + b / a) * epsilon0**2 / 4,
-    "1.84",
+    fmpq(184, 100),
     (1 + b / a) * epsilon0**4 / 4,
-    _square_rest,
-    printed_as=equal((1 + b / a) * epsilon0**2 / 4 + hot, exp(-2 * sqrt(a * b) * _exponent)),
+    equal((1 + b / a) * epsilon0**2 / 4 + hot, exp(-2 * sqrt(a * b) * _exponent)),
     where=display(38),
     note="The higher orders are at most 1.84 ε₀² times the preceding term.",
-    **_wide,
 )
 
-eqnew = below(
-    "eqnew",
+eqnew = _left_out(
     2 * sqrt(a / (a + b)) * exp(-sqrt(a * b) * _exponent) - epsilon0,
-    "0.92",
+    fmpq(92, 100),
     epsilon0**3,
-    _left_side_rest,
-    printed_as=equal(epsilon0 + hot, 2 * sqrt(a / (a + b)) * exp(-sqrt(a * b) * _exponent)),
+    equal(epsilon0 + hot, 2 * sqrt(a / (a + b)) * exp(-sqrt(a * b) * _exponent)),
     where=display(39),
     note="The higher orders are at most 0.92 ε₀³.",
-    **_wide,
 )
 
 
@@ -191,20 +188,6 @@ dudlam = Claim(
 # -- the factors of the slope ---------------------------------------------------------------------
 
 
-def _per_turn_rest(b: Any, kappa: Any, m: Any) -> Any:
-    """−(∂ε/∂F + √(ab) ε₀)/(√(ab) ε₀³) at γ = 0."""
-    e, _, r = charts.root_by_kappa(b, kappa, m)
-    sinc = charts.sine_over(e)
-    square = e * e * sinc * sinc
-    root = m.sqrt(1 + r * r * square)
-    inside = charts.sine_rest(e) * root + r * r * sinc * sinc / (1 + root) + b * sinc * sinc
-    return inside / (1 - b * square)
-
-
-def _per_turn_square(b: Any, kappa: Any, m: Any) -> Any:
-    return charts.root_by_kappa(b, kappa, m).defect * _per_turn_rest(b, kappa, m)
-
-
 def _turn_slope_rest(b: Any, kappa: Any, m: Any) -> Any:
     """κ · 4b√(ab) · −(∂F/∂γ + 1/(4b√(ab) ε₀²)) at γ = 0; κT is the phase P."""
     e, _, r = charts.root_by_kappa(b, kappa, m)
@@ -232,6 +215,9 @@ _DERIVATIVES = (
 """What the partial derivatives are at γ = 0 and S = 1: `d51`, `slope_of_turn`, `closed_slope`."""
 
 
+_at_zero_level = Remainder(epsilon0, (a, b), ((S, Integer(1)), *_DERIVATIVES))
+
+
 def _printed_order(number: int, size: Expr, says: Basic, **rest: Any) -> Claim:
     """A display whose remainder at γ = 0 has this ``size`` over a gauge."""
     return below(
@@ -240,11 +226,7 @@ def _printed_order(number: int, size: Expr, says: Basic, **rest: Any) -> Claim:
         printed_as=says,
         put=(phase_by_defect, leading_by_defect),
         where=display(number),
-        remainder=Remainder(
-            epsilon0,
-            (a, b),
-            ((S, Integer(1)), *((derivative, of) for derivative, of in _DERIVATIVES)),
-        ),
+        remainder=_at_zero_level,
         **rest,
     )
 
@@ -271,18 +253,41 @@ _beside_turns = printed.defect_per_turn(epsilon0, a, b, 1, sympy) + _ab * epsilo
 _beside_turn = printed.turn_slope(epsilon0, a, b, 1, sympy) + 1 / (4 * b * _ab * epsilon0**2)
 _beside_slope = DEFECT_SLOPE + 1 / (4 * b * epsilon0)
 
-d52 = _printed_order(
-    52,
-    _beside_turns,
-    equal(_per_turn, printed.defect_per_turn_asymptotic(epsilon0, a, b, S, sympy) + O(epsilon0**2)),
-    limit="0.31",
-    gauge=_ab * epsilon0**2,
-    error=_per_turn_square,
+_turns_gauge = _ab * epsilon0**2
+
+d52 = Claim(
+    says=equal(
+        _per_turn, printed.defect_per_turn_asymptotic(epsilon0, a, b, S, sympy) + O(epsilon0**2)
+    ),
+    means=Abs(_beside_turns) <= Rational("0.31") * _turns_gauge,
+    given=quarter,
+    proof=Decided(
+        cited=(defect_between, ratio_bounded, time_by_b),
+        variables=BY_RATIO,
+        constant=fmpq(31, 100),
+        gauge=_turns_gauge,
+        remainder=_at_zero_level,
+        also=(*ROOT, phase_range),
+    ),
+    kind="bound",
+    where=display(52),
     note="At S = 1. The exact order is ε₀³.",
 )
 
-d52_true_order = _true_order(
-    "d52_true_order", -_beside_turns, "1/4", "2.9", _ab * epsilon0**3, _per_turn_rest, "1/2"
+d52_true_order = Claim(
+    says=Tuple(
+        Gt(-_beside_turns, _ab * epsilon0**3 / 4, evaluate=False),
+        Lt(-_beside_turns, Rational("2.9") * _ab * epsilon0**3, evaluate=False),
+    ),
+    given=(*quarter, b >= Rational(1, 2)),
+    proof=Decided(
+        cited=(defect_between, kappa_bounded),
+        variables=BY_LAMBDA,
+        constant=fmpq(29, 10),
+        gauge=_ab * epsilon0**3,
+        also=(*ROOT, phase_range),
+    ),
+    note="The printed order is true and not sharp.",
 )
 
 d56 = _printed_order(

@@ -99,7 +99,9 @@ def decide_tending(claim: Comparison, statement: Statement, decided: Decide) -> 
     if claim.relation == "omega":
         found = decide_order(_order(claim, claim.right, "o", claim.left), path)
         return replace(found, why=f"with the two sides exchanged: {found.why}")
-    if claim.relation in ("O", "o", "~"):
+    if claim.relation == "o":
+        return _exactly(decide_order(claim, path), claim, path)
+    if claim.relation in ("O", "~"):
         return decide_order(claim, path)
     if claim.derivatives and where_real(Given(), claim.differentiated, claim.by)[0] != Given():
         return Answer(
@@ -107,6 +109,14 @@ def decide_tending(claim: Comparison, statement: Statement, decided: Decide) -> 
             "the differentiated functions are not real everywhere, and this case is not supported",
         )
     return _eventually(claim, path, statement, decided)
+
+
+def _exactly(found: Answer, claim: Comparison, path: Path) -> Answer:
+    """Return the answer to ``f == o(g)``, PROVED where the limit 0 of f/g is computed exactly."""
+    exact = _by_exact_limit(claim, path, Given()) if found.verdict is Verdict.ENCLOSED else None
+    if exact is None or claim.derivatives:
+        return found
+    return replace(found, verdict=Verdict.PROVED, why=f"{found.why} ({_EXACT})")
 
 
 def _where_defined(claim: Comparison, path: Path, given: Given) -> Path:

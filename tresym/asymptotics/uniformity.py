@@ -29,7 +29,7 @@ from tresym.asymptotics.constants import rounded
 from tresym.asymptotics.order_claims import region
 from tresym.asymptotics.path_claims import neighbourhood
 from tresym.reals.balls.taylor import InSeries
-from tresym.reals.decisions.answer import Answer, Decide, constant_ball, worst
+from tresym.reals.decisions.answer import Answer, Decide, constant_ball, exact_text, worst
 from tresym.reals.decisions.path_regions import along
 from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.conditions import Given
@@ -55,6 +55,7 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.language.formula import Compared
+from tresym.reals.language.parsing import parse
 from tresym.reals.language.paths import Path
 from tresym.reals.normal.to_expression import normal_form
 from tresym.reals.numbers.arithmetic import ball_precision
@@ -455,7 +456,9 @@ def decide_together(claim: Comparison, statement: Statement, decided: Decide) ->
             answers.append(found)
             if found.verdict is Verdict.REFUTED:
                 where = ", ".join(f"{n} = {e}" for n, e in put.items())
-                return replace(found, why=f"along {where}: {found.why}")
+                at = {n: parse(text) for n, text in (found.witness or {}).items()}
+                point = {n: exact_text(substitute(e, at)) for n, e in put.items()}
+                return replace(found, why=f"along {where}: {found.why}", witness=point)
             if not found:
                 return found
     constants = [a.constant for a in answers if a.constant is not None]

@@ -69,6 +69,7 @@ from tresym.ledger.evidence.asymptotics import Asymptotics, Squeezed, failing_or
 from tresym.ledger.evidence.box_bounds import Boxes
 from tresym.ledger.evidence.chain import check_chain, instantiated
 from tresym.ledger.evidence.chart_bounds import Charted, judge_charted
+from tresym.ledger.evidence.decided import Decided, judge_decided
 from tresym.ledger.evidence.deductions import (
     cited,
     judge_dominated,
@@ -101,7 +102,7 @@ from tresym.ledger.refutations import (
     refute,
     refuted_part,
 )
-from tresym.ledger.statements import Binding, ForSome, Under
+from tresym.ledger.statements import As, Binding, ForSome, Under
 from tresym.reals.balls.branch_and_bound import CertificateError
 from tresym.reals.cross_check import STOPPED
 from tresym.reals.decisions.identity import decide_continuous
@@ -171,6 +172,8 @@ def _attacked(claim: Claim, finding: Finding) -> Finding:
     if not finding.verdict.holds or isinstance(claim.proof, NEVER_ATTACKED):
         return finding
     says = claim.statement
+    if isinstance(says, As):  # no single point contradicts it; the engine has attacked it already
+        return finding
     if says is None or not _can_be_evaluated(says, claim):
         return finding
     try:
@@ -206,7 +209,7 @@ def _can_be_evaluated(says: Basic, claim: Claim) -> bool:
     term of higher order; such a claim can only be checked if its conditions name the symbol.
     """
     known = frozenset().union(*(condition.free_symbols for condition in claim.given))
-    shown = tuple | Together | Formally | Instance | RootBound | FromSlope | FromTheEdge
+    shown = tuple | Together | Formally | Instance | RootBound | FromSlope | FromTheEdge | Decided
     attacked = isinstance(claim.proof, shown)
     return attacked or says.free_symbols <= known
 
@@ -317,6 +320,8 @@ def _by_kind(claim: Claim, found: Findings) -> Finding:
             )
         case Squeezed():
             return _unless(partial(failing_order, claim), judge_squeezed, claim, claim.proof)
+        case Decided():
+            return _unless(partial(refuted_part, claim), judge_decided, claim, claim.proof)
         case Boxes():
             return claim.proof.judge(", ".join(map(str, claim.given)))
         case Denied():

@@ -27,6 +27,7 @@ from tresym.ledger.claim import (
 from tresym.ledger.evidence.asymptotics import Asymptotics, Squeezed
 from tresym.ledger.evidence.box_bounds import Boxes
 from tresym.ledger.evidence.chart_bounds import Charted, On, Reading, Shown
+from tresym.ledger.evidence.decided import Decided, InVariables
 from tresym.ledger.evidence.refutation import Denied
 from tresym.ledger.evidence.interval_evaluation import Evaluated
 from tresym.ledger.evidence.allowed_evidence import Meant
@@ -44,15 +45,15 @@ from tresym.reals.verdict import Verdict
 
 __all__ = [
     "Abs", "Asymptotics", "AtMostOne", "Basic", "Bound", "Boxes", "Charted", "Claim",
-    "Conservation", "Conserved", "Counterexample", "Definition", "Denied", "Derivative",
+    "Conservation", "Conserved", "Counterexample", "Decided", "Definition", "Denied", "Derivative",
     "Dominated", "Equivalent", "Evaluated", "ExactlyOne", "Expr", "Fault", "ForSome", "FromSlope",
     "FromTheEdge", "Function", "Ge", "Growing", "Gt", "ImmutableMatrix", "ImplicitFunction",
-    "Infimum", "InfimumBy", "Instance", "Integer", "Integral", "Le", "Lt", "Lyapunov", "Meant",
-    "Monotone", "MonotoneOf", "Ne", "On", "Place", "Printed", "Rational", "Reading", "Reason",
-    "Root", "RootBound", "RootMonotone", "Rounds", "Shown", "Squeezed", "StableEquilibrium",
-    "StrictlyDecreasing", "StrictlyIncreasing", "Subs", "Symbol", "TheRoot", "Tuple", "Under",
-    "UniqueRoot", "UnstableEquilibrium", "Verdict", "acos", "adding", "algebra", "all_of",
-    "applying", "arb", "asin", "asinh", "at", "atan", "atanh", "box", "by", "certificate",
+    "InVariables", "Infimum", "InfimumBy", "Instance", "Integer", "Integral", "Le", "Lt",
+    "Lyapunov", "Meant", "Monotone", "MonotoneOf", "Ne", "On", "Place", "Printed", "Rational",
+    "Reading", "Reason", "Root", "RootBound", "RootMonotone", "Rounds", "Shown", "Squeezed",
+    "StableEquilibrium", "StrictlyDecreasing", "StrictlyIncreasing", "Subs", "Symbol", "TheRoot",
+    "Tuple", "Under", "UniqueRoot", "UnstableEquilibrium", "Verdict", "acos", "adding", "algebra",
+    "all_of", "applying", "arb", "asin", "asinh", "at", "atan", "atanh", "box", "by", "certificate",
     "changing_variable", "citing", "collecting", "cos", "cosh", "cutting", "det", "diff",
     "differentiating_integral", "differentiation", "display", "equal", "equations", "evaluating",
     "exp", "exponentials", "eye", "fmpq", "follows", "formally", "in_words", "integrating",

@@ -65,11 +65,12 @@ from tresym.ledger.counterexamples import rootless
 from tresym.ledger.evidence.asymptotics import Asymptotics, Squeezed
 from tresym.ledger.evidence.box_bounds import Boxes
 from tresym.ledger.evidence.chart_bounds import Charted, Reading
+from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.evidence.interval_evaluation import Evaluated, fails_at_once
 from tresym.ledger.evidence.refutation import Denied, denied_somewhere
 from tresym.ledger.judge import judge_evidence
 from tresym.ledger.refutations import refute
-from tresym.ledger.statements import AtMostOne, ExactlyOne, ForSome
+from tresym.ledger.statements import As, AtMostOne, ExactlyOne, ForSome
 from tresym.reals.verdict import Verdict
 
 Variant = Any
@@ -197,7 +198,10 @@ def _spots(claim: Claim, dependents: tuple[Claim, ...]) -> Iterator[_Spot]:
         case Boxes():
             for name, variants, changed in bound_changes(claim):
                 yield _Spot(name, variants, _one(changed), bounds_fail)
-        case Asymptotics() | Squeezed():
+        case Decided() if not isinstance(claim.statement, As):
+            yield _said_spot(claim, "statement", _mutated(claim), _is_violated, CHARTED_TRIES)
+            yield _region_spot(claim, _is_violated, CHARTED_TRIES)
+        case Asymptotics() | Squeezed() | Decided():
             for name, variants, changed in order_changes(claim):
                 fails = is_refuted if is_refuted(claim) else order_fails
                 yield _Spot(name, variants, _one(changed), fails)

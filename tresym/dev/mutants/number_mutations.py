@@ -19,7 +19,7 @@ from sympy.core.function import AppliedUndef
 
 from tresym.ledger.ball_evaluation import value
 from tresym.ledger.claim import Claim, Printed, equal, saying
-from tresym.ledger.evidence.asymptotics import Asymptotics, ordered, t
+from tresym.ledger.evidence.asymptotics import ordered, t
 from tresym.ledger.evidence.box_bounds import Boxes
 from tresym.ledger.evidence.printed_numbers import number_of
 from tresym.ledger.statements import As, Rounds
@@ -219,7 +219,7 @@ def _orders(says: As, claim: Claim) -> Iterator[As]:
     equation, e, point, _ = says.args
     (node,) = (node for node in equation.atoms(AppliedUndef) if str(node.func) in ("O", "o"))
     if isinstance(e, Tuple) or isinstance(point, Tuple):
-        along = cast(Asymptotics, claim.proof).along
+        along = getattr(claim.proof, "along", {})
         pairs = zip(e.args, point.args, strict=True)
         e, point = next(p for p in pairs if along.get(p[0], t).free_symbols)
     small = 1 / e if point in (oo, -oo) else e - point

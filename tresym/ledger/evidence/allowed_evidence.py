@@ -45,6 +45,7 @@ from tresym.ledger.conversion import conditions, tree
 from tresym.ledger.evidence.asymptotics import Asymptotics, Squeezed
 from tresym.ledger.evidence.box_bounds import Boxes
 from tresym.ledger.evidence.chart_bounds import Charted
+from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.evidence.interval_evaluation import Evaluated
 from tresym.ledger.evidence.refutation import Denied
 from tresym.ledger.evidence.remainders import (
@@ -74,14 +75,14 @@ DECIDING = (
     *(tuple, Together, UniqueRoot, Monotone, Printed, Formally, Counterexample),
     *(Asymptotics, Squeezed, Charted, Evaluated, Boxes),
     *(RootBound, RootMonotone, MonotoneOf, FromSlope, FromTheEdge, InfimumBy, Dominated),
-    *(Conservation, Lyapunov, Growing, Follows),
+    *(Conservation, Lyapunov, Growing, Follows, Decided),
 )
 """Evidence that decides the formula in ``means``, also if ``says`` is different."""
 KINDS = (
     *(tuple, Definition, Root, Instance, Charted, Together, UniqueRoot, ImplicitFunction),
     *(Printed, AllOf, Formally, Counterexample, Boxes, Asymptotics, Squeezed, Denied, Evaluated),
     *(Monotone, Follows, RootBound, RootMonotone, MonotoneOf, FromSlope, FromTheEdge),
-    *(InfimumBy, Dominated, Conservation, Lyapunov, Growing),
+    *(InfimumBy, Dominated, Conservation, Lyapunov, Growing, Decided),
 )
 """All accepted types of evidence. Subclasses are not accepted: they could judge themselves."""
 
@@ -176,7 +177,7 @@ def _odd_condition(claim: Claim) -> object | None:
 
 def _left_open(claim: Claim) -> bool:
     """Return whether the statement contains an order but the evidence is not about orders."""
-    orders = (Boxes, Asymptotics, Squeezed, Dominated, Follows, AllOf)
+    orders = (Boxes, Asymptotics, Squeezed, Dominated, Follows, AllOf, Decided)
     return is_open(claim.says) and not isinstance(claim.proof, orders)
 
 

@@ -52,6 +52,27 @@ def read(claim: Any, given: Any = "", path: str | None = None) -> Statement:
     return _checked(_stated(written, text))
 
 
+def stated(
+    parts: Iterable[Compared],
+    given: Iterable[Compared] = (),
+    path: Path | None = None,
+    uniformly: bool = False,
+) -> Statement:
+    """Return the statement of a claim whose sides are expressions already.
+
+    Args:
+        parts: the comparisons; an order is written ``f == g + O(h)``.
+        given: the conditions.
+        path: where it is claimed.
+        uniformly: whether one constant is asked for all values of the parameters.
+
+    Raises:
+        InputError: the parts do not belong together.
+    """
+    written = Written(tuple(parts), tuple(given), path, (), uniformly)
+    return _checked(_stated(written, str(written)))
+
+
 def _stated(written: Written, text: str) -> Statement:
     """What is decided of what is written."""
     parts, said, path, on, uniformly = written

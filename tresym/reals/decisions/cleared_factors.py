@@ -56,7 +56,8 @@ def cleared(difference: Expr, region: Given, positive: Callable[[Expr], bool]) -
     if common is None:
         return None
     (*shared, rest), below = common
-    if not shared and not any(symbols(factor) for factor in below):
+    plain = not shared and not any(symbols(factor) for factor in below)
+    if plain and symbols(rest) == symbols(difference):
         return None
     side = 1
     for factor in (*shared, *below):
@@ -130,7 +131,8 @@ def with_split_roots(e: Expr, given: Given) -> Expr:
             if (side < 0 or times > 1) and sign(base, given) != "+":
                 return split
             odd = sqrt(base) if times % 2 and base != ONE else ONE
-            root = root * power(base ** (times // 2) * odd, number(side))
+            even = base ** (times // 2) if times > 1 else ONE
+            root = root * power(even * odd, number(side))
     return power(root, number(2 * split.args[1].args[0])) if factors else split
 
 

@@ -1,0 +1,335 @@
+"""Evidence that the engine decides the claim's own formula (`tresym.checking`).
+
+Example: the claim ``4bε² − b sin²(2ε) > 7bε⁴/2`` for 0 < ε ≤ 3/4 needs no hand-written argument:
+the dispatcher divides by b > 0 and expands at ε = 0. A claim about a symbol that is defined
+elsewhere names the claims whose equations are put in for it, and the bounds that may be used; what
+is handed over is then a statement about variables, for all of their values. If other variables suit
+the statement better, they are named with their meaning (:class:`InVariables`).
+
+What is checked here, before and after the engine is asked:
+
+- A definition is unfolded only where the conditions of its claim are shown.
+- Both sides are shown to be defined, since the engine decides a statement where they are.
+- An order holds uniformly in all other symbols, and a defined symbol, which may change with the
+  variable of the limit, must be unfolded in it.
+- A statement about a symbol that is defined and was not unfolded is one for all values of that
+  symbol. It may be proved, but a point that contradicts it refutes nothing.
+- The constant that the evidence names stands in the statement; that of an order is not smaller than
+  the constant that the engine found.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any, ClassVar
+
+from flint import fmpq
+from sympy import Basic, Rational, S, Symbol, Tuple, oo
+from sympy import Expr as Expression
+
+from tresym.checking.dispatch import decide_claim
+from tresym.ledger.claim import Claim, parts_of
+from tresym.ledger.conversion import (
+    Conditions,
+    Rules,
+    conditions,
+    conjuncts,
+    defined,
+    formula,
+    known,
+    put_in,
+    put_into,
+    tree,
+)
+from tresym.ledger.evidence.asymptotics import SIDES, ordered
+from tresym.ledger.evidence.box_bounds import decimal
+from tresym.ledger.evidence.chain import instantiated
+from tresym.ledger.evidence.integrals import need, with_bounds
+from tresym.ledger.evidence.sign_prover import is_manifest, undefined
+from tresym.ledger.finding import WEAKEST_FIRST, Finding, Ruling, StepFinding
+from tresym.ledger.reasons import citing
+from tresym.ledger.refutations import need_possible
+from tresym.ledger.statements import As
+from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.claim_parsing import stated
+from tresym.reals.decisions.cleared_factors import with_split_roots
+from tresym.reals.decisions.identity import decide_continuous
+from tresym.reals.language.binders import worked_out
+from tresym.reals.language.expression import (
+    LEAVES,
+    ZERO,
+    Expr,
+    multiply,
+    rebuild,
+    substitute,
+    symbols,
+)
+from tresym.reals.language.formula import Compared, Relation
+from tresym.reals.language.paths import Path
+from tresym.reals.normal.to_expression import in_lowest_terms
+from tresym.reals.numbers.exact import parse_number
+from tresym.reals.verdict import Verdict
+
+_INFINITE = (oo, -oo)
+
+
+@dataclass(frozen=True)
+class InVariables:
+    """Other variables for a statement.
+
+    Every point of the claim must be a value of the new variables: each old variable is the stated
+    function of them if they have the stated values.
+
+    Attributes:
+        values: each new variable as a function of the claim's symbols.
+        old: each replaced symbol as a function of the new variables and of symbols that stay.
+        where: conditions on the new variables; their values are shown to satisfy them.
+
+    Example:
+        ``InVariables({r: sqrt(b/a)}, {a: b/r**2}, (r > 0,))``
+    """
+
+    values: Mapping[Symbol, Expression]
+    old: Mapping[Symbol, Expression]
+    where: tuple[Basic, ...] = ()
+
+
+@dataclass(frozen=True)
+class Decided:
+    """Evidence that the engine decides the statement, with definitions unfolded.
+
+    Attributes:
+        put: claims whose equations are substituted, where their conditions hold.
+        cited: claims whose bounds become conditions.
+        variables: other variables for the statement, or None.
+        constant: the constant of a bound, whose larger side is ``constant`` times ``gauge``; of an
+            order, an upper bound for the constant that the engine finds; or None.
+        gauge: the gauge of a bound.
+        remainder: a `Remainder`: how the order printed in the paper is interpreted; or None.
+        also: further claims behind the symbols of the statement.
+    """
+
+    put: tuple[Claim, ...] = ()
+    cited: tuple[Claim, ...] = ()
+    variables: InVariables | None = None
+    constant: fmpq | None = None
+    gauge: Expression = S.One
+    remainder: Any = None
+    also: tuple[Claim, ...] = field(default=())
+    expect: ClassVar[Ruling] = Verdict.ENCLOSED
+
+    @property
+    def claims(self) -> tuple[Claim, ...]:
+        """The claims that the evidence uses."""
+        return (*self.put, *self.cited, *self.also)
+
+
+def judge_decided(claim: Claim, proof: Decided) -> Finding:
+    """Return what the engine finds on the statement.
+
+    Raises:
+        NotShownError: the statement is of another kind, or what it needs besides could not be
+            shown.
+    """
+    says = claim.statement
+    need(says is not None, "the claim states no formula")
+    need_possible(claim)
+    given = with_bounds(conditions(claim.given), (citing(*proof.cited),))
+    rules, meant = instantiated(proof.put, given)
+    here = put_into(given, rules)
+    if isinstance(says, As):
+        return _order(claim, proof, says, rules, here)
+    relations = list(_relations(says, rules, meant))
+    need(bool(relations), "the statement contains no relation")
+    if proof.constant is not None:
+        size = tree(Rational(int(proof.constant.p), int(proof.constant.q)) * proof.gauge)
+        sides = (side for part in parts_of(says) for side in map(tree, part.args))
+        need(size in sides, f"the statement contains no bound {size}")
+    if proof.variables is not None:
+        relations, here = _in_variables(relations, proof.variables, given, here)
+    asked: tuple[Compared, ...] = tuple((c.left, c.sign, c.right) for c in here)
+    answers = [decide_claim(stated(((r.left, r.sign, r.right),), asked)) for r in relations]
+    free = not (_names(relations) & _open_symbols(claim, rules)) and proof.variables is None
+    constant = None if proof.constant is None else decimal(proof.constant)
+    region = ", ".join(map(str, claim.given)) or None
+    found = _found(answers, free and not proof.cited)
+    return replace(found, constant=constant, region=region) if found.verdict.holds else found
+
+
+def _found(answers: list[Answer], refutes: bool) -> Finding:
+    """Return the finding on the parts of a statement: that of the weakest one."""
+    steps = tuple(
+        StepFinding(_VERDICTS.get(step.verdict, Verdict.UNDECIDED), str(step))
+        for answer in answers
+        for step in answer.obligations
+    )
+    worst = min(answers, key=lambda answer: WEAKEST_FIRST.index(answer.verdict))
+    why = "; ".join(dict.fromkeys(filter(None, (_why(answer) for answer in answers))))
+    if worst.verdict is Verdict.REFUTED and not refutes:
+        why = (
+            "as a statement about all values of its symbols, which the definitions restrict, it is "
+            f"false: {worst.why}"
+        )
+        return Finding(Verdict.UNDECIDED, why)
+    if not worst:
+        return Finding(worst.verdict, worst.why, witness=_witness(worst), steps=steps)
+    return Finding(worst.verdict, why, steps=steps)
+
+
+_VERDICTS = {verdict.value: verdict for verdict in Verdict}
+
+
+def _why(answer: Answer) -> str:
+    return f"{answer.why}, by {answer.lemma}" if answer.lemma else answer.why
+
+
+def _witness(answer: Answer) -> dict[str, fmpq] | None:
+    """Return a witness of rational numbers, or None."""
+    try:
+        return {name: parse_number(text) for name, text in (answer.witness or {}).items()} or None
+    except ValueError:
+        return None
+
+
+def _relations(says: Basic, rules: Rules, given: Conditions) -> Iterator[Relation]:
+    """Yield the relations of a statement with the rules put in; both sides are shown to be defined.
+
+    Raises:
+        NotShownError: a part is no relation, or a side is not shown to be defined.
+    """
+    for part in parts_of(says):
+        for relation in conjuncts(formula(part)):
+            need(isinstance(relation, Relation), f"{part} is not a relation between numbers")
+            assert isinstance(relation, Relation)
+            left, right = (put_in(side, rules) for side in (relation.left, relation.right))
+            for side in (left, right):
+                gap = undefined(worked_out(side), given)
+                need(gap is None, f"could not show that {gap} lies in the domain of its operation")
+            yield Relation(left, relation.sign, right)
+
+
+def _names(relations: list[Relation]) -> frozenset[str]:
+    return frozenset().union(*(symbols(r.left) | symbols(r.right) for r in relations))
+
+
+def _open_symbols(claim: Claim, rules: Rules) -> frozenset[str]:
+    """Return the defined symbols for which nothing is put in."""
+    put = {str(left.args[0]) for left in rules if left.op == "symbol"}
+    return defined(claim) - put
+
+
+def _in_variables(
+    relations: list[Relation], new: InVariables, given: Conditions, here: Conditions
+) -> tuple[list[Relation], Conditions]:
+    """Return statement and conditions in other variables.
+
+    Raises:
+        NotShownError: the new variables occur already, an old one is not the stated function of
+            them, or their values do not satisfy the conditions on them.
+    """
+    values = {symbol.name: tree(e) for symbol, e in new.values.items()}
+    old = {symbol.name: tree(e) for symbol, e in new.old.items()}
+    taken = _names(relations).union(*(symbols(c.left) | symbols(c.right) for c in (*given, *here)))
+    need(not taken & {*values}, "a new variable occurs in the statement or its conditions")
+    for name, e in old.items():
+        need(not symbols(e) & {*old}, f"{name} is not expressed by the new variables")
+        back = substitute(e, values)
+        gap = undefined(back, given)
+        same = gap is None and decide_continuous(back, tree(Symbol(name, real=True)), known(given))
+        shown = bool(same) and same.verdict is Verdict.PROVED  # type: ignore[union-attr]
+        need(shown, f"could not show that {name} is {e}")
+    kept: Conditions = conditions(new.where)
+    for condition in kept:
+        there = Relation(
+            substitute(condition.left, values), condition.sign, substitute(condition.right, values)
+        )
+        need(is_manifest(there, given), f"could not show {there}")
+    for condition in sorted(
+        here, key=lambda c: bool((symbols(c.left) | symbols(c.right)) & {*old})
+    ):
+        moved = _moved(condition, old, kept)
+        if not is_manifest(moved, kept):
+            kept = (*kept, moved)
+    return [_moved(relation, old, kept) for relation in relations], kept
+
+
+def _moved(relation: Relation, old: Mapping[str, Expr], given: Conditions) -> Relation:
+    """Return a relation, which is known to be defined, in other variables."""
+    near = known(given)
+    sides = (substitute(side, old) for side in (relation.left, relation.right))
+    left, right = (with_split_roots(_reduced(side), near) for side in sides)
+    return Relation(left, relation.sign, right)
+
+
+def _reduced(e: Expr) -> Expr:
+    """Return ``e`` with the rational functions of variables in it in lowest terms."""
+    if e.op in LEAVES or e.names:
+        return e
+    if _is_rational(e):
+        return in_lowest_terms(e)
+    if e.op == "*":
+        plain = in_lowest_terms(multiply(*filter(_is_rational, e.args)))
+        return multiply(plain, *(_reduced(arg) for arg in e.args if not _is_rational(arg)))
+    return rebuild(e, tuple(map(_reduced, e.args)))
+
+
+def _is_rational(e: Expr) -> bool:
+    """Return whether ``e`` is made of numbers and symbols by the operations of arithmetic."""
+    if e.op in ("number", "symbol"):
+        return True
+    if e.op == "^":
+        return _is_rational(e.args[0]) and e.args[1].op == "number" and e.args[1].args[0].q == 1
+    return e.op in ("+", "*") and all(map(_is_rational, e.args))
+
+
+def _order(claim: Claim, proof: Decided, says: As, rules: Rules, given: Conditions) -> Finding:
+    """Return what the engine finds on an order along a path.
+
+    Raises:
+        NotShownError: the statement is not an order, or a symbol in it is not unfolded.
+    """
+    order = ordered(says.args[0])
+    need(order is not None, "the statement must be an equation with one order")
+    need(proof.variables is None, "an order is decided in its own variables")
+    assert order is not None
+    difference, gauge = (put_in(tree(e), rules) for e in (order.difference, order.gauge))
+    path = _path(says)
+    tending = symbols(path.expression or ZERO) | {path.name, *path.together}
+    names = symbols(difference) | symbols(gauge)
+    open_ = sorted((names | tending) & _open_symbols(claim, rules))
+    need(not open_, f"{', '.join(open_)} is defined elsewhere, and its definition is not put in")
+    parameters = bool(names - tending)
+    need(order.kind == "O" or not parameters, "an order o(…) with parameters is not shown uniform")
+    asked: tuple[Compared, ...] = tuple((c.left, c.sign, c.right) for c in given)
+    uniformly = parameters and path.expression is None and not path.together
+    link = (difference, "==", Expr(order.kind, (gauge,)))
+    answer = decide_claim(stated((link,), asked, path, uniformly))
+    found = replace(_found([answer], not proof.cited), parameter=str(path))
+    if not found.verdict.holds:
+        return found
+    if proof.constant is not None:
+        found_constant = answer.constant
+        largest = found_constant and sum(map(parse_number, found_constant), fmpq(0))
+        need(
+            largest is not None and largest <= proof.constant,
+            f"the engine's constant is not at most {proof.constant}",
+        )
+    constant = answer.constant
+    return replace(found, constant=constant, region=answer.region if constant else None)
+
+
+def _path(says: As) -> Path:
+    """Return the path of an order."""
+    _, what, point, side = says.args
+    if isinstance(what, Tuple):
+        ends = point.args if isinstance(point, Tuple) else (point,)
+        need(int(side) == 0, "several variables tend to a point from all sides")
+        names = tuple(str(x) for x in what.args)
+        return Path("", ZERO, (1,), together=names, points=tuple(map(tree, ends)))
+    if isinstance(what, Symbol) and point in _INFINITE:
+        return Path(what.name, None, (1 if point == oo else -1,))
+    if isinstance(what, Symbol):
+        return Path(what.name, tree(point), SIDES[int(side)])
+    need(point == oo, "an expression is supported that tends to oo")
+    return Path("", None, (1,), expression=tree(what))
