@@ -355,7 +355,7 @@ def _attempts(
             asked = Attempt(text, how, said, may_fail, pairs, plain, (one, relation, other))
             asked = asked._replace(given=tuple(given), under=told)
             far = accusations.far_definitions(memory, put, under)
-            if relation == "==" and (alone := _shared_apart(one, other)) is not None:
+            if relation == "==" and not put and (alone := _shared_apart(one, other)) is not None:
                 left_, right_ = alone
                 shorter = f"{left_} == {right_}{told}"
                 apart = Attempt(shorter, SHARED, said, False, pairs, plain, (left_, "==", right_))
