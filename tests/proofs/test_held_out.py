@@ -38,7 +38,7 @@ REGIONS: list[tuple[str, Any, Any]] = [
     ("repaired_from_10", a >= 10, a >= 1),
     ("second_order_from_5", a >= 5, a >= 4),
     ("bend_leaves", epsilon0 <= Rational(3, 4), epsilon0 <= 3),
-    ("d38", epsilon0 <= Rational(1, 4), epsilon0 <= 1),
+    ("d38", 4 * a - b >= 0, 9 * a - b >= 0),
     ("eqnew", 4 * a - b >= 0, None),
     ("one_line", b <= 1, b <= 2),
     ("everywhere", b <= 1, None),

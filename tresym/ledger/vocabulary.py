@@ -24,7 +24,7 @@ from tresym.ledger.claim import (
     Reason, Root, RootBound, RootMonotone, UniqueRoot, all_of, at, by, display, equal, equations,
     follows, formally, in_words, jointly, label_claims, line, manifest, parts_of, step, together,
 )
-from tresym.ledger.evidence.asymptotics import Asymptotics, Squeezed
+from tresym.ledger.evidence.asymptotics import Asymptotics
 from tresym.ledger.evidence.box_bounds import Boxes
 from tresym.ledger.evidence.chart_bounds import Charted, On, Reading, Shown
 from tresym.ledger.evidence.decided import Decided, InVariables
@@ -50,7 +50,7 @@ __all__ = [
     "FromTheEdge", "Function", "Ge", "Growing", "Gt", "ImmutableMatrix", "ImplicitFunction",
     "InVariables", "Infimum", "InfimumBy", "Instance", "Integer", "Integral", "Le", "Lt",
     "Lyapunov", "Meant", "Monotone", "MonotoneOf", "Ne", "On", "Place", "Printed", "Rational",
-    "Reading", "Reason", "Root", "RootBound", "RootMonotone", "Rounds", "Shown", "Squeezed",
+    "Reading", "Reason", "Root", "RootBound", "RootMonotone", "Rounds", "Shown",
     "StableEquilibrium", "StrictlyDecreasing", "StrictlyIncreasing", "Subs", "Symbol", "TheRoot",
     "Tuple", "Under", "UniqueRoot", "UnstableEquilibrium", "Verdict", "acos", "adding", "algebra",
     "all_of", "applying", "arb", "asin", "asinh", "at", "atan", "atanh", "box", "by", "certificate",
