@@ -358,13 +358,18 @@ def alternates(claim: Comparison, statement: Statement) -> bool:
 
     It must be reduced before its sign is asked for, which is that of a power of what is positive.
     """
-    integrals = [n for n in outermost(claim.left, claim.right) if n.op == "integral"]
-    trees = integrals or [claim.left, claim.right, *claim.differentiated]
-    trees += statement.said
+    sides = [claim.left, claim.right, *claim.differentiated]
+    integrals = [n for n in outermost(*sides) if n.op == "integral"]
+    trees = [*integrals, *statement.said] if integrals else [*sides, *statement.said]
     return any(
         _is_alternating(node, name, inside)
-        for node, inside in _operations(trees, statement.given)
         for name in statement.integers
+        for node, inside in _operations(trees, statement.given)
+    ) or any(
+        # beside an integral (-1)**n may wait, but a**n would be taken to be real only for a > 0
+        node.op == "^" and symbols(node.args[0]) and _is_alternating(node, name, inside)
+        for name in statement.integers
+        for node, inside in _operations(sides if integrals else (), statement.given)
     )
 
 
