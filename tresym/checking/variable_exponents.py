@@ -77,7 +77,7 @@ def beyond_positive_bases(
     doubtful: dict[Expr, str | None] = {}
     for base, exponent in _powers(trees):
         if not base.loose and symbols(exponent) - {*statement.integers} and base not in doubtful:
-            sign_of = _sign(base, statement.given & _said_of(base, asked))
+            sign_of = _sign(base, _without_powers(statement.given) & _said_of(base, asked))
             if sign_of != "+":
                 doubtful[base] = sign_of
     if not doubtful:
