@@ -25,6 +25,7 @@ from tresym.reals.decisions.readable_witnesses import constants_hold, decided_at
 from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
+from tresym.reals.domain.operation_domains import operations
 from tresym.reals.language.binders import integral, outermost
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.comparisons import Comparison
@@ -316,7 +317,17 @@ def _is_alternating(node: Expr, name: str, given: Given) -> bool:
     if base.op == "^":
         power_of = integer(base.args[1])
         return power_of is None or power_of % 2 == 1
-    return sign(base, given, dear=False) not in ("+", ">=0")
+    return sign(base, _without_powers(given), dear=False) not in ("+", ">=0")
+
+
+def _without_powers(given: Given) -> Given:
+    """The conditions without variable exponents: a**n != 0 would be taken to require a >= 0."""
+    links = (
+        link
+        for link in given.comparisons
+        if not any(e.op == "^" and symbols(e.args[1]) for e in operations(link[::2]))
+    )
+    return Given(tuple(links))
 
 
 def _operations(trees: Iterable[Expr], given: Given) -> Iterator[tuple[Expr, Given]]:
