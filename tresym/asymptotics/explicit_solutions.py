@@ -193,7 +193,7 @@ def _of_one(
                 yield -found if negative else found
             break
     if time not in symbols(right):
-        yield from _quadratic(right, name, time, start, value)
+        yield from _quadratic(right, name, time, start, value, given)
     for kind, inverse_of in _SEPARABLE.items():
         for c in (fmpq(1), fmpq(-1), fmpq(2), fmpq(-2), fmpq(1, 2), fmpq(-1, 2)):
             inner = apply(kind, number(c) * y)
@@ -247,8 +247,10 @@ def _integral(f: Expr, time: str, start: Expr, given: Given) -> Iterator[Expr]:
         yield tidied(found - substitute(found, {time: start}))
 
 
-def _quadratic(right: Expr, name: str, time: str, start: Expr, value: Expr) -> Iterator[Expr]:
-    """Yield the solution of y' = a y² + b y + c with numbers a, b and c."""
+def _quadratic(
+    right: Expr, name: str, time: str, start: Expr, value: Expr, given: Given
+) -> Iterator[Expr]:
+    """Yield the solution of y' = a y² + b y + c, a number a, where b²/4 − a c has a sign."""
     y, s = symbol(name), symbol(time) - start
     zero = {name: ZERO}
     first = differentiate(right, name)
@@ -264,14 +266,13 @@ def _quadratic(right: Expr, name: str, time: str, start: Expr, value: Expr) -> I
     if square == ZERO:
         yield z / (1 - a * z * s) - shift
         return
-    with ball_precision():
-        size = evaluate(square, {})
-    if size > 0:
-        k = normal_form(sqrt(square), Given())
+    size = sign(square, given)
+    if size == "+":
+        k = normal_form(sqrt(square), given)
         tanh = apply("tanh", k * s)
         yield (z - k / a * tanh) / (1 - a * z / k * tanh) - shift
-    else:
-        k = normal_form(sqrt(-square), Given())
+    elif size == "-":
+        k = normal_form(sqrt(-square), given)
         yield k / a * apply("tan", k * s + apply("atan", a * z / k)) - shift
 
 

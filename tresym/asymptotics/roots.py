@@ -141,6 +141,12 @@ def _decide(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
         ]
         return _both_sides(answers, path)
     claim, statement = _with_explicit(claim, statement)
+    base = _base_of_either_sign(statement)
+    if base is not None:
+        raise _OpenError(
+            f"where {base} is negative and its exponent is an integer there may be further roots: "
+            f"add the condition that {base} is positive"
+        )
     if not statement.equations:
         return _along(claim, statement, (), decided)
     if len(statement.equations) > 1:
@@ -157,6 +163,32 @@ def _decide(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
     if statement.integers:
         return _in_families(claim, statement, decided)
     return _of_root(claim, statement, decided)
+
+
+def _base_of_either_sign(statement: Statement) -> Expr | None:
+    """Return the base of a power in an equation that may be negative, or None.
+
+    With a variable exponent, x**n == 2 has the root -2**(1/n) where n is an even integer.
+    """
+    path = statement.path
+    assert path is not None
+    links = [link for link in statement.given.comparisons if not _holds_power(link)]
+    if path.point in (None, ZERO):
+        links.append((symbol(path.name), "<" if path.sides == (-1,) else ">", ZERO))
+    inside = Given(tuple(links))
+    sides = [side for pair in statement.equations for side in pair]
+    for node in operations(sides):
+        base, exponent = node.args if node.op == "^" else (ZERO, ZERO)
+        if not symbols(base) or not symbols(exponent):
+            continue
+        if sign(base, inside, dear=False) not in ("+", ">=0"):
+            return base
+    return None
+
+
+def _holds_power(link: Compared) -> bool:
+    """Whether a comparison holds a power with a variable exponent."""
+    return any(e.op == "^" and symbols(e.args[1]) for e in operations(link[::2]))
 
 
 def _with_explicit(claim: Comparison, statement: Statement) -> tuple[Comparison, Statement]:
