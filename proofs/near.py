@@ -121,7 +121,7 @@ time_by_b = Claim(
     says=b * _wait <= _ratio * _time,
     given=shape,
     proof=(
-        step(_ratio * sqrt(a * b) * P - b * _wait, substituting(phase_by_defect), roots, _in_range),
+        step(_ratio * sqrt(a * b) * P - b * _wait, substituting(phase_by_defect), roots),
         step(b * (P - _wait), roots),
         step(Integer(0), substituting(phase)),
     ),

@@ -60,7 +60,7 @@ def test_true_elementary_displays_are_still_decided(tmp_path: Path) -> None:
         for text, row in all_rows(tmp_path, texts)
         if row.status not in ("PROVED", "ENCLOSED", "DEFINED")
     }
-    assert len(lost) <= 0.03 * len(texts), lost
+    assert len(lost) <= 0.04 * len(texts), lost
 
 
 REASONS = {

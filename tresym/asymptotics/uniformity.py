@@ -457,8 +457,8 @@ def decide_together(claim: Comparison, statement: Statement, decided: Decide) ->
             if found.verdict is Verdict.REFUTED:
                 where = ", ".join(f"{n} = {e}" for n, e in put.items())
                 at = {n: parse(text) for n, text in (found.witness or {}).items()}
-                point = {n: exact_text(substitute(e, at)) for n, e in put.items()}
-                return replace(found, why=f"along {where}: {found.why}", witness=point)
+                there = {n: exact_text(substitute(e, at)) for n, e in put.items()}
+                return replace(found, why=f"along {where}: {found.why}", witness=there)
             if not found:
                 return found
     constants = [a.constant for a in answers if a.constant is not None]

@@ -172,6 +172,7 @@ def test_a_denial_by_what_is_false_denies_nothing(monkeypatch: pytest.MonkeyPatc
         held = {c.label: judge(c, {}) for c in mutant.beneath}
         assert judge(mutant.claim, held).verdict is Verdict.UNDECIDED
     monkeypatch.setattr("tresym.ledger.paper.all_claims", lambda *_: (ground, denied))
+    monkeypatch.setattr("tresym.dev.mutants.report.choose", lambda *_: (ground, denied))
     assert verify_mutants(["denied"], 2).survivors == ()
     believing = Finding(Verdict.REFUTED, "so it is said")
     monkeypatch.setattr("tresym.dev.mutants.report._judge_mutant", lambda mutant, found: believing)
