@@ -77,7 +77,7 @@ dominant_exponential = Claim(
 implicit_solution = Claim(
     **jointly(G_at_origin, G_u_at_origin, defect_is_flat),
     where=line(368),
-    note="The theorem does not apply for λ < 0, where e^{−1/s} is not flat. With |λ| in place "
+    note="Nothing follows for λ < 0, where e^{−1/s} is not flat. With |λ| in place "
     "of λ the equation is smooth on both sides.",
     quotes=(IMPLICIT_FUNCTION,),
 )
