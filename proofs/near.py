@@ -121,7 +121,7 @@ time_by_b = Claim(
     says=b * _wait <= _ratio * _time,
     given=shape,
     proof=(
-        step(_ratio * sqrt(a * b) * P - b * _wait, substituting(phase_by_defect), roots),
+        step(_ratio * sqrt(a * b) * P - b * _wait, substituting(phase_by_defect), roots, _in_range),
         step(b * (P - _wait), roots),
         step(Integer(0), substituting(phase)),
     ),
@@ -135,7 +135,7 @@ time_is_long = Claim(
         step(sqrt(a * b) * P - _wait / 2, substituting(phase_by_defect), roots, _in_range),
         step(
             (a * b - Rational(1, 4)) * _wait / (sqrt(a * b) + Rational(1, 2)),
-            *(substituting(phase), roots, _in_range),
+            *(substituting(phase), roots),
         ),
     ),
 )
