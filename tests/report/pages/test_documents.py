@@ -9,7 +9,7 @@ import pytest
 from sympy import Rational
 
 from tresym.ledger.claim import Fault
-from tresym.ledger.paper import all_claims
+from tresym.ledger.paper import all_claims, racket
 from tresym.ledger.paper import corrections as all_corrections
 from tresym.ledger.verification import Report, verify
 from tresym.reals.verdict import Verdict
@@ -125,7 +125,9 @@ FINDINGS = [row for row in _ROW.findall(README) if "`" in row[0]]
 def test_the_findings_of_the_readme_are_those_of_the_ledger(
     said: str, verdict: str, truth: str, whole: Report
 ) -> None:
-    labels, reasons = re.findall(r"`(\w+)`", said), re.findall(r"`(\w+)`", truth)
+    labels, reasons = (
+        [racket().label_of(name) for name in re.findall(r"`(\w+)`", text)] for text in (said, truth)
+    )
     assert {whole[label].finding.verdict.value for label in labels} == {verdict}
     assert all(whole[label].finding.verdict.holds for label in reasons)
     claims = [whole[label].claim for label in (*labels, *reasons)]
