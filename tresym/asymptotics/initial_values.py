@@ -75,6 +75,8 @@ from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     ZERO,
     Expr,
+    fresh,
+    is_polynomial,
     number,
     replaced,
     substitute,
@@ -418,8 +420,9 @@ def _by_expansion(
         segment = _segment(domain, problem, argument)
         if not _pointwise(problem, found, segment, path, terms):
             raise OpenError("the expansion that was found is none of the solution")
+    mark = fresh("m", symbols(gap))
     for node in functions(gap):
-        if not _is_polynomial(gap, node):
+        if not is_polynomial(replaced(gap, {node: symbol(mark)}), mark):
             raise OpenError(f"the claim must be a polynomial in {node}")
     e = path.name
     first = first_term(explicit.left, e, terms, with_initial_point(domain, problem))
@@ -457,19 +460,6 @@ def _ordered(e: Expr, name: str, terms: int) -> str:
         e = differentiate(e, name)
         factorial *= k + 1
     return " + ".join(parts) or "0"
-
-
-def _is_polynomial(e: Expr, node: Expr) -> bool:
-    """Whether an expression is a polynomial in one of its nodes."""
-    if e == node or not e.hidden:
-        return True
-    if e.op == "unknown":
-        return True
-    if e.op == "^":
-        n = e.args[1]
-        whole = n.op == "number" and n.args[0].q == 1 and n.args[0] >= 0
-        return whole and _is_polynomial(e.args[0], node)
-    return e.op in ("+", "*") and all(_is_polynomial(arg, node) for arg in e.args)
 
 
 def _pointwise(problem: Problem, curve: Curve, domain: Given, path: Path, terms: int) -> Answer:

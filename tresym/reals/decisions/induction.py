@@ -48,6 +48,7 @@ from tresym.reals.language.expression import (
     fresh,
     instantiate,
     integer,
+    is_polynomial,
     multiply,
     number,
     opened,
@@ -270,22 +271,12 @@ def _by_powers(e: Expr, given: Given) -> Expr:
 def _coefficients(e: Expr, n: str) -> list[Expr]:
     """Return the coefficients of n⁰, n¹, … in a polynomial of low degree; none for others."""
     coefficients: list[Expr] = []
-    while len(coefficients) <= MOST_POWERS and _is_polynomial(e, n):
+    while len(coefficients) <= MOST_POWERS and is_polynomial(e, n):
         coefficients.append(substitute(e, {n: ZERO}))
         e = differentiate(e, n) / len(coefficients)
         if e == ZERO:
             return coefficients
     return []
-
-
-def _is_polynomial(e: Expr, n: str) -> bool:
-    """Return whether ``e`` is written as a polynomial in n."""
-    if n not in symbols(e) or e == symbol(n):
-        return True
-    if e.op == "^":
-        times = integer(e.args[1])
-        return times is not None and times >= 0 and _is_polynomial(e.args[0], n)
-    return e.op in ("+", "*") and all(_is_polynomial(part, n) for part in e.args)
 
 
 def _end(node: Expr) -> tuple[str, int, int] | None:

@@ -18,6 +18,7 @@ from tresym.reals.language.expression import (
     ZERO,
     Expr,
     factors_in,
+    is_polynomial,
     multiply,
     substitute,
     symbol,
@@ -93,18 +94,8 @@ def _is_bounded(e: Expr, name: str) -> bool:
     if name not in symbols(e):
         return True
     if e.op in ("sin", "cos"):
-        return _is_polynomial(e.args[0], name)
+        return is_polynomial(e.args[0], name)
     return e.op in ("+", "*") and all(_is_bounded(arg, name) for arg in e.args)
-
-
-def _is_polynomial(e: Expr, name: str) -> bool:
-    if name not in symbols(e) or e.op == "symbol":
-        return True
-    if e.op == "^":
-        power = e.args[1]
-        whole = power.op == "number" and power.args[0].q == 1 and power.args[0] > 0
-        return whole and _is_polynomial(e.args[0], name)
-    return e.op in ("+", "*") and all(_is_polynomial(arg, name) for arg in e.args)
 
 
 def _fixed(e: Expr) -> Iterator[Expr]:

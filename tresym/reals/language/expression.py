@@ -485,6 +485,21 @@ def integer(e: Expr) -> int | None:
     return int(e.args[0].p) if e.op == "number" and e.args[0].q == 1 else None
 
 
+def is_polynomial(e: Expr, name: str) -> bool:
+    """Return whether ``e`` is written as a polynomial in a variable, with any coefficients.
+
+    Example:
+        >>> is_polynomial(symbol("a") * symbol("x") ** 2, "x")
+        True
+    """
+    if name not in symbols(e) or e.op == "symbol":
+        return True
+    if e.op == "^":
+        times = integer(e.args[1])
+        return times is not None and times >= 0 and is_polynomial(e.args[0], name)
+    return e.op in ("+", "*") and all(is_polynomial(arg, name) for arg in e.args)
+
+
 def fresh(name: str, taken: Container[str]) -> str:
     """Return ``name``, or the first of ``name_1``, ``name_2``, … that is not taken."""
     return next(found for n in count() if (found := f"{name}_{n}" if n else name) not in taken)
