@@ -17,15 +17,14 @@ from __future__ import annotations
 
 from math import factorial
 
-from flint import arb, fmpq
+from flint import fmpq
 
-from tresym.asymptotics.euler_maclaurin import FAR, TERMS, Summand, derivative
-from tresym.asymptotics.lemma import Bound, End, Expansion, Obligations, exact_upper, folded
+from tresym.asymptotics.euler_maclaurin import FAR, TERMS, Summand, bounded, derivative
+from tresym.asymptotics.lemma import Bound, End, Expansion, Obligations, folded
 from tresym.asymptotics.stirling import bernoulli
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.known_values import known_value
 from tresym.reals.domain.conditions import Given
-from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.operation_domains import preorder
 from tresym.reals.expansions.limit_values import limit_of
 from tresym.reals.language.calls import INFINITY
@@ -47,9 +46,7 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
-from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
 
 LEMMA = "Boole's formula for alternating sums (DLMF 24.17(i))"
@@ -80,8 +77,9 @@ class AlternatingSum(Expansion):
             return
         self.constant = self._named() or symbol(name)
         self.unknown = frozenset((name,)) & symbols(self.constant)
-        if self.unknown:
-            bounds = self._enclosed(low)
+        if self.unknown and symbols(terms.f) == {terms.k}:
+            far = power(MINUS_ONE, number(FAR)) * self._at(TERMS, number(FAR), 1)
+            bounds = terms.constant_from(far, self._weight(TERMS), -1)
             if bounds is not None:
                 below, above = (number(bound) for bound in bounds)
                 self.constants = Given(((symbol(name), ">", below), (symbol(name), "<", above)))
@@ -109,27 +107,6 @@ class AlternatingSum(Expansion):
         ]
         return add(substitute(s.f, {s.k: at}) / 2, *slopes)
 
-    def _enclosed(self, low: int) -> tuple[fmpq, fmpq] | None:
-        """Return rational bounds of the constant, by the formula at a large index."""
-        s = self.summand
-        if symbols(s.f) != {s.k} or s.first is None:
-            return None
-        e = derivative(s.f, s.k, 2 * (s.first + TERMS - 1))
-        beyond = Given(((symbol(s.k), ">=", number(FAR)),))
-        if sign(e, beyond, ">=") not in ("+", ">=0") and sign(e, beyond, "<=") not in ("-", "<=0"):
-            return None
-        with ball_precision(128):
-            value = arb(0)
-            for k in range(low, FAR + 1):
-                value += (-1) ** k * evaluate(s.f, {s.k: fmpq(k)})
-            value -= (-1) ** FAR * evaluate(self._at(TERMS, number(FAR), 1), {})
-            radius = arb(self._weight(TERMS)) * abs(evaluate(s.error(TERMS, number(FAR)), {}))
-            if not value.is_finite() or not radius.is_finite():
-                return None
-            spread = radius.upper() + arb((1, -40))
-            below, above = (value - spread).lower(), (value + spread).upper()
-            return -exact_upper(-below), exact_upper(above)
-
     def _weight(self, order: int) -> fmpq:
         assert self.summand.first is not None
         n = 2 * (self.summand.first + order - 1) - 1
@@ -147,12 +124,7 @@ class AlternatingSum(Expansion):
 
     def prove(self, order: int, ask: Obligations) -> Bound | None:
         """Prove the sign of the derivative, and that the index grows."""
-        start = self.summand.from_where(order, ask)
-        if start is None:
-            return None
-        if self.moving != symbol(self.end.name):
-            return Bound()
-        return Bound(self._weight(order), fmpq(1, max(start, 1)))
+        return bounded(self.summand, self.moving, self.end, order, ask, self._weight(order))
 
 
 def alternating_sum(node: Expr, end: End) -> AlternatingSum | None:

@@ -112,6 +112,11 @@ class Summand:
             return False
         return limit_of(slope, self.k, None, 1, self.given) == ZERO
 
+    def weight(self, order: int) -> fmpq:
+        """Return the factor of |f^(2m−1)| in the bound of the remainder."""
+        assert self.first is not None
+        return weight(self.first + order - 1)
+
     def corrections(self, order: int, at: Expr) -> list[Expr]:
         """Return the terms with derivatives at a point."""
         assert self.first is not None
@@ -126,6 +131,33 @@ class Summand:
         assert self.first is not None
         slope = derivative(self.f, self.k, 2 * (self.first + order - 1) - 1)
         return substitute(slope, {self.k: at})
+
+    def constant_from(self, main: Expr, factor: fmpq, alternating: int) -> tuple[fmpq, fmpq] | None:
+        """Return rational bounds of the sum up to a large index less the explicit terms there.
+
+        The summand has no parameters.
+
+        Args:
+            main: the explicit terms at the index :data:`FAR`, with :data:`TERMS` derivatives.
+            factor: the factor of |f^(2m−1)| in the bound of the remainder.
+            alternating: 1, or −1 for the sum of (−1)^k f(k).
+        """
+        assert self.first is not None
+        e = derivative(self.f, self.k, 2 * (self.first + TERMS - 1))
+        beyond = Given(((symbol(self.k), ">=", number(FAR)),))
+        if sign(e, beyond, ">=") not in ("+", ">=0") and sign(e, beyond, "<=") not in ("-", "<=0"):
+            return None
+        with ball_precision(128):
+            total = arb(0)
+            for k in range(self.low, FAR + 1):
+                total += alternating**k * evaluate(self.f, {self.k: fmpq(k)})
+            value = total - evaluate(main, {})
+            radius = arb(factor) * abs(evaluate(self.error(TERMS, number(FAR)), {}))
+            if not value.is_finite() or not radius.is_finite():
+                return None
+            spread = radius.upper() + arb((1, -40))
+            low, high = (value - spread).lower(), (value + spread).upper()
+            return -exact_upper(-low), exact_upper(high)
 
     def from_where(self, order: int, ask: Obligations) -> int | None:
         """Prove that f^(2m) has one sign from some integer on; return it."""
@@ -249,22 +281,7 @@ class PartialSum(Expansion):
         s = self.summand
         if symbols(s.f) != {s.k} or s.first is None:
             return None
-        m = s.first + TERMS - 1
-        e = derivative(s.f, s.k, 2 * m)
-        beyond = Given(((symbol(s.k), ">=", number(FAR)),))
-        if sign(e, beyond, ">=") not in ("+", ">=0") and sign(e, beyond, "<=") not in ("-", "<=0"):
-            return None
-        with ball_precision(128):
-            total = arb(0)
-            for k in range(s.low, FAR + 1):
-                total += evaluate(s.f, {s.k: fmpq(k)})
-            value = total - evaluate(self._main(TERMS, number(FAR)), {})
-            radius = arb(weight(m)) * abs(evaluate(s.error(TERMS, number(FAR)), {}))
-            if not value.is_finite() or not radius.is_finite():
-                return None
-            spread = radius.upper() + arb((1, -40))
-            low, high = (value - spread).lower(), (value + spread).upper()
-            return -exact_upper(-low), exact_upper(high)
+        return s.constant_from(self._main(TERMS, number(FAR)), s.weight(TERMS), 1)
 
     def terms(self, order: int) -> tuple[Expr, Expr] | None:
         """Return the constant with the explicit terms at the last index, and |f^(2m−1)| there."""
@@ -277,17 +294,20 @@ class PartialSum(Expansion):
 
     def prove(self, order: int, ask: Obligations) -> Bound | None:
         """Prove the sign of the derivative, and that the last index grows."""
-        return _bounded(self.summand, self.top, self.end, order, ask)
+        factor = self.summand.weight(order)
+        return bounded(self.summand, self.top, self.end, order, ask, factor)
 
 
-def _bounded(s: Summand, top: Expr, end: End, order: int, ask: Obligations) -> Bound | None:
+def bounded(
+    s: Summand, moving: Expr, end: End, order: int, ask: Obligations, factor: fmpq
+) -> Bound | None:
+    """Prove the sign of the derivative; the bound holds from where on it has this sign."""
     start = s.from_where(order, ask)
-    if start is None or s.first is None:
+    if start is None:
         return None
-    constant = weight(s.first + order - 1)
-    if top != symbol(end.name):
+    if moving != symbol(end.name):
         return Bound()
-    return Bound(constant, fmpq(1, max(start, 1)))
+    return Bound(factor, fmpq(1, max(start, 1)))
 
 
 class Tail(Expansion):
@@ -322,7 +342,8 @@ class Tail(Expansion):
 
     def prove(self, order: int, ask: Obligations) -> Bound | None:
         """Prove the sign of the derivative, and that the first index grows."""
-        return _bounded(self.summand, self.low, self.end, order, ask)
+        factor = self.summand.weight(order)
+        return bounded(self.summand, self.low, self.end, order, ask, factor)
 
 
 class Between(Expansion):
