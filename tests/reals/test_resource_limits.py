@@ -3,6 +3,8 @@
 import gc
 import signal
 import threading
+import time
+import weakref
 from contextlib import suppress
 
 import mpmath
@@ -91,3 +93,23 @@ def test_what_is_never_searched_stays_so() -> None:
             assert gc.get_threshold()[0] == 0
     finally:
         gc.set_threshold(*before)
+
+
+def _busy(seconds: float) -> None:
+    end = time.process_time() + seconds
+    while time.process_time() < end:
+        pass
+
+
+def test_a_limit_waits_for_a_callback_in_which_it_would_be_lost() -> None:
+    class Thing:
+        pass
+
+    def work() -> None:
+        thing = Thing()
+        weakref.finalize(thing, _busy, 0.1)
+        del thing
+        _busy(60)
+
+    with pytest.raises(TimeUp), time_limit(0.02):
+        work()

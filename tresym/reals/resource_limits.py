@@ -13,6 +13,7 @@ import gc
 import signal
 import threading
 import time
+import weakref
 from collections.abc import Iterator
 from contextlib import contextmanager
 from mmap import mmap
@@ -35,6 +36,7 @@ def processor_time(process: int) -> float | None:
         return None
 
 
+_CALLBACKS = frozenset((weakref.__file__, weakref.WeakSet.__init__.__code__.co_filename))
 SOON = 0.01
 """The delay in seconds after which a suspended limit is tried again."""
 _held: list[None] = []
@@ -74,7 +76,7 @@ def time_limit(seconds: float, error: type[BaseException] = TimeUp) -> Iterator[
     def end(_: int, frame: FrameType | None) -> None:
         if over:
             return
-        if not _held and not _enters_or_leaves(frame):
+        if not _held and not _must_end(frame):
             raise error
         signal.setitimer(signal.ITIMER_PROF, SOON, seconds)
 
@@ -90,10 +92,14 @@ def time_limit(seconds: float, error: type[BaseException] = TimeUp) -> Iterator[
         signal.signal(signal.SIGPROF, before)
 
 
-def _enters_or_leaves(frame: FrameType | None) -> bool:
-    """Return whether a frame belongs to a call of ``__enter__`` or ``__exit__``."""
+def _must_end(frame: FrameType | None) -> bool:
+    """Return whether a frame belongs to the entry or exit of a block, or to a callback of weakref.
+
+    Python ignores what is raised in the latter.
+    """
     while frame is not None:
-        if frame.f_code.co_name in ("__enter__", "__exit__"):
+        code = frame.f_code
+        if code.co_name in ("__enter__", "__exit__") or code.co_filename in _CALLBACKS:
             return True
         frame = frame.f_back
     return False

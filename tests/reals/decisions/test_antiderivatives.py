@@ -8,7 +8,6 @@ from tresym.reals.language.parsing import parse
 from tresym.reals.resource_limits import time_limit
 
 
-@pytest.mark.night
 def test_suggestions_are_trees() -> None:
     assert parse("x**2/2") in suggested(parse("x"), "x", frozenset())
     assert parse("log(abs(x))") in suggested(parse("1/x"), "x", frozenset())
