@@ -3,17 +3,7 @@
 from pathlib import Path
 
 import pytest
-from hangs import HANGS
-
-from tresym.manuscript.deciding import Row, decided
-from tresym.manuscript.links import read_links
-from tresym.manuscript.source import read_manuscript
-
-
-def read(folder: Path, text: str) -> list[Row]:
-    (folder / "m.tex").write_text(text)
-    return decided(read_links(read_manuscript(folder / "m.tex")), HANGS, 1)
-
+from manuscripts import read
 
 ENERGY = r"The energy is \[ \frac12 m v^2 + m g h = E \] so that "
 SLOPE = r"Here \[ y'' + x y' = y^2 \] or "

@@ -8,23 +8,10 @@ from pathlib import Path
 
 import pytest
 from cases import cases
-from hangs import HANGS
+from manuscripts import read, statuses
 
-from tresym.manuscript.deciding import Row, decided
-from tresym.manuscript.links import read_links
 from tresym.manuscript.notation import plain_notation
-from tresym.manuscript.source import read_manuscript
 from tresym.manuscript.suspects import proofread
-
-
-def read(folder: Path, text: str) -> list[Row]:
-    (folder / "m.tex").write_text(text)
-    return decided(read_links(read_manuscript(folder / "m.tex")), HANGS, 1)
-
-
-def statuses(folder: Path, text: str) -> list[str]:
-    return [row.status for row in read(folder, text)]
-
 
 READ = tuple(cases(__file__, "READ"))
 """Texts whose last link holds."""

@@ -4,17 +4,7 @@ from pathlib import Path
 
 import pytest
 from cases import cases
-from hangs import HANGS
-
-from tresym.manuscript.deciding import Row, decided
-from tresym.manuscript.links import read_links
-from tresym.manuscript.source import read_manuscript
-
-
-def read(tmp_path: Path, text: str) -> list[Row]:
-    (tmp_path / "m.tex").write_text(text)
-    return decided(read_links(read_manuscript(tmp_path / "m.tex")), HANGS, 1)
-
+from manuscripts import read
 
 CLAIM = r"Now \[ w^2 = x^4 \]"
 """It is true where w stands for x²."""

@@ -3,17 +3,7 @@
 from pathlib import Path
 
 import pytest
-from hangs import HANGS
-
-from tresym.manuscript.deciding import Row, decided
-from tresym.manuscript.links import read_links
-from tresym.manuscript.source import read_manuscript
-
-
-def read(folder: Path, text: str) -> list[Row]:
-    (folder / "m.tex").write_text(text)
-    return decided(read_links(read_manuscript(folder / "m.tex")), HANGS, 1)
-
+from manuscripts import read
 
 OSCILLATOR = r"The oscillator \[ \ddot{x} + \omega^2 x = 0 \] has the solution "
 FALL = r"A ball obeys \[ \ddot{z} = -g, \qquad z(0) = h, \qquad \dot{z}(0) = v \] The solution is "
@@ -92,6 +82,9 @@ def test_a_definition_is_not_put_in_for_the_variable_of_the_path(tmp_path: Path)
 
 DRAWN = {
     r"\[ x^2 + y^2 = r^2, \quad y = \sqrt{r^2 - x^2} \]": "EQUATION",
+    r"\[ \sqrt{1 - \beta^2} = \frac1\gamma, \quad \gamma = \frac{1}{\sqrt{1-\beta^2}} \]": (
+        "EQUATION"
+    ),
     r"\[ x + y = 10 \] Hence \[ y = 10 - x \] \[ x + y = 10 \]": "EQUATION",
     r"\[ T = \frac{2\pi}{w} = \unreadable{x} \] \[ T = \frac{2\pi}{w} \]": "DEFINED",
     r"\[ t = \frac1a \] \[ 1 + t = \frac{a + 1}{a} \]": "PROVED",

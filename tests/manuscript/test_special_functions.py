@@ -3,17 +3,7 @@
 from pathlib import Path
 
 import pytest
-from hangs import HANGS
-
-from tresym.manuscript.deciding import Row, decided
-from tresym.manuscript.links import read_links
-from tresym.manuscript.source import read_manuscript
-
-
-def read(tmp_path: Path, text: str) -> list[Row]:
-    (tmp_path / "m.tex").write_text(text)
-    return decided(read_links(read_manuscript(tmp_path / "m.tex")), HANGS, 1)
-
+from manuscripts import read
 
 TEXTS = {
     r"\[ \Gamma(x+1) = x\Gamma(x) \]": "PROVED",

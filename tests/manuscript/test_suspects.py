@@ -4,13 +4,13 @@ import json
 from dataclasses import replace
 from pathlib import Path
 
+import manuscripts
 import pytest
 from cases import cases
-from hangs import HANGS
 from planted_errors import outcomes
 
 from tresym.commands import main
-from tresym.manuscript.deciding import Row, decided
+from tresym.manuscript.deciding import Row
 from tresym.manuscript.links import read_links
 from tresym.manuscript.source import read_manuscript
 from tresym.manuscript.suspects import failing, may_be, proofread
@@ -18,8 +18,7 @@ from tresym.reals.verdict import Cause
 
 
 def read(folder: Path, text: str) -> list[Row]:
-    (folder / "m.tex").write_text(text)
-    return proofread(decided(read_links(read_manuscript(folder / "m.tex")), HANGS, 1), 20.0, 1)
+    return proofread(manuscripts.read(folder, text), 20.0, 1)
 
 
 def statuses(folder: Path, text: str) -> list[str]:
