@@ -784,7 +784,10 @@ def _to_integer(x: arb, y: arb) -> arb:
     if n is None:
         return _general(x, y)
     if x.contains(0):
-        raise _UndefinedError
+        if not 1 <= n <= LONGEST_POWER:
+            raise _UndefinedError
+        largest = abs(x).upper() ** int(n)
+        return arb(0, largest) if n % 2 else arb(0).union(largest)
     if abs(n) <= LONGEST_POWER:
         return x ** int(n)
     size = (n * abs(x).log()).exp()

@@ -14,7 +14,7 @@ from tresym.ledger.paper import corrections as all_corrections
 from tresym.ledger.verification import Report, verify
 from tresym.reals.verdict import Verdict
 from tresym.report.pages.corrections import FAULTS, corrections
-from tresym.report.pages.documents import kept, pages, stale
+from tresym.report.pages.documents import kept, stale
 from tresym.report.typesetting.markdown import sentence
 from tresym.report.typesetting.titles import shown_name
 
@@ -102,12 +102,6 @@ def test_stricter_readings_are_listed_apart_from_statements_of_the_paper(
 def test_every_page_is_up_to_date(whole: Report) -> None:
     """Pictures and tables are compared in test_processors.py."""
     assert stale(kept(whole)) == []
-
-
-def test_the_pages_of_the_site_are_built(whole: Report) -> None:
-    built = dict(pages(whole))
-    assert {"ledger.json", "numbers.json", "trust.md", "methods.md"} <= built.keys()
-    assert all(built.values())
 
 
 def test_pages_are_the_same_twice(report: Report) -> None:

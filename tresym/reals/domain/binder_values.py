@@ -178,11 +178,13 @@ def along(name: str, body: Expr, at: At, like: InBalls) -> Callable[[arb], arb]:
     """
     outers: dict[int, InBalls] = {}  # by precision, which their known values have
 
-    def function(x: arb) -> arb:
-        outer = outers.setdefault(ctx.prec, InBalls(at, like.rules))
-        return value_or_nan(body, outer.inner({name: x}))
+    def outer() -> InBalls:
+        return outers.setdefault(ctx.prec, InBalls(at, like.rules))
 
-    return function
+    try:
+        return Compiled(body, (name,), lambda part: outer().value(part)).real
+    except UndefinedError:  # a binder with the variable inside: evaluate the tree each time
+        return lambda x: value_or_nan(body, outer().inner({name: x}))
 
 
 def _approximation(f: Callable[[arb], arb], low: arb, high: arb, rough: int) -> tuple[arb, arb]:

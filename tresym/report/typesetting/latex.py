@@ -258,7 +258,7 @@ def _fraction(e: Expr) -> tuple[list[Expr], list[Expr]]:
 def _factor_rank(e: Expr) -> tuple[Any, ...]:
     """Sort key: numbers, π, symbols, roots, squares of sines, sums, functions."""
     base = e.base if e.is_Pow else e
-    place = _PAPER_ORDER.get(str(base), 0)
+    place = _paper_place(base)
     if e.is_Number:
         rank = 0
     elif e.is_NumberSymbol:
@@ -282,10 +282,15 @@ def _factor_rank(e: Expr) -> tuple[Any, ...]:
 def _term_rank(e: Expr) -> tuple[Any, ...]:
     """Sort key: positive terms first, then simple ones: a + b sin²ψ, 1 − b sin²ψ."""
     size = 0 if e.is_Number else 1 if e.is_Symbol or e.is_NumberSymbol else 2
-    return _is_negative(e), size, _PAPER_ORDER.get(str(e), 0), e.sort_key()
+    return _is_negative(e), size, _paper_place(e), e.sort_key()
 
 
 _PAPER_ORDER = {"M": -3, "S": -2, "S2": -2, "gamma": -1, "E": 1}
+
+
+def _paper_place(e: Expr) -> int:
+    """Return the place of a symbol among its kind; printing anything larger would be slow."""
+    return _PAPER_ORDER.get(str(e), 0) if e.is_Atom else 0
 
 
 def expression_latex(e: Basic) -> str:
