@@ -566,7 +566,8 @@ def _interval(problem: Problem, statement: Statement) -> Iterator[arb | None]:
             if symbols(end):
                 return
             if (relation[0] == "<") == (x == t):
-                length = evaluate(end - problem.start, {})
+                until = evaluate(end - problem.start, {})
+                length = until if length is None else length.min(until)
             elif is_zero(end - problem.start, Given()):
                 begins = True
     if begins:

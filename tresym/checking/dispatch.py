@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Any, NamedTuple
 
+from tresym.checking.asked_for import as_asked
 from tresym.checking.claim_cross_check import attack
 from tresym.checking.variable_exponents import beyond_positive_bases, holds_powers
 from tresym.reals.cross_check import STOPPED
@@ -174,8 +175,8 @@ def _everywhere(comparison: Comparison, statement: Statement) -> Answer:
             why = f"{missing}, so there may be nothing to prove ({answer.why})"
             return Answer(Verdict.UNDECIDED, why)
     if answer and any(holds_powers(e) for e in (comparison.left, comparison.right)):
-        return _attacked(answer, comparison, statement, anywhere=True)
-    return answer
+        answer = _attacked(answer, comparison, statement, anywhere=True)
+    return as_asked(answer, comparison, statement)
 
 
 def _attacked(

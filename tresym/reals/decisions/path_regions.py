@@ -58,8 +58,9 @@ def _bound(link: Compared, path: Path, side: int, wrong: InputError) -> fmpq | N
         left, right = right, left
     elif relation not in ("<", "<="):
         raise wrong
-    if path.point is not None and left == apply("abs", symbol(path.name) - path.point):
-        left = symbol(T)
+    if path.point is not None:
+        distance = apply("abs", symbol(path.name) - path.point)
+        left, right = (symbol(T) if e == distance else e for e in (left, right))
     put = along(path, side) if path.point is not None else side * symbol(T)
     gap = substitute(left - right, {path.name: put})  # is negative in the region
     a, b = (_value(e) for e in (substitute(gap, {T: ZERO}), differentiate(gap, T)))
