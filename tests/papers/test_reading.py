@@ -132,3 +132,44 @@ def test_what_check_reads_is_read_in_a_file(name: str) -> None:
     found = read_paper("\n".join(f"c{n}: {claim}" for n, claim in enumerate(claims)))
     assert not found.problems
     assert len(found.claims) == len(claims) > 5
+
+
+@pytest.mark.parametrize("label", ["eq 1", "(3)", "Lemma 1", "α", "erfc.large"])
+def test_a_label_as_in_print_is_a_label(label: str) -> None:
+    found = read_paper(f"{label}: a < 0")
+    assert not found.problems
+    assert [str(claim.links[0][0]) for claim in found.chosen([label])] == ["a"]
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "let f > 0",
+        "assume h > 0",
+        "a Real",
+        "n in NN; given n > 0",
+        "let x be real",
+        "so a < 0 here",
+    ],
+)
+def test_what_looks_like_a_claim_or_a_declaration_is_no_prose(line: str) -> None:
+    found = read_paper(f"some prose\n{line}\nshape: a**2 >= 0")
+    assert [problem.line for problem in found.problems] == [2]
+    assert list(found.claims) == ["shape"]
+    assert not read_paper(f"some prose\n> {line}\nshape: a**2 >= 0").problems
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "s := a + 1\na := 5",
+        "given a > b\nb := 3",
+        "u := v + 1\nv := u + 1",
+        "a > 0\nf(x) := f(x) + 1",
+        "f(x) := x**2\nbare: f == x**2",
+        "f(x) := x**2\npower: f^2(x) == x^4",
+        "e real; given 0 < e < 1\neuler: e**n == E**n",
+    ],
+)
+def test_a_name_has_one_meaning_in_the_whole_file(text: str) -> None:
+    assert 2 in [problem.line for problem in read_paper(text).problems]

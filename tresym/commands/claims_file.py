@@ -60,8 +60,8 @@ def opened(path: str) -> OwnPaper:
 
 
 def status(report: PaperReport) -> int:
-    """Return the exit status: 2 if a line is not read, 1 if a verdict is not as expected."""
-    if report.paper.problems:
+    """Return the exit status: 2 if a line is not read or no claim is there, else 0 or 1."""
+    if report.paper.problems or not report.paper.claims:
         return BAD_INPUT
     return 0 if report.as_expected else UNEXPECTED
 
@@ -178,6 +178,8 @@ def summary(report: PaperReport, colour: bool) -> str:
     unexpected = sum(not row.as_expected for row in report.rows)
     problems = len(report.paper.problems)
     lines = "1 line cannot be parsed" if problems == 1 else f"{problems} lines cannot be parsed"
+    if not report.paper.claims:
+        return "no claim is read: write label: CLAIM, such as square: a**2 >= 0"
     parts = [f"{unexpected} not as expected"] if unexpected else []
     parts += [lines] if problems else []
     outcome = "; ".join(parts) or "every verdict is as expected"

@@ -14,6 +14,10 @@ The kinds of lines are, in the order in which they are tried:
 anything else                            prose
 ======================================== ===================================================
 
+Labels may be as in print: ``eq 1``, ``(3)``, ``Lemma 1.``, ``α``; they become one word, such as
+``eq-1``. A line of prose with a relation in it, or one that looks like a declaration, is a problem
+unless it begins with ``>``: nothing that was meant as a claim becomes prose in silence.
+
 A line that begins with spaces continues the statement before it. A claim is written as for
 ``tresym check`` and may end in clauses, in any order: ``given CONDITIONS``, ``as PATH``,
 ``at x == 1/5, y == 1``, ``using LABEL, LABEL``, ``expect refuted`` and ``quoted from (Author
@@ -91,8 +95,22 @@ _GIVEN = re.compile(r"given\s+(.+)")
 _DEFINED = re.compile(rf"({_NAME})\s*(?:\(([^()]*)\))?\s*:=\s*(.*)")
 _DRAWN = re.compile(r"(table|chart)\s+([A-Za-z][\w-]*)\s*(?::\s*(.*))?")
 _CLAIM = re.compile(r"([A-Za-z][\w-]*)\s*:(?!=)\s*(.*)")
+_OTHER_LABEL = re.compile(
+    r"(\(?[^\W\d_][\w'-]*(?:[.\s]\s*[\w-]+)*\)?|\(?\d[\w.]*\)?)"
+    r"(?:\s*:(?!=)|(?<=\d)\.\s)\s*(.*)"
+)
+"""A label as in print: ``eq 1``, ``(3)``, ``Lemma 1.``, ``α``, ``erfc.large``."""
+_DECLARES = re.compile(
+    r"(?:(?:let|assume|suppose|for all|for every)\s+)?"
+    r"[A-Za-z](?:_?\d+)?(?:\s*,\s*[A-Za-z](?:_?\d+)?)*"
+    r"(?:\s+(?:is|are|be|in|an?))*\s+(?:real|integer|natural|positive|NN|ZZ|RR|N|Z|R)s?"
+    r"(?:\s+numbers?)?\s*[.;,]?(?:\s*given\b.*)?",
+    re.IGNORECASE,
+)
 _RELATION = re.compile(r"[<>=≤≥≠~∼→≈]|->")
-_UNLABELLED = re.compile(r"==|<=|>=|!=|:=|~=|[≤≥≠≈]")
+_UNLABELLED = re.compile(r"==|<=|>=|!=|:=|~=|->|[<>=~≤≥≠≈∼→]")
+_ASSUMED = re.compile(r"(?:let|assume|suppose)\s+(?:that\s+)?([^:]*(?:[<>=≤≥≠]).*)", re.IGNORECASE)
+_LETTER_E = re.compile(r"(?<![\w.])e(?!\w)")
 _QUOTED = re.compile(r"\$[^$]*\$|`[^`]*`")
 _CLAUSE = re.compile(r"\s(given|as|at|using|expect|quoted\s+from)\s+")
 _ROUNDED = re.compile(r"[-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
@@ -283,6 +301,7 @@ class OwnPaper:
         """
         found = []
         for label in dict.fromkeys(labels):
+            label = label if label in self.claims else label_of(label)
             if label not in self.claims:
                 raise InputError(
                     f"{self.name}: no claim is labelled {label}{_near(label, self.claims)}"
@@ -421,6 +440,18 @@ class _Reader:
             self.items.append(_drawn(line, match[1], match[2], match[3] or ""))
         elif match := _CLAIM.fullmatch(text):
             self._claim(line, match[1], match[2])
+        elif (match := _OTHER_LABEL.fullmatch(text)) and _is_formula(match[2]):
+            self._claim(line, label_of(match[1]), match[2])
+        elif _DECLARES.fullmatch(text):
+            raise InputError(
+                f"'{text[:60]}' looks like a declaration: write 'x real', 'n integer' or "
+                f"'n natural'; begin a line of prose with >, as in > {text[:20]}"
+            )
+        elif match := _ASSUMED.fullmatch(text):
+            raise InputError(
+                f"'{match[1]}' looks like a condition: write given {match[1]}; begin a line of "
+                f"prose with >, as in > {text[:20]}"
+            )
         elif unlabelled := _UNLABELLED.search(_QUOTED.sub("", text)):
             raise InputError(
                 f"the line contains '{unlabelled[0]}' but has no label: write a claim as "
@@ -460,6 +491,7 @@ class _Reader:
         known = {*self.declared, *names, *self.definitions}
         for side in (side for link in written for side in link[::2]):
             self._need_known(symbols(side) - {INTEGERS.args[0]}, known)
+            self._uses(line, side)
         own = tuple((symbol(name), *rest) for name in names for rest in KINDS.get(kind, ()))
         self.declared |= dict.fromkeys(names, line)
         self.given += [*own, *(self._expanded(link) for link in written)]
@@ -507,7 +539,7 @@ class _Reader:
                 )
         written = as_written(plain(self._called(text)))
         self._need_known(symbols(written) - {*parameters} - {INFINITY.args[0], DOTS.args[0]})
-        if name in symbols(written):
+        if name in names_in(written) - {*parameters}:
             raise InputError(
                 f"{name} stands in its own definition: define a solution of an equation by "
                 f"{name} := root(f, x, a, b), the zero of f between a and b"
@@ -517,8 +549,14 @@ class _Reader:
             raise InputError(f"{name} is used on line {self.used[name]}, above its definition")
         made = define(line, name, parameters, text, written, inside)
         self._need_functions((made.expression,))
+        self._uses(line, written, parameters)
         self.definitions[name] = replace(made, given=self._about(made.expression, ()))
         self.items.append(self.definitions[name])
+
+    def _uses(self, line: int, e: Expr, bound: tuple[str, ...] = ()) -> None:
+        """What stands in a claim, a condition or a definition cannot be defined below it."""
+        for name in names_in(e) - {*bound}:
+            self.used.setdefault(name, line)
 
     def _called(self, text: str) -> str:
         """The text with defined functions under names that the grammar takes for functions."""
@@ -529,6 +567,12 @@ class _Reader:
 
     def _need_functions(self, trees: Iterable[Expr]) -> None:
         for tree in trees:
+            for name in sorted(symbols(tree) & {*self.definitions}):
+                if self.definitions[name].parameters:
+                    raise InputError(
+                        f"{name} is a function: write {self.definitions[name].head}, and its "
+                        f"square as {self.definitions[name].head}**2"
+                    )
             for node in functions(tree):
                 name = node.args[0].args[0]
                 if name in self.definitions or name in self.declared:
@@ -552,7 +596,11 @@ class _Reader:
                 f"{label}: no relation such as == <= ~ -> follows, so this is not a claim; "
                 f"write prose that begins with a word and a colon as > {label}: …"
             )
-        uses = tuple(filter(None, re.split(r"[,\s]+", clauses.get("using", ""))))
+        uses = tuple(
+            used
+            for part in filter(None, map(str.strip, clauses.get("using", "").split(",")))
+            for used in ((label_of(part),) if label_of(part) in self.claims else part.split())
+        )
         for used in uses:
             if used not in self.claims:
                 raise InputError(
@@ -613,6 +661,15 @@ class _Reader:
             comparisons = [(as_written(plain(left)), "~=", number(parse_number(rounded)))]
         else:
             comparisons, in_words = _compared(called, sequences_of(under))
+            known = {*self.declared, *self.definitions, *re.findall(_NAME, under)}
+            known |= set(re.findall(_NAME, clauses.get("as", "").partition("->")[0]))
+            if "e" in known and _LETTER_E.search(called):
+                read_e = any("e" in symbols(side) for link in comparisons for side in link[::2])
+                if not read_e:
+                    raise InputError(
+                        "two readings remain: e is a variable here, so write exp(x) or E**x for "
+                        "the exponential function, or the variable e by another name"
+                    )
         given = tuple(parse_given(plain(under)))
         given = (*in_words, *given)
         path = read_path(clauses["as"]) if "as" in clauses else None
@@ -622,8 +679,7 @@ class _Reader:
         if path is not None and path.name in {value.name for value in values}:
             raise InputError(f"'{path.name}' is the variable of the path, so it has no fixed value")
         for tree in trees:
-            for used in names_in(tree):
-                self.used.setdefault(used, line)
+            self._uses(line, tree)
         own = {INFINITY.args[0], DOTS.args[0], INTEGERS.args[0]}
         self._need_known(frozenset().union(*map(symbols, trees), (v.name for v in values)) - own)
         links = tuple(self._expanded(link) for link in comparisons)
@@ -683,6 +739,23 @@ def _is_comparison(text: str) -> bool:
         return bool(re.search("[<>=~]", text)) and bool(parse_claim(plain(text)))
     except InputError:
         return False
+
+
+def _is_formula(text: str) -> bool:
+    """Whether a relation stands in a text that is not quoted prose, and a formula before it."""
+    formula, _ = _clauses(text)
+    return _RELATION.search(formula) is not None and _is_comparison(formula)
+
+
+def label_of(printed: str) -> str:
+    """Return a printed label as one word.
+
+    Example:
+        >>> label_of("Lemma 1"), label_of("(3)"), label_of("α"), label_of("erfc.large")
+        ('Lemma-1', 'eq-3', 'alpha', 'erfc-large')
+    """
+    word = re.sub(r"[^A-Za-z0-9_]+", "-", plain(printed)).strip("-")
+    return word if word[:1].isalpha() else f"eq-{word}"
 
 
 def _clauses(written: str) -> tuple[str, dict[str, str]]:

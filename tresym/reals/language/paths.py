@@ -28,6 +28,7 @@ MAX_PATH = 200
 _PATH = re.compile(r"\s*([A-Za-z_]\w*)\s*->\s*(.+?)\s*")
 _TOGETHER = re.compile(r"\s*\(([\w\s,]+)\)\s*->\s*\((.+)\)\s*")
 _INFINITE = re.compile(r"([-+]?)(?:oo|inf|infinity)")
+_CONSTANTS = frozenset(("E", "I", "pi", "oo", "EulerGamma", "Catalan", "GoldenRatio"))
 _SIDES = {"+": (1,), "-": (-1,), "": (1, -1)}
 
 
@@ -97,6 +98,8 @@ def _several(names: str, points: str) -> Path:
         raise InputError("write a path in several variables like (x, y) -> (0, 0)")
     if not all(name.isidentifier() and symbol(name) == parse(name) for name in variables):
         raise InputError("write a path in several variables like (x, y) -> (0, 0)")
+    for name in variables:
+        ending(name, ZERO, "")
     if any(symbols(e) or not elementary(e) for e in ends):
         raise InputError("a path in several variables must end at constants")
     return Path("", ZERO, (1,), together=variables, points=ends)
@@ -111,6 +114,8 @@ def path_in_latex(chain: Relations) -> Path:
 
 def ending(name: str, point: Expr, side: str) -> Path:
     """Return the path of one variable to a point or to infinity, from the side "+", "-" or both."""
+    if name in _CONSTANTS:
+        raise InputError(f"{name} is a constant and tends nowhere: name the variable differently")
     if point in (INFINITY, -INFINITY):
         return Path(name, None, (1 if point == INFINITY else -1,))
     if name in symbols(point) or not elementary(point):

@@ -8,11 +8,19 @@ strict grammar rejects, so that it never changes the meaning of valid text.
 from __future__ import annotations
 
 import re
+from itertools import pairwise
 from typing import NamedTuple
 
+from tresym.reals.language.latex_tokens import GREEK
 from tresym.reals.language.spelling import skip_arrow, spell_sum
-from tresym.reals.language.spelling_tokens import Token, tokens
-from tresym.reals.language.typed_text import NotSpelledError, Typed
+from tresym.reals.language.spelling_tokens import END, Token, tokens
+from tresym.reals.language.typed_text import (
+    CLOSING,
+    FUNCTIONS,
+    RESERVED,
+    NotSpelledError,
+    Typed,
+)
 from tresym.reals.numbers.exact import InputError
 
 _RELATIONS = {
@@ -27,7 +35,38 @@ _KINDS = {"positive": "> 0", "negative": "< 0", "nonnegative": ">= 0", "nonzero"
 _INTEGERS = frozenset(("integer", "integers", "ZZ", "Z", "Integers"))
 _REALS = frozenset(("real", "reals", "R", "RR", "Reals", "number", "numbers"))
 _NATURAL = frozenset(("N", "NN", "natural", "naturals", "Naturals"))
-_FILLING = frozenset(("all", "every", "any", "each", "that", "a", "an", "is", "are", "be", "some"))
+_QUANTIFIERS = frozenset(("all", "every", "any", "each"))
+_FILLING = _QUANTIFIERS | {"that", "a", "an", "is", "are", "be"}
+_UNKNOWN = frozenset(
+    (
+        *(
+            "some",
+            "exists",
+            "even",
+            "odd",
+            "prime",
+            "greater",
+            "less",
+            "larger",
+            "smaller",
+            "above",
+        ),
+        *(
+            "below",
+            "between",
+            "near",
+            "small",
+            "large",
+            "rational",
+            "irrational",
+            "complex",
+            "most",
+        ),
+        *("almost", "except", "outside", "other", "exceeding", "sufficiently", "finite", "no"),
+    )
+)
+_NAME = re.compile(r"\(*[A-Za-z]\w*\)*")
+_UNDERSTOOD = frozenset((*FUNCTIONS, *RESERVED, *GREEK, *_KINDS, *_INTEGERS, *_REALS, *_NATURAL))
 _SIMPLE = re.compile(
     r"\\(?:leq?|geq?|neq?|to|infty|in|implies|land|[rR]ightarrow|forall|alpha|beta|"
     r"gamma|delta|epsilon|eta|theta|kappa|lambda|mu|nu|xi|pi|rho|sigma|tau|phi|chi|psi|omega)\b"
@@ -182,14 +221,33 @@ class _Sentence:
         return path
 
     def conditions(self) -> None:
-        """Parse conditions separated by commas or the word "and"."""
+        """Parse conditions separated by commas or the word "and".
+
+        What is said after the last of a bare list, as in ``x, y > 0``, is said of all of them. A
+        quantifier or an adjective begins a group: ``all x and each y > 0`` says nothing of x.
+        """
         pending: list[str] = []
-        loose = False
+        loose = described = False
         while True:
+            start = self.typed.at
             kinds, integer, filled = self.adjectives()
+            if pending and self.typed.at > start:
+                if not loose:
+                    raise NotSpelledError
+                pending, loose, described = [], False, False
             loose = loose or filled
+            described = described or any(
+                token.text in _REALS for token in self.typed.tokens[start : self.typed.at]
+            )
+            self.no_unknown_word()
             pending.append(spell_sum(self.typed))
             more, known = self.predicate(pending)
+            if described and len(pending) > 1 and (more or known not in ("", "real", "integer")):
+                both, last = ", ".join(pending), " ".join([pending[-1], *more[:1]])
+                raise InputError(
+                    f"two readings remain: write {both} {more[0] if more else known} for all of "
+                    f"them, or {last} alone"
+                )
             kinds += more
             if kinds or integer or known:
                 for name in pending:
@@ -212,6 +270,32 @@ class _Sentence:
                 self.typed.next()
         if pending and not loose:
             raise NotSpelledError
+        if any(not _NAME.fullmatch(name) for name in pending):
+            raise NotSpelledError  # nothing is said of it, as in "for all x + 1"
+
+    def no_unknown_word(self) -> None:
+        """Refuse words that say something of a variable, as in ``all even n`` or ``x near 1``.
+
+        Raises:
+            InputError: there is such a word, which the grammar would take for a factor.
+        """
+        depth = 0
+        for token, after in pairwise([*self.typed.tokens[self.typed.at :], END]):
+            depth += (token.text in CLOSING) - (token.text in CLOSING.values())
+            if depth == 0 and token.text in (",", ";", "and", "&&", "as", *_RELATIONS, *_THEN):
+                return
+            if token.text in _UNKNOWN or (
+                token.kind == "name"
+                and len(token.text) > 1
+                and token.text.isalpha()
+                and token.text not in _UNDERSTOOD
+                and after.kind in ("name", "number")
+                and after.text not in RESERVED
+            ):
+                raise InputError(
+                    f"'{token.text}' is not understood in a condition: write it as a relation, "
+                    "such as x > 1, or n integer"
+                )
 
     def ends_conditions(self) -> bool:
         """Return whether the claim follows after a comma, as in ``if x > 0, x^2 > 0``."""
@@ -335,10 +419,10 @@ def _with_euler(found: Spelled) -> Spelled:
     places = len(_EULER.findall(found.claim))
     powers = _EULER_POWER.findall(found.claim)
     varied = any(re.search("[A-Za-z]", power) for power in powers)
-    if _EULER.search(found.given):
-        if varied:
+    if _EULER.search(found.given) or _EULER.search(found.path):
+        if varied and not found.path.startswith("e "):
             raise InputError(_TWO_E)
-        return found  # a condition on e makes it a variable
+        return found  # a condition on e, or its path, makes it a variable
     if not places:
         return found
     if not varied or places != len(powers):

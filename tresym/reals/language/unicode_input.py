@@ -8,13 +8,20 @@ from tresym.reals.numbers.exact import InputError
 
 _GREEK = (
     *("alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa"),
-    *("lambda_", "mu", "nu", "xi", "omicron", "pi", "rho", "sigma", "sigma", "tau", "upsilon"),
+    *("lambda_", "mu", "nu", "xi", "omicron", "pi", "rho", "varsigma", "sigma", "tau", "upsilon"),
     *("phi", "chi", "psi", "omega"),
 )
 _SIGNS = str.maketrans(
     {
         **{chr(0x3B1 + k): f" {name} " for k, name in enumerate(_GREEK)},
-        **{"Γ": " Gamma ", "ϕ": " phi ", "ϵ": " epsilon ", "∞": " oo ", "√": " sqrt ", "′": "'"},
+        **{
+            "Γ": " Gamma ",
+            "ϕ": " varphi ",
+            "ϵ": " varepsilon ",
+            "∞": " oo ",
+            "√": " sqrt ",
+            "′": "'",
+        },
         **{"≤": "<=", "⩽": "<=", "≥": ">=", "⩾": ">=", "≠": "!=", "→": "->", "∼": "~", "≡": "=="},
         **dict.fromkeys("·⋅×∙∗", "*"),
         **dict.fromkeys("−–‒", "-"),
