@@ -94,6 +94,7 @@ def run(args: argparse.Namespace) -> int:
 
     from tresym.checking.answer_cache import cached_answers, clear_cache
     from tresym.manuscript.reports import baseline_text, new_since, problems, read_baseline
+    from tresym.manuscript.source import NoDisplayError
     from tresym.output import write_text
 
     if args.clear_cache:
@@ -111,9 +112,17 @@ def run(args: argparse.Namespace) -> int:
     _check_places(args)
     limit = parse_seconds(args.limit or settings.limit)
     found = []
+    lost: InputError | None = None
     with cached_answers(not args.no_cache):
         for paper in papers:
-            rows = _rows(args, paper, settings, limit)
+            try:
+                rows = _rows(args, paper, settings, limit)
+            except InputError as error:
+                if len(papers) == 1 or args.update_baseline:
+                    raise
+                print(f"tresym: {error}", file=sys.stderr)
+                lost = lost or (None if isinstance(error, NoDisplayError) else error)
+                continue
             found.append((rows, paper))
             if _interrupted(rows):
                 _show(args, kind, found, [], False)
@@ -127,6 +136,8 @@ def run(args: argparse.Namespace) -> int:
     _show(args, kind, found, new, known is not None)
     bad = {"REFUTED"} | (set() if args.suspect_ok else {"SUSPECT"})
     bad |= {"UNDECIDED", "UNREAD"} if args.strict or settings.strict else set()
+    if lost is not None or not found:
+        return 2
     return UNEXPECTED if any(row.status in bad for row in new) else 0
 
 
@@ -165,9 +176,17 @@ def _rows(args: argparse.Namespace, paper: Path, settings: Settings, limit: floa
     if args.notes is not None:
         events = with_notes(events, Path(args.notes))
     for outside, why in ((False, "not found"), (True, "outside the project, see --root")):
-        found = (e.name for e in events if isinstance(e, Missing) and e.outside == outside)
+        lacking = (e for e in events if isinstance(e, Missing) and not e.guessed)
+        found = (e.name for e in lacking if e.outside == outside)
         if names := [name[:100] for name in found]:
             print(f"{why}; left out: {', '.join(names[:5])}", file=sys.stderr)
+    for event in events:
+        if isinstance(event, Missing) and event.guessed:
+            print(
+                f"{event.name[:100]}: read as Latin-1, as it is not UTF-8 and declares no "
+                "encoding; save it as UTF-8 or add \\usepackage[latin1]{inputenc}",
+                file=sys.stderr,
+            )
     rows = decided(read_links(events), limit, progress=_counter(), keep=True)
     return proofread(rows) if args.suggest and not _interrupted(rows) else rows
 

@@ -113,6 +113,23 @@ def read_text(path: Path) -> str:
     return text.replace("\r\n", "\n").replace("\r", "\n")
 
 
+def read_any_text(path: Path) -> tuple[str, bool]:
+    """Return the text of a LaTeX file as `read_text` does, and whether its encoding was guessed.
+
+    One that is not UTF-8 and declares no encoding is read as Latin-1, in which each byte is a
+    character: a wrong guess changes letters with accents, not formulas.
+    """
+    try:
+        return read_text(path), False
+    except _UndeclaredError:
+        text = _bytes(path).decode("latin-1")
+    return text.replace("\r\n", "\n").replace("\r", "\n"), True
+
+
+class _UndeclaredError(InputError):
+    """A file that is not UTF-8 declares no encoding."""
+
+
 def _bytes(path: Path) -> bytes:
     try:
         if path.exists() and not path.is_file() and not path.is_dir():
@@ -138,7 +155,7 @@ def _decoded(data: bytes, path: Path) -> str:
     except UnicodeDecodeError:
         declared = re.search(rb"\\usepackage\s*\[(\w+)\]\s*\{inputenc\}", data)
         if declared is None:
-            raise InputError(
+            raise _UndeclaredError(
                 f"{path}: is not UTF-8 and declares no encoding; "
                 "add \\usepackage[latin1]{inputenc}, or whichever it is"
             ) from None

@@ -17,7 +17,7 @@ from itertools import islice
 from pathlib import Path
 from typing import NamedTuple
 
-from tresym.ledger.latex_source import read_text
+from tresym.ledger.latex_source import read_any_text, read_text
 from tresym.manuscript.macros import DEFINITIONS, definition
 from tresym.reals.numbers.exact import InputError
 
@@ -82,6 +82,7 @@ class Files:
     Attributes:
         missing: input files that do not exist in the project, such as those of TeX packages.
         outside: input files outside the project, which are not read.
+        guessed: files read as Latin-1, which are not UTF-8 and declare no encoding.
     """
 
     def __init__(self, path: Path, root: Path | None = None, text: str | None = None) -> None:
@@ -94,6 +95,7 @@ class Files:
         self.notes: list[Note] = []
         self.missing: list[str] = []
         self.outside: list[str] = []
+        self.guessed: list[str] = []
         self.parts: list[tuple[str, int, str]] = []
         self.size = 0
         self._add_macros_around()
@@ -124,7 +126,7 @@ class Files:
         if here in around:
             raise InputError(f"{self.path}: {shown or path} includes itself")
         unsaved = None if around or preamble else self._unsaved
-        text = self._visible(read_text(path) if unsaved is None else unsaved, shown)
+        text = self._visible(self._read(path) if unsaved is None else unsaved, shown)
         self.size += len(text)
         if self.size > MAX_CHARACTERS or len(self.parts) > MAX_FILES:
             raise InputError(f"{self.path}: it is too large with the files that it includes")
@@ -146,10 +148,16 @@ class Files:
             start = mark.end()
         self._part(shown, text, start, stop)
 
+    def _read(self, path: Path) -> str:
+        text, guessed = read_any_text(path)
+        if guessed and path.name not in self.guessed:
+            self.guessed.append(path.name)
+        return text
+
     def _add_macros_around(self) -> None:
         """Add the macros of the author's packages; of a chapter that is read alone, those of the
         main file that inputs it."""
-        text = read_text(self.path) if self._unsaved is None else self._unsaved
+        text = self._read(self.path) if self._unsaved is None else self._unsaved
         if "\\documentclass" in text or "\\begin{document}" in text:
             made = self._definitions(self.path, text, True)
         else:

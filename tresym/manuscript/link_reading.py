@@ -24,6 +24,7 @@ from tresym.manuscript.classification import (
     without_dots,
 )
 from tresym.manuscript.context import Memory, Under
+from tresym.manuscript.conventions import StatedConventions
 from tresym.manuscript.directives import Orders
 from tresym.manuscript.display import STRANGE, Said
 from tresym.manuscript.display_text import OR, WORDS
@@ -96,6 +97,7 @@ class LinkReader:
         self.cases: list[tuple[tuple[str, ...], tuple[Compared, ...]]] = []
         self.equations: dict[str, int] = {}
         self.stated: list[Stated] = []
+        self.conventions = StatedConventions()
         self.position = 0
         self.places_ahead: dict[str, int] = {}
         self.values: list[Value] = []

@@ -82,6 +82,7 @@ class _Reading(LinkReader):
                 self.note(event)
             elif isinstance(event, Section):
                 self.memory.section(event.chapter)
+                self.conventions.close(event.chapter)
                 self.stated.clear()
                 self.values.clear()
                 if event.chapter:
@@ -96,6 +97,7 @@ class _Reading(LinkReader):
             elif isinstance(event, Prose):
                 self.memory.own.clear()
                 self.memory.remember(event.text)
+                self.conventions.hear(event.text)
                 before = event.text
             else:
                 for note in event.notes:
@@ -159,6 +161,10 @@ class _Reading(LinkReader):
             return
         if display.problem:
             yield replace(blank, status=UNREAD, why=display.problem)
+            return
+        self.conventions.hear(prose.first_sentence(after))
+        if not orders.kind and (why := self.conventions.against(display.text)):
+            yield replace(blank, status=UNREAD, why=why)
             return
         self.memory.tends(display.text)
         try:
@@ -461,5 +467,5 @@ def _is_condition(said: Said, before: Said, others: Sequence[Said]) -> bool:
             return False
         if not short and not any(map(is_plain, said.terms)):
             return False
-    bars = any("|" in term[0] for term in said.terms)
+    bars = any("|" in term[0] for term in said.terms if term)
     return short or bars or all(map(is_plain, said.terms[::2]))

@@ -72,6 +72,10 @@ _MARKS = re.compile(
 )
 
 
+_BRACKETS = frozenset(("\\left", "\\right", "\\middle"))
+"""Commands of which an author's new definition changes the space around brackets, not a meaning."""
+
+
 class Section(NamedTuple):
     """A heading: it ends the conditions before it; that of a chapter ends definitions too."""
 
@@ -133,11 +137,19 @@ class Display:
         return hashlib.sha256(" ".join(self.text.split()).encode()).hexdigest()
 
 
+class NoDisplayError(InputError):
+    """A manuscript has no displayed formula."""
+
+
 class Missing(NamedTuple):
-    """An included file that does not exist, or is outside the project."""
+    """An included file that does not exist, or is outside the project.
+
+    With ``guessed`` a file that was read as Latin-1, as it is not UTF-8 and declares nothing.
+    """
 
     name: str
     outside: bool = False
+    guessed: bool = False
 
 
 Event: TypeAlias = Note | Section | Scope | Prose | Display | Missing
@@ -155,12 +167,16 @@ def read_manuscript(path: Path, root: Path | None = None, text: str | None = Non
         InputError: it cannot be read, something in it is not closed, it includes itself, or it
             has no display.
     """
+    if path.suffix == ".ipynb":
+        raise InputError(f"{path}: is a notebook; export it to Markdown or LaTeX first")
     source = Files(path, root, text)
     lacking = [Missing(name) for name in source.missing]
     lacking += [Missing(name, outside=True) for name in source.outside]
+    lacking += [Missing(name, guessed=True) for name in source.guessed]
     events = [*lacking, *_Scanner(source).events()]
     if not any(isinstance(event, Display) for event in events):
-        raise InputError(f"{path}: no display in it; write formulas in equation, align or \\[ \\]")
+        why = "no display in it; write formulas in equation, align or \\[ \\]"
+        raise NoDisplayError(f"{path}: {why}")
     return events
 
 
@@ -249,7 +265,7 @@ class _Scanner:
             made, end = definition(self.text, command)
         except InputError as error:
             self.fail(command.start(), str(error))
-        self.macros |= made
+        self.macros |= {name: macro for name, macro in made.items() if name not in _BRACKETS}
         return end
 
     def inline(self, at: int) -> int:
@@ -271,9 +287,9 @@ class _Scanner:
             end, after = end_of_display(self.text, kind, at, stop)
         except NotClosedError as error:
             self.fail(start, str(error))
-        text = self.text[at:end]
-        if len(text) > MAX_DISPLAY:
-            self.fail(start, f"the display is longer than {MAX_DISPLAY} characters")
+        text, long = self.text[at:end], end - at > MAX_DISPLAY
+        labels = tuple(label.strip() for label in LABEL.findall(text))
+        text = "" if long else text
         depth = 0
         for mark in re.finditer(r"\\.|[{}]", text):
             depth += (mark[0] == "{") - (mark[0] == "}")
@@ -281,22 +297,22 @@ class _Scanner:
                 break
         if depth > MAX_BRACES:
             self.fail(start, f"braces are nested deeper than {MAX_BRACES} levels in the display")
-        problem = "the braces of the display do not match" if depth else ""
+        problem = f"the display is longer than {MAX_DISPLAY} characters" if long else ""
+        problem = problem or ("the braces of the display do not match" if depth else "")
         problem = problem or unbalanced(text)
         if problem:
             self.broken.append((start, problem))
         notes = tuple(self.source.notes[int(mark[1])] for mark in _MARKED.finditer(text))
         text = _MARKED.sub("", text)
-        if kind.startswith(("alignat", "xalignat")):
+        if kind.startswith(("alignat", "xalignat")) and not problem:
             _, past = group(text, 0)
             text = text[past:]
-        labels = tuple(label.strip() for label in LABEL.findall(text))
         try:
             text = text if problem else written_out(text, self.macros)
         except InputError as error:
-            if "does not end" in str(error):
-                self.fail(start, str(error))
             problem = str(error)
+            if "does not end" in problem:
+                self.broken.append((start, problem))
         self.count += 1
         if self.count > MAX_DISPLAYS:
             self.fail(start, f"there are more than {MAX_DISPLAYS} displays")

@@ -136,6 +136,8 @@ def read_product(cursor: Cursor) -> Piece:
     factors, operators = [read_factor_or_differential(cursor)], [""]
     while not (cursor.integrals and factors[-1] is None) and cursor.continues():
         read_next_factor(cursor, factors, operators)
+    if factors == [None] and cursor.integrals and cursor.continues():
+        cursor.refuse("what of this is integrated? Write the differential last,")
     piece = joined(factors, operators)
     if cursor.at_bar() and cursor.bars == 0:
         cursor.at += 1

@@ -1,0 +1,98 @@
+"""Words that change what a formula means leave it unread; others near them do not."""
+
+from pathlib import Path
+
+import pytest
+from manuscripts import statuses
+
+from tresym.commands import main
+
+CHANGED = (
+    # words, and a formula that is wrong or right by them, but not by the usual reading
+    (r"All logarithms have base 2, so $\log$ is written for $\log_2$.", r"\log 64 = 6"),
+    (r"Here $\log$ is the logarithm to base 2.", r"\frac{d}{dx}\log x = \frac{1}{x}"),
+    (r"We use common logarithms throughout.", r"\log 1000 = 3"),
+    (r"The loss is given in decibels.", r"10\log 100 = 20"),
+    (r"The angle $a$ is measured in degrees.", r"\frac{d}{da}\sin a = \cos a"),
+    (r"Angles are in degrees.", r"\cos 60 = \frac12"),
+    (r"Let $\sigma$ and $\tau$ be transpositions.", r"\sigma\tau = \tau\sigma"),
+    (r"Let $\pi$ be a permutation of five letters.", r"\pi(4) = 5"),
+    (r"The firm's profit $\pi$ is 3 in this year.", r"\pi = 3"),
+    (r"Let $u$ and $v$ be words over an alphabet.", r"u v = v u"),
+    (r"Let $\kappa$ be an infinite cardinal.", r"\kappa + 1 > \kappa"),
+    (r"In the tropical semiring we have", r"a + a = 2 a"),
+    (r"All equalities are meant modulo 7.", r"3 \cdot 5 = 1"),
+    (r"In binary notation,", r"11 + 1 = 12"),
+    (r"Let $\omega$ be a cube root of unity.", r"\omega^4 = \omega"),
+    (r"Let $A$, $B$ and $C$ be the angles of a triangle.", r"\sin(A+B) = \sin C"),
+    (r"The force $F$ varies with the time $t$.", r"\frac{d}{dt}(F t) = F"),
+)
+
+
+@pytest.mark.parametrize(("words", "formula"), CHANGED)
+def test_words_that_change_a_formula_leave_it_unread(
+    words: str, formula: str, tmp_path: Path
+) -> None:
+    assert statuses(tmp_path, rf"{words} \[ {formula} \]") == ["UNREAD"]
+
+
+UNCHANGED = (
+    (r"Here $\log$ is the logarithm to the base $e$.", r"\log 1 = 0"),
+    (r"We use no logarithms to base 2.", r"\log 1 = 0"),
+    (r"In other words, for all $x$,", r"(x+1)^2 = x^2 + 2x + 1"),
+    (r"The degree of the polynomial is 2.", r"(x+1)^2 = x^2 + 2x + 1"),
+    (r"Angles are in degrees. \section{Radians}", r"\sin^2 x + \cos^2 x = 1"),
+    (r"The force $F$ varies with the time $t$.", r"(F + 1)^2 = F^2 + 2F + 1"),
+)
+
+
+@pytest.mark.parametrize(("words", "formula"), UNCHANGED)
+def test_other_words_leave_a_formula_to_be_proved(words: str, formula: str, tmp_path: Path) -> None:
+    assert statuses(tmp_path, rf"{words} \[ {formula} \]") == ["PROVED"]
+
+
+@pytest.mark.parametrize("formula", [r"\int_0^1 dx\, x = x", r"\int_0^2 dx\, x^3 = 2x^3"])
+def test_what_follows_a_differential_is_no_factor_of_the_integral(
+    formula: str, tmp_path: Path
+) -> None:
+    assert statuses(tmp_path, rf"For all $x$, \[ {formula} \] \[ \int_0^1 dx = 1 \]") == [
+        "UNREAD",
+        "PROVED",
+    ]
+
+
+GOOD = r"\[ (a+b)^2 = a^2 + 2ab + b^2 \]"
+LOST = {
+    "no first term": r"\[ n >> 1 \]",
+    "a long display": r"\[ x = " + "x + " * 6000 + r"x \]",
+    "a macro without end": r"\newcommand{\z}{1 + \z} \[ \z = 2 \]",
+    "brackets spaced anew": (
+        r"\let\oldleft\left \renewcommand{\left}{\mathopen{}\mathclose\bgroup\oldleft}"
+        r" \[ \left(a+b\right)^2 = a^2 + 2ab + b^2 \]"
+    ),
+}
+
+
+@pytest.mark.parametrize("name", LOST)
+def test_one_part_that_is_not_understood_does_not_lose_the_rest(name: str, tmp_path: Path) -> None:
+    assert statuses(tmp_path, f"{LOST[name]}\n{GOOD}")[-1] == "PROVED"
+
+
+def test_a_byte_of_latin_1_is_read_with_a_note(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "m.tex").write_bytes(b"% caf\xe9\n" + GOOD.encode())
+    assert main(["paper", str(tmp_path / "m.tex")]) == 0
+    assert "read as Latin-1" in capsys.readouterr().err
+
+
+def test_a_page_without_display_does_not_lose_the_others(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "a.md").write_text("# Nothing here\n")
+    (tmp_path / "b.md").write_text("$$ 1 + 1 = 3 $$ is false; $$ x + x = 3x $$ too\n")
+    (tmp_path / "c.tex").write_text("\\[ a = b")
+    names = [str(tmp_path / name) for name in ("a.md", "b.md", "c.tex")]
+    assert main(["paper", names[0], names[1], "--suspect-ok"]) != 2
+    assert main(["paper", *names]) == 2
+    assert "2 displays" in capsys.readouterr().err
