@@ -30,7 +30,6 @@ from tresym.reals.language.expression import (
     ZERO,
     Expr,
     factors_in,
-    multiply,
     number,
     rebuild,
     symbols,
@@ -224,6 +223,8 @@ def supremum(e: Expr, name: str, end: Expr | None) -> arb | None:
         The largest value found, or None where the values grow towards an end, or are too few.
     """
     points: list[arb] = []
+    if symbols(e) - {name} or (end is not None and symbols(end)):
+        return None
     with ball_precision(256):
         if end is None:
             points = [arb(2) ** (arb(k) / 4) for k in range(-48, 49)]
@@ -274,19 +275,35 @@ _AT_ZERO = {"exp": ONE, "cos": ONE, "cosh": ONE} | dict.fromkeys(
 )
 
 
-def _terms(e: Expr) -> tuple[Expr, ...]:
-    """Return the terms of a sum, or of a product with one sum among its factors."""
-    factors = factors_in(e)
-    sums = [f for f in factors if f.op == "+"]
-    if len(sums) != 1:
-        return (e,)
-    rest = multiply(*(f for f in factors if f is not sums[0]))
-    return tuple(rest * term for term in sums[0].args)
+MOST_TERMS = 24
+"""The most terms to which a product of sums is opened."""
+
+
+def asserted_terms(e: Expr, name: str) -> tuple[Expr, ...]:
+    """Return the terms that ``f ~ e`` asserts: those of a sum, also where it has a factor.
+
+    Sums without the variable of the path, such as a + b in (a + b)*x, are coefficients.
+
+    Example:
+        >>> from tresym.reals.language.parsing import parse
+        >>> [str(term) for term in asserted_terms(parse("exp(-x)*(1 + 2/x)"), "x")]
+        ['exp(-x)', 'exp(-x)*2/x']
+    """
+    if e.op == "+":
+        return tuple(term for part in e.args for term in asserted_terms(part, name))
+    found: list[Expr] = [ONE]
+    for factor in factors_in(e):
+        is_sum = factor.op == "+" and name in symbols(factor)
+        parts = asserted_terms(factor, name) if is_sum else (factor,)
+        found = [term * part for term in found for part in parts]
+        if len(found) > MOST_TERMS:
+            return (e,)
+    return tuple(found)
 
 
 def smallest(e: Expr, end: End) -> Expr | None:
     """Return the term of a sum that is o of every other, or the only term."""
-    terms = _terms(e)
+    terms = asserted_terms(e, end.name)
     best = terms[0]
     for term in terms[1:]:
         ratio = end.limit(term / best)

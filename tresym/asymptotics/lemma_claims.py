@@ -285,6 +285,20 @@ class _Claim:
         self.end = End(path.name, path.point, path.sides[0], given, names)
         self.expansions: dict[Expr, Expansion] = dict(expansions or {})
         self.names = frozenset(str(e.args[0]) for e in self.expansions if e.op == "symbol")
+        self.claim = self.claim.mapped(self._with_ordered_ends)
+
+    def _with_ordered_ends(self, e: Expr) -> Expr:
+        """Return ``e`` with integrals upwards: those from a larger to a smaller end change sign."""
+        known = {}
+        for node in outermost(e):
+            if node.op == "integral" and self._is_ordered(node.args[2], node.args[1]):
+                known[node] = -rebuild(node, (node.args[0], *node.args[:0:-1]))
+        return replaced(e, known) if known else e
+
+    def _is_ordered(self, low: Expr, high: Expr) -> bool:
+        from tresym.asymptotics.variable_end import near_the_end, sign_between
+
+        return any(sign_between(low, high, near) for near in near_the_end(self.end))
 
     def answer(self) -> Answer:
         """Return the verdict."""
@@ -320,6 +334,8 @@ class _Claim:
     def _expansion(self, node: Expr) -> Expansion | None:
         if self.path.name not in symbols(node):
             return None
+        if node.op == "integral" and not self._is_ordered(*node.args[1:]):
+            return None  # a lemma that looks between its ends would look nowhere
         for lemma in LEMMAS:
             found = lemma(node, self.end)
             if found is not None:

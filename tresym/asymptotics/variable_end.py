@@ -176,7 +176,7 @@ def change_of(node: Expr, end: End, where: Given | None = None) -> Expr | None:
 def _is_integrable(node: Expr, t: str, body: Expr, end: End, where: Given | None) -> bool:
     """Return whether the integral exists near the end of the path, or under conditions."""
     low, high = node.args[1:]
-    for near in _near(end) if where is None else (where,):
+    for near in near_the_end(end) if where is None else (where,):
         backward = not sign_between(low, high, near)
         smaller, larger = (high, low) if backward else (low, high)
         if backward and not sign_between(smaller, larger, near):
@@ -209,7 +209,7 @@ def _tail_converges(body: Expr, t: str, far: End) -> bool:
     return any(far.limit(size) not in (None, *_INFINITE) for size in sizes)
 
 
-def _near(end: End) -> Iterator[Given]:
+def near_the_end(end: End) -> Iterator[Given]:
     """Yield conditions that hold near the end of the path, on smaller and smaller parts."""
     x = symbol(end.name)
     for far in FAR:
@@ -312,7 +312,9 @@ def _compared(
             if any(ask.holds(q.dk, relation, ZERO, region) for relation in "<>"):
                 constant, where = answer.constant, answer.region
         verdict = worst([answer, Answer(ask.verdict, "")]).verdict
-        why = f"{said}: the {how} of the left side, {q.dh}, is {relation}({q.dk}); {answer.why}"
+        why = f"{said}: the {how} of the left side, {q.dh}, is {relation}({q.dk})"
+        if relation != "O":  # the constant of the derivatives is none of the claim
+            why += f"; {answer.why}"
         plain = not q.discrete and relation == "O"
         return Answer(
             verdict,

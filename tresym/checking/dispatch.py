@@ -22,11 +22,11 @@ from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.operation_domains import bound, needs, operations
 from tresym.reals.functions.table import SPECIAL, TABLE
-from tresym.reals.language.binders import is_infinite, outermost
+from tresym.reals.language.binders import is_infinite, outermost, total
 from tresym.reals.language.calls import FACTORIAL, INFINITY
 from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.differential_notation import without_prefix
-from tresym.reals.language.expression import DOTS, ZERO, Expr, symbols
+from tresym.reals.language.expression import DOTS, ZERO, Expr, opened, replaced, symbols
 from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
@@ -64,7 +64,7 @@ def decide_claim(claim: Any, given: Any = "", path: str | None = None) -> Answer
     start = time.perf_counter()
     with collecting_seldom(SELDOM):
         statement = claim if isinstance(claim, Statement) else read(claim, given, path)
-        parts = [part for c in statement.comparisons for part in _asserted(c)]
+        parts = [part for c in statement.comparisons for part in _asserted(c, statement)]
         answers = [_everywhere(comparison, statement) for comparison in parts]
     answer = worst(answers)
     if len(answers) > 1 and len(statement.comparisons) == 1:
@@ -101,16 +101,23 @@ def as_typed(answer: Answer) -> Answer:
     )
 
 
-def _asserted(claim: Comparison) -> list[Comparison]:
+def _asserted(claim: Comparison, statement: Statement) -> list[Comparison]:
     """Return what a comparison asserts: ``f ~ a + b`` also ``f - a - b == o(a)`` and ``== o(b)``.
 
     An asymptotic expansion asserts every term (H. Poincaré; F. W. J. Olver, *Asymptotics and
     Special Functions*, 1974, section 1.7): its error is of smaller order than the last of them.
+    So do ``f ~ c*(1 + b/a)`` and every other way to write the same terms.
     """
-    if claim.relation != "~" or claim.right.op != "+" or claim.right.hidden:
+    path = statement.path
+    if claim.relation != "~" or claim.right.hidden or path is None:
+        return [claim]
+    from tresym.asymptotics.lemma import asserted_terms
+
+    found = asserted_terms(claim.right, path.name)
+    if len(found) == 1:
         return [claim]
     error = claim.left - claim.right
-    terms = [replace(claim, left=error, relation="o", right=term) for term in claim.right.args]
+    terms = [replace(claim, left=error, relation="o", right=term) for term in found]
     return [claim, *terms]
 
 
@@ -357,10 +364,20 @@ def _ellipses(*claim: Any) -> Answer:
     return decide_dotted(*claim)
 
 
+def _is_infinite_value(e: Expr) -> bool:
+    return INFINITY.args[0] in symbols(replaced(e, dict.fromkeys(outermost(e), ZERO)))
+
+
 def _infinite_sums(comparison: Comparison, statement: Statement, decided: Decide) -> Answer:
     from tresym.asymptotics.series import decide_series
     from tresym.reals.decisions.power_series import decide_infinite
 
+    left, right = comparison.left, comparison.right
+    if right == -INFINITY and left.op == "sum":  # the opposite terms add up to oo
+        (k,), term = opened(left, statement.given.names)
+        comparison = replace(comparison, left=total("sum", -term, k, *left.args[1:]), right=-right)
+    elif any(map(_is_infinite_value, (left, right))) and (right != INFINITY or left.op != "sum"):
+        return Answer(Verdict.UNDECIDED, "oo is supported as the value of one sum, sum(…) == oo")
     if comparison.right == INFINITY:  # the partial sums decide
         other = decide_series(comparison, statement, decided)
         if other is not None:
@@ -457,13 +474,32 @@ def _gamma_forms(*claim: Any) -> Answer:
 def _integer_variables(*claim: Any) -> Answer:
     from tresym.reals.decisions.integer_variables import decide_whole
 
-    return decide_whole(*claim)
+    return _for_every_argument(decide_whole(*claim), claim[1])
 
 
 def _unknown_functions(*claim: Any) -> Answer:
     from tresym.reals.decisions.unknown_functions import decide_unknown
 
-    return decide_unknown(*claim)
+    return _for_every_argument(decide_unknown(*claim), claim[1])
+
+
+def _for_every_argument(answer: Answer, statement: Statement) -> Answer:
+    """Return an answer, but no refutation that reads an equation for a function at one point.
+
+    ``f(n + 1) == 2*f(n)`` and ``f(x) == x**2`` are meant for every n and x: a proof from one value
+    stands, but values at one point that violate the claim need not belong to such a function.
+    """
+    if answer.verdict is not Verdict.REFUTED:
+        return answer
+    sides = [side for c in statement.comparisons for side in (c.left, c.right)]
+    nodes = {f for e in (*sides, *statement.said) for f in functions(e)}
+    for f in (f for e in statement.said for f in functions(e)):
+        name = f.args[0].args[0]
+        moves = name != FACTORIAL and any(symbols(arg) for arg in f.args[1:])
+        if moves and any(node != f and node.args[0].args[0] == name for node in nodes):
+            why = f"what is said of {name} is meant for every argument, and was used at one point"
+            return Answer(Verdict.UNDECIDED, f"{why} only")
+    return answer
 
 
 def _integrals(*claim: Any) -> Answer:

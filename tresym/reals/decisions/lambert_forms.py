@@ -19,11 +19,13 @@ from tresym.reals.language.expression import (
     ZERO,
     Expr,
     apply,
+    fresh,
     replaced,
     substitute,
     symbol,
     symbols,
 )
+from tresym.reals.language.parsing import parse
 from tresym.reals.verdict import Verdict
 
 MARK = "[W]"
@@ -39,23 +41,31 @@ def decide_without_lambert(
     path = statement.path
     if path is not None and (path.name != name or (path.point, path.sides) not in _PATHS):
         return None
-    y = symbol(name)
+    trees = (comparison.left, comparison.right, *statement.said)
+    new = fresh("w", frozenset().union({name}, *map(symbols, trees)))
+    y = symbol(new)
+    x = y * apply("exp", y)
 
     def changed(e: Expr) -> Expr:
-        plain = replaced(e, {apply("lambertw", y): symbol(MARK)})
-        return substitute(plain, {name: y * apply("exp", y), MARK: y})
+        plain = replaced(e, {apply("lambertw", symbol(name)): symbol(MARK)})
+        return substitute(plain, {name: x, MARK: y})
 
     there = statement.given.mapped(changed) if statement.given.comparisons else Given()
     if path is None:
         there = there & Given(((y, ">=", MINUS_ONE),))
     equations = tuple((changed(left), changed(right)) for left, right in statement.equations)
+    along = path and replace(path, name=new, reach=None)  # a region speaks of x
     answer = decided(
-        comparison.mapped(changed), replace(statement, given=there, equations=equations)
+        comparison.mapped(changed),
+        replace(statement, given=there, equations=equations, path=along),
     )
     if not answer and (path is None or answer.verdict is not Verdict.REFUTED):
         return None
-    why = f"with {name} = y*exp(y) and lambertw({name}) = y, written {name} again: {answer.why}"
-    return replace(answer, why=why, region=None, constant=None)
+    why = f"with {name} = {x} and lambertw({name}) = {new}: {answer.why}"
+    witness = answer.witness and dict(answer.witness)
+    if witness and new in witness:
+        witness[name] = str(substitute(x, {new: parse(witness.pop(new))}))
+    return replace(answer, why=why, witness=witness, region=None, constant=None)
 
 
 _PATHS = ((None, (1,)), (ZERO, (1,)), (ZERO, (-1,)))
