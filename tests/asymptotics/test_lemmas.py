@@ -2,11 +2,12 @@
 
 A line of ``lemmas.txt`` is ``true``, ``false`` or ``open`` and a claim; ``open`` are claims without
 a meaning near the end of their path, which must be neither proved nor refuted. A line of
-``lemma_falsehoods.txt`` is a guard and a false claim that would pass without it; the first line of
-each guard is tried by default, all of them at night.
+``lemma_falsehoods.txt`` is a guard and a false claim that would pass without it; the claims
+of ``slow.txt`` are decided at night, all others in every run.
 """
 
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -18,36 +19,26 @@ CASES = [line.split(" | ", 1) for line in (DATA / "lemmas.txt").read_text().spli
 FALSEHOODS = [
     line.split(" | ", 1) for line in (DATA / "lemma_falsehoods.txt").read_text().splitlines()
 ]
-GUARDS = [(guard, claim) for guard, claim in dict(map(tuple, reversed(FALSEHOODS))).items()]
 EXPECTED = {
     "true": (Verdict.PROVED, Verdict.ENCLOSED),
     "false": (Verdict.REFUTED,),
     "open": (Verdict.UNDECIDED,),
 }
-SAMPLE = 40
-"""Every so many claims of the list are decided by default, all of them at night."""
+SLOW = frozenset((DATA / "slow.txt").read_text().splitlines())
+"""Claims that take more than a second each; the others are decided in every run."""
 
 
-@pytest.mark.parametrize(("truth", "claim"), CASES[::SAMPLE])
-@pytest.mark.slow
-def test_a_sample_is_decided(truth: str, claim: str) -> None:
+def _marked(rows: list[list[str]]) -> list[Any]:
+    marks = {True: [pytest.mark.night], False: [pytest.mark.slow]}
+    return [pytest.param(*row, marks=marks[row[1] in SLOW]) for row in rows]
+
+
+@pytest.mark.parametrize(("truth", "claim"), _marked(CASES))
+def test_claims_of_known_truth_are_decided(truth: str, claim: str) -> None:
     assert tresym.check(claim).verdict in EXPECTED[truth]
 
 
-@pytest.mark.night
-@pytest.mark.parametrize(("truth", "claim"), CASES)
-def test_all_are_decided(truth: str, claim: str) -> None:
-    assert tresym.check(claim).verdict in EXPECTED[truth]
-
-
-@pytest.mark.parametrize(("guard", "claim"), GUARDS)
-@pytest.mark.slow
-def test_no_false_claim_passes_a_guard(guard: str, claim: str) -> None:
-    assert not tresym.check(claim), guard
-
-
-@pytest.mark.night
-@pytest.mark.parametrize(("guard", "claim"), FALSEHOODS)
+@pytest.mark.parametrize(("guard", "claim"), _marked(FALSEHOODS))
 def test_no_false_claim_passes(guard: str, claim: str) -> None:
     assert not tresym.check(claim), guard
 
