@@ -630,7 +630,8 @@ def _factored(e: Expr, s: str, end: End, near: Given) -> tuple[Expr, Expr] | Non
     for place in (ZERO, ONE, number(fmpq(1, 2)), number(2)):
         at = substitute(e, {s: place})
         with ball_precision():
-            value = arb.nan() if point is None else evaluate(at, point)
+            known = point is not None and symbols(at) <= point.keys()
+            value = evaluate(at, point) if point is not None and known else arb.nan()
         if not value.is_finite() or value.contains(0):
             continue
         ratio = normal_form(e / at, positive)

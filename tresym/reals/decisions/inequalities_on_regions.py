@@ -9,7 +9,7 @@ difference has the sign of its leading term.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import product
 from typing import Any
@@ -23,7 +23,7 @@ from tresym.reals.decisions.answer import Answer, exactly, refuted
 from tresym.reals.decisions.edges_of_contact import Edge, Quotient, edges_of_contact
 from tresym.reals.domain.compiled import Compiled
 from tresym.reals.domain.conditions import Condition, Given
-from tresym.reals.domain.evaluation import evaluate, stands
+from tresym.reals.domain.evaluation import UndefinedError, evaluate, stands
 from tresym.reals.domain.sample_points import Range
 from tresym.reals.expansions.leading_terms import sign_towards
 from tresym.reals.language.derivatives import differentiate
@@ -100,6 +100,14 @@ def _bounded(where: Range) -> bool:
     return where.low is not None and where.high is not None
 
 
+def _rate(slope: Expr, names: Sequence[str]) -> Callable[..., arb]:
+    """Return a slope as a function; NaN where it has no formula, as in the order of besselk."""
+    try:
+        return Compiled(slope, names).real
+    except UndefinedError:
+        return lambda *_: arb.nan()
+
+
 @dataclass
 class _Search:
     """One inequality, its derivatives, and the pieces of the line that are closed already."""
@@ -119,7 +127,7 @@ class _Search:
         self.slopes = [differentiate(self.difference, name) for name in self.names]
         self.smooth = list(_smooth_parts(self.difference)) or [self.difference]
         self.value = Compiled(self.difference, self.names).real
-        self.rates = [Compiled(slope, self.names).real for slope in self.slopes]
+        self.rates = [_rate(slope, self.names) for slope in self.slopes]
         self.bounds = [
             (Compiled(c.expression, self.names).real, c.relation) for c in self.region.conditions
         ]

@@ -62,8 +62,8 @@ def decide_without_lambert(
     if not answer and (path is None or answer.verdict is not Verdict.REFUTED):
         return None
     why = f"with {name} = {x} and lambertw({name}) = {new}: {answer.why}"
-    witness = answer.witness and dict(answer.witness)
-    if witness and new in witness:
+    witness = None if answer.witness is None else dict(answer.witness)
+    if witness is not None and new in witness:
         witness[name] = str(substitute(x, {new: parse(witness.pop(new))}))
     return replace(answer, why=why, witness=witness, region=None, constant=None)
 

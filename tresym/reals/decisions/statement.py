@@ -60,7 +60,9 @@ class Statement:
         slopes = {f.args[0].args[0]: f.args[1:] for f in nodes if any(f.args[0].args[1])}
         moving = {name for args in slopes.values() for e in args for name in symbols(e)}
         return any(
-            f.args[0].args[0] in slopes and moving.isdisjoint(*map(symbols, f.args[1:]))
+            f.args[0].args[0] in slopes
+            and len(f.args) == 2
+            and moving.isdisjoint(symbols(f.args[1]))
             for f in nodes
         )
 

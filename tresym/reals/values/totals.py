@@ -112,6 +112,8 @@ def _whole(end: Expr, outer: InBalls) -> int:
     """Return the exact integer that an end is."""
     found = rational(end)
     if found is None:
+        if INFINITY.args[0] in symbols(end):
+            raise UndefinedError
         value = outer.value(end)
         if not value.is_integer():
             raise UndefinedError

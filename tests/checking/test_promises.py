@@ -1,0 +1,107 @@
+"""An answer gives what its claim asks for: a region, every point, every word of a condition."""
+
+import pytest
+
+import tresym
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.verdict import Cause, Verdict
+
+
+def test_a_constant_on_the_region_is_found_where_there_is_one() -> None:
+    answer = tresym.check("exp(a*x) == 1 + O(x) given 0 < a, a < 1 as x -> 0+ on 0 < x <= 1")
+    assert answer
+    assert answer.constant is not None
+    assert float(answer.constant.mid) >= 1.71828  # e − 1, at a = x = 1
+    assert answer.region == "0 < x <= 1"
+
+
+def test_uniformly_with_one_constant_still_holds() -> None:
+    answer = tresym.check("sin(a*x) == a*x + O(x**3) given 0 < a, a < 1 uniformly as x -> 0")
+    assert answer.uniform
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        "f(n) == 2**n given f(n+1) == 2*f(n), f(0) == 1, n integer, n >= 0",
+        "f(2) == 4 given f(x) == x**2",
+        "diff(y(t), t, 2) == y(t) given diff(y(t), t) == y(t)",
+        "y(x) == y(0)*exp(x) given diff(y(x), x) == y(x)",
+        "u(0, t) == exp(t) given diff(u(x,t), t) == u(x,t), u(x,0) == 1",
+    ],
+)
+def test_an_equation_for_a_function_holds_at_every_point(claim: str) -> None:
+    assert tresym.check(claim).verdict is not Verdict.REFUTED
+
+
+def test_a_formula_for_the_same_value_is_used_at_it() -> None:
+    assert tresym.check("f(x) == x given f(x) == x**2").verdict is Verdict.REFUTED
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        "sin(pi*x) == 0 for all real x and all integers n",
+        "x < 1 for each x and each y in (0, 1)",
+        "φ == ϕ",
+        "ϵ == ε",
+        "ς == σ",
+    ],
+)
+def test_a_condition_of_one_variable_is_not_given_to_another(claim: str) -> None:
+    assert tresym.check(claim).verdict is Verdict.REFUTED
+
+
+@pytest.mark.parametrize(
+    "claim", ["x*y > 0 for all x, y > 0", "x**2 + y**2 >= 0 for all real x, y", "x > 0 given x > 0"]
+)
+def test_a_bare_list_shares_its_condition(claim: str) -> None:
+    assert tresym.check(claim)
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        "x**n >= 0 for all even n",
+        "n > 1 for all prime n",
+        "x > 1/2 for all x greater than 1",
+        "x**2 == 2 for some x",
+        "x >= 0 for all real x and y > 0",
+        "x >= 0 given real x, y > 0",
+        "sin(E) == 2*E + O(E**3) as E -> 0",
+        "cos(pi) -> -1 as pi -> 0",
+    ],
+)
+def test_a_word_that_is_not_understood_is_refused(claim: str) -> None:
+    with pytest.raises(InputError):
+        tresym.check(claim)
+
+
+def test_a_witness_is_one_of_the_variable_that_was_written() -> None:
+    answer = tresym.check("lambertw(x) ~ log(x)/2 as x -> oo")
+    assert answer.witness == {"x": "16*exp(16)"}
+
+
+def test_of_two_bounds_of_the_time_the_smaller_one_counts() -> None:
+    equation = "diff(y(t), t) == e*y(t), y(0) == 1, 0 <= t, t <= 1"
+    one, two = (
+        tresym.check(f"y(t) == 1 + O(e) given {equation}{more} uniformly as e -> 0+").constant
+        for more in ("", ", t <= 5")
+    )
+    assert one is not None
+    assert two is not None
+    assert one.mid == two.mid
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        "sum(k**a*exp(-k*x), k, 1, oo) ~ gamma(a+1)/x**(a+1) as x -> 0+",
+        "besselk(a+1, x) > besselk(a, x) given x > 0, a >= 0",
+        "sum(exp(-k**2), k, -oo, oo) > 1",
+    ],
+)
+def test_a_true_claim_beyond_the_methods_is_left_open(claim: str) -> None:
+    answer = tresym.check(claim)
+    assert answer.verdict is not Verdict.REFUTED
+    assert answer.cause is not Cause.FAILED
