@@ -96,7 +96,9 @@ def test_a_constant_that_a_lemma_rounds_up_is_no_lower_bound() -> None:
 def test_an_infinite_end_is_not_differentiated_under() -> None:
     found = tresym.error_table("integral(exp(-t)/(1 + x*t), t, 0, oo)", "1 - x", "x -> 0+",
                                at=["1/10", "1/100"], order="x**2", digits=10)  # fmt: skip
-    assert found.constant is None or float(found.constant.low) <= 2 <= float(found.constant.high)
+    assert found.claim is not None
+    assert found.claim.verdict.holds
+    assert found.constant is None
 
 
 def test_a_false_order_is_refuted() -> None:
@@ -106,9 +108,9 @@ def test_a_false_order_is_refuted() -> None:
     assert found.constant is None
 
 
-def test_an_error_that_is_zero_or_hidden_is_told() -> None:
+def test_an_error_that_is_zero_is_told() -> None:
     found = error_table("sin(x)**2", "1 - cos(x)**2", "x -> 0+", at=["1/2"], digits=10)
-    assert found.rows[0].error_text == "0" or found.rows[0].note
+    assert found.rows[0].error_text == "0"
 
 
 @pytest.mark.parametrize("form", ["text", "markdown", "latex", "csv", "html"])

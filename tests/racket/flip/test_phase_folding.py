@@ -107,8 +107,7 @@ def test_a_trajectory_that_has_turned_is_not_taken_for_one_that_has_not() -> Non
         truth(12.5, 0.0625, level * 0.5), rel=1e-8
     )
     for gamma in (level * 1.01, level * 2, -0.06):
-        found = float_defect(12.5, 0.0625, gamma)
-        assert found is None or found == pytest.approx(truth(12.5, 0.0625, gamma), rel=1e-6)
+        assert float_defect(12.5, 0.0625, gamma) is None
 
 
 @pytest.mark.parametrize(
@@ -117,8 +116,7 @@ def test_a_trajectory_that_has_turned_is_not_taken_for_one_that_has_not() -> Non
     ids=str,
 )  # fmt: skip
 def test_outside_nothing_is_found_and_nothing_raised(place: tuple[float, float, float]) -> None:
-    found = folded(*place)
-    assert found is None or not math.isfinite(found[1])
+    assert folded(*place) is None
 
 
 def test_the_unfolding_by_the_half_periods() -> None:
