@@ -113,6 +113,15 @@ def test_an_error_that_is_zero_is_told() -> None:
     assert found.rows[0].error_text == "0"
 
 
+def test_zeros_that_are_no_digits_are_not_printed() -> None:
+    """1234² = 1522756 and 1000² = 1000000."""
+    found = error_table("x**2", "x**2 + x", "x -> oo", at=["1234", "1000"], digits=3)
+    text = found.written("csv")
+    assert "1.52e6" in text
+    assert "1520000" not in text
+    assert "1000000" in text
+
+
 @pytest.mark.parametrize("form", ["text", "markdown", "latex", "csv", "html"])
 def test_every_format_holds_the_numbers(form: str) -> None:
     found = error_table("sin(x)", "x", "x -> 0+", at=["1/10", "1/100"], digits=12, order="x**3")

@@ -278,11 +278,14 @@ def _about_root(e: Expr, walker: InBalls) -> str:
 def rounded(x: arb, digits: int) -> str:
     """Return a ball as a decimal with ``digits`` significant digits, correctly rounded.
 
-    Where the ball contains a tie between two decimals, either of them is returned.
+    Where the ball contains a tie between two decimals, either of them is returned. Zeros before the
+    decimal point are written only if they are digits of the number.
 
     Example:
         >>> rounded(arb(fmpq(2, 3)), 3)
         '0.667'
+        >>> rounded(arb(1522756), 3)
+        '1.52e6'
     """
     if x.is_zero():
         return "0"
@@ -312,11 +315,19 @@ def rounded_number(x: fmpq, digits: int) -> str:
                 continue
             break
         exponent -= 1
-    return plain_decimal(int(whole), exponent, negative=x < 0)
+    return plain_decimal(int(whole), exponent, negative=x < 0, exact=scaled == whole)
 
 
-def plain_decimal(whole: int, exponent: int, negative: bool = False) -> str:
-    """Return whole·10^exponent as decimal text, in scientific notation if it is far from 1."""
+def plain_decimal(whole: int, exponent: int, negative: bool = False, exact: bool = True) -> str:
+    """Return whole·10^exponent as decimal text, in scientific notation if it is far from 1.
+
+    Where the number is rounded before its decimal point, the text is in scientific notation too:
+    zeros that fill the places up to the point would look like digits of the number.
+
+    Example:
+        >>> plain_decimal(152, 4), plain_decimal(152, 4, exact=False)
+        ('1520000', '1.52e6')
+    """
     digits = str(fmpz(whole))
     point = len(digits) + exponent
     sign = "-" if negative else ""
@@ -325,7 +336,7 @@ def plain_decimal(whole: int, exponent: int, negative: bool = False) -> str:
         return sign + digits[:point] + (f".{rest}" if rest else "")
     if -4 < point <= 0:
         return f"{sign}0.{'0' * -point}{digits}"
-    if len(digits) < point <= 16:
+    if exact and len(digits) < point <= 16:
         return sign + digits + "0" * (point - len(digits))
     return f"{sign}{digits[0]}{'.' if digits[1:] else ''}{digits[1:]}e{point - 1}"
 
