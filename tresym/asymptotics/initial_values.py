@@ -97,6 +97,8 @@ GRONWALL = "residual and logarithmic norm (Gronwall, Dahlquist; Hairer et al. 19
 INTEGRAL = "derivative along the solutions (first integrals, Lyapunov functions; Hale 1980, X.1)"
 COMPARISON = "comparison of solutions (Hale 1980, theorem I.6.1)"
 RANGES = (fmpq(1, 2), fmpq(1, 5), fmpq(1, 20), fmpq(1, 100), fmpq(1, 400))
+NEARBY = fmpq(1, 100)
+"""An explicit solution is shown this far around the point to which the time tends."""
 SHARP = arb("1.08")
 """The constant is at most this times the supremum, if a range of the parameter allows that."""
 
@@ -312,7 +314,9 @@ def _long_time(
     claim: Comparison, problem: Problem, statement: Statement, path: Path, decided: Decide
 ) -> Answer:
     """Decide a claim as the time tends to infinity, by an explicit solution if one is found."""
-    if path.point is not None or path.sides != (1,):
+    if path.point is not None:
+        return _near_point(claim, problem, statement, path, decided)
+    if path.sides != (1,):
         raise OpenError(f"claims about a solution are supported as {path.name} -> oo")
     t = symbol(problem.time)
     if any(
@@ -350,6 +354,44 @@ def _long_time(
         return decide_autonomous(claim, problem, statement, fixed, decided)
     except OpenError as error:
         raise reason or error from None
+
+
+def _near_point(
+    claim: Comparison, problem: Problem, statement: Statement, path: Path, decided: Decide
+) -> Answer:
+    """Decide a claim as the time tends to a number, by an explicit solution that is shown there."""
+    t, point, start = symbol(problem.time), path.point, problem.start
+    if point is None or point.op != "number" or start.op != "number":
+        raise OpenError(f"the initial point and the point to which {t} tends must be numbers")
+    if statement.given.comparisons or path.expression is not None:
+        raise OpenError(f"conditions beside {t} -> {point} are not supported for a solution")
+    if path.reach is not None:
+        raise OpenError(f"a region beside {t} -> {point} is not supported for a solution")
+    reason = OpenError("no explicit solution of the differential equations was found")
+    first, last = point.args[0], start.args[0]
+    for curve in solutions(problem, Given()):
+        try:
+            explicit, arguments = put_in(claim, problem, curve)
+            if arguments != [t]:
+                raise OpenError(f"the function must be taken at {t}")
+            low = number(min(first, last) - NEARBY)
+            high = number(max(first, last) + NEARBY)
+            where = Given(((t, ">=", low), (t, "<=", high)))
+            if not exactly(problem, curve, where, decided):
+                raise OpenError("the explicit function that was found is no solution")
+        except OpenError as error:
+            reason = error
+            continue
+        found = decided(explicit, Statement((), Given(), path, "", uniformly=statement.uniformly))
+        if found.verdict is not Verdict.UNDECIDED:
+            name, _ = next(key for key in problem.state if key[1] == 0)
+            shown = f"{name}({t}) = {curve[problem.state[name, 0]]}"
+            # a constant would be for a region on which the solution is not shown to exist
+            why = "it has this order" if found.constant is not None else found.why
+            why = f"the solution is {shown}: {why}"
+            return replace(found, why=why, lemma=EXACT, region=None, constant=None)
+        reason = OpenError(found.why)
+    raise reason
 
 
 # A small parameter
