@@ -21,6 +21,9 @@ for all t. The next coefficient v of the solution makes the constant sharp: it i
 supremum of its size. If v is unbounded, such as the secular term t*sin(t), no constant serves for
 all t >= 0.
 
+*Near a point.* A claim as t tends to a number, such as ``y(t) == 1 + t + O(t**2)`` as t -> 0, is
+one about A, which must be the solution from the initial point to beyond that number, on both sides.
+
 *Inequalities.* If A' >= f(t, A) for t after the initial point and A is above the solution there, it
 stays above (comparison theorem).
 
@@ -86,7 +89,7 @@ from tresym.reals.language.expression import (
 from tresym.reals.language.paths import Path
 from tresym.reals.normal.to_expression import normal_form
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.exact import InputError
+from tresym.reals.numbers.exact import InputError, parse_number
 from tresym.reals.signs.definedness import continuous_on
 from tresym.reals.signs.interior import PROVING, is_zero
 from tresym.reals.signs.sign import proof, sign
@@ -97,7 +100,7 @@ GRONWALL = "residual and logarithmic norm (Gronwall, Dahlquist; Hairer et al. 19
 INTEGRAL = "derivative along the solutions (first integrals, Lyapunov functions; Hale 1980, X.1)"
 COMPARISON = "comparison of solutions (Hale 1980, theorem I.6.1)"
 RANGES = (fmpq(1, 2), fmpq(1, 5), fmpq(1, 20), fmpq(1, 100), fmpq(1, 400))
-NEARBY = fmpq(1, 100)
+NEARBY = fmpq(1, 8)
 """An explicit solution is shown this far around the point to which the time tends."""
 SHARP = arb("1.08")
 """The constant is at most this times the supremum, if a range of the parameter allows that."""
@@ -389,7 +392,13 @@ def _near_point(
             # a constant would be for a region on which the solution is not shown to exist
             why = "it has this order" if found.constant is not None else found.why
             why = f"the solution is {shown}: {why}"
-            return replace(found, why=why, lemma=EXACT, region=None, constant=None)
+            # a time farther away is no witness, since the solution may not exist there
+            witness = found.witness
+            if witness and problem.time in witness:
+                away = abs(parse_number(witness[problem.time]) - first)
+                if away > NEARBY:
+                    witness = {n: x for n, x in witness.items() if n != problem.time}
+            return replace(found, why=why, lemma=EXACT, region=None, constant=None, witness=witness)
         reason = OpenError(found.why)
     raise reason
 

@@ -103,6 +103,8 @@ def contradiction(claim: Comparison, statement: Statement, answer: Answer) -> st
             system = _system(statement)
             if statement.path is None:
                 return _at_points(claim, statement, system, answer)
+            if statement.path.name == system.time and statement.path.point is not None:
+                return _near(claim, statement, system, statement.path, answer)
             if statement.path.name == system.time:
                 return _far_out(claim, statement, system, answer)
             return _small_parameter(claim, statement, system, statement.path, answer)
@@ -417,7 +419,7 @@ class _Look:
             raise _UnsupportedError
         self.trees = sides
 
-    def sides(self, offsets: Sequence[fmpq]) -> Iterator[tuple[arb, list[arb] | None]]:
+    def sides(self, offsets: Sequence[fmpq | arb]) -> Iterator[tuple[arb, list[arb] | None]]:
         """Yield times of the initial point and on, with both sides there, if they are known."""
         times = [self.solver.start + arb(x) for x in offsets]
         moves = any(self.system.time in symbols(e) for e in self.trees) or any(
@@ -544,6 +546,39 @@ def _far_out(
         verdict = _of_sizes(claim.relation, sizes, bool(answer))
         if verdict:
             return verdict
+    return None
+
+
+def _near(
+    claim: Comparison, statement: Statement, system: _System, path: Path, answer: Answer
+) -> str | None:
+    """Whether the error of a limit or order that passes does not vanish towards a point."""
+    if not answer or path.point is None or claim.relation not in ("O", "o", "~", "->"):
+        return None
+    ctx.cap = 1
+    end = _value(path.point, {})[0]
+    for at in _choices(claim, statement, system):
+        look = _Look(claim, statement, system, at)
+        for side in path.sides:
+            offsets = [end - look.solver.start + side * arb(e) for e in SMALL]
+            sizes = []
+            for _, sides in look.sides(offsets):
+                if sides is None:
+                    break
+                left, right = sides
+                if claim.relation == "->":
+                    sizes.append(abs(left - right))
+                else:
+                    sizes.append(abs(left / right - (claim.relation == "~")))
+            if len(sizes) != len(SMALL) or not all(x.is_finite() for x in sizes):
+                continue
+            first, second, third = sizes
+            shown = f"{said(first)}, {said(second)} and {said(third)}"
+            if claim.relation == "O":
+                if third > GROWS * second and second > GROWS * first:
+                    return f"numerically the ratio of the sides grows as {shown}"
+            elif third > arb("1e-15") and 2 * third > second and 2 * second > first:
+                return f"numerically the error does not vanish: {shown}"
     return None
 
 
