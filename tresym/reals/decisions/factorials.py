@@ -14,10 +14,12 @@ from itertools import islice, product
 from math import factorial
 
 from tresym.reals.decisions.answer import Answer, Decide
+from tresym.reals.decisions.gamma_forms import decide_as_reals
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.readable_witnesses import decided_at
 from tresym.reals.decisions.statement import Statement, functions
 from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.operation_domains import operations
 from tresym.reals.language.binders import outermost
 from tresym.reals.language.calls import FACTORIAL
 from tresym.reals.language.comparisons import Comparison
@@ -78,10 +80,16 @@ def decide_factorials(claim: Comparison, statement: Statement, decided: Decide) 
         return answer
     if not proved:
         return Answer(Verdict.UNDECIDED, "the claim could not be proved at any small integers")
+    if len(nodes) == 1 and any(map(_is_transcendental, sides)):
+        answer = decide_as_reals(claim, statement, decided)
+        if answer is not None:
+            return answer
     known, positive = _by_least(list(nodes), statement.given)
     left, right = (replaced(side, known) for side in sides)
     given = statement.given & Given(tuple(positive))
     answer = decided(Comparison(left, claim.relation, right), replace(statement, given=given))
+    if not answer and (other := decide_as_reals(claim, statement, decided)) is not None:
+        return other
     if answer.verdict is Verdict.REFUTED:
         meant = ", ".join(f"{node} = {value}" for node, value in known.items())
         return Answer(
@@ -90,6 +98,15 @@ def decide_factorials(claim: Comparison, statement: Statement, decided: Decide) 
             f"are replaced by arbitrary numbers >= 1 (with {meant}: {answer.why})",
         )
     return answer
+
+
+def _is_transcendental(e: Expr) -> bool:
+    """Return whether a side has a power with a variable exponent or a function, as Stirling's."""
+    plain = replaced(e, dict.fromkeys(outermost(e), ONE))
+    return any(
+        node.op not in ("+", "*", "^") or symbols(node.args[1] if node.op == "^" else ONE)
+        for node in operations((plain,))
+    )
 
 
 def _small(names: list[str]) -> Iterator[dict[str, Expr]]:

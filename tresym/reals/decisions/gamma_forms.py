@@ -11,9 +11,21 @@ from dataclasses import replace
 from tresym.reals.decisions.answer import Answer, Decide
 from tresym.reals.decisions.statement import Statement, functions
 from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.operation_domains import operations
 from tresym.reals.language.calls import FACTORIAL
 from tresym.reals.language.comparisons import Comparison
-from tresym.reals.language.expression import ONE, ZERO, Expr, apply, rebuild, symbols
+from tresym.reals.language.expression import (
+    ONE,
+    ZERO,
+    Expr,
+    apply,
+    number,
+    rebuild,
+    symbol,
+    symbols,
+)
+from tresym.reals.signs.interior import PROVING
+from tresym.reals.signs.sign import sign
 
 
 def decide_by_gamma(comparison: Comparison, statement: Statement, decided: Decide) -> Answer:
@@ -31,6 +43,37 @@ def decide_by_gamma(comparison: Comparison, statement: Statement, decided: Decid
     given = changed.given if moving else changed.given & there
     answer = decided(comparison.mapped(with_gamma), replace(changed, given=given))
     return replace(answer, why=f"with n! = gamma(n + 1): {answer.why}")
+
+
+def decide_as_reals(comparison: Comparison, statement: Statement, decided: Decide) -> Answer | None:
+    """Prove an inequality between factorials for all real numbers from the first integer on.
+
+    ``factorial(n) >= (n/E)**n given n integer, n >= 1`` follows from ``gamma(n + 1) >= (n/E)**n
+    given n >= 1``, which is stronger. None where that is not shown: at numbers that are no integers
+    an inequality may fail, as gamma(n + 1) >= 1 does at n = 1/2.
+    """
+    trees = (comparison.left, comparison.right, *statement.said)
+    if comparison.relation not in ("<", "<=", ">", ">=") or statement.path is not None:
+        return None
+    if statement.equations or comparison.derivatives:
+        return None
+    changed = [with_gamma(e) for e in trees]
+    if any(e.hidden for e in changed):
+        return None
+    box, first = statement.given.box, []
+    for name in statement.integers:
+        low = box[name].low if name in box else None
+        if low is not None:
+            least = low.floor() + 1 if box[name].low_open else low.ceil()
+            first.append((symbol(name), ">=", number(least)))
+    real = replace(statement, integers=(), given=statement.given & Given(tuple(first)))
+    # A power of a negative number has a value at integer exponents alone, and would be left out.
+    for node in operations(changed):
+        varies = node.op == "^" and bool(symbols(node.args[1]))
+        if varies and sign(node.args[0], real.given, ">") not in PROVING[">"]:
+            return None
+    answer = decide_by_gamma(comparison, real, decided)
+    return answer if answer else None
 
 
 def with_gamma(e: Expr) -> Expr:
