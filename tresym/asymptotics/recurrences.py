@@ -33,6 +33,7 @@ from flint import arb, fmpq
 from tresym.asymptotics.approximation import Approximation, approximated, size
 from tresym.asymptotics.lemma import Bound, End, Expansion, Obligations
 from tresym.asymptotics.lemma_claims import decide_with_expansions
+from tresym.asymptotics.linear_recurrences import LINEAR, UNSUPPORTED_ROOTS, Solved, solved
 from tresym.asymptotics.roots import zeros_of
 from tresym.reals.decisions.answer import Answer, Decide
 from tresym.reals.decisions.readable_witnesses import tidied
@@ -71,7 +72,6 @@ from tresym.reals.verdict import Verdict
 
 LIMIT_LEMMA = "monotone sequences and fixed points"
 RATE_LEMMA = "the theorem of Stolz and Cesàro (de Bruijn 1958, chapter 8)"
-LINEAR = "the solution of a linear recurrence"
 MOST_STEPS = 12
 """Steps of the recurrence after which the sequence must be monotone."""
 ITERATIONS = 200
@@ -132,6 +132,9 @@ def _decide(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
     assert path is not None
     if path.point is not None or path.sides != (1,) or claim.derivatives:
         raise _OpenError("claims about a sequence are supported as n -> oo, without derivatives")
+    higher = solved(statement, path.name)
+    if higher is not None and len(higher.coefficients) > 1:
+        return _of_higher_order(claim, statement, higher, decided)
     sequence = _sequence(statement)
     n = symbol(path.name)
     names = {node for e in (claim.left, claim.right) for node in functions(e)}
@@ -151,6 +154,27 @@ def _decide(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
         why = f"{sequence.node} = {solution}: {answer.why}"
         return replace(answer, why=why, lemma=LINEAR, region=None, constant=None)
     return _of_limit(claim, rest, sequence, decided)
+
+
+def _of_higher_order(
+    claim: Comparison, statement: Statement, sequence: Solved, decided: Decide
+) -> Answer:
+    """Decide a claim about the solution of a linear recurrence of order 2 and more."""
+    n = sequence.n
+    if n in statement.given.names:
+        raise _OpenError(f"conditions on {n} beside a recurrence are not supported")
+    nodes = {node for e in (claim.left, claim.right) for node in functions(e)}
+    if any(m.args[0] != sequence.name or _shift(m, symbol(n)) is None for m in nodes):
+        raise _OpenError(f"the claim must be about {sequence.name.args[0]}({n}) alone")
+    form = sequence.closed()
+    if form is None:
+        raise _OpenError(UNSUPPORTED_ROOTS)
+    whole = tuple(dict.fromkeys((*statement.integers, n)))
+    known = {node: tidied(substitute(form, {n: node.args[1]})) for node in nodes}
+    explicit = claim.mapped(partial(replaced, known=known))
+    answer = decided(explicit, replace(statement, equations=(), integers=whole))
+    why = f"{sequence.name.args[0]}({n}) = {form}: {answer.why}"
+    return replace(answer, why=why, lemma=LINEAR, region=None, constant=None)
 
 
 def _shown(text: str) -> str:

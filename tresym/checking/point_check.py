@@ -101,9 +101,10 @@ def _at_point(answer: Answer, claim: Comparison, statement: Statement) -> None:
     names = frozenset().union(*map(symbols, trees))
     taken = {name: value for name, value in point.items() if name in names or name.isidentifier()}
     values: Values = []
+    called = frozenset(str(f.args[0].args[0]) for e in trees for f in functions(e))
     for name, value in point.items():
         if name not in taken:
-            node = worked_out(parse_claim(f"{name} == 0")[0][0])
+            node = worked_out(parse_claim(f"{name} == 0", called)[0][0])
             node = _inside_known(substitute(node, taken), values)
             if node.op != "unknown":
                 raise _UnsupportedError(f"its value of {name} cannot be interpreted")

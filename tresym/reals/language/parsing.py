@@ -67,6 +67,7 @@ _INTEGER = re.compile(r"\b(\w+)\s+(?:is\s+)?(?:an\s+)?integer\b")
 _RECURRENCE = re.compile(
     r"(?:^|,|=)\s*([A-Za-z]\w*)\(\s*([A-Za-z]\w*)\s*\+\s*[1-9]\s*\)\s*(?==|,|$)"
 )
+_RECURRENCE_DOWN = re.compile(r"(?:^|,|=)\s*([A-Za-z]\w*)\(\s*([A-Za-z]\w*)\s*\)\s*(?==)")
 _EQUALS = re.compile(r"(?<![=<>!~:])=(?![=<>])")
 _LONG_INTEGER = re.compile(r"(?<![\w.])(\d{4000,})(?![\w.])")
 """Python's parser rejects integers with more digits, but accepts them as decimals."""
@@ -94,13 +95,16 @@ def parse(text: str) -> Expr:
 def sequences_of(text: str) -> frozenset[str]:
     """Return the names for which conditions state a recurrence, as a in ``a(n + 1) == sin(a(n))``.
 
+    The recurrence may also lead to a(n), as in ``T(n) == 2*T(n - 1) + 1``.
+
     Any name that is not a known function may denote a sequence.
     """
-    found = {match[1]: match[2] for match in _RECURRENCE.finditer(text)}
+    up = {(match[1], match[2], "") for match in _RECURRENCE.finditer(text)}
+    down = {(match[1], match[2], r"-\s*[1-9]\s*") for match in _RECURRENCE_DOWN.finditer(text)}
     return frozenset(
         name
-        for name, n in found.items()
-        if name not in KNOWN and re.search(rf"\b{name}\(\s*{n}\s*\)", text)
+        for name, n, less in up | down
+        if name not in KNOWN and re.search(rf"\b{name}\(\s*{n}\s*{less}\)", text)
     )
 
 
