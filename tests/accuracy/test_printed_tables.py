@@ -53,9 +53,22 @@ def test_a_wrong_digit_is_flagged_with_the_true_value(tmp_path: Path) -> None:
 def test_rounded_parameters_are_propagated(tmp_path: Path) -> None:
     path = tmp_path / "square.csv"
     path.write_text("x,y\n1.41,2.00\n1.732,3.00\n2.24,5.99\n")
-    found = against(str(path), "x**2")
+    found = against(str(path), "x**2", rounded_parameters=True)
     assert [cell.fits for cell in found.cells] == [True, True, False]
     assert "rounding of the parameters" in found.cells[0].why
+
+
+def test_arguments_are_exact_unless_said_otherwise(tmp_path: Path) -> None:
+    """The value at 0.5 is 0.5204998…; at 0.504, which rounds to 0.5, it is 0.5240."""
+    path = tmp_path / "erf.csv"
+    path.write_text("x,erf\n0.5,0.5234999\n1,0.8427008\n1.5,0.9661051\n")
+    found = against(str(path), "erf(x)")
+    assert [cell.fits for cell in found.cells] == [False, True, True]
+    assert found.cells[0].why.startswith("the value is 0.52049987781")
+    assert "if the parameters are rounded" in found.cells[0].why
+    assert main(["table", "--against", str(path), "erf(x)"]) == 1
+    assert main(["table", "--against", str(path), "--rounded", "erf(x)"]) == 0
+    assert main(["table", "--rounded", "sin(x)", "x", "--as", "x -> 0+"]) == 2
 
 
 def test_the_command_says_what_is_wrong(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

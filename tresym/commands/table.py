@@ -66,6 +66,11 @@ def add(commands: Commands) -> None:
         ("--scheduler ADDRESS", "the workers of a Dask scheduler, as tcp://HOST:PORT"),
     )
     parser.add_argument(
+        "--rounded",
+        action="store_true",
+        help="with --against: the printed arguments are rounded numbers (they count as exact)",
+    )
+    parser.add_argument(
         "--format",
         choices=("text", "markdown", "latex", "csv", "html"),
         default="text",
@@ -76,6 +81,8 @@ def add(commands: Commands) -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Run the command and return its exit status."""
+    if args.rounded and args.against is None:
+        raise InputError("table: --rounded goes with --against")
     if args.name is None:
         raise InputError(f"table: give two expressions, or one of {TABLES}")
     if args.against is not None:
@@ -108,7 +115,7 @@ def check_printed(args: argparse.Namespace) -> int:
 
     if args.label is not None or args.tends is not None:
         raise InputError("table: --against takes one formula and no --as")
-    found = against(args.against, args.name, args.column)
+    found = against(args.against, args.name, args.column, args.rounded)
     text = json_line(found.as_json()) if args.json else table.written(found.table(), args.format)
     deliver(text, args.path)
     return 0 if found else UNEXPECTED
