@@ -90,13 +90,10 @@ def test_in_a_block_of_identities_what_fails_is_suspect_without_a_repair(tmp_pat
     assert statuses(tmp_path, block) == ["PROVED", "SUSPECT", "PROVED"]
 
 
-@pytest.mark.parametrize(
-    ("words", "status"),
-    [("and so", "SUSPECT"), ("Now let", "DEFINED"), ("In another unit", "DEFINED")],
-)
-def test_a_symbol_defined_twice(words: str, status: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize("words", ["and so", "Now let", "In another unit"])
+def test_a_symbol_defined_anew_is_no_misprint(words: str, tmp_path: Path) -> None:
     text = rf"The energy is \[ E = m c^2. \] {words} \[ E = m c^3. \]"
-    assert statuses(tmp_path, text) == ["DEFINED", status]
+    assert statuses(tmp_path, text) == ["DEFINED", "DEFINED"]
 
 
 def test_each_misprint_of_several_is_suspect(tmp_path: Path) -> None:
@@ -166,25 +163,10 @@ def test_check_suggests_unless_told_not_to(
     assert capsys.readouterr().out.count("given x >= 0 (given x >= 0)") == count
 
 
-@pytest.mark.parametrize(
-    ("text", "first"),
-    [
-        (
-            r"An approximation is \[ \sin 2x + 1 = 2\sin x\cos y + 1 = 1 + 2\cos x\sin x. \]",
-            "SUSPECT",
-        ),
-        (r"To solve it, write \[ (x+1)^2 - 1 = x^2 + 3x = x(x+2). \]", "SUSPECT"),
-        (r"An approximation is \[ 3 + 4 = 8 = 7. \]", "SUSPECT"),
-        (r"To first order \[ \sqrt{2} + 1/2 = \sqrt{2} + 1/3 \approx 1.91. \]", "SUSPECT"),
-        (r"To first order \[ \sqrt{2} + 1/2 = \sqrt{2} + 1/3 \approx 1.99. \]", "UNDECIDED"),
-        (r"Solve \[ 3x + 4 = x^2 = 2x + 5. \]", "EQUATION"),
-        (r"Solve \[ \sin 2x = 2\sin x = \sin x. \]", "EQUATION"),
-    ],
-)
-def test_a_wrong_term_inside_a_chain_whose_ends_agree(
-    text: str, first: str, tmp_path: Path
-) -> None:
-    assert statuses(tmp_path, text)[0] == first
+def test_a_term_between_equal_ends_may_be_a_substitution(tmp_path: Path) -> None:
+    text = r"""We use the sine as the new variable $v$:
+    \[ \int \cos^3 s\,ds = v - \frac{v^3}{3} + C = \sin s - \frac{\sin^3 s}{3} + C. \]"""
+    assert not {"SUSPECT", "REFUTED"} & {*statuses(tmp_path, text)}
 
 
 def test_an_identity_before_an_equation_does_not_make_that_a_misprint(tmp_path: Path) -> None:

@@ -15,12 +15,10 @@ suggestions.
 from __future__ import annotations
 
 import re
-from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from itertools import groupby, pairwise
+from itertools import groupby
 
-from tresym.checking.time_limited import Task, check_all
 from tresym.manuscript import prose
 from tresym.manuscript.accusations import DoubtKind
 from tresym.manuscript.classification import (
@@ -34,15 +32,14 @@ from tresym.manuscript.classification import (
 )
 from tresym.manuscript.deciding import COORDINATE, Row
 from tresym.manuscript.mentions import names_in
-from tresym.manuscript.terms import base_of, unknown_in
-from tresym.reals.decisions.answer import Alternative, Answer
+from tresym.manuscript.terms import unknown_in
+from tresym.reals.decisions.answer import Alternative
 from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.derivatives import differentiate
-from tresym.reals.language.expression import Expr, substitute, symbol, symbols
+from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.verdict import Cause
 from tresym.repair import suggestions
 from tresym.repair.agreement import Definitions
-from tresym.repair.edits import is_one_edit
 from tresym.repair.search import GIVEN, SECONDS
 
 SUSPECT = "SUSPECT"
@@ -111,7 +108,6 @@ def proofread(
         processes: how many searches at once; None for one per core.
     """
     asked = {n: row for n, row in enumerate(rows) if row.status == "REFUTED" or may_be(row)}
-    closed = _closing(rows, processes)
     texts = [_question(row) for row in asked.values()]
     searched = suggestions(texts, processes, seconds) if texts else ()
     found = {n: tuple(map(_as_written, some)) for n, some in zip(asked, searched, strict=True)}
@@ -126,60 +122,12 @@ def proofread(
         if why:
             witness = row.fails_at
             result[n] = replace(row, status=SUSPECT, why=why, instead=instead, witness=witness)
-    for n, chain in closed.items():
-        if result[n].status not in (SUSPECT, "REFUTED"):
-            row, why = rows[n], "it fails, and so does the next link, but the chain holds without"
-            why = f"{why} the term between them"
-            result[n] = replace(row, status=SUSPECT, why=why, instead=chain, witness=row.fails_at)
-    return _defined_twice(result)
+    return result
 
 
 def _as_written(found: Alternative) -> Alternative:
     """Return a suggestion in which functions have the names that the author uses."""
     return Alternative(*(re.sub(r"\bfn_", "", text) for text in found))
-
-
-def _closing(rows: Sequence[Row], processes: int | None) -> dict[int, tuple[Alternative, ...]]:
-    """Find consecutive links ``a = b = c`` that both fail while ``a = c`` holds.
-
-    Then the term between them is a misprint, whatever the words around the display.
-
-    Returns:
-        What holds, by the place of the first link in ``rows``.
-    """
-    found: dict[int, Task] = {}
-    for n, (row, after) in enumerate(pairwise(rows)):
-        (first, _, given), (second, _, same) = (
-            one.refuted.partition(" given ") for one in (row, after)
-        )
-        left, equal, middle = first.partition(" == ")
-        if not equal or given != same or not _goes_on(row, after):
-            continue
-        if not _adds_nothing(row, after):
-            continue
-        for start in (f"{middle} == ", f"abs({middle} - ("):  # the second is of printed digits
-            if second.startswith(start):
-                claim = start.replace(middle, left, 1) + second.removeprefix(start)
-                found[n] = Task(claim, given, line=n)
-    answers = check_all(found.values(), SECONDS, processes) if found else ()
-    return {
-        int(task.line or 0): (
-            Alternative(task.claim, task.given, "without the term", answer.verdict.value),
-        )
-        for task, answer in answers
-        if isinstance(answer, Answer) and answer.verdict.value in _HOLD
-    }
-
-
-def _adds_nothing(row: Row, after: Row) -> bool:
-    """Whether the term between two links shares its symbols, but for one, with the outer terms;
-    else it may be an unknown, as in ``1 = z^2 = 1``."""
-    if row.link.sides is None or after.link.sides is None:
-        return False
-    first, middle, last = row.link.sides[0], row.link.sides[2], after.link.sides[2]
-    names = symbols(middle) | unknown_in(middle)
-    outer = symbols(first) | symbols(last) | unknown_in(first, last)
-    return names <= outer or (bool(names & outer) and len(names - outer) == 1)
 
 
 def _redefined(row: Row, rows: Sequence[Row]) -> bool:
@@ -191,14 +139,6 @@ def _redefined(row: Row, rows: Sequence[Row]) -> bool:
         if " = " in one.link.shown and one.link is not row.link
     }
     return not unread.isdisjoint(row.link.shown.split())
-
-
-def _goes_on(row: Row, after: Row) -> bool:
-    """Whether the second link continues the chain of the first."""
-    one, other = row.link, after.link
-    if one.sides is None or other.sides is None or one.display != other.display:
-        return False
-    return one.number + 1 == other.number and one.sides[2] == other.sides[0]
 
 
 def may_be(row: Row) -> bool:
@@ -377,43 +317,6 @@ def _blocks(rows: Sequence[Row]) -> dict[int, list[str]]:
         for n, _ in found:
             result[n] = [row.status for m, row in found if m != n]
     return result
-
-
-def _defined_twice(rows: list[Row]) -> list[Row]:
-    """Return the rows; a second definition one edit away from the first is SUSPECT."""
-    known: dict[tuple[int, str], list[Row]] = defaultdict(list)
-    for n, row in enumerate(rows):
-        link = row.link
-        if row.status != DEFINED or link.sides is None or link.sides[0].op != "symbol":
-            continue
-        before = known[link.around[2], str(link.sides[0])]
-        first = next((one for one in before if _differ(one.link, link)), None)
-        before.append(row)
-        words = _words(prose.last_sentence(link.around[0]))
-        derived = any(base_of(name) != name for name in symbols(link.sides[2]))
-        if first is None or not row.refuted or row.given or derived or _ANEW.search(words):
-            continue
-        value = first.link.read_as
-        why = f"it is defined differently in display {first.link.display.number}: {value}"
-        instead = (Alternative(value, "", "as it is defined first", "DEFINED"),)
-        rows[n] = replace(row, status=SUSPECT, why=why, instead=instead, witness=row.fails_at)
-    return rows
-
-
-def _differ(first: Link, second: Link) -> bool:
-    if first.sides is None or second.sides is None or first.display == second.display:
-        return False
-    if symbols(first.sides[2]) != symbols(second.sides[2]):
-        return False  # another quantity is meant: sigma/c in one place, V/c in another
-    if _without_subscripts(first.sides[2]) == _without_subscripts(second.sides[2]):
-        return False  # a formula and its special case
-    return is_one_edit(first.sides[2], second.sides[2])
-
-
-def _without_subscripts(e: Expr) -> Expr:
-    """Return an expression with the bare letters in place of subscripted symbols."""
-    letters = {name: re.match(r"[A-Za-z]+", name) for name in symbols(e)}
-    return substitute(e, {name: symbol(m[0]) for name, m in letters.items() if m is not None})
 
 
 _SKIPPED = re.compile(r"[\s&{}]|\\(?:left|right|,|;|:|!|quad|qquad|nonumber|notag|label\{[^}]*\})")
