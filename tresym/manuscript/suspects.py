@@ -72,13 +72,6 @@ _TOLD = re.compile(
     re.IGNORECASE,
 )
 """Words that claim that the display behind them holds for all values."""
-_ANEW = re.compile(
-    r"\b(?:now|instead|redefin\w+|new|another|other|replac\w+|becom\w+|alternativ\w+|else|second"
-    r"|case|cases|chang\w+|example|consider|let|set|put|suppose|take|choos\w+|if|when|for|similarly"
-    r"|again|next|also|with|where|right|left|above|below|inside|outside|upper|lower|other(?:wise)?)\b",
-    re.IGNORECASE,
-)
-"""Words that mark a second definition of a symbol as intended."""
 _SIGNED = re.compile(
     r"\b(?:positive|negative|non-?negative|integers?|natural|whole|acute|distances?|lengths?|radius"
     r"|quadrant|angles?|large|small|greater|less|between|least|most)\b|[<>]|\\[gl]e|\\in\b",
