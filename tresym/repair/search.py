@@ -125,7 +125,8 @@ def alternatives(
         if weaker and any(_before_order(one.claim) == head for one in found):
             continue  # a weaker comparison function than one already found
         tried += 1
-        verdict = _decided(candidate.text(more), left if hard else min(left, SHARE * seconds))
+        asked = _as_asked(candidate.text(more), text)
+        verdict = _decided(asked, left if hard else min(left, SHARE * seconds))
         if verdict:
             under = ", ".join(filter(None, (chained(claim.given), more)))
             if more:
@@ -157,6 +158,15 @@ def _parsed(text: str) -> Claim:
     terms = (links[0][0], *(link[2] for link in links))
     relations = tuple(link[1] for link in links)
     return Claim(terms, relations, tuple(parse_given(under)), read_path(end) if end else None)
+
+
+def _as_asked(candidate: str, text: str) -> str:
+    """Return a candidate with the region and the uniformity that the refuted claim asks for."""
+    if " uniformly" in text:
+        before, word, path = candidate.rpartition(" as ")
+        candidate = f"{before} uniformly{word}{path}"
+    _, word, on = text.partition(" on ")
+    return candidate + word + on
 
 
 def _decided(text: str, seconds: float) -> str:
