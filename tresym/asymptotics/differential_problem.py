@@ -7,11 +7,13 @@ of one function, with a factor that does not vanish.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import NamedTuple
 
 from tresym.reals.decisions.readable_witnesses import tidied
 from tresym.reals.decisions.statement import Statement, functions
 from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.operation_domains import operations
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
@@ -24,6 +26,7 @@ from tresym.reals.language.expression import (
     unknown,
 )
 from tresym.reals.language.formula import Compared
+from tresym.reals.language.paths import Path
 from tresym.reals.signs.interior import PROVING, is_zero
 from tresym.reals.signs.sign import sign
 
@@ -127,6 +130,7 @@ def problem_of(statement: Statement) -> Problem:
         if "[D]" in symbols(slope) or not elementary(e):
             raise OpenError(f"the equation {gap} == 0 is not linear in the highest derivative")
         if slope.op != "number" and sign(slope, statement.given, "!=") not in PROVING["!="]:
+            need_no_layer((1 / slope,), time, statement.path)
             raise OpenError(f"the factor {slope} of the highest derivative may vanish")
         solved = tidied(-substitute(e, {"[D]": ZERO}) / slope)
         for j in range(highest[name]):
@@ -159,6 +163,30 @@ def problem_of(statement: Statement) -> Problem:
     if len(points) > 2 or (len(points) == 1 and {v.variable for v in values} != set(right)):
         raise OpenError("the values must be given at one point, or at two")
     return Problem(time, right, tuple(values), state)
+
+
+def need_no_layer(rights: Iterable[Expr], time: str, path: Path | None) -> None:
+    """Require that nothing is divided by 0 where a small parameter has its limit.
+
+    In e*y'' + y' + y == 0 the highest derivative drops out as e -> 0, so that the solution changes
+    fast in a thin layer.
+
+    Raises:
+        OpenError: something is.
+    """
+    if path is None or path.point is None or path.name in ("", time):
+        return
+    for node in operations(rights):
+        if node.op != "^" or path.name not in symbols(node.args[0]):
+            continue
+        base, exponent = node.args
+        if exponent.op != "number" or exponent.args[0] > 0:
+            continue
+        if is_zero(substitute(base, {path.name: path.point}), Given()):
+            raise OpenError(
+                f"a derivative has the factor {base}, which tends to 0 as {path}: boundary layers "
+                "(singular perturbations) are not supported yet"
+            )
 
 
 def symbols_of(statement: Statement) -> set[str]:

@@ -44,6 +44,7 @@ from tresym.asymptotics.differential_problem import (
     OpenError,
     Problem,
     domain_of,
+    need_no_layer,
     problem_of,
     residuals,
     symbols_of,
@@ -418,6 +419,7 @@ def _small_parameter(
         raise OpenError("the claim is not of the form y(t) == A, A + O(g) or A + o(g), y(t) -> L")
     if path.point is None or path.point.op != "number":
         raise OpenError("the small parameter must tend to a number")
+    need_no_layer(problem.right.values(), problem.time, path)
     if path.point != ZERO:
         put = partial(substitute, mapping={path.name: symbol(path.name) + path.point})
         problem = problem._replace(
