@@ -1,4 +1,4 @@
-"""Claims about sequences that linear recurrences determine, for every n and as n -> oo."""
+"""Claims about sequences that recurrences determine: linear ones, and divide and conquer."""
 
 from __future__ import annotations
 
@@ -15,17 +15,18 @@ from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.expression import number, substitute, symbol
 from tresym.reals.numbers.arithmetic import ball_precision
 
-DATA = Path(__file__).parent.parent / "data" / "asymptotics" / "linear_recurrences.txt"
+DATA = Path(__file__).parent.parent / "data" / "asymptotics"
+FILES = ("linear_recurrences.txt", "divide_and_conquer.txt")
 KINDS = {"HOLDS": ("PROVED", "ENCLOSED"), "FALSE": ("REFUTED",), "NONE": ("UNDECIDED",)}
 
 
 def _rows() -> list[tuple[str, str]]:
-    lines = (line.partition(" ") for line in DATA.read_text().splitlines())
+    lines = (x.partition(" ") for name in FILES for x in (DATA / name).read_text().splitlines())
     return [(kind, claim) for kind, _, claim in lines if kind in KINDS]
 
 
 @pytest.mark.parametrize(("kind", "claim"), _rows())
-def test_claims_about_linear_recurrences(kind: str, claim: str) -> None:
+def test_claims_about_recurrences(kind: str, claim: str) -> None:
     assert decide_claim(claim).verdict.value in KINDS[kind]
 
 

@@ -31,6 +31,7 @@ from typing import NamedTuple
 from flint import arb, fmpq
 
 from tresym.asymptotics.approximation import Approximation, approximated, size
+from tresym.asymptotics.divide_and_conquer import decide_divided
 from tresym.asymptotics.lemma import Bound, End, Expansion, Obligations
 from tresym.asymptotics.lemma_claims import decide_with_expansions
 from tresym.asymptotics.linear_recurrences import LINEAR, UNSUPPORTED_ROOTS, Solved, solved
@@ -132,6 +133,9 @@ def _decide(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
     assert path is not None
     if path.point is not None or path.sides != (1,) or claim.derivatives:
         raise _OpenError("claims about a sequence are supported as n -> oo, without derivatives")
+    divided = decide_divided(claim, statement, decided)
+    if divided is not None:
+        return divided
     higher = solved(statement, path.name)
     if higher is not None and len(higher.coefficients) > 1:
         return _of_higher_order(claim, statement, higher, decided)

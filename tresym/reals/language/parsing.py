@@ -95,16 +95,18 @@ def parse(text: str) -> Expr:
 def sequences_of(text: str) -> frozenset[str]:
     """Return the names for which conditions state a recurrence, as a in ``a(n + 1) == sin(a(n))``.
 
-    The recurrence may also lead to a(n), as in ``T(n) == 2*T(n - 1) + 1``.
+    The recurrence may also lead to a(n), as in ``T(n) == 2*T(n - 1) + 1`` and
+    ``T(n) == 2*T(n/2) + n``.
 
     Any name that is not a known function may denote a sequence.
     """
     up = {(match[1], match[2], "") for match in _RECURRENCE.finditer(text)}
-    down = {(match[1], match[2], r"-\s*[1-9]\s*") for match in _RECURRENCE_DOWN.finditer(text)}
+    less = r"[-/]\s*[1-9]\d*\s*"
+    down = {(match[1], match[2], less) for match in _RECURRENCE_DOWN.finditer(text)}
     return frozenset(
         name
-        for name, n, less in up | down
-        if name not in KNOWN and re.search(rf"\b{name}\(\s*{n}\s*{less}\)", text)
+        for name, n, moved in up | down
+        if name not in KNOWN and re.search(rf"\b{name}\(\s*{n}\s*{moved}\)", text)
     )
 
 
