@@ -14,7 +14,12 @@ from tresym.reals.cross_check import STOPPED
 from tresym.reals.decisions.answer import Answer, Decide, exact_text, refuted, worst
 from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.decisions.equalities import decide_equality
-from tresym.reals.decisions.equations import among_integers, decide_under_equations
+from tresym.reals.decisions.equations import (
+    among_integers,
+    decide_under_equations,
+    decide_with_values,
+    has_values,
+)
 from tresym.reals.decisions.exceptional_values import decide_with_jumps, refuted_at_jumps
 from tresym.reals.decisions.identity import JUMP
 from tresym.reals.decisions.statement import Statement, functions, implied_integers
@@ -214,7 +219,8 @@ def _bounded(comparison: Comparison, statement: Statement) -> Answer:
     except InputError as error:
         why = f"an intermediate expression exceeds the size limit: {error}"
         return Answer(Verdict.UNDECIDED, why, cause=Cause.TOO_LARGE)
-    if answer.verdict is Verdict.UNDECIDED and _hides(comparison):
+    shown = not statement.equations  # which may have no solution
+    if answer.verdict is Verdict.UNDECIDED and shown and _hides(comparison):
         from tresym.reals.decisions.closed_values import decide_closed
 
         with stage("values of both sides"):
@@ -591,6 +597,11 @@ ORDER: tuple[tuple[Procedure, Callable[[_Parts], bool], str], ...] = (
         _implicit,
         lambda p: p.statement.implicit,
         "an equation with the variable of the path determines a root",
+    ),
+    (
+        decide_with_values,
+        lambda p: "root" in p.nodes and has_values(p.comparison, p.statement),
+        "balls enclose a root only where every parameter has its value",
     ),
     (_roots, lambda p: "root" in p.nodes, "a root becomes a variable under its equation"),
     (

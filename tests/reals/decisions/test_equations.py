@@ -11,6 +11,10 @@ from tresym.reals.verdict import Verdict
 
 HOLD = cases(__file__, "HOLD")
 NEAR_ONE = f"({10**40 - 1}/{10**40})"
+ROOT = (
+    "root(tanh(sqrt(a*b)*(pi + asin(sqrt(b/(a+b))*cos(x))))"
+    " - cos(x)/sqrt(1 + b/a*sin(x)**2), x, 0, pi/2)"
+)
 FAIL = [
     # 0 to the power 0, where no point was found before the signs of parts were asked
     f"y**2*x**0 + {NEAR_ONE}*x*y**0 != y**2*x**0 + {NEAR_ONE}*x*y**0 + 3 - y given x*y == 0",
@@ -45,6 +49,12 @@ FAIL = [
     "a + b + c >= 31/10 given a*b*c == 1, a > 0, b > 0, c > 0",
     "a + b + c >= 3 given a*b*c == 1",  # two of them negative
     "x + y <= 1 given x*y == 1/4",  # of one degree only where both are positive
+]
+FAIL += [
+    "root(y**2 - a, y, 0, oo) > 2 given a == 4",  # equal
+    "root(y**2 - a, y, 0, oo) == c given a == c**2",  # -c
+    "root(exp(y) + y - a, y, -1, 1) < -0.5672 given a == 0",  # -0.56714…
+    f"{ROOT} > 0.1150 given a == 1517/121, b == 55/874",  # 0.1149…
 ]
 OPEN = cases(__file__, "OPEN")
 

@@ -7,6 +7,9 @@
    which it is a solution; together the cases cover all points of the equation. The claim is decided
    in every case after substitution. Cases that are proved to be empty are left out. If all are
    empty, there is nothing to prove and the answer is UNDECIDED.
+3. *Without the equations.* What holds everywhere holds where they do, if they do anywhere. Newton's
+   method shows a point of ``tanh(x*y) == cos(x) + exp(y)*sin(x + y)``, so that x² + 1 > 0 there.
+   What fails without the equations may well hold under them.
 """
 
 from __future__ import annotations
@@ -68,8 +71,77 @@ def decide_under_equations(claim: Comparison, statement: Statement, decided: Dec
             return answer
     if is_contradictory(statement):
         return NO_POINT
-    statement = _speaking(claim, statement)
-    return _as_consequence(claim, statement, decided) or _by_elimination(claim, statement, decided)
+    inside = _speaking(claim, statement)
+    found = _as_consequence(claim, inside, decided) or _by_elimination(claim, inside, decided)
+    if found.verdict is not Verdict.UNDECIDED or found == NO_POINT:
+        return found
+    return _without_equations(claim, statement, decided) or found
+
+
+def decide_with_values(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
+    """Decide a claim after putting in the value that an equation gives to a variable."""
+    for pair in statement.equations:
+        answer = _without_variables(claim, statement, pair, decided)
+        if answer is not None:  # 1 == 2 is left of x == 1, x == 2
+            return answer
+    for pair in statement.equations:
+        known = _value(pair, statement)
+        if known is not None:
+            name, value = known
+            case = Case(value, (), ())
+            return _by_cases(claim, _without(statement, pair), name, [case], decided)
+    return Answer(Verdict.UNDECIDED, "no condition has the form x == …")
+
+
+def has_values(claim: Comparison, statement: Statement) -> bool:
+    """Return whether an equation gives the value of a variable, or is about numbers alone.
+
+    Derivatives are left alone: they are about the points around the value, too.
+    """
+    if statement.path is not None or claim.derivatives:
+        return False
+    return any(
+        _value(pair, statement) is not None or not symbols(pair[0]) | symbols(pair[1])
+        for pair in statement.equations
+    )
+
+
+def _value(pair: tuple[Expr, Expr], statement: Statement) -> tuple[str, Expr] | None:
+    """The variable that an equation ``x == …`` gives the value of, and the value; or None."""
+    for left, right in (pair, pair[::-1]):
+        name = left.args[0] if left.op == "symbol" else None
+        if name is None or name in symbols(right) or not elementary(right):
+            continue
+        if name not in statement.integers or is_whole(right, statement.integers):
+            return name, right
+    return None
+
+
+def _without_equations(claim: Comparison, statement: Statement, decided: Decide) -> Answer | None:
+    """A proof that needs none of the equations, if a point is shown to satisfy them; or None."""
+    sides = claim.left, claim.right
+    if statement.path is not None or statement.integers or claim.derivatives:
+        return None
+    zero, _ = _known(statement)
+    if any(e.hidden for e in (*sides, *statement.said, *zero)):
+        return None
+    names = sorted(frozenset().union(*map(symbols, sides)))
+    given = statement.given & Given(tuple(bound(*part) for part in needs((*sides, *zero))))
+    at = next(points_on(zero, given, names), None)
+    if at is None:
+        return None
+    with ball_precision():
+        left, right = (evaluate(side, at) for side in sides)
+    if not (left.is_finite() and right.is_finite()) or stands(
+        left - right, NEGATED[claim.relation]
+    ):
+        return None
+    answer = decided(claim, replace(statement, equations=()))
+    if not answer:
+        return None
+    near = ", ".join(f"{name} = {at[name].str(6, radius=False)}" for name in sorted(at))
+    why = f"without the equations: {answer.why}; they are satisfied at a point near {near}"
+    return replace(answer, why=why, region=None)
 
 
 def _without_variables(

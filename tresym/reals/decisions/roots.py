@@ -90,7 +90,8 @@ def decide_roots(claim: Comparison, statement: Statement, decided: Decide) -> An
                     "a root of an equation that contains an integral, a sum or another root is "
                     "supported only in claims without variables",
                 )
-    if not (symbols(claim.left) | symbols(claim.right)) - {INFINITY.args[0]}:
+    free = (symbols(claim.left) | symbols(claim.right)) - {INFINITY.args[0]}
+    if not free and not statement.equations:  # which may have no solution
         result = _constants(claim, {})
         if result is not None:
             return result
