@@ -96,3 +96,23 @@ def test_a_page_without_display_does_not_lose_the_others(
     assert main(["paper", names[0], names[1], "--suspect-ok"]) != 2
     assert main(["paper", *names]) == 2
     assert "2 displays" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("formula", "status"),
+    [
+        (r"0.999\ldots < 1", "UNREAD"),
+        (r"0.999\ldots = 1", "UNREAD"),
+        (r"1 = 0.999\cdots", "UNREAD"),
+        (r"\cos 0 = 0.999\ldots", "UNREAD"),
+        (r"\frac{3334}{10000} = 0.333\ldots", "UNREAD"),
+        (r"a = 0.999\dots", "UNREAD"),
+        (r"\pi > 3.14\ldots", "UNREAD"),
+        (r"\pi = 3.14159\ldots", "ENCLOSED"),
+        (r"\pi = 3.14160\ldots", "REFUTED"),
+        (r"1.4142\ldots = \sqrt{2}", "ENCLOSED"),
+        (r"\sum_{n=1}^{\infty} \frac{1}{n^2} = 1.6449\ldots", "ENCLOSED"),
+    ],
+)
+def test_digits_that_go_on_are_no_exact_number(formula: str, status: str, tmp_path: Path) -> None:
+    assert statuses(tmp_path, rf"We have \[ {formula}. \]") == [status]

@@ -16,6 +16,7 @@ from itertools import pairwise
 from typing import TypeAlias
 
 from tresym.manuscript import prose
+from tresym.manuscript.accusations import NO_VARIABLES
 from tresym.manuscript.classification import (
     ASSUMED,
     DEFINED,
@@ -38,7 +39,9 @@ from tresym.manuscript.symbols import mentions
 from tresym.manuscript.terms import (
     as_derivatives,
     base_of,
+    first_digits,
     is_plain,
+    is_rational,
     plain,
     unknown_in,
     variables_of_integrals,
@@ -266,7 +269,7 @@ class _Reading(LinkReader):
         self.memory.partial = "\\partial" in said.tokens
         by = variables_of_integrals(said.tokens)
         self.memory.by = by.pop() if len(by) == 1 else ""
-        pieces = [self.piece(term, said) for term in said.terms]
+        pieces = self.pieces(said)
         strange = [self.strange(said, n, blank.display.line) for n in range(len(said.ops))]
         doubts = [piece for piece in pieces if isinstance(piece, TwoReadings)]
         if doubts == pieces[:1] and self.defines_function(said, pieces):
@@ -300,6 +303,22 @@ class _Reading(LinkReader):
                 link = replace(link, claims=(*link.claims, *told))
             self.note_equation(link, said, blank.display.line)
             yield link
+
+    def pieces(self, said: Said) -> list[Piece | str]:
+        """Return the terms of a chain as expressions, or the reasons why they cannot be read.
+
+        A decimal with dots, as in ``\\pi = 3.14\\ldots``, gives the first digits of the constant
+        that it equals. Of a fraction it would be the value, of a variable a definition, and in a
+        bound an end: there it is refused.
+        """
+        found = [self.piece(term, said) for term in said.terms]
+        result = list(found)
+        for n, term in enumerate(said.terms):
+            beside = [found[k] for k in (n - 1, n + 1) if 0 <= k < len(found)]
+            equal = {RELATIONS.get(op) for op in said.ops[max(n - 1, 0) : n + 1]} <= {"==", "~"}
+            if (digits := first_digits(term)) and equal and all(map(_is_constant, beside)):
+                result[n] = self.piece(digits, said)
+        return result
 
     def defines_function(self, said: Said, pieces: Sequence[Piece | str]) -> bool:
         """Whether a chain begins as ``f(x) = ...`` with x on the right: f is a function there."""
@@ -469,3 +488,10 @@ def _is_condition(said: Said, before: Said, others: Sequence[Said]) -> bool:
             return False
     bars = any("|" in term[0] for term in said.terms if term)
     return short or bars or all(map(is_plain, said.terms[::2]))
+
+
+def _is_constant(side: Piece | str) -> bool:
+    """Whether a side is a number that is not written as a fraction."""
+    if not isinstance(side, Piece) or symbols(side.tree) - NO_VARIABLES:
+        return False
+    return not is_rational(side.tree)

@@ -14,10 +14,12 @@ from tresym.reals.language.latex_author import Author
 from tresym.reals.language.latex_cursor import Cursor, is_letter
 from tresym.reals.language.latex_grammar import read_arguments, read_sum
 from tresym.reals.language.latex_operands import Piece
+from tresym.reals.language.latex_tokens import ELLIPSIS
 from tresym.reals.numbers.exact import InputError
 
 _DERIVED = re.compile(r"(?:d|partial)\d?([A-Za-z]\w*?)_(?:d|partial)[A-Za-z]\w*|(\w+?)_prime\d?")
 _COUNTED = frozenset("123456789")
+_STOPS = (",", ".", ";", ":")
 _UNITS = frozenset(("\\mathrm", "\\text", "\\textrm", "\\rm", "\\unit"))
 
 
@@ -92,7 +94,7 @@ def read_term(tokens: Sequence[str], author: Author) -> Piece:
         InputError: it cannot be read.
     """
     tokens = _digits_joined(list(tokens))
-    while tokens and tokens[-1] in (",", ".", ";", ":"):
+    while tokens and tokens[-1] in _STOPS:
         tokens.pop()
     cursor = Cursor(tokens, author)
     try:
@@ -166,16 +168,38 @@ def variables_of_integrals(tokens: Sequence[str]) -> set[str]:
     return {b.removeprefix("\\") for a, b in pairwise(tokens) if a == "d" and "\\int" in tokens}
 
 
+def first_digits(tokens: Sequence[str]) -> Sequence[str]:
+    """Return the digits of ``2.718\\ldots`` without the dots; nothing of another term.
+
+    After nines there is nothing either: 0.99... is 1, whose digits are others.
+    """
+    bare = list(tokens)
+    while bare and bare[-1] in _STOPS:
+        bare.pop()
+    body = _digits_joined(bare[:-1])
+    digits = body[-1] if len(body) == 1 + (body[:1] == ["-"]) else ""
+    lone = bare[-1:] == [ELLIPSIS] and "." in digits and digits.replace(".", "").isdigit()
+    return body if lone and not digits.endswith("99") else ()
+
+
+def is_rational(tree: Expr) -> bool:
+    """Whether a number is written with rational numbers, the four operations and whole powers."""
+    if tree.op in ("+", "*"):
+        return all(map(is_rational, tree.args))
+    if tree.op == "^":
+        base, exponent = tree.args
+        return is_rational(base) and exponent.op == "number" and exponent.args[0].q == 1
+    return tree.op == "number"
+
+
 def _digits_joined(tokens: list[str]) -> list[str]:
-    """Join groups of digits, ``2.71828 18284 59045 \\ldots``, to one decimal."""
+    """Join groups of digits, ``2.71828 18284 59045``, to one decimal."""
     result: list[str] = []
     for n, token in enumerate(tokens):
         grouped = result and "." in result[-1] and result[-1][0].isdigit() and token.isdigit()
         places = len(result[-1].partition(".")[2]) if grouped else 1
         if grouped and (places % 5 == 0 or places % 3 == 0) and tokens[n - 1][-1:].isdigit():
             result[-1] += token
-        elif token == "\\ldots" and result and "." in result[-1] and n == len(tokens) - 1:
-            continue
         else:
             result.append(token)
     return result

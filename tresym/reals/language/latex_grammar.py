@@ -85,6 +85,7 @@ from tresym.reals.language.latex_tokens import (
     ELLIPSIS,
     EXTREMES,
     FUNCTIONS,
+    GOES_ON,
     OF_GREEK,
     RELATIONS,
     STOPS,
@@ -345,7 +346,10 @@ def read_base(cursor: Cursor) -> Piece:
             cursor.refuse("the order and the argument of this function are missing")
         return value
     if re.fullmatch(r"\d.*|\.\d+", token):
-        return decimal(cursor.take())
+        value = decimal(cursor.take())
+        if "." in token and cursor.peek() == ELLIPSIS:
+            cursor.refuse(GOES_ON)
+        return value
     if is_letter(token) or token in ("\\pi", "\\partial") or token.isalpha():
         return read_name(cursor)
     if not token:

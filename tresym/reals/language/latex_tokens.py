@@ -84,6 +84,8 @@ CONDITION = "\\conditionfor"
 _CONDITIONS = frozenset(("for", "for all", "if", "when", "whenever", "as", "given", "provided"))
 
 ELLIPSIS = "\\ldots"
+GOES_ON = "digits that go on are not read: write the limit or a fraction"
+"""Why a decimal with dots behind its digits, as ``0.999\\ldots``, is refused."""
 _SAME = dict.fromkeys(("\\cdots", "\\dots", "\\dotsb", "\\dotsc"), ELLIPSIS)
 _SAME |= {"\\forall": CONDITION, "\\lbrace": "\\{", "\\rbrace": "\\}", "\\vert": "|"} | {
     "\\lvert": "\\left|",
