@@ -94,3 +94,37 @@ def test_regions_without_points_are_refused(conditions: str) -> None:
 
 def test_the_strategy_is_one_of_hypothesis() -> None:
     assert isinstance(points("x > 0"), st.SearchStrategy)
+
+
+def test_an_expression_without_values_passes_nothing() -> None:
+    with pytest.raises(tresym.InputError, match="no proved value"):
+        assert_close(lambda x: 0.0, "log(x)", "-2 < x, x < -1", examples=20)
+
+
+def test_integer_variables_are_integers() -> None:
+    seen: list[int] = []
+
+    def power(n: int, x: float) -> float:
+        assert isinstance(n, int)
+        seen.append(n)
+        return math.pow(x, n)
+
+    assert_close(power, "x**n", "n integer, 2 <= n <= 9, 1/2 < x < 1", rtol=1e-14, examples=40)
+    assert set(seen) <= set(range(2, 10))
+    assert len(set(seen)) > 3
+    assert find(points("n integer"), lambda point: True)["n"].denominator == 1
+    with pytest.raises(AssertionError, match="n="):
+        assert_close(lambda n: n * n + 1, "n**2", "n integer, n > 3", examples=20)
+    for empty in ("n integer, 1/3 < n < 2/3", "n integer, 0 < n < 1"):
+        with pytest.raises(tresym.InputError, match="no "):
+            assert_close(lambda n: n, "n", empty, examples=20)
+
+
+def test_functions_without_keywords_are_called_by_position() -> None:
+    assert_close(math.sin, "sin(x)", "0 < x <= 1", rtol=1e-15, examples=40)
+    assert_close(math.sin, "sin(t)", "0 < t <= 1", rtol=1e-15, examples=40)
+    assert_close(math.atan2, "atan(y/x)", "x > 0, 0 < y <= 5", rtol=1e-14, examples=40)
+    with pytest.raises(AssertionError, match="relative error"):
+        assert_close(math.cos, "sin(x)", "0 < x <= 1", examples=40)
+    with pytest.raises(AssertionError, match="relative error"):
+        assert_close(math.atan2, "atan(x/y)", "x > 1, 0 < y <= 1", examples=40)

@@ -17,6 +17,7 @@ Needs hypothesis: ``pip install hypothesis``.
 
 from __future__ import annotations
 
+import inspect
 import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
@@ -33,6 +34,7 @@ from tresym.reals.domain.evaluation import UndefinedError
 from tresym.reals.domain.operation_domains import singularities
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.expression import Expr, symbols
+from tresym.reals.language.parsing import condition, parse_given
 from tresym.reals.notebook import html_table, in_one_line
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError, Interval
@@ -49,6 +51,8 @@ NEAREST = 50
 """Points lie as near to an edge or a singular set as 2 to the power of minus this."""
 FARTHEST = 30
 """Points of an unbounded range lie as far out as 2 to this power."""
+MOST_INTEGER = 1000
+"""Integer variables are drawn up to this distance from an end of their range, or from 0."""
 STEPS = 200
 WORST = 5
 """The number of worst points that a report shows."""
@@ -63,7 +67,7 @@ def points(
     """Return a Hypothesis strategy for exact points that satisfy conditions.
 
     Args:
-        given: the conditions, such as ``"a > 0, 0 < b <= 1, a + b < 3"``.
+        given: the conditions, such as ``"a > 0, 0 < b <= 1, a + b < 3"`` or ``"n integer, n > 2"``.
         names: further variables, which are unbounded.
         near: an expression; points near the sets where it is singular are drawn as well.
 
@@ -81,21 +85,28 @@ def points(
     """
     from hypothesis import strategies as st
 
-    region = Given.parse(given) if isinstance(given, str) else given
+    region, integers = _region(given)
     e = None if near is None else read(near)
     free = symbols(e) if e is not None else frozenset()
-    wanted = sorted(region.names | set(names) | free)
+    wanted = sorted(region.names | integers | set(names) | free)
     if region.satisfying_point(wanted) is None:
         raise InputError(f"no point satisfies {region}")
+    ranges = {name: region.box.get(name, Interval()) for name in wanted}
+    within = {name: _whole(ranges[name], name) for name in integers}
     singular = [] if e is None or not elementary(e) else [part for part, _ in singularities(e)]
-    singular = [part for part in singular if symbols(part)]
+    singular = [part for part in singular if symbols(part) - integers]
 
     @st.composite
     def drawn(draw: DrawFn) -> Point:
-        point = {name: draw(_coordinate(region.box.get(name, Interval()))) for name in wanted}
+        point = {
+            name: Fraction(draw(st.integers(*within[name])))
+            if name in integers
+            else draw(_coordinate(ranges[name]))
+            for name in wanted
+        }
         if singular and draw(st.integers(0, 3)) == 3:
             part = draw(st.sampled_from(singular))
-            name = draw(st.sampled_from(sorted(symbols(part))))
+            name = draw(st.sampled_from(sorted(symbols(part) - integers)))
             zero = _zero(part, name, point, region.box.get(name, Interval()))
             if zero is not None:
                 side = draw(st.sampled_from((1, -1)))
@@ -104,6 +115,32 @@ def points(
         return point
 
     return drawn().filter(lambda point: _holds(region, point))
+
+
+def _region(given: str | Given) -> tuple[Given, frozenset[str]]:
+    """Return the conditions without those of the form ``n integer``, and the integer variables."""
+    if isinstance(given, Given):
+        return given, frozenset()
+    parts = parse_given(given)
+    integers = frozenset(left.args[0] for left, relation, _ in parts if relation == "in")
+    return Given(tuple(condition(*part) for part in parts if part[1] != "in")), integers
+
+
+def _whole(where: Interval, name: str) -> tuple[int, int]:
+    """Return the least and the greatest integer that are drawn from a range.
+
+    Raises:
+        InputError: the range contains no integer.
+    """
+    low = None if where.low is None else int(where.low.ceil())
+    high = None if where.high is None else int(where.high.floor())
+    if low is None:
+        low = -MOST_INTEGER if high is None else min(-MOST_INTEGER, high - MOST_INTEGER)
+    if high is None:
+        high = max(MOST_INTEGER, low + MOST_INTEGER)
+    if low > high:
+        raise InputError(f"no integer {name} lies in the range that the conditions leave")
+    return low, high
 
 
 def _coordinate(where: Interval) -> SearchStrategy[Fraction]:
@@ -181,9 +218,11 @@ def assert_close(
     """Fail if a function differs from an expression somewhere on a region.
 
     Args:
-        function: called with the variables of the expression as keywords, in double precision.
+        function: called with the variables of the expression as keywords, in double precision;
+            integer variables are passed as integers. A function without keywords, such as
+            ``math.sin``, is called by position if it has one variable or names its parameters.
         expression: the exact expression; it may contain integrals, roots and series.
-        given: the region.
+        given: the region; ``n integer`` may be a condition.
         rtol: the largest relative error allowed.
         atol: the largest absolute error allowed besides.
         examples: the number of points.
@@ -191,7 +230,8 @@ def assert_close(
     Raises:
         AssertionError: it differs; the message names the simplest point that Hypothesis found, the
             value there, the true value and the error.
-        InputError: something cannot be read.
+        InputError: something cannot be read, or the expression has a proved value at no point, so
+            that nothing was compared.
 
     Example:
         >>> import math
@@ -204,11 +244,14 @@ def assert_close(
     import hypothesis
 
     e = read(expression)
+    compared = 0
 
     def checked(point: Point) -> None:
+        nonlocal compared
         found = _compared(function, e, given, point)
         if found is None:
             return
+        compared += 1
         x, true, at = found
         with ball_precision(PRECISIONS[-1]):
             error = abs(_exact(x) - true) if math.isfinite(x) else arb("inf")
@@ -235,23 +278,54 @@ def assert_close(
         test()
     except _MissError as miss:
         raise AssertionError(str(miss)) from None
+    except hypothesis.errors.Unsatisfiable:
+        raise InputError(f"no point was found that satisfies {given}") from None
+    if not compared:
+        raise InputError(f"{e} has no proved value at any point of {given or 'its domain'}")
 
 
 def _compared(
     function: Function, e: Expr, given: str, point: Point
 ) -> tuple[float, arb, dict[str, float]] | None:
     """Return the value of a function, the true one and the numbers it received."""
-    at = {name: float(x) for name, x in point.items() if name in symbols(e)}
+    region, integers = _region(given)
+    at: dict[str, float] = {
+        name: int(x) if name in integers else float(x)
+        for name, x in point.items()
+        if name in symbols(e)
+    }
     received = {name: Fraction(x) for name, x in at.items()}
-    if not _holds(Given.parse(given), {**point, **received}):
+    if not _holds(region, {**point, **received}):
         return None  # rounding has left the region
     true = true_value(e, received)
     if true is None:
         return None
     try:
-        return float(function(**at)), true, at
+        return float(_called(function, at)), true, at
     except ArithmeticError:
         return math.nan, true, at
+
+
+def _called(function: Function, at: dict[str, float]) -> Any:
+    """Return the value of a function, called with keywords or, where it takes none, by position.
+
+    Raises:
+        InputError: it takes no keywords, and the order of its parameters cannot be known.
+    """
+    try:
+        parameters = list(inspect.signature(function).parameters.values())
+    except (TypeError, ValueError):  # written in C, without a description of its parameters
+        parameters = []
+    named = {p.name for p in parameters if p.kind in (p.POSITIONAL_OR_KEYWORD, p.KEYWORD_ONLY)}
+    fixed = [p.name for p in parameters if p.kind is p.POSITIONAL_ONLY]
+    if len(at) == 1 and not at.keys() <= named and (named or fixed or not parameters):
+        return function(*at.values())
+    if set(fixed) & at.keys():
+        first = [at[name] for name in fixed if name in at]
+        return function(*first, **{name: x for name, x in at.items() if name not in fixed})
+    if not parameters:
+        raise InputError("the order of the function's parameters is unknown; wrap it in a lambda")
+    return function(**at)
 
 
 def true_value(e: Expr, at: Mapping[str, Fraction]) -> arb | None:
