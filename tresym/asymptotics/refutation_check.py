@@ -20,9 +20,9 @@ from tresym.asymptotics.numerical_evidence import Ray, fails, oscillating
 from tresym.reals.cross_check import program
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.readable_witnesses import MOST_TRIED, SIMPLE, constants_hold
-from tresym.reals.decisions.statement import Statement
+from tresym.reals.decisions.statement import Statement, functions
 from tresym.reals.domain.evaluation import evaluate
-from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.calls import FACTORIAL, INFINITY
 from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.expression import Expr, number, substitute, symbols
 from tresym.reals.language.parsing import parse
@@ -44,6 +44,8 @@ def checked(answer: Answer, claim: Comparison, statement: Statement) -> Answer:
     reduced = statement.implicit or statement.premises or statement.recurrences
     if reduced or statement.has_initial_values or path.together:
         return answer  # the explicit claim to which it was reduced was confirmed itself
+    if any(arbitrary(claim)):
+        return answer  # the explicit claim for a polynomial in place of f was confirmed itself
     if answer.uniform is False:
         return answer  # it fails uniformly in the parameters, by the limit of the ratio
     names = parameters(claim, statement)
@@ -61,6 +63,12 @@ def checked(answer: Answer, claim: Comparison, statement: Statement) -> Answer:
         why = "the values found could not be shown to satisfy the conditions"
     why = f"a refutation was found ({answer.why}), but {why}"
     return replace(answer, verdict=Verdict.UNDECIDED, why=why, witness=None, values=None)
+
+
+def arbitrary(claim: Comparison) -> Iterator[str]:
+    """Yield the names of the functions that are left unknown, other than n!."""
+    called = (f.args[0].args[0] for e in (claim.left, claim.right) for f in functions(e))
+    return (name for name in called if name != FACTORIAL)
 
 
 def parameters(claim: Comparison, statement: Statement) -> list[str]:

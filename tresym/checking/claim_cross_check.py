@@ -10,7 +10,7 @@ from itertools import islice
 from flint import arb
 
 from tresym.asymptotics.numerical_evidence import Ray, contradicts
-from tresym.asymptotics.refutation_check import parameters
+from tresym.asymptotics.refutation_check import arbitrary, parameters
 from tresym.checking.original_values import against, has_numbers
 from tresym.checking.solution_check import contradiction as against_solution
 from tresym.reals.cross_check import (
@@ -73,6 +73,10 @@ def attack(
         anywhere: whether bases of powers need not be positive where an exponent is a variable.
     """
     functions, derivatives = comparison.differentiated, comparison.derivatives
+    reduced = statement.premises or statement.recurrences or statement.implicit
+    reduced = reduced or statement.has_initial_values
+    if statement.path is not None and not reduced and any(arbitrary(comparison)):
+        return None  # the explicit claim for an exponential function was attacked itself
     if statement.path is not None and has_numbers(comparison.left, comparison.right):
         return _attack_original(comparison, statement, statement.path, answer)
     if any(map(is_infinite, outermost(comparison.left, comparison.right))):

@@ -342,6 +342,12 @@ class _Parts(NamedTuple):
         return self.statement.path is not None and known and bool(hidden)
 
     @property
+    def is_scheme(self) -> bool:
+        """Return whether an order of arbitrary functions along a path is claimed."""
+        known = self.nodes <= {"unknown", "integral"} and FACTORIAL not in self.unknown
+        return self.statement.path is not None and bool(self.unknown) and known
+
+    @property
     def gammas(self) -> bool:
         """Return whether factorials, and special functions or integrals, are all that is open."""
         if self.unknown != {FACTORIAL} or not self.nodes <= {"unknown", "integral"}:
@@ -425,6 +431,12 @@ def _premises(*claim: Any) -> Answer:
     from tresym.asymptotics.premises import decide_under_premises
 
     return decide_under_premises(*claim)
+
+
+def _schemes(*claim: Any) -> Answer:
+    from tresym.asymptotics.schemes import decide_scheme
+
+    return decide_scheme(*claim)
 
 
 def _recurrences(*claim: Any) -> Answer:
@@ -602,6 +614,11 @@ ORDER: tuple[tuple[Procedure, Callable[[_Parts], bool], str], ...] = (
         decide_with_values,
         lambda p: "root" in p.nodes and has_values(p.comparison, p.statement),
         "balls enclose a root only where every parameter has its value",
+    ),
+    (
+        _schemes,
+        lambda p: p.is_scheme,
+        "differences and quadratures of functions left unknown have Taylor expansions",
     ),
     (_roots, lambda p: "root" in p.nodes, "a root becomes a variable under its equation"),
     (

@@ -1,0 +1,31 @@
+"""Orders of differences and quadratures for every smooth f: lists, leading errors and refusals."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import tresym
+
+LIST = Path(__file__).parent.parent / "data" / "asymptotics" / "schemes.txt"
+VERDICTS = {"true": "PROVED", "false": "REFUTED", "open": "UNDECIDED"}
+LINES = [line for line in LIST.read_text().splitlines() if not line.startswith("#")]
+
+
+@pytest.mark.parametrize("line", LINES)
+def test_scheme(line: str) -> None:
+    truth, claim = line.split(maxsplit=1)
+    assert tresym.check(claim).verdict.value == VERDICTS[truth]
+
+
+def test_leading_error_and_true_order() -> None:
+    simpson = "integral(f(t), t, x, x+h) == h/6*(f(x) + 4*f(x+h/2) + f(x+h)) + O(h**{}) as h -> 0"
+    assert "-h**5*diff(f(x), x, 4)/2880" in tresym.check(simpson.format(5)).why
+    assert "the true order is h**5" in tresym.check(simpson.format(6)).why
+
+
+@pytest.mark.parametrize("given", ["x > 0", "f(x) == 0", "diff(f(x), x) == f(x)"])
+def test_conditions_are_not_dropped(given: str) -> None:
+    found = tresym.check("f(x+h) == f(x) + O(h**2) as h -> 0", given=given)
+    assert found.verdict.value == "UNDECIDED"
