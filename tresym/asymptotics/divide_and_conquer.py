@@ -115,7 +115,10 @@ def decide_divided(claim: Comparison, statement: Statement, decided: Decide) -> 
         )
     explicit = replace(claim, left=scale)
     answer = decided(explicit, replace(statement, equations=(), integers=()))
-    why = f"{whole} = Theta({scale}) for {n} = {number(k)}*{number(ratio)}**m: {answer.why}"
+    # The constant of the scale is none of the claim.
+    compared = f"{scale} is {claim.relation}({claim.right})" if answer else answer.why
+    powers = f"{number(ratio)}**m" if k == 1 else f"{number(k)}*{number(ratio)}**m"
+    why = f"{whole} = Theta({scale}) for {n} = {powers}: {compared}"
     return replace(answer, why=why, lemma=LEMMA, region=None, constant=None)
 
 
