@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 import os
 import signal
 import threading
@@ -235,7 +236,11 @@ class Processes(ThreadPoolExecutor):
 
 
 def end_with_parent(parent: int) -> None:
-    """End this process soon after its parent, which nobody can tell it if that was killed."""
+    """End this process soon after its parent, which nobody can tell it if that was killed.
+
+    The timer is stopped at exit: an interpreter that shuts down resets its handlers, and the next
+    signal would then kill a process that has done its work.
+    """
 
     def look(*_: object) -> None:
         if os.getppid() != parent:
@@ -244,6 +249,7 @@ def end_with_parent(parent: int) -> None:
     if hasattr(signal, "setitimer"):
         signal.signal(signal.SIGALRM, look)
         signal.setitimer(signal.ITIMER_REAL, ORPHAN, ORPHAN)
+        atexit.register(signal.setitimer, signal.ITIMER_REAL, 0)
 
 
 _COUNTS_TIME = hasattr(signal, "setitimer")
