@@ -25,7 +25,7 @@ EXPECTED = {
     "open": (Verdict.UNDECIDED,),
 }
 SLOW = frozenset((DATA / "slow.txt").read_text().splitlines())
-"""Claims that take more than a second each; the others are decided in every run."""
+"""Claims that take more than 0.6 seconds each; the others are decided in every run."""
 
 
 def _marked(rows: list[list[str]]) -> list[Any]:

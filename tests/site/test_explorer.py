@@ -183,9 +183,9 @@ def test_the_page_asks_for_nothing_that_is_not_beside_it() -> None:
 
 @needs_browser
 @pytest.mark.slow
-def test_sixty_typed_levels_agree_with_the_certified_defect(open_page: Open) -> None:
+def test_thirty_typed_levels_agree_with_the_certified_defect(open_page: Open) -> None:
     page = open_page()
-    for start in starts(60):
+    for start in starts(30):
         type_in(page, *start)
         assert_close(number(page, "defect"), *start)
     assert page.inner_text("#message") == ""
