@@ -57,7 +57,7 @@ def verdicts(tasks: list[Task], limit: float) -> list[tuple[str, object]]:
     ]
 
 
-@pytest.mark.slow
+@pytest.mark.night
 def test_a_loaded_machine_gives_the_same_verdicts() -> None:
     """With a limit on wall time the slower claims are stopped beside the busy processes."""
     tasks = [*map(Task, SLOW), *sample(10)]

@@ -582,7 +582,7 @@ def test_a_choice_can_be_sent_as_an_address(open_page: Open) -> None:
 
 
 @needs_browser
-@pytest.mark.slow
+@pytest.mark.night
 def test_pictures_and_words_can_be_kept(open_page: Open) -> None:
     page = open_page("#body=str&gamma=0.001", accept_downloads=True)
     for name in PICTURES:

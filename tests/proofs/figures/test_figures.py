@@ -181,7 +181,7 @@ def test_the_words_of_a_narrow_picture_stand_within_it_and_apart(name, monkeypat
     assert style._apart(boxes, drawn[0].bbox)
 
 
-@pytest.mark.slow
+@pytest.mark.night
 def test_a_strip_of_a_column_has_letters_of_a_caption():
     from tresym.report.figures import style
 
@@ -625,7 +625,7 @@ def test_a_body_of_ones_own_flips_exactly_in_its_animation():
         racket_flip.data((1e-6, 1e-6))
 
 
-@pytest.mark.slow
+@pytest.mark.night
 def test_the_animation_as_a_picture_that_moves_and_as_a_strip(tmp_path):
     image = pytest.importorskip("PIL.Image")
     paths = [tmp_path / "flip.gif", tmp_path / "strip.png"]

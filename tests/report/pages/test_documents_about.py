@@ -83,7 +83,7 @@ def test_a_document_without_figures_names_the_commands_that_draw_them() -> None:
     assert without_figures(text) == r"As in \texttt{tresym figure shape-map}, so."
 
 
-@pytest.mark.slow
+@pytest.mark.night
 @pytest.mark.usefixtures("pdflatex")
 def test_the_ledger_is_a_document_or_an_appendix(report: Report, tmp_path: Path) -> None:
     beside = ledger_document.ledger_document(report)
@@ -111,7 +111,7 @@ def test_the_slides_have_figures(report: Report) -> None:
     assert "{{" not in text
 
 
-@pytest.mark.slow
+@pytest.mark.night
 def test_the_cells_of_the_notebook_compute_the_numbers_of_its_text(report: Report) -> None:
     pytest.importorskip("matplotlib")
     book = json.loads(documents.written(report, "jupyter"))
@@ -220,7 +220,7 @@ def test_options_that_do_not_fit_together_are_refused(capsys: pytest.CaptureFixt
         assert err.count("\n") == 1
 
 
-@pytest.mark.slow
+@pytest.mark.night
 def test_slides_are_written_with_their_figures_and_no_file_of_the_user_is_replaced(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
