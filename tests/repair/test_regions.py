@@ -1,10 +1,27 @@
-"""Suggestions for orders with a region."""
+"""Natural conditions: the widest on which a claim is seen to hold comes first."""
 
-import tresym
+import pytest
+from cases import cases
+
+from tresym.reals.language.parsing import parse_claim
+from tresym.repair.regions import holding
+from tresym.repair.samples import sampled
 
 
-def test_a_suggestion_holds_on_the_region_that_is_asked_for() -> None:
-    claim = "exp(x) == 1 + O(x**2*(1-x)) as x -> 0+ on 0 < x <= %s"
-    near, far = ([one.claim for one in tresym.check(claim % end).instead] for end in ("1/2", "2"))
-    assert any("1 - x" in one for one in near)
-    assert not any("1 - x" in one for one in far)  # the comparison function vanishes at x = 1
+@pytest.mark.parametrize(
+    ("claim", "first"),
+    cases(__file__, "the_widest_region_comes_first"),
+)
+def test_the_widest_region_comes_first(claim: str, first: str) -> None:
+    links = parse_claim(claim)
+    names = ["x", "y"] if "y" in claim else ["x"]
+    points = sampled(names, [], 70)
+    assert points is not None
+    assert holding(links, points, [])[0] == first
+
+
+def test_what_holds_nowhere_or_everywhere_has_no_region() -> None:
+    points = sampled(["x"], [], 70)
+    assert points is not None
+    for claim in ("sin(x) == 2", "x == x"):
+        assert holding(parse_claim(claim), points, []) == []
