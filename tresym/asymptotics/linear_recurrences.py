@@ -266,11 +266,10 @@ def decide_every_value(claim: Comparison, statement: Statement, decided: Decide)
     given = statement.given
     if not all(_is_lower_bound(link, n) for link in given.comparisons):
         return None
-    low = given.box[n].low
+    least = given.box[n].first_integer()
     sequence = solved(statement, n)
-    if sequence is None or low is None or {m.args[0] for m in nodes} != {sequence.name}:
+    if sequence is None or least is None or {m.args[0] for m in nodes} != {sequence.name}:
         return None
-    least = -int(-low.p // low.q) + (given.box[n].low_open and low.q == 1)
     places = {node: _place(node, n) for node in nodes}
     shifts = [k for node, k in places.items() if k is not None and n in symbols(node.args[1])]
     fixed = [k for node, k in places.items() if k is not None and n not in symbols(node.args[1])]

@@ -60,12 +60,9 @@ def decide_as_reals(comparison: Comparison, statement: Statement, decided: Decid
     changed = [with_gamma(e) for e in trees]
     if any(e.hidden for e in changed):
         return None
-    box, first = statement.given.box, []
-    for name in statement.integers:
-        low = box[name].low if name in box else None
-        if low is not None:
-            least = low.floor() + 1 if box[name].low_open else low.ceil()
-            first.append((symbol(name), ">=", number(least)))
+    box = statement.given.box
+    least = {name: box[name].first_integer() for name in statement.integers if name in box}
+    first = ((symbol(n), ">=", number(low)) for n, low in least.items() if low is not None)
     real = replace(statement, integers=(), given=statement.given & Given(tuple(first)))
     # A power of a negative number has a value at integer exponents alone, and would be left out.
     for node in operations(changed):

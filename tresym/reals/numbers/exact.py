@@ -214,6 +214,17 @@ class Interval(NamedTuple):
             self.high is None or x < self.high or (x == self.high and not self.high_open)
         )
 
+    def first_integer(self) -> int | None:
+        """Return the least integer that the lower end allows; None if there is no lower end.
+
+        Example:
+            >>> Interval(fmpq(3, 2)).first_integer(), Interval(fmpq(2), None, True).first_integer()
+            (2, 3)
+        """
+        if self.low is None:
+            return None
+        return int(self.low.floor()) + 1 if self.low_open else int(self.low.ceil())
+
     def simplest(self) -> fmpq:
         """Return the rational of least denominator in a nonempty interval (Stern–Brocot tree).
 
@@ -227,7 +238,7 @@ class Interval(NamedTuple):
         if low is None or low < 0:
             above = Interval(-high, None if low is None else -low, high_open, low_open)
             return -above.simplest()
-        whole = fmpq(low.floor() + 1 if low_open else low.ceil())
+        whole = fmpq(self.first_integer())
         if self.holds(whole):
             return whole
         base = whole - 1
