@@ -490,12 +490,14 @@ def _gamma_forms(*claim: Any) -> Answer:
 
 
 def _integer_variables(*claim: Any) -> Answer:
-    from tresym.asymptotics.linear_recurrences import decide_every_value
     from tresym.reals.decisions.integer_variables import decide_whole
 
-    found = decide_every_value(*claim)
-    if found is not None:
-        return found
+    if claim[1].equations:
+        from tresym.asymptotics.linear_recurrences import decide_every_value
+
+        found = decide_every_value(*claim)
+        if found is not None:
+            return found
     return _for_every_argument(decide_whole(*claim), claim[1])
 
 

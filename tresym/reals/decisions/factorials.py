@@ -80,16 +80,18 @@ def decide_factorials(claim: Comparison, statement: Statement, decided: Decide) 
         return answer
     if not proved:
         return Answer(Verdict.UNDECIDED, "the claim could not be proved at any small integers")
-    if len(nodes) == 1 and any(map(_is_transcendental, sides)):
-        answer = decide_as_reals(claim, statement, decided)
-        if answer is not None:
-            return answer
+    alone = len(nodes) == 1 and any(map(_is_transcendental, sides))  # nothing would cancel
+    as_reals = decide_as_reals(claim, statement, decided) if alone else None
+    if as_reals is not None:
+        return as_reals
     known, positive = _by_least(list(nodes), statement.given)
     left, right = (replaced(side, known) for side in sides)
     given = statement.given & Given(tuple(positive))
     answer = decided(Comparison(left, claim.relation, right), replace(statement, given=given))
-    if not answer and (other := decide_as_reals(claim, statement, decided)) is not None:
-        return other
+    if not answer and not alone:
+        as_reals = decide_as_reals(claim, statement, decided)
+        if as_reals is not None:
+            return as_reals
     if answer.verdict is Verdict.REFUTED:
         meant = ", ".join(f"{node} = {value}" for node, value in known.items())
         return Answer(
