@@ -77,9 +77,14 @@ def inverted(claim: str) -> str:
     return re.sub(r"(?<![\w.])x(?!\w)", "(1/s)", body) + " as s -> 0+"
 
 
-SPELLINGS: tuple[Callable[[str], str], ...] = (
-    *(renamed, exchanged, moved, gammas, by_definition, inverted),
-)
+SPELLINGS: list[Callable[[str], str]] = [
+    renamed,
+    exchanged,
+    moved,
+    gammas,
+    by_definition,
+    inverted,
+]
 TWINS = (
     ("exp(x)*E1(x) ~ 1/x*(1 - 1/(2*x)) as x -> oo", "exp(x)*E1(x) ~ 1/x - 1/(2*x**2) as x -> oo"),
     (

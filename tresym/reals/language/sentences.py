@@ -39,32 +39,13 @@ _QUANTIFIERS = frozenset(("all", "every", "any", "each"))
 _FILLING = _QUANTIFIERS | {"that", "a", "an", "is", "are", "be"}
 _UNKNOWN = frozenset(
     (
-        *(
-            "some",
-            "exists",
-            "even",
-            "odd",
-            "prime",
-            "greater",
-            "less",
-            "larger",
-            "smaller",
-            "above",
-        ),
-        *(
-            "below",
-            "between",
-            "near",
-            "small",
-            "large",
-            "rational",
-            "irrational",
-            "complex",
-            "most",
-        ),
-        *("almost", "except", "outside", "other", "exceeding", "sufficiently", "finite", "no"),
+        *("some", "exists", "no", "even", "odd", "prime", "greater", "less"),
+        *("larger", "smaller", "above", "below", "between", "near", "small", "large"),
+        *("rational", "irrational", "complex", "most", "almost", "except", "outside", "other"),
+        *("exceeding", "sufficiently", "finite"),
     )
 )
+"""Words that change what a condition says, and are refused."""
 _NAME = re.compile(r"\(*[A-Za-z]\w*\)*")
 _UNDERSTOOD = frozenset((*FUNCTIONS, *RESERVED, *GREEK, *_KINDS, *_INTEGERS, *_REALS, *_NATURAL))
 _SIMPLE = re.compile(
