@@ -1,10 +1,15 @@
 """An answer gives what its claim asks for: a region, every point, every word of a condition."""
 
+from pathlib import Path
+
 import pytest
 
 import tresym
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Cause, Verdict
+
+LINES = (Path(__file__).parents[1] / "data" / "promises.txt").read_text(encoding="utf-8")
+PROMISES = [line.split(" | ", 1) for line in LINES.splitlines() if not line.startswith("#")]
 
 
 def test_a_constant_on_the_region_is_found_where_there_is_one() -> None:
@@ -102,3 +107,16 @@ def test_a_true_claim_beyond_the_methods_is_left_open(claim: str) -> None:
     answer = tresym.check(claim)
     assert answer.verdict is not Verdict.REFUTED
     assert answer.cause is not Cause.FAILED
+
+
+def _found(claim: str) -> str:
+    try:
+        verdict = tresym.check(claim).verdict
+    except InputError:
+        return "refused"
+    return "holds" if verdict.holds else {Verdict.REFUTED: "refuted"}.get(verdict, "open")
+
+
+@pytest.mark.parametrize(("expected", "claim"), PROMISES)
+def test_what_an_answer_promises(expected: str, claim: str) -> None:
+    assert _found(claim) == expected

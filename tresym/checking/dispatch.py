@@ -91,6 +91,10 @@ def decide_claim(claim: Any, given: Any = "", path: str | None = None) -> Answer
         read_as=statement.read_as,
         seconds=time.perf_counter() - start,
     )
+    if answer.verdict is Verdict.REFUTED:
+        from tresym.checking.euler_constant import with_euler_constant
+
+        answer = with_euler_constant(answer, statement, decide_claim)
     return as_typed(answer) if statement.has_initial_values else answer
 
 
@@ -219,8 +223,7 @@ def _bounded(comparison: Comparison, statement: Statement) -> Answer:
     except InputError as error:
         why = f"an intermediate expression exceeds the size limit: {error}"
         return Answer(Verdict.UNDECIDED, why, cause=Cause.TOO_LARGE)
-    shown = not statement.equations  # which may have no solution
-    if answer.verdict is Verdict.UNDECIDED and shown and _hides(comparison):
+    if answer.verdict is Verdict.UNDECIDED and _hides(comparison):
         from tresym.reals.decisions.closed_values import decide_closed
 
         with stage("values of both sides"):

@@ -13,6 +13,7 @@ from typing import Any
 from flint import arb
 
 from tresym.reals.decisions.answer import Answer, refuted
+from tresym.reals.decisions.equations import point_of
 from tresym.reals.decisions.root_values import enclosed_root
 from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.binder_values import enclosing
@@ -76,6 +77,8 @@ def decide_closed(claim: Comparison, statement: Statement) -> Answer | None:
         or any(side.op in ORDERS for side in sides)
         or (symbols(claim.left) | symbols(claim.right)) - {INFINITY.args[0]}
     ):
+        return None
+    if statement.equations and point_of(statement) is None:  # they may have no solution
         return None
     for precision in PRECISIONS:
         with ball_precision(precision):

@@ -14,11 +14,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from functools import partial
-from itertools import islice
 from typing import Any
+
+from flint import arb
 
 from tresym.reals.decisions.answer import Answer, Decide, exact_text, worst
 from tresym.reals.decisions.equation_solutions import Case, solved
@@ -120,14 +121,9 @@ def _value(pair: tuple[Expr, Expr], statement: Statement) -> tuple[str, Expr] | 
 def _without_equations(claim: Comparison, statement: Statement, decided: Decide) -> Answer | None:
     """A proof that needs none of the equations, if a point is shown to satisfy them; or None."""
     sides = claim.left, claim.right
-    if statement.path is not None or statement.integers or claim.derivatives:
+    if statement.path is not None or claim.derivatives or any(side.hidden for side in sides):
         return None
-    zero, _ = _known(statement)
-    if any(e.hidden for e in (*sides, *statement.said, *zero)):
-        return None
-    names = sorted(frozenset().union(*map(symbols, sides)))
-    given = statement.given & Given(tuple(bound(*part) for part in needs((*sides, *zero))))
-    at = next(points_on(zero, given, names), None)
+    at = point_of(statement, sides)
     if at is None:
         return None
     with ball_precision():
@@ -142,6 +138,29 @@ def _without_equations(claim: Comparison, statement: Statement, decided: Decide)
     near = ", ".join(f"{name} = {at[name].str(6, radius=False)}" for name in sorted(at))
     why = f"without the equations: {answer.why}; they are satisfied at a point near {near}"
     return replace(answer, why=why, region=None)
+
+
+def point_of(statement: Statement, trees: Iterable[Expr] = ()) -> dict[str, arb] | None:
+    """Return balls around a point that is shown to satisfy all conditions; None if none is.
+
+    Args:
+        statement: its conditions, equations among them.
+        trees: expressions without hidden parts that have a value there, too.
+
+    Example:
+        >>> from tresym.reals.decisions.claim_parsing import read
+        >>> sorted(point_of(read("x > 0", "x**5 - x == 3")))
+        ['x']
+        >>> point_of(read("x > 0", "x == 1, x == 2")) is None
+        True
+    """
+    zero, _ = _known(statement)
+    real = (*trees, *zero)
+    if statement.integers or any(e.hidden for e in (*real, *statement.said)):
+        return None
+    names = sorted(frozenset().union(*map(symbols, trees)))
+    given = statement.given & Given(tuple(bound(*part) for part in needs(real)))
+    return next(points_on(zero, given, names), None)
 
 
 def _without_variables(
@@ -216,10 +235,8 @@ def _with_a_point(
     sides = claim.left, claim.right
     if any(side.hidden for side in sides):
         return None
-    zero, _ = _known(statement)
-    names = sorted(frozenset().union(*map(symbols, sides)))
-    given = statement.given & Given(tuple(bound(*part) for part in needs((*sides, *zero))))
-    for at in () if statement.integers else islice(points_on(zero, given, names), 1):
+    at = point_of(statement, sides)
+    if at is not None:
         with ball_precision():
             left, right = (evaluate(side, at) for side in sides)
         if left.is_finite() and right.is_finite():

@@ -17,6 +17,7 @@ from itertools import islice
 from flint import arb, fmpq
 
 from tresym.reals.decisions.answer import Answer, Decide, refuted
+from tresym.reals.decisions.equations import point_of
 from tresym.reals.decisions.root_values import between, enclosed, slope_sign
 from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.conditions import Given
@@ -91,7 +92,8 @@ def decide_roots(claim: Comparison, statement: Statement, decided: Decide) -> An
                     "supported only in claims without variables",
                 )
     free = (symbols(claim.left) | symbols(claim.right)) - {INFINITY.args[0]}
-    if not free and not statement.equations:  # which may have no solution
+    # Equations may have no solution.
+    if not free and (not statement.equations or point_of(statement) is not None):
         result = _constants(claim, {})
         if result is not None:
             return result
