@@ -20,6 +20,7 @@ WITHIN = (
     "\n{\\bf Example} Let $w = x^2$.\n\n{\\bf Remark} %s",
     "\n\\emph{Case 1:} Let $w = x^2$.\n\n\\emph{Case 2:} %s",
     "\nCase 1. Let $w = x^2$.\n\nCase 2. %s",
+    "In the first example let $w = x^2$.\nThe second example is simpler. %s",
     r"\begin{enumerate} \item Let $w = x^2$. \item %s \end{enumerate}",
     r"\begin{itemize} \item Let $w = x^2$. \end{itemize} %s",
     r"\begin{proof} \begin{enumerate} \item a \item Let $w = x^2$. \end{proof} %s",
@@ -44,6 +45,7 @@ BEYOND = (
     r"\begin{enumerate} \item Let $w = x^2$. %s \end{enumerate}",
     r"\begin{definition} Let $w = x^2$. \end{definition} %s",
     r"Let $w = x^3$. With $w = x^2$, we have \[ w^2 = x^4 \]",
+    "In our next example let $w = x^2$. As in the first example, %s",
     "Problem solved: let $w = x^2$.\n\nCases differ. %s",
 )
 

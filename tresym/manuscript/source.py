@@ -66,6 +66,9 @@ _MARKS = re.compile(
         (?P<heading>(?i:example|exercise|problem|question|solution|answer|theorem|lemma|proposition
           |corollary|proof|definition|remark|case))(?![a-zA-Z])
         (?(styled)(?=[^\n]{0,60}[}.:]|\s*\{)|(?=\s*\(?[\d.ivxIVX]{0,5}\)?[.:]))
+      | (?:\A|(?<=[.:;!?}\n]))\s*(?P<spoken>(?!(?i:as\s+in|like|recall))(?:[A-Za-z]+,?\s+){0,4}?(?i:
+          (?:the|our|my|an?|this)\s+(?:first|second|third|fourth|fifth|sixth|next|last|final|new
+          |further|different|other)|another|one\s+more)\s+(?:[a-z]+\s+)?(?i:example)(?![a-z]))
       | (?P<command>\\(?:[a-zA-Z]+|.))
       | (?P<inline>\$)""",
     re.VERBOSE | re.DOTALL,
@@ -226,7 +229,7 @@ class _Scanner:
                 yield display
             elif scope := self.scope(mark):
                 yield self.prose(prose, mark.start())
-                prose = at
+                prose = mark.start("spoken") if mark["spoken"] else at
                 yield scope
             elif mark["end"] in DISPLAYS:
                 self.fail(mark.start(), f"\\end{{{mark['end']}}} closes nothing")
@@ -238,6 +241,8 @@ class _Scanner:
         """Return the scope that opens or ends at a mark, if one does."""
         if mark["item"]:
             return Scope(True, ITEM, ITEM)
+        if mark["spoken"]:
+            return Scope(True, EXAMPLE, "heading")
         if word := mark["heading"]:
             kind = self.kind_of(word.lower())
             return Scope(bool(kind), kind, "heading")

@@ -10,7 +10,7 @@ term.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from math import factorial
 
@@ -61,20 +61,67 @@ def meant(terms: Sequence[Expr]) -> Expr:
 
 
 def _finite(before: list[Expr], last: Expr) -> list[Expr]:
-    """Return the terms before the sum, and the sum whose general term is ``last``."""
+    """Return the terms before the sum, and the sum whose general term is ``last``.
+
+    Two readings may fit the terms shown, as 1 + 1/2 + ... + 1/2**n may have all powers of 1/2 or
+    all reciprocals between: then none is chosen.
+    """
+    fits = [fit for way in _indices(last) if (fit := _fitting(before, *way)) is not None]
+    first = min((first for first, _ in fits), default=0)
+    found = {whole for n, whole in fits if n == first}
+    if len(found) != 1:
+        raise InputError(_UNSEEN)
+    (whole,) = found
+    return [*before[:first], whole]
+
+
+def _indices(last: Expr) -> Iterator[tuple[Expr, Expr, str]]:
+    """Yield what may count the terms up to a last one, which is then its value there: n, or a
+    multiple or a power such as 2*n, n**2 and 2**n; with the general term, and its index."""
+    k = fresh("k", symbols(last))
     for n in sorted(symbols(last)):
+        yield symbol(n), substitute(last, {n: symbol(k)}), k
+        for node in dict.fromkeys(_multiples(last, n)):
+            turned = node.op == "^" and _falls(node.args[1])
+            body = _replaced(last, node, 1 / symbol(k) if turned else symbol(k))
+            if n not in symbols(body):
+                yield 1 / node if turned else node, body, k
+
+
+def _multiples(e: Expr, n: str) -> Iterator[Expr]:
+    """Yield the parts of an expression that are a multiple or a power of n, or a power to n."""
+    if e.op in LEAVES:
+        return
+    if e.op in ("*", "^") and symbols(e) == {n}:
+        known, other = (e.args[0], e.args[-1]) if e.op == "*" else e.args
+        if known.op == "number" or (e.op == "^" and other.op == "number" and other != MINUS_ONE):
+            yield e
+    for arg in e.args:
+        yield from _multiples(arg, n)
+
+
+def _falls(exponent: Expr) -> bool:
+    """Whether an exponent is negative, or a negative multiple."""
+    factor = exponent.args[0] if exponent.op == "*" else exponent
+    return factor.op == "number" and factor.args[0] < 0
+
+
+def _replaced(e: Expr, part: Expr, by: Expr) -> Expr:
+    if e == part:
+        return by
+    return e if e.op in LEAVES else rebuild(e, tuple(_replaced(arg, part, by) for arg in e.args))
+
+
+def _fitting(before: list[Expr], index: Expr, body: Expr, k: str) -> tuple[int, Expr] | None:
+    """Return the sum of a general term up to an index that begins with the most of the terms
+    shown, at least ``SEEN``, and the number of terms before it; None if there is none."""
+    shown = [_folded(term) for term in before]
+    for count in range(len(before), SEEN - 1, -1):
         for start in range(FIRST):
-            for count in range(len(before), SEEN - 1, -1):
-                shown = before[len(before) - count :]
-                if all(
-                    _folded(substitute(last, {n: number(start + i)})) == _folded(term)
-                    for i, term in enumerate(shown)
-                ):
-                    k = fresh("k", symbols(last))
-                    body = substitute(last, {n: symbol(k)})
-                    whole = total("sum", body, k, number(start), symbol(n))
-                    return [*before[: len(before) - count], whole]
-    raise InputError(_UNSEEN)
+            terms = (substitute(body, {k: number(start + i)}) for i in range(count))
+            if all(_folded(term) == one for term, one in zip(terms, shown[-count:], strict=True)):
+                return len(before) - count, total("sum", body, k, number(start), index)
+    return None
 
 
 def _folded(e: Expr) -> Expr:
