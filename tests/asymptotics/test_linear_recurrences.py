@@ -14,19 +14,25 @@ from tresym.checking.dispatch import decide_claim
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.expression import number, substitute, symbol
 from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import InputError
 
 DATA = Path(__file__).parent.parent / "data" / "asymptotics"
-FILES = ("linear_recurrences.txt", "divide_and_conquer.txt")
+FILES = ("linear_recurrences.txt", "divide_and_conquer.txt", "rounding.txt")
 KINDS = {"HOLDS": ("PROVED", "ENCLOSED"), "FALSE": ("REFUTED",), "NONE": ("UNDECIDED",)}
+REFUSED = "REFUSED"
 
 
 def _rows() -> list[tuple[str, str]]:
     lines = (x.partition(" ") for name in FILES for x in (DATA / name).read_text().splitlines())
-    return [(kind, claim) for kind, _, claim in lines if kind in KINDS]
+    return [(kind, claim) for kind, _, claim in lines if kind in (*KINDS, REFUSED)]
 
 
 @pytest.mark.parametrize(("kind", "claim"), _rows())
 def test_claims_about_recurrences(kind: str, claim: str) -> None:
+    if kind == REFUSED:
+        with pytest.raises(InputError):
+            decide_claim(claim)
+        return
     assert decide_claim(claim).verdict.value in KINDS[kind]
 
 

@@ -22,6 +22,7 @@ from tresym.reals.decisions.equations import (
 )
 from tresym.reals.decisions.exceptional_values import decide_with_jumps, refuted_at_jumps
 from tresym.reals.decisions.identity import JUMP
+from tresym.reals.decisions.rounding import of_residues, residues, without_rounding
 from tresym.reals.decisions.statement import Statement, functions, implied_integers
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
@@ -69,6 +70,10 @@ def decide_claim(claim: Any, given: Any = "", path: str | None = None) -> Answer
     start = time.perf_counter()
     with collecting_seldom(SELDOM):
         statement = claim if isinstance(claim, Statement) else read(claim, given, path)
+        cases = residues(statement)
+        if cases is not None:
+            return _of_residues(statement, *cases)
+        statement = without_rounding(statement)
         parts = [part for c in statement.comparisons for part in _asserted(c, statement)]
         answers = [_everywhere(comparison, statement) for comparison in parts]
     answer = worst(answers)
@@ -96,6 +101,17 @@ def decide_claim(claim: Any, given: Any = "", path: str | None = None) -> Answer
 
         answer = with_euler_constant(answer, statement, decide_claim)
     return as_typed(answer) if statement.has_initial_values else answer
+
+
+def _of_residues(statement: Statement, n: str, m: str, cases: list[Statement]) -> Answer:
+    """Decide a statement with floors of fractions of an integer n, by the residues of n."""
+    found = of_residues(n, m, list(map(decide_claim, cases)))
+    return replace(
+        found,
+        statement=_short(statement.text),
+        given=_short(statement.under),
+        read_as=statement.read_as,
+    )
 
 
 def as_typed(answer: Answer) -> Answer:

@@ -56,12 +56,16 @@ KNOWN = FUNCTIONS.union(
     SPECIAL_NAMES,
 )
 """The names of functions."""
-UNKNOWN = re.compile(r"(?:[fghuvwyzFGHUVW]|phi|psi|theta|Phi|Psi)(?:_?\d)?|fn_\w+|factorial")
-"""The names of arbitrary functions, and ``factorial``.
+UNKNOWN = re.compile(
+    r"(?:[fghuvwyzFGHUVW]|phi|psi|theta|Phi|Psi)(?:_?\d)?|fn_\w+|factorial|floor|ceiling"
+)
+"""The names of arbitrary functions, and ``factorial``, ``floor`` and ``ceiling``.
 
 The reader of manuscripts writes an arbitrary function of another name with the prefix ``fn_``.
 """
 FACTORIAL = "factorial"
+ROUNDED = ("floor", "ceiling")
+"""Functions with jumps, which stand as nodes of their own until they are integer variables."""
 INFINITY = symbol("oo")
 """Infinity is not a number; it is allowed only as the end of a path or interval, or as a limit."""
 INFINITE = {
@@ -105,7 +109,9 @@ def call(name: str, values: list[Expr]) -> Expr:
         return apply("log", values[0]) / apply("log", values[1])
     if name in _FOLDED and len(values) > 1:
         return extreme(_FOLDED[name], values)
-    if name == FACTORIAL and len(values) == 1:
+    if name == "ceil":
+        name = "ceiling"
+    if name in (FACTORIAL, *ROUNDED) and len(values) == 1:
         return unknown(name, tuple(values))
     if given == 1 and (bessel := re.fullmatch(r"([JYIK])_?(\d+)", name)):
         return apply(f"bessel{bessel[1].lower()}", number(int(bessel[2])), values[0])

@@ -96,18 +96,19 @@ def sequences_of(text: str) -> frozenset[str]:
     """Return the names for which conditions state a recurrence, as a in ``a(n + 1) == sin(a(n))``.
 
     The recurrence may also lead to a(n), as in ``T(n) == 2*T(n - 1) + 1`` and
-    ``T(n) == 2*T(n/2) + n``.
+    ``T(n) == T(floor(n/2)) + T(ceiling(n/2)) + n``.
 
     Any name that is not a known function may denote a sequence.
     """
-    up = {(match[1], match[2], "") for match in _RECURRENCE.finditer(text)}
-    less = r"[-/]\s*[1-9]\d*\s*"
-    down = {(match[1], match[2], less) for match in _RECURRENCE_DOWN.finditer(text)}
-    return frozenset(
-        name
-        for name, n, moved in up | down
-        if name not in KNOWN and re.search(rf"\b{name}\(\s*{n}\s*{moved}\)", text)
-    )
+    up = {(match[1], match[2]) for match in _RECURRENCE.finditer(text)}
+    found = {name for name, n in up if re.search(rf"\b{name}\(\s*{n}\s*\)", text)}
+    down = list(_RECURRENCE_DOWN.finditer(text))
+    for match, end in zip(down, (*(m.start() for m in down[1:]), len(text)), strict=False):
+        said = re.split(r",\s*[A-Za-z]\w*\s*\([^,()]*\)\s*=", text[match.end() : end])[0]
+        name, n = match.groups()
+        if re.search(rf"(?<![A-Za-z_]){name}\(\s*(?!{n}\s*\))(?=[^=,]*\b{n}\b)", said):
+            found.add(name)
+    return frozenset(found - KNOWN)
 
 
 def as_written(text: str, sequences: frozenset[str] = frozenset()) -> Expr:

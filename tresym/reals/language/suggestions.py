@@ -10,7 +10,7 @@ MAX_TEXT = 300
 _OUTSIDE = frozenset(
     (
         *("conjugate", "re", "im"),
-        *("floor", "ceil", "ceiling", "mod"),
+        "mod",
     )
 )
 _FORMS = {
