@@ -17,7 +17,12 @@ from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 
 DATA = Path(__file__).parent.parent / "data" / "asymptotics"
-FILES = ("linear_recurrences.txt", "divide_and_conquer.txt", "rounding.txt")
+FILES = (
+    "linear_recurrences.txt",
+    "divide_and_conquer.txt",
+    "divided_arguments.txt",
+    "rounding.txt",
+)
 KINDS = {"HOLDS": ("PROVED", "ENCLOSED"), "FALSE": ("REFUTED",), "NONE": ("UNDECIDED",)}
 REFUSED = "REFUSED"
 

@@ -10,8 +10,7 @@ p = log a/log c the terms of the sum are about c^{(s−p)j} jᵗ, so that T = Θ
 * S = nᵖ logᵗ⁺¹ n for s = p and t > −1, nᵖ log log n for t = −1 and nᵖ for t < −1,
 * S = nˢ logᵗ n for s > p.
 
-T = O(h), o(h), ω(h) or Θ(h) holds if and only if the same is true of S. The ratio T/S need not
-tend to a limit for all n, so that T ~ h is left undecided.
+T = O(h), o(h), ω(h) or Θ(h) holds if and only if the same is true of S.
 
 Source: J. L. Bentley, D. Haken and J. B. Saxe, *SIGACT News* 12 (1980), 36–44.
 """
@@ -22,12 +21,12 @@ from dataclasses import replace
 
 from flint import fmpq
 
+from tresym.asymptotics.divided_arguments import powers_of
 from tresym.reals.decisions.answer import Answer, Decide
 from tresym.reals.decisions.readable_witnesses import tidied
 from tresym.reals.decisions.statement import Statement, functions
 from tresym.reals.domain.conditions import Given
 from tresym.reals.expansions.leading_terms import written_term
-from tresym.reals.expansions.limit_values import limit_of
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.derivatives import differentiate
@@ -46,7 +45,6 @@ from tresym.reals.language.expression import (
 )
 from tresym.reals.normal.to_expression import normal_form
 from tresym.reals.signs.definedness import continuous_on
-from tresym.reals.signs.interior import is_zero
 from tresym.reals.signs.sign import proof, sign
 from tresym.reals.verdict import Verdict
 
@@ -158,13 +156,10 @@ def _scale(a: fmpq, c: fmpq, g: Expr, n: Expr) -> Expr | None:
     first = written_term(g, str(n), None, 1, Given())
     if first is None:
         return None
-    s = _limit(differentiate(first[1], str(n)) * n / first[1], n)
-    if s is None:
+    powers = powers_of(first[1], n)
+    if powers is None:
         return None
-    beside = first[1] / power(n, number(s))
-    t = _limit(differentiate(beside, str(n)) * n * log / beside, n)
-    if t is None or not is_zero(beside - power(log, number(t)), Given(((n, ">", number(3)),))):
-        return None
+    s, t = powers
     gap = sign(number(a) - power(number(c), number(s)), Given())
     if gap == "+":
         return own
@@ -176,9 +171,3 @@ def _scale(a: fmpq, c: fmpq, g: Expr, n: Expr) -> Expr | None:
     if t == -1:
         return same * apply("log", log)
     return same if t < -1 else same * power(log, number(t + 1))
-
-
-def _limit(e: Expr, n: Expr) -> fmpq | None:
-    found = limit_of(e, str(n), None, 1, Given())
-    found = None if found is None else tidied(found)
-    return found.args[0] if found is not None and found.op == "number" else None

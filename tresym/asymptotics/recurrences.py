@@ -32,6 +32,7 @@ from flint import arb, fmpq
 
 from tresym.asymptotics.approximation import Approximation, approximated, size
 from tresym.asymptotics.divide_and_conquer import decide_divided
+from tresym.asymptotics.divided_arguments import decide_divided_arguments
 from tresym.asymptotics.lemma import Bound, End, Expansion, Obligations
 from tresym.asymptotics.lemma_claims import decide_with_expansions
 from tresym.asymptotics.linear_recurrences import LINEAR, UNSUPPORTED_ROOTS, Solved, solved
@@ -134,6 +135,10 @@ def _decide(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
     if path.point is not None or path.sides != (1,) or claim.derivatives:
         raise _OpenError("claims about a sequence are supported as n -> oo, without derivatives")
     divided = decide_divided(claim, statement, decided)
+    if divided is None or divided.verdict is Verdict.UNDECIDED:
+        other = decide_divided_arguments(claim, statement, decided)
+        if divided is None or (other is not None and other.verdict is not Verdict.UNDECIDED):
+            divided = other
     if divided is not None:
         return divided
     higher = solved(statement, path.name)
