@@ -59,6 +59,9 @@ def test_a_false_closed_form_or_expansion_is_refuted(text: str, tmp_path: Path) 
         (r"\[ \delta\int L\,dt = \int\delta L\,dt \]", "UNREAD"),
         (r"\[ \{u, w\} = uw - wu = 0 \]", "UNREAD"),
         (r"\[ uw - wu = 0 \]", "UNREAD"),
+        # what is integrated is in doubt; i is no index
+        (r"\[ \int_0^1 dx\, x + 1 = \frac32 \]", "UNREAD"),
+        (r"\[ \sum_{k=1}^n i k = \frac{i n(n+1)}{2} \]", "UNREAD"),
         # a value at a point is no product
         (r"The height obeys $\ddot{z} = -g$ with \[ z(0) = 0 \]", "EQUATION"),
         (r"The height obeys $\ddot{z} = -g$ with \[ \dot{z}(0) = v \]", "EQUATION"),

@@ -182,6 +182,8 @@ def claim(
     left, relation, right = compared
     try:
         known = memory.known(under)
+        if memory.partial:  # what is differentiated by is independent
+            known = {n: e for n, e in known.items() if n not in _by(left, right)}
         fixed = memory.uses.numbers | names_in(under.given)
         left = memory.under_binders(left, known, fixed)
         right = memory.under_binders(right, known, fixed)
@@ -301,6 +303,12 @@ def claim(
         link = replace(link, firm=False, unknown=True, otherwise=unread)
         return replace(link, obstacle=Obstacle.CONDITION)
     return replace(link, otherwise=undecided if keep and fallback[0] != DEFINED else fallback)
+
+
+def _by(*sides: Expr) -> set[str]:
+    """Return the variables by which the sides are differentiated."""
+    nodes = outermost(*sides)
+    return {x for node in nodes if node.op in ("derivative", "nth") for x in node.names}
 
 
 def _is_up_to(n: int, said: Said, known: Mapping[str, Expr]) -> bool:

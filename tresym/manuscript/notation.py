@@ -24,6 +24,12 @@ _CANCELLED = re.compile(r"\\(?:b|x)?cancel(?![a-zA-Z])")
 _WORDS = re.compile(r"\\mathit\s*\{\s*((?:[^{}~\\]*~[^{}\\]*)|(?:if|for|and|or|otherwise)\s*)\}")
 _ITALIC = re.compile(r"\\(?:mathit|mathnormal)\s*\{\s*([a-zA-Z])([a-zA-Z]*)\s*\}")
 _GREEK = re.compile(r"\\(?:mathit|mathnormal)\s*\{\s*(\\[a-zA-Z]+)\s*\}")
+_BRACED_DIFFERENTIAL = re.compile(
+    r"(?<![a-zA-Z\\}])(?<!frac)(?<!frac )(?:d|\\mathrm\s*\{\s*d\s*\})\s*\{\s*"
+    r"([a-zA-Z]|\\[a-zA-Z]+)\s*\}"
+)
+_UPPER_BEHIND = re.compile(r"(?<=\])\s*\^")
+_BOLD_NUMBER = re.compile(r"\\(?:boldsymbol|mathbf|bm)\s*\{\s*(-?[\d.]+)\s*\}")
 _POWER_FIRST = re.compile(
     r"(?<![a-zA-Z\\])([a-zA-Z]|\\[a-zA-Z]+)\s*\^\s*(\d|\{\s*\d+\s*\})\s*_\s*(\w|\{[^{}]*\})"
 )
@@ -94,6 +100,9 @@ def plain_notation(text: str) -> str:
         lambda m: f"{m[1]}{m[2] or m[4]}/{m[3] or m[5]}", _BRACED_HALF.sub(r"\1\2", text)
     )
     text = _POINT_NAMED.sub(r"(\1)", text)
+    text = _BRACED_DIFFERENTIAL.sub(r"\\mathrm{d} \1 ", text)
+    text = _BOLD_NUMBER.sub(r" \1 ", text)
+    text = _with_lower_end_first(text)
     text = _CANCELLED.sub(" ", text)
     text = _WORDS.sub(lambda m: rf"\text{{{m[1].replace('~', ' ')}}}", text)
     text = _ITALIC.sub(lambda m: f"{m[1]}_{{{m[2]}}}" if m[2] else f" {m[1]} ", text)
@@ -188,6 +197,23 @@ def _with_limits_in_order(text: str) -> str:
         except InputError:
             return text
         text = f"{text[: found.start()]}\\{found[1]}_{{{lower}}}^{{{upper}}}{text[end:]}"
+    return text
+
+
+def _with_lower_end_first(text: str) -> str:
+    r"""``[x^2]^1_0`` as ``[x^2]_0^1``."""
+    at = 0
+    while (found := _UPPER_BEHIND.search(text, at)) is not None:
+        at = found.end()
+        try:
+            upper, end = group(text, at)
+            below = re.match(r"\s*_", text[end:])
+            if below is None:
+                continue
+            lower, end = group(text, end + below.end())
+        except InputError:
+            return text
+        text = f"{text[: found.start()]}_{{{lower}}}^{{{upper}}}{text[end:]}"
     return text
 
 

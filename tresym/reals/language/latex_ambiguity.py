@@ -32,7 +32,8 @@ WORDS = sorted((*FUNCTIONS, "sqrt", *(g for g in GREEK if len(g) > 3)), key=len,
 def check_name(cursor: Cursor) -> None:
     """Refuse letters that are no variable of the author's."""
     token = cursor.peek()
-    if token in ("i", "j") and cursor.peek(1) != "_" and not cursor.counting:
+    counts = cursor.counting or token in cursor.indices or cursor.peek(1) == "_"
+    if token in ("i", "j") and not counts:
         cursor.refuse(INSTEAD["\\imath"])
     if token == "d" and is_letter(cursor.peek(1)):
         cursor.refuse(

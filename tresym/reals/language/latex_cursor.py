@@ -63,6 +63,7 @@ class Cursor:
         at: the next token.
         open_end: where the last operand without brackets ended.
         counting: inside the subscript of a term.
+        indices: the letters that the sums around bind, so that i is an index there.
         bar: where the limits of the last evaluation bar ended, and its variable.
     """
 
@@ -77,6 +78,7 @@ class Cursor:
         self.open_end = -1
         self.bar = -1, ""
         self.counting = False
+        self.indices: list[str] = []
 
     def peek(self, ahead: int = 0) -> str:
         """The next token, or one further on; empty at the end."""

@@ -135,15 +135,22 @@ def read_first_term(cursor: Cursor) -> Piece:
 def read_product(cursor: Cursor) -> Piece:
     """Factors side by side; a slash divides by one factor, and what follows it is refused."""
     factors, operators = [read_factor_or_differential(cursor)], [""]
-    while not (cursor.integrals and factors[-1] is None) and cursor.continues():
+    while (factors in ([None], [None, None]) or factors[-1]) and cursor.continues():
         read_next_factor(cursor, factors, operators)
-    if factors == [None] and cursor.integrals and cursor.continues():
-        cursor.refuse("what of this is integrated? Write the differential last,")
+    if factors[0] is None and len(factors) > 1:
+        check_integrand(cursor, factors)
     piece = joined(factors, operators)
     if cursor.at_bar() and cursor.bars == 0:
         cursor.at += 1
         piece = read_values_at(cursor, piece.tree)
     return piece
+
+
+def check_integrand(cursor: Cursor, factors: list[Piece | None]) -> None:
+    """Refuse ``\\int dx x + 1``, where it is in doubt what is integrated."""
+    more = cursor.peek() in ("+", "-") and cursor.peek(1) not in ("\\int", "C")
+    if None in factors[1:] or more:
+        cursor.refuse("what of this is integrated? Write the differential last,")
 
 
 def read_next_factor(cursor: Cursor, factors: list[Piece | None], operators: list[str]) -> None:
@@ -609,16 +616,21 @@ def read_total(cursor: Cursor) -> Piece:
     kind = COMMANDS[cursor.take()]
     cursor.take("_")
     cursor.take("{")
+    outer = cursor.indices
+    cursor.indices = [*outer, cursor.peek()]
     name = cursor.symbol()
+    cursor.indices = outer
     cursor.take("=")
     low = read_sum(cursor).tree
     cursor.take("}")
     cursor.take("^")
     high = read_script(cursor).tree
     bound = Range(name, (low, high))
+    cursor.indices = [*outer, name]
     factors, operators = [read_factor_or_differential(cursor)], [""]
     while factors[-1] is not None and cursor.continues():
         read_next_factor(cursor, factors, operators)
+    cursor.indices = outer
     piece, last = joined(factors, operators), factors[-1]
     if kind == "product" and len(factors) > 1 and last and name not in last.names:
         one = operated(kind, bound, joined(factors[:-1], operators[:-1]).tree)
