@@ -11,7 +11,7 @@ import pytest
 from hangs import HANGS
 
 from tresym import repair
-from tresym.checking import answer_cache, cache_folder, time_limited
+from tresym.checking import answer_cache, cache_folder, kept_rows, time_limited
 from tresym.checking.answer_cache import AnswerCache, cached_answers, clear_cache
 from tresym.checking.time_limited import Task, check_all
 from tresym.commands import main
@@ -54,7 +54,7 @@ def test_only_what_changed_is_decided_again() -> None:
 
 
 def test_undecided_is_found_again_for_the_same_limit_alone() -> None:
-    cache = AnswerCache(Path(str(answer_cache.cache_file())))
+    cache = AnswerCache(Path(str(kept_rows.cache_file())))
     for verdict, known in ((Verdict.UNDECIDED, False), (Verdict.PROVED, True)):
         cache.put("x == y", "", None, 1.0, Answer(verdict, "why"))
         assert cache.get("x == y", "", None, 1.0) == Answer(verdict, "why")
@@ -65,7 +65,7 @@ def test_undecided_is_found_again_for_the_same_limit_alone() -> None:
 
 @pytest.mark.parametrize("cause", [cause for cause in Cause if cause.of_the_run])
 def test_what_depends_on_the_run_is_not_stored(cause: Cause) -> None:
-    cache = AnswerCache(Path(str(answer_cache.cache_file())))
+    cache = AnswerCache(Path(str(kept_rows.cache_file())))
     cache.put("x == y", "", None, 1.0, Answer(Verdict.UNDECIDED, "why", cause=cause))
     assert cache.get("x == y", "", None, 1.0) is None
     cache.close()
@@ -185,8 +185,8 @@ def test_a_cache_that_is_only_readable_is_read(folder: Path) -> None:
     file = folder / "answers.sqlite"
     file.chmod(0o400)
     cache = AnswerCache(file)
-    cache._forget()
-    cache._recover(sqlite3.OperationalError("attempt to write a readonly database"))
+    cache.rows._forget()
+    cache.rows._recover(sqlite3.OperationalError("attempt to write a readonly database"))
     if not os.access(file, os.W_OK):  # the superuser may write
         assert cache.reads_only
         assert cache.get(CLAIMS[0], "", None, HANGS) is not None
@@ -212,7 +212,7 @@ def test_a_cache_that_cannot_be_written_is_told_in_one_line(
 
 
 def test_several_runs_share_it() -> None:
-    path = answer_cache.cache_file()
+    path = kept_rows.cache_file()
     assert path is not None
 
     def write(start: int) -> None:
@@ -232,7 +232,7 @@ def test_several_runs_share_it() -> None:
 
 
 def test_its_size_is_bounded(monkeypatch: pytest.MonkeyPatch, folder: Path) -> None:
-    monkeypatch.setattr(answer_cache, "MAX_BYTES", 100_000)
+    monkeypatch.setattr(kept_rows, "MAX_BYTES", 100_000)
     for _ in range(3):
         cache = AnswerCache(folder / "answers.sqlite")
         for n in range(300):

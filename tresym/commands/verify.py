@@ -110,17 +110,27 @@ def _verify_claims(args: argparse.Namespace) -> int:
     if args.mutants:
         return _verify_mutants(labels, args, workers)
     if args.json or args.path is not None:
-        import json
-
-        from tresym.report.pages.ledger_rows import report_json
-
         report = verification.verify(labels, workers=workers)
-        deliver(json.dumps(report_json(report), ensure_ascii=False, indent=1) + "\n", args.path)
+        deliver(_as_json(report), args.path)
     else:
         report = show_verification(labels, workers)
     if args.save_certificates:
         verification.save_certificates(report)
     return 0 if report.as_expected else UNEXPECTED
+
+
+def _as_json(report: Report) -> str:
+    import json
+
+    from tresym.ledger.kept_findings import kept_findings
+    from tresym.ledger.paper import racket
+    from tresym.report.pages.ledger_rows import report_json
+
+    rows = [(f"{r.claim.label} {r.requested}", r.finding) for r in report.rows]
+    with kept_findings(racket().folder) as kept:
+        return kept.text(
+            rows, lambda: json.dumps(report_json(report), ensure_ascii=False, indent=1) + "\n"
+        )
 
 
 def _save_sentences(labels: tuple[str, ...]) -> int:

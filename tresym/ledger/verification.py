@@ -19,6 +19,7 @@ from tresym.ledger.evidence.chart_bounds import Charted
 from tresym.ledger.evidence.interval_evaluation import Evaluated
 from tresym.ledger.finding import RULINGS, Finding, Ruling
 from tresym.ledger.judge import judge, judge_evidence
+from tresym.ledger.kept_findings import KeptFindings, kept_findings
 from tresym.ledger.paper import Paper
 from tresym.ledger.sentences import uncompared
 from tresym.reals.notebook import html_table, in_one_line
@@ -246,11 +247,12 @@ def verify(
     workers = checked_workers(workers)
     found: dict[str, Finding] = {}
     rows = []
-    with collecting_seldom(GC_THRESHOLD):
+    folder = whose.folder if of is None and not searching_anew() else None
+    with collecting_seldom(GC_THRESHOLD), kept_findings(folder) as kept:
         claims = _claims_of(of, asked)
         _need_coherent(claims)
         chosen, requested = _choose(claims, asked, whose.labels_by_alias)
-        for claim, evidence in zip(chosen, _evidence(chosen, workers, of), strict=True):
+        for claim, evidence in zip(chosen, _all_evidence(chosen, workers, of, kept), strict=True):
             finding = judge(claim, found, evidence)
             found[claim.label] = _compared(claim, finding) if of is None else finding
             rows.append(Row(claim, found[claim.label], claim.label in requested))
@@ -285,17 +287,31 @@ def _labels(asked: tuple[Any, ...]) -> tuple[Any, ...]:
     return found
 
 
+def _all_evidence(
+    claims: tuple[Claim, ...], workers: int, of: Paper | None, kept: KeptFindings
+) -> Iterator[Finding | None]:
+    """Yield the finding on each claim's own evidence: the one that is kept, or a new one."""
+    known = {claim.label: kept.get(claim.label) for claim in claims}
+    new = _evidence(tuple(claim for claim in claims if known[claim.label] is None), workers, of)
+    for claim in claims:
+        found = known[claim.label]
+        if found is None:
+            found = next(new)
+            if found is not None:
+                kept.put(claim.label, found)
+        yield found
+
+
 def _evidence(
     claims: tuple[Claim, ...], workers: int, of: Paper | None = None
 ) -> Iterator[Finding | None]:
     """Yield the finding on each claim's own evidence, computed in ``workers`` processes.
 
-    The processes are forks of the current one, so they have all claims in memory. With one worker
-    None is yielded for each claim, and `judge` checks the evidence itself.
+    The processes are forks of the current one, so they have all claims in memory.
     """
     batches = [claims[n : n + BATCH] for n in range(0, len(claims), BATCH)]
-    if workers == 1 or len(batches) == 1:
-        yield from (None for _ in claims)
+    if workers == 1 or len(batches) <= 1:
+        yield from map(judge_evidence, claims)
         return
     name = "" if of is None else of.name
     if of is not None:

@@ -23,7 +23,7 @@ from pygls import uris
 from pygls.lsp.server import LanguageServer
 
 import tresym
-from tresym.checking.answer_cache import cache_file
+from tresym.checking.kept_rows import cache_file
 from tresym.manuscript.protocol_input import ProtocolInput
 
 PAUSE = 0.1
