@@ -23,6 +23,7 @@ if TYPE_CHECKING:  # for editors and type checkers, which would accept any name 
     from tresym.accuracy.constants import constant
     from tresym.accuracy.error_table import error_table
     from tresym.accuracy.expansion import expand
+    from tresym.accuracy.largest_error import largest_error
     from tresym.accuracy.values import value
     from tresym.ledger.verification import verify
     from tresym.racket.body import NAMED_BODIES as bodies  # noqa: N811 - the name it is known by
@@ -54,6 +55,7 @@ _HOMES = {
     "flip_defect": "tresym.racket.flip",
     "flip_defects": "tresym.racket.flip",
     "flip_map": "tresym.racket.floats.flipmap",
+    "largest_error": "tresym.accuracy.largest_error",
     "open": "tresym.report.pages.opened",
     "paper": "tresym.report.pages.python_api",
     "table": "tresym.report.pages.python_api",
@@ -77,6 +79,7 @@ __all__ = [
     "flip_defect",
     "flip_defects",
     "flip_map",
+    "largest_error",
     "paper",
     "table",
     "value",

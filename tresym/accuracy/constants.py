@@ -25,6 +25,7 @@ from tresym.reals.decisions.root_values import by_leibniz
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import UndefinedError
 from tresym.reals.domain.operation_domains import operations
+from tresym.reals.expansions.maxima import Evaluations
 from tresym.reals.expansions.scale import T
 from tresym.reals.expansions.suprema import Evaluation, Supremum, supremum
 from tresym.reals.language.binders import elementary, outermost
@@ -120,6 +121,11 @@ def _one_sided(f: Expr, g: Expr, path: Path, side: int, reach: fmpq) -> Supremum
         return supremum(left, right, order, None, reach, 0, how)
     except (InputError, UndefinedError):
         return None
+
+
+def jets_and_values() -> Evaluations:
+    """Return how maxima evaluate roots and integrals: by certified values, and in jets."""
+    return Evaluations(_value, lambda at: Jets(at, RULES))
 
 
 def _value(e: Expr, at: object) -> arb:

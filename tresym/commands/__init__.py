@@ -27,6 +27,7 @@ COMMANDS = (
     "flip",
     "check",
     "expand",
+    "error",
     "export",
     "paper",
     "new",
@@ -46,6 +47,7 @@ tresym: check formulas, approximations and manuscripts. Examples:
 
   tresym check 'exp(x) >= 1 + x'          a claim of your own
   tresym table 'sin(x)' x --as 'x -> 0'   how good an approximation is
+  tresym error 'sin(x)' x --on '0<=x<=1'  its largest error on a region
   tresym paper MANUSCRIPT.tex             the formulas of your manuscript
   tresym new mine                         a file of claims, for a paper of your own
   tresym flip --body wilson               how complete the flip of a racket is

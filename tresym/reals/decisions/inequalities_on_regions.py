@@ -17,6 +17,7 @@ from typing import Any
 from flint import arb, fmpq
 
 from tresym.reals.balls.branch_and_bound import Bound, Box, BoxProof, Counterexample, decide_bound
+from tresym.reals.balls.circle import over_a_ball
 from tresym.reals.balls.simplest_constants import candidates, enclosure
 from tresym.reals.balls.taylor import taylor_value
 from tresym.reals.decisions.answer import Answer, exactly, refuted
@@ -102,10 +103,15 @@ def _bounded(where: Range) -> bool:
 
 def _rate(slope: Expr, names: Sequence[str]) -> Callable[..., arb]:
     """Return a slope as a function; NaN where it has no formula, as in the order of besselk."""
+    compiled = _compiled(slope, names)
+    return (lambda *_: arb.nan()) if compiled is None else compiled.real
+
+
+def _compiled(e: Expr, names: Sequence[str]) -> Compiled | None:
     try:
-        return Compiled(slope, names).real
+        return Compiled(e, names)
     except UndefinedError:
-        return lambda *_: arb.nan()
+        return None
 
 
 @dataclass
@@ -121,6 +127,7 @@ class _Search:
     """What holds at a point at which the claim speaks, and is refuted if it fails."""
     pieces: list[tuple[fmpq, fmpq]] = field(default_factory=list)
     edges: list[tuple[Edge, Quotient]] = field(default_factory=list)
+    compiled: dict[Expr, Compiled | None] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         self.difference = self.left - self.right
@@ -356,10 +363,20 @@ class _Search:
     def _by_taylor(self, x: arb) -> arb:
         """The difference on an interval, what its absolute values are of by Taylor's theorem."""
         (name,) = self.names
-        known = {part: taylor_value(part, name, x) for part in self.smooth}
+        known = {part: self._over(part, x) for part in self.smooth}
         if known.get(self.difference) is not None:
             return known[self.difference]
         return evaluate(self.difference, {name: x}, known)
+
+    def _over(self, part: Expr, x: arb) -> arb:
+        """A part on an interval, by power series or, where a function has none, by a circle."""
+        value = taylor_value(part, self.names[0], x)
+        if value.is_finite():
+            return value
+        if part not in self.compiled:
+            self.compiled[part] = _compiled(part, self.names)
+        compiled = self.compiled[part]
+        return value if compiled is None else over_a_ball(compiled, x)
 
     def _mean_value(self, coordinates: tuple[arb, ...]) -> arb:
         """A ball whose lower end bounds the difference below on the box."""

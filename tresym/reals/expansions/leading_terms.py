@@ -155,6 +155,44 @@ def _near(f: Expr, g: Expr, found: Rewritten) -> Near:
     return bounds
 
 
+def near_end(left: Expr, right: Expr, name: str, point: Expr | None, side: int) -> Near | None:
+    """Return bounds of |left/right| beside a point, or beyond a large value, by leading terms.
+
+    None unless left = O(right) there is shown and nothing oscillates.
+
+    Args:
+        point: where; None for infinity.
+        side: +1 from above or to +∞, −1 from below or to −∞.
+    """
+    t = symbol(T)
+    put = {name: side / t if point is None else point + side * t}
+    found = Rewritten(T)
+    try:
+        with ball_precision():
+            f, g = found.all_of(*(substitute(e, put) for e in (left, right)))
+            if found.scale.waves or not _told("O", f, g, found):
+                return None
+            return _near(f, g, found) if found.expansions.leading(f) is not None else None
+    except _FAILS:
+        return None
+
+
+def is_unbounded(left: Expr, right: Expr, name: str, point: Expr | None, side: int) -> bool:
+    """Return whether |left/right| -> oo beside a point, or beyond large values, is shown."""
+    t = symbol(T)
+    put = {name: side / t if point is None else point + side * t}
+    found = Rewritten(T)
+    try:
+        with ball_precision():
+            f, g = found.all_of(*(substitute(e, put) for e in (left, right)))
+            first = found.expansions.leading(f)
+            if found.scale.waves or first is None:
+                return False
+            return found.expansions.leading(g) is not None and bool(_told("o", g, f, found))
+    except _FAILS:
+        return False
+
+
 def sharp_constant(left: Expr, right: Expr, upto: fmpq, shorter: int = SHORTER) -> Supremum | None:
     """The supremum of |left/right| on a range 0 < t ≤ r, if left = O(right) is shown.
 

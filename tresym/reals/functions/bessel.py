@@ -10,12 +10,13 @@ from __future__ import annotations
 from math import factorial
 from typing import Any
 
-from flint import arb, fmpq
+from flint import acb, arb, fmpq
 
 from tresym.reals.functions.enclosures import (
     NAN,
     literal,
     monotone,
+    on_the_right,
     parametric,
     whole,
     with_slope,
@@ -68,6 +69,18 @@ def _jj(nu: arb, x: arb) -> arb:
     if x > 0 or nu.is_integer():
         return x.bessel_j(nu)
     return NAN
+
+
+def _cylinder(name: str) -> Any:
+    """J or I in complex balls: entire for integers ν, else analytic off the negative axis."""
+
+    def value(nu: Any, z: Any) -> acb:
+        nu, z = acb(nu), acb(z)
+        if not (nu.real.is_integer() and nu.imag.is_zero()) and not z.real > 0:
+            return acb(NAN)
+        return getattr(z, name)(nu)
+
+    return value
 
 
 def _ball_j(nu: arb, x: arb) -> arb:
@@ -442,6 +455,7 @@ BESSEL = (
     _bessel(
         "j", definition=r"J_\nu(x) = \sum_k \frac{(-1)^k (x/2)^{2k+\nu}}{k!\,\Gamma(k+\nu+1)}",
         source="DLMF 10.2.2", needs=_integer_or_positive, ball=_ball_j, mirror=_parity("j"),
+        holomorphic=_cylinder("bessel_j"),
         taylor=_taylor(-1), near_needs=_not_minus_one, near={"oo": _far("j"), "0+": _small(-1)},
         theorems=("DLMF 10.17(iii): bounds of the remainders of P and Q",),
         falsehoods=("besselj(0, x) <= 9/10", "diff(besselj(0, x), x) == besselj(1, x)"),
@@ -449,6 +463,7 @@ BESSEL = (
     _bessel(
         "y", definition=r"Y_\nu(x) = \frac{J_\nu(x)\cos\nu\pi - J_{-\nu}(x)}{\sin\nu\pi},\ x > 0",
         source="DLMF 10.2.3", needs=_positive, ball=_ball_y,
+        holomorphic=on_the_right(lambda nu, z: z.bessel_y(nu)),
         near={"oo": _far("y"), "0+": _small_y},
         theorems=("DLMF 10.17(iii): bounds of the remainders of P and Q",),
         falsehoods=("bessely(0, x) <= 1/2 given x > 0",
@@ -457,6 +472,7 @@ BESSEL = (
     _bessel(
         "i", definition=r"I_\nu(x) = \sum_k \frac{(x/2)^{2k+\nu}}{k!\,\Gamma(k+\nu+1)}",
         source="DLMF 10.25.2", needs=_integer_or_positive, ball=_ball_i, mirror=_parity("i"),
+        holomorphic=_cylinder("bessel_i"),
         taylor=_taylor(1), near_needs=_not_minus_one, near={"oo": _far("i"), "0+": _small(1)},
         positive_where=lambda nu, x, m: x if (literal(nu) or fmpq(-1)) >= 0 or literal(nu) == 0
         else -1 + 0 * x,
@@ -465,6 +481,7 @@ BESSEL = (
     _bessel(
         "k", definition=r"K_\nu(x) = \int_0^\infty e^{-x \cosh t} \cosh \nu t\,dt,\ x > 0",
         source="DLMF 10.32.9", needs=_positive, ball=_ball_k,
+        holomorphic=on_the_right(lambda nu, z: z.bessel_k(nu)),
         range=Interval(fmpq(0), None, True), near={"oo": _far("k"), "0+": _small_k},
         theorems=("DLMF 10.40(iii): the expansion is enveloping from the term |ν| − 1/2 on",),
         falsehoods=("besselk(0, x) <= exp(-x) given x > 0",
@@ -489,7 +506,8 @@ BESSEL = (
         "airyai", "Ai", definition=r"\operatorname{Ai}'' = x \operatorname{Ai}", source="DLMF 9.2",
         derivatives=(lambda x, m: m.airyaiprime(x),), entire=True, positive_where=lambda x, m: x,
         ball=with_slope(lambda x: x.airy_ai(), lambda x: x.airy_ai(derivative=1)),
-        series=_airy_jets("airy_ai"), rewritten=_at_zero("ai"), aliases=("AiryAi",),
+        series=_airy_jets("airy_ai"), holomorphic=lambda z: acb(z).airy_ai(),
+        rewritten=_at_zero("ai"), aliases=("AiryAi",),
         near={"oo": _ai_far, "-oo": _ai_left},
         falsehoods=("airyai(x) <= 1/2", "diff(airyai(x), x, 2) == -x*airyai(x)"),
     ),
@@ -497,14 +515,16 @@ BESSEL = (
         "airyaiprime", "Ai'", definition=r"\operatorname{Ai}'(x)", source="DLMF 9.2",
         derivatives=(lambda x, m: x * m.airyai(x),), entire=True,
         ball=with_slope(lambda x: x.airy_ai(derivative=1), lambda x: x * x.airy_ai()),
-        series=_airy_jets("airy_ai_prime"), rewritten=_at_zero("aiprime"),
+        series=_airy_jets("airy_ai_prime"), holomorphic=lambda z: acb(z).airy_ai(derivative=1),
+        rewritten=_at_zero("aiprime"),
         falsehoods=("airyaiprime(x) < 0", "diff(airyaiprime(x), x) == airyai(x)"),
     ),
     _airy(
         "airybi", "Bi", definition=r"\operatorname{Bi}'' = x \operatorname{Bi}", source="DLMF 9.2",
         derivatives=(lambda x, m: m.airybiprime(x),), entire=True, positive_where=lambda x, m: x,
         ball=with_slope(lambda x: x.airy_bi(), lambda x: x.airy_bi(derivative=1)),
-        series=_airy_jets("airy_bi"), rewritten=_at_zero("bi"), aliases=("AiryBi",),
+        series=_airy_jets("airy_bi"), holomorphic=lambda z: acb(z).airy_bi(),
+        rewritten=_at_zero("bi"), aliases=("AiryBi",),
         near={"oo": _bi_far, "-oo": _bi_left},
         falsehoods=("airybi(x) >= 0", "diff(airybi(x), x, 2) == -x*airybi(x)"),
     ),
@@ -512,7 +532,8 @@ BESSEL = (
         "airybiprime", "Bi'", definition=r"\operatorname{Bi}'(x)", source="DLMF 9.2",
         derivatives=(lambda x, m: x * m.airybi(x),), entire=True, positive_where=lambda x, m: x,
         ball=with_slope(lambda x: x.airy_bi(derivative=1), lambda x: x * x.airy_bi()),
-        series=_airy_jets("airy_bi_prime"), rewritten=_at_zero("biprime"),
+        series=_airy_jets("airy_bi_prime"), holomorphic=lambda z: acb(z).airy_bi(derivative=1),
+        rewritten=_at_zero("biprime"),
         falsehoods=("airybiprime(x) > 0", "diff(airybiprime(x), x) == airybi(x)"),
     ),
 )  # fmt: skip

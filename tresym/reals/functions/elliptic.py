@@ -35,6 +35,11 @@ def _square(k: int) -> fmpq:
     return found * found
 
 
+def _left_of_one(f: Callable[[acb], acb]) -> Callable[[Any], acb]:
+    """Return K or E in complex balls; the cut is [1, ∞)."""
+    return lambda z: f(acb(z)) if acb(z).real < 1 else acb(NAN)
+
+
 def _k(x: arb) -> arb:
     return real_part(acb(x).elliptic_k()) if x < 1 else NAN
 
@@ -234,6 +239,7 @@ ELLIPTIC = (
         derivatives=(
             lambda x, m: m.elliptic_e(x) / (2 * x * (1 - x)) - m.elliptic_k(x) / (2 * x),),
         ball=monotone(_k), series=lambda s: composed(_k_jets, s),
+        holomorphic=_left_of_one(lambda z: z.elliptic_k()),
         taylor=lambda k, m: _square(k) * m.pi / 2, rewritten=_k_value,
         near={"1-": _k_near_one, "-oo": _far}, latex="K", mathematica="EllipticK",
         maple="EllipticK", sympy="elliptic_k", aliases=("ellipk",),
@@ -246,6 +252,7 @@ ELLIPTIC = (
         needs=lambda x, m: ((1 - x, ">="),), smooth=False, ends=(1,), range=Interval(fmpq(1)),
         derivatives=(lambda x, m: (m.elliptic_e(x) - m.elliptic_k(x)) / (2 * x),),
         ball=monotone(_e), series=lambda s: composed(_e_jets, s),
+        holomorphic=_left_of_one(lambda z: z.elliptic_e()),
         taylor=lambda k, m: -_square(k) / (2 * k - 1) * m.pi / 2, rewritten=_e_value,
         near={"1-": _e_near_one, "-oo": _e_far}, latex="E", mathematica="EllipticE",
         maple="EllipticE", sympy="elliptic_e", aliases=("ellipe",),

@@ -38,6 +38,19 @@ def real_part(z: acb) -> arb:
     return found if z.is_finite() else NAN
 
 
+def on_the_right(f: Callable[..., acb]) -> Callable[..., acb]:
+    """Return a function in complex balls where the last argument has a positive real part.
+
+    Its cut lies on the negative axis or left of it, so that it is analytic there.
+    """
+
+    def value(*arguments: Any) -> acb:
+        *first, z = map(acb, arguments)
+        return f(*first, z) if z.real > 0 else acb(NAN)
+
+    return value
+
+
 def is_wide(x: arb) -> bool:
     """Whether a ball is so wide that it is better evaluated at its ends."""
     return bool(x.rad() > WIDE * (WIDE + abs(x.mid())))

@@ -18,6 +18,7 @@ from tresym.reals.functions.enclosures import (
     is_wide,
     literal,
     monotone,
+    on_the_right,
     with_slope,
 )
 from tresym.reals.functions.row import Conditions, Function
@@ -179,6 +180,14 @@ def _sinc(x: arb) -> arb:
     return x.sinc()
 
 
+def _holomorphic_ei(z: Any) -> acb:
+    """Ei in complex balls: left of 0 it is −E₁(−z), which is real on the negative axis."""
+    z = acb(z)
+    if z.real > 0:
+        return z.ei()
+    return -(-z).expint(acb(1)) if z.real < 0 else acb(NAN)
+
+
 EXPONENTIAL_INTEGRALS = (
     Function(
         name="expint", family="exponential integrals", arity=2, source="DLMF 8.19.3",
@@ -186,6 +195,7 @@ EXPONENTIAL_INTEGRALS = (
         needs=lambda n, x, m: ((x, ">"),), range=Interval(fmpq(0), None, True),
         derivatives=(None, lambda n, x, m: -m.expint(n - 1, x)), ball=_expint,
         series=lambda n, s: composed(_expint_jets(n[0]), s), rewritten=_expint_value, start=1,
+        holomorphic=on_the_right(lambda n, z: z.expint(n)),
         recurrence=lambda n, x, m: (m.exp(-x) - x * m.expint(n - 1, x)) / (n - 1),
         raising=lambda n, x, m: (m.exp(-x) - n * m.expint(n + 1, x)) / x,
         near={
@@ -207,6 +217,7 @@ EXPONENTIAL_INTEGRALS = (
         definition=r"\operatorname{Ei} x = -\!\!\!\!\int_{-\infty}^x e^t/t\,dt,\ x \ne 0",
         needs=lambda x, m: ((x, "!="),), derivatives=(lambda x, m: m.exp(x) / x,), ball=_ei,
         series=lambda s: s.ei() if not s[0].contains(0) else s * NAN, rewritten=_ei_value,
+        holomorphic=_holomorphic_ei,
         near={
             "oo": lambda x, m: m.exp(x) / x * m.ei_tail(1 / x),
             "-oo": lambda x, m: m.exp(x) / x * m.e1_tail(-1 / x),
@@ -251,6 +262,7 @@ EXPONENTIAL_INTEGRALS = (
         derivatives=(lambda x, m: m.cos(x) / x,),
         ball=with_slope(lambda x: x.ci() if x > 0 else NAN, lambda x: x.cos() / x),
         series=lambda s: s.ci() if s[0] > 0 else s * NAN,
+        holomorphic=on_the_right(lambda z: z.ci()),
         near={"oo": _ci_far, "0+": lambda x, m: m.EulerGamma(1) + m.log(x) + m.cin(x)},
         latex=r"\operatorname{Ci}", mathematica="CosIntegral", maple="Ci", sympy="Ci",
         aliases=("CosIntegral",),

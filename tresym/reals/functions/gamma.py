@@ -20,6 +20,7 @@ from tresym.reals.functions.enclosures import (
     jets_of,
     literal,
     monotone,
+    on_the_right,
     parametric,
     real_part,
     whole,
@@ -329,7 +330,8 @@ GAMMA = (
     Function(
         name="loggamma", family="gamma", definition=r"\ln\Gamma(x),\ x > 0", source="DLMF 5.2(i)",
         needs=_positive, derivatives=(lambda x, m: m.digamma(x),), ball=_loggamma,
-        series=lambda s: s.lgamma() if s[0] > 0 else s.lgamma() * NAN, double=math.lgamma,
+        series=lambda s: s.lgamma() if s[0] > 0 else s.lgamma() * NAN,
+        holomorphic=on_the_right(lambda z: z.lgamma()), double=math.lgamma,
         rewritten=lambda x, m: m.log(m.gamma(x)),
         near={
             "oo": lambda x, m: (x - fmpq(1, 2)) * m.log(x) - x + m.log(2 * m.pi) / 2
@@ -348,6 +350,7 @@ GAMMA = (
         source="DLMF 5.2.2", needs=no_pole, derivatives=(lambda x, m: m.polygamma(1, x),),
         ball=_digamma, series=lambda s: composed(derived(jets_of("lgamma"), 1), s)
         if s[0] > 0 else s * NAN,
+        holomorphic=lambda z: acb(z).digamma(),
         rewritten=_digamma_value, recurrence=lambda x, m: m.digamma(x - 1) + 1 / (x - 1),
         raising=lambda x, m: m.digamma(x + 1) - 1 / x,
         mirror=lambda x, m: m.digamma(1 - x) - m.pi * m.cos(m.pi * x) / m.sin(m.pi * x),

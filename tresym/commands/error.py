@@ -1,0 +1,55 @@
+"""``tresym error``: the largest error of an approximation on a region, from both sides."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from tresym.commands.parser import Commands, add_options, add_output, deliver, json_line
+from tresym.reals.numbers.exact import InputError
+
+if TYPE_CHECKING:
+    import argparse
+
+UNDECIDED = 3
+
+
+def add(commands: Commands) -> None:
+    """Add `tresym error` to the command line."""
+    parser = commands.add_parser(
+        "error",
+        help="the largest error of an approximation on a region, certified from both sides",
+        description="Enclose the largest absolute and the largest relative error of an "
+        "approximation on a region from both sides, and tell where it is reached. The errors of "
+        "rounding in a program are not part of it.",
+        epilog="Example: tresym error 'sin(x)' '[0, 0.9999966, 0, -0.16664824, 0, 0.00830629, 0, "
+        "-0.00018363]' --on 'abs(x) <= pi/2'. Exit status: 0, 3 if no bound is found, 2 for bad "
+        "input.",
+    )
+    parser.add_argument("exact", metavar="EXACT", help="a function of one variable")
+    parser.add_argument(
+        "approx",
+        metavar="APPROX",
+        help="an expression, or the coefficients [c0, c1, ...] of a polynomial, lowest power first",
+    )
+    add_options(
+        parser, ("--on REGION", "the region: 0 <= x <= 1, abs(x) <= pi/4, x >= 1; it is required")
+    )
+    parser.add_argument(
+        "--stored",
+        choices=("exact", "double", "single"),
+        default="exact",
+        help="how the decimals of APPROX are read: as exact numbers (default), or as the nearest "
+        "numbers of binary64 or binary32, with which a program computes",
+    )
+    add_output(parser)
+
+
+def run(args: argparse.Namespace) -> int:
+    """Run the command and return its exit status."""
+    from tresym.accuracy.largest_error import largest_error
+
+    if args.on is None:
+        raise InputError("error: give a region, such as --on '0 <= x <= 1'")
+    found = largest_error(args.exact, args.approx, args.on, args.stored)
+    deliver(json_line(found.as_json()) if args.json else f"{found}\n", args.path)
+    return 0 if found else UNDECIDED
