@@ -21,7 +21,7 @@ from dataclasses import replace
 
 from flint import fmpq
 
-from tresym.asymptotics.divided_arguments import powers_of
+from tresym.asymptotics.divided_arguments import alternates, powers_of
 from tresym.reals.decisions.answer import Answer, Decide
 from tresym.reals.decisions.readable_witnesses import tidied
 from tresym.reals.decisions.statement import Statement, functions
@@ -84,6 +84,8 @@ def decide_divided(claim: Comparison, statement: Statement, decided: Decide) -> 
     linear = replaced(pair[0] - pair[1], {whole: symbol(_T), part: symbol(_PART)})
     if not elementary(linear) or not symbols(linear) <= {_T, _PART, path.name}:
         return open_("the recurrence must be one of numbers")
+    if alternates(linear, path.name):
+        return open_(f"powers whose sign depends on {n} are not supported in such a recurrence")
     slopes = [tidied(normal_form(differentiate(linear, x), Given())) for x in (_T, _PART)]
     if any(e.op != "number" or e.args[0] == 0 for e in slopes):
         return open_(f"the recurrence must be {whole} == a*{part} + g({n}) with a number a")

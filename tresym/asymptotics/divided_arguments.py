@@ -143,6 +143,22 @@ def _exact(e: Expr) -> fmpq | None:
     return value.args[0] if value.op == "number" else None
 
 
+def alternates(e: Expr, n: str) -> bool:
+    """Return whether a power of what may be negative depends on n, as (-1)**n does.
+
+    The normal form is one for real exponents, where such a power has few values.
+    """
+    if n not in symbols(e):
+        return False
+    if e.op == "^" and n in symbols(e.args[1]) and sign(e.args[0], _beyond_one(n)) != "+":
+        return True
+    return any(alternates(arg, n) for arg in e.args if isinstance(arg, Expr) and not arg.hidden)
+
+
+def _beyond_one(n: str) -> Given:
+    return Given(((symbol(n), ">", ONE),))
+
+
 def divided(statement: Statement, n: Expr) -> Divided | str | None:
     """Return the recurrence of a statement, why it is none of this kind, or None."""
     whole: Expr | None = None
@@ -177,6 +193,8 @@ def divided(statement: Statement, n: Expr) -> Divided | str | None:
     names = {str(mark.args[0]) for mark in marks.values()}
     if not elementary(linear) or not symbols(linear) <= names | {str(n)}:
         return "the recurrence must be one of numbers"
+    if alternates(linear, str(n)):
+        return f"powers whose sign depends on {n} are not supported in such a recurrence"
     slopes = {
         m: tidied(normal_form(differentiate(linear, str(mark.args[0])), Given()))
         for m, mark in marks.items()
@@ -213,7 +231,7 @@ def _slope(e: Expr, n: str) -> fmpq | None:
     return slope.args[0]
 
 
-class _Growth(NamedTuple):
+class Growth(NamedTuple):
     """How T grows.
 
     Attributes:
@@ -263,7 +281,7 @@ def decide_divided_arguments(
     if vanishes and _covered(found):
         answer = decided(replace(claim, left=ZERO), explicit)
         return replace(answer, why=f"{found.node} is 0 for every {n}: {answer.why}", lemma=LEMMA)
-    growth = _growth(found)
+    growth = growth_of(found)
     if growth is None:
         return open_(f"{found.rest} must be about a power of {n} times a power of log({n})")
     if growth.positive and (why := _not_positive(found, decided, explicit)):
@@ -375,11 +393,11 @@ def _called(found: Divided, k: int) -> str:
     return f"{found.node.args[0].args[0]}({k})"
 
 
-def _growth(found: Divided) -> _Growth | None:
+def growth_of(found: Divided) -> Growth | None:
     """Return how T grows."""
     n = symbol(found.name)
     if found.rest == ZERO:
-        return _homogeneous(found)
+        return homogeneous(found)
     first = written_term(found.rest, found.name, None, 1, Given())
     if first is None:
         return None
@@ -390,9 +408,9 @@ def _growth(found: Divided) -> _Growth | None:
     total = add(*(number(b.factor) * power(number(b.ratio), number(s)) for b in found.branches))
     side = sign(total - 1, Given())
     if side == "+":
-        return _homogeneous(found)
+        return homogeneous(found)
     if side == "-":
-        return _Growth(tidied(normal_form(lead / (1 - total), Given())) * first[1], True)
+        return Growth(tidied(normal_form(lead / (1 - total), Given())) * first[1], True)
     if side != "0" and not is_zero(total - 1, Given()):
         return None
     weights = [
@@ -403,10 +421,10 @@ def _growth(found: Divided) -> _Growth | None:
     same, log = power(n, number(s)), apply("log", n)
     if t > -1:
         whole = lead / (number(t + 1) * mean) * same * power(log, number(t + 1))
-        return _Growth(whole, True)
+        return Growth(whole, True)
     if t == -1:
-        return _Growth(lead / mean * same * apply("log", log), True)
-    return _homogeneous(found)
+        return Growth(lead / mean * same * apply("log", log), True)
+    return homogeneous(found)
 
 
 def powers_of(e: Expr, n: Expr) -> tuple[fmpq, fmpq] | None:
@@ -428,16 +446,16 @@ def _limit(e: Expr, n: Expr) -> fmpq | None:
     return found.args[0] if found is not None and found.op == "number" else None
 
 
-def _homogeneous(found: Divided) -> _Growth | None:
+def homogeneous(found: Divided) -> Growth | None:
     """Return n^p, exactly or between two powers."""
     branches = found.branches
     n = symbol(found.name)
     closed = _exponent(branches)
     if closed is not None:
         scale = ONE if closed == ZERO else power(n, closed)
-        return _Growth(scale, False, positive=True)
+        return Growth(scale, False, positive=True)
     low, high = _enclosed(branches)
-    return None if low is None or high is None else _Growth(None, False, low, high, True)
+    return None if low is None or high is None else Growth(None, False, low, high, True)
 
 
 def _exponent(branches: tuple[Branch, ...]) -> Expr | None:
@@ -488,7 +506,7 @@ def _enclosed(branches: tuple[Branch, ...]) -> tuple[fmpq | None, fmpq | None]:
 
 
 def _between(
-    claim: Comparison, statement: Statement, found: Divided, growth: _Growth, decided: Decide
+    claim: Comparison, statement: Statement, found: Divided, growth: Growth, decided: Decide
 ) -> Answer:
     """Decide a claim about T = Θ(n^p) where p is known between two numbers."""
     n = symbol(found.name)

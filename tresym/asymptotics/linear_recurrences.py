@@ -2,12 +2,13 @@
 
 Example: ``a(n) == 2**n - 1 given a(n+1) == 2*a(n) + 1, a(0) == 0, n integer, n >= 0``.
 
-Let a(n + k) = c₁ a(n + k − 1) + … + c_k a(n) + c with rational numbers and k consecutive values
-from a(m) on. Where c ≠ 0, the sequence satisfies the recurrence of order k + 1 whose characteristic
-polynomial has the factor x − 1 once more. A root r of multiplicity d contributes
-(A₀ + A₁ n + … ) rⁿ⁻ᵐ, with powers of n − m below d. Roots that are rational, and pairs
-(s ± √D)/2 of real ones, are supported: rⁿ + r̄ⁿ and √D (rⁿ − r̄ⁿ) are rational, so that the
-coefficients solve a linear system in rational numbers.
+Let a(n + k) = c₁ a(n + k − 1) + … + c_k a(n) + f(n) with rational numbers and k consecutive values
+from a(m) on, where f(n) is a sum of terms nᵈ rⁿ. The sequence satisfies the recurrence of higher
+order whose characteristic polynomial has the factors (x − r)ᵈ⁺¹ once more. A root r of
+multiplicity d contributes (A₀ + A₁ n + … ) rⁿ⁻ᵐ, with powers of n − m below d. Roots that are
+rational, and pairs (s ± √D)/2, are supported. With D > 0, rⁿ + r̄ⁿ and √D (rⁿ − r̄ⁿ) are rational,
+and so are 2 ρⁿ cos(nθ) and ρⁿ⁻¹ sin(nθ)/sin(θ) for the pair ρ e^{±iθ}, so that the coefficients
+solve a linear system in rational numbers.
 
 What is claimed of a(n) is claimed of this closed form. A counterexample is an n at which a(n) is
 computed from the recurrence.
@@ -33,9 +34,11 @@ from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     MINUS_ONE,
     ONE,
+    PI,
     ZERO,
     Expr,
     add,
+    apply,
     integer,
     number,
     power,
@@ -45,6 +48,7 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
+from tresym.reals.normal.polynomials import polynomial
 from tresym.reals.normal.to_expression import normal_form
 from tresym.reals.verdict import Verdict
 
@@ -56,10 +60,19 @@ if TYPE_CHECKING:
 
 LINEAR = "the solution of a linear recurrence"
 UNSUPPORTED_ROOTS = (
-    "the roots of the characteristic polynomial are supported where they are rational, or real and "
-    "of degree 2"
+    "the roots of the characteristic polynomial are supported where they are rational, or of "
+    "degree 2"
 )
+ANGLES = {
+    fmpq(0): fmpq(1, 2),
+    fmpq(1, 4): fmpq(1, 3),
+    fmpq(1, 2): fmpq(1, 4),
+    fmpq(3, 4): fmpq(1, 6),
+}
+"""By cos²(θ), the angles θ up to π/2, as shares of π."""
 MOST_ORDER = 8
+MOST_FORCED = 8
+"""The largest degree of the polynomial that annihilates what is added."""
 MOST_STEPS = 1000
 """Steps after the first value at which a counterexample is computed."""
 LOOKED_AT = 12
@@ -75,8 +88,9 @@ class Solved(NamedTuple):
         first: the index of the first value.
         lowest: the recurrence at n contains a(n + lowest) and none below it.
         coefficients: a(n + k) = Σ coefficients[j] a(n + j), without the constant.
-        constant: what is added.
+        constant: what is added, if it is a number.
         values: the first k values.
+        forcing: what else is added at n to give a(n + lowest + k), or 0.
     """
 
     name: Expr
@@ -86,6 +100,7 @@ class Solved(NamedTuple):
     coefficients: tuple[fmpq, ...]
     constant: fmpq
     values: tuple[fmpq, ...]
+    forcing: Expr = ZERO
 
     def terms(self) -> Iterator[fmpq]:
         """Yield a(first), a(first + 1), … exactly."""
@@ -148,8 +163,10 @@ def _powers(factor: fmpz_poly, steps: Expr, size: int) -> list[tuple[list[fmpq],
     lead = int(factor[2])
     s, t = fmpq(-int(factor[1]), lead), fmpq(int(factor[0]), lead)
     inside = s * s - 4 * t
-    if factor.degree() != 2 or inside <= 0:
+    if factor.degree() != 2:
         return None
+    if inside < 0:
+        return _turning(s, t, steps, size)
     root = sqrt(number(inside))
     upper, lower = (number(s) + root) / 2, (number(s) - root) / 2
     high = _raised(upper, False, steps) if s > 0 or t < 0 else _raised(-upper, True, steps)
@@ -159,6 +176,26 @@ def _powers(factor: fmpz_poly, steps: Expr, size: int) -> list[tuple[list[fmpq],
         while len(row) < size:
             row.append(s * row[-1] - t * row[-2])
     return [(both[:size], high + low), (apart[:size], root * (high - low))]
+
+
+def _turning(s: fmpq, t: fmpq, steps: Expr, size: int) -> list[tuple[list[fmpq], Expr]]:
+    """Return 2 ρⁿ cos(nθ) and ρⁿ⁻¹ sin(nθ)/sin(θ) for the roots ρ e^{±iθ} of x² − s x + t."""
+    both, apart = [fmpq(2), s], [fmpq(0), fmpq(1)]
+    for row in (both, apart):
+        while len(row) < size:
+            row.append(s * row[-1] - t * row[-2])
+    square = s * s / (4 * t)
+    share = ANGLES.get(square)
+    if share is not None:
+        angle = PI * number(share if s >= 0 else 1 - share)
+    else:
+        angle = apply("acos", number(s) / (2 * sqrt(number(t))))
+    whole = ONE if t == 1 else power(number(t), steps / 2)
+    sine = sqrt(number(t - s * s / 4))
+    return [
+        (both[:size], 2 * whole * apply("cos", angle * steps)),
+        (apart[:size], whole * apply("sin", angle * steps) / sine),
+    ]
 
 
 def _raised(size: Expr, negative: bool, steps: Expr) -> Expr:
@@ -201,7 +238,8 @@ def solved(statement: Statement, n: str) -> Solved | None:
     names = {m.args[0] for pair in statement.equations for e in pair for m in functions(e)}
     if names != {found.name}:
         return None
-    return found._replace(first=first, values=tuple(starts[k] for k in sorted(starts)))
+    values = tuple(starts[k] for k in sorted(starts))
+    return _with_forcing(found._replace(first=first, values=values))
 
 
 def _place(node: Expr, n: str) -> int | None:
@@ -220,20 +258,93 @@ def _read(left: Expr, right: Expr, n: str, places: dict[Expr, int]) -> Solved | 
     marks = {node: symbol(f"[{k - low}]") for node, k in places.items()}
     whole = replaced(left - right, marks)
     names = {f"[{k}]" for k in range(high - low + 1)}
-    if not elementary(whole) or not symbols(whole) <= names:
+    if not elementary(whole) or not symbols(whole) <= names | {n}:
         return None
     slopes: list[fmpq] = []
     for k in range(high - low + 1):
-        slope = tidied(normal_form(differentiate(whole, f"[{k}]"), Given()))
+        raw = differentiate(whole, f"[{k}]")
+        if n in symbols(raw):  # the normal form of (-1)**n is that of real numbers
+            return None
+        slope = tidied(normal_form(raw, Given()))
         if slope.op != "number":
             return None
         slopes.append(slope.args[0])
-    rest = tidied(normal_form(substitute(whole, dict.fromkeys(names, ZERO)), Given()))
-    if rest.op != "number" or slopes[-1] == 0 or slopes[0] == 0:
+    rest = substitute(whole, dict.fromkeys(names, ZERO))
+    if n not in symbols(rest):
+        rest = tidied(normal_form(rest, Given()))
+    if slopes[-1] == 0 or slopes[0] == 0:
         return None
     name = next(iter(places)).args[0]
     coefficients = tuple(-c / slopes[-1] for c in slopes[:-1])
-    return Solved(name, n, 0, low, coefficients, -rest.args[0] / slopes[-1], ())
+    if rest.op == "number":
+        return Solved(name, n, 0, low, coefficients, -rest.args[0] / slopes[-1], ())
+    added = rest * number(-1 / slopes[-1])
+    return Solved(name, n, 0, low, coefficients, fmpq(0), (), added)
+
+
+def _with_forcing(sequence: Solved) -> Solved | None:
+    """Return the sequence by a recurrence of higher order to which nothing is added."""
+    added, n = sequence.forcing, sequence.n
+    if added == ZERO:
+        return sequence
+    bases = _exponentials(added, n)
+    degree = sum(d + 1 for d in (bases or {}).values())
+    if bases is None or degree > MOST_FORCED:
+        return None
+    order = len(sequence.coefficients)
+    values = list(sequence.values)
+    for k in range(degree):
+        at = sequence.first + k - sequence.lowest
+        more = tidied(normal_form(substitute(added, {n: number(at)}), Given()))
+        if more.op != "number":
+            return None
+        pairs = zip(sequence.coefficients, values[-order:], strict=True)
+        values.append(sum((c * x for c, x in pairs), more.args[0]))
+    raised = [*(-c for c in sequence.coefficients), fmpq(1)]
+    for r, d in bases.items():
+        for _ in range(d + 1):  # times x - r
+            raised = [
+                x - r * y for x, y in zip([fmpq(0), *raised], [*raised, fmpq(0)], strict=True)
+            ]
+    coefficients = tuple(-c for c in raised[:-1])
+    return sequence._replace(coefficients=coefficients, values=tuple(values), forcing=ZERO)
+
+
+def _exponentials(e: Expr, n: str) -> dict[fmpq, int] | None:
+    """Return r and the highest d of the terms nᵈ rⁿ of an expression; None if it is no such sum."""
+    marks: dict[Expr, Expr] = {}
+    bases: dict[str, fmpq] = {}
+    stack = [e]
+    while stack:
+        node = stack.pop()
+        if n not in symbols(node):
+            continue
+        if node.op == "^" and node.args[0].op == "number":
+            exponent = node.args[1]
+            slope = integer(tidied(normal_form(differentiate(exponent, n), Given())))
+            start = integer(tidied(normal_form(substitute(exponent, {n: ZERO}), Given())))
+            if slope is None or start is None or symbols(exponent) != {n}:
+                return None
+            name = f"[^{len(bases)}]"
+            bases[name] = node.args[0].args[0] ** slope
+            marks[node] = symbol(name) * number(node.args[0].args[0] ** start)
+        else:
+            stack += [arg for arg in node.args if isinstance(arg, Expr)]
+    terms = polynomial(replaced(e, marks))
+    if terms is None or not symbols(e) <= {n}:
+        return None
+    found: dict[fmpq, int] = {}
+    for monomial in terms:
+        r, d = fmpq(1), 0
+        for name, k in monomial:
+            if name == n:
+                d = int(k)
+            else:
+                r *= bases[name] ** int(k)
+        if r == 0 or any(k < 0 for _, k in monomial):
+            return None
+        found[r] = max(found.get(r, 0), d)
+    return found
 
 
 def _is_lower_bound(link: Compared, n: str) -> bool:

@@ -36,6 +36,7 @@ from tresym.asymptotics.divided_arguments import decide_divided_arguments
 from tresym.asymptotics.lemma import Bound, End, Expansion, Obligations
 from tresym.asymptotics.lemma_claims import decide_with_expansions
 from tresym.asymptotics.linear_recurrences import LINEAR, UNSUPPORTED_ROOTS, Solved, solved
+from tresym.asymptotics.rooted_arguments import decide_rooted
 from tresym.asymptotics.roots import zeros_of
 from tresym.reals.decisions.answer import Answer, Decide
 from tresym.reals.decisions.readable_witnesses import tidied
@@ -135,6 +136,7 @@ def _decide(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
     if path.point is not None or path.sides != (1,) or claim.derivatives:
         raise _OpenError("claims about a sequence are supported as n -> oo, without derivatives")
     divided = decide_divided(claim, statement, decided)
+    divided = decide_rooted(claim, statement, decided) if divided is None else divided
     if divided is None or divided.verdict is Verdict.UNDECIDED:
         other = decide_divided_arguments(claim, statement, decided)
         if divided is None or (other is not None and other.verdict is not Verdict.UNDECIDED):
