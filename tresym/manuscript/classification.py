@@ -15,6 +15,7 @@ from tresym.manuscript.accusations import NO_VARIABLES, Ground
 from tresym.manuscript.context import DEPTH, Memory, Under
 from tresym.manuscript.display import Said
 from tresym.manuscript.mentions import about, names_in
+from tresym.manuscript.printed_ranges import path_on_range
 from tresym.manuscript.source import Display
 from tresym.manuscript.terms import Head, base_of, unknown_in, variables_of_integrals
 from tresym.reals.language.binders import antiderivative, is_infinite, outermost
@@ -224,6 +225,15 @@ def claim(
             why = f"an expansion whose coefficients {', '.join(sorted(sought))} are sought"
             return replace(read_so(link, compared), status=EQUATION, why=why)
         as_path = f" as {path}"
+        if any(node.op == "O" for node in outermost(left, right)):
+            own = (*under.passing, *under.row)
+            ranged = path_on_range(path, bool(under.path), own)
+            if ranged is None:
+                said_range = chained(about(frozenset((path.split()[0],)), own))
+                why = f"an order on its range, {said_range}, is not supported"
+                link = replace(link, obstacle=Obstacle.CONDITION)
+                return replace(read_so(link, compared), status=UNREAD, why=why)
+            as_path = f" uniformly as {ranged}" if under.uniformly else f" as {ranged}"
     elif (
         relation == "=="
         and pieces[1].printed.strip("-")
@@ -335,7 +345,8 @@ def _attempts(
     """Return the claims to try, in order, and whether one has the same variables on both sides."""
     left, relation, right = compared
     attempts: dict[str, Attempt] = {}
-    same, free, end = False, {*NO_VARIABLES}, as_path.split()[1] if as_path else ""
+    same, free = False, {*NO_VARIABLES}
+    end = as_path.partition(" as ")[2].partition(" ")[0]
     if any(node.op == "antiderivative" for node in outermost(left, right)):
         free |= {name for name in symbols(left) | symbols(right) if CONSTANTS.fullmatch(name)}
     for more in ((), memory.earlier):
@@ -349,7 +360,7 @@ def _attempts(
             given = [
                 c for c in given if end not in names_in((c,))
             ]  # the path says where the claim holds
-            given += _implied(one, other)
+            given += [c for c in _implied(one, other) if end not in names_in((c,))]
             shown = chained(about(symbols(one) | symbols(other), given))
             told = (f" given {shown}" if shown else "") + as_path
             text = _with_functions_named(f"{one} {relation} {other}{told}", unknown_in(one, other))

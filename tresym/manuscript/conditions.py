@@ -140,7 +140,7 @@ class ConditionReader(ABC):
         own = self.member(replace(said, terms=said.terms[:2], ops=said.ops[:1]))
         terms = said.terms[:1] + said.terms[2:]
         bound = self.condition(replace(said, terms=terms, ops=said.ops[1:]))
-        return (own[0] + bound[0], bound[1], bound[2]) if own and bound else None
+        return (own[0] + bound[0], own[1] + bound[1], bound[2]) if own and bound else None
 
     def member(self, said: Said) -> Conditions | None:
         """``n \\in \\mathbb{Z}``, and the like."""

@@ -96,6 +96,8 @@ class Under:
     """The symbols in that condition, none if they are not known."""
     stated: str = ""
     """Words of its sentence that make it an existence statement or a supposition."""
+    uniformly: bool = False
+    """Whether its sentence says "uniformly": one constant for all values of the parameters."""
 
 
 class Memory(ConditionReader):
@@ -448,6 +450,9 @@ class Memory(ConditionReader):
         for text in (prose.last_sentence(before), prose.first_sentence(after)):
             if prose.is_of_signs(text):
                 continue
+            if (both := prose.of_last_or_both(text)) is not None:
+                unread = f"{both[0]} and {both[1]}, where both or only the last may be meant"
+                unread_of = {one for said in quietly(both[0]) for one in self.spoken_of(said)}
             for found in prose.inline(text):
                 if not found.passing:
                     continue
@@ -460,7 +465,7 @@ class Memory(ConditionReader):
                     if self.is_defined_function(said):
                         continue
                     more = self.condition(said)
-                    if more and (not more[1] or said.ops == ("\\in",)):
+                    if more and (not more[1] or said.ops[:1] == ("\\in",)):
                         given += more[0]
                         put_in += (one for one in more[1] if one[0] not in self.told)
                         path = more[2] or path
@@ -485,6 +490,7 @@ class Memory(ConditionReader):
             unread=unread,
             unread_of=frozenset(unread_of),
             stated=stated,
+            uniformly=prose.is_uniform(before, after),
         )
 
     def is_defined_function(self, said: Said) -> bool:

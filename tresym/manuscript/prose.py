@@ -106,6 +106,7 @@ _INTRODUCED = re.compile(
 )
 _NEITHER = re.compile(r"\b(?:neither|nor|not|no)[\s~]*\Z", re.IGNORECASE)
 _SYMBOL = r"(?:\\[a-zA-Z]+|[a-zA-Z])(?:_\w)?"
+_SYMBOL_FIRST = re.compile(rf"\s*({_SYMBOL})\s*")
 _SYMBOLS = re.compile(rf"\s*{_SYMBOL}(?:\s*,\s*{_SYMBOL})*\s*")
 _NARROWED = re.compile(
     r"\bfor (?:all|every|any|each)\b[^.]*?(?:\$|\\\)|numbers?|values?|reals?)\s*,?\s*"
@@ -236,6 +237,37 @@ def is_universal(before: str, after: str) -> bool:
     )
 
 
+_UNIFORMLY = re.compile(
+    r"(?<!not )(?<!non-)(?<!non)\buniformly\b"
+    r"(?!\s+(?:distributed|random|convergent|continuous|chosen|spaced|\w+ed\b))",
+    re.IGNORECASE,
+)
+
+
+def is_uniform(before: str, after: str) -> bool:
+    """Whether the sentence of a display says that it holds uniformly."""
+    parts = last_sentence(before), first_sentence(after)
+    return any(_UNIFORMLY.search(without_formulas(part)) for part in parts)
+
+
+_OF_LAST_OR_BOTH = re.compile(
+    r"\b(?:for|all|any|every|each|real)[\s~]+(?:numbers[\s~]+|values[\s~]+of[\s~]+)?"
+    rf"\$({_SYMBOLS.pattern})\$[\s~]*(?:,|and|,[\s~]*and)[\s~]*"
+    rf"\$(\s*{_SYMBOL}\s*(?:[<>]|\\[lg]eq?(?![a-zA-Z]))[^$]*)\$",
+    re.IGNORECASE,
+)
+
+
+def of_last_or_both(text: str) -> tuple[str, str] | None:
+    """Return the symbols of which a condition may be meant, too: "for all $x$ and $y > 0$".
+
+    Returns:
+        The symbols before the condition, and the condition; None if no text of this form is there.
+    """
+    found = _OF_LAST_OR_BOTH.search(text)
+    return (found[1].strip(), found[2].strip()) if found else None
+
+
 def is_told(before: str) -> bool:
     """Whether the sentence before a display claims it: "Let $z < 0$. Then"."""
     return bool(_TOLD.search(last_sentence(before)))
@@ -272,12 +304,12 @@ def inline(text: str) -> Iterator[Inline]:
             if _WANTED.search(words):  # a goal, not a condition
                 marks, conditional = (False, False, *marks[2:]), False
             tex, rest = found[1] or found[2], sentence[found.end() :]
-            signed = _signed(tex, words, rest)
+            signed, parity = _signed(tex, words, rest), ""
             if signed:  # introduced anew, then restricted
                 yield Inline(tex, *marks, anew=anew)
                 tex, anew = signed, False
             elif parity := _parity(tex, words, rest):
-                tex = rf"{tex} \in \mathbb{{{parity}}}"
+                tex = _SYMBOL_FIRST.sub(rf"\1 \\in \\mathbb{{{parity}}} ", tex, count=1)
             alone = not _RELATION.search(tex)
             told = alone and (anew or bool(_ANEW_AFTER.match(rest[:200])))
             if not alone and _is_no_condition(words, rest):
@@ -285,7 +317,7 @@ def inline(text: str) -> Iterator[Inline]:
             elif _EXCEPT.search(words):
                 tex, marks = opposite(tex), (False, True, False, False)
             halved = _PARITY.search(words) and _HALVED.fullmatch(tex)
-            whole = "Z" if halved else _whole(words, rest, alone)
+            whole = "Z" if halved else "" if parity else _whole(words, rest, alone)
             small = _TENDS.search(words)
             tends = {"small": "0", "large": "oo"}[small[1].lower()] if small else ""
             ahead = INLINE.sub("$", sentence[: found.start()])
@@ -320,8 +352,9 @@ def _signed(tex: str, before: str, after: str) -> str:
 
 
 def _parity(tex: str, before: str, after: str) -> str:
-    """Return O or E if the words around a symbol call it odd or even, else ``""``."""
-    if not re.fullmatch(rf"\s*{_SYMBOL}\s*", tex):
+    """Return O or E if the words around ``n`` or ``n \\ge 1`` call n odd or even, else ``""``."""
+    one = _SYMBOL_FIRST.match(tex)
+    if one is None or (tex[one.end() :] and not _RELATION.match(tex, one.end())):
         return ""
     before = before[-60:]
     found = _PARITY_BEFORE.search(before) or _PARITY_AFTER.match(after[:60])

@@ -1,0 +1,20 @@
+"""What a display says beside its formula: ranges of orders, words for integers, shared conditions.
+
+Each line of the list is a text of its own, with the status of its last display.
+"""
+
+from pathlib import Path
+
+import pytest
+from manuscripts import read
+
+LINES = (Path(__file__).parents[1] / "data" / "displays.txt").read_text(encoding="utf-8")
+TEXTS = [line.split(" | ", 1) for line in LINES.splitlines() if not line.startswith("#")]
+
+
+@pytest.mark.parametrize(("status", "text"), TEXTS)
+def test_what_is_said_beside_a_formula_is_used_or_refused(
+    status: str, text: str, tmp_path: Path
+) -> None:
+    row = read(tmp_path, text)[-1]
+    assert row.status == status, row.why
