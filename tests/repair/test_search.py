@@ -72,3 +72,16 @@ def test_check_suggests_unless_told_not_to() -> None:
     assert tresym.check("sqrt(x**2) == abs(x)").instead == ()
     json = tresym.check("sqrt(x**2) == x").as_json()["instead"][0]
     assert sorted(json) == ["claim", "edit", "given", "verdict"]
+
+
+@pytest.mark.parametrize(
+    ("claim", "why"),
+    [
+        ("sin(x) == x - x**3/4 + O(x**5) as x -> 0", "the coefficient of x**3 is -1/6, not -1/4"),
+        ("sqrt(1 + x) ~ 1 + x/3 as x -> 0", "the coefficient of x is 1/2, not 1/3"),
+        ("exp(x) == 2 + x + O(x**2) as x -> 0", "the expansion is x + 1"),
+    ],
+)
+def test_a_wrong_coefficient_is_named(claim: str, why: str) -> None:
+    found = alternatives(claim, LONG)
+    assert any(one.edit.startswith(why) for one in found)

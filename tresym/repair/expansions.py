@@ -17,7 +17,16 @@ from tresym.reals.domain.conditions import Given
 from tresym.reals.expansions.limit_values import limit_of
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.comparisons import LIMIT, Comparison
-from tresym.reals.language.expression import ORDERS, ZERO, Expr, add, rebuild
+from tresym.reals.language.expression import (
+    ONE,
+    ORDERS,
+    ZERO,
+    Expr,
+    add,
+    multiply,
+    rebuild,
+    symbols,
+)
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.signs.interior import is_zero
 from tresym.repair.agreement import Claim
@@ -50,7 +59,8 @@ def true_expansions(claim: Claim) -> Iterator[tuple[Claim, str]]:
     if relation == "~" and not orders:
         found = _terms(f, statement, count)
         if found is not None and found.terms:
-            yield claim._replace(terms=(f, add(*found.terms))), "the leading terms are these"
+            why = _wrong_coefficient(right, found, statement) or "the leading terms are these"
+            yield claim._replace(terms=(f, add(*found.terms))), why
         return
     if relation != "==" or len(orders) != 1 or orders[0].op not in ("O", "o"):
         return
@@ -68,8 +78,36 @@ def true_expansions(claim: Claim) -> Iterator[tuple[Claim, str]]:
         gauge = found.gauge
         if gauge is None or _is_small(gauge, order, statement):
             terms = add(*found.terms, order) if found.terms else order
-            yield claim._replace(terms=(f, terms)), f"the expansion is {add(*found.terms)}"
+            wrong = _wrong_coefficient(stated, found, statement)
+            why = wrong or f"the expansion is {add(*found.terms)}"
+            yield claim._replace(terms=(f, terms)), why
             return
+
+
+def _wrong_coefficient(stated: Expr, found: Terms, statement: Statement) -> str:
+    """Name the first coefficient that is not the true one; nothing if the terms differ otherwise.
+
+    Of ``x - x**3/4`` for the sine it is said that the coefficient of ``x**3`` is -1/6, not -1/4.
+    """
+    assert statement.path is not None
+    name = statement.path.name
+    written = [_split(t, name) for t in (stated.args if stated.op == "+" else (stated,))]
+    for coefficient, power in (_split(t, name) for t in found.terms):
+        said = add(ZERO, *(c for c, p in written if p == power))
+        if said != coefficient and not is_zero(said - coefficient, Given()):
+            if power == ONE or (said == ZERO and len(found.terms) != len(written)):
+                return ""
+            if said == ZERO:
+                return f"the term {coefficient * power} is missing"
+            return f"the coefficient of {power} is {coefficient}, not {said}"
+    return ""
+
+
+def _split(term: Expr, name: str) -> tuple[Expr, Expr]:
+    """Split a term into its factors without the variable and those with it."""
+    factors = term.args if term.op == "*" else (term,)
+    inside = [f for f in factors if name in symbols(f)]
+    return multiply(ONE, *(f for f in factors if f not in inside)), multiply(ONE, *inside)
 
 
 def _is_small(gauge: Expr, order: Expr, statement: Statement) -> bool:

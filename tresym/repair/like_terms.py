@@ -16,6 +16,8 @@ from tresym.reals.language.binders import ordered, worked_out
 from tresym.reals.language.expression import (
     LEAVES,
     ONE,
+    ORDERS,
+    ZERO,
     Expr,
     add,
     multiply,
@@ -36,7 +38,7 @@ def is_trivial(old: Compared, new: Compared, mistaken: str = "") -> bool:
         new: the repaired comparison.
         mistaken: a variable that was printed in place of another one, and may disappear.
     """
-    left, right = collected(new[0]), collected(new[2])
+    left, right = (collected(_without_orders(side)) for side in new[::2])
     names = symbols(old[0]) | symbols(old[2])
     if left == right or loses_names(old, new, mistaken):
         return True
@@ -47,6 +49,13 @@ def is_trivial(old: Compared, new: Compared, mistaken: str = "") -> bool:
     except InputError:
         return False
     return (not symbols(gap) and bool(names)) or (not symbols(share) and bool(names))
+
+
+def _without_orders(e: Expr) -> Expr:
+    """Return a sum without its terms O(...): ``y == y + O(x)`` says as little as ``y == y``."""
+    if e.op != "+" or not any(part.op in ORDERS for part in e.args):
+        return e
+    return add(ZERO, *(part for part in e.args if part.op not in ORDERS))
 
 
 def loses_names(old: Compared, new: Compared, mistaken: str = "") -> bool:
