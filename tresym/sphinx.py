@@ -104,7 +104,7 @@ class ClaimDirective(_Directive):
 
     def computed(self, claim: str, given: str, path: str | None) -> tuple[str, str, str, str]:
         """Return verdict, sentence, LaTeX and text of a claim."""
-        from tresym.reals.language.claims import in_latex
+        from tresym.reals.language.readings import in_latex
 
         answer = tresym.check(claim, given, path, limit=LIMIT)
         return answer.verdict.value, answer.in_text()[0], in_latex(answer.read_as), answer.read_as

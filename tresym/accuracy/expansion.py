@@ -17,8 +17,8 @@ from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.decisions.roots import as_variables, root_nodes
 from tresym.reals.decisions.statement import Statement
 from tresym.reals.language.binders import elementary
-from tresym.reals.language.claims import in_latex
 from tresym.reals.language.expression import Expr, opened
+from tresym.reals.language.readings import in_latex
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 

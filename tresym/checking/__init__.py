@@ -12,7 +12,7 @@ from typing import Any
 from tresym.checking.dispatch import decide_claim
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.claim_parsing import read
-from tresym.reals.language.claims import need_variables
+from tresym.reals.language.readings import need_variables
 from tresym.reals.numbers.exact import InputError
 
 MAX_SECONDS = 86_400

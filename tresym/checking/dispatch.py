@@ -31,6 +31,7 @@ from tresym.reals.functions.table import SPECIAL, TABLE
 from tresym.reals.language.binders import is_infinite, outermost, total
 from tresym.reals.language.calls import FACTORIAL, INFINITY
 from tresym.reals.language.comparisons import Comparison
+from tresym.reals.language.compound import read_compound
 from tresym.reals.language.differential_notation import without_prefix
 from tresym.reals.language.expression import DOTS, ZERO, Expr, opened, replaced, symbols
 from tresym.reals.language.parsing import parse
@@ -68,6 +69,10 @@ def decide_claim(claim: Any, given: Any = "", path: str | None = None) -> Answer
         InputError: the claim cannot be read.
     """
     start = time.perf_counter()
+    if (whole := read_compound(claim, given, path)) is not None:
+        from tresym.checking.compound_claims import decide_compound
+
+        return decide_compound(whole, decide_claim)
     with collecting_seldom(SELDOM):
         statement = claim if isinstance(claim, Statement) else read(claim, given, path)
         cases = residues(statement)

@@ -18,7 +18,7 @@ from typing import Any, NamedTuple, Protocol
 from tresym.checking.dispatch import decide_claim
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.statement import Statement
-from tresym.reals.language.claims import read_as
+from tresym.reals.language.readings import read_as
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.processes import AHEAD, Processes, StoppedError, cores
 from tresym.reals.verdict import Cause, Verdict

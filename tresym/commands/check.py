@@ -151,7 +151,7 @@ def one(
         suggest: whether to search for a true statement close to a refuted claim.
     """
     from tresym.checking.time_limited import Task, check_within
-    from tresym.reals.language.claims import need_variables
+    from tresym.reals.language.readings import need_variables
 
     need_variables(claim, given, path)
     answer = check_within(Task(claim.strip(), given, path), parse_seconds(limit))
@@ -177,10 +177,11 @@ def _in_coq(
 ) -> dict[str, object]:
     """Export a claim to Coq, and return the outcome; the file is written if there is a proof."""
     from tresym.coq.candidate_search import export
-    from tresym.coq.claim_export import theorems
+    from tresym.coq.claim_export import theorems, theorems_of_parts
     from tresym.coq.statement import NotExportedError
     from tresym.output import write_text
     from tresym.reals.decisions.claim_parsing import read
+    from tresym.reals.language.compound import read_compound
 
     if not answer:
         return {
@@ -188,7 +189,9 @@ def _in_coq(
             "says": ("only claims that are PROVED or ENCLOSED are exported to Coq"),
         }
     try:
-        outcome = export(theorems(read(claim, given, path)))
+        whole = read_compound(claim, given, path)
+        said = theorems(read(claim, given, path)) if whole is None else theorems_of_parts(whole)
+        outcome = export(said)
     except NotExportedError as error:
         return {"accepted": None, "says": str(error)}
     if outcome.accepted is False:
@@ -258,7 +261,7 @@ def _worse(*statuses: int) -> int:
 
 def _with_known_names(answers: Answers) -> Answers:
     """Yield the answers, with an error for each claim that holds a name that is no variable."""
-    from tresym.reals.language.claims import need_variables
+    from tresym.reals.language.readings import need_variables
 
     for task, found in answers:
         try:

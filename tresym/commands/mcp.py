@@ -58,7 +58,7 @@ def _tools(limit: float) -> list[Any]:
         from dataclasses import replace
 
         from tresym.checking.time_limited import Task, check_within
-        from tresym.reals.language.claims import need_variables
+        from tresym.reals.language.readings import need_variables
         from tresym.reals.verdict import Verdict
         from tresym.repair import suggestions
 

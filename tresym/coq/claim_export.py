@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from tresym.coq.bound_statements import BoundTheorem, bound_theorem
 from tresym.coq.statement import Condition, NotExportedError, Theorem
+from tresym.reals.decisions.claim_parsing import statement_of
 from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.operation_domains import needs
 from tresym.reals.language.binders import derivative, elementary
+from tresym.reals.language.claims import Written
 from tresym.reals.language.comparisons import Comparison
+from tresym.reals.language.compound import Compound, Equivalent, leaves
 from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.language.formula import Relation
 
@@ -33,6 +36,30 @@ def theorems(statement: Statement, name: str = "claim") -> list[Theorem] | list[
         raise NotExportedError("claims about integers without a sum are not exported to Coq yet")
     given = statement.given.comparisons
     return [theorem(comparison, given, name) for comparison, name in pairs]
+
+
+def theorems_of_parts(whole: Compound, name: str = "claim") -> list[Theorem] | list[BoundTheorem]:
+    """Return the theorems of a claim that is a conjunction of comparisons.
+
+    Raises:
+        NotExportedError: it is made of claims in another way, or a part is not exported yet.
+    """
+    parts = list(leaves(whole.formula))
+    if isinstance(whole.formula, Equivalent) or not all(isinstance(p, Written) for p in parts):
+        raise NotExportedError(
+            "of claims made of claims only conjunctions of comparisons are exported to Coq yet"
+        )
+    found: list[Theorem] = []
+    bounds: list[BoundTheorem] = []
+    for n, part in enumerate(parts, 1):
+        for one in theorems(statement_of(part), f"{name}_{n}") if isinstance(part, Written) else ():
+            if isinstance(one, Theorem):
+                found.append(one)
+            else:
+                bounds.append(one)
+    if found and bounds:
+        raise NotExportedError("limits and inequalities at points are exported to Coq one by one")
+    return found or bounds
 
 
 def theorem(claim: Comparison, given: tuple[Condition, ...] = (), name: str = "claim") -> Theorem:

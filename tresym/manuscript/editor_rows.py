@@ -20,8 +20,8 @@ from tresym.manuscript.settings import settings_for, with_settings
 from tresym.manuscript.source import read_manuscript
 from tresym.manuscript.suspects import proofread
 from tresym.papers.editor_rows import claims_file_rows
-from tresym.reals.language.claims import in_latex
 from tresym.reals.language.expression import symbols
+from tresym.reals.language.readings import in_latex
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.processes import end_with_parent
 

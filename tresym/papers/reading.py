@@ -49,7 +49,7 @@ from tresym.reals.decisions.statement import functions
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import outermost
 from tresym.reals.language.calls import INFINITY, INTEGERS, KNOWN
-from tresym.reals.language.claims import UNIFORMLY, read_as
+from tresym.reals.language.claims import UNIFORMLY
 from tresym.reals.language.comparisons import spread
 from tresym.reals.language.differential_notation import with_differential_notation
 from tresym.reals.language.expression import (
@@ -68,6 +68,7 @@ from tresym.reals.language.formula import Compared, chained
 from tresym.reals.language.latex_tokens import GREEK
 from tresym.reals.language.parsing import as_written, parse_claim, parse_given, sequences_of
 from tresym.reals.language.paths import read_path
+from tresym.reals.language.readings import read_as
 from tresym.reals.language.unicode_input import plain
 from tresym.reals.numbers.exact import InputError, parse_number
 from tresym.reals.signs.definedness import undefined

@@ -9,9 +9,10 @@ from cases import cases
 from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language import claims, paths
-from tresym.reals.language.claims import MAX_CHARACTERS, read_as
+from tresym.reals.language.claims import MAX_CHARACTERS
 from tresym.reals.language.parsing import parse
 from tresym.reals.language.paths import read_path
+from tresym.reals.language.readings import read_as
 from tresym.reals.numbers.exact import InputError
 
 x, y = sp.symbols("x y", real=True)

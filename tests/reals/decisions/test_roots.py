@@ -7,9 +7,9 @@ import pytest
 
 import tresym
 from tresym.accuracy.values import value
-from tresym.reals.language.claims import in_latex
 from tresym.reals.language.expression import number, substitute, symbol
 from tresym.reals.language.parsing import parse
+from tresym.reals.language.readings import in_latex
 from tresym.reals.numbers.exact import InputError
 
 HOLDS = """

@@ -3,9 +3,9 @@
 import pytest
 from cases import cases
 
-from tresym.reals.language.claims import read_as
 from tresym.reals.language.latex import read_expression
 from tresym.reals.language.parsing import as_written
+from tresym.reals.language.readings import read_as
 from tresym.reals.numbers.exact import InputError
 
 SEEN = {

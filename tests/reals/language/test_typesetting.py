@@ -3,8 +3,8 @@
 import pytest
 from cases import cases
 
-from tresym.reals.language.claims import in_latex
 from tresym.reals.language.parsing import parse_claim
+from tresym.reals.language.readings import in_latex
 from tresym.reals.language.typesetting import to_latex, to_mathml
 
 

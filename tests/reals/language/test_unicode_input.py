@@ -16,9 +16,9 @@ from tresym.checking.time_limited import Task, check_within
 from tresym.commands import main
 from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.language import paths
-from tresym.reals.language.claims import read_as
 from tresym.reals.language.expression import number
 from tresym.reals.language.paths import read_path
+from tresym.reals.language.readings import read_as
 from tresym.reals.language.unicode_input import plain
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
@@ -60,7 +60,6 @@ def test_printed_signs_are_read(claim: str) -> None:
         ("x => 1", "write x >= 1"),
         ("x >= ", "one side"),
         ("1,5 == 3/2", "decimals have a point"),
-        ("x > 0 and y > 0", "one claim at a time"),
         ("x > 0 given", "missing after the word given"),
         ("lambda == 1", "lambda_"),
         ("x^^2 == 1", r"one \^"),

@@ -11,9 +11,9 @@ from flint import arb, fmpq
 from tresym.reals.decisions.identity import with_point
 from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.conditions import Given
-from tresym.reals.language.claims import in_latex
 from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.expression import Expr
+from tresym.reals.language.readings import in_latex
 from tresym.reals.normal.to_expression import normal_form
 from tresym.reals.notebook import abbreviated, html_table, in_one_line
 from tresym.reals.numbers.arithmetic import ball_precision

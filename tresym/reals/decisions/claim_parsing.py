@@ -69,7 +69,15 @@ def stated(
     Raises:
         InputError: the parts do not belong together.
     """
-    written = Written(tuple(parts), tuple(given), path, (), uniformly)
+    return statement_of(Written(tuple(parts), tuple(given), path, (), uniformly))
+
+
+def statement_of(written: Written) -> Statement:
+    """Return the statement of a claim that is written in the grammar already.
+
+    Raises:
+        InputError: its parts do not belong together.
+    """
     return _checked(_stated(written, str(written)))
 
 

@@ -13,10 +13,9 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any, NamedTuple
 
-from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.comparisons import LIMIT, ORDERS
 from tresym.reals.language.differential_notation import with_differential_notation
-from tresym.reals.language.expression import ZERO, multiply, number, symbol
+from tresym.reals.language.expression import ZERO, symbol
 from tresym.reals.language.formula import Compared, chained
 from tresym.reals.language.parsing import parse_claim, parse_given, sequences_of
 from tresym.reals.language.paths import MAX_PATH, Path, path_in_latex, read_path
@@ -28,9 +27,7 @@ from tresym.reals.language.sympy import (
     relation_from_sympy,
     unworked,
 )
-from tresym.reals.language.typesetting import to_latex
 from tresym.reals.language.unicode_input import plain
-from tresym.reals.language.variable_names import explain, without_declaration
 from tresym.reals.numbers.exact import InputError
 
 MAX_CHARACTERS = 30_000
@@ -235,51 +232,3 @@ def _condition(link: Compared) -> Compared:
     """A condition from elsewhere, if it can be one."""
     parse_given(chained((link,)))
     return link
-
-
-def read_as(claim: Any, given: Any = "", path: str | None = None) -> str:
-    """Return the claim with conditions and path in the grammar of text; empty if unreadable.
-
-    Nothing is worked out of it, so that it is at hand also where deciding did not end.
-    """
-    try:
-        return getattr(claim, "read_as", None) or str(as_written(claim, given, path))
-    except InputError:
-        return ""
-
-
-def in_latex(text: str) -> str:
-    """Return a claim in the grammar of text as LaTeX; empty if it cannot be read."""
-    try:
-        comparisons, given, path, _, _ = as_written(text, "", None)
-    except InputError:
-        return ""
-    shown = to_latex(comparisons)
-    shown += rf" \quad ({to_latex(given)})" if given else ""
-    if path is None:
-        return shown
-    point = multiply(number(path.sides[0]), INFINITY) if path.point is None else path.point
-    side = "" if path.point is None or len(path.sides) > 1 else "^+" if path.sides[0] > 0 else "^-"
-    return rf"{shown} \quad ({to_latex([(symbol(path.name), '->', point)])}{side})"
-
-
-def need_variables(claim: Any, given: Any = "", path: str | None = None) -> None:
-    """Check that all names in typed text are variables or known.
-
-    Names in LaTeX, SymPy relations and conditions that are no text are taken as they are.
-
-    Raises:
-        InputError: a name is no variable; the message says what to write. Text that cannot be read
-            at all is not this function's concern.
-    """
-    if not (isinstance(claim, str) and isinstance(given, str)) or _LATEX.search(claim + given):
-        return
-    try:
-        written = as_written(claim, given, path)
-    except InputError:
-        return
-    known = [] if written.path is None else [written.path.name]
-    under = f"{given} {parts_of(claim)[1]}"
-    names = without_declaration(written.comparisons, written.given, known, under)
-    if names:
-        raise InputError(explain(f"{claim} {given}", names))

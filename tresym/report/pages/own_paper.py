@@ -25,7 +25,6 @@ from tresym.papers.reading import (
 from tresym.papers.verification import PaperReport, Row
 from tresym.reals.decisions.answer import ball_text
 from tresym.reals.language.calls import INFINITY, INTEGERS
-from tresym.reals.language.claims import in_latex
 from tresym.reals.language.expression import (
     LEAVES,
     ORDERS,
@@ -38,6 +37,7 @@ from tresym.reals.language.expression import (
 )
 from tresym.reals.language.formula import Compared
 from tresym.reals.language.paths import read_path
+from tresym.reals.language.readings import in_latex
 from tresym.reals.language.typesetting import expression_in_latex as any_expression
 from tresym.reals.language.typesetting import to_latex as any_formula
 from tresym.reals.verdict import Verdict

@@ -1,0 +1,83 @@
+"""What a claim is read as, whether it is one comparison or made of several: text, LaTeX, names.
+
+``x^2 = 4 <=> x = 2`` is read as ``x**2 == 4 <=> x == 2``, and shown in print as the formula of it.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.claims import Written, as_written, parts_of
+from tresym.reals.language.compound import claimed, formula_in_latex, read_compound
+from tresym.reals.language.expression import multiply, number, symbol
+from tresym.reals.language.paths import Path
+from tresym.reals.language.typesetting import to_latex
+from tresym.reals.language.variable_names import explain, without_declaration
+from tresym.reals.numbers.exact import InputError
+
+
+def read_as(claim: Any, given: Any = "", path: str | None = None) -> str:
+    """Return the claim with conditions and path in the grammar of text; empty if unreadable.
+
+    Nothing is worked out of it, so that it is at hand also where deciding did not end.
+    """
+    try:
+        whole = read_compound(claim, given, path)
+        if whole is not None:
+            return str(whole)
+        return getattr(claim, "read_as", None) or str(as_written(claim, given, path))
+    except InputError:
+        return ""
+
+
+def in_latex(text: str) -> str:
+    """Return a claim in the grammar of text as LaTeX; empty if it cannot be read."""
+    try:
+        whole = read_compound(text)
+        comparisons, given, path, _, _ = as_written(text, "", None) if whole is None else _NOTHING
+    except InputError:
+        return ""
+    if whole is not None:
+        shown, given, path = formula_in_latex(whole.formula, len(whole.given)), *whole[1:3]
+    else:
+        shown = to_latex(comparisons)
+    shown += rf" \quad ({to_latex(given)})" if given else ""
+    return shown if path is None else rf"{shown} \quad ({_path_in_latex(path)})"
+
+
+_NOTHING = Written((), (), None)
+
+
+def _path_in_latex(path: Path) -> str:
+    """``x \\to 0^+`` for ``x -> 0+``."""
+    point = multiply(number(path.sides[0]), INFINITY) if path.point is None else path.point
+    side = "" if path.point is None or len(path.sides) > 1 else "^+" if path.sides[0] > 0 else "^-"
+    return to_latex([(symbol(path.name), "->", point)]) + side
+
+
+def need_variables(claim: Any, given: Any = "", path: str | None = None) -> None:
+    """Check that all names in typed text are variables or known.
+
+    Names in LaTeX, SymPy relations and conditions that are no text are taken as they are.
+
+    Raises:
+        InputError: a name is no variable; the message says what to write. Text that cannot be read
+            at all is not this function's concern.
+    """
+    if not (isinstance(claim, str) and isinstance(given, str)) or re.search(
+        r"[\\{}]", claim + given
+    ):
+        return
+    try:
+        parts = claimed(claim, given, path) or [(as_written(claim, given, path), ())]
+    except InputError:
+        return
+    names: list[str] = []
+    for written, counted in parts:
+        known = [*counted, *(() if written.path is None else (written.path.name,))]
+        under = f"{given} {parts_of(claim)[1] if len(parts) == 1 else claim}"
+        names += without_declaration(written.comparisons, written.given, known, under)
+    if names:
+        raise InputError(explain(f"{claim} {given}", names))
