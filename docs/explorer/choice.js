@@ -207,10 +207,10 @@ function commandOf() {
 
 /**
  * @param {string} id
- * @returns {string} what is typed, with a hyphen for a minus
+ * @returns {string} what is typed, with a hyphen for a minus and a decimal point
  */
 function asTyped(id) {
-  return field(id).value.trim().replace(/[−–]/g, "-").replace(/\s+/g, "");
+  return field(id).value.trim().replace(/[−–]/g, "-").replace(/\s+/g, "").replace(",", ".");
 }
 
 // Numbers in words

@@ -12,7 +12,7 @@ const LONGEST_NUMBER = 60;
 const LARGEST_EXPONENT = 150;
 
 /**
- * The number that a text such as "0.0629", "-3e-5" or "55/874" stands for.
+ * The number that a text such as "0.0629", "0,0629", "-3e-5" or "55/874" stands for.
  *
  * @param {string} text
  * @returns {Fraction | null} null if it is no number, or longer than this page reads
@@ -25,7 +25,7 @@ function readNumber(text) {
     const bottom = BigInt(ratio[2]);
     return bottom === 0n ? null : { top: integer(ratio[1]), bottom };
   }
-  const decimal = /^([+-]?)(\d*)\.?(\d*)(?:e([+-]?\d{1,4}))?$/i.exec(word);
+  const decimal = /^([+-]?)(\d*)[.,]?(\d*)(?:e([+-]?\d{1,4}))?$/i.exec(word);
   if (!decimal || decimal[2] + decimal[3] === "") return null;
   const [, sign, whole, part, power = "0"] = decimal;
   if (Math.abs(Number(power)) > LARGEST_EXPONENT) return null;

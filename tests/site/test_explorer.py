@@ -567,7 +567,7 @@ def test_a_choice_can_be_sent_as_an_address(open_page: Open) -> None:
     again = open_page(page.evaluate("location.hash"))
     assert again.input_value("#body") == "racket-3"
     assert again.inner_text("#defect") == page.inner_text("#defect")
-    page.fill("#a", "14.9")
+    page.fill("#a", "14,9")
     assert page.input_value("#body") == ""
     assert "--shape 14.9 0.12" in page.inner_text("#command")
     page.fill("#I1", "62")
