@@ -64,6 +64,7 @@ from tresym.asymptotics.explicit_claims import (
 )
 from tresym.asymptotics.explicit_solutions import Curve, expansion, next_term, solutions
 from tresym.asymptotics.exponential_polynomials import expression, is_bounded, polynomial
+from tresym.asymptotics.layers import decide_layers
 from tresym.asymptotics.logarithmic_norm import Range, error_bound, exact, supremum
 from tresym.asymptotics.long_time import decide_autonomous
 from tresym.asymptotics.order_claims import region
@@ -128,6 +129,10 @@ def _decide(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
             "a claim about the solution of a differential equation is about its values and slopes, "
             "without integer conditions"
         )
+    if path is not None and path.point == ZERO:
+        found = decide_layers(claim, statement, decided)
+        if found is not None:
+            return found
     problem = problem_of(statement)
     if any(jumps(e) for e in (*problem.right.values(), claim.left, claim.right)):
         raise OpenError("functions with jumps are not supported in differential equations")

@@ -612,6 +612,8 @@ def _small_parameter(
         return None
     ctx.cap = 1
     end = _value(path.point, {})[0]
+    if _is_layer(system, path, end):
+        return _layer(claim, statement, system, path, answer)
     region = _region(answer)
     times = (fmpq(0), *TIMES[:4], *(LATE if region else LATE[:1]))
     bounded = tried = 0
@@ -656,6 +658,98 @@ def _small_parameter(
     refuted = answer.verdict is Verdict.REFUTED and not statement.uniformly
     if refuted and tried >= 2 and bounded == tried:
         return "numerically the ratio of the sides stays bounded"
+    return None
+
+
+def _is_layer(system: _System, path: Path, end: arb) -> bool:
+    """Whether the equation of a boundary value problem has no solved form at the path's end."""
+    if system.end is None or len(system.gaps) != 1 or len(system.state) != 2:
+        return False
+    ((name, gap),) = system.gaps.items()
+    mark = str(_mark(name, 2).args[0])
+    names = symbols(gap) - {mark}
+    at = _constants({n: arb(fmpq(3, 7)) for n in names} | {path.name: end})
+    try:
+        low, high = (_value(gap, {**at, mark: arb_series([n])})[0] for n in (0, 1))
+    except ZeroDivisionError:
+        return True
+    return not (high - low).is_finite() or bool((high - low).contains(0))
+
+
+def _layer(
+    claim: Comparison, statement: Statement, system: _System, path: Path, answer: Answer
+) -> str | None:
+    """Whether the largest ratio of error and comparison function grows as a layer gets thinner."""
+    import numpy as np
+
+    from tresym.checking.layer_check import UnsupportedError, solved, value
+
+    if system.end is None or path.sides != (1,):
+        return None
+    ((name, gap),) = system.gaps.items()
+    value_, slope, top = (str(_mark(name, k).args[0]) for k in range(3))
+    point, key, last = system.end
+    (first,) = system.values
+    nodes = {node for e in (claim.left, claim.right) for node in functions(e)}
+    if key[1] or first[1] or nodes != {unknown(name, (symbol(system.time),), (0,))}:
+        return None
+    trees = [replaced(e, dict.fromkeys(nodes, symbol("[N]"))) for e in (claim.left, claim.right)]
+    whole = statement.uniformly or answer.uniform is True
+    for at in _choices(claim, statement, system, (path.name,)):
+        sizes: list[tuple[float, float]] = []
+        for small in SMALL:
+            ctx.cap = 1
+            here = at | {path.name: arb(small)}
+            series = _constants(here)
+            ends = [_value(e, series)[0] for e in (system.start, point)]
+            values = [_linear_root(e, "[V]", series)[0] for e in (system.values[first], last)]
+            plain = {n: float(x) for n, x in here.items()}
+            pairs = sorted(zip(map(float, ends), map(float, values), strict=True))
+            try:
+                xs, ys, errors = solved(
+                    gap,
+                    (value_, slope, top),
+                    plain,
+                    system.time,
+                    (pairs[0][0], pairs[1][0]),
+                    (pairs[0][1], pairs[1][1]),
+                    float(small),
+                )
+                place = {**plain, system.time: xs, "[N]": ys}
+                left, right = (value(e, place) + 0 * xs for e in trees)
+            except UnsupportedError:
+                return None
+            error = abs(left - right) if claim.relation == "->" else abs(left / right)
+            slack = errors if claim.relation == "->" else errors / abs(right)
+            length = xs[-1] - xs[0]
+            chosen = (
+                range(0, len(xs), 3)
+                if whole
+                else [
+                    int(np.argmin(abs(xs - (xs[0] + k * length))))
+                    for k in (0, 0.2, 0.45, 0.7, 0.9, 1)
+                ]
+            )
+            kept = [k for k in chosen if _allowed(statement, system, here, arb(float(xs[k])))]
+            if not kept or not np.isfinite(error[kept]).all():
+                return None
+            low = float((error[kept] - 2 * slack[kept]).max())
+            sizes.append((low, float((error[kept] + 2 * slack[kept]).max())))
+            region = _region(answer)
+            if answer and region is not None and answer.constant is not None:
+                inside = conditions([path.name], region, ())([arb(small)])
+                most = parse_number(answer.constant.mid) + parse_number(answer.constant.rad)
+                if inside and low > float(arb(most).upper()):
+                    return f"numerically the ratio of the sides is {low:.6g}"
+        (first_low, one), (low, two), (least, three) = sizes
+        growing = least > GROWS * two and low > GROWS * one
+        shown = f"{one:.6g}, {two:.6g} and {three:.6g}"
+        if answer and claim.relation == "O" and growing:
+            return f"numerically the ratio of the sides grows as {shown}"
+        if not answer and claim.relation == "O" and 5 * three < 6 * low and 5 * two < 6 * first_low:
+            return f"numerically the ratio of the sides stays bounded: {shown}"
+        if answer and claim.relation != "O" and least > 1e-6 and 2 * least > two > 2 * one / 4:
+            return f"numerically the error does not vanish: {shown}"
     return None
 
 

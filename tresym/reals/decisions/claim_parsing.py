@@ -34,6 +34,8 @@ from tresym.reals.numbers.exact import InputError
 from tresym.reals.signs.sign import sign as sign_of
 from tresym.reals.verdict import Verdict
 
+UNIFORM = "uniformly belongs to an order with a path: f == g + O(h) as x -> 0"
+
 
 def read(claim: Any, given: Any = "", path: str | None = None) -> Statement:
     """Read a claim with its conditions and its path.
@@ -84,8 +86,9 @@ def statement_of(written: Written) -> Statement:
 def _stated(written: Written, text: str) -> Statement:
     """What is decided of what is written."""
     parts, said, path, on, uniformly = written
-    if uniformly and (path is None or not is_order(parts)):
-        raise InputError("uniformly belongs to an order with a path: f == g + O(h) as x -> 0")
+    asked = uniformly
+    if uniformly and path is None:
+        raise InputError(UNIFORM)
     if path is not None and path.expression is not None:
         whole = path
         parts, said, path = _along_expression(parts, said, path)
@@ -115,7 +118,12 @@ def _stated(written: Written, text: str) -> Statement:
     else:
         comparisons = tuple(comparison_of(*part) for part in parts)
     _need_apart(comparisons, said)
-    return Statement(comparisons, given, path, text, str(written), equations, integers, uniformly)
+    found = Statement(comparisons, given, path, text, str(written), equations, integers, uniformly)
+    if asked and not is_order(parts):
+        tending = all(c.relation in ("o", "->") for c in comparisons)
+        if not (tending and found.has_initial_values):
+            raise InputError(UNIFORM)
+    return found
 
 
 def _need_apart(comparisons: Iterable[Comparison], said: Iterable[Compared]) -> None:
