@@ -633,24 +633,27 @@ def _small_parameter(
                         table.setdefault(k, []).append(size)
                     if answer and _exceeds(answer, region, here | {system.time: t}, sides):
                         return _shown(system.time, t, sides)
-            for sizes in table.values():
+            against: dict[fmpq, str] = {}
+            for k, sizes in table.items():
                 if len(sizes) != len(smalls):
                     continue
                 first, second, third = sizes
                 tried += 1
-                if claim.relation == "O":
-                    if answer and third > GROWS * second and second > GROWS * first:
-                        shown = f"{said(first)}, {said(second)} and {said(third)}"
-                        return f"numerically the ratio of the sides grows as {shown}"
+                if answer and times[k] <= LATE[0] and (said_so := _against(claim.relation, sizes)):
+                    against[times[k]] = said_so
+                elif claim.relation == "O":
                     bounded += bool(third < 2 * second + AGREED) and bool(
                         second < 2 * first + AGREED
                     )
-                elif answer and third > arb("1e-15") and 2 * third > second and 2 * second > first:
-                    return f"numerically the ratio of the sides does not vanish: {said(third)}"
                 else:
                     bounded += bool(4 * third < second + AGREED) and bool(
                         4 * second < first + AGREED
                     )
+            if against:
+                least = fmpq(1, 2 ** (20 + 4 * int(max(map(abs, against)).ceil())))
+                nearer = [at | {path.name: end + side * arb(least / 8**n)} for n in range(3)]
+                for t in _going_on(claim, statement, system, nearer, [*against]):
+                    return against[t]
     if answer and (statement.uniformly or answer.uniform) and claim.relation == "O":
         grown = _secular(claim, statement, system, path, end)
         if grown:
@@ -751,6 +754,42 @@ def _layer(
         if answer and claim.relation != "O" and least > 1e-6 and 2 * least > two > 2 * one / 4:
             return f"numerically the error does not vanish: {shown}"
     return None
+
+
+def _against(relation: str, sizes: Sequence[arb]) -> str | None:
+    """Return what the ratio at three small values of the parameter says against an order."""
+    first, second, third = sizes
+    if relation == "O":
+        shown = f"{said(first)}, {said(second)} and {said(third)}"
+        grows = third > GROWS * second and second > GROWS * first
+        return f"numerically the ratio of the sides grows as {shown}" if grows else None
+    stays = third > arb("1e-15") and 2 * third > second and 2 * second > first
+    return f"numerically the ratio of the sides does not vanish: {said(third)}" if stays else None
+
+
+def _going_on(
+    claim: Comparison,
+    statement: Statement,
+    system: _System,
+    nearer: Sequence[Numbers],
+    times: Sequence[fmpq],
+) -> Iterator[fmpq]:
+    """Yield the times at which much smaller values of a parameter speak against an order, too.
+
+    What grows at the first values may do so because they are not yet small beside the others:
+    1/(1 - a*e*exp(t)) is far from 1 + a*e*exp(t) at e = 1/128, t = 6.
+    """
+    sizes: dict[fmpq, list[arb]] = {t: [] for t in times}
+    for here in nearer:
+        found = _Look(claim, statement, system, here).sides(times)
+        for t, sides in zip(times, (sides for _, sides in found), strict=False):
+            if sides is not None:
+                left, right = sides
+                limit = claim.relation == "->"
+                sizes[t].append(abs(left - right) if limit else abs(left / right))
+    for t, row in sizes.items():
+        if len(row) == len(nearer) and _against(claim.relation, row) is not None:
+            yield t
 
 
 def _secular(
