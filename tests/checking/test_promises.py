@@ -120,3 +120,18 @@ def _found(claim: str) -> str:
 @pytest.mark.parametrize(("expected", "claim"), PROMISES)
 def test_what_an_answer_promises(expected: str, claim: str) -> None:
     assert _found(claim) == expected
+
+
+@pytest.mark.parametrize(
+    ("claim", "words", "not_said"),
+    [
+        ("integral(exp(a*t**3), t, 0, 1) != 1", "are equal", "differ"),
+        ("integral((cos(t) - cos(-t))/t, t, 0, oo) == 0", "normal form", "Gradshteyn"),
+        ("(-1)**n*n > 5 given n integer as n -> oo", "n = 2*m + 1", "all n"),
+        ("n + (-1)**n ~ n + n/100 given n integer as n -> oo", "like 2*m", "like 2*n"),
+    ],
+)
+def test_a_reason_names_what_is_so(claim: str, words: str, not_said: str) -> None:
+    why = tresym.check(claim).why
+    assert words in why
+    assert not_said not in why

@@ -44,6 +44,7 @@ from tresym.reals.language.expression import (
     ZERO,
     Expr,
     apply,
+    fresh,
     number,
     replaced,
     substitute,
@@ -281,14 +282,27 @@ def _through_integers(
         )
     answers = []
     for rest, (moved, _) in enumerate(cases):
-        found = decided(moved, replace(statement, integers=plain))
+        new, which = symbol(name), f"integers {name}"
+        if len(cases) > 1:  # n = M m + r, and what is said of m must not be read as said of n
+            new = symbol(fresh("m", {name, *statement.given.names, *_parameters(claim, path)}))
+            which = f"{name} = {number(len(cases)) * new + number(rest)}, integers {new}"
+        along, put_in = replace(path, name=new.args[0]), partial(substitute, mapping={name: new})
+        inside = replace(statement.mapped(put_in), integers=plain, path=along)
+        found = decided(moved.mapped(put_in), inside)
         if found.verdict is Verdict.REFUTED:
-            found = _at_integers(found, moved, path, len(cases), rest, far)
-        found = replace(found, why=f"for integers {name}: {found.why}", region=None, constant=None)
+            there = far.mapped(put_in)
+            found = _at_integers(found, moved.mapped(put_in), along, len(cases), rest, there)
+            at = {name if n == along.name else n: v for n, v in (found.witness or {}).items()}
+            found = replace(found, witness=at)
+        found = replace(found, why=f"for {which}: {found.why}", region=None, constant=None)
         answers.append(found)
         if not found:
             break
-    return worst(answers)
+    weakest = worst(answers)
+    if weakest and len(cases) > 1:
+        why = f"in each residue class of {name} modulo {len(cases)}; {weakest.why}"
+        return replace(weakest, why=why)
+    return weakest
 
 
 def _at_integers(

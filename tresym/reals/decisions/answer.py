@@ -238,6 +238,17 @@ def ball_text(ball: Decimal) -> str:
     return ball.mid if ball.rad == "0" else f"{ball.mid} ± {ball.rad}"
 
 
+def failing(relation: str) -> str:
+    """Return in words what the values of both sides are where a relation fails.
+
+    Example:
+        >>> failing("=="), failing("!="), failing("<")
+        ('the two sides differ', 'the two sides are equal', 'the left side is not < the right side')
+    """
+    words = {"==": "the two sides differ", "!=": "the two sides are equal"}
+    return words.get(relation, f"the left side is not {relation} the right side")
+
+
 def exactly(sentence: str, point: Mapping[str, fmpq | Expr]) -> str:
     """Return the sentence followed by an exact point, which may have irrational coordinates."""
     return with_point(sentence, point, exact_text)

@@ -12,7 +12,7 @@ from typing import Any
 
 from flint import arb
 
-from tresym.reals.decisions.answer import Answer, refuted
+from tresym.reals.decisions.answer import Answer, failing, refuted
 from tresym.reals.decisions.equations import point_of
 from tresym.reals.decisions.root_values import enclosed_root
 from tresym.reals.decisions.statement import Statement
@@ -89,7 +89,7 @@ def decide_closed(claim: Comparison, statement: Statement) -> Answer | None:
                 return None
             gap = left - right
             if stands(gap, NEGATED[claim.relation]):
-                return refuted("the values of the two sides differ", {}, left, right)
+                return refuted(failing(claim.relation), {}, left, right)
             if claim.relation != "==" and stands(gap, claim.relation):
                 why = f"the left side minus the right side is {gap.str(6, radius=False)}, by balls"
                 return Answer(Verdict.ENCLOSED, why)

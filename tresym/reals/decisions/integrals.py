@@ -22,7 +22,7 @@ from typing import NamedTuple
 
 from flint import arb, fmpq
 
-from tresym.reals.decisions.answer import Answer, Decide, refuted, worst
+from tresym.reals.decisions.answer import Answer, Decide, failing, refuted, worst
 from tresym.reals.decisions.equations import is_empty
 from tresym.reals.decisions.exceptional_values import also_at_holes, also_at_zeros
 from tresym.reals.decisions.identity import decide
@@ -555,7 +555,7 @@ def _by_quadrature(claim: Comparison, statement: Statement) -> Answer | None:
                 if not (left.is_finite() and right.is_finite()):
                     break
                 if stands(left - right, NEGATED[claim.relation]):
-                    why = "rigorous numerical integration shows that the two sides differ"
+                    why = f"rigorous numerical integration shows that {failing(claim.relation)}"
                     return refuted(why, at, left, right)
                 if not names and claim.relation != "==" and stands(left - right, claim.relation):
                     return Answer(Verdict.ENCLOSED, "by rigorous numerical integration")

@@ -150,6 +150,8 @@ def _matched(kind: str, f: Expr, name: str, ends: tuple[Expr, Expr], given: Give
                 c = _factor(f ** number(up), pattern, name, inside)
                 if c is None or (kind == "product" and c != ONE):
                     continue
+                if c == ZERO:
+                    return Known(ZERO, "its normal form, which is 0")
                 if _hold(row.given, at, given):
                     value_there = c * substitute(value, at) ** number(up)
                     return Known(value_there, row.source.replace("GR", "Gradshteyn and Ryzhik"))

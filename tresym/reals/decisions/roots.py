@@ -16,7 +16,7 @@ from itertools import islice
 
 from flint import arb, fmpq
 
-from tresym.reals.decisions.answer import Answer, Decide, refuted
+from tresym.reals.decisions.answer import Answer, Decide, failing, refuted
 from tresym.reals.decisions.equations import point_of
 from tresym.reals.decisions.root_values import between, enclosed, slope_sign
 from tresym.reals.decisions.statement import Statement
@@ -174,7 +174,7 @@ def _constants(claim: Comparison, at: dict[str, fmpq]) -> Answer | None:
             if not (left.is_finite() and right.is_finite()):
                 return None
             if stands(left - right, NEGATED[claim.relation]):
-                return refuted("the two sides differ", at, left, right)
+                return refuted(failing(claim.relation), at, left, right)
             if stands(left - right, claim.relation):
                 return Answer(Verdict.ENCLOSED, "balls around the roots prove it")
     return None
