@@ -147,8 +147,8 @@ def row_lines(row: Row, full: bool, width: int, colour: bool) -> list[str]:
     elif full or name in ("REFUTED", "ASSUMED"):
         say(abbreviated(row.why), "2")
     if full and claim is not None:
-        for link in claim.links:
-            say(f"decided as {abbreviated(chained((link,)))}", "2")
+        for meaning in claim.meanings:
+            say(f"decided as {abbreviated(meaning)}", "2")
         if claim.conditions:
             say(f"given {chained(claim.conditions)}", "2")
     if answer is not None and answer.witness:
@@ -295,6 +295,8 @@ def export(path: str, labels: Sequence[str], folder: str, force: bool) -> int:
         name = re.sub(r"\W", "_", row.label)
         show_progress(f"{row.label} in Coq")
         try:
+            if not claim.links:
+                raise NotExportedError("claims made of claims are exported to Coq part by part")
             found = [
                 theorem
                 for n, link in enumerate(claim.links, 1)

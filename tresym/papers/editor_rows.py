@@ -6,7 +6,6 @@ from typing import Any
 
 from tresym.papers.reading import PaperClaim, read_paper
 from tresym.papers.verification import Row, verify_paper
-from tresym.reals.language.formula import chained
 
 UNREADABLE = "UNREADABLE"
 EXPECTED = "EXPECTED"
@@ -34,9 +33,7 @@ def _of_verdict(row: Row) -> dict[str, Any]:
     answer, item = row.decisive, row.item
     refuted = row.verdict.value == "REFUTED"
     status = EXPECTED if refuted and row.as_expected else row.verdict.value
-    read_as = (
-        "; ".join(chained((link,)) for link in item.links) if isinstance(item, PaperClaim) else ""
-    )
+    read_as = "; ".join(item.meanings) if isinstance(item, PaperClaim) else ""
     return _row(item.line, status, row.why, item.text) | {
         "read_as": read_as,
         "witness": dict(answer.witness) if answer is not None and answer.witness else None,

@@ -20,9 +20,10 @@ unless it begins with ``>``: nothing that was meant as a claim becomes prose in 
 
 A line that begins with spaces continues the statement before it. A claim is written as for
 ``tresym check`` and may end in clauses, in any order: ``given CONDITIONS``, ``as PATH``,
-``at x == 1/5, y == 1``, ``using LABEL, LABEL``, ``expect refuted`` and ``quoted from (Author
-year)``. In a claim ``u ~= 1.1853`` the number is u rounded to the digits that are printed, and
-``a == b <= c`` is a derivation whose steps are decided one by one.
+``on REGION``, ``at x == 1/5, y == 1``, ``using LABEL, LABEL``, ``expect refuted`` and ``quoted from
+(Author year)``. In a claim ``u ~= 1.1853`` the number is u rounded to the digits that are printed,
+and ``a == b <= c`` is a derivation whose steps are decided one by one. A claim may be made of
+others (:mod:`tresym.reals.language.compound`), and of labels: ``both: first and second``.
 
 Every line that cannot be read gives one :class:`Problem`, and the other lines are read.
 """
@@ -49,8 +50,24 @@ from tresym.reals.decisions.statement import functions
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import outermost
 from tresym.reals.language.calls import INFINITY, INTEGERS, KNOWN
-from tresym.reals.language.claims import UNIFORMLY
+from tresym.reals.language.claims import UNIFORMLY, Written
 from tresym.reals.language.comparisons import spread
+from tresym.reals.language.compound import (
+    SHAPES,
+    Compound,
+    Count,
+    Formula,
+    Shape,
+    Together,
+    comparisons_of,
+    is_compound,
+    leaves,
+    mapped,
+    places,
+    read_compound,
+    split,
+    under,
+)
 from tresym.reals.language.differential_notation import with_differential_notation
 from tresym.reals.language.expression import (
     DOTS,
@@ -80,7 +97,18 @@ MAX_DIGITS = 1000
 DIGITS = 10
 """The digits of a table that states none."""
 RESERVED = KNOWN | ORDERS | {"E", "I", "pi", "oo", "gamma", "EulerGamma", "Catalan", "GoldenRatio"}
-RESERVED |= {"sum", "product", "integral", "limit", "root", "at", "factorial", "binomial", "ZZ"}
+RESERVED |= {
+    *SHAPES,
+    "sum",
+    "product",
+    "integral",
+    "limit",
+    "root",
+    "at",
+    "factorial",
+    "binomial",
+    "ZZ",
+}
 """Names that the grammar knows, so that a file cannot give them another meaning."""
 KINDS = {"real": (), "integer": (("in", INTEGERS),), "positive": ((">", ZERO),)}
 KINDS["natural"] = (("in", INTEGERS), (">=", number(1)))
@@ -113,7 +141,7 @@ _UNLABELLED = re.compile(r"==|<=|>=|!=|:=|~=|->|[<>=~≤≥≠≈∼→]")
 _ASSUMED = re.compile(r"(?:let|assume|suppose)\s+(?:that\s+)?([^:]*(?:[<>=≤≥≠]).*)", re.IGNORECASE)
 _LETTER_E = re.compile(r"(?<![\w.])e(?!\w)")
 _QUOTED = re.compile(r"\$[^$]*\$|`[^`]*`")
-_CLAUSE = re.compile(r"\s(given|as|at|using|expect|quoted\s+from)\s+")
+_CLAUSE = r"\s(?:given|as|at|on|using|expect|quoted\s+from)\s+"
 _ROUNDED = re.compile(r"[-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
 _USUAL = re.compile(r"[A-Za-z](?:_?\d+)?(?:_[A-Za-z0-9]*)?")
 """Variables that need no declaration: single letters, with an index or not."""
@@ -137,6 +165,14 @@ class Value(NamedTuple):
 
     name: str
     value: Expr
+
+
+class Required(NamedTuple):
+    """A declared condition that must hold in an interval, or near the end of a path."""
+
+    link: Compared
+    given: tuple[Compared, ...]
+    path: str | None = None
 
 
 @dataclass(frozen=True)
@@ -164,6 +200,11 @@ class PaperClaim:
         source: whom the claim is quoted from; "" for the paper's own.
         rounded: the number as printed, for ``~=``.
         uniformly: whether an order is claimed with one constant for all its parameters.
+        on: the region for which the constant of an order is claimed.
+        whole: a claim that is made of claims, which then has no links.
+        said: its formula as written, with the names of definitions.
+        joined: the labels of claims that are claimed again, as in ``both: first and other``.
+        required: declared conditions that must hold where such a claim speaks.
     """
 
     label: str
@@ -183,10 +224,41 @@ class PaperClaim:
     source: str = ""
     rounded: str = ""
     uniformly: bool = False
+    on: tuple[Compared, ...] = ()
+    whole: Compound | None = None
+    said: Formula | None = None
+    joined: tuple[str, ...] = ()
+    required: tuple[Required, ...] = ()
+
+    @property
+    def asked(self) -> tuple[tuple[str, str, str | None], ...]:
+        """What is decided of the claim: texts with conditions and path, as for ``tresym check``."""
+        if self.whole is not None:
+            return ((str(self.whole), "", None),)
+        given = chained(self.conditions)
+        return tuple((self.asserted(link), given, self.path) for link in self.links)
+
+    @property
+    def comparisons(self) -> tuple[Compared, ...]:
+        """What is claimed at points: the links, or those of all parts of a conjunction."""
+        whole = self.whole
+        if whole is None or not isinstance(whole.formula, Together):
+            return self.links
+        parts = [part for part in whole.formula.parts if isinstance(part, Written)]
+        if len(parts) < len(whole.formula.parts) or any(part.path for part in parts):
+            return ()
+        return tuple(link for part in parts for link in part.comparisons)
+
+    @property
+    def meanings(self) -> tuple[str, ...]:
+        """What is claimed, without conditions, with the definitions put in."""
+        parts = [chained((link,)) for link in self.links]
+        return (*parts, *(() if self.whole is None else (str(self.whole),)), *self.joined)
 
     def asserted(self, link: Compared) -> str:
         """Return a comparison of the claim as text for ``tresym check``."""
-        return chained((link,)) + (" uniformly" if self.uniformly else "")
+        text = chained((link,)) + (" uniformly" if self.uniformly else "")
+        return f"{text} on {chained(self.on)}" if self.on else text
 
     @property
     def is_derivation(self) -> bool:
@@ -592,7 +664,8 @@ class _Reader:
         if label in self.claims:
             raise InputError(f"{label} is the label of line {self.claims[label].line} already")
         text, clauses = _clauses(written)
-        if not _RELATION.search(text):
+        text, joined = self._joined(text)
+        if not joined and not _RELATION.search(text) and not is_compound(text):
             raise InputError(
                 f"{label}: no relation such as == <= ~ -> follows, so this is not a claim; "
                 f"write prose that begins with a word and a colon as > {label}: …"
@@ -610,20 +683,42 @@ class _Reader:
         source, expect = clauses.get("quoted from", ""), clauses.get("expect", "")
         if expect.lower() not in ("", "refuted"):
             raise InputError(f"'{expect}': only 'expect refuted' can be expected of a claim")
-        claim = self._formula(label, line, text, clauses)
+        if text:
+            claim = self._formula(label, line, text, clauses)
+        else:
+            claim = PaperClaim(label, line, text, (), ())
         claim = replace(
             claim,
             text=written,
-            uses=uses,
+            uses=tuple(dict.fromkeys((*uses, *joined))),
+            joined=joined,
             expect_refuted=bool(expect),
             source=source.strip().strip("()"),
         )
         cited = tuple(link for used in uses for link in self._cited(claim, self.claims[used]))
+        if cited and claim.whole is not None:
+            whole = claim.whole
+            formula = under(whole.formula, lambda part: (*next(leaves(part)).given, *cited))
+            claim = replace(claim, whole=whole._replace(formula=formula, given=_common(formula)))
         claim = replace(claim, conditions=(*claim.conditions, *cited))
         for task in claim.links:
             read(claim.asserted(task), chained(claim.conditions), claim.path)
+        if claim.whole is not None:
+            read_compound(str(claim.whole))
         self.claims[label] = claim
         self.items.append(claim)
+
+    def _joined(self, text: str) -> tuple[str, tuple[str, ...]]:
+        """A formula without the parts that are labels of claims above, and these labels."""
+        parts = [part.strip() for part in split(text, r"\band\b")]
+        known = [part for part in parts if part in self.claims]
+        names = {*self.declared, *self.definitions}
+        if not known or any(part in names for part in known):
+            return text, ()
+        for label in known:
+            if self.claims[label].expect_refuted:
+                raise InputError(f"'{label}' is expected to be refuted, so it cannot be claimed")
+        return " and ".join(part for part in parts if part not in known), tuple(known)
 
     def _cited(self, claim: PaperClaim, used: PaperClaim) -> tuple[Compared, ...]:
         """The formulas of a claim that is used, which must hold under the same conditions."""
@@ -638,7 +733,10 @@ class _Reader:
                     f"'{used.label}' holds given {shown}: add this condition to the claim"
                 )
         where = Given(tuple(c for c in claim.conditions if c[1] not in ("==", "in"))).unfolded()
-        for link in used.links:
+        links = used.comparisons
+        if not links:
+            raise InputError(f"'{used.label}' is no comparison: only comparisons can be used")
+        for link in links:
             parse_given(chained((link,)))
             for side in link[::2]:
                 gap = undefined(side, where)
@@ -647,22 +745,24 @@ class _Reader:
                         f"'{used.label}' says nothing where {side} has no value, which is not "
                         f"excluded here ({gap}): add a condition to the claim"
                     )
-        return used.links
+        return links
 
     def _formula(self, label: str, line: int, text: str, clauses: Mapping[str, str]) -> PaperClaim:
         """The formula of a claim, with its conditions, its path and the values of its variables."""
         uniformly = UNIFORMLY.search(text) is not None
-        called, under = with_differential_notation(
+        called, said = with_differential_notation(
             self._called(UNIFORMLY.sub("", text)), self._called(clauses.get("given", ""))
         )
+        if is_compound(called):
+            return self._made_of_claims(label, line, called, said, clauses)
         rounded = ""
         in_words: tuple[Compared, ...] = ()
         if "~=" in called or "≈" in called:
             left, rounded = _rounded(called)
             comparisons = [(as_written(plain(left)), "~=", number(parse_number(rounded)))]
         else:
-            comparisons, in_words = _compared(called, sequences_of(under))
-            known = {*self.declared, *self.definitions, *re.findall(_NAME, under)}
+            comparisons, in_words = _compared(called, sequences_of(said))
+            known = {*self.declared, *self.definitions, *re.findall(_NAME, said)}
             known |= set(re.findall(_NAME, clauses.get("as", "").partition("->")[0]))
             if "e" in known and _LETTER_E.search(called):
                 read_e = any("e" in symbols(side) for link in comparisons for side in link[::2])
@@ -671,11 +771,12 @@ class _Reader:
                         "two readings remain: e is a variable here, so write exp(x) or E**x for "
                         "the exponential function, or the variable e by another name"
                     )
-        given = tuple(parse_given(plain(under)))
+        given = tuple(parse_given(plain(said)))
         given = (*in_words, *given)
         path = read_path(clauses["as"]) if "as" in clauses else None
+        region = tuple(parse_given(plain(self._called(clauses.get("on", "")))))
         values = tuple(_values(clauses["at"])) if "at" in clauses else ()
-        trees = [side for link in (*comparisons, *given) for side in link[::2]]
+        trees = [side for link in (*comparisons, *given, *region) for side in link[::2]]
         trees += [value for _, value in values]
         if path is not None and path.name in {value.name for value in values}:
             raise InputError(f"'{path.name}' is the variable of the path, so it has no fixed value")
@@ -713,7 +814,125 @@ class _Reader:
             rests_on=rests,
             rounded=rounded,
             uniformly=uniformly,
+            on=tuple(self._expanded(link) for link in region),
         )
+
+    def _made_of_claims(
+        self, label: str, line: int, called: str, conditions: str, clauses: Mapping[str, str]
+    ) -> PaperClaim:
+        """A claim that is made of claims: each part under the conditions about its variables."""
+        region = self._called(clauses.get("on", ""))
+        text = called + (f" given {conditions}" if conditions else "")
+        whole = read_compound(text + (f" on {region}" if region else ""), "", clauses.get("as"))
+        if whole is None:
+            raise InputError(f"'{called}' is not read as a claim")
+        parts = list(leaves(whole.formula))
+        values = tuple(_values(clauses["at"])) if "at" in clauses else ()
+        links = [link for part in parts for link in (*comparisons_of(part), *part.given)]
+        trees = [side for link in links for side in link[::2]] + [value for _, value in values]
+        bound = tuple(part.name for part in parts if isinstance(part, Count))
+        for tree in trees:
+            self._uses(line, tree, bound)
+        names = frozenset().union(*map(symbols, trees), (v.name for v in values))
+        self._need_known(names - {INFINITY.args[0], DOTS.args[0], INTEGERS.args[0]}, bound)
+        for name in (part.name for part in parts if not isinstance(part, Written)):
+            if name in self.definitions:
+                at = self.definitions[name].line
+                raise InputError(f"{name} is defined on line {at}: use another letter here")
+        formula = mapped(whole.formula, lambda e: expanded(e, self.definitions))
+        self._need_functions(
+            side for part in leaves(formula) for link in comparisons_of(part) for side in link[::2]
+        )
+        required: list[Required] = []
+        must: list[Compared] = []
+
+        def found(part: Formula) -> tuple[Compared, ...]:
+            return self._conditions_of(part, values, required, must)
+
+        formula = under(formula, found)
+        if put := {value.name: expanded(value.value, self.definitions) for value in values}:
+            if any(name in put for name in bound):
+                raise InputError("the unknown of an equation that is counted has no fixed value")
+            if not any(_is_differentiated(part) for part in leaves(formula)):
+                formula = mapped(formula, lambda e: substitute(e, put))
+                formula = under(formula, lambda part: tuple(
+                    c for c in next(leaves(part)).given if _names(c)
+                ))  # fmt: skip
+        names = frozenset().union(*map(names_in, trees))
+        on = tuple(self._expanded(link) for link in whole.on)
+        common = _common(formula)
+        given = tuple(dict.fromkeys(c for part in leaves(formula) for c in part.given))
+        return PaperClaim(
+            label,
+            line,
+            called,
+            (),
+            (),
+            whole.given,
+            given,
+            None if whole.path is None else str(whole.path),
+            values,
+            must_hold=tuple(dict.fromkeys(must)),
+            rests_on=tuple(name for name in self.definitions if name in names),
+            whole=Compound(formula, common, whole.path, on, called),
+            said=whole.formula,
+            required=tuple(dict.fromkeys(required)),
+        )
+
+    def _conditions_of(
+        self,
+        part: Formula,
+        values: tuple[Value, ...],
+        required: list[Required],
+        must: list[Compared],
+    ) -> tuple[Compared, ...]:
+        """The conditions of a part: its own and the declared ones; and what these require."""
+        inner = list(leaves(part))
+        own = inner[0].given
+        links = (link for leaf in inner for link in comparisons_of(leaf))
+        names = frozenset().union(*map(_names, links))
+        everything = _connected(names, self.given, own)
+        put = {value.name: expanded(value.value, self.definitions) for value in values}
+        leaf = inner[0]
+        kept = everything
+        if isinstance(leaf, Count):
+            about = [c for c in everything if leaf.name in _names(c)]
+            kept = tuple(c for c in everything if c not in about)
+            inside = tuple(
+                link
+                for link, end in (
+                    ((leaf.low, "<", symbol(leaf.name)), leaf.low),
+                    ((symbol(leaf.name), "<", leaf.high), leaf.high),
+                )
+                if end not in (INFINITY, -INFINITY)
+            )
+            required += [Required(link, (*kept, *inside)) for link in about]
+        elif isinstance(leaf, Written) and leaf.path is not None:
+            name = leaf.path.name
+            near = [c for c in everything if name in _names(c) and c[1] not in ("in", "==")]
+            kept = tuple(c for c in everything if c not in near)
+            plain_ = tuple(c for c in kept if c[1] != "==" and not (c[0].hidden or c[2].hidden))
+            required += [Required(link, plain_, str(leaf.path)) for link in near]
+        if put:
+            fixed = tuple((symbol(name), "==", x) for name, x in put.items() if name in names)
+            for left, relation, right in kept:
+                link = substitute(left, put), relation, substitute(right, put)
+                if not _names(link):
+                    must.append(link)
+            kept = (*kept, *fixed) if any(map(_is_differentiated, inner)) else kept
+        return kept
+
+
+def _common(formula: Formula) -> tuple[Compared, ...]:
+    """The conditions of a formula if all of its parts have the same; else none."""
+    given = {leaf.given for leaf in leaves(formula)}
+    return given.pop() if len(given) == 1 else ()
+
+
+def _is_differentiated(leaf: Written | Count | Shape) -> bool:
+    """Whether a derivative stands in a part, which is taken before its variable gets a value."""
+    sides = (side for link in comparisons_of(leaf) for side in link[::2])
+    return any(node.op in ("derivative", "nth") for node in outermost(*sides))
 
 
 def _statements(text: str) -> Iterator[tuple[int, str]]:
@@ -761,10 +980,14 @@ def label_of(printed: str) -> str:
 
 def _clauses(written: str) -> tuple[str, dict[str, str]]:
     """Return the formula of a claim and its clauses by their words."""
-    formula, *rest = _CLAUSE.split(f"{written} ")
+    text = f"{written} "
+    places_ = places(text, _CLAUSE)
+    ends = [first for first, _ in places_[1:]] + [len(text)]
+    formula = text[: places_[0][0]] if places_ else text
     found: dict[str, str] = {}
-    for word, part in zip(rest[::2], rest[1::2], strict=True):
-        name = " ".join(word.split())
+    for (first, start), end in zip(places_, ends if places_ else (), strict=True):
+        part = text[start:end]
+        name = " ".join(text[first:start].split())
         if name in found:
             raise InputError(f"'{name}' begins two clauses of the claim; join them by a comma")
         found[name] = part.strip()

@@ -23,7 +23,7 @@ from typing import Any
 from tresym.accuracy.values import value
 from tresym.checking.answer_cache import cached_answers
 from tresym.checking.time_limited import Task, check_all
-from tresym.ledger.finding import RULINGS, Premise, Ruling
+from tresym.ledger.finding import RULINGS, WEAKEST_FIRST, Premise, Ruling
 from tresym.papers.definitions import Definition, names_in
 from tresym.papers.reading import OwnPaper, PaperClaim
 from tresym.reals.decisions.answer import Alternative, Answer, worst
@@ -134,7 +134,7 @@ class Row:
         return found | {
             "kind": "derivation" if claim.is_derivation else "claim",
             "says": claim.text,
-            "means": [chained((link,)) for link in claim.links],
+            "means": [*claim.meanings],
             "given": chained(claim.conditions),
             "expect": "REFUTED" if claim.expect_refuted else None,
             "value": claim.rounded or None,
@@ -271,12 +271,10 @@ def _questions(item: PaperClaim | Definition) -> list[Task]:
         return [task for root in _roots(item.expression) for task in _root_tasks(root, item)]
     plain = tuple(c for c in item.conditions if c[1] != "==" and not (c[0].hidden or c[2].hidden))
     return [
-        *(
-            Task(item.asserted(link), chained(item.conditions), item.path, item.line)
-            for link in item.links
-        ),
+        *(Task(*asked, item.line) for asked in item.asked),
         *(_task(link, (), None, item.line) for link in item.must_hold),
         *(_task(link, plain, item.path, item.line) for link in item.near_end),
+        *(_task(*part, item.line) for part in item.required),
     ]
 
 
@@ -356,13 +354,19 @@ def _with_wider_roots(
 
 def _claim_row(claim: PaperClaim, found: list[Answer], rows: Mapping[str, Row]) -> Row:
     """The row of a claim, once everything it uses has one."""
-    steps = tuple(found[: len(claim.links)])
-    others = found[len(claim.links) :]
-    must, near = others[: len(claim.must_hold)], others[len(claim.must_hold) :]
+    count = len(claim.asked)
+    steps = tuple(found[:count])
+    others = found[count:]
+    must, others = others[: len(claim.must_hold)], others[len(claim.must_hold) :]
+    near, required = others[: len(claim.near_end)], others[len(claim.near_end) :]
     seconds = sum(answer.seconds for answer in found)
-    answer = worst(steps)
+    answer = worst(steps) if steps else _ALL_HOLD
     verdict: Ruling = answer.verdict
     why = _LOOK_ALIKE.sub("", answer.why)
+    for label in claim.joined:
+        row = rows.get(label)
+        if row is not None and _is_weaker(row.verdict, verdict):
+            verdict, why = row.verdict, f"{label}: {row.why}"
     if claim.is_derivation and answer.verdict is not Verdict.PROVED:
         number = steps.index(answer) + 1
         why = f"step {number} of {len(steps)}: {why}"
@@ -376,6 +380,13 @@ def _claim_row(claim: PaperClaim, found: list[Answer], rows: Mapping[str, Row]) 
             why = (
                 f"the condition {chained((link,))} is not shown to hold near the end of the path "
                 f"{claim.path}: write a path on which it does, such as x -> 0+ for x -> 0"
+            )
+    for part, one in zip(claim.required, required, strict=True):
+        if not one.verdict.holds:
+            verdict = UNDECIDED
+            why = (
+                f"the declared condition {chained((part.link,))} is not shown to hold where the "
+                "claim speaks: use another letter for its variable"
             )
     axioms: list[str] = []
     for key in (*claim.uses, *(f":= {name}" for name in claim.rests_on)):
@@ -392,9 +403,18 @@ def _claim_row(claim: PaperClaim, found: list[Answer], rows: Mapping[str, Row]) 
     return Row(claim, verdict, why, steps, tuple(dict.fromkeys(axioms)), seconds=seconds)
 
 
+_ALL_HOLD = Answer(Verdict.PROVED, "all of these claims hold")
+
+
+def _is_weaker(one: Ruling, other: Ruling) -> bool:
+    """Whether a conjunction has the first of two verdicts."""
+    return WEAKEST_FIRST.index(one) < WEAKEST_FIRST.index(other)
+
+
 def _instead(row: Row, processes: int | None) -> tuple[Alternative, ...]:
     answer = row.decisive
-    assert answer is not None
+    if answer is None:
+        return ()
     if isinstance(row.item, PaperClaim) and row.item.rounded:
         return ()
     return next(suggestions([(answer.read_as, (), False, True)], processes))

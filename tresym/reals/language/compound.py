@@ -16,7 +16,7 @@ from typing import Any, NamedTuple, TypeAlias
 
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.claims import Written, read_claim
-from tresym.reals.language.expression import Expr, substitute, symbol, symbols
+from tresym.reals.language.expression import Expr, multiply, number, substitute, symbol, symbols
 from tresym.reals.language.formula import Compared, chained
 from tresym.reals.language.parsing import as_written, parse_claim
 from tresym.reals.language.paths import Path
@@ -149,11 +149,11 @@ def read_compound(claim: Any, given: Any = "", path: str | None = None) -> Compo
     for pattern, word in _LATEX_WORDS:
         text = pattern.sub(word, text)
     head, tail = _cut(text)
-    before, *after = _split(head, _IMPLIES)
-    if after and (_is_made_of_others(after[0]) or _split(before, _AND)[1:]):
+    before, *after = split(head, _IMPLIES)
+    if after and (_is_made_of_others(after[0]) or split(before, _AND)[1:]):
         if len(after) > 1:
             raise InputError("write one implication at a time: A => B, or B given A")
-        said = ", ".join(part.strip() for part in _split(before, _AND))
+        said = ", ".join(part.strip() for part in split(before, _AND))
         given = f"{given}, {said}" if isinstance(given, str) and given else (given or said)
         head = after[0]
     elif not _is_made_of_others(head):
@@ -171,10 +171,20 @@ def is_compound(text: str) -> bool:
     for pattern, word in _LATEX_WORDS:
         text = pattern.sub(word, text)
     head, _ = _cut(text)
-    before, *after = _split(head, _IMPLIES)
+    before, *after = split(head, _IMPLIES)
     if after:
-        return _is_made_of_others(after[0]) or bool(_split(before, _AND)[1:])
+        return _is_made_of_others(after[0]) or bool(split(before, _AND)[1:])
     return _is_made_of_others(head)
+
+
+def under(formula: Formula, conditions: Callable[[Formula], tuple[Compared, ...]]) -> Formula:
+    """Return a formula with other conditions, the same for all parts of an equivalence."""
+    if isinstance(formula, Together):
+        return Together(tuple(under(part, conditions) for part in formula.parts))
+    if isinstance(formula, Equivalent):
+        common = conditions(formula)
+        return Equivalent(tuple(under(part, lambda _: common) for part in formula.parts))
+    return formula._replace(given=conditions(formula))
 
 
 def claimed(claim: str, given: str, path: str | None) -> list[tuple[Written, tuple[str, ...]]]:
@@ -236,7 +246,7 @@ class _Around(NamedTuple):
 
 
 def _formula(text: str, around: _Around) -> Formula:
-    parts = _split(text, _EQUIVALENT)
+    parts = split(text, _EQUIVALENT)
     if len(parts) > 1:
         found = tuple(_conjunction(part, around) for part in parts)
         for part in found:
@@ -261,7 +271,7 @@ def _need_plain(part: Formula, around: _Around) -> None:
 
 
 def _conjunction(text: str, around: _Around) -> Formula:
-    parts = _split(text, _AND)
+    parts = split(text, _AND)
     found = [_part(part, around) for part in parts]
     flat = [p for part in found for p in (part.parts if isinstance(part, Together) else (part,))]
     return flat[0] if len(flat) == 1 else Together(tuple(flat))
@@ -274,13 +284,13 @@ def _part(text: str, around: _Around) -> Formula:
     if match := _COUNT.match(text):
         return _count(match, around)
     if (match := _SHAPE.match(text)) and _encloses(text[match.start(2) - 1 :].strip()):
-        *function, name = _split(match[2], ",")
+        *function, name = split(match[2], ",")
         if not function or not re.fullmatch(r"\s*[A-Za-z]\w*\s*", name):
             raise InputError(f"write {match[1]}(f, x) with the variable of the function")
         return _shape(match[1], ",".join(function), name.strip(), around)
     if match := _IN_WORDS.match(text):
         return _shape(match[2], match[1], match[3], around)
-    if _encloses(text) and _split(inner := text[1:-1], _RELATION)[1:]:
+    if _encloses(text) and split(inner := text[1:-1], _RELATION)[1:]:
         return _bracketed(inner, around)
     components = _components(text)
     if components is not None:
@@ -315,7 +325,7 @@ def _count(match: re.Match[str], around: _Around) -> Count:
     end = _closing(opening + rest)
     if end is None or rest[end:].lstrip()[:1] != ":":
         raise InputError(f"write {how} {name} in (a, b): f == g")
-    ends = _split(rest[: end - 1], ",")
+    ends = split(rest[: end - 1], ",")
     if len(ends) != 2:
         raise InputError(
             f"'{rest[: end - 1]}' is no interval: write {how} {name} in (a, b): f == g"
@@ -354,7 +364,7 @@ def _shape(how: str, function: str, name: str, around: _Around) -> Shape:
 
 def _components(text: str) -> list[str] | None:
     """The components of ``(x, y) == (f, g)``, of matrices too; None for other comparisons."""
-    sides = _split(text, _RELATION)
+    sides = split(text, _RELATION)
     lists = [_entries(side) for side in sides]
     if len(sides) < 2 or all(entries is None for entries in lists):
         return None
@@ -368,7 +378,7 @@ def _components(text: str) -> list[str] | None:
 
 def _between(text: str) -> list[str]:
     """The relations between the sides."""
-    return [text[a:b] for a, b in _places(text, _RELATION)]
+    return [text[a:b] for a, b in places(text, _RELATION)]
 
 
 def _entries(side: str) -> list[str] | None:
@@ -376,7 +386,7 @@ def _entries(side: str) -> list[str] | None:
     side = side.strip()
     if not _encloses(side):
         return None
-    parts = _split(side[1:-1], ",")
+    parts = split(side[1:-1], ",")
     if len(parts) < 2:
         return None
     rows = [_entries(part) for part in parts]
@@ -387,16 +397,16 @@ def _entries(side: str) -> list[str] | None:
 
 def _is_made_of_others(head: str) -> bool:
     """Whether a formula consists of others, by its words alone."""
-    if len(_split(head, f"{_EQUIVALENT}|{_AND}")) > 1:
+    if len(split(head, f"{_EQUIVALENT}|{_AND}")) > 1:
         return True
     text = head.strip()
-    if _COUNT.match(text) or (_SHAPE.match(text) and not _split(text, _RELATION)[1:]):
+    if _COUNT.match(text) or (_SHAPE.match(text) and not split(text, _RELATION)[1:]):
         return True
     if _IN_WORDS.match(text):
         return True
-    if _encloses(text) and _split(text[1:-1], _RELATION)[1:]:
+    if _encloses(text) and split(text[1:-1], _RELATION)[1:]:
         return _is_made_of_others(_cut(text[1:-1])[0])
-    sides = _split(text, _RELATION)
+    sides = split(text, _RELATION)
     return len(sides) > 1 and all(_entries(side) is not None for side in sides)
 
 
@@ -417,7 +427,7 @@ def _need_one_reading(text: str, formula: Formula) -> None:
 # Text at depth 0
 
 
-def _places(text: str, pattern: str) -> list[tuple[int, int]]:
+def places(text: str, pattern: str) -> list[tuple[int, int]]:
     """Where a pattern matches outside of all brackets."""
     found: list[tuple[int, int]] = []
     depth, after = 0, 0
@@ -432,10 +442,10 @@ def _places(text: str, pattern: str) -> list[tuple[int, int]]:
     return found
 
 
-def _split(text: str, pattern: str) -> list[str]:
+def split(text: str, pattern: str) -> list[str]:
     """Split a text where a pattern matches outside of all brackets."""
     parts, start = [], 0
-    for first, end in _places(text, pattern):
+    for first, end in places(text, pattern):
         parts.append(text[start:first])
         start = end
     return [*parts, text[start:]]
@@ -443,8 +453,8 @@ def _split(text: str, pattern: str) -> list[str]:
 
 def _cut(text: str) -> tuple[str, str]:
     """Return the formula and what is said after it: conditions, path and region."""
-    places = _places(text, _TAIL)
-    start = places[0][0] if places else len(text)
+    found = places(text, _TAIL)
+    start = found[0][0] if found else len(text)
     return text[:start].strip().rstrip(","), text[start:].strip()
 
 
@@ -470,19 +480,25 @@ def shown(formula: Formula, whole: Compound) -> str:
     """Return a part of a claim as text, without what is said of the whole claim."""
     if isinstance(formula, Together):
         return " and ".join(
-            f"({text})" if isinstance(part, Equivalent) else text
+            f"({text})" if isinstance(part, Equivalent) and text[0] != "(" else text
             for part in formula.parts
             for text in (shown(part, whole),)
         )
     if isinstance(formula, Equivalent):
-        return " <=> ".join(shown(part, whole) for part in formula.parts)
+        common = next(leaves(formula)).given
+        inner = whole._replace(given=common)
+        text = " <=> ".join(shown(part, inner) for part in formula.parts)
+        own = common[len(whole.given) :]
+        return f"({text} given {chained(own)})" if own else text
     if isinstance(formula, Count):
+        own = formula.given[len(whole.given) :]
         left, right = "[" if formula.closed[0] else "(", "]" if formula.closed[1] else ")"
         place = f"{left}{formula.low}, {formula.high}{right}"
-        return f"{formula.how} {formula.name} in {place}: {chained((formula.equation,))}"
+        text = f"{formula.how} {formula.name} in {place}: {chained((formula.equation,))}"
+        return f"({text} given {chained(own)})" if own else text
     if isinstance(formula, Shape):
         text = f"{formula.how}({formula.function}, {formula.name})"
-        own = formula.given[len(whole.given) + len(whole.on) :]
+        own = tuple(c for c in formula.given[len(whole.given) :] if c not in whole.on)
         return f"({text} given {chained(own)})" if own else text
     own = formula.given[len(whole.given) :]
     path = None if formula.path == whole.path else formula.path
@@ -500,23 +516,32 @@ def renamed(equation: Compared, name: str, other: str) -> Compared:
 # In print
 
 
-def formula_in_latex(formula: Formula, shared: int = 0) -> str:
-    """Return a formula in LaTeX; its first ``shared`` conditions are shown elsewhere."""
+def formula_in_latex(formula: Formula, shared: int = 0, path: str | None = None) -> str:
+    """Return a formula in LaTeX; its first ``shared`` conditions and ``path`` stand elsewhere."""
     if isinstance(formula, Together):
-        parts = (formula_in_latex(part, shared) for part in formula.parts)
+        parts = (formula_in_latex(part, shared, path) for part in formula.parts)
         return r" \quad\text{and}\quad ".join(parts)
     if isinstance(formula, Equivalent):
-        return r" \iff ".join(formula_in_latex(part, shared) for part in formula.parts)
+        return r" \iff ".join(formula_in_latex(part, shared, path) for part in formula.parts)
     own = formula.given[shared:]
-    under = rf" \ ({to_latex(own)})" if own else ""
+    under_own = rf" \ ({to_latex(own)})" if own else ""
     if isinstance(formula, Count):
         low, high = map(expression_in_latex, (formula.low, formula.high))
         left, right = "[" if formula.closed[0] else "(", "]" if formula.closed[1] else ")"
         place = rf"{expression_in_latex(symbol(formula.name))} \in {left}{low}, {high}{right}"
         how = r"\exists!\, " if formula.how == "exactly one" else rf"\text{{{formula.how} }} "
-        return rf"{how}{place}:\ {to_latex((formula.equation,))}{under}"
+        return rf"{how}{place}:\ {to_latex((formula.equation,))}{under_own}"
     if isinstance(formula, Shape):
         name = expression_in_latex(symbol(formula.name))
         function = expression_in_latex(formula.function)
-        return rf"{function} \text{{ is {formula.how} in }} {name}{under}"
-    return to_latex(formula.comparisons) + under
+        return rf"{function} \text{{ is {formula.how} in }} {name}{under_own}"
+    tends = formula.path if str(formula.path) != path else None
+    ends = "" if tends is None else rf" \ ({path_in_latex(tends)})"
+    return to_latex(formula.comparisons) + under_own + ends
+
+
+def path_in_latex(path: Path) -> str:
+    """``x \\to 0^+`` for ``x -> 0+``."""
+    point = multiply(number(path.sides[0]), INFINITY) if path.point is None else path.point
+    side = "" if path.point is None or len(path.sides) > 1 else "^+" if path.sides[0] > 0 else "^-"
+    return to_latex([(symbol(path.name), "->", point)]) + side

@@ -8,11 +8,13 @@ from __future__ import annotations
 import re
 from typing import Any
 
-from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.claims import Written, as_written, parts_of
-from tresym.reals.language.compound import claimed, formula_in_latex, read_compound
-from tresym.reals.language.expression import multiply, number, symbol
-from tresym.reals.language.paths import Path
+from tresym.reals.language.compound import (
+    claimed,
+    formula_in_latex,
+    path_in_latex,
+    read_compound,
+)
 from tresym.reals.language.typesetting import to_latex
 from tresym.reals.language.variable_names import explain, without_declaration
 from tresym.reals.numbers.exact import InputError
@@ -40,21 +42,17 @@ def in_latex(text: str) -> str:
     except InputError:
         return ""
     if whole is not None:
-        shown, given, path = formula_in_latex(whole.formula, len(whole.given)), *whole[1:3]
+        shown, given, path = (
+            formula_in_latex(whole.formula, len(whole.given), str(whole.path)),
+            *whole[1:3],
+        )
     else:
         shown = to_latex(comparisons)
     shown += rf" \quad ({to_latex(given)})" if given else ""
-    return shown if path is None else rf"{shown} \quad ({_path_in_latex(path)})"
+    return shown if path is None else rf"{shown} \quad ({path_in_latex(path)})"
 
 
 _NOTHING = Written((), (), None)
-
-
-def _path_in_latex(path: Path) -> str:
-    """``x \\to 0^+`` for ``x -> 0+``."""
-    point = multiply(number(path.sides[0]), INFINITY) if path.point is None else path.point
-    side = "" if path.point is None or len(path.sides) > 1 else "^+" if path.sides[0] > 0 else "^-"
-    return to_latex([(symbol(path.name), "->", point)]) + side
 
 
 def need_variables(claim: Any, given: Any = "", path: str | None = None) -> None:

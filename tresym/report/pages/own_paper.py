@@ -25,6 +25,7 @@ from tresym.papers.reading import (
 from tresym.papers.verification import PaperReport, Row
 from tresym.reals.decisions.answer import ball_text
 from tresym.reals.language.calls import INFINITY, INTEGERS
+from tresym.reals.language.compound import formula_in_latex, mapped
 from tresym.reals.language.expression import (
     LEAVES,
     ORDERS,
@@ -323,13 +324,18 @@ def _reason(why: str, look: _Style) -> str:
 
 def statement_latex(claim: PaperClaim, aligned: bool = False) -> str:
     r"""Return a claim in LaTeX as it is written in the file: formula, values, conditions, path."""
-    if claim.rounded:
+    if not claim.links:
+        said = claim.said and mapped(claim.said, _plain)
+        text = formula_in_latex(said, len(claim.given), claim.path) if said else ""
+    elif claim.rounded:
         left = claim.shown[0][0]
         text = rf"{_latex(left)} \approx {claim.rounded}"
     elif aligned:
         text = _aligned(claim.shown)
     else:
         text = to_latex(map(_plain_link, claim.shown))
+    labels = (rf"\text{{{label}}}" for label in claim.joined)
+    text = r" \quad\text{and}\quad ".join(part for part in (*labels, text) if part)
     extra = []
     if claim.at:
         extra.append(to_latex((symbol(name), "==", _plain(value)) for name, value in claim.at))
@@ -337,6 +343,9 @@ def statement_latex(claim: PaperClaim, aligned: bool = False) -> str:
         extra.append(conditions_latex(claim.given))
     if claim.path is not None:
         extra.append(path_latex(claim.path))
+    on = claim.on if claim.whole is None else claim.whole.on
+    if on:
+        extra.append(conditions_latex(on))
     if claim.uniformly:
         extra.append(r"\text{uniformly}")
     listed = r",\ ".join(extra)
