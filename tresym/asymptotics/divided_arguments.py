@@ -187,6 +187,8 @@ def divided(statement: Statement, n: Expr) -> Divided | str | None:
     if len(whole_nodes) != 1 or any(len(m.args) != 2 for m in nodes):
         return None
     (node,) = whole_nodes
+    if any(_slope(m.args[1], str(n)) in (None, 1) for m in nodes - {node}):
+        return None
     marks = {m: symbol(f"[{k}]") for k, m in enumerate(sorted(nodes - {node}, key=str))}
     marks[node] = symbol("[T]")
     linear = replaced(pair[0] - pair[1], marks)
