@@ -257,7 +257,8 @@ def _about_root(e: Expr, walker: InBalls) -> str:
         for end in ends
     )
     inside = f"between {ends[0]} and {ends[1]}"
-    points = [low + (high - low) * fmpq(2 * n + 1, 2 * GRID) for n in range(GRID)]
+    inner = [low + (high - low) * fmpq(2 * n + 1, 2 * GRID) for n in range(GRID)]
+    points = [low, *inner, high]
     signs = []
     for x in points:
         try:

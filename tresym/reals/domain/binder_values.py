@@ -155,19 +155,20 @@ def bracket(near: Callable[[arb], arb], over: Callable[[arb], arb], low: arb, hi
     Raises:
         UndefinedError: no bracket is found.
     """
-    try:
-        x, slope = _approximation(near, low.mid(), high.mid(), ROUGH)
-    except UndefinedError:
-        x, slope = _approximation(near, low.mid(), high.mid(), ctx.prec)
-    small = high.mid() - low.mid() if x.is_zero() else abs(x)
-    width = (over(x) / slope).abs_upper() * arb("1.25") + small * arb((1, 8 - ctx.prec))
-    for _ in range(WIDER):
-        first, last = (x - width).mid(), (x + width).mid()
-        both = first.union(last)
-        signs = {side(over(first)), side(over(last))}
-        if signs == {1, -1} and low < first and last < high and over(both).is_finite():
-            return both
-        width *= 2
+    for rough, halving in ((ROUGH, False), (ctx.prec, False), (ctx.prec, True)):
+        try:
+            x, slope = _approximation(near, low.mid(), high.mid(), rough, halving)
+        except UndefinedError:
+            continue
+        small = high.mid() - low.mid() if x.is_zero() else abs(x)
+        width = (over(x) / slope).abs_upper() * arb("1.25") + small * arb((1, 8 - ctx.prec))
+        for _ in range(WIDER):
+            first, last = (x - width).mid(), (x + width).mid()
+            both = first.union(last)
+            signs = {side(over(first)), side(over(last))}
+            if signs == {1, -1} and low < first and last < high and over(both).is_finite():
+                return both
+            width *= 2
     raise UndefinedError
 
 
@@ -187,11 +188,14 @@ def along(name: str, body: Expr, at: At, like: InBalls) -> Callable[[arb], arb]:
         return lambda x: value_or_nan(body, outer().inner({name: x}))
 
 
-def _approximation(f: Callable[[arb], arb], low: arb, high: arb, rough: int) -> tuple[arb, arb]:
+def _approximation(
+    f: Callable[[arb], arb], low: arb, high: arb, rough: int, halving: bool
+) -> tuple[arb, arb]:
     """Return a point near a root between the ends, and the slope there.
 
     The method is regula falsi with halved weights (the Illinois algorithm), followed by the secant
-    method at working precision. The first search has ``rough`` bits.
+    method at working precision. The first search has ``rough`` bits. Near an end at which the
+    function is small, it moves by little; with ``halving`` every other step halves the interval.
 
     Raises:
         UndefinedError: no change of sign is found.
@@ -199,15 +203,22 @@ def _approximation(f: Callable[[arb], arb], low: arb, high: arb, rough: int) -> 
     with ball_precision(rough):
         one, two = _change(f, low, high)
         (x, at_x), (y, at_y) = one, two
-        for _ in range(STEPS):
+        for n in range(STEPS):
             z = ((x * at_y - y * at_x) / (at_y - at_x)).mid()
-            value = f(z).mid()
-            if abs(z - y) < abs(y) * arb((1, -20)) or value.is_zero():
+            if halving and n % 2:
+                wide = x * y > 0 and not x / 4 < y < 4 * x
+                z = ((x * y).sqrt() * (1 if x > 0 else -1) if wide else (x + y) / 2).mid()
+            there = f(z)
+            value = there.mid()
+            close = abs(z - y) < abs(y) * arb((1, -20)) and (n % 2 or not halving)
+            if close or side(there) is None:
                 break
             at_x, x = (at_y, y) if value * at_y < 0 else (at_x / 2, x)
             y, at_y = z, value
     if y == z:  # the zero was hit exactly
         y = (z + (high - low) * arb((1, -30))).mid()
+    elif halving:  # the slope is not taken between points whose values are not apart
+        y = (z + abs(z) * arb((1, -(ctx.prec // 4)))).mid()
     x, at_x = y, f(y).mid()
     y, at_y = z, f(z).mid()
     slope = (at_y - at_x) / (y - x)
@@ -218,7 +229,10 @@ def _approximation(f: Callable[[arb], arb], low: arb, high: arb, rough: int) -> 
         x, at_x, y = y, at_y, (y - step).mid()
         if not abs(step) > abs(y) * arb((1, 16 - ctx.prec)):
             break
-        at_y = f(y).mid()
+        there = f(y)
+        if side(there) is None:  # nearer points differ by rounding errors alone
+            break
+        at_y = there.mid()
         slope = (at_y - at_x) / (y - x)
     if not slope.is_finite() or slope.is_zero():
         raise UndefinedError
