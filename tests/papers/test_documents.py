@@ -1,5 +1,6 @@
 """Documents, tables and charts of files of claims, and the commands that write them."""
 
+import importlib.util
 import json
 import re
 from pathlib import Path
@@ -119,6 +120,19 @@ def test_documents_go_beside_the_output_and_replace_no_file_of_the_user(folder: 
     assert main(["derive", "short.tresym", "-o", "theirs.tex"]) == 2
     assert main(["verify", "short.tresym", "-o", "short.tresym"]) == 2
     assert (folder / "short.tresym").read_text().startswith("# Sines")
+
+
+def test_a_chart_that_is_left_out_is_named(
+    folder: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    text = "x real; given 0 < x < 1\npole: abs(log(x - 1/2) - x) <= 3\nchart pole: at x == 1/2\n"
+    (folder / "pole.tresym").write_text(text)
+    if importlib.util.find_spec("matplotlib"):
+        main(["derive", "pole.tresym", "-o", "pole.tex"])
+        assert "left out the chart of pole: " in capsys.readouterr().err
+    monkeypatch.setattr("importlib.util.find_spec", lambda _: None)
+    main(["derive", "pole.tresym", "-o", "other.tex"])
+    assert "left out the charts of pole: charts need matplotlib" in capsys.readouterr().err
 
 
 def test_a_file_in_python(folder: Path) -> None:

@@ -244,18 +244,24 @@ def _pictures(
     print("".join(f"{line}\n" for line in errors), end="", file=sys.stderr)
     if wanted and find_spec("matplotlib") is None:
         raise InputError("derive: charts need matplotlib (pip install 'tresym[docs]')")
+    drawn_ones = list(paper.drawn("chart"))
     if target is None or wanted is False or find_spec("matplotlib") is None:
+        if drawn_ones and target is not None and wanted is None:
+            names = ", ".join(drawn.label for drawn in drawn_ones)
+            need = "charts need matplotlib (pip install 'tresym[docs]')"
+            print(f"{paper.name}: left out the charts of {names}: {need}", file=sys.stderr)
         return Pictures(tables)
     folder = f"{os.path.splitext(target)[0]}-figures"
     kind = "pdf" if style == "article" else "svg"
     charts: dict[int, str] = {}
     pictures: dict[str, bytes] = {}
-    for drawn in paper.drawn("chart"):
+    for drawn in drawn_ones:
         path = os.path.join(folder, f"{drawn.label}.{kind}")
         try:
             pictures[path] = own_tables.chart(paper, drawn.label, kind)
         except InputError as error:
-            print(f"{paper.name}:{drawn.line}:1: {error}", file=sys.stderr)
+            note = f"left out the chart of {drawn.label}: {error}"
+            print(f"{paper.name}:{drawn.line}:1: {note}", file=sys.stderr)
             continue
         charts[drawn.line] = f"{os.path.basename(folder)}/{drawn.label}.{kind}"
     check_replaceable(pictures, force)
