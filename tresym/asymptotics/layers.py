@@ -35,18 +35,22 @@ from dataclasses import replace
 from functools import partial
 from typing import NamedTuple
 
-from flint import fmpq
+from flint import arb, fmpq
 
 from tresym.asymptotics.boundary_values import between, ends
 from tresym.asymptotics.composites import inner, outer
+from tresym.asymptotics.constants import rounded
 from tresym.asymptotics.differential_problem import OpenError, Problem, problem_of
 from tresym.asymptotics.explicit_claims import curve_of_claim
 from tresym.asymptotics.layer_sums import Exponent, Layered, Part, Reader, known_sign
+from tresym.asymptotics.lemma import rounded_up
+from tresym.asymptotics.order_claims import region
 from tresym.asymptotics.readable_terms import readable
-from tresym.reals.decisions.answer import Answer, Decide, exact_text
+from tresym.reals.decisions.answer import Answer, Decide, constant_ball, exact_text
 from tresym.reals.decisions.readable_witnesses import tidied
 from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
@@ -60,6 +64,7 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.normal.to_expression import normal_form
+from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.signs.definedness import continuous_on
 from tresym.reals.signs.interior import PROVING, is_zero
 from tresym.reals.signs.sign import proof, sign
@@ -69,6 +74,9 @@ LEMMA = (
     "residual and maximum principle for a boundary layer (Protter and Weinberger 1984, "
     "section 1.5; Eckhaus 1979, chapter 4)"
 )
+REACHES = (fmpq(1, 2), fmpq(1, 5), fmpq(1, 10), fmpq(1, 20), fmpq(1, 100), fmpq(1, 1000))
+SHARP = arb("1.5")
+"""A shorter range of the parameter is taken if the constant gets smaller by this factor."""
 HIGHEST = 4
 """The highest power of t up to which orders are shown."""
 
@@ -338,6 +346,10 @@ def _decided(
             f"{e} satisfies the equation and the boundary values up to an error that the maximum "
             f"principle bounds by a multiple of {shown}, "
         )
+        if needs is uniform and not parameters and claim.relation == "O":
+            known = _with_constant(layer, e, gauge, order, statement)
+            if known is not None:
+                return known
         if needs is uniform and not parameters:
             return Answer(Verdict.PROVED, f"{why}uniformly in {layer.x}", lemma=LEMMA, uniform=True)
         if needs is uniform:
@@ -353,6 +365,52 @@ def _decided(
     if found is not None:
         return found
     raise OpenError(f"it is not shown: {gap}")
+
+
+def _with_constant(
+    layer: Layer, e: Expr, gauge: Expr, order: int, statement: Statement
+) -> Answer | None:
+    """Return the answer with a constant for all small values of the parameter, or None."""
+    from tresym.asymptotics.layer_constants import error_constant
+
+    path = statement.path
+    needs = Needs(order, (True, True), (True, True))
+    try:
+        check(layer, e, needs)
+    except GapError:
+        return None
+    if path is None or layer.reader.nearly_one:
+        return None
+    curve = read_curve(layer, layer.turned(e))
+    _, factor = layer.reader.read(gauge)[()]
+    best: tuple[arb, fmpq] | None = None
+    for reach in REACHES if path.reach is None else (path.reach,):
+        found = error_constant(layer, curve, order, reach)
+        if found is None:
+            continue
+        if best is not None and not found * SHARP < best[0]:
+            break
+        best = found, reach
+        if found <= 1:
+            break
+    if best is None:
+        return None
+    with ball_precision():
+        constant = arb((best[0] / abs(evaluate(factor, {}))).upper())
+        shown = rounded(constant, 1)
+        ball = constant_ball(arb(rounded_up(constant, 6)))
+    why = (
+        f"|left| <= C |right| with C = {shown} for all {layer.x} between {layer.end(0)} and "
+        f"{layer.end(1)}: a positive function on which the equation is negative bounds the error"
+    )
+    return Answer(
+        Verdict.ENCLOSED,
+        why,
+        lemma=LEMMA,
+        constant=ball,
+        region=region(path, best[1]),
+        uniform=True,
+    )
 
 
 def composite(layer: Layer, order: int) -> Expr:
