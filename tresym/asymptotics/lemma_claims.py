@@ -125,7 +125,14 @@ def _complement(node: Expr, end: End) -> Expansion | None:
     return complement(node, end, (_laplace, _stationary_phase))
 
 
+def _coefficients(node: Expr, end: End) -> Expansion | None:
+    from tresym.asymptotics.coefficients import coefficients
+
+    return coefficients(node, end) if node.op == "coefficient" else None
+
+
 LEMMAS: tuple[Lemma, ...] = (
+    _coefficients,
     _complement,
     _laplace,
     _stirling,

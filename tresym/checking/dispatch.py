@@ -360,8 +360,10 @@ class _Parts(NamedTuple):
     @property
     def tends(self) -> bool:
         """Return whether an integral, a finite sum or a factorial stands in a claim on a path."""
-        hidden = self.nodes & {"integral", "sum", "product"} or self.unknown == {FACTORIAL}
-        known = self.nodes <= {"integral", "sum", "product", "unknown"}
+        hidden = self.nodes & {"integral", "sum", "product", "coefficient"} or self.unknown == {
+            FACTORIAL
+        }
+        known = self.nodes <= {"integral", "sum", "product", "unknown", "coefficient"}
         known = known and self.unknown <= {FACTORIAL}
         return self.statement.path is not None and known and bool(hidden)
 
@@ -467,6 +469,12 @@ def _recurrences(*claim: Any) -> Answer:
     from tresym.asymptotics.recurrences import decide_recurrence
 
     return decide_recurrence(*claim)
+
+
+def _coefficients(*claim: Any) -> Answer:
+    from tresym.asymptotics.exact_coefficients import decide_coefficients
+
+    return decide_coefficients(*claim)
 
 
 def _nth_derivatives(*claim: Any) -> Answer:
@@ -651,6 +659,11 @@ ORDER: tuple[tuple[Procedure, Callable[[_Parts], bool], str], ...] = (
         _lemmas,
         lambda p: p.tends,
         "explicit functions and their errors stand for integrals and sums",
+    ),
+    (
+        _coefficients,
+        lambda p: "coefficient" in p.nodes and p.statement.path is None,
+        "explicit functions of n stand for coefficients",
     ),
     (_infinite_sums, lambda p: p.infinite, "its value is a limit, or that of a known series"),
     (_nth_derivatives, lambda p: "nth" in p.nodes, "induction on n leaves ordinary derivatives"),

@@ -120,7 +120,8 @@ def _at_point(answer: Answer, claim: Comparison, statement: Statement) -> None:
     orders = {name: taken[name] for node in nodes for name in symbols(node.args[2])}
 
     def fixed(e: Expr) -> Expr:
-        return _with_zero_signs(_known(substitute(with_orders(e, orders), taken), values))
+        at = _with_coefficients(substitute(with_orders(e, orders), taken))
+        return _with_zero_signs(_known(at, values))
 
     links = [(fixed(x), relation, fixed(y)) for x, relation, y in statement.given.comparisons]
     if constants_hold(links) is None:
@@ -196,6 +197,16 @@ def _known(e: Expr, values: Values) -> Expr:
             put[node] = same[0] if same else ONE
         e = replaced(e, put)
     return e
+
+
+def _with_coefficients(e: Expr) -> Expr:
+    """Return ``e`` with coefficients of power series, at numbers, computed from the series."""
+    nodes = {node for node in outermost(e) if node.op == "coefficient"}
+    if not nodes:
+        return e
+    from tresym.asymptotics.exact_coefficients import with_values
+
+    return with_values(e)
 
 
 def _with_zero_signs(e: Expr) -> Expr:

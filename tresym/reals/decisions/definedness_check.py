@@ -80,7 +80,9 @@ def _sampled(e: Expr) -> Expr:
     for node in outermost(e):
         (name,), body = opened(node) if node.names else (("",), node)
         low, high = node.args[1:3] if len(node.args) > 2 else (ZERO, ZERO)
-        if node.op == "nth":
+        if node.op == "coefficient":  # of a power series that was found
+            put[node] = ONE
+        elif node.op == "nth":
             put[node] = substitute(body, {name: node.args[1]})
         elif is_infinite(node):
             put[node] = substitute(body, {name: ONE if low == -INFINITY else low})

@@ -165,6 +165,8 @@ def _integer_places(e: Expr) -> Iterator[Expr]:
     """What must be an integer where ``e`` has a value."""
     if not e.hidden:
         return
+    if e.op == "coefficient":
+        yield e.args[1]
     if e.op in ("sum", "product"):
         yield from (end for end in e.args[1:] if not end.loose and end not in _ENDS)
     elif e.op == "nth":

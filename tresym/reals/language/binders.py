@@ -113,6 +113,11 @@ def root(f: Expr, name: str, low: Expr, high: Expr) -> Expr:
     return Expr("root", (bind(f, (name,)), low, high), (name,))
 
 
+def coefficient(f: Expr, name: str, n: Expr) -> Expr:
+    """Return the coefficient of zⁿ of the Taylor series of ``f`` at 0, where z is the variable."""
+    return Expr("coefficient", (bind(f, (name,)), n), (name,))
+
+
 def order(kind: str, gauge: Expr) -> Expr:
     """Return the Landau symbol ``O(gauge)``, ``o(gauge)``, ``Theta(gauge)`` or ``omega(gauge)``.
 

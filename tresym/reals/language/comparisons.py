@@ -50,7 +50,7 @@ NOT_DECIDED = {
         expression.ORDERS, "O(…) and o(…) belong on the right side of a claim: f == g + O(h)"
     ),
 }
-VALUED = ("integral", "nth", "sum", "product", "root", "unknown")
+VALUED = ("integral", "nth", "sum", "product", "root", "unknown", "coefficient")
 """What may stand in a claim and is worked out when it is decided."""
 
 

@@ -35,7 +35,10 @@ FUNCTIONS = names(lambda row: row.arity == 1 and row.theory)
 """The elementary functions of one argument. ``sqrt x`` is ``x**(1/2)``."""
 LEAVES = frozenset(("number", "symbol", "pi", "bound", "function"))
 BINDERS = frozenset(
-    ("integral", "antiderivative", "derivative", "nth", "at", "limit", "root", "sum", "product")
+    (
+        *("integral", "antiderivative", "derivative", "nth", "at", "limit", "root"),
+        *("sum", "product", "coefficient"),
+    )
 )
 """Operations that bind variables in their first operand, the body, one for each name."""
 ORDERS = frozenset(("O", "o", "Theta", "omega"))

@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from typing import Generic, NamedTuple, TypeVar
 
-from tresym.reals.language.binders import antiderivative, integral, limit, root, total
+from tresym.reals.language.binders import antiderivative, coefficient, integral, limit, root, total
 from tresym.reals.language.expression import Expr
 
 T = TypeVar("T")
@@ -31,11 +31,14 @@ WORDS = SIGNS | {
     **dict.fromkeys(("lim", "limit", "Limit"), "limit"),
 }
 """What people type for an operator, by hand and in SymPy, Mathematica and Maple."""
-CALLED = {name: name for name in ("integral", "sum", "product", "limit", "root")} | {
+CALLED = {name: name for name in ("integral", "sum", "product", "limit", "root", "coefficient")} | {
     "prod": "product"
 }
 """Names of an operator in the strict grammar."""
-ENDS = {"integral": (0, 2), "sum": (2,), "product": (2,), "limit": (1,), "root": (2,)}
+ENDS = {
+    **{"integral": (0, 2), "sum": (2,), "product": (2,)},
+    **{"limit": (1,), "root": (2,), "coefficient": (1,)},
+}
 """How many ends an operator can have: none of an integral leaves it indefinite."""
 
 
@@ -66,6 +69,8 @@ def applied(kind: str, bound: Range[Expr], body: Expr) -> Expr:
             return integral(body, name, *ends) if ends else antiderivative(body, name)
         case "limit":
             return limit(body, name, ends[0], int(side or "0"))
+        case "coefficient":
+            return coefficient(body, name, ends[0])
         case "root":
             return root(body, name, *ends)
     return total(kind, body, name, *ends)

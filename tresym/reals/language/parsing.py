@@ -6,8 +6,9 @@ are converted from the text itself and are exact.
 Grammar: ``+ - * / **`` (also ``^``), parentheses, decimals and fractions, names, ``pi``, ``E``, the
 functions of :data:`tresym.reals.language.expression.FUNCTIONS` with ``sqrt``, ``ln``, ``Abs``, the
 ``arc…`` names and ``atan2(y, x)``, and operations that bind a variable: ``diff(f, x[, n])``,
-``integral(f, x, low, high)``, ``at(f, x, value)``, ``limit(f, x, point[, side])``, and
-``root(f, x, low, high)``, the only zero of f strictly between the ends. Conditions and
+``integral(f, x, low, high)``, ``at(f, x, value)``, ``limit(f, x, point[, side])``,
+``root(f, x, low, high)``, the only zero of f strictly between the ends, and
+``coefficient(f, z, n)``, that of z**n. Conditions and
 claims are comparisons; ``O(…)`` and ``o(…)`` may occur only at the right end of a claim.
 """
 

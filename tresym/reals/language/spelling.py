@@ -134,6 +134,8 @@ def spell_atom(typed: Typed) -> str:
         return token.text
     if token.text in SIGNS:
         return spell_operator(typed, token)
+    if token.text == "[" and typed.peek(1).text in ("^", "**"):
+        return spell_coefficient(typed)
     if token.text in ("(", "["):
         return f"({spell_inside(typed, CLOSING[token.text])})"
     if token.text == "|":
@@ -145,6 +147,17 @@ def spell_atom(typed: Typed) -> str:
     if token.kind != "name" or token.text in RESERVED:
         raise NotSpelledError
     return spell_named(typed, token)
+
+
+def spell_coefficient(typed: Typed) -> str:
+    """``[z^n] f``, behind its bracket: the coefficient of a product or of what is in brackets."""
+    name = typed.next().text
+    typed.next()
+    n = spell_inside(typed, "]")
+    body = spell_product(typed)
+    if typed.peek().text in ("+", "-") and not typed.peek(1).text.startswith("O"):
+        raise two(f"coefficient({body}, {name}, {n}) + …", f"coefficient({body} + …, {name}, {n})")
+    return f"coefficient({body}, {name}, {n})"
 
 
 def spell_inside(typed: Typed, close: str) -> str:

@@ -20,6 +20,7 @@ _FORMS = {
     **dict.fromkeys(("sum", "Sum", "summation"), "sum(f, k, 1, n)"),
     **dict.fromkeys(("product", "Product", "prod"), "product(f, k, 1, n)"),
     **dict.fromkeys(("limit", "lim", "Limit"), "limit(f, x, a), at one side limit(f, x, a, 1)"),
+    "coefficient": "coefficient(f, z, n), the coefficient of z**n",
     "root": "root(f, x, a, b), the zero of f between a and b",
     **{"factorial": "factorial(n)", "binomial": "binomial(n, k)", "derivative": "diff(f, x)"},
 }

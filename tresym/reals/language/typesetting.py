@@ -43,6 +43,7 @@ LATEX: Mapping[str, str] = {
     "integral": r"\int_{{{low}}}^{{{high}}} {body} \, d{x}",
     "antiderivative": r"\int {body} \, d{x}", "limit": r"\lim_{{{x} \to {low}{side}}} {body}",
     "root": r"\operatorname{{root}}_{{{low} < {x} < {high}}}\left({body}\right)",
+    "coefficient": r"[{x}^{{{low}}}] \, {body}",
     "above": "^+", "below": "^-", "of": "{} {}", "at": r"\left.{body}\right|_{{{place}}}",
     "pair": "{}={}", "oo": r"\infty", "...": r"\dots", "pi": r"\pi", "e": "e", "d": "d",
     "number": "{}", "word": r"\mathrm{{{}}}", "foot": "{}", "index": "{}_{{{}}}", "prime": "'",
@@ -70,6 +71,7 @@ MATHML: Mapping[str, str] = {
     "limit": "<munder><mo>lim</mo><mrow>{x}<mo>→</mo>{low}{side}</mrow></munder>{body}",
     "root": "<msub><mi>root</mi><mrow>{low}<mo>&lt;</mo>{x}<mo>&lt;</mo>{high}</mrow></msub>"
     "<mrow><mo>(</mo>{body}<mo>)</mo></mrow>",
+    "coefficient": "<mo>[</mo><msup>{x}<mrow>{low}</mrow></msup><mo>]</mo>{body}",
     "above": "<mo>+</mo>", "below": "<mo>−</mo>", "of": "{}{}",
     "at": "<msub><mrow><mo>[</mo>{body}<mo>]</mo></mrow><mrow>{place}</mrow></msub>",
     "pair": "{}<mo>=</mo>{}", "oo": "<mi>∞</mi>", "...": "<mo>⋯</mo>", "pi": "<mi>π</mi>",
