@@ -15,6 +15,7 @@ CHANGED = (
     (r"The loss is given in decibels.", r"10\log 100 = 20"),
     (r"The angle $a$ is measured in degrees.", r"\frac{d}{da}\sin a = \cos a"),
     (r"Angles are in degrees.", r"\cos 60 = \frac12"),
+    (r"Derivatives by Grassmann variables are odd.", r"\frac{d}{db} ab = -a"),
     (r"Let $\sigma$ and $\tau$ be transpositions.", r"\sigma\tau = \tau\sigma"),
     (r"Let $\pi$ be a permutation of five letters.", r"\pi(4) = 5"),
     (r"The firm's profit $\pi$ is 3 in this year.", r"\pi = 3"),
@@ -52,11 +53,9 @@ def test_other_words_leave_a_formula_to_be_proved(words: str, formula: str, tmp_
 
 
 @pytest.mark.parametrize("formula", [r"\int_0^1 dx\, x = x", r"\int_0^2 dx\, x^3 = 2x^3"])
-def test_what_follows_a_differential_is_no_factor_of_the_integral(
-    formula: str, tmp_path: Path
-) -> None:
+def test_what_follows_a_differential_is_integrated(formula: str, tmp_path: Path) -> None:
     assert statuses(tmp_path, rf"For all $x$, \[ {formula} \] \[ \int_0^1 dx = 1 \]") == [
-        "UNREAD",
+        "REFUTED",
         "PROVED",
     ]
 

@@ -47,6 +47,7 @@ TOLD = "as the text before it says, with"
 WHERE = "under the conditions of the definition, with"
 SHARED = "for any value of the integral or sum on both sides"
 _WHOLES = frozenset(("integral", "sum", "product", "limit"))
+CUT = "the last digit is cut off, not rounded"
 EARLIER = "under conditions from earlier sections"
 _WORKED = frozenset(("antiderivative", "derivative", "integral", "nth", "limit", "sum", "product"))
 """Expressions that are evaluated: an equality with one of these, or with a series, is not an
@@ -598,7 +599,7 @@ def _printed(link: Link, compared: Compared, piece: Piece) -> Link:
     cut = f"abs({left} - ({beyond})) < {half}"  # strictly: 2 is not 1 with its digits cut off
     attempts = [
         Attempt(rounded, "the last digit is rounded", shown),
-        Attempt(cut, "the last digit is cut off, not rounded", shown),
+        Attempt(cut, CUT, shown),
     ]
     return replace(
         link, sides=(left, "==", right), read_as=shown, claims=tuple(attempts), firm=True

@@ -820,8 +820,11 @@ class Search:
             g = put_in(goal, known, self.moving) if known else goal
             if known and (is_zero(g) is not False or is_zero(e) is not False):
                 return None
-            if symbols(e).isdisjoint(symbols(g)) or g in (e, -e):
-                return None  # a restatement
+            if symbols(e).isdisjoint(symbols(g)):
+                return None
+            if g in (e, -e):  # a restatement, or terms brought to the other side
+                same = f"{g} - ({e if g == e else -e}) == 0"
+                return None if known else Step((same,), f"it follows from {words}")
             solved = _solved(e, symbols(g), frozenset(), self.moving)
             if solved is None or solved[0] not in symbols(g):
                 solved = _solved(e, symbols(g), symbols(e) - symbols(g), self.moving)

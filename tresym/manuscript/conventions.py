@@ -100,6 +100,11 @@ _TABLE = (
         "the letter \\pi is not the number 3.14... in the text",
     ),
     (
+        r"\bGrassmann(?!ian)|\banti-?commut(?:e|es|ing)[\s~]+(?:numbers?|variables?)",
+        _ANY,
+        "the text calculates with numbers whose products change sign with their order",
+    ),
+    (
         r"\broots?[\s~]+of[\s~]+unity\b",
         r"\\(?:omega|zeta|xi|epsilon|varepsilon|eta|alpha)(?![a-zA-Z])|\b[wz]\b",
         "the text speaks of roots of unity, which are complex numbers",

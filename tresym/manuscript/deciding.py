@@ -11,6 +11,7 @@ from tresym.checking.time_limited import Task, check_all, check_within
 from tresym.manuscript import accusations, prose
 from tresym.manuscript.attempts import answers_to
 from tresym.manuscript.classification import (
+    CUT,
     DEFINED,
     EQUATION,
     SHARED,
@@ -594,7 +595,7 @@ def _row(link: Link, answers: list[Answer | InputError], limit: float) -> Row:
             last, doubt = _counted(link, asked, last, limit)
             doubt = doubt or _doubt(link, asked, limit)
             witness = _named(last.witness)
-            why = _told(last.why, asked.how)
+            why = _told(last.why, "neither rounded nor cut off" if asked.how == CUT else asked.how)
             row = Row(link, last.verdict.value, why, witness, last.given, seconds)
             row = replace(row, cause=last.cause, obstacle=link.obstacle)
         if not doubt:

@@ -21,6 +21,7 @@ from itertools import groupby
 
 from tresym.manuscript import prose
 from tresym.manuscript.accusations import DoubtKind
+from tresym.manuscript.aftermath import settled
 from tresym.manuscript.classification import (
     ASSUMED,
     CONSTANTS,
@@ -115,7 +116,7 @@ def proofread(
         if why:
             witness = row.fails_at
             result[n] = replace(row, status=SUSPECT, why=why, instead=instead, witness=witness)
-    return result
+    return settled(result, processes=processes)
 
 
 def _as_written(found: Alternative) -> Alternative:
@@ -308,8 +309,13 @@ def _blocks(rows: Sequence[Row]) -> dict[int, list[str]]:
     for _, group in groupby(enumerate(rows), key=lambda pair: pair[1].link.display.number):
         found = list(group)
         for n, _ in found:
-            result[n] = [row.status for m, row in found if m != n]
+            result[n] = [_bare_status(row) for m, row in found if m != n]
     return result
+
+
+def _bare_status(row: Row) -> str:
+    """Return the status, EQUATION for what holds only where an equation before it does."""
+    return EQUATION if row.why.startswith(("it follows", "it solves")) else row.status
 
 
 _SKIPPED = re.compile(r"[\s&{}]|\\(?:left|right|,|;|:|!|quad|qquad|nonumber|notag|label\{[^}]*\})")
