@@ -12,7 +12,7 @@ from typing import Any
 from tresym.asymptotics.expansion import MOST, Terms, terms_of
 from tresym.checking import check
 from tresym.checking.dispatch import decide_within_limits
-from tresym.reals.decisions.answer import Answer, ball_text
+from tresym.reals.decisions.answer import Answer, constant_text
 from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.decisions.roots import as_variables, root_nodes
 from tresym.reals.decisions.statement import Statement
@@ -53,7 +53,9 @@ class Expansion:
         lines = [f"{said} + O({self.gauge})   as {self.path}   ({self.answer.verdict.value})"]
         if self.answer.constant is not None:
             where = f" on {self.answer.region}" if self.answer.region else ""
-            lines.append(f"  constant   {ball_text(self.answer.constant)}{where}")
+            lines.append(
+                f"  constant   {constant_text(self.answer.constant, not self.answer.lemma)}{where}"
+            )
         return "\n".join(lines)
 
     def as_latex(self) -> str:

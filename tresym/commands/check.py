@@ -9,6 +9,7 @@ from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial
 from itertools import chain
+from shutil import get_terminal_size
 from typing import TYPE_CHECKING, TypeAlias
 
 from tresym.commands.claims_file import ENDING
@@ -165,7 +166,7 @@ def one(
         value = answer.as_json() if said is None else answer.as_json() | {"coq": said}
         text = json_line(value)
     else:
-        text = answer_text(answer, colour)
+        text = answer_text(answer, colour, _columns(target))
         text += "" if said is None else f"  {dim('coq        ', colour)}{said['says']}\n"
     with _shown_by(target) as show:
         show(text)
@@ -215,7 +216,7 @@ def many(
     seconds = parse_seconds(limit)
     counts = dict.fromkeys([*(verdict.value for verdict in Verdict), "not read"], 0)
     status = 0
-    colour = colour_wanted() and target is None
+    colour, columns = colour_wanted() and target is None, _columns(target)
     with _shown_by(target) as show:
         answers = _with_known_names(_answers(tasks, seconds, scheduler))
         if suggest:
@@ -234,7 +235,7 @@ def many(
             else:
                 status = _worse(status, _STATUS.get(found.verdict, 0))
                 counts[found.verdict.value] += 1
-                show(json_line(found.as_json()) if as_json else answer_text(found, colour))
+                show(json_line(found.as_json()) if as_json else answer_text(found, colour, columns))
             show_progress(f"{sum(counts.values())} claims")
     summary = ", ".join(f"{count} {name}" for name, count in counts.items() if count)
     print(f"{sum(counts.values())} claims: {summary}", file=sys.stderr)
@@ -321,16 +322,35 @@ def _lines(file: str) -> Iterator[str]:
         raise InputError(f"{file}: cannot be read ({error.strerror})") from None
 
 
-def answer_text(answer: Answer, colour: bool = False) -> str:
-    """Return an answer as text: the verdict and one sentence, then the details, one a line."""
+def answer_text(answer: Answer, colour: bool = False, columns: int = 0) -> str:
+    """Return an answer as text: the verdict and one sentence, then the details, one a line.
+
+    Args:
+        answer: the answer.
+        colour: whether for a terminal with colours.
+        columns: where lines are wrapped; 0 for nowhere.
+    """
     sentence, rows = answer.in_text()
     if answer.line is not None:
         rows.insert(0, ("line", str(answer.line)))
     seconds = answer.seconds
     time = f"{1000 * seconds:.3g} ms" if seconds < 0.9995 else f"{seconds:.3g} s"
     rows.append(("time", time))
-    head = f"{bold(answer.verdict.value, colour)}: {sentence}"
-    return "\n".join([head, *(f"  {dim(f'{n:<11}', colour)}{t}" for n, t in rows)]) + "\n"
+    from tresym.report.typesetting.plain_text import in_lines
+
+    said = [(f"{answer.verdict.value}: ", bold(f"{answer.verdict.value}", colour) + ": ", sentence)]
+    said += [(f"  {n:<11}", f"  {dim(f'{n:<11}', colour)}", t) for n, t in rows]
+    lines: list[str] = []
+    for plain, shown, text in said:
+        first, *more = in_lines(text, plain, " " * 13, columns) if columns else [plain + text]
+        lines += [shown + first.removeprefix(plain), *more]
+    return "\n".join(lines) + "\n"
+
+
+def _columns(target: str | None) -> int:
+    """Return where lines are wrapped: at the width of a terminal, and nowhere in a file."""
+    wide = target is None and sys.stdout is not None and sys.stdout.isatty()
+    return get_terminal_size().columns if wide else 0
 
 
 def _bad_line(task: Task, error: InputError) -> str:

@@ -10,7 +10,10 @@ import shlex
 from collections.abc import Iterator
 
 from tresym.report.typesetting.markdown import escaped
+from tresym.report.typesetting.plain_text import in_lines
 
+COLUMNS = 96
+"""The width of the boxes of the site that show an answer, in characters."""
 _TIME = re.compile(r"\b\d[\d.e-]*( ?)(ms|s|µs)\b")
 
 
@@ -69,4 +72,7 @@ def transcript(command: str) -> str:
         status = main(words) if name == "tresym" else 2
     if status == 2:
         raise ValueError(f"{command}: is not a tresym command, or its input was refused")
-    return f"$ {command}\n{_TIME.sub('…', printed.getvalue()).rstrip()}\n"
+    lines = _TIME.sub("…", printed.getvalue()).rstrip().splitlines()
+    if words[:1] == ["check"]:
+        lines = [part for line in lines for part in in_lines(line, "", " " * 13, COLUMNS)]
+    return "\n".join([f"$ {command}", *lines, ""])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import decimal
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import asdict, dataclass, field
 from typing import Any, NamedTuple
@@ -27,6 +28,8 @@ from tresym.reals.numbers.exact import (
 from tresym.reals.verdict import Cause, Verdict
 
 DIGITS = (12, 40, 220, 1250)
+CONSTANT_DIGITS = 6
+"""How many digits of the bounds of a constant are shown."""
 _WORST = (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED, Verdict.PROVED)
 
 
@@ -182,7 +185,7 @@ class Answer:
             rows.append(("left side", ball_text(self.values[0])))
             rows.append(("right side", ball_text(self.values[1])))
         if self.constant is not None:
-            rows.append(("constant", ball_text(self.constant)))
+            rows.append(("constant", constant_text(self.constant, not self.lemma)))
         rows.append(("region", self.region or ""))
         if self.uniform is not None:
             rows.append(("uniform", "yes" if self.uniform else "no"))
@@ -247,6 +250,31 @@ def failing(relation: str) -> str:
     """
     words = {"==": "the two sides differ", "!=": "the two sides are equal"}
     return words.get(relation, f"the left side is not {relation} the right side")
+
+
+def constant_text(ball: Decimal, smallest: bool = True) -> str:
+    """Return a constant by bounds with the digits that matter, rounded to the safe sides.
+
+    Args:
+        ball: a ball around the constant.
+        smallest: whether no smaller constant serves; of another one only the upper bound is shown.
+
+    Example:
+        >>> constant_text(Decimal("2.0600099999999", "2e-13"))
+        'between 2.06000 and 2.06001'
+        >>> constant_text(Decimal("1000", "1200"))
+        'at most 2200'
+    """
+    if ball.rad == "0":
+        return ball.mid
+    with decimal.localcontext(decimal.Context(prec=2 * decimal.getcontext().prec + len(ball.mid))):
+        middle, radius = map(decimal.Decimal, ball)
+        ends = middle - radius, middle + radius
+    low, high = (
+        str(decimal.Context(prec=CONSTANT_DIGITS, rounding=side).create_decimal(end)).lower()
+        for end, side in zip(ends, (decimal.ROUND_FLOOR, decimal.ROUND_CEILING), strict=True)
+    )
+    return f"between {low} and {high}" if smallest and ends[0] > 0 else f"at most {high}"
 
 
 def exactly(sentence: str, point: Mapping[str, fmpq | Expr]) -> str:
