@@ -25,8 +25,8 @@ from typing import NamedTuple
 from flint import arb, arb_poly, arb_series, ctx, fmpq
 
 from tresym.asymptotics.differential_problem import OpenError
+from tresym.asymptotics.layer_problems import Layer, at_point, kind_of
 from tresym.asymptotics.layer_sums import Exponent, Layered, Part
-from tresym.asymptotics.layers import Layer, at_point, kind_of
 from tresym.reals.balls.taylor import InSeries
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.derivatives import differentiate

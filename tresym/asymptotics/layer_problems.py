@@ -1,0 +1,283 @@
+"""Bring linear boundary value problems with boundary layers to a normal form.
+
+Example: e*y'' + (1 + x)*y' + y == 0 with values at 0 and 1 is tⁿ y'' + a y' + b y = f with t = e,
+n = 1, a = 1 + x and b = 1, and has a layer at the lower end, since a > 0; with a < 0 the ends are
+exchanged. With a = 0 and b < 0 there are layers at both ends. Approximations are sums of
+exponentials (:mod:`tresym.asymptotics.layer_sums`), of which each decays away from one end.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import NamedTuple
+
+from flint import fmpq
+
+from tresym.asymptotics.boundary_values import between, ends
+from tresym.asymptotics.differential_problem import OpenError, Problem
+from tresym.asymptotics.layer_sums import Exponent, Layered, Part, Reader, known_sign
+from tresym.reals.decisions.readable_witnesses import tidied
+from tresym.reals.decisions.statement import Statement
+from tresym.reals.domain.conditions import Given
+from tresym.reals.language.derivatives import differentiate
+from tresym.reals.language.expression import (
+    ONE,
+    ZERO,
+    Expr,
+    number,
+    substitute,
+    symbol,
+    symbols,
+)
+from tresym.reals.normal.to_expression import normal_form
+from tresym.reals.signs.definedness import continuous_on
+from tresym.reals.signs.interior import PROVING, is_zero
+from tresym.reals.signs.sign import proof, sign
+
+
+class Layer(NamedTuple):
+    """The problem L y = f in normal form, with the layer at the lower end if there is one.
+
+    Attributes:
+        reader: reads expressions as sums of exponentials.
+        low, high: the ends.
+        n: the power of t at y''.
+        a, b, f: smooth parts: powers of t with factors.
+        values: at the lower and the upper end.
+        both: whether both ends have layers.
+        mirrored: whether the ends were exchanged, so that x stands for low + high − x.
+        closed: the conditions with x between the ends.
+        fixed: those without x.
+    """
+
+    reader: Reader
+    low: Expr
+    high: Expr
+    n: int
+    a: Part
+    b: Part
+    f: Part
+    values: tuple[Expr, Expr]
+    both: bool
+    mirrored: bool
+    closed: Given
+    fixed: Given
+
+    @property
+    def x(self) -> str:
+        """The variable."""
+        return self.reader.x
+
+    @property
+    def t(self) -> str:
+        """The small parameter's root."""
+        return self.reader.t
+
+    def turned(self, e: Expr) -> Expr:
+        """Return an expression for exchanged ends, if they are exchanged."""
+        if not self.mirrored:
+            return e
+        return substitute(e, {self.x: self.low + self.high - symbol(self.x)})
+
+    def end(self, k: int) -> Expr:
+        """Return the lower or the upper end, in the original variables."""
+        return (self.low, self.high)[1 - k if self.mirrored else k]
+
+    def at_zero(self, part: Part) -> Expr:
+        """Return the limit of a smooth part."""
+        return ZERO if part.power else tidied(substitute(part.factor, {self.t: ZERO}))
+
+    def residual(self, curve: Layered) -> Layered:
+        """Return L Y − f."""
+        r = self.reader
+        slope = r.derivative(curve)
+        return r.sum(
+            [
+                r.product({(): Part(self.n, ONE)}, r.derivative(slope)),
+                r.product({(): self.a}, slope),
+                r.product({(): self.b}, curve),
+                {(): Part(self.f.power, -self.f.factor)},
+            ]
+        )
+
+
+def layer_of(problem: Problem, statement: Statement, small: str, more: list[Expr]) -> Layer | None:
+    """Return the normal form of a problem; None if its coefficients are smooth.
+
+    Raises:
+        OpenError: it has none of the two kinds.
+    """
+    if problem.is_initial:
+        return None
+    x = problem.time
+    (name,) = {key[0] for key in problem.state}
+    y, slope = problem.state[name, 0], problem.state[name, 1]
+    right = problem.right[slope]
+    links = statement.given.comparisons
+    if any(small in symbols(value.point) for value in problem.given):
+        raise OpenError("the ends of the interval must not depend on the small parameter")
+    tied = [link for link in links if small in symbols(link[0]) | symbols(link[2])]
+    plain = Given(tuple(link for link in links if link not in tied))
+    if any(
+        symbols(link[0]) | symbols(link[2]) != {small} or small_is_bounded(link, small)
+        for link in tied
+    ):
+        raise OpenError("conditions on the small parameter are not supported")
+    fixed, closed = between(problem, plain)
+    low, high = ends(problem, fixed)
+    inside = fixed & Given(((symbol(x), ">=", low), (symbol(x), "<=", high)))
+    parts = [tidied(-differentiate(right, slope)), tidied(-differentiate(right, y))]
+    if any({y, slope} & symbols(part) for part in parts):
+        return None
+    free = tidied(substitute(right, {y: ZERO, slope: ZERO}))
+    given = {v.point: v for v in problem.given}
+    values = [given[point].value for point in (low, high)]
+    if small not in set().union(*map(symbols, (*parts, free))):
+        return None
+    reader = Reader(x, small, inside, [*parts, free, *values, *more])
+    read = [_smooth_part(reader, part, inside) for part in (*parts, free)]
+    n = -min((p.power for p in read if p.factor != ZERO), default=0)
+    if n <= 0:
+        return None
+    if any(given[point].variable != y for point in (low, high)):
+        raise OpenError("boundary layers are supported for values of the function at both ends")
+    if closed is fixed:
+        raise OpenError(
+            f"say where {x} lies: the solution has a boundary layer, and the claim is "
+            f"meant for {low} <= {x} <= {high}"
+        )
+    a, b, f = (Part(p.power + n, p.factor) if p.factor != ZERO else Part(0, ZERO) for p in read)
+    layer = Layer(
+        reader, low, high, n, a, b, f, (values[0], values[1]), False, False, inside, fixed
+    )
+    first = known_sign(layer.at_zero(a), inside)
+    if first < 0:
+        mirror = partial(substitute, mapping={x: low + high - symbol(x)})
+        return layer._replace(
+            a=a._replace(factor=tidied(mirror(-a.factor))),
+            b=b._replace(factor=tidied(mirror(b.factor))),
+            f=f._replace(factor=tidied(mirror(f.factor))),
+            values=(values[1], values[0]),
+            mirrored=True,
+        )
+    if first > 0:
+        return layer
+    if known_sign(layer.at_zero(b), inside) < 0:
+        if 2 * a.power < n and a.factor != ZERO and not is_zero(a.factor, inside):
+            raise OpenError(
+                "the factor of the first derivative is too large beside that of the "
+                "function for two boundary layers"
+            )
+        if n % 2:  # the layers are as wide as its square root
+            root = symbol(small) ** number(fmpq(1, 2 * reader.q))
+            return layer_of(problem, statement, small, [*more, root])
+        return layer._replace(both=True)
+    raise OpenError(
+        f"boundary layers are supported where the factor of the first derivative, "
+        f"{layer.at_zero(a)}, has one sign from {low} to {high}, or that of the function is "
+        f"negative with the sign of the highest derivative: neither is shown"
+    )
+
+
+def small_is_bounded(link: tuple[Expr, str, Expr], small: str) -> bool:
+    """Whether a condition on the small parameter alone excludes values near 0."""
+    left, relation, right = link
+    gap = right - left if relation[0] == "<" else left - right
+    if relation not in ("<", "<=", ">", ">="):
+        return True
+    near = Given(((symbol(small), ">", ZERO), (symbol(small), "<", number(fmpq(1, 10**6)))))
+    return sign(gap, near, ">") not in PROVING[">"]
+
+
+def _smooth_part(reader: Reader, e: Expr, inside: Given) -> Part:
+    found = reader.read(e)
+    if found and set(found) != {()}:
+        raise OpenError(
+            "the coefficients of the equation must be smooth but for powers of the small parameter"
+        )
+    part = found.get((), Part(0, ZERO))
+    if is_zero(part.factor, reader.given):
+        return Part(0, ZERO)
+    first = reader._first(part.factor) if reader.t in symbols(part.factor) else 0
+    factor = part.factor
+    if first:
+        factor = normal_form(factor / symbol(reader.t) ** first, reader.given)
+    need_smooth_at_zero(reader, factor, inside)
+    return Part(part.power + first, factor)
+
+
+def need_smooth_at_zero(reader: Reader, e: Expr, inside: Given) -> None:
+    """Require that an expression is smooth in x and t near t = 0 for all x between the ends.
+
+    Raises:
+        OpenError: that is not shown.
+    """
+    gap = continuous_on(substitute(e, {reader.t: ZERO}), inside, proof)
+    if gap is not None:
+        raise OpenError(f"{e} is not shown to be smooth where {reader.small} = 0: {gap}")
+
+
+def power_of(small: str, order: int, q: int) -> str:
+    """Return t to a power in words of the small parameter."""
+    power = fmpq(order, q)
+    return (
+        "1"
+        if not order
+        else small
+        if power == 1
+        else f"{small}**({power})"
+        if (power.q != 1)
+        else f"{small}**{power}"
+    )
+
+
+def layer_parameters(layer: Layer, e: Expr) -> frozenset[str]:
+    """Return the parameters beside the variable and the small one."""
+    trees = [layer.a.factor, layer.b.factor, layer.f.factor, *layer.values, layer.low, layer.high]
+    return symbols(e).union(*map(symbols, trees)) - {layer.x, layer.t, layer.reader.small}
+
+
+def read_curve(layer: Layer, e: Expr) -> Layered:
+    """Return an approximation as a sum of exponentials that do not grow."""
+    r = layer.reader
+    curve = r.read(e)
+    nearly = dict.fromkeys(r.nearly_one.values(), ONE)
+    found = {}
+    for key, part in curve.items():
+        kind_of(layer, key)
+        factor = substitute(part.factor, nearly) if nearly else part.factor
+        need_smooth_at_zero(r, factor, layer.closed)
+        found[key] = part._replace(factor=factor)
+    return found
+
+
+def at_point(layer: Layer, curve: Layered, point: Expr) -> Layered:
+    """Return the value of a sum of exponentials at a point."""
+    put = partial(substitute, mapping={layer.x: point})
+    terms = []
+    for key, (v, g) in curve.items():
+        there = tuple((k, c) for k, f in key if (c := tidied(normal_form(put(f), Given()))) != ZERO)
+        terms.append({there: Part(v, put(g))})
+    return layer.reader.sum(terms)
+
+
+def kind_of(layer: Layer, key: Exponent) -> tuple[int | None, int] | None:
+    """Return the end and the scale of a layer, (None, 0) for the smooth part, None if negligible.
+
+    Raises:
+        OpenError: the exponential is no layer.
+    """
+    if not key:
+        return None, 0
+    leading = key[0][1]
+    scale = -key[0][0]
+    slope = differentiate(leading, layer.x)
+    for end, point, direction in ((0, layer.low, -1), (1, layer.high, 1)):
+        there = [substitute(f, {layer.x: point}) for _, f in key]
+        at_end = all(is_zero(value, layer.fixed) for value in there)
+        if at_end and known_sign(slope * direction, layer.closed) > 0:
+            return end, scale
+    if known_sign(leading, layer.closed) < 0:
+        return None
+    shown = " + ".join(f"({f})/{power_of(layer.reader.small, -k, layer.reader.q)}" for k, f in key)
+    raise OpenError(f"exp({shown}) is not shown to vanish away from one end")
