@@ -246,6 +246,10 @@ def _here(e: Expr, names: Sequence[str], indices: Sequence[str]) -> Iterator[Cha
             same = kin.family == row.family and kin.arity == row.arity and not kin.internal
             if same and other != e.op:
                 yield Change(WRAPPED, e.op, other, apply(other, *e.args))
+    if e.op == "log":
+        for base in (b for b in (10, 2) if e.args[0] != number(b)):
+            other = e / apply("log", number(base))
+            yield Change(FUNCTION, "log", f"the logarithm to base {base}", other)
     if e.op == "+":
         yield from _terms(e)
     if e.op == "*":

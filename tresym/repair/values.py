@@ -144,7 +144,7 @@ def values(comparison: Compared, given: Sequence[Compared]) -> Iterator[Expr]:
             (value,) = Points({}).values(tree)
             shares = () if math.isfinite(value) else (HALF, number(2), number(-1), HALF * HALF)
             yield from (share * other for share in shares)
-            yield from recognised(value)
+            yield from (found for found in recognised(value) if found != tree)
         elif len(names) == 1 and not any(map(is_infinite, outermost(tree))):
             (name,) = names
             if any(link == (symbol(name), "in", link[2]) for link in given):

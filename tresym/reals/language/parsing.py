@@ -405,6 +405,7 @@ def parse_given(text: str) -> list[Compared]:
             result += [(left, "==", right + order("o", term)) for term in terms]
             continue
         result += _chain(reader, part)
+    result = [part for part in result if not _is_below_infinity(*part)]
     result = [_slopes_at(*part) if part[1] == "==" else part for part in result]
     for left, relation, right in result:
         if (relation == "in" or right == INTEGERS) and (
@@ -417,6 +418,16 @@ def parse_given(text: str) -> list[Compared]:
         if not all(map(_algebraic, (left, explicit))):
             raise InputError(NO_DERIVATIVE)
     return result
+
+
+def _is_below_infinity(left: Expr, relation: str, right: Expr) -> bool:
+    """Return whether a condition is like ``x < oo`` or ``-oo < x``, which every number fulfils."""
+    low, high = (left, right) if relation in ("<", "<=") else (right, left)
+    if relation not in ("<", "<=", ">", ">="):
+        return False
+    mark = INFINITY.args[0]
+    below = high == INFINITY and mark not in symbols(low)
+    return below or (low == -INFINITY and mark not in symbols(high))
 
 
 def without_order(e: Expr) -> Expr:
