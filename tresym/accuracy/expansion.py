@@ -9,7 +9,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any
 
-from tresym.asymptotics.expansion import MOST, Terms, terms_of
+from tresym.asymptotics.expansion import MOST, terms_of
+from tresym.asymptotics.explicit_terms import Terms
 from tresym.checking import check
 from tresym.checking.dispatch import decide_within_limits
 from tresym.reals.decisions.answer import Answer, constant_text

@@ -29,7 +29,7 @@ from tresym.asymptotics.dominant_singularities import (
     nearest_singularities,
     stays_regular,
 )
-from tresym.asymptotics.expansion import explicit_terms
+from tresym.asymptotics.explicit_terms import explicit_terms
 from tresym.asymptotics.lemma import Bound, End, Expansion, Obligations
 from tresym.asymptotics.linear_recurrences import Solved
 from tresym.asymptotics.rational_functions import over

@@ -22,9 +22,9 @@ from typing import NamedTuple
 from flint import acb, arb, fmpq, fmpz_poly
 
 from tresym.asymptotics.rational_functions import over
-from tresym.asymptotics.roots import zeros_of
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
+from tresym.reals.domain.operation_domains import operations
 from tresym.reals.expansions.limit_values import limit_of
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import (
@@ -33,9 +33,11 @@ from tresym.reals.language.expression import (
     PI,
     ZERO,
     Expr,
+    apply,
     multiply,
     number,
     rebuild,
+    replaced,
     sqrt,
     substitute,
     symbol,
@@ -216,9 +218,7 @@ def _zeros_of_part(part: Part, z: str) -> list[_Zero] | None:
         return None
     roots = list(dict.fromkeys(_roots(e, z)))
     if not roots:
-        return [
-            zero._replace(branches=part.branches) for zero in _of_polynomial(_numerator(e, z), z)
-        ]
+        return [zero._replace(branches=part.branches) for zero in _of_polynomial(_numerator(e, z))]
     if len(roots) > MOST_ROOTS or any(polynomial(node.args[0]) is None for node in roots):
         raise UnsupportedError(f"the zeros of {e} are not found")
     # the numerator, a polynomial in z and the roots, times its values at the other signs
@@ -230,7 +230,7 @@ def _zeros_of_part(part: Part, z: str) -> list[_Zero] | None:
         conjugates.append(substitute(above, {str(m.args[0]): s * r for s, (r, m) in pairs}))
     norm = multiply(ONE, *conjugates)
     found = []
-    for zero in _of_polynomial(_numerator(norm, z), z):
+    for zero in _of_polynomial(_numerator(norm, z)):
         value = _continued(e, z, zero.place)
         if value is None or value.contains(0):
             found.append(zero._replace(branches=part.branches))
@@ -283,7 +283,7 @@ def _numerator(e: Expr, z: str) -> fmpz_poly:
     return fmpz_poly(coefficients)
 
 
-def _of_polynomial(p: fmpz_poly, z: str) -> list[_Zero]:
+def _of_polynomial(p: fmpz_poly) -> list[_Zero]:
     """Return all zeros of a polynomial, those of real factors of degree 1 and 2 exactly."""
     found = []
     for factor, _ in p.factor()[1]:
@@ -303,7 +303,7 @@ def _of_polynomial(p: fmpz_poly, z: str) -> list[_Zero]:
 
 def _real_zeros(e: Expr, z: str) -> list[Expr]:
     """Return some real zeros exactly."""
-    found = dict.fromkeys(zeros_of(e, z, Given()))
+    found = dict.fromkeys(_of_exponential(e, z))
     for k in (1, 2, 3):
         for share in (PI / (2 * k), PI / k, k * PI):
             for point in (share, -share):
@@ -312,6 +312,22 @@ def _real_zeros(e: Expr, z: str) -> list[Expr]:
     if is_zero(substitute(e, {z: ZERO}), Given()):
         found[ZERO] = None
     return [point for point in found if not symbols(point)]
+
+
+def _of_exponential(e: Expr, z: str) -> Iterator[Expr]:
+    """Yield the real zeros of A + B exp(a z + b)."""
+    nodes = {node for node in operations((e,)) if node.op == "exp" and z in symbols(node)}
+    if len(nodes) != 1:
+        return
+    (node,) = nodes
+    mark = symbol("[e]")
+    terms = polynomial(replaced(e, {node: mark})) or {}
+    line = polynomial(node.args[0]) or {}
+    if set(terms) != {(), (("[e]", 1),)} or not set(line) <= {(), ((z, 1),)}:
+        return
+    value = -terms[()] / terms[("[e]", 1),]
+    if value > 0:
+        yield (apply("log", number(value)) - number(line.get((), fmpq(0)))) / number(line[(z, 1),])
 
 
 def _nearest(zeros: list[_Zero], entire: list[Part], z: str) -> Nearest:

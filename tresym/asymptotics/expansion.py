@@ -13,8 +13,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
-from typing import NamedTuple
 
+from tresym.asymptotics.explicit_terms import Terms, explicit_terms, first_term, simple_term
 from tresym.asymptotics.lemma import End
 from tresym.asymptotics.lemma_claims import approximations
 from tresym.asymptotics.recurrences import sequence_approximations
@@ -24,20 +24,15 @@ from tresym.reals.decisions.answer import Decide
 from tresym.reals.decisions.readable_witnesses import tidied
 from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.conditions import Given
-from tresym.reals.expansions.leading_terms import written_term
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     MINUS_ONE,
-    ONE,
     ZERO,
     Expr,
     add,
     apply,
-    factors_in,
-    multiply,
     number,
-    power,
     substitute,
     symbol,
     symbols,
@@ -49,20 +44,6 @@ from tresym.reals.signs.interior import is_zero
 
 MOST = 12
 """The most terms of an expansion."""
-LARGEST = 600
-"""The largest size of an expression whose leading term is looked for."""
-
-
-class Terms(NamedTuple):
-    """Terms of an expansion, the largest first.
-
-    Attributes:
-        terms: the terms.
-        gauge: the comparison function of the error; None if the expansion ends.
-    """
-
-    terms: tuple[Expr, ...]
-    gauge: Expr | None
 
 
 def terms_of(f: Expr, statement: Statement, count: int, decided: Decide) -> Terms | None:
@@ -129,25 +110,6 @@ def _of_unknown(f: Expr, statement: Statement, count: int, decided: Decide) -> T
     return found[1]
 
 
-def explicit_terms(f: Expr, path: Path, given: Given, count: int) -> Terms | None:
-    """Return the first terms of an explicit function, from the first side of the path.
-
-    None if a leading term is not found.
-    """
-    found: list[Expr] = []
-    for _ in range(count + 1):
-        rest = f - add(*found) if found else f
-        if is_zero(rest, given):
-            return Terms(tuple(found), None)
-        first = _first(rest, path, given)
-        if first is None:
-            return None
-        if len(found) == count:
-            return Terms(tuple(found), first[1])
-        found.append(first[0])
-    return None
-
-
 def approximated_terms(
     known: Iterable[tuple[Expr, Expr]], path: Path, given: Given, count: int
 ) -> Terms | None:
@@ -170,7 +132,7 @@ def approximated_terms(
             continue
         rest = found.gauge
         if rest is None or end.limit(rest / error) == ZERO:
-            first = _first(error, path, given)
+            first = first_term(error, path, given)
             rest = error if first is None else first[1]
         return Terms(found.terms, rest)
     return None
@@ -200,7 +162,7 @@ def root_terms(statement: Statement, count: int, decided: Decide) -> tuple[str, 
     name, f, start = start_of_root(statement, decided)
     slope = differentiate(f, name)
     parts = start.args if start.op == "+" else (start,)
-    found = [_simple(part) for part in sorted(parts, key=lambda e: path.name in symbols(e))]
+    found = [simple_term(part) for part in sorted(parts, key=lambda e: path.name in symbols(e))]
     found = [part for part in found if part != ZERO]
     first: tuple[Expr, Expr] | None = None
     for _ in range(count + 1):
@@ -208,14 +170,14 @@ def root_terms(statement: Statement, count: int, decided: Decide) -> tuple[str, 
         residual = substitute(f, a)
         if is_zero(residual, Given()):
             return name, Terms(tuple(found[:count]), None)
-        first = _first(-residual / substitute(slope, a), path, Given())
+        first = first_term(-residual / substitute(slope, a), path, Given())
         if first is None:
             return None
         if len(found) >= count:
             break
         found = _joined(found, first[0], path)
     if len(found) > count:
-        cut = _first(add(ZERO, *found[count:]), path, Given())
+        cut = first_term(add(ZERO, *found[count:]), path, Given())
         return None if cut is None else (name, Terms(tuple(found[:count]), cut[1]))
     return None if first is None else (name, Terms(tuple(found), first[1]))
 
@@ -225,7 +187,7 @@ def _joined(found: list[Expr], term: Expr, path: Path) -> list[Expr]:
     for k, old in enumerate(found):
         ratio = tidied(normal_form(term / old, _beside(path)))
         if path.name not in symbols(ratio):
-            total = _simple(tidied(old * (1 + ratio)))
+            total = simple_term(tidied(old * (1 + ratio)))
             return [*found[:k], *([] if is_zero(total, Given()) else [total]), *found[k + 1 :]]
     return [*found, term]
 
@@ -234,30 +196,3 @@ def _beside(path: Path) -> Given:
     from tresym.asymptotics.path_claims import neighbourhood
 
     return neighbourhood(path, path.sides[0], number(10))
-
-
-def _first(e: Expr, path: Path, given: Given) -> tuple[Expr, Expr] | None:
-    """Return the leading term of ``e`` and the same without its coefficient."""
-    if e.size > LARGEST:
-        return None
-    found = written_term(e, path.name, path.point, path.sides[0], given)
-    return None if found is None else (_simple(found[0]), _simple(found[1]))
-
-
-def _simple(e: Expr) -> Expr:
-    """Return a term with its constant factors in normal form, in front."""
-    factors = factors_in(e)
-    fixed = [f for f in factors if not symbols(f)]
-    moving = [f for f in factors if symbols(f)]
-    constant = normal_form(multiply(ONE, *fixed), Given()) if fixed else ONE
-    return multiply(constant, *map(_positive_powers, moving)) if moving else constant
-
-
-def _positive_powers(e: Expr) -> Expr:
-    """Return a factor (c x)^n as c^n x^n for integers n."""
-    if e.op == "^" and e.args[0].op == "*" and e.args[1].op == "number":
-        r = e.args[1].args[0]
-        first = e.args[0].args[0]
-        if first.op == "number" and r.q == 1:
-            return power(first, e.args[1]) * power(multiply(*e.args[0].args[1:]), e.args[1])
-    return e

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from tresym.asymptotics.expansion import Terms, terms_of
+from tresym.asymptotics.expansion import terms_of
+from tresym.asymptotics.explicit_terms import Terms
 from tresym.checking.dispatch import decide_within_limits
 from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.decisions.statement import Statement
