@@ -45,7 +45,6 @@ class Macro(NamedTuple):
 USUAL = {
     "\\abs": Macro(1, r"\left|#1\right|", starred=True),
     "\\dd": Macro(0, r"\,\mathrm{d}"),
-    "\\qty": Macro(0, ""),
     "\\d": Macro(0, r"\,\mathrm{d}"),
     "\\md": Macro(0, r"\mathrm{d}"),
     "\\me": Macro(0, r"\mathrm{e}"),

@@ -16,6 +16,7 @@ from __future__ import annotations
 import re
 
 from tresym.manuscript.macros import group
+from tresym.manuscript.units import in_one_system
 from tresym.reals.numbers.exact import InputError
 
 _SPACES = re.compile(r"\\(?:>|enskip(?![a-zA-Z])|thinspace(?![a-zA-Z])|medspace(?![a-zA-Z])|:)")
@@ -80,6 +81,8 @@ _SETTING = re.compile(r"\\(?:re)?newcommand\s*(?:\{[^{}]*\}|\\?\w+|[\d.]+)\s*\{[
 _CANCELLED_TO = re.compile(r"\\cancelto(?![a-zA-Z])")
 _NUMBER = re.compile(r"\\(?:SI|qty|num)\s*(?:\[[^\[\]]*\])?\s*\{([^{}]*)\}")
 _UNIT_BEHIND = re.compile(r"\s*(?:\[[^\[\]]*\])?\s*\{[^{}]*\}")
+_BRACKET_SIZED = re.compile(r"\\qty(?![a-zA-Z])")
+"""Of the package physics, before a bracket."""
 _UNITS = re.compile(r"\\(?:si|unit)\s*\{[^{}]*\}")
 
 
@@ -110,7 +113,7 @@ def plain_notation(text: str) -> str:
     text = _POWER_FIRST.sub(r"\1_\3^\2", text)
     text = _VARIANT.sub(r"\\\1 ", text)
     text = _ACCENTED.sub(lambda m: rf"\{m[1]}{{{m[2]}_{m[3]}}}", text)
-    text = _with_numbers(text)
+    text = _with_numbers(in_one_system(text))
     text = _with_derivatives(text)
     text = _PARTIAL.sub(r"\\partial ", text)
     text = _DIFFERENTIAL.sub(lambda m: r"\mathrm{d}", text)
@@ -162,7 +165,7 @@ def _with_numbers(text: str) -> str:
             end = unit.end() if unit else end
         value = re.sub(r"[eE]\s*([+-]?\d+)", r" \\times 10^{\1}", found[1])
         text = f"{text[: found.start()]} {value} {text[end:]}"
-    return _UNITS.sub(" ", text)
+    return _BRACKET_SIZED.sub(" ", _UNITS.sub(" ", text))
 
 
 def _with_derivatives(text: str) -> str:

@@ -1,0 +1,159 @@
+r"""Quantities with units: ``\SI{24}{\hour} = \SI{86400}{\second}`` compares the same unit.
+
+The numbers of a display are compared without their units where all of these are the same, or are
+those of the international system without prefix (m, kg, s, A, ...), which need no factors. Where
+one of them is another, each quantity is its number times the factor of its unit: 24 hours are
+24 · 3600, and 6371 kilometres 6371 · 10^3. Where a unit is not known, the quantities are left
+unread, since their numbers alone say nothing.
+"""
+
+from __future__ import annotations
+
+import re
+
+from tresym.manuscript.macros import group
+from tresym.reals.numbers.exact import InputError
+
+UNREAD = r" \unknownunit "
+"""A command that the reader of formulas does not know."""
+_QUANTITY = re.compile(r"\\(?:SI|qty)(?![a-zA-Z])\s*(?:\[[^\[\]]*\])?\s*(?=\{)")
+_SPOKEN = re.compile(r"\\(?:mathrm|text|textrm|rm|si|unit|mbox)(?![a-zA-Z])")
+_PREFIXES = {
+    **{"pico": -12, "nano": -9, "micro": -6, "milli": -3, "centi": -2, "deci": -1, "hecto": 2},
+    **{"kilo": 3, "mega": 6, "giga": 9, "tera": 12},
+}
+_SHORT = {"p": -12, "n": -9, "u": -6, "m": -3, "c": -2, "d": -1, "k": 3, "M": 6, "G": 9, "T": 12}
+_SYMBOLS = {
+    name: symbol
+    for pair in [
+        "m metre",
+        "m meter",
+        "s second",
+        "A ampere",
+        "K kelvin",
+        "mol mole",
+        "N newton",
+        "J joule",
+        "W watt",
+        "V volt",
+        "Pa pascal",
+        "Hz hertz",
+        "C coulomb",
+        "F farad",
+        "H henry",
+        "T tesla",
+        "Wb weber",
+        "rad radian",
+        "g gram",
+        "l litre",
+        "L liter",
+        "min minute",
+        "h hour",
+    ]
+    for name, symbol in [pair.split()]
+}
+_OTHER = {"gram": (1, -3), "litre": (1, -3), "liter": (1, -3), "tonne": (1, 3), "bar": (1, 5)}
+_OTHER |= {"minute": (6, 1), "hour": (36, 2), "day": (864, 2)}
+"""Units with a factor, a number times a power of ten: an hour is 36 · 10^2 seconds."""
+_WITHOUT = frozenset(
+    ("meter", "metre", "kilogram", "candela", "ohm", "siemens", *_SYMBOLS.values())
+)
+
+
+_COMMAND = re.compile(
+    r"\s*(?:\\([a-zA-Z]+)(?:\s*\{\s*(-?\d+)\s*\})?|([a-zA-Z]+)|(\^\s*\{?\s*(-?\d+)\s*\}?)|([/.~])"
+    r"|(\\[ ,]))\s*"
+)
+
+
+def in_one_system(text: str) -> str:
+    """Return the display with its quantities as numbers in one system of units."""
+    found = list(_quantities(text))
+    units = {unit for *_, unit in found}
+    factors = {unit: factor_of(unit) for unit in units}
+    if len(units) < 2 or all(factor == (1, 0) for factor in factors.values()):
+        return text
+    known = None not in factors.values() and not _SPOKEN.search(text)
+    for start, end, value, unit in reversed(found):
+        factor = factors[unit]
+        made = UNREAD if not known or factor is None else _times(value, factor)
+        if text[:start].rstrip().endswith("/") or text[end:].lstrip().startswith("^"):
+            made = f"({made})"
+        text = f"{text[:start]} {made} {text[end:]}"
+    return text
+
+
+def _quantities(text: str) -> list[tuple[int, int, str, str]]:
+    """Return where the quantities of a text are, with their numbers and units."""
+    found = []
+    for mark in _QUANTITY.finditer(text):
+        try:
+            value, end = group(text, mark.end())
+            if not text[end:].lstrip().startswith("{"):
+                continue  # \qty of another package is a bracket
+            unit, end = group(text, end)
+        except InputError:
+            continue
+        found.append((mark.start(), end, value, "".join(unit.split())))
+    return found
+
+
+def _times(value: str, factor: tuple[int, int]) -> str:
+    """Return a number times a factor; a rounded number of hours is left unread."""
+    number, exponent = factor
+    mantissa, _, own = value.lower().partition("e")
+    if number != 1 and "." in mantissa:
+        return UNREAD
+    power = exponent + (int(own) if re.fullmatch(r"[-+]?\d+", own) else 0)
+    if own and not re.fullmatch(r"[-+]?\d+", own):
+        return UNREAD
+    times = rf" \times {number}" if number != 1 else ""
+    return f"{mantissa}{times}" + (rf" \times 10^{{{power}}}" if power else "")
+
+
+def factor_of(unit: str) -> tuple[int, int] | None:
+    """Return the factor of a unit as a number and a power of ten; None if it is not known."""
+    number, exponent, sign, prefix, last, at = 1, 0, 1, 0, (1, 0), 0
+    pending = 1
+    while at < len(unit):
+        mark = _COMMAND.match(unit, at)
+        if mark is None:
+            return None
+        at, word, short = mark.end(), mark[1], mark[3]
+        if mark[6] or mark[7] or word == "per":
+            pending = -1 if word == "per" or mark[6] == "/" else 1
+            continue
+        if word in _PREFIXES:
+            prefix = _PREFIXES[word]
+            continue
+        power = {"squared": 2, "cubed": 3}.get(word or "", 0) or int(mark[5] or mark[2] or 0)
+        if word in ("squared", "cubed", "tothe") or mark[4]:
+            power = (power - 1) * sign  # one was counted with the unit
+        elif word in ("square", "cubic"):
+            return None
+        else:
+            one = _named(word, short)
+            if one is None:
+                return None
+            last, sign, power = (one[0], one[1] + prefix), pending, pending
+            prefix, pending = 0, 1
+        if power < 0 and last[0] != 1:
+            return None  # km/h
+        number, exponent = number * last[0] ** max(power, 0), exponent + last[1] * power
+    return number, exponent
+
+
+def _named(word: str | None, short: str | None) -> tuple[int, int] | None:
+    """Return the factor of one unit, by its name or its symbol."""
+    if word:
+        return _factor(word)
+    if short in _SYMBOLS:
+        return _factor(_SYMBOLS[short])
+    if short and short[0] in _SHORT and short[1:] in _SYMBOLS:
+        number, exponent = _factor(_SYMBOLS[short[1:]]) or (1, 0)
+        return number, exponent + _SHORT[short[0]]
+    return None
+
+
+def _factor(name: str) -> tuple[int, int] | None:
+    return _OTHER.get(name) or ((1, 0) if name in _WITHOUT else None)
