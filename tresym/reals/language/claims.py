@@ -119,6 +119,11 @@ def _strictly(claim: str, given: Any, path: str | None) -> Written:
         return Written(tuple(parse_claim(plain(text), sequences)), under, end, on, uniformly)
     from tresym.reals.language.latex import read_latex
 
+    if "\\" not in text and re.search(r"[A-Z]\w*\[.*{", text):
+        raise InputError(
+            "braces are read as LaTeX; write an expansion as sin(x) == x + O(x**3) as x -> 0, a "
+            "sum as sum(f, k, 1, n), and an integral as integral(f, x, a, b)"
+        )
     chains = read_latex(text.strip().strip("$"))
     last = chains[-1] if chains[1:] and chains[-1].ops[0].startswith("->") else None
     said = last or chains[0].condition

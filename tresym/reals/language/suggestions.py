@@ -26,6 +26,11 @@ _FORMS = {
 }
 """How to write operations that bind a variable, and functions of integers."""
 _SLIPS: tuple[tuple[str, str], ...] = (
+    (r"^\s*\w[\w.]*\s*:(?!=)", "labels are for files of claims; write the claim alone"),
+    (
+        r"^\s*\w+\s+(natural|positive|integer|real)\s*$",
+        "this declares a variable: write CLAIM given n integer, n >= 1",
+    ),
     (r"\bd\s*/\s*d[a-z]\b|\w'", "a derivative is written diff(f, x)"),
     (r"[=<>!]\s*$|^\s*[=<>]", "one side of the comparison is missing"),
     (r"<>", "write !="),
