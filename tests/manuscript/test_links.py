@@ -524,3 +524,11 @@ def test_a_row_that_begins_with_a_sign_goes_on_where_no_relation_stood(tmp_path:
     assert [row.link.read_as for row in read(tmp_path, text)] == [
         *("2*a == a + a", "-a + b == b - a")
     ]
+
+
+def test_markdown_has_displays_inside_dollars(tmp_path: Path) -> None:
+    text = r"""Let $$\begin{align}
+    (a+b)^2 &= a^2 + 2ab + b^2 \\ &= b^2 + a^2 + ab \end{align}$$ and
+    $$ \begin{equation*} 1 + 1 = 3 \end{equation*} $$ Not closed: $$ 1 + 1 = 2
+    \begin{align} 2 + 2 &= 4 \end{align}"""
+    assert statuses(tmp_path, text) == ["PROVED", "REFUTED", "REFUTED", "UNREAD", "PROVED"]

@@ -60,6 +60,8 @@ def display_at(mark: re.Match[str]) -> str:
 def end_of_display(text: str, kind: str, at: int, stop: int) -> tuple[int, int]:
     """Return where the display whose text begins at ``at`` ends, and where the text goes on.
 
+    Markdown has displays inside ``$$``, which are then parts of that display.
+
     Raises:
         NotClosedError: it is not closed before ``stop``, or before the next display.
     """
@@ -73,7 +75,10 @@ def end_of_display(text: str, kind: str, at: int, stop: int) -> tuple[int, int]:
         after = end + len(closing)
     if end < 0:
         raise NotClosedError(f"the display ({kind}) is not closed")
-    if any(mark[1] in DISPLAYS for mark in _BEGIN.finditer(text, at, end)):
+    inner = [mark[1] for mark in _BEGIN.finditer(text, at, end) if mark[1] in DISPLAYS]
+    if kind in ("dollars", "brackets") and not unbalanced(text[at:end]):
+        inner = []
+    if inner:
         raise NotClosedError(f"the display ({kind}) is not closed before the next one")
     return end, after
 

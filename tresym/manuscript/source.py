@@ -75,6 +75,15 @@ _MARKS = re.compile(
 )
 
 
+_INNERS = {"align": "aligned", "eqnarray": "aligned", "flalign": "aligned", "equation": "gathered"}
+_INNERS |= {
+    "gather": "gathered",
+    "multline": "multlined",
+    "alignat": "alignedat",
+    "math": "gathered",
+}
+_INNER = re.compile(rf"\\(begin|end)\s*\{{({'|'.join(_INNERS)})\*?\}}")
+"""Displays inside ``$$``, in Markdown, and what they are in LaTeX."""
 _BRACKETS = frozenset(("\\left", "\\right", "\\middle"))
 """Commands of which an author's new definition changes the space around brackets, not a meaning."""
 
@@ -288,10 +297,11 @@ class _Scanner:
 
     def display(self, kind: str, start: int, at: int, stop: int) -> tuple[Display, int]:
         """Return the display whose text begins at ``at``, and where to continue."""
+        lost = ""
         try:
             end, after = end_of_display(self.text, kind, at, stop)
         except NotClosedError as error:
-            self.fail(start, str(error))
+            end, after, lost = at, at, str(error)
         text, long = self.text[at:end], end - at > MAX_DISPLAY
         labels = tuple(label.strip() for label in LABEL.findall(text))
         text = "" if long else text
@@ -303,12 +313,14 @@ class _Scanner:
         if depth > MAX_BRACES:
             self.fail(start, f"braces are nested deeper than {MAX_BRACES} levels in the display")
         problem = f"the display is longer than {MAX_DISPLAY} characters" if long else ""
-        problem = problem or ("the braces of the display do not match" if depth else "")
+        problem = lost or problem or ("the braces of the display do not match" if depth else "")
         problem = problem or unbalanced(text)
         if problem:
             self.broken.append((start, problem))
         notes = tuple(self.source.notes[int(mark[1])] for mark in _MARKED.finditer(text))
         text = _MARKED.sub("", text)
+        if kind in ("dollars", "brackets"):
+            text = _INNER.sub(lambda m: rf"\{m[1]}{{{_INNERS[m[2]]}}}", text)
         if kind.startswith(("alignat", "xalignat")) and not problem:
             _, past = group(text, 0)
             text = text[past:]
