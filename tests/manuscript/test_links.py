@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 from cases import cases
-from manuscripts import read
+from manuscripts import read, statuses
 
 NO_CLAIMS = {
     r"\[ E = mc^2 \]": "DEFINED",
