@@ -20,9 +20,9 @@ from flint import fmpq
 
 from tresym.asymptotics.differential_problem import OpenError, Problem, Value
 from tresym.asymptotics.explicit_solutions import solutions
+from tresym.asymptotics.layer_problems import FIRST, ONE_LAYER, SECOND, TWO_LAYERS, Condition, Layer
 from tresym.asymptotics.layer_sums import Part, Reader
 from tresym.reals.decisions.readable_witnesses import tidied
-from tresym.reals.domain.conditions import Given
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     ONE,
@@ -39,139 +39,177 @@ Polynomial = list[Expr]
 """Coefficients of the powers of s."""
 
 
-def outer(
-    reader: Reader,
-    parts: tuple[Part, Part, Part],
-    n: int,
-    order: int,
-    given: Given,
-    start: tuple[Expr, Expr] | None,
-) -> list[Expr]:
-    """Return the terms of the outer solution.
+class Composite:
+    """The outer solution and the layers of a problem, order by order."""
 
-    Args:
-        reader: the names of the variables.
-        parts: a, b and f.
-        n: the power of t at the second derivative.
-        order: the number of terms.
-        given: conditions on the parameters.
-        start: the point and the value there, for a layer at one end; None for layers at both.
+    def __init__(self, layer: Layer, order: int) -> None:
+        """Begin with no terms, for at most ``order`` of them."""
+        self.layer, self.order = layer, order
+        r = layer.reader
+        self.a, self.b, self.f = (_series(r, part, order) for part in (layer.a, layer.b, layer.f))
+        self.terms: list[Expr] = []
+        self.slopes: list[Expr] = []
+        self.curves: list[Expr] = []
+        self.values = [self._value(c) for c in layer.conditions]
+        ends = {c.end for c in layer.conditions} if layer.kind == TWO_LAYERS else {0}
+        self.inner = {end: _Inner(layer, end, order) for end in ends}
 
-    Raises:
-        OpenError: no explicit solution is found.
-    """
-    x = reader.x
-    a, b, f = ([*_series(reader, part, order)] for part in parts)
-    value = _series(reader, reader.read(start[1])[()], order) if start else []
-    found: list[Expr] = []
-    slopes: list[Expr] = []
-    curves: list[Expr] = []
-    for i in range(order):
-        rest = f[i]
+    def _value(self, condition: Condition) -> dict[int, Expr]:
+        found = self.layer.reader.read(condition.value).get((), Part(0, ZERO))
+        return dict(self.layer.reader.coefficients(found, self.order))
+
+    def step(self) -> None:
+        """Compute the terms of the next order."""
+        i, layer = len(self.terms), self.layer
+        pairs = list(zip(layer.conditions, self.values, strict=True))
+        if layer.kind == SECOND:
+            for condition, value in pairs:
+                if condition.order:
+                    self._bend(condition, value, i)
+            (start,) = (
+                value.get(i, ZERO) - self.inner[0].found[i][0]
+                for condition, value in pairs
+                if not condition.order
+            )
+            self._outer(i, (layer.low, start))
+            return
+        if layer.kind == ONE_LAYER:
+            (start,) = (value.get(i, ZERO) for condition, value in pairs if condition.end)
+            self._outer(i, (layer.place(1), start))
+        else:
+            self._outer(i, None)
+        for condition, value in pairs:
+            if condition.end not in self.inner:
+                continue
+            if condition.order:
+                self._bend(condition, value, i)
+                continue
+            there = self._at(self.terms[i], condition.end)
+            self.inner[condition.end].step(i, value.get(i, ZERO) - there)
+
+    def _at(self, e: Expr, end: int) -> Expr:
+        return substitute(e, {self.layer.x: self.layer.place(end)})
+
+    def _bend(self, condition: Condition, value: dict[int, Expr], i: int) -> None:
+        """Add the term of a layer whose slope makes up for that of the outer solution."""
+        j = i - self.layer.width
+        slope = value.get(j, ZERO)
+        if 0 <= j < len(self.slopes):
+            slope = slope - self._at(self.slopes[j], condition.end)
+        self.inner[condition.end].step(i, None, slope)
+
+    def _outer(self, i: int, start: tuple[Expr, Expr] | None) -> None:
+        layer, given = self.layer, self.layer.fixed
+        rest = self.f[i]
         for j in range(1, i + 1):
-            rest = rest - b[j] * found[i - j] - a[j] * slopes[i - j]
-        if i >= n:
-            rest = rest - curves[i - n]
+            rest = rest - self.b[j] * self.terms[i - j] - self.a[j] * self.slopes[i - j]
+        if i >= layer.n and layer.kind != FIRST:
+            rest = rest - self.curves[i - layer.n]
         rest = tidied(normal_form(rest, given))
         if start is None:
-            term = rest / b[0]
+            term = rest / self.b[0]
         else:
             y = "[O]"
-            right = tidied(normal_form((rest - b[0] * symbol(y)) / a[0], given))
-            problem = Problem(x, {y: right}, (Value(start[0], y, value[i]),), {(y, 0): y})
+            right = tidied(normal_form((rest - self.b[0] * symbol(y)) / self.a[0], given))
+            values = (Value(start[0], y, tidied(normal_form(start[1], given))),)
+            problem = Problem(layer.x, {y: right}, values, {(y, 0): y})
             curve = next(iter(solutions(problem, given)), None)
             if curve is None:
                 raise OpenError(
-                    f"no explicit solution of the equation without the small "
-                    f"parameter was found: derivative {right}"
+                    f"no explicit solution of the equation without the small parameter was "
+                    f"found: derivative {right}"
                 )
             term = curve[y]
         term = tidied(normal_form(term, given))
-        found.append(term)
-        slopes.append(differentiate(term, x))
-        curves.append(differentiate(slopes[-1], x))
-    return found
+        self.terms.append(term)
+        self.slopes.append(differentiate(term, layer.x))
+        self.curves.append(differentiate(self.slopes[-1], layer.x))
+
+    def total(self) -> Expr:
+        """Return the sum of all terms, as an expression in x and t."""
+        t = symbol(self.layer.t)
+        total: Expr = ZERO
+        for i, term in enumerate(self.terms):
+            total = total + (term * t**i if i else term)
+        for inner in self.inner.values():
+            total = total + inner.total()
+        return total
 
 
-def inner(
-    reader: Reader,
-    a: Part,
-    b: Part,
-    n: int,
-    width: int,
-    point: Expr,
-    direction: int,
-    starts: list[Expr],
-    given: Given,
-) -> Expr:
-    """Return the sum of the terms of a layer, as an expression in x and t.
+class _Inner:
+    """A layer: polynomials P(s), for each order, times exp(−λs)."""
 
-    Args:
-        reader: the names of the variables.
-        a, b: the parts of the equation.
-        n: the power of t at the second derivative.
-        width: the power of t that is the width of the layer.
-        point: its end of the interval.
-        direction: 1 at the lower, −1 at the upper end.
-        starts: the values at that end, one for each order.
-        given: conditions on the parameters.
-    """
-    order = len(starts)
-    first = _stretched(reader, a, width, point, direction, width - n, order, given)
-    second = _stretched(reader, b, width, point, direction, 2 * width - n, order, given)
-    first = [[direction * c for c in p] for p in first]
-    alpha, beta = _constant(first[0]), _constant(second[0])
-    half = number(fmpq(1, 2))
-    rate = alpha if beta == ZERO else half * (alpha + (alpha**2 - 4 * beta) ** half)
-    rate = tidied(normal_form(rate, given))
-    kappa = tidied(normal_form(2 * rate - alpha, given))
-    found: list[Polynomial] = []
-    for i, start in enumerate(starts):
+    def __init__(self, layer: Layer, end: int, order: int) -> None:
+        self.layer, self.point = layer, layer.place(end)
+        self.direction = 1 if end == 0 else -1
+        n, width = layer.n, layer.width
+        shift = 0 if layer.kind == FIRST else width - n
+        first = self._stretched(layer.a, shift, order)
+        if layer.kind == FIRST:
+            first = [[ZERO]] * order
+        self.second = self._stretched(layer.b, 0 if layer.kind == FIRST else 2 * width - n, order)
+        self.first = [[self.direction * c for c in p] for p in first]
+        alpha, beta = _constant(self.first[0]), _constant(self.second[0])
+        half = number(fmpq(1, 2))
+        given = layer.fixed
+        if layer.kind == FIRST:
+            rate = beta
+        else:
+            rate = alpha if beta == ZERO else half * (alpha + (alpha**2 - 4 * beta) ** half)
+        self.rate = tidied(normal_form(rate, given))
+        self.kappa = tidied(normal_form(2 * self.rate - alpha, given))
+        self.found: list[Polynomial] = []
+
+    def step(self, i: int, value: Expr | None, slope: Expr = ZERO) -> None:
+        """Add the term of an order with a value at s = 0, or with a slope by x there."""
         right: Polynomial = []
         for j in range(1, i + 1):
-            p = found[i - j]
-            slope = [tidied(c - rate * d) for c, d in zip([*_slope(p), ZERO], p, strict=False)]
-            right = _plus(right, _times(first[j], slope), -1)
-            right = _plus(right, _times(second[j], p), -1)
-        found.append([tidied(normal_form(c, given)) for c in _solved(right, kappa, start)])
-    s = direction * (symbol(reader.x) - point) / symbol(reader.t) ** width
-    total: Expr = ZERO
-    for i, p in enumerate(found):
-        for k, c in enumerate(p):
-            power = (s**k if k else ONE) * (symbol(reader.t) ** i if i else ONE)
-            total = total + c * power
-    return total * apply("exp", -rate * s)
+            p = self.found[i - j]
+            bent = [c - self.rate * d for c, d in zip([*_slope(p), ZERO], p, strict=False)]
+            right = _plus(right, _times(self.first[j], bent), -1)
+            right = _plus(right, _times(self.second[j], p), -1)
+        first = self.layer.kind == FIRST  # then P' = Q
+        slopes = right if first else _particular(right, self.kappa)
+        if value is None:
+            value = (_constant(slopes) - self.direction * slope) / self.rate
+        p = [value, *(c * number(fmpq(1, k + 1)) for k, c in enumerate(slopes))]
+        self.found.append([tidied(normal_form(c, self.layer.fixed)) for c in p])
+
+    def total(self) -> Expr:
+        """Return the sum of the terms, as an expression in x and t."""
+        layer = self.layer
+        s = self.direction * (symbol(layer.x) - self.point) / symbol(layer.t) ** layer.width
+        total: Expr = ZERO
+        for i, p in enumerate(self.found):
+            for k, c in enumerate(p):
+                if c == ZERO:
+                    continue
+                power = (s**k if k else ONE) * (symbol(layer.t) ** i if i else ONE)
+                total = total + c * power
+        return total if total == ZERO else total * apply("exp", -self.rate * s)
+
+    def _stretched(self, part: Part, shift: int, order: int) -> list[Polynomial]:
+        """Return a smooth part times t to a power, near the end of the layer, as a series in t."""
+        reader, width = self.layer.reader, self.layer.width
+        found: list[Polynomial] = [[] for _ in range(order)]
+        for power, c in reader.coefficients(part, order - shift):
+            d = 0
+            while power + shift + d * width < order:
+                value = substitute(c, {reader.x: self.point})
+                value = value * number(fmpq(self.direction**d, factorial(d)))
+                value = tidied(normal_form(value, self.layer.fixed))
+                place = power + shift + d * width
+                if place >= 0 and value != ZERO:
+                    found[place] = _plus(found[place], [*[ZERO] * d, value])
+                c = differentiate(c, reader.x)
+                d += 1
+        return found
 
 
 def _series(reader: Reader, part: Part, order: int) -> list[Expr]:
     found = [ZERO] * max(order, 1)
     for power, c in reader.coefficients(part, order):
         found[power] = tidied(c)
-    return found
-
-
-def _stretched(
-    reader: Reader,
-    part: Part,
-    width: int,
-    point: Expr,
-    direction: int,
-    shift: int,
-    order: int,
-    given: Given,
-) -> list[Polynomial]:
-    """Return a smooth part times t to a power, at a point of the layer, as a series in t."""
-    found: list[Polynomial] = [[] for _ in range(order)]
-    for power, c in reader.coefficients(part, order - shift):
-        d = 0
-        while power + shift + d * width < order:
-            value = substitute(c, {reader.x: point})
-            value = tidied(normal_form(value * number(fmpq(direction**d, factorial(d))), given))
-            place = power + shift + d * width
-            if place >= 0 and value != ZERO:
-                found[place] = _plus(found[place], [*[ZERO] * d, value])
-            c = differentiate(c, reader.x)
-            d += 1
     return found
 
 
@@ -197,12 +235,12 @@ def _slope(p: Polynomial) -> Polynomial:
     return [k * c for k, c in enumerate(p)][1:]
 
 
-def _solved(right: Polynomial, kappa: Expr, start: Expr) -> Polynomial:
-    """Return the polynomial P with P'' − κP' = ``right`` and P(0) = ``start``."""
+def _particular(right: Polynomial, kappa: Expr) -> Polynomial:
+    """Return the derivative of a polynomial P with P'' − κP' = ``right``."""
     slope: Polynomial = []
     rest, power = right, ONE
     while rest:
         power = power * kappa
         slope = _plus(slope, [-c / power for c in rest])
         rest = _slope(rest)
-    return [start, *(c * number(fmpq(1, k + 1)) for k, c in enumerate(slope))]
+    return slope

@@ -25,7 +25,7 @@ from typing import NamedTuple
 from flint import arb, arb_poly, arb_series, ctx, fmpq
 
 from tresym.asymptotics.differential_problem import OpenError
-from tresym.asymptotics.layer_problems import Layer, at_point, kind_of
+from tresym.asymptotics.layer_problems import ONE_LAYER, TWO_LAYERS, Layer, at_point, kind_of
 from tresym.asymptotics.layer_sums import Exponent, Layered, Part
 from tresym.reals.balls.taylor import InSeries
 from tresym.reals.domain.evaluation import evaluate
@@ -87,7 +87,7 @@ def error_constant(layer: Layer, curve: Layered, order: int, reach: fmpq) -> arb
             top = arb(reach).root(layer.reader.q)
             work = _Work(layer, order, arb(top.upper()))
             bounds = work.bounds(curve)
-            return work.both(bounds) if layer.both else work.one(bounds)
+            return work.one(bounds) if layer.kind == ONE_LAYER else work.both(bounds)
     except (OpenError, ZeroDivisionError, ValueError, OverflowError, KeyError, TypeError):
         return None
     finally:
@@ -132,7 +132,7 @@ class _Work:
     def __init__(self, layer: Layer, order: int, top: arb) -> None:
         self.layer, self.order, self.top = layer, order, top
         self.t = arb(0).union(top)
-        self.low, self.high = (evaluate(e, {}) for e in (layer.low, layer.high))
+        self.low, self.high = (evaluate(layer.place(k), {}) for k in (0, 1))
         if not (self.low.is_finite() and self.high.is_finite()):
             raise OpenError("the ends are not numbers")
 
@@ -222,21 +222,25 @@ class _Work:
                 outside += self.part(part, k)
                 continue
             own = self.decay(key, end)
-            if not layer.both and end == 0 and scale == layer.n:
+            if layer.kind == ONE_LAYER and end == 0 and scale == layer.n:
                 inside += self.pieces(part, k - layer.n, end, scale)
                 rate = own if rate is None else rate.min(own)
             else:
                 outside += sum(
                     (p.size * _peak(p.m, own) for p in self.pieces(part, k, end, scale)), arb(0)
                 )
-        ends = []
-        for point, value in zip((layer.low, layer.high), layer.values, strict=True):
-            error = layer.reader.sum([at_point(layer, curve, point), layer.reader.read(-value)])
-            total = arb(0)
+        ends = [arb(0), arb(0)]
+        for c in layer.conditions:
+            there = at_point(layer, curve, layer.place(c.end))
+            error = layer.reader.sum([there, layer.reader.read(-c.value)])
             for key, part in error.items():
-                total += self.negligible(key, part, k) if key else self.part(part, k)
-            ends.append(arb(total.upper()))
-        return Bounds(arb(outside.upper()), inside, rate or arb(1), (ends[0], ends[1]))
+                ends[c.end] += self.negligible(key, part, k) if key else self.part(part, k)
+        return Bounds(
+            arb(outside.upper()),
+            inside,
+            rate or arb(1),
+            (arb(ends[0].upper()), arb(ends[1].upper())),
+        )
 
     # Barriers
 
@@ -247,8 +251,9 @@ class _Work:
         )
 
     def both(self, bounds: Bounds) -> arb | None:
-        """Return the constant for layers at both ends: a constant is a barrier."""
-        least = -largest(lambda at: self.value(self.layer.b, at), self.low, self.high)
+        """Return the constant where a constant is a barrier."""
+        side = 1 if self.layer.kind == TWO_LAYERS else -1
+        least = -largest(lambda at: side * self.value(self.layer.b, at), self.low, self.high)
         if not least > 0:
             return None
         most = (bounds.outside / least).max(bounds.ends[0]).max(bounds.ends[1])

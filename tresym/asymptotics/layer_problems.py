@@ -35,30 +35,43 @@ from tresym.reals.signs.interior import PROVING, is_zero
 from tresym.reals.signs.sign import proof, sign
 
 
+class Condition(NamedTuple):
+    """The function, or its derivative, has a value at the lower (0) or upper (1) end."""
+
+    end: int
+    order: int
+    value: Expr
+
+
+ONE_LAYER, TWO_LAYERS, SECOND, FIRST = "one layer", "two layers", "second order", "first order"
+"""Boundary value problems with a layer at one end or at both; initial value problems."""
+
+
 class Layer(NamedTuple):
-    """The problem L y = f in normal form, with the layer at the lower end if there is one.
+    """The problem L y = top y'' + a y' + b y = f in normal form, with the layer at the lower end.
 
     Attributes:
         reader: reads expressions as sums of exponentials.
-        low, high: the ends.
-        n: the power of t at y''.
-        a, b, f: smooth parts: powers of t with factors.
-        values: at the lower and the upper end.
-        both: whether both ends have layers.
+        kind: which of the four kinds.
+        low, high: the ends; an initial value problem may have no upper one.
+        n: the power of t that is small beside 1: at y'', and at y' in an equation of first order.
+        top, a, b, f: smooth parts: powers of t with factors.
+        conditions: values at the ends.
         mirrored: whether the ends were exchanged, so that x stands for low + high − x.
         closed: the conditions with x between the ends.
         fixed: those without x.
     """
 
     reader: Reader
+    kind: str
     low: Expr
-    high: Expr
+    high: Expr | None
     n: int
+    top: Part
     a: Part
     b: Part
     f: Part
-    values: tuple[Expr, Expr]
-    both: bool
+    conditions: tuple[Condition, ...]
     mirrored: bool
     closed: Given
     fixed: Given
@@ -73,15 +86,36 @@ class Layer(NamedTuple):
         """The small parameter's root."""
         return self.reader.t
 
+    @property
+    def width(self) -> int:
+        """The power of t that is the width of a layer."""
+        return self.n // 2 if self.kind == TWO_LAYERS else self.n
+
+    @property
+    def gain(self) -> int:
+        """The power of t that a residual in the layer at the lower end gains."""
+        return self.n if self.kind in (ONE_LAYER, SECOND) else 0
+
+    @property
+    def loose(self) -> tuple[bool, bool]:
+        """Whether errors in the layer at an end are negligible for each fixed x beside it."""
+        return self.kind != SECOND, self.kind == TWO_LAYERS
+
     def turned(self, e: Expr) -> Expr:
         """Return an expression for exchanged ends, if they are exchanged."""
-        if not self.mirrored:
+        if not self.mirrored or self.high is None:
             return e
         return substitute(e, {self.x: self.low + self.high - symbol(self.x)})
 
+    def place(self, k: int) -> Expr:
+        """Return the lower or the upper end."""
+        if k == 1 and self.high is None:
+            raise OpenError("there is no upper end")
+        return self.low if k == 0 or self.high is None else self.high
+
     def end(self, k: int) -> Expr:
         """Return the lower or the upper end, in the original variables."""
-        return (self.low, self.high)[1 - k if self.mirrored else k]
+        return self.place(1 - k if self.mirrored else k)
 
     def at_zero(self, part: Part) -> Expr:
         """Return the limit of a smooth part."""
@@ -93,7 +127,7 @@ class Layer(NamedTuple):
         slope = r.derivative(curve)
         return r.sum(
             [
-                r.product({(): Part(self.n, ONE)}, r.derivative(slope)),
+                r.product({(): self.top}, r.derivative(slope)),
                 r.product({(): self.a}, slope),
                 r.product({(): self.b}, curve),
                 {(): Part(self.f.power, -self.f.factor)},
@@ -105,64 +139,77 @@ def layer_of(problem: Problem, statement: Statement, small: str, more: list[Expr
     """Return the normal form of a problem; None if its coefficients are smooth.
 
     Raises:
-        OpenError: it has none of the two kinds.
+        OpenError: it has none of the kinds that are supported.
     """
-    if problem.is_initial:
-        return None
     x = problem.time
     (name,) = {key[0] for key in problem.state}
-    y, slope = problem.state[name, 0], problem.state[name, 1]
-    right = problem.right[slope]
-    links = statement.given.comparisons
-    if any(small in symbols(value.point) for value in problem.given):
-        raise OpenError("the ends of the interval must not depend on the small parameter")
-    tied = [link for link in links if small in symbols(link[0]) | symbols(link[2])]
-    plain = Given(tuple(link for link in links if link not in tied))
-    if any(
-        symbols(link[0]) | symbols(link[2]) != {small} or small_is_bounded(link, small)
-        for link in tied
-    ):
-        raise OpenError("conditions on the small parameter are not supported")
-    fixed, closed = between(problem, plain)
-    low, high = ends(problem, fixed)
-    inside = fixed & Given(((symbol(x), ">=", low), (symbol(x), "<=", high)))
-    parts = [tidied(-differentiate(right, slope)), tidied(-differentiate(right, y))]
+    y = problem.state[name, 0]
+    slope = problem.state.get((name, 1), "")
+    right = problem.right[slope or y]
+    parts = [
+        tidied(-differentiate(right, slope)) if slope else ONE,
+        tidied(-differentiate(right, y)),
+    ]
     if any({y, slope} & symbols(part) for part in parts):
         return None
-    free = tidied(substitute(right, {y: ZERO, slope: ZERO}))
-    given = {v.point: v for v in problem.given}
-    values = [given[point].value for point in (low, high)]
+    free = tidied(substitute(right, {y: ZERO, **({slope: ZERO} if slope else {})}))
     if small not in set().union(*map(symbols, (*parts, free))):
         return None
+    plain = _without_small(problem, statement, small)
+    fixed, inside, low, high, missing = _interval(problem, plain)
+    values = [v.value for v in problem.given]
     reader = Reader(x, small, inside, [*parts, free, *values, *more])
     read = [_smooth_part(reader, part, inside) for part in (*parts, free)]
     n = -min((p.power for p in read if p.factor != ZERO), default=0)
     if n <= 0:
         return None
-    if any(given[point].variable != y for point in (low, high)):
-        raise OpenError("boundary layers are supported for values of the function at both ends")
-    if closed is fixed:
+    if missing:
         raise OpenError(
             f"say where {x} lies: the solution has a boundary layer, and the claim is "
-            f"meant for {low} <= {x} <= {high}"
+            f"meant for {low} <= {x}" + ("" if high is None else f" <= {high}")
         )
+    top = Part(n, ONE) if slope else Part(0, ZERO)
     a, b, f = (Part(p.power + n, p.factor) if p.factor != ZERO else Part(0, ZERO) for p in read)
-    layer = Layer(
-        reader, low, high, n, a, b, f, (values[0], values[1]), False, False, inside, fixed
+    conditions = tuple(
+        Condition(0 if v.point == low else 1, 0 if v.variable == y else 1, v.value)
+        for v in problem.given
     )
-    first = known_sign(layer.at_zero(a), inside)
+    kind = ONE_LAYER if not problem.is_initial else SECOND if slope else FIRST
+    layer = Layer(reader, kind, low, high, n, top, a, b, f, conditions, False, inside, fixed)
+    first = known_sign(layer.at_zero(a), inside) if slope else 0
+    second = 0 if first else known_sign(layer.at_zero(b), inside)
+    if kind == SECOND:
+        if first > 0:
+            return layer
+        raise OpenError(
+            "initial layers of equations of second order are supported where the "
+            f"factor of the first derivative, {layer.at_zero(a)}, is positive"
+        )
+    if kind == FIRST:
+        if second > 0:
+            return layer
+        raise OpenError(
+            "initial layers are supported where the factor of the function, "
+            f"{layer.at_zero(b)}, is positive with the sign of the derivative"
+        )
+    if high is None:
+        return None
     if first < 0:
         mirror = partial(substitute, mapping={x: low + high - symbol(x)})
-        return layer._replace(
+        layer = layer._replace(
             a=a._replace(factor=tidied(mirror(-a.factor))),
             b=b._replace(factor=tidied(mirror(b.factor))),
             f=f._replace(factor=tidied(mirror(f.factor))),
-            values=(values[1], values[0]),
+            conditions=tuple(
+                Condition(1 - c.end, c.order, -c.value if c.order else c.value) for c in conditions
+            ),
             mirrored=True,
         )
-    if first > 0:
+    if first:
+        if any(c.order and c.end for c in layer.conditions):
+            raise OpenError("a slope is supported at the end with the boundary layer only")
         return layer
-    if known_sign(layer.at_zero(b), inside) < 0:
+    if second < 0:
         if 2 * a.power < n and a.factor != ZERO and not is_zero(a.factor, inside):
             raise OpenError(
                 "the factor of the first derivative is too large beside that of the "
@@ -171,12 +218,56 @@ def layer_of(problem: Problem, statement: Statement, small: str, more: list[Expr
         if n % 2:  # the layers are as wide as its square root
             root = symbol(small) ** number(fmpq(1, 2 * reader.q))
             return layer_of(problem, statement, small, [*more, root])
-        return layer._replace(both=True)
+        return layer._replace(kind=TWO_LAYERS)
     raise OpenError(
         f"boundary layers are supported where the factor of the first derivative, "
         f"{layer.at_zero(a)}, has one sign from {low} to {high}, or that of the function is "
         f"negative with the sign of the highest derivative: neither is shown"
     )
+
+
+def _without_small(problem: Problem, statement: Statement, small: str) -> Given:
+    """Return the conditions without those that the small parameter satisfies near 0."""
+    links = statement.given.comparisons
+    if any(small in symbols(value.point) for value in problem.given):
+        raise OpenError("the ends of the interval must not depend on the small parameter")
+    tied = [link for link in links if small in symbols(link[0]) | symbols(link[2])]
+    if any(
+        symbols(link[0]) | symbols(link[2]) != {small} or small_is_bounded(link, small)
+        for link in tied
+    ):
+        raise OpenError("conditions on the small parameter are not supported")
+    return Given(tuple(link for link in links if link not in tied))
+
+
+def _interval(problem: Problem, plain: Given) -> tuple[Given, Given, Expr, Expr | None, bool]:
+    """Return the conditions without x and with it, the ends, and whether none speaks of x."""
+    x = symbol(problem.time)
+    if not problem.is_initial:
+        fixed, closed = between(problem, plain)
+        low, high = ends(problem, fixed)
+        inside = fixed & Given(((x, ">=", low), (x, "<=", high)))
+        return fixed, inside, low, high, closed is fixed
+    links = plain.comparisons
+    own = [link for link in links if problem.time in symbols(link[0]) | symbols(link[2])]
+    fixed = Given(tuple(link for link in links if link not in own))
+    start, top = problem.start, None
+    bounded = False
+    for left, relation, right in own:
+        end = right if left == x else left
+        if x not in (left, right) or problem.time in symbols(end) or relation == "!=":
+            raise OpenError(f"the conditions must keep {x} in an interval")
+        if (relation[0] == "<") == (left == x):
+            if sign(end - start, fixed, ">") not in PROVING[">"] or top not in (None, end):
+                raise OpenError(f"the conditions must keep {x} in an interval after {start}")
+            top = end
+        elif sign(end - start, fixed, ">=") not in PROVING[">="]:
+            raise OpenError(f"the conditions must keep {x} after {start}")
+        else:
+            bounded = True
+    upper = () if top is None else ((x, "<=", top),)
+    inside = fixed & Given(((x, ">=", start), *upper))
+    return fixed, inside, start, top, not bounded
 
 
 def small_is_bounded(link: tuple[Expr, str, Expr], small: str) -> bool:
@@ -233,7 +324,15 @@ def power_of(small: str, order: int, q: int) -> str:
 
 def layer_parameters(layer: Layer, e: Expr) -> frozenset[str]:
     """Return the parameters beside the variable and the small one."""
-    trees = [layer.a.factor, layer.b.factor, layer.f.factor, *layer.values, layer.low, layer.high]
+    trees = [
+        layer.a.factor,
+        layer.b.factor,
+        layer.f.factor,
+        *(c.value for c in layer.conditions),
+        layer.low,
+    ]
+    if layer.high is not None:
+        trees.append(layer.high)
     return symbols(e).union(*map(symbols, trees)) - {layer.x, layer.t, layer.reader.small}
 
 
@@ -272,7 +371,10 @@ def kind_of(layer: Layer, key: Exponent) -> tuple[int | None, int] | None:
     leading = key[0][1]
     scale = -key[0][0]
     slope = differentiate(leading, layer.x)
-    for end, point, direction in ((0, layer.low, -1), (1, layer.high, 1)):
+    for end, direction in ((0, -1), (1, 1)):
+        if end and layer.high is None:
+            continue
+        point = layer.place(end)
         there = [substitute(f, {layer.x: point}) for _, f in key]
         at_end = all(is_zero(value, layer.fixed) for value in there)
         if at_end and known_sign(slope * direction, layer.closed) > 0:

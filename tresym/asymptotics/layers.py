@@ -37,12 +37,13 @@ from typing import NamedTuple
 
 from flint import arb, fmpq
 
-from tresym.asymptotics.composites import inner, outer
+from tresym.asymptotics.composites import Composite
 from tresym.asymptotics.constants import rounded
 from tresym.asymptotics.differential_problem import OpenError, Problem, problem_of
 from tresym.asymptotics.explicit_claims import curve_of_claim
 from tresym.asymptotics.layer_constants import error_constant
 from tresym.asymptotics.layer_problems import (
+    TWO_LAYERS,
     Layer,
     at_point,
     kind_of,
@@ -52,7 +53,7 @@ from tresym.asymptotics.layer_problems import (
     power_of,
     read_curve,
 )
-from tresym.asymptotics.layer_sums import Part, known_sign
+from tresym.asymptotics.layer_sums import Layered, known_sign
 from tresym.asymptotics.lemma import rounded_up
 from tresym.asymptotics.order_claims import region
 from tresym.asymptotics.readable_terms import readable
@@ -73,7 +74,6 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.normal.to_expression import normal_form
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.signs.interior import PROVING, is_zero
 from tresym.reals.signs.sign import sign
@@ -123,7 +123,7 @@ def decide_layers(claim: Comparison, statement: Statement, decided: Decide) -> A
         problem = problem_of(replace(statement, given=positive))
     except OpenError:
         return None
-    if path.name == problem.time or sorted(key[1] for key in problem.state) != [0, 1]:
+    if path.name == problem.time or [n for _, n in sorted(problem.state)] not in ([0], [0, 1]):
         return None
     found = layer_of(problem, statement, path.name, [claim.left, claim.right])
     if found is None:
@@ -177,6 +177,10 @@ def _decided(
             known = _with_constant(layer, e, gauge, order, statement)
             if known is not None:
                 return known
+        if needs is uniform and layer.high is None:
+            if statement.uniformly:
+                raise OpenError(f"it holds uniformly on every bounded interval of {layer.x}")
+            return Answer(Verdict.PROVED, f"{why}for each fixed {layer.x}", lemma=LEMMA)
         if needs is uniform and not parameters:
             return Answer(Verdict.PROVED, f"{why}uniformly in {layer.x}", lemma=LEMMA, uniform=True)
         if needs is uniform:
@@ -205,7 +209,8 @@ def _with_constant(
         check(layer, e, needs)
     except GapError:
         return None
-    if path is None or layer.reader.nearly_one:
+    slopes = any(c.order for c in layer.conditions)
+    if path is None or layer.reader.nearly_one or slopes or layer.high is None:
         return None
     curve = read_curve(layer, layer.turned(e))
     _, factor = layer.reader.read(gauge)[()]
@@ -250,26 +255,10 @@ def composite(layer: Layer, order: int) -> Expr:
         OpenError: it is not found.
     """
     r = layer.reader
-    parts = (layer.a, layer.b, layer.f)
-    end = None if layer.both else (layer.high, layer.values[1])
-    terms = outer(r, parts, layer.n, order, layer.fixed, end)
-    t = symbol(r.t)
-    total: Expr = ZERO
-    for i, term in enumerate(terms):
-        total = total + (term * t**i if i else term)
-    width = layer.n // 2 if layer.both else layer.n
-    for point, value, direction in (
-        (layer.low, layer.values[0], 1),
-        *(((layer.high, layer.values[1], -1),) if layer.both else ()),
-    ):
-        there = dict(r.coefficients(r.read(value).get((), Part(0, ZERO)), order))
-        starts = [
-            tidied(normal_form(there.get(i, ZERO) - substitute(term, {r.x: point}), layer.fixed))
-            for i, term in enumerate(terms)
-        ]
-        total = total + inner(
-            r, layer.a, layer.b, layer.n, width, point, direction, starts, layer.fixed
-        )
+    work = Composite(layer, order)
+    for _ in range(order):
+        work.step()
+    total = work.total()
     found = layer.turned(substitute(total, {r.t: symbol(r.small) ** number(fmpq(1, r.q))}))
     terms = list(found.args) if found.op == "+" else [found]
     return tidied(add(*(readable(term, r.small, 1) for term in terms)))
@@ -297,20 +286,18 @@ def _refuted(
 
     names = sorted(layer_parameters(layer, e))
     places = list(layer.fixed.points(names, 3)) if names else [{}]
-    for end in (0, 1):
-        if needs.at[end]:
-            for there in places:
-                point = layer.end(end)
-                gap = e - layer.values[end]
-                if fails(gap, point, there):
-                    why = f"the boundary value at {point} is {layer.values[end]}, not "
-                    why += f"{tidied(substitute(e, {layer.x: point}))}"
-                    return Answer(
-                        Verdict.REFUTED,
-                        why,
-                        witness={layer.x: exact_text(point), **_texts(there)},
-                        lemma=LEMMA,
-                    )
+    for end, derivatives, value in layer.conditions:
+        if not needs.at[end] or derivatives:
+            continue
+        point = layer.end(end)
+        for there in places:
+            if fails(e - value, point, there):
+                why = (
+                    f"the boundary value at {point} is {value}, not "
+                    f"{tidied(substitute(e, {layer.x: point}))}"
+                )
+                witness = {layer.x: exact_text(point), **_texts(there)}
+                return Answer(Verdict.REFUTED, why, witness=witness, lemma=LEMMA)
     true = composite(layer, needs.order)
     try:
         check(layer, true, Needs(needs.order, (True, True), (True, True)))
@@ -348,10 +335,10 @@ def _points(layer: Layer, needs: Needs, given: Given, there: dict[str, fmpq]) ->
     """Yield points at which a claim may fail: fixed ones, and moving ones in the layers."""
     at = given.mapped(partial(substitute, mapping={n: number(x) for n, x in there.items()}))
     yield from (number(point[layer.x]) for point in at.points([layer.x], 3))
-    width = fmpq(layer.n, layer.reader.q) / (2 if layer.both else 1)
+    width = fmpq(layer.width, layer.reader.q)
     for s in (fmpq(1), fmpq(1, 3)):
         step = number(s) * symbol(layer.reader.small) ** number(width)
-        for end in (0, 1) if layer.both else (0,):
+        for end in (0, 1) if layer.kind == TWO_LAYERS else (0,):
             if needs.near[end]:
                 yield layer.end(end) + (step if (end == 0) != layer.mirrored else -step)
 
@@ -375,14 +362,16 @@ def _ends_of_conditions(
 ) -> tuple[tuple[bool, bool], tuple[bool, bool]]:
     """Return for each end whether the conditions contain it, and whether they keep away from it."""
     x = symbol(problem.time)
-    contain, apart = [True, True], [False, False]
+    contain, apart = [True, layer.high is not None], [False, layer.high is None]
     for left, relation, right in statement.given.comparisons:
         if x not in (left, right):
             continue
         end = right if left == x else left
         below = (relation[0] == "<") == (left == x)
         k = 1 if below else 0
-        gap = layer.high - end if below else end - layer.low
+        if below and layer.high is None:
+            continue
+        gap = layer.place(1) - end if below else end - layer.low
         if sign(gap, layer.fixed, ">") in PROVING[">"]:
             contain[k], apart[k] = False, True
         elif not relation.endswith("="):
@@ -391,6 +380,10 @@ def _ends_of_conditions(
         contain.reverse()
         apart.reverse()
     return (contain[0], contain[1]), (apart[0], apart[1])
+
+
+def _derivative(layer: Layer, curve: Layered, order: int) -> Layered:
+    return layer.reader.derivative(curve) if order else curve
 
 
 def check(layer: Layer, e: Expr, needs: Needs) -> None:
@@ -408,22 +401,22 @@ def check(layer: Layer, e: Expr, needs: Needs) -> None:
     r = layer.reader
     curve = read_curve(layer, layer.turned(e))
     k = needs.order
-    loose = (True, layer.both)
-    for end, point, value in zip((0, 1), (layer.low, layer.high), layer.values, strict=True):
+    loose = layer.loose
+    for end, derivatives, value in layer.conditions:
         if not needs.at[end] and loose[end] and not needs.near[end]:
             continue
-        error = r.sum([at_point(layer, curve, point), r.read(-value)])
+        there = at_point(layer, _derivative(layer, curve, derivatives), layer.place(end))
+        error = r.sum([there, r.read(-value)])
         for key, part in error.items():
             if key and r._is_flat(key):
                 continue
             if key:
                 raise OpenError("an exponential at an end of the interval is not small")
-            for power, c in r.coefficients(part, k):
+            for power, c in r.coefficients(part, k - (layer.width if derivatives else 0)):
                 if not is_zero(c, layer.fixed):
-                    there = power_of(r.small, power, r.q)
-                    raise GapError(
-                        f"its value at {layer.end(end)} differs from {value} by ({c})*{there}"
-                    )
+                    size = power_of(r.small, power, r.q)
+                    what = "slope" if derivatives else "value"
+                    raise GapError(f"its {what} at {layer.end(end)} is wrong by ({c})*{size}")
     for key, part in layer.residual(curve).items():
         kind = kind_of(layer, key)
         need_smooth_at_zero(r, part.factor, layer.closed)
@@ -440,8 +433,8 @@ def check(layer: Layer, e: Expr, needs: Needs) -> None:
             continue
         if loose[place] and not needs.near[place]:
             continue
-        gain = layer.n if not layer.both and place == 0 and scale == layer.n else 0
-        point = (layer.low, layer.high)[place]
+        gain = layer.gain if place == 0 and scale == layer.n else 0
+        point = layer.place(place)
         for power, c in r.coefficients(part, k - gain):
             d = 0
             while power + d * scale < k - gain:

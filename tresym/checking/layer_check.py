@@ -19,6 +19,8 @@ from tresym.reals.language.expression import Expr
 
 COARSE = 500
 """Points of the coarse mesh in each half of the interval."""
+LENGTH = 2.0
+"""How far initial value problems are solved."""
 FIRST = 1e-4
 """The first step, as a multiple of the small parameter."""
 
@@ -126,6 +128,79 @@ def _solved(
     if not np.isfinite(found).all():
         raise UnsupportedError
     return found
+
+
+def marched(
+    equation: Expr,
+    marks: tuple[str, ...],
+    at: Mapping[str, float],
+    x: str,
+    start: float,
+    values: tuple[float, ...],
+    small: float,
+) -> tuple[Any, Any, Any]:
+    """Return points, the solution of an initial value problem there and an estimate of its error.
+
+    Args:
+        equation: an expression that is 0, linear in the marks.
+        marks: symbols for the function and its first, or first two, derivatives.
+        at: values of the other variables.
+        x: the variable.
+        start: the initial point.
+        values: of the function, and of its derivative, there.
+        small: the small parameter, for the mesh.
+
+    Raises:
+        UnsupportedError: there is no result.
+    """
+    import numpy as np
+
+    fine = np.expm1(np.linspace(0, math.log1p(LENGTH / (FIRST * small)), 4 * COARSE + 1))
+    points = start + fine * FIRST * small
+    one, other = (_marched(equation, marks, at, x, points[::step], values) for step in (2, 1))
+    gap = other[::2] - one
+    return points[::2], other[::2] + gap / 3, abs(gap) / 3 + 1e-9
+
+
+def _marched(
+    equation: Expr,
+    marks: tuple[str, ...],
+    at: Mapping[str, float],
+    x: str,
+    points: Any,
+    values: tuple[float, ...],
+) -> Any:
+    import numpy as np
+
+    zero = dict.fromkeys(marks, 0.0)
+    here = {**at, x: points}
+    free = value(equation, {**here, **zero}) + 0 * points
+    factors = [value(equation, {**here, **zero, mark: 1.0}) - free for mark in marks]
+    twice = value(equation, {**here, **zero, marks[-1]: 2.0}) - free
+    if not np.allclose(twice, 2 * factors[-1]):
+        raise UnsupportedError
+    with np.errstate(all="ignore"):
+        b, a = (-factor / factors[-1] for factor in (factors[0], factors[-2]))
+        g = -free / factors[-1]
+    if not all(np.isfinite(part).all() for part in (a, b, g)):
+        raise UnsupportedError
+    steps = np.diff(points).tolist()
+    rows = list(zip(a.tolist(), b.tolist(), g.tolist(), strict=True))
+    found = [values[0]]
+    y, v = values[0], values[-1]
+    for k, h in enumerate(steps):  # the trapezoidal rule
+        (a0, b0, g0), (a1, b1, g1), h = rows[k], rows[k + 1], h / 2
+        if len(marks) == 2:
+            y = (y * (1 + h * b0) + h * (g0 + g1)) / (1 - h * b1)
+        else:
+            p, r = y + h * v, v + h * (b0 * y + a0 * v + g0 + g1)
+            v = (r + h * b1 * p) / (1 - h * a1 - h * h * b1)
+            y = p + h * v
+        found.append(y)
+    result = np.array(found)
+    if not np.isfinite(result).all():
+        raise UnsupportedError
+    return result
 
 
 def _tridiagonal(

@@ -665,11 +665,11 @@ def _small_parameter(
 
 
 def _is_layer(system: _System, path: Path, end: arb) -> bool:
-    """Whether the equation of a boundary value problem has no solved form at the path's end."""
-    if system.end is None or len(system.gaps) != 1 or len(system.state) != 2:
+    """Whether the equation has no solved form at the path's end."""
+    if len(system.gaps) != 1 or len(system.state) > 2:
         return False
     ((name, gap),) = system.gaps.items()
-    mark = str(_mark(name, 2).args[0])
+    mark = str(_mark(name, len(system.state)).args[0])
     names = symbols(gap) - {mark}
     at = _constants({n: arb(fmpq(3, 7)) for n in names} | {path.name: end})
     try:
@@ -685,16 +685,16 @@ def _layer(
     """Whether the largest ratio of error and comparison function grows as a layer gets thinner."""
     import numpy as np
 
-    from tresym.checking.layer_check import UnsupportedError, solved, value
+    from tresym.checking.layer_check import UnsupportedError, marched, solved, value
 
-    if system.end is None or path.sides != (1,):
+    if path.sides != (1,):
         return None
     ((name, gap),) = system.gaps.items()
-    value_, slope, top = (str(_mark(name, k).args[0]) for k in range(3))
-    point, key, last = system.end
-    (first,) = system.values
+    marks = [str(_mark(name, k).args[0]) for k in range(len(system.state) + 1)]
     nodes = {node for e in (claim.left, claim.right) for node in functions(e)}
-    if key[1] or first[1] or nodes != {unknown(name, (symbol(system.time),), (0,))}:
+    if nodes != {unknown(name, (symbol(system.time),), (0,))}:
+        return None
+    if system.end is not None and (system.end[1][1] or (name, 0) not in system.values):
         return None
     trees = [replaced(e, dict.fromkeys(nodes, symbol("[N]"))) for e in (claim.left, claim.right)]
     whole = statement.uniformly or answer.uniform is True
@@ -704,20 +704,31 @@ def _layer(
             ctx.cap = 1
             here = at | {path.name: arb(small)}
             series = _constants(here)
-            ends = [_value(e, series)[0] for e in (system.start, point)]
-            values = [_linear_root(e, "[V]", series)[0] for e in (system.values[first], last)]
             plain = {n: float(x) for n, x in here.items()}
-            pairs = sorted(zip(map(float, ends), map(float, values), strict=True))
+            start = float(_value(system.start, series)[0])
+            values = [
+                float(_linear_root(system.values[key], "[V]", series)[0])
+                for key in system.state
+                if key in system.values
+            ]
             try:
-                xs, ys, errors = solved(
-                    gap,
-                    (value_, slope, top),
-                    plain,
-                    system.time,
-                    (pairs[0][0], pairs[1][0]),
-                    (pairs[0][1], pairs[1][1]),
-                    float(small),
-                )
+                if system.end is None:
+                    xs, ys, errors = marched(
+                        gap, (*marks,), plain, system.time, start, (*values,), float(small)
+                    )
+                else:
+                    other = float(_value(system.end[0], series)[0])
+                    last = float(_linear_root(system.end[2], "[V]", series)[0])
+                    pairs = sorted([(start, values[0]), (other, last)])
+                    xs, ys, errors = solved(
+                        gap,
+                        (marks[0], marks[1], marks[2]),
+                        plain,
+                        system.time,
+                        (pairs[0][0], pairs[1][0]),
+                        (pairs[0][1], pairs[1][1]),
+                        float(small),
+                    )
                 place = {**plain, system.time: xs, "[N]": ys}
                 left, right = (value(e, place) + 0 * xs for e in trees)
             except UnsupportedError:
