@@ -49,6 +49,7 @@ from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.decisions.statement import functions
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import outermost
+from tresym.reals.language.brackets import places, split
 from tresym.reals.language.calls import INFINITY, INTEGERS, KNOWN
 from tresym.reals.language.claims import UNIFORMLY, Written
 from tresym.reals.language.comparisons import spread
@@ -63,9 +64,7 @@ from tresym.reals.language.compound import (
     is_compound,
     leaves,
     mapped,
-    places,
     read_compound,
-    split,
     under,
 )
 from tresym.reals.language.differential_notation import with_differential_notation
@@ -84,6 +83,7 @@ from tresym.reals.language.expression import (
 from tresym.reals.language.formula import Compared, chained
 from tresym.reals.language.latex_tokens import GREEK
 from tresym.reals.language.parsing import as_written, parse_claim, parse_given, sequences_of
+from tresym.reals.language.paths import Path as LimitProcess
 from tresym.reals.language.paths import read_path
 from tresym.reals.language.readings import read_as
 from tresym.reals.language.unicode_input import plain
@@ -793,9 +793,7 @@ class _Reader:
         everything = _connected(about_names, self.given, conditions)
         put = {value.name: expanded(value.value, self.definitions) for value in values}
         links, everything, must = _put_in(links, everything, put)
-        near = tuple(
-            c for c in everything if path and path.name in _names(c) and c[1] not in ("in", "==")
-        )
+        near = _near_the_end(path, everything)
         links = tuple(_rounding(link, rounded) for link in links) if rounded else links
         names = frozenset().union(*map(names_in, trees))
         rests = tuple(name for name in self.definitions if name in names)
@@ -908,8 +906,7 @@ class _Reader:
             )
             required += [Required(link, (*kept, *inside)) for link in about]
         elif isinstance(leaf, Written) and leaf.path is not None:
-            name = leaf.path.name
-            near = [c for c in everything if name in _names(c) and c[1] not in ("in", "==")]
+            near = _near_the_end(leaf.path, everything)
             kept = tuple(c for c in everything if c not in near)
             plain_ = tuple(c for c in kept if c[1] != "==" and not (c[0].hidden or c[2].hidden))
             required += [Required(link, plain_, str(leaf.path)) for link in near]
@@ -921,6 +918,23 @@ class _Reader:
                     must.append(link)
             kept = (*kept, *fixed) if any(map(_is_differentiated, inner)) else kept
         return kept
+
+
+def _near_the_end(path: LimitProcess | None, given: Iterable[Compared]) -> tuple[Compared, ...]:
+    """The conditions on the variable of a path, which the path itself must satisfy near its end.
+
+    Where an equation determines another variable, as in ``x == n*pi + o(1) given tan(x) == x, n*pi
+    < x``, the conditions that relate the two select the solution, and stay.
+    """
+    if path is None:
+        return ()
+    given = tuple(given)
+    unknown = frozenset().union(*(_names(link) for link in given if link[1] == "==")) - {path.name}
+    return tuple(
+        link
+        for link in given
+        if path.name in _names(link) and link[1] not in ("in", "==") and not _names(link) & unknown
+    )
 
 
 def _common(formula: Formula) -> tuple[Compared, ...]:

@@ -41,6 +41,7 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.language.formula import Compared, chained
+from tresym.reals.language.paths import read_path
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.resource_limits import TimeUp, time_limit
 from tresym.reals.signs.definedness import continuous_on, undefined
@@ -269,7 +270,13 @@ def _questions(item: PaperClaim | Definition) -> list[Task]:
     """The statements that decide a claim, or show that a root exists."""
     if isinstance(item, Definition):
         return [task for root in _roots(item.expression) for task in _root_tasks(root, item)]
-    plain = tuple(c for c in item.conditions if c[1] != "==" and not (c[0].hidden or c[2].hidden))
+    moving = read_path(item.path).name if item.near_end and item.path else ""
+    plain = tuple(
+        c
+        for c in item.conditions
+        if c[1] == "in" or (c[1] != "==" and not (c[0].hidden or c[2].hidden))
+        if c[1] == "in" or moving not in symbols(c[0]) | symbols(c[2])
+    )
     return [
         *(Task(*asked, item.line) for asked in item.asked),
         *(_task(link, (), None, item.line) for link in item.must_hold),

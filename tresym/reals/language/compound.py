@@ -14,6 +14,7 @@ import re
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any, NamedTuple, TypeAlias
 
+from tresym.reals.language.brackets import closing, encloses, places, split
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.claims import Written, read_claim
 from tresym.reals.language.expression import Expr, multiply, number, substitute, symbol, symbols
@@ -283,14 +284,14 @@ def _part(text: str, around: _Around) -> Formula:
         raise InputError("a claim is missing beside one of the words and, <=>")
     if match := _COUNT.match(text):
         return _count(match, around)
-    if (match := _SHAPE.match(text)) and _encloses(text[match.start(2) - 1 :].strip()):
+    if (match := _SHAPE.match(text)) and encloses(text[match.start(2) - 1 :].strip()):
         *function, name = split(match[2], ",")
         if not function or not re.fullmatch(r"\s*[A-Za-z]\w*\s*", name):
             raise InputError(f"write {match[1]}(f, x) with the variable of the function")
         return _shape(match[1], ",".join(function), name.strip(), around)
     if match := _IN_WORDS.match(text):
         return _shape(match[2], match[1], match[3], around)
-    if _encloses(text) and split(inner := text[1:-1], _RELATION)[1:]:
+    if encloses(text) and split(inner := text[1:-1], _RELATION)[1:]:
         return _bracketed(inner, around)
     components = _components(text)
     if components is not None:
@@ -322,7 +323,7 @@ def _written(text: str, around: _Around) -> Written:
 
 def _count(match: re.Match[str], around: _Around) -> Count:
     how, name, opening, rest = match.groups()
-    end = _closing(opening + rest)
+    end = closing(opening + rest)
     if end is None or rest[end:].lstrip()[:1] != ":":
         raise InputError(f"write {how} {name} in (a, b): f == g")
     ends = split(rest[: end - 1], ",")
@@ -384,7 +385,7 @@ def _between(text: str) -> list[str]:
 def _entries(side: str) -> list[str] | None:
     """The components of a vector, those of rows in brackets one after the other."""
     side = side.strip()
-    if not _encloses(side):
+    if not encloses(side):
         return None
     parts = split(side[1:-1], ",")
     if len(parts) < 2:
@@ -404,7 +405,7 @@ def _is_made_of_others(head: str) -> bool:
         return True
     if _IN_WORDS.match(text):
         return True
-    if _encloses(text) and split(text[1:-1], _RELATION)[1:]:
+    if encloses(text) and split(text[1:-1], _RELATION)[1:]:
         return _is_made_of_others(_cut(text[1:-1])[0])
     sides = split(text, _RELATION)
     return len(sides) > 1 and all(_entries(side) is not None for side in sides)
@@ -424,31 +425,7 @@ def _need_one_reading(text: str, formula: Formula) -> None:
         )
 
 
-# Text at depth 0
-
-
-def places(text: str, pattern: str) -> list[tuple[int, int]]:
-    """Where a pattern matches outside of all brackets."""
-    found: list[tuple[int, int]] = []
-    depth, after = 0, 0
-    for match in re.finditer(rf"[()\[\]{{}}]|(?P<word>{pattern})", text):
-        if match.start() < after:
-            continue
-        if match["word"] is None:
-            depth += 1 if match[0] in "([{" else -1
-        elif depth == 0:
-            found.append(match.span())
-            after = match.end()
-    return found
-
-
-def split(text: str, pattern: str) -> list[str]:
-    """Split a text where a pattern matches outside of all brackets."""
-    parts, start = [], 0
-    for first, end in places(text, pattern):
-        parts.append(text[start:first])
-        start = end
-    return [*parts, text[start:]]
+# Text
 
 
 def _cut(text: str) -> tuple[str, str]:
@@ -456,21 +433,6 @@ def _cut(text: str) -> tuple[str, str]:
     found = places(text, _TAIL)
     start = found[0][0] if found else len(text)
     return text[:start].strip().rstrip(","), text[start:].strip()
-
-
-def _closing(text: str) -> int | None:
-    """Return where the bracket at the start is closed, brackets of any kind counted alike."""
-    depth = 0
-    for n, sign in enumerate(text):
-        depth += (sign in "([{") - (sign in ")]}")
-        if depth == 0:
-            return n
-    return None
-
-
-def _encloses(text: str) -> bool:
-    """Return whether one pair of round brackets encloses the whole text."""
-    return text[:1] == "(" and text[-1:] == ")" and _closing(text) == len(text) - 1
 
 
 # Text that is read again

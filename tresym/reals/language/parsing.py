@@ -29,6 +29,7 @@ from tresym.reals.language.binders import (
     repeated_derivative,
     worked_out,
 )
+from tresym.reals.language.brackets import split
 from tresym.reals.language.calls import (
     INFINITE,
     INFINITY,
@@ -374,7 +375,8 @@ def parse_conditions(text: str) -> list[Compared]:
 def parse_given(text: str) -> list[Compared]:
     """Parse conditions as :func:`parse_conditions` does, also equations and ``n integer``.
 
-    The condition ``n integer`` becomes ``(n, "in", ZZ)``. An equation may end in an order, as
+    The condition ``n integer`` becomes ``(n, "in", ZZ)``, and ``x ~= 1.5`` the two conditions
+    ``1.45 <= x <= 1.55``. An equation may end in an order, as
     ``y == x + O(1)``, and ``y ~ a + b`` becomes ``y == a + b + o(a)`` and ``y == a + b + o(b)``.
 
     Raises:
@@ -382,6 +384,13 @@ def parse_given(text: str) -> list[Compared]:
     """
     if not text.strip():
         return []
+    if "~=" in text:  # a rounded number stands for all that round to it
+        parts = split(text, ",")
+        return [
+            link
+            for part in parts
+            for link in (_printed(tidy(part)) if "~=" in part else parse_given(part))
+        ]
     if "~" in text and _TILDE in text:
         raise InputError("a condition uses one of == ~ > >= < <= !=, as in 0 < x <= 1")
     source = tidy(_INTEGER.sub(r"\1 in ZZ", _EQUALS.sub("==", text)).replace("~", _TILDE))
