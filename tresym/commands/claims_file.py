@@ -164,7 +164,7 @@ def row_lines(row: Row, full: bool, width: int, colour: bool) -> list[str]:
     for one in row.instead[:1]:
         say(f"true instead: {one.claim}{' given ' + one.given if one.given else ''}", "2")
     if row.axioms:
-        say(f"quoted from the literature, not proved here: {', '.join(row.axioms)}", "2")
+        say(f"it rests on what is not proved here: {', '.join(row.axioms)}", "2")
     return lines
 
 

@@ -43,6 +43,7 @@ class Definition:
         written: the right side, with the names of other definitions.
         expression: the right side with the definitions above it put in.
         given: the declared conditions about its variables.
+        place: where it stands in print, such as the number of an equation.
     """
 
     line: int
@@ -52,6 +53,7 @@ class Definition:
     written: Expr
     expression: Expr
     given: tuple[Compared, ...] = ()
+    place: str = ""
 
     @property
     def head(self) -> Expr:

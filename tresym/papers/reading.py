@@ -8,6 +8,9 @@ The kinds of lines are, in the order in which they are tried:
 ``> words``                              prose, whatever it looks like
 ``M, e real; given 0 <= e < 1``          variables (real, integer, natural, positive), conditions
 ``u := EXPRESSION``, ``K(k) := …``       a definition of a quantity or of a function
+``let two: a := x/y, x ~= 0.12``         definitions and conditions for claims ``… using two``
+``assume law: CLAIM``                    an assumption, in force for all that follows
+``use u, label from OTHER``              what the file OTHER.tresym defines and claims
 ``table LABEL: at e == 1/10, 1/100``     a table of errors of the claim LABEL
 ``chart LABEL``                          a chart of the error of the claim LABEL
 ``label: CLAIM``                         a claim, see :class:`PaperClaim`
@@ -17,6 +20,10 @@ anything else                            prose
 Labels may be as in print: ``eq 1``, ``(3)``, ``Lemma 1.``, ``α``; they become one word, such as
 ``eq-1``. A line of prose with a relation in it, or one that looks like a declaration, is a problem
 unless it begins with ``>``: nothing that was meant as a claim becomes prose in silence.
+
+A variable of an earlier section may be declared again, and is then another variable; what stands
+before the first section holds for the whole file. After a label, the place in print may stand in
+brackets: ``d34 (34): …``. Words in square brackets behind a step of a derivation are not judged.
 
 A line that begins with spaces continues the statement before it. A claim is written as for
 ``tresym check`` and may end in clauses, in any order: ``given CONDITIONS``, ``as PATH``,
@@ -32,6 +39,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from functools import cached_property
@@ -76,6 +84,7 @@ from tresym.reals.language.expression import (
     add,
     apply,
     number,
+    replaced,
     substitute,
     symbol,
     symbols,
@@ -123,7 +132,7 @@ _AND_GIVEN = re.compile(r";\s*(?:given\s)?")
 _GIVEN = re.compile(r"given\s+(.+)")
 _DEFINED = re.compile(rf"({_NAME})\s*(?:\(([^()]*)\))?\s*:=\s*(.*)")
 _DRAWN = re.compile(r"(table|chart)\s+([A-Za-z][\w-]*)\s*(?::\s*(.*))?")
-_CLAIM = re.compile(r"([A-Za-z][\w-]*)\s*:(?!=)\s*(.*)")
+_CLAIM = re.compile(r"([A-Za-z][\w-]*)(?:\s*\((\w[\w.]*)\)|\s*\[([^\]]*)\])?\s*:(?!=)\s*(.*)")
 _OTHER_LABEL = re.compile(
     r"(\(?[^\W\d_][\w'-]*(?:[.\s]\s*[\w-]+)*\)?|\(?\d[\w.]*\)?)"
     r"(?:\s*:(?!=)|(?<=\d)\.\s)\s*(.*)"
@@ -141,7 +150,18 @@ _UNLABELLED = re.compile(r"==|<=|>=|!=|:=|~=|->|[<>=~≤≥≠≈∼→]")
 _ASSUMED = re.compile(r"(?:let|assume|suppose)\s+(?:that\s+)?([^:]*(?:[<>=≤≥≠]).*)", re.IGNORECASE)
 _LETTER_E = re.compile(r"(?<![\w.])e(?!\w)")
 _QUOTED = re.compile(r"\$[^$]*\$|`[^`]*`")
-_CLAUSE = r"\s(?:given|as|at|on|using|expect|quoted\s+from)\s+"
+_CLAUSE = r"\s(?:given|as|at|on|using|expect|instead|quoted\s+from)\s+"
+_PLACE = r"(?:\s*\((\w[\w.]*)\)|\s*\[([^\]]*)\])?"
+_ASSUME = re.compile(rf"assume\s+([A-Za-z][\w-]*){_PLACE}\s*:(?!=)\s*(.*)")
+_LET = re.compile(rf"let\s+([A-Za-z][\w-]*){_PLACE}\s*:(?!=)\s*(.*)")
+_USE = re.compile(
+    r"use\s+([A-Za-z][\w-]*(?:\s*,\s*[A-Za-z][\w-]*)*)\s+from\s+([\w-]+)(?:\.tresym)?"
+)
+_STANDS_AT = re.compile(r"\s{2,}\((\w[\w.]*)\)$")
+_REASON = re.compile(
+    r"(\S*)\s+\[[^\[\]]*\](?=\s*(?:$|[<>=!]=?\s|(?:given|as|at|on|using|expect|instead|quoted)\s))"
+)
+"""Words behind a step of a derivation; behind the word "in" they are an interval."""
 _ROUNDED = re.compile(r"[-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
 _USUAL = re.compile(r"[A-Za-z](?:_?\d+)?(?:_[A-Za-z0-9]*)?")
 """Variables that need no declaration: single letters, with an index or not."""
@@ -205,6 +225,9 @@ class PaperClaim:
         said: its formula as written, with the names of definitions.
         joined: the labels of claims that are claimed again, as in ``both: first and other``.
         required: declared conditions that must hold where such a claim speaks.
+        place: where it stands in print, such as the number of an equation.
+        assumed: whether it is assumed, and not judged.
+        instead: the labels of claims that hold instead of a false one.
     """
 
     label: str
@@ -229,6 +252,16 @@ class PaperClaim:
     said: Formula | None = None
     joined: tuple[str, ...] = ()
     required: tuple[Required, ...] = ()
+    place: str = ""
+    assumed: bool = False
+    instead: tuple[str, ...] = ()
+
+    @property
+    def kind(self) -> str:
+        """What it is, in one word."""
+        if self.assumed:
+            return "assumption"
+        return "derivation" if self.is_derivation else "claim"
 
     @property
     def asked(self) -> tuple[tuple[str, str, str | None], ...]:
@@ -337,7 +370,17 @@ class Drawn(NamedTuple):
     digits: int
 
 
-Item = Prose | Section | Declaration | Definition | PaperClaim | Drawn
+class Let(NamedTuple):
+    """Definitions and conditions that are put in where a claim says ``using LABEL``."""
+
+    line: int
+    label: str
+    definitions: tuple[Definition, ...]
+    given: tuple[Compared, ...]
+    place: str = ""
+
+
+Item = Prose | Section | Declaration | Definition | PaperClaim | Drawn | Let
 
 
 @dataclass(frozen=True)
@@ -391,8 +434,8 @@ class OwnPaper:
         )
 
 
-def read_file(path: str | Path) -> OwnPaper:
-    """Read a file of claims.
+def read_file(path: str | Path, files: tuple[str, ...] = ()) -> OwnPaper:
+    """Read a file of claims, and those that it uses.
 
     Raises:
         InputError: there is no such file, or it is not text.
@@ -413,18 +456,29 @@ def read_file(path: str | Path) -> OwnPaper:
         raise InputError(f"{path}:{line}: this is not UTF-8 text") from None
     if "\0" in text:
         raise InputError(f"{path}: this is not a text file")
-    return read_paper(text, Path(path).name)
+    return read_paper(text, Path(path).name, Path(path).parent, files)
 
 
-def read_paper(text: str, name: str = "paper.tresym") -> OwnPaper:
+def read_paper(
+    text: str,
+    name: str = "paper.tresym",
+    folder: Path | None = None,
+    files: tuple[str, ...] = (),
+) -> OwnPaper:
     """Read the text of a file of claims.
+
+    Args:
+        text: the text.
+        name: the name of the file.
+        folder: where the files are that it uses.
+        files: the names of the files that use this one.
 
     Example:
         >>> found = read_paper("a real\\nsquare: a**2 >= 0\\nwrong line: a** >= 0")
         >>> list(found.claims), [problem.line for problem in found.problems]
         (['square'], [3])
     """
-    return _Reader(name).read(text)
+    return _Reader(name, folder, files).read(text)
 
 
 class _OneNameError(InputError):
@@ -434,7 +488,7 @@ class _OneNameError(InputError):
 class _Reader:
     """Read the lines of a file from top to bottom; what is declared holds from there on."""
 
-    def __init__(self, name: str) -> None:
+    def __init__(self, name: str, folder: Path | None = None, files: tuple[str, ...] = ()) -> None:
         self.name = name
         self.title = ""
         self.items: list[Item] = []
@@ -447,7 +501,20 @@ class _Reader:
         self.claims: dict[str, PaperClaim] = {}
         self.failed: dict[str, int] = {}
         """Names and labels of lines that could not be read, whose uses need no second message."""
-        self.mentioned: list[tuple[int, str]] = []
+        self.lets: dict[str, Let] = {}
+        self.assumed: dict[Compared, str] = {}
+        """The assumptions in force, with their labels."""
+        self.put_in: dict[Expr, Expr] = {}
+        """Integrals and sums whose values are assumed."""
+        self.replaced_in_claim: set[Expr] = set()
+        """Those of them that stand in the claim which is read."""
+        self.section = 0
+        self.section_of: dict[str, int] = {}
+        self.stale: dict[str, str] = {}
+        """Definitions with a variable that is another one by now, and why."""
+        self.taken: dict[tuple[str, str], int] = {}
+        self.folder = folder
+        self.files = files
 
     def read(self, text: str) -> OwnPaper:
         for line, statement in _statements(text):
@@ -501,6 +568,7 @@ class _Reader:
                 self.title = match[2]
             else:
                 self.items.append(Section(line, match[2]))
+                self.section += 1
         elif text.startswith(">"):
             self._prose(line, text[1:].strip())
         elif match := _DECLARED.fullmatch(text):
@@ -511,8 +579,14 @@ class _Reader:
             self._define(line, match[1], match[2], match[3])
         elif match := _DRAWN.fullmatch(text):
             self.items.append(_drawn(line, match[1], match[2], match[3] or ""))
+        elif match := _LET.fullmatch(text):
+            self._let(line, match[1], match[2] or match[3] or "", match[4])
+        elif match := _ASSUME.fullmatch(text):
+            self._claim(line, match[1], match[4], match[2] or match[3] or "", assumed=True)
+        elif match := _USE.fullmatch(text):
+            self._use(line, re.split(r"\s*,\s*", match[1]), match[2])
         elif match := _CLAIM.fullmatch(text):
-            self._claim(line, match[1], match[2])
+            self._claim(line, match[1], match[4], match[2] or match[3] or "")
         elif (match := _OTHER_LABEL.fullmatch(text)) and _is_formula(match[2]):
             self._claim(line, label_of(match[1]), match[2])
         elif _DECLARES.fullmatch(text):
@@ -567,6 +641,7 @@ class _Reader:
             self._uses(line, side)
         own = tuple((symbol(name), *rest) for name in names for rest in KINDS.get(kind, ()))
         self.declared |= dict.fromkeys(names, line)
+        self.section_of |= dict.fromkeys(names, self.section)
         self.given += [*own, *(self._expanded(link) for link in written)]
         self.items.append(Declaration(line, names, kind, written))
 
@@ -576,6 +651,8 @@ class _Reader:
                 f"{name} has a meaning of its own in claims, so it cannot be defined or declared: "
                 f"use another name, such as {name}0 or {name}_1"
             )
+        if name in self.declared and 0 < self.section_of.get(name, 0) < self.section:
+            self._forget(name)
         if name in self.declared:
             raise InputError(f"{name} is declared on line {self.declared[name]} already")
         if name in self.definitions:
@@ -586,6 +663,8 @@ class _Reader:
         """Every name is declared, defined, or one of the usual letters."""
         known = {*self.declared, *self.definitions, *more}
         for name in sorted(names):
+            if name in self.stale:
+                raise InputError(f"{name} is defined with {self.stale[name]}: define it again")
             if name in self.failed and name not in self.claims:
                 raise InputError(f"{name} stands on line {self.failed[name]}, which is not read")
             if name not in known and not _USUAL.fullmatch(name) and name.rstrip("_") not in GREEK:
@@ -598,10 +677,25 @@ class _Reader:
         left, relation, right = link
         if relation == "in":
             return link
-        return (expanded(left, self.definitions), relation, expanded(right, self.definitions))
+        return self._put(left), relation, self._put(right)
+
+    def _put(self, e: Expr) -> Expr:
+        """An expression with definitions and assumed values put in."""
+        e = expanded(e, self.definitions)
+        if not self.put_in or not e.hidden:
+            return e
+        self.replaced_in_claim |= {node for node in outermost(e) if node in self.put_in}
+        return replaced(e, self.put_in)
 
     def _define(self, line: int, name: str, arguments: str | None, text: str) -> None:
         self._need_new(name)
+        place = _STANDS_AT.search(text)
+        text = text[: place.start()] if place else text
+        made = self._definition(line, name, arguments, text)
+        self.definitions[name] = replace(made, place=place[1] if place else "")
+        self.items.append(self.definitions[name])
+
+    def _definition(self, line: int, name: str, arguments: str | None, text: str) -> Definition:
         if not text:
             raise InputError(f"{name} := needs an expression after it")
         parameters = tuple(a.strip() for a in arguments.split(",")) if arguments is not None else ()
@@ -623,8 +717,7 @@ class _Reader:
         made = define(line, name, parameters, text, written, inside)
         self._need_functions((made.expression,))
         self._uses(line, written, parameters)
-        self.definitions[name] = replace(made, given=self._about(made.expression, ()))
-        self.items.append(self.definitions[name])
+        return replace(made, given=self._about(made.expression, ()))
 
     def _uses(self, line: int, e: Expr, bound: tuple[str, ...] = ()) -> None:
         """What stands in a claim, a condition or a definition cannot be defined below it."""
@@ -633,6 +726,9 @@ class _Reader:
 
     def _called(self, text: str) -> str:
         """The text with defined functions under names that the grammar takes for functions."""
+        for name, why in self.stale.items():
+            if re.search(rf"(?<![\w\\]){re.escape(name)}\s*\(", text):
+                raise InputError(f"{name} is defined with {why}: define it again")
         for name, line in self.failed.items():
             if re.search(rf"(?<![\w\\]){re.escape(name)}\s*\(", text):
                 raise InputError(f"{name} stands on line {line}, which is not read")
@@ -660,10 +756,26 @@ class _Reader:
         """The declared conditions about the variables of ``e``, and about those of conditions."""
         return _connected(symbols(e), self.given, more)
 
-    def _claim(self, line: int, label: str, written: str) -> None:
-        if label in self.claims:
-            raise InputError(f"{label} is the label of line {self.claims[label].line} already")
-        text, clauses = _clauses(written)
+    def _claim(
+        self, line: int, label: str, written: str, place: str = "", assumed: bool = False
+    ) -> None:
+        self._need_new_label(label)
+        text, clauses = _clauses(_REASON.sub(_without_reason, written))
+        lets = self._lets_in(clauses)
+        self.replaced_in_claim = set()
+        with self._within(lets):
+            self._claimed(line, label, written, text, clauses, place, assumed)
+
+    def _claimed(
+        self,
+        line: int,
+        label: str,
+        written: str,
+        text: str,
+        clauses: dict[str, str],
+        place: str,
+        assumed: bool,
+    ) -> None:
         text, joined = self._joined(text)
         if not joined and not _RELATION.search(text) and not is_compound(text):
             raise InputError(
@@ -680,6 +792,10 @@ class _Reader:
                 raise InputError(
                     f"no claim above this line is labelled '{used}'{_near(used, self.claims)}"
                 )
+        instead = tuple(filter(None, map(str.strip, clauses.get("instead", "").split(","))))
+        for other in instead:
+            if other not in self.claims:
+                raise InputError(f"no claim above this line is labelled '{other}'")
         source, expect = clauses.get("quoted from", ""), clauses.get("expect", "")
         if expect.lower() not in ("", "refuted"):
             raise InputError(f"'{expect}': only 'expect refuted' can be expected of a claim")
@@ -690,8 +806,11 @@ class _Reader:
         claim = replace(
             claim,
             text=written,
-            uses=tuple(dict.fromkeys((*uses, *joined))),
+            uses=tuple(dict.fromkeys((*uses, *joined, *self._assumptions(claim)))),
             joined=joined,
+            place=place,
+            assumed=assumed,
+            instead=instead,
             expect_refuted=bool(expect),
             source=source.strip().strip("()"),
         )
@@ -705,8 +824,157 @@ class _Reader:
             read(claim.asserted(task), chained(claim.conditions), claim.path)
         if claim.whole is not None:
             read_compound(str(claim.whole))
+        if assumed:
+            self._assume(claim)
         self.claims[label] = claim
         self.items.append(claim)
+
+    def _need_new_label(self, label: str) -> None:
+        for known in (self.claims, self.lets):
+            if label in known:
+                raise InputError(f"{label} is the label of line {known[label].line} already")
+
+    def _let(self, line: int, label: str, place: str, written: str) -> None:
+        """Definitions and conditions that are put in only where a claim says so."""
+        self._need_new_label(label)
+        made: dict[str, Definition] = {}
+        given: list[Compared] = []
+        for part in (part.strip() for part in split(written, ",")):
+            match = _DEFINED.fullmatch(part)
+            with self._within([Let(line, label, tuple(made.values()), ())]):
+                if match is None:
+                    links = parse_given(plain(self._called(part)))
+                    for side in (side for link in links for side in link[::2]):
+                        self._need_known(symbols(side) - {INTEGERS.args[0]})
+                        self._uses(line, side)
+                    given += links
+                    continue
+                if match[1] in RESERVED or match[1] in self.definitions:
+                    raise InputError(f"'{match[1]}' has another meaning already: use another name")
+                if any(link[1] == "in" and match[1] in symbols(link[0]) for link in self.given):
+                    raise InputError(f"'{match[1]}' is declared as an integer: use another name")
+                made[match[1]] = self._definition(line, match[1], match[2], match[3])
+        self.lets[label] = Let(line, label, tuple(made.values()), tuple(given), place)
+        self.items.append(self.lets[label])
+
+    def _lets_in(self, clauses: dict[str, str]) -> list[Let]:
+        """The lines ``let`` that a claim names after using or given; the names are taken out."""
+        found: dict[str, Let] = {}
+        for word in ("using", "given"):
+            parts = [part.strip() for part in split(clauses.get(word, ""), ",")]
+            found |= {part: self.lets[part] for part in parts if part in self.lets}
+            rest = ", ".join(part for part in parts if part and part not in self.lets)
+            if word in clauses:
+                clauses[word] = rest
+        links = [chained(let.given) for let in found.values() if let.given]
+        if links:
+            clauses["given"] = ", ".join(filter(None, (clauses.get("given", ""), *links)))
+        return list(found.values())
+
+    @contextmanager
+    def _within(self, lets: Iterable[Let]) -> Iterator[None]:
+        """Read with the definitions of lines ``let``, which hold for conditions, too."""
+        kept = self.definitions, self.given
+        own = {made.name: made for let in lets for made in let.definitions}
+        try:
+            if own:
+                self.definitions = {**self.definitions, **own}
+                self.given = [self._expanded(link) for link in self.given]
+            yield
+        finally:
+            added = self.given[len(kept[1]) :]
+            self.definitions, self.given = kept
+            self.given += added
+
+    def _assume(self, claim: PaperClaim) -> None:
+        """Let an assumption hold for all that follows: a condition, or the value of an integral."""
+        if not claim.links or claim.given or claim.path or claim.at or claim.expect_refuted:
+            raise InputError(
+                f"'{claim.label}' is assumed for all that follows, so it is a comparison without "
+                "clauses: declare its conditions above"
+            )
+        for link in claim.links:
+            left, relation, right = link
+            try:
+                parse_given(chained((link,)))
+            except InputError:
+                if relation != "==" or left.op not in ("integral", "sum", "product", "limit"):
+                    raise InputError(
+                        f"'{claim.label}' is no condition: an assumption is a comparison of "
+                        "elementary expressions, or gives the value of an integral or a sum"
+                    ) from None
+                self.put_in[left] = right
+                self.assumed[link] = claim.label
+            else:
+                self.given.append(link)
+                self.assumed[link] = claim.label
+
+    def _assumptions(self, claim: PaperClaim) -> list[str]:
+        """The labels of the assumptions that are conditions of a claim, or put into it."""
+        put = {value.name: expanded(value.value, self.definitions) for value in claim.at}
+        said, used = {*claim.conditions, *claim.must_hold}, {*self.replaced_in_claim}
+        found = []
+        for link, label in self.assumed.items():
+            left, relation, right = self._expanded(link)
+            fixed = substitute(left, put), relation, substitute(right, put)
+            ways = link, (left, relation, right), fixed
+            if not said.isdisjoint(ways) or link[0] in used:
+                found.append(label)
+        return found
+
+    def _use(self, line: int, names: Iterable[str], file: str) -> None:
+        """Take definitions and claims from another file of the same folder, with what they need."""
+        if self.folder is None:
+            raise InputError(f"use … from {file}: a text without a folder uses no other file")
+        if file in (*self.files, Path(self.name).stem):
+            raise InputError(f"{file} uses this file: files cannot use one another in a circle")
+        other = read_file(self.folder / f"{file}.tresym", (*self.files, Path(self.name).stem))
+        if other.problems:
+            problem = other.problems[0]
+            raise InputError(f"{file}.tresym, line {problem.line}: {problem.message}")
+        for name in names:
+            if name not in other.definitions and name not in other.claims:
+                known = [*other.definitions, *other.claims]
+                raise InputError(f"{name} is not in {file}.tresym{_near(name, known)}")
+            self._take(line, name, other)
+
+    def _take(self, line: int, name: str, other: OwnPaper) -> None:
+        taken = self.taken.get((other.name, name))
+        if taken is not None:
+            return
+        self.taken[other.name, name] = line
+        if name in other.definitions:
+            made = other.definitions[name]
+            for inner in sorted(names_in(made.written) & {*other.definitions}):
+                self._take(line, inner, other)
+            self._need_new(name)
+            self._conditions_from(line, made.given)
+            self.definitions[name] = replace(made, line=line)
+            self.items.append(self.definitions[name])
+            return
+        claim = other.claims[name]
+        for inner in (*claim.rests_on, *claim.uses):
+            if inner in other.definitions or inner in other.claims:
+                self._take(line, inner, other)
+        self._need_new_label(name)
+        self.claims[name] = replace(claim, line=line)
+        self.items.append(self.claims[name])
+
+    def _conditions_from(self, line: int, given: Iterable[Compared]) -> None:
+        """Take over the conditions of a definition of another file."""
+        new = tuple(link for link in given if link not in self.given)
+        if new:
+            self.given += new
+            self.items.append(Declaration(line, (), "", new))
+
+    def _forget(self, name: str) -> None:
+        """Let a variable of an earlier section be another one from here on."""
+        at = self.declared.pop(name)
+        self.given = [link for link in self.given if name not in _names(link)]
+        for other in [d for d in self.definitions.values() if name in names_in(d.written)]:
+            if name not in other.parameters:
+                self.stale[other.name] = f"the variable {name} of line {at}, declared again since"
+        self.used.pop(name, None)
 
     def _joined(self, text: str) -> tuple[str, tuple[str, ...]]:
         """A formula without the parts that are labels of claims above, and these labels."""
@@ -837,7 +1105,7 @@ class _Reader:
             if name in self.definitions:
                 at = self.definitions[name].line
                 raise InputError(f"{name} is defined on line {at}: use another letter here")
-        formula = mapped(whole.formula, lambda e: expanded(e, self.definitions))
+        formula = mapped(whole.formula, self._put)
         self._need_functions(
             side for part in leaves(formula) for link in comparisons_of(part) for side in link[::2]
         )
@@ -935,6 +1203,10 @@ def _near_the_end(path: LimitProcess | None, given: Iterable[Compared]) -> tuple
         for link in given
         if path.name in _names(link) and link[1] not in ("in", "==") and not _names(link) & unknown
     )
+
+
+def _without_reason(match: re.Match[str]) -> str:
+    return match[0] if match[1] in ("in", "∈") else match[1]
 
 
 def _common(formula: Formula) -> tuple[Compared, ...]:

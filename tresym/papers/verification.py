@@ -123,6 +123,7 @@ class Row:
             "where": self.item.line,
             "witness": None if answer is None or not answer.witness else dict(answer.witness),
             "amended_by": [f"{one.claim} given {one.given}" for one in self.instead],
+            "place": self.item.place or None,
             "uses": [],
             "axioms": list(self.axioms),
             "coq": None,
@@ -133,7 +134,7 @@ class Row:
             return found | own | {"given": chained(self.item.given)}
         claim = self.item
         return found | {
-            "kind": "derivation" if claim.is_derivation else "claim",
+            "kind": claim.kind,
             "says": claim.text,
             "means": [*claim.meanings],
             "given": chained(claim.conditions),
@@ -141,6 +142,7 @@ class Row:
             "value": claim.rounded or None,
             "parameter": claim.path,
             "uses": [*claim.uses, *claim.rests_on],
+            "amended_by": [*claim.instead, *found["amended_by"]],
         }
 
 
@@ -272,13 +274,13 @@ def _questions(item: PaperClaim | Definition) -> list[Task]:
         return [task for root in _roots(item.expression) for task in _root_tasks(root, item)]
     moving = read_path(item.path).name if item.near_end and item.path else ""
     plain = tuple(
-        c
-        for c in item.conditions
-        if c[1] == "in" or (c[1] != "==" and not (c[0].hidden or c[2].hidden))
-        if c[1] == "in" or moving not in symbols(c[0]) | symbols(c[2])
+        (left, sign, right)
+        for left, sign, right in item.conditions
+        if sign == "in"
+        or not (sign == "==" or left.hidden or right.hidden or moving in symbols(left + right))
     )
     return [
-        *(Task(*asked, item.line) for asked in item.asked),
+        *(Task(*asked, item.line) for asked in item.asked if not item.assumed),
         *(_task(link, (), None, item.line) for link in item.must_hold),
         *(_task(link, plain, item.path, item.line) for link in item.near_end),
         *(_task(*part, item.line) for part in item.required),
@@ -361,7 +363,7 @@ def _with_wider_roots(
 
 def _claim_row(claim: PaperClaim, found: list[Answer], rows: Mapping[str, Row]) -> Row:
     """The row of a claim, once everything it uses has one."""
-    count = len(claim.asked)
+    count = 0 if claim.assumed else len(claim.asked)
     steps = tuple(found[:count])
     others = found[count:]
     must, others = others[: len(claim.must_hold)], others[len(claim.must_hold) :]
@@ -405,6 +407,8 @@ def _claim_row(claim: PaperClaim, found: list[Answer], rows: Mapping[str, Row]) 
             axioms.append(row.label)
         if not row.verdict.holds and (verdict.holds or verdict is Verdict.REFUTED):
             verdict, why = UNDECIDED, f"it depends on {row.label}, which is {row.verdict.value}"
+    if claim.assumed and verdict is not Verdict.REFUTED:
+        return Row(claim, Premise.ASSUMED, "it is assumed from here on", steps, seconds=seconds)
     if claim.source and verdict is UNDECIDED:
         verdict, why = Premise.ASSUMED, f"quoted from {claim.source}, not proved here ({why})"
     return Row(claim, verdict, why, steps, tuple(dict.fromkeys(axioms)), seconds=seconds)

@@ -17,6 +17,7 @@ from tresym.papers.definitions import PREFIX, Definition
 from tresym.papers.reading import (
     Declaration,
     Drawn,
+    Let,
     OwnPaper,
     PaperClaim,
     Prose,
@@ -234,6 +235,8 @@ def _item_blocks(
         yield f"{look.words(item.text)}\n"
     elif isinstance(item, Declaration):
         yield f"{_declared(item, look)}\n"
+    elif isinstance(item, Let):
+        yield f"{_let(item, look)}\n"
     elif isinstance(item, PaperClaim | Definition):
         key = item.label if isinstance(item, PaperClaim) else item.name
         rows = [row for row in report.rows if row.item is item]
@@ -245,6 +248,15 @@ def _item_blocks(
         yield pictures.tables[item.line]
     elif isinstance(item, Drawn) and item.line in pictures.charts:
         yield look.picture(pictures.charts[item.line])
+
+
+def _let(item: Let, look: _Style) -> str:
+    """A line ``let``: what holds in the claims that use it."""
+    parts = [rf"{_latex(made.head)} := {_latex(made.written)}" for made in item.definitions]
+    parts += [conditions_latex(item.given)] if item.given else []
+    shown = ", ".join(map(look.formula, parts))
+    place = f" ({look.words(item.place)})" if item.place else ""
+    return f"Where {look.code(item.label)}{place} is used: {shown}."
 
 
 def _declared(item: Declaration, look: _Style) -> str:
@@ -275,7 +287,7 @@ def _display(formula: str, label: str, look: _Style) -> str:
 
 def _verdict(row: Row, item: PaperClaim, look: _Style) -> str:
     """The sentence below a claim: its verdict, the reason, the constant and the region."""
-    name = look.code(item.label)
+    name = look.code(item.label) + (f" ({look.words(item.place)})" if item.place else "")
     quoted = f" (quoted from {look.words(item.source)})" if item.source else ""
     head = f"{name}{quoted}: "
     reason = _reason(row.why, look)
