@@ -96,7 +96,7 @@ def as_written(claim: Any, given: Any, path: str | None) -> Written:
     try:
         return _strictly(claim, given, path)
     except InputError:
-        found = spelled(claim)
+        found = spelled(claim, given if isinstance(given, str) else "")
         if found is None:
             raise
     end = found.path or path

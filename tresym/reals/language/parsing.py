@@ -103,7 +103,7 @@ def sequences_of(text: str) -> frozenset[str]:
     Any name that is not a known function may denote a sequence.
     """
     up = {(match[1], match[2]) for match in _RECURRENCE.finditer(text)}
-    found = {name for name, n in up if re.search(rf"\b{name}\(\s*{n}\s*\)", text)}
+    found = {name for name, n in up if re.search(rf"(?<![A-Za-z_]){name}\(\s*{n}\s*\)", text)}
     down = list(_RECURRENCE_DOWN.finditer(text))
     for match, end in zip(down, (*(m.start() for m in down[1:]), len(text)), strict=False):
         said = re.split(r",\s*[A-Za-z]\w*\s*\([^,()]*\)\s*=", text[match.end() : end])[0]

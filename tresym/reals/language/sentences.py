@@ -12,6 +12,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from tresym.reals.language.latex_tokens import GREEK
+from tresym.reals.language.parsing import sequences_of
 from tresym.reals.language.spelling import skip_arrow, spell_sum
 from tresym.reals.language.spelling_tokens import END, Token, tokens
 from tresym.reals.language.typed_text import (
@@ -21,6 +22,7 @@ from tresym.reals.language.typed_text import (
     NotSpelledError,
     Typed,
 )
+from tresym.reals.language.unicode_input import signs
 from tresym.reals.numbers.exact import InputError
 
 _RELATIONS = {
@@ -48,6 +50,7 @@ _UNKNOWN = frozenset(
 """Words that change what a condition says, and are refused."""
 _NAME = re.compile(r"\(*[A-Za-z]\w*\)*")
 _UNDERSTOOD = frozenset((*FUNCTIONS, *RESERVED, *GREEK, *_KINDS, *_INTEGERS, *_REALS, *_NATURAL))
+_CONDITIONS = re.compile(r"\b(?:given|where|with|if|for|when|and)\b")
 _SIMPLE = re.compile(
     r"\\(?:leq?|geq?|neq?|to|infty|in|implies|land|[rR]ightarrow|forall|alpha|beta|"
     r"gamma|delta|epsilon|eta|theta|kappa|lambda|mu|nu|xi|pi|rho|sigma|tau|phi|chi|psi|omega)\b"
@@ -62,28 +65,33 @@ class Spelled(NamedTuple):
     path: str
 
 
-def spelled(text: str) -> Spelled | None:
+def spelled(text: str, given: str = "") -> Spelled | None:
     """Return a claim in the strict grammar, or None if the text is not understood.
+
+    Args:
+        text: the claim, which may contain conditions.
+        given: other conditions, which may say that a name is one of a sequence.
 
     Raises:
         InputError: the text has two readings, or contains a known mistake.
     """
-    return _read(text, claimed=True)
+    return _read(text, True, given)
 
 
 def spelled_conditions(text: str) -> str | None:
     """Return conditions in the strict grammar, or None, as :func:`spelled` does for claims."""
-    found = _read(text, claimed=False)
+    found = _read(text, False)
     return None if found is None else found.given
 
 
-def _read(text: str, claimed: bool) -> Spelled | None:
+def _read(text: str, claimed: bool, given: str = "") -> Spelled | None:
     if "\\" in text and "\\" in _SIMPLE.sub("", text):
         return None
     source, found = tokens(text)
     if not found or sum(token.text == "given" for token in found) > 1:
         return None
-    sentence = _Sentence(source, found)
+    said = _CONDITIONS.sub(",", signs(f"{given}, {text}"))
+    sentence = _Sentence(source, found, sequences_of(said))
     try:
         result = sentence.claim() if claimed else sentence.only_conditions()
     except (NotSpelledError, RecursionError):
@@ -94,8 +102,8 @@ def _read(text: str, claimed: bool) -> Spelled | None:
 class _Sentence:
     """Parse a claim with its conditions."""
 
-    def __init__(self, source: str, found: list[Token]) -> None:
-        self.typed = Typed(found)
+    def __init__(self, source: str, found: list[Token], sequences: frozenset[str]) -> None:
+        self.typed = Typed(found, sequences)
         self.source = source
         self.given: list[str] = []
         self.path = ""

@@ -229,6 +229,8 @@ def spell_constant(typed: Typed, name: str) -> str:
 
 def spell_letter(typed: Typed, name: str, token: Token) -> str:
     """A letter before parentheses: a function that is left unknown, or a factor."""
+    if name in typed.sequences and name not in typed.alone:
+        return f"{name}({', '.join(spell_arguments(typed))})"
     if name in typed.alone or name in ("pi", "E", "e"):
         check_product(typed, name)
         return spell_constant(typed, name)

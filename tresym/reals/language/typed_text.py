@@ -70,11 +70,12 @@ class Typed:
         under: the operators that are open: what ends their bodies is no factor.
         alone: names that stand without a bracket somewhere.
         brackets: arguments stand in square brackets, as in Mathematica.
+        sequences: names for which the text or its conditions state a recurrence.
         maple: ranges are written ``1..n``, as in Maple.
     """
 
-    def __init__(self, found: list[Token]) -> None:
-        self.tokens = found
+    def __init__(self, found: list[Token], sequences: frozenset[str] = frozenset()) -> None:
+        self.tokens, self.sequences = found, sequences
         self.at = 0
         self.bars = 0
         self.under: list[str] = []

@@ -16,6 +16,8 @@ _SIGNS = str.maketrans(
         **{chr(0x3B1 + k): f" {name} " for k, name in enumerate(_GREEK)},
         **{
             "Γ": " Gamma ",
+            "Θ": " Theta ",
+            **{"⌊": " floor(", "⌋": ")", "⌈": " ceiling(", "⌉": ")"},
             "ϕ": " varphi ",
             "ϵ": " varepsilon ",
             "∞": " oo ",
