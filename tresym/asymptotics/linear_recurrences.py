@@ -25,11 +25,13 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from flint import fmpq, fmpq_mat, fmpz_poly
 
+from tresym.asymptotics.first_order_recurrences import FirstOrder, first_order
 from tresym.reals.decisions.answer import Answer, Decide
 from tresym.reals.decisions.readable_witnesses import decided_at, tidied
 from tresym.reals.decisions.statement import Statement, functions
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import elementary
+from tresym.reals.language.calls import FACTORIAL
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     MINUS_ONE,
@@ -359,6 +361,12 @@ def _is_lower_bound(link: Compared, n: str) -> bool:
     return right == symbol(n) and left.op == "number" and relation in ("<", "<=")
 
 
+def sequence_nodes(claim: Comparison) -> Iterator[Expr]:
+    """Yield the values of sequences in a claim: all but factorials."""
+    for e in (claim.left, claim.right):
+        yield from (node for node in functions(e) if node.args[0].args[0] != FACTORIAL)
+
+
 def decide_every_value(claim: Comparison, statement: Statement, decided: Decide) -> Answer | None:
     """Decide a claim about a(n) for every n, or return None where it is no linear recurrence.
 
@@ -367,7 +375,7 @@ def decide_every_value(claim: Comparison, statement: Statement, decided: Decide)
         statement: its conditions: the recurrence, its first values, and n integer, n >= m.
         decided: decides explicit claims.
     """
-    nodes = {node for e in (claim.left, claim.right) for node in functions(e)}
+    nodes = set(sequence_nodes(claim))
     indices = {name for node in nodes for e in node.args[1:] for name in symbols(e)}
     if len(indices) != 1 or claim.derivatives or statement.path is not None:
         return None
@@ -378,7 +386,7 @@ def decide_every_value(claim: Comparison, statement: Statement, decided: Decide)
     if not all(_is_lower_bound(link, n) for link in given.comparisons):
         return None
     least = given.box[n].first_integer()
-    sequence = solved(statement, n)
+    sequence = solved(statement, n) or first_order(statement, n)
     if sequence is None or least is None or {m.args[0] for m in nodes} != {sequence.name}:
         return None
     places = {node: _place(node, n) for node in nodes}
@@ -398,7 +406,7 @@ def decide_every_value(claim: Comparison, statement: Statement, decided: Decide)
     if reach > 200:
         return None
     terms = list(islice(sequence.terms(), reach + LOOKED_AT + 1))
-    for m in range(least, least + LOOKED_AT):
+    for m in range(least, min(least + LOOKED_AT, first + len(terms) - reach)):
         at = {
             node: number(terms[(k or 0) + (m if n in symbols(node.args[1]) else 0) - first])
             for node, k in places.items()
@@ -417,7 +425,9 @@ def decide_every_value(claim: Comparison, statement: Statement, decided: Decide)
     return _with_values(answer, sequence, places)
 
 
-def _with_values(answer: Answer, sequence: Solved, places: dict[Expr, int | None]) -> Answer:
+def _with_values(
+    answer: Answer, sequence: Solved | FirstOrder, places: dict[Expr, int | None]
+) -> Answer:
     """Return an answer, a refutation with the values of the sequence that violate the claim."""
     at = (answer.witness or {}).get(sequence.n, "")
     if answer.verdict is not Verdict.REFUTED or not at.lstrip("-").isdigit():

@@ -33,9 +33,16 @@ from flint import arb, fmpq
 from tresym.asymptotics.approximation import Approximation, approximated, size
 from tresym.asymptotics.divide_and_conquer import decide_divided
 from tresym.asymptotics.divided_arguments import decide_divided_arguments
+from tresym.asymptotics.first_order_recurrences import FirstOrder, first_order
 from tresym.asymptotics.lemma import Bound, End, Expansion, Obligations
 from tresym.asymptotics.lemma_claims import decide_with_expansions
-from tresym.asymptotics.linear_recurrences import LINEAR, UNSUPPORTED_ROOTS, Solved, solved
+from tresym.asymptotics.linear_recurrences import (
+    LINEAR,
+    UNSUPPORTED_ROOTS,
+    Solved,
+    sequence_nodes,
+    solved,
+)
 from tresym.asymptotics.rooted_arguments import decide_rooted
 from tresym.asymptotics.roots import zeros_of
 from tresym.reals.decisions.answer import Answer, Decide
@@ -146,6 +153,9 @@ def _decide(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
     higher = solved(statement, path.name)
     if higher is not None and len(higher.coefficients) > 1:
         return _of_higher_order(claim, statement, higher, decided)
+    first = first_order(statement, path.name)
+    if first is not None and (first.added != ZERO or path.name in symbols(first.factor)):
+        return _of_higher_order(claim, statement, first, decided)
     sequence = _sequence(statement)
     n = symbol(path.name)
     names = {node for e in (claim.left, claim.right) for node in functions(e)}
@@ -168,13 +178,13 @@ def _decide(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
 
 
 def _of_higher_order(
-    claim: Comparison, statement: Statement, sequence: Solved, decided: Decide
+    claim: Comparison, statement: Statement, sequence: Solved | FirstOrder, decided: Decide
 ) -> Answer:
     """Decide a claim about the solution of a linear recurrence of order 2 and more."""
     n = sequence.n
     if n in statement.given.names:
         raise _OpenError(f"conditions on {n} beside a recurrence are not supported")
-    nodes = {node for e in (claim.left, claim.right) for node in functions(e)}
+    nodes = set(sequence_nodes(claim))
     if any(m.args[0] != sequence.name or _shift(m, symbol(n)) is None for m in nodes):
         raise _OpenError(f"the claim must be about {sequence.name.args[0]}({n}) alone")
     form = sequence.closed()

@@ -293,6 +293,13 @@ def _decide(comparison: Comparison, statement: Statement) -> Answer:
         if answer is not None:
             return answer
     parts = _Parts.of(comparison, statement)
+    if parts.at_integers and statement.equations and parts.unknown - {FACTORIAL}:
+        from tresym.asymptotics.linear_recurrences import decide_every_value
+
+        with stage("recurrence"):
+            answer = decide_every_value(comparison, statement, _bounded)
+        if answer is not None:
+            return answer
     for procedure, applies, _ in ORDER:
         if applies(parts):
             with stage(_spoken(procedure.__name__)):
@@ -524,12 +531,6 @@ def _gamma_forms(*claim: Any) -> Answer:
 def _integer_variables(*claim: Any) -> Answer:
     from tresym.reals.decisions.integer_variables import decide_whole
 
-    if claim[1].equations:
-        from tresym.asymptotics.linear_recurrences import decide_every_value
-
-        found = decide_every_value(*claim)
-        if found is not None:
-            return found
     return _for_every_argument(decide_whole(*claim), claim[1])
 
 

@@ -312,6 +312,8 @@ class _Sentence:
             word, after = self.typed.peek().text, self.typed.peek(1)
             if after.kind != "name" and word not in _FILLING:
                 break
+            if word in self.typed.sequences and after.text == "(":
+                break
             if word in _FILLING and (after.kind == "name" or after.text in ("(", "|")):
                 filled = True
             elif word in _KINDS:
