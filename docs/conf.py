@@ -19,7 +19,8 @@ extensions = [
     "tresym.site.extension",
 ]
 root_doc = "index"
-include_patterns = ["index.md", "pages/*", "claims/*", "reference/*", "generated/corrections.md"]
+include_patterns = ["index.md", "pages/*", "claims/*", "atlas/*", "reference/*"]
+include_patterns += ["generated/corrections.md"]
 smartquotes = False
 toc_object_entries = False
 suppress_warnings = ["toc.empty_glob"]
@@ -48,7 +49,7 @@ html_theme = "furo"
 html_title = "tresym"
 html_static_path = ["_static", "_built"]
 html_css_files = ["site.css"]
-html_js_files = ["ledger.js"]
+html_js_files = ["ledger.js", "atlas.js"]
 html_math_renderer = "mathml"
 html_search_scorer = str(Path(__file__).parent / "_built" / "scorer.js")
 html_copy_source = False

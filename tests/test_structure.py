@@ -19,7 +19,7 @@ LAYERS = (
     ("checking",),
     ("repair",),
     ("accuracy",),
-    ("racket", "output", "ledger", "release"),
+    ("racket", "output", "ledger", "release", "entries"),
     ("papers",),
     ("sweep", "coq", "manuscript"),
     ("report",),

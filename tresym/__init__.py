@@ -20,11 +20,13 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:  # for editors and type checkers, which would accept any name without it
     from tresym.proofs.python_api import figure
 
+    from tresym.accuracy.bracketing import best, holds_from
     from tresym.accuracy.constants import constant
     from tresym.accuracy.error_table import error_table
     from tresym.accuracy.expansion import expand
     from tresym.accuracy.largest_error import largest_error
     from tresym.accuracy.values import value
+    from tresym.entries.lookup import atlas
     from tresym.ledger.verification import verify
     from tresym.racket.body import NAMED_BODIES as bodies  # noqa: N811 - the name it is known by
     from tresym.racket.body import Body
@@ -44,6 +46,8 @@ _HOMES = {
     "Body": "tresym.racket.body",
     "InputError": "tresym.reals.numbers.exact",
     "Verdict": "tresym.reals.verdict",
+    "atlas": "tresym.entries.lookup",
+    "best": "tresym.accuracy.bracketing",
     "bodies": "tresym.racket.body",
     "check": "tresym.repair",
     "constant": "tresym.accuracy.constants",
@@ -55,6 +59,7 @@ _HOMES = {
     "flip_defect": "tresym.racket.flip",
     "flip_defects": "tresym.racket.flip",
     "flip_map": "tresym.racket.floats.flipmap",
+    "holds_from": "tresym.accuracy.bracketing",
     "largest_error": "tresym.accuracy.largest_error",
     "open": "tresym.report.pages.opened",
     "paper": "tresym.report.pages.python_api",
@@ -68,6 +73,8 @@ __all__ = [
     "InputError",
     "Verdict",
     "__version__",
+    "atlas",
+    "best",
     "bodies",
     "check",
     "constant",
@@ -79,6 +86,7 @@ __all__ = [
     "flip_defect",
     "flip_defects",
     "flip_map",
+    "holds_from",
     "largest_error",
     "paper",
     "table",

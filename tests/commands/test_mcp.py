@@ -44,7 +44,7 @@ def test_claims_and_manuscripts_are_answered_as_on_the_command_line() -> None:
         ("table", {"exact": "1/x", "approx": "x", "path": "nowhere"}),
         ("paper", {"latex": r"For all real $x$: \[ (x+1)^2 = x^2 + 2x + 1. \]"}),
     )
-    assert tools == {"check", "table", "paper"}
+    assert tools == {"check", "table", "paper", "atlas"}
     proved, refuted, conditional, unread, table, no_table, rows = answers
     assert proved["verdict"] in ("PROVED", "ENCLOSED")
     assert refuted["verdict"] == "REFUTED"

@@ -28,6 +28,8 @@ COMMANDS = (
     "check",
     "expand",
     "error",
+    "atlas",
+    "best",
     "export",
     "paper",
     "new",

@@ -11,6 +11,9 @@ from tresym.reals.numbers.exact import InputError
 LONGEST = 2_000_000
 """Characters of a manuscript that a client may send."""
 
+MOST = 20
+"""Entries of the atlas that are returned at once."""
+
 INSTRUCTIONS = """\
 tresym decides mathematical statements about real numbers. Verdicts: PROVED (exact procedure),
 ENCLOSED (interval arithmetic), REFUTED (with a counterexample, and often a true statement instead),
@@ -24,8 +27,8 @@ def add(commands: Commands) -> None:
         "mcp",
         help="a server for agents: check claims and manuscripts over the Model Context Protocol",
         description="A server of the Model Context Protocol on standard input and output, to be "
-        "started by an agent or a chat client. Its tools are check, table and paper; they answer "
-        "with the JSON of the command line. It needs the extra tresym[mcp].",
+        "started by an agent or a chat client. Its tools are check, table, paper and atlas; "
+        "they answer with the JSON of the command line. It needs the extra tresym[mcp].",
     )
     parser.add_argument("--limit", default="5", metavar="SECONDS", help="for each claim (5)")
 
@@ -120,4 +123,16 @@ def _tools(limit: float) -> list[Any]:
             except InputError as error:
                 return [{"error": str(error)}]
 
-    return [check, table, paper]
+    def atlas(words: str) -> list[dict[str, Any]]:
+        """Look up classical expansions and bounds with proved constants.
+
+        Args:
+            words: the name of an entry, or words such as "erfc bound", "gamma large", "Mills".
+        """
+        from tresym.entries.lookup import found
+        from tresym.entries.reading import entries
+
+        named = [entry for entry in entries() if entry.name == words.strip()]
+        return [entry.as_json() for entry in (named or found(words))[:MOST]]
+
+    return [check, table, paper, atlas]

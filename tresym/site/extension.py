@@ -21,7 +21,7 @@ from tresym.reals.numbers.exact import InputError
 from tresym.report.charts import CHARTS, conclusion
 from tresym.report.pages import opened
 from tresym.report.typesetting.formulas import Piece, pieces
-from tresym.site import claims, commands, docstrings, mathematics, search, sources
+from tresym.site import atlas, claims, commands, docstrings, mathematics, search, sources
 from tresym.site.markdown import statement, titled
 
 BUILT = "_built"
@@ -62,6 +62,7 @@ def write_pages(app: Sphinx) -> None:
         source / "claims" / name: text
         for name, text in claims.pages(ledger_of(source), costs(source))
     }
+    written |= {source / "atlas" / name: text for name, text in atlas.pages()}
     written[source / "reference" / "commands.md"] = commands.reference()
     style = source / BUILT / "mathematics.css"
     if not style.is_file():

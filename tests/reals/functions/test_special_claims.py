@@ -2,19 +2,14 @@
 
 from __future__ import annotations
 
-import random
-from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
 
 import pytest
-from in_mpmath import IN_MPMATH
+from in_mpmath import DIGITS, is_true_at_points, value
 
 import tresym
 from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.decisions.statement import Statement
-from tresym.reals.language.expression import Expr, opened, symbols
-from tresym.reals.language.parsing import parse_claim, parse_given
 from tresym.reals.numbers.arithmetic import mp_precision
 from tresym.reals.verdict import Verdict
 
@@ -30,71 +25,6 @@ LINES = [
 BY_DEFAULT = LINES[::9]
 LEAST = 0.97
 """The share of all claims that must be decided."""
-DIGITS, POINTS, TRIED = 40, 8, 400
-HOLDS: dict[str, Any] = {
-    "==": lambda x, y, tiny: abs(x - y) <= tiny * (1 + abs(x)),
-    "<": lambda x, y, tiny: x < y,
-    "<=": lambda x, y, tiny: x <= y + tiny,
-    ">": lambda x, y, tiny: x > y,
-    ">=": lambda x, y, tiny: x >= y - tiny,
-    "!=": lambda x, y, tiny: x != y,
-}
-
-
-def value(m: Any, e: Expr, at: Mapping[str, Any]) -> Any:
-    """The value of a tree by mpmath alone, with derivatives as limits of differences."""
-    args = e.args
-    if e.op == "number":
-        return m.mpf(int(args[0].p)) / int(args[0].q)
-    if e.op == "symbol":
-        return at[args[0]]
-    if e.op == "pi":
-        return +m.pi
-    if e.op == "derivative":
-        (name,), body = opened(e)
-        return m.diff(lambda t: value(m, body, {**at, name: t}), value(m, args[1], at))
-    values = [value(m, arg, at) for arg in args]
-    if e.op == "+":
-        return m.fsum(values)
-    if e.op == "*":
-        return m.fprod(values)
-    if e.op == "^":
-        return values[0] ** values[1]
-    if e.op in IN_MPMATH:
-        return IN_MPMATH[e.op](m, *values)
-    return getattr(m, "fabs" if e.op == "abs" else "ln" if e.op == "log" else e.op)(*values)
-
-
-def is_true_at_points(claim: str) -> bool:
-    """Whether mpmath finds the claim true at random points that satisfy its conditions."""
-    text, _, conditions = claim.partition(" given ")
-    (relation,) = parse_claim(text)
-    given = list(parse_given(conditions)) if conditions else []
-    left, sign, right = relation
-    names = sorted(symbols(left) | symbols(right))
-    chance, seen = random.Random(claim), 0
-    with mp_precision(DIGITS) as m:
-        tiny = m.mpf(10) ** -18 if "diff" in claim else m.mpf(10) ** (6 - DIGITS)
-        for _ in range(TRIED if names else 1):
-            scale = chance.choice((0.3, 1, 3, 9))
-            at = {name: m.mpf(chance.uniform(-1, 1)) * scale for name in names}
-            try:
-                if not all(HOLDS[r](value(m, x, at), value(m, y, at), 0) for x, r, y in given):
-                    continue
-                x, y = value(m, left, at), value(m, right, at)
-                if any(at[name] * m.e < -1 for name in names if "lambertw" in claim):
-                    continue
-                if abs(m.im(x)) + abs(m.im(y)) > 0 or not m.isfinite(m.re(x) + m.re(y)):
-                    continue
-                if not HOLDS[sign](m.re(x), m.re(y), tiny):
-                    return False
-            except (ValueError, ZeroDivisionError, OverflowError, TypeError, m.NoConvergence):
-                continue
-            seen += 1
-            if seen == POINTS and sign == "==":
-                break
-    assert seen, claim
-    return True
 
 
 def is_true_along_path(statement: Statement) -> bool:

@@ -22,7 +22,7 @@ def test_how_a_claim_is_set(claim: str, latex: str) -> None:
         ("x == x given x > 0, y <= 1", r"x = x \quad (x > 0,\ y \le 1)"),
         ("sin(n*pi) == 0 given n integer", r"\sin(n \, \pi) = 0 \quad (n \in \mathbb{Z})"),
         ("log(x) == o(x) as x -> oo", r"\ln(x) = o(x) \quad (x \to \infty)"),
-        ("exp(x) == 1 + o(1) as x -> 0-", r"e^{x} = o(1) + 1 \quad (x \to 0^-)"),
+        ("exp(x) == 1 + o(1) as x -> 0-", r"e^{x} = 1 + o(1) \quad (x \to 0^-)"),
         ("no claim", ""),
     ],
 )

@@ -508,6 +508,14 @@ def fresh(name: str, taken: Container[str]) -> str:
     return next(found for n in count() if (found := f"{name}_{n}" if n else name) not in taken)
 
 
+def orders_last(terms: tuple[Expr, ...]) -> tuple[Expr, ...]:
+    """Return the terms of a sum in the order of print, a number first and O last, if there is O."""
+    if not any(term.op in ORDERS for term in terms):
+        return terms
+    place = {"number": 0} | dict.fromkeys(ORDERS, 2)
+    return tuple(sorted(terms, key=lambda term: place.get(term.op, 1)))
+
+
 def _text(e: Expr, level: int) -> str:
     """Return the text of ``e`` in the grammar of parsing.py; ``level`` is the surrounding
     precedence.
@@ -521,7 +529,7 @@ def _text(e: Expr, level: int) -> str:
     if e.op == "pi":
         return "pi"
     if e.op == "+":
-        terms = e.args
+        terms = orders_last(e.args)
         last = terms[-1]
         if DOTS in terms:  # the dots are written last, and a number first
             numbers = [term for term in terms if term.op == "number"]

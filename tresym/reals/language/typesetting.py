@@ -20,6 +20,7 @@ from tresym.reals.language.expression import (
     instantiate,
     number,
     opened,
+    orders_last,
     power,
     symbols,
 )
@@ -181,7 +182,9 @@ class _Printer:
 
     def sum(self, e: Expr) -> str:
         """Terms with their signs; a positive one comes first: 1 − x."""
-        terms = sorted(e.args, key=_is_negative) if _is_negative(e.args[0]) else e.args
+        terms = orders_last(e.args)
+        if terms is e.args and _is_negative(terms[0]):
+            terms = tuple(sorted(terms, key=_is_negative))
         text = self.shown(terms[0])
         for term in terms[1:]:
             sign, shown = ("minus", -term) if _is_negative(term) else ("plus", term)
