@@ -186,7 +186,8 @@ def _followers(tokens: Sequence[str], found: Sequence[Mention]) -> Noted:
     for one in found:
         before, earlier = tokens[max(one.start - 1, 0)], tokens[max(one.start - 2, 0)]
         words = _shown(tokens, one.start - 2, one.end)
-        if before in _OF_MATRICES and len(one.subscript) < 2:
+        entry = tokens[one.end : one.end + 1] == ["&"]  # of a matrix that is written out
+        if before in _OF_MATRICES and len(one.subscript) < 2 and not entry:
             yield MATRIX, one, words
         elif before in _OF_COMPLEX:
             yield COMPLEX, one, words

@@ -25,6 +25,7 @@ from tresym.manuscript.classification import (
     TwoReadings,
     claim,
 )
+from tresym.manuscript.components import by_components
 from tresym.manuscript.conditions import Conditions
 from tresym.manuscript.context import Under
 from tresym.manuscript.directives import Orders, orders_of
@@ -185,7 +186,11 @@ class _Reading(LinkReader):
             return
         self.memory.remember(prose.first_sentence(after))
         count, self.cases = 0, []
-        groups = _with_conditions_behind(_grouped(found))
+        groups = [
+            (one, under)
+            for said, under in _with_conditions_behind(_grouped(found))
+            for one in by_components(said)
+        ]
         plainly = (
             (place, said)
             for place, (said, under) in enumerate(groups)

@@ -240,11 +240,13 @@ _METHODS = re.compile(
 
 
 def _stands_alone(left: Expr, right: Expr) -> bool:
-    """Whether an equality has the form of a definition or a law: one side is a symbol that the
-    other does not contain, or the sides have no symbol in common."""
+    """Whether an equality has the form of a definition, a law or an equation: one side is a symbol
+    that the other does not contain, or the sides have no symbol in common."""
     own, others = symbols(left), symbols(right)
     if own and others and own.isdisjoint(others):
         return True
+    if bool(own) != bool(others) and not elementary(right if own else left):
+        return True  # the value of an integral in letters
     pairs = ((left, others), (right, own))
     return any(side.op == "symbol" and symbols(side).isdisjoint(rest) for side, rest in pairs)
 
