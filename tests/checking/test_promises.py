@@ -135,3 +135,23 @@ def test_a_reason_names_what_is_so(claim: str, words: str, not_said: str) -> Non
     why = tresym.check(claim).why
     assert words in why
     assert not_said not in why
+
+
+@pytest.mark.parametrize(
+    ("claim", "smallest", "sharp"),
+    [
+        ("exp(x) == 1 + O(x) as x -> 0 on abs(x) <= 1", 1.7182818, True),  # e − 1
+        ("integral(exp(-x*t)/(1+t), t, 0, oo) == 1/x + O(1/x**2) as x -> oo", 1, False),
+        ("E1(x) == exp(-x)/x + O(exp(-x)/x**2) as x -> oo on x >= 1", 1, False),
+        ("exp(a*x) == 1 + O(x) given 0 < a, a < 1 uniformly as x -> 0", 1.0517, False),
+    ],
+)
+def test_an_answer_says_whether_its_constant_is_sharp(
+    claim: str, smallest: float, sharp: bool
+) -> None:
+    answer = tresym.check(claim)
+    assert answer.sharp is sharp
+    assert answer.constant is not None
+    top = float(answer.constant.mid) + float(answer.constant.rad)
+    assert top >= smallest
+    assert not sharp or top <= 1.02 * smallest

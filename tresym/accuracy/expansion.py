@@ -13,7 +13,7 @@ from tresym.asymptotics.expansion import MOST, terms_of
 from tresym.asymptotics.explicit_terms import Terms
 from tresym.checking import check
 from tresym.checking.dispatch import decide_within_limits
-from tresym.reals.decisions.answer import Answer, constant_text
+from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.decisions.roots import as_variables, root_nodes
 from tresym.reals.decisions.statement import Statement
@@ -54,9 +54,7 @@ class Expansion:
         lines = [f"{said} + O({self.gauge})   as {self.path}   ({self.answer.verdict.value})"]
         if self.answer.constant is not None:
             where = f" on {self.answer.region}" if self.answer.region else ""
-            lines.append(
-                f"  constant   {constant_text(self.answer.constant, not self.answer.lemma)}{where}"
-            )
+            lines.append(f"  constant   {self.answer.constant_text()}{where}")
         return "\n".join(lines)
 
     def as_latex(self) -> str:

@@ -31,13 +31,13 @@ from tresym.asymptotics.lemma import (
     End,
     Expansion,
     Obligations,
+    exact_upper,
     folded,
-    rounded_up,
     smallest,
 )
 from tresym.asymptotics.order_claims import region
 from tresym.asymptotics.rational_functions import over, roots_of
-from tresym.reals.decisions.answer import Answer, Decide, constant_ball, worst
+from tresym.reals.decisions.answer import Answer, Decide, worst
 from tresym.reals.decisions.hypergeometric import OpenError, polynomial
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.statement import Statement
@@ -66,7 +66,7 @@ from tresym.reals.language.expression import (
 from tresym.reals.language.paths import Path
 from tresym.reals.normal.to_expression import in_lowest_terms
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.exact import Decimal, InputError, parse_number
+from tresym.reals.numbers.exact import Decimal, InputError, decimal_above, parse_number
 from tresym.reals.signs.interior import PROVING
 from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
@@ -552,7 +552,7 @@ class _Claim:
                 total += share[0]
                 reach.append(share[1])
             limits = [r for r in reach if r is not None]
-            constant = constant_ball(arb(rounded_up(total, 6)))
+            constant = Decimal(decimal_above(exact_upper(total), 6), "0")
         return constant, region(self.path, min(limits)) if limits else f"{self.path.name} > 0"
 
     def _ratio(self, above: Expr, below: Expr) -> tuple[arb, fmpq | None] | None:

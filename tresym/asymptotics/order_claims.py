@@ -170,17 +170,16 @@ def _holds(claim: Comparison, path: Path, found: list[Judgement]) -> Answer:
             constant = arb(0)
             for judgement in found:
                 constant = constant.max(judgement.constant)
-            bound = constant.upper().str(6, radius=False)
-        sentence = f"|left| <= C |right| with C about {bound}"
+    behaves = ""
     if leading.true_order is not None:
         order = _readable(leading.true_order, path, path.sides[0])
-        sentence += f"; the left side behaves like {order}"
-    return Answer(
-        Verdict.ENCLOSED,
-        sentence,
-        constant=None if constant is None else constant_ball(constant),
-        region=region(path, reach),
-    )
+        behaves = f"; the left side behaves like {order}"
+    ball = None if constant is None else constant_ball(constant)
+    answer = Answer(Verdict.ENCLOSED, sentence, constant=ball, region=region(path, reach))
+    if constant is not None:
+        about = f"about {constant.upper().str(6, radius=False)}"
+        sentence = f"|left| <= C |right| with C {about if answer.sharp else answer.constant_text()}"
+    return replace(answer, why=sentence + behaves)
 
 
 def _refutation(

@@ -125,7 +125,6 @@ def row_lines(row: Row, full: bool, width: int, colour: bool) -> list[str]:
     from textwrap import wrap
 
     from tresym.papers.reading import PaperClaim
-    from tresym.reals.decisions.answer import constant_text
     from tresym.reals.language.formula import chained
     from tresym.reals.notebook import abbreviated
 
@@ -155,7 +154,7 @@ def row_lines(row: Row, full: bool, width: int, colour: bool) -> list[str]:
         say("witness: " + ", ".join(f"{k} = {v}" for k, v in answer.witness.items()), "2")
     if answer is not None and answer.constant is not None and (full or row.verdict.holds):
         region = f" on {answer.region}" if answer.region else ""
-        say(f"constant: {constant_text(answer.constant, not answer.lemma)}{region}", "2")
+        say(f"constant: {answer.constant_text()}{region}", "2")
     if full and answer is not None and answer.lemma:
         say(f"lemma: {answer.lemma}", "2")
     if full and claim is not None and claim.has_parameters and answer is not None:

@@ -185,7 +185,7 @@ class Answer:
             rows.append(("left side", ball_text(self.values[0])))
             rows.append(("right side", ball_text(self.values[1])))
         if self.constant is not None:
-            rows.append(("constant", constant_text(self.constant, not self.lemma)))
+            rows.append(("constant", self.constant_text()))
         rows.append(("region", self.region or ""))
         if self.uniform is not None:
             rows.append(("uniform", "yes" if self.uniform else "no"))
@@ -193,6 +193,36 @@ class Answer:
         rows += [("obligation", str(part)) for part in self.obligations]
         rows += [("instead", str(found)) for found in self.instead]
         return [row for row in rows if row[1]]
+
+    @property
+    def sharp(self) -> bool | None:
+        """Whether the constant is known to one per cent; None without a constant.
+
+        A lemma, and a constant for all values of parameters, give an upper bound alone.
+        """
+        if self.constant is None:
+            return None
+        middle, radius = map(parse_number, self.constant)
+        return self._encloses_smallest and radius <= middle / 100
+
+    @property
+    def _encloses_smallest(self) -> bool:
+        return not self.lemma and self.uniform is not True
+
+    def constant_text(self) -> str:
+        """Return what is known of the smallest constant; empty without one.
+
+        Example:
+            >>> import tresym
+            >>> tresym.check("exp(x) == 1 + O(x) as x -> 0 on abs(x) <= 1").constant_text()
+            'between 1.71828 and 1.71829'
+            >>> claim = "integral(exp(-x*t)/(1+t), t, 0, oo) == O(1/x) as x -> oo"
+            >>> tresym.check(claim).constant_text()
+            'at most 1'
+        """
+        if self.constant is None:
+            return ""
+        return constant_text(self.constant, self._encloses_smallest)
 
     def as_json(self) -> dict[str, Any]:
         """A JSON value; every key is always there.
@@ -208,6 +238,7 @@ class Answer:
         }
         value["witness"] = None if self.witness is None else dict(self.witness)
         value["constant"] = None if self.constant is None else self.constant._asdict()
+        value["sharp"] = self.sharp
         value["values"] = None if self.values is None else [ball._asdict() for ball in self.values]
         value["instead"] = [found._asdict() for found in self.instead]
         value["obligations"] = [part._asdict() for part in self.obligations]
@@ -266,7 +297,7 @@ def constant_text(ball: Decimal, smallest: bool = True) -> str:
         'at most 2200'
     """
     if ball.rad == "0":
-        return ball.mid
+        return ball.mid if smallest else f"at most {ball.mid}"
     with decimal.localcontext(decimal.Context(prec=2 * decimal.getcontext().prec + len(ball.mid))):
         middle, radius = map(decimal.Decimal, ball)
         ends = middle - radius, middle + radius

@@ -7,6 +7,7 @@ FLINT, which has none of Python's limits on digits.
 
 from __future__ import annotations
 
+import decimal
 import re
 from numbers import Rational
 from operator import index
@@ -362,6 +363,18 @@ def whole_number(x: object, least: int, most: int, what: str) -> int:
     if isinstance(x, bool) or not least <= found <= most:
         raise InputError(f"{what}: must be an integer from {least} to {most}")
     return found
+
+
+def decimal_above(x: fmpq, digits: int) -> str:
+    """Return a decimal of so many digits that is at least ``x``.
+
+    Example:
+        >>> decimal_above(fmpq(1, 3), 6), decimal_above(fmpq(2), 6), decimal_above(fmpq(-1, 3), 2)
+        ('0.333334', '2', '-0.33')
+    """
+    context = decimal.Context(prec=digits, rounding=decimal.ROUND_CEILING)
+    found = context.divide(decimal.Decimal(int(x.p)), decimal.Decimal(int(x.q)))
+    return f"{found:f}" if -digits < found.adjusted() < digits else str(found).replace("E", "e")
 
 
 def fraction_text(x: fmpq) -> str:

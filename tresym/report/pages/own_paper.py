@@ -24,7 +24,6 @@ from tresym.papers.reading import (
     Section,
 )
 from tresym.papers.verification import PaperReport, Row
-from tresym.reals.decisions.answer import constant_text
 from tresym.reals.language.calls import INFINITY, INTEGERS
 from tresym.reals.language.compound import formula_in_latex, mapped
 from tresym.reals.language.expression import (
@@ -312,7 +311,7 @@ def _verdict(row: Row, item: PaperClaim, look: _Style) -> str:
         uniform = "all values of the parameters at once" if answer.uniform else ""
         text += f" It holds for {uniform or 'each fixed value of the parameters'}."
     if answer is not None and answer.constant is not None:
-        text += f" The constant is {look.words(constant_text(answer.constant, not answer.lemma))}."
+        text += f" The constant is {look.words(answer.constant_text())}."
     if answer is not None and answer.region:
         text += f" Region: {look.code(answer.region)}."
     if row.axioms:
