@@ -26,6 +26,7 @@ from tresym.checking.claim_cross_check import with_orders
 from tresym.reals.cross_check import FALSE, program
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.readable_witnesses import constants_hold, simple_points
+from tresym.reals.decisions.rounding import rounded_numbers
 from tresym.reals.decisions.statement import Statement, functions
 from tresym.reals.domain.binder_values import jumps
 from tresym.reals.domain.conditions import Given
@@ -200,7 +201,8 @@ def _known(e: Expr, values: Values) -> Expr:
 
 
 def _with_coefficients(e: Expr) -> Expr:
-    """Return ``e`` with coefficients of power series, at numbers, computed from the series."""
+    """Return ``e`` with floors of numbers, and with coefficients of power series at numbers."""
+    e = rounded_numbers(e)
     nodes = {node for node in outermost(e) if node.op == "coefficient"}
     if not nodes:
         return e

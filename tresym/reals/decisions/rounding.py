@@ -179,6 +179,17 @@ def _value(e: Expr) -> Expr | None:
     return None if found is None else number(int(found))
 
 
+def rounded_numbers(e: Expr) -> Expr:
+    """Return ``e`` with the values of floors and ceilings of rational numbers."""
+    for node in [node for node in functions(e) if is_rounded(node)]:
+        inner = tidied(node.args[1])
+        if inner.op == "number":
+            x = inner.args[0]
+            value = x.floor() if node.args[0].args[0] == "floor" else x.ceil()
+            return rounded_numbers(replaced(e, {node: number(value)}))
+    return e
+
+
 def _loose(e: Expr) -> list[Expr]:
     """Return the floors and ceilings of ``e`` that are no arguments of sequences, inner ones first.
 
