@@ -258,9 +258,11 @@ def _interval(problem: Problem, plain: Given) -> tuple[Given, Given, Expr, Expr 
         if x not in (left, right) or problem.time in symbols(end) or relation == "!=":
             raise OpenError(f"the conditions must keep {x} in an interval")
         if (relation[0] == "<") == (left == x):
-            if sign(end - start, fixed, ">") not in PROVING[">"] or top not in (None, end):
+            later = top is not None and sign(end - top, fixed, ">=") in PROVING[">="]
+            sooner = top is None or sign(top - end, fixed, ">=") in PROVING[">="]
+            if sign(end - start, fixed, ">") not in PROVING[">"] or not (later or sooner):
                 raise OpenError(f"the conditions must keep {x} in an interval after {start}")
-            top = end
+            top = top if later else end
         elif sign(end - start, fixed, ">=") not in PROVING[">="]:
             raise OpenError(f"the conditions must keep {x} after {start}")
         else:
