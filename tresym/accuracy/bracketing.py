@@ -24,12 +24,13 @@ from flint import fmpq
 
 from tresym.checking.time_limited import Task, check_within
 from tresym.reals.decisions.answer import Answer
-from tresym.reals.language.claims import Written, read_as, read_claim
+from tresym.reals.language.claims import Written, read_claim
 from tresym.reals.language.comparisons import LIMIT, ORDERS
 from tresym.reals.language.expression import number, substitute, symbol, symbols
 from tresym.reals.language.formula import Compared
 from tresym.reals.language.parsing import parse
 from tresym.reals.language.paths import read_path
+from tresym.reals.language.readings import read_as
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 

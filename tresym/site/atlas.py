@@ -12,7 +12,7 @@ from html import escape
 from tresym import __version__
 from tresym.entries.lookup import bibtex, text_of
 from tresym.entries.reading import SUBJECTS, Decided, Entry, entries
-from tresym.reals.language.claims import in_latex
+from tresym.reals.language.readings import in_latex
 from tresym.report.typesetting.markdown import escaped
 from tresym.site.markdown import badge
 
