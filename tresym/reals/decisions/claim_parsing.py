@@ -15,7 +15,9 @@ from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.path_regions import reach_of
 from tresym.reals.decisions.statement import Statement, functions
 from tresym.reals.domain.conditions import Given
+from tresym.reals.expansions.limit_values import limit_of as value_of_limit
 from tresym.reals.language import expression
+from tresym.reals.language.binders import outermost
 from tresym.reals.language.claims import NO_CHAIN, Written, parts_of, read_claim
 from tresym.reals.language.comparisons import (
     LIMIT,
@@ -27,9 +29,17 @@ from tresym.reals.language.comparisons import (
     spread,
 )
 from tresym.reals.language.derivatives import differentiate
-from tresym.reals.language.expression import ZERO, Expr, number, symbol, symbols
+from tresym.reals.language.expression import (
+    ZERO,
+    Expr,
+    number,
+    opened,
+    replaced,
+    symbol,
+    symbols,
+)
 from tresym.reals.language.formula import Compared
-from tresym.reals.language.paths import Path
+from tresym.reals.language.paths import Path, ending
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.signs.sign import sign as sign_of
 from tresym.reals.verdict import Verdict
@@ -112,6 +122,7 @@ def _stated(written: Written, text: str) -> Statement:
         if not (where.low_open or where.high_open)
     )
     integers = tuple(dict.fromkeys(str(link[0]) for link in said if link[1] == "in"))
+    parts = tuple(_with_limits_worked_out(part, given) for part in parts)
     if len(parts) == 1 and any(side.op == "limit" for side in parts[0][::2]):
         comparison, path = limit_of(*parts[0], path)
         comparisons: tuple[Comparison, ...] = (comparison,)
@@ -124,6 +135,27 @@ def _stated(written: Written, text: str) -> Statement:
         if not (tending and found.has_initial_values):
             raise InputError(UNIFORM)
     return found
+
+
+def _with_limits_worked_out(part: Compared, given: Given) -> Compared:
+    """Put values for the limits of a comparison, but for a single one that stands alone."""
+    left, relation, right = part
+    nodes = [node for node in outermost(left, right) if node.op == "limit"]
+    lone = next((side for side in (left, right) if side.op == "limit"), None)
+    if not nodes or {*nodes} == {lone} or relation not in ("==", "<", "<=", ">", ">=", "!="):
+        return part
+    values = {node: value for node in nodes if (value := _limit(node, given)) is not None}
+    if lone is not None and {*nodes} - {lone} <= values.keys():
+        values.pop(lone, None)
+    return replaced(left, values), relation, replaced(right, values)
+
+
+def _limit(node: Expr, given: Given) -> Expr | None:
+    """Return the value of a limit, the same from both sides; None if it is not computed."""
+    (name,), body = opened(node, symbols(node))
+    path = ending(name, node.args[1], {1: "+", -1: "-"}.get(int(node.args[2].args[0].p), ""))
+    found = {value_of_limit(body, name, path.point, side, given) for side in path.sides}
+    return found.pop() if len(found) == 1 else None
 
 
 def _need_apart(comparisons: Iterable[Comparison], said: Iterable[Compared]) -> None:
