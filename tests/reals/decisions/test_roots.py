@@ -7,6 +7,9 @@ import pytest
 
 import tresym
 from tresym.accuracy.values import value
+from tresym.reals.decisions.claim_parsing import read
+from tresym.reals.decisions.roots import root_nodes
+from tresym.reals.decisions.roots_over_boxes import decide_over_boxes
 from tresym.reals.language.expression import number, substitute, symbol
 from tresym.reals.language.parsing import parse
 from tresym.reals.language.readings import in_latex
@@ -24,6 +27,11 @@ root(y - x, y, 0, 1) == x
 root(k - e*sin(k) - m, k, -oo, oo) <= m + e given 0 < e < 1
 diff(root(y**3 - x, y, 0, oo), x) == 1/(3*root(y**3 - x, y, 0, oo)**2) given x > 0
 diff(root(y*exp(y) - x, y, 0, oo), x)*x > 0 given x > 0
+root(cos(y) - a*y, y, 0, pi/2) + root(y*exp(y) - a, y, 0, oo) < 2 given 1 <= a <= 3/2
+sin(root(y + a*sin(y) - b, y, -3, 3)) > 12/25 given 1/2 <= a <= 1, 1 <= b <= 2
+abs(root(tanh(a*y) - b*cos(y), y, 0, pi/2) - 0.52) < 1/10 given 1 <= a <= 1.1, 0.55 <= b <= 0.6
+root(y**3 + a*y - b, y, 0, 3) ~= 0.682 given a ~= 1.0000, b ~= 1.0000
+root(y - a*exp(-y), y, 0, 2) != b given 1 <= a <= 3/2, 1 <= b <= 2
 """
 FALSE = """
 root(y**2 - a, y, 0, oo) == -sqrt(a) given a > 0
@@ -32,6 +40,9 @@ root(y**5 + e*y - 1, y, 0, oo) < 99/100 given 0 < e < 1
 root(x*exp(x) - 3, x, 0, oo) > 1.05
 root(y - x, y, 0, 1) < 1/2
 diff(root(y**3 - x, y, 0, oo), x) == 1/(2*root(y**3 - x, y, 0, oo)**2) given x > 0
+root(cos(y) - a*y, y, 0, pi/2) + root(y*exp(y) - a, y, 0, oo) < 13/10 given 1 <= a <= 3/2
+sin(root(y + a*sin(y) - b, y, -3, 3)) > 6/7 given 1/2 <= a <= 1, 1 <= b <= 2
+root(y**3 + a*y - b, y, 0, 3) ~= 0.6823 given a ~= 1.0, b ~= 1.0
 """
 NO_VALUE = """
 root(y**2 - 1, y, -2, 2) <= 1
@@ -81,6 +92,25 @@ def test_values_agree_with_lambert_w_and_kepler() -> None:
 def test_a_zero_that_the_search_hits_exactly() -> None:
     assert value("root(y - 1, y, -2, 4)").text.startswith("1.000")
     assert value("root(y**5 + e*y - 1, y, 0, oo)", e="0").text.startswith("1.000")
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        "root(y**3 - a*y, y, -1, 1) + b < 2 given 1/2 <= a <= 3/4, 0 <= b <= 1/2",
+        "root(sign(y - a/4) - b/8, y, -1, 1) < 1 given 1/2 <= a <= 3/4, 0 <= b <= 1/2",
+        "root(y - a, y, 0, 1) + b < 2 given 1 < a <= 2, 0 <= b <= 1/2",
+        "root(y - a, y, 0, 2) + sign(1 - a) < 2 given 1/2 <= a <= 3/2, a != 1",
+        "root(y - a, y, 0, 2) < 1 given 1/2 <= a < 1",
+        "root(y - a, y, 0, 2) < 2 given a >= 1/2",
+        "root(y - a, y, 0, 2) < b given 1/2 <= a < 1",
+    ],
+)
+def test_balls_leave_open_what_they_do_not_show(claim: str) -> None:
+    statement = read(claim)
+    (comparison,) = statement.comparisons
+    nodes = root_nodes(comparison.left, comparison.right)
+    assert decide_over_boxes(comparison, statement, nodes, 60) is None
 
 
 def test_zeros_at_the_ends_do_not_count() -> None:

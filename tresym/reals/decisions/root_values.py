@@ -84,7 +84,7 @@ def enclosed_root(e: Expr, outer: InBalls) -> arb:
         raise UndefinedError
     middle = {n: outer.value(symbol(n)).mid() for n in symbols(body) if n != name}
     near, over = (along(name, body, at, outer) for at in (middle, outer.at))
-    for ends in _brackets(e, outer):
+    for ends in brackets(e, outer):
         try:
             return bracket(near, over, *ends)
         except UndefinedError:
@@ -92,7 +92,7 @@ def enclosed_root(e: Expr, outer: InBalls) -> arb:
     raise UndefinedError
 
 
-def _brackets(e: Expr, outer: InBalls) -> Iterator[tuple[arb, arb]]:
+def brackets(e: Expr, outer: InBalls) -> Iterator[tuple[arb, arb]]:
     """Yield finite intervals in which the zero is looked for."""
     low, high = e.args[1:]
     if INFINITY not in (low, high) and -INFINITY not in (low, high):
@@ -145,6 +145,11 @@ def between(e: Expr, name: str) -> Given:
     x = symbol(name)
     links = [(x, ">", low)] if low != -INFINITY else []
     return Given(tuple(links + ([(x, "<", high)] if high != INFINITY else [])))
+
+
+def unique_in_balls(e: Expr, at: At) -> bool:
+    """Return whether balls show at most one zero between finite ends, for all values in ``at``."""
+    return _only_by_subdivision(e, InBalls(at))
 
 
 def _only_by_subdivision(e: Expr, outer: InBalls) -> bool:

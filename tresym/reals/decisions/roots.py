@@ -5,8 +5,9 @@ for every such y holds for the root, where it exists. A counterexample is one on
 shown to exist there and to be the only one. Example: ``root(y*exp(y) - x, y, 0, oo) <= log(x) given
 x >= E`` becomes ``y <= log(x) given y*exp(y) == x, 0 < y, x >= E``.
 
-Two more methods: a claim without variables is decided by balls around the roots; and if f is
-strictly increasing between the ends, y ≤ g means f(g) ≥ 0 for every g between them.
+More methods: a claim without variables is decided by balls around the roots; if f is strictly
+increasing between the ends, y ≤ g means f(g) ≥ 0 for every g between them; and on a bounded box of
+parameters balls enclose the roots (roots_over_boxes.py).
 """
 
 from __future__ import annotations
@@ -19,6 +20,7 @@ from flint import arb, fmpq
 from tresym.reals.decisions.answer import Answer, Decide, failing, refuted
 from tresym.reals.decisions.equations import point_of
 from tresym.reals.decisions.root_values import between, enclosed, slope_sign
+from tresym.reals.decisions.roots_over_boxes import FEW, decide_over_boxes, is_for_balls
 from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import stands
@@ -103,12 +105,20 @@ def decide_roots(claim: Comparison, statement: Statement, decided: Decide) -> An
             "the derivative of a function of a root is supported only where both the function and "
             "the equation are made of functions that are smooth for all real numbers",
         )
+    if free and is_for_balls(claim, statement, nodes):
+        by_balls = decide_over_boxes(claim, statement, nodes, FEW)
+        if by_balls is not None:
+            return by_balls
     general, inside = as_variables(claim, statement, nodes)
     answer = decided(general, inside)
     if statement.path is not None:
         return answer
     if answer.verdict is Verdict.UNDECIDED and len(nodes) == 1:
         answer = _by_monotonicity(claim, statement, nodes[0], decided) or answer
+    if answer.verdict is Verdict.UNDECIDED:
+        by_balls = decide_over_boxes(claim, statement, nodes)
+        if by_balls is not None:
+            return by_balls
     if answer.verdict is Verdict.REFUTED:
         return _confirmed(answer, claim, statement, nodes)
     if answer:
