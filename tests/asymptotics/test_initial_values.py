@@ -19,7 +19,9 @@ KINDS = {
 
 
 def _rows() -> list[tuple[str, str]]:
-    texts = [(DATA / f"{name}.txt").read_text() for name in ("initial_values", "layers")]
+    texts = [
+        (DATA / f"{name}.txt").read_text() for name in ("initial_values", "layers", "slow_times")
+    ]
     lines = (line.partition(" ") for text in texts for line in text.splitlines())
     return [(kind, claim) for kind, _, claim in lines if kind in KINDS]
 

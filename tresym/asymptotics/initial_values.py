@@ -68,6 +68,7 @@ from tresym.asymptotics.layers import decide_layers
 from tresym.asymptotics.logarithmic_norm import Range, error_bound, exact, supremum
 from tresym.asymptotics.long_time import decide_autonomous
 from tresym.asymptotics.order_claims import region
+from tresym.asymptotics.slow_times import decide_slow_times
 from tresym.reals.decisions.answer import Answer, Decide, constant_ball, exact_text
 from tresym.reals.decisions.readable_witnesses import tidied
 from tresym.reals.decisions.statement import Statement, functions
@@ -130,7 +131,9 @@ def _decide(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
             "without integer conditions"
         )
     if path is not None and path.point == ZERO:
-        found = decide_layers(claim, statement, decided)
+        found = decide_slow_times(claim, statement)
+        if found is None:
+            found = decide_layers(claim, statement, decided)
         if found is not None:
             return found
     problem = problem_of(statement)

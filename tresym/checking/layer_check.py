@@ -21,6 +21,8 @@ COARSE = 500
 """Points of the coarse mesh in each half of the interval."""
 LENGTH = 2.0
 """How far initial value problems are solved."""
+STEP = 0.06
+"""The step for oscillations."""
 FIRST = 1e-4
 """The first step, as a multiple of the small parameter."""
 
@@ -201,6 +203,55 @@ def _marched(
     if not np.isfinite(result).all():
         raise UnsupportedError
     return result
+
+
+def swung(
+    equation: Expr,
+    marks: tuple[str, ...],
+    at: Mapping[str, float],
+    t: str,
+    values: tuple[float, ...],
+    end: float,
+) -> tuple[list[float], list[float]]:
+    """Return times from 0 to an end, and the solution of an initial value problem at them.
+
+    Args:
+        equation: an expression that is 0, linear in the last mark.
+        marks: symbols for the function and its first, or first two, derivatives.
+        at: values of the other variables.
+        t: the variable.
+        values: of the function, and of its derivative, at 0.
+        end: the last time.
+
+    Raises:
+        UnsupportedError: there is no result.
+    """
+    steps = max(1, int(end / STEP))
+    h = end / steps
+
+    def right(time: float, state: tuple[float, ...]) -> tuple[float, ...]:
+        here = {**at, t: time, **dict(zip(marks, state, strict=False))}
+        free = value(equation, {**here, marks[-1]: 0.0})
+        return (*state[1:], float(free / (free - value(equation, {**here, marks[-1]: 1.0}))))
+
+    times, found, state = [0.0], [values[0]], values
+    for k in range(steps):
+        time = k * h
+        one = right(time, state)
+        two = right(time + h / 2, _moved(state, one, h / 2))
+        three = right(time + h / 2, _moved(state, two, h / 2))
+        four = right(time + h, _moved(state, three, h))
+        rows = zip(state, one, two, three, four, strict=True)
+        state = tuple(x + h / 6 * (a + 2 * b + 2 * c + d) for x, a, b, c, d in rows)
+        if not math.isfinite(state[0]):
+            raise UnsupportedError
+        times.append(time + h)
+        found.append(state[0])
+    return times, found
+
+
+def _moved(state: tuple[float, ...], slope: tuple[float, ...], h: float) -> tuple[float, ...]:
+    return tuple(x + h * y for x, y in zip(state, slope, strict=True))
 
 
 def _tridiagonal(

@@ -54,6 +54,8 @@ FAR = (fmpq(10), fmpq(20), fmpq(40))
 """Where claims as t -> oo are looked at."""
 SMALL = (fmpq(1, 16), fmpq(1, 128), fmpq(1, 1024))
 """Values of a small parameter."""
+LONG = (fmpq(1, 10), fmpq(1, 20), fmpq(1, 40))
+"""Values of a small parameter e for claims on intervals of the length of 1/e."""
 SECULAR = (fmpq(1, 6), fmpq(1, 12), fmpq(1, 24))
 """Values of a small parameter e at which times of the order of 1/e are looked at."""
 PARAMETERS = (fmpq(3, 2), fmpq(2, 3), fmpq(-5, 4), fmpq(1, 5), fmpq(7, 2))
@@ -612,6 +614,11 @@ def _small_parameter(
         return None
     ctx.cap = 1
     end = _value(path.point, {})[0]
+    if any(
+        {path.name, system.time} <= symbols(link[0]) | symbols(link[2])
+        for link in statement.given.comparisons
+    ):
+        return _slowly(claim, statement, system, path, answer)
     if _is_layer(system, path, end):
         return _layer(claim, statement, system, path, answer)
     region = _region(answer)
@@ -661,6 +668,61 @@ def _small_parameter(
     refuted = answer.verdict is Verdict.REFUTED and not statement.uniformly
     if refuted and tried >= 2 and bounded == tried:
         return "numerically the ratio of the sides stays bounded"
+    return None
+
+
+def _slowly(
+    claim: Comparison, statement: Statement, system: _System, path: Path, answer: Answer
+) -> str | None:
+    """Whether an error grows on intervals that get longer as the parameter gets smaller."""
+    import numpy as np
+
+    from tresym.checking.layer_check import UnsupportedError, swung, value
+
+    if system.end is not None or len(system.gaps) != 1 or path.sides != (1,):
+        return None
+    ((name, gap),) = system.gaps.items()
+    marks = tuple(str(_mark(name, k).args[0]) for k in range(len(system.state) + 1))
+    nodes = {node for e in (claim.left, claim.right) for node in functions(e)}
+    if nodes != {unknown(name, (symbol(system.time),), (0,))}:
+        return None
+    trees = [replaced(e, dict.fromkeys(nodes, symbol("[N]"))) for e in (claim.left, claim.right)]
+    for at in _choices(claim, statement, system, (path.name,)):
+        sizes = []
+        for small in LONG:
+            ctx.cap = 1
+            here = at | {path.name: arb(small)}
+            series = _constants(here)
+            if not _value(system.start, series)[0].is_zero():
+                return None
+            values = tuple(
+                float(_linear_root(system.values[key], "[V]", series)[0]) for key in system.state
+            )
+            plain = {n: float(x) for n, x in here.items()}
+            ends = [
+                t / small
+                for t in (fmpq(5), fmpq(3), fmpq(2), fmpq(1), fmpq(1, 2))
+                if _allowed(statement, system, here, arb(t / small))
+            ]
+            if not ends:
+                return None
+            try:
+                times, ys = swung(gap, marks, plain, system.time, values, float(ends[0]))
+                ts = np.array(times)
+                place = {**plain, system.time: ts, "[N]": np.array(ys)}
+                left, right = (value(e, place) + 0 * ts for e in trees)
+            except (UnsupportedError, ZeroDivisionError, OverflowError):
+                return None
+            error = abs(left - right) if claim.relation == "->" else abs(left / right)
+            sizes.append(float(error.max()))
+        first, second, third = sizes
+        shown = f"{first:.6g}, {second:.6g} and {third:.6g}"
+        if claim.relation == "O" and answer and third > 1.7 * second > 1.7**2 * first:
+            return f"numerically the ratio of the sides grows as {shown}"
+        if claim.relation == "O" and not answer and third < 1.1 * second < 1.1**2 * first:
+            return f"numerically the ratio of the sides stays bounded: {shown}"
+        if claim.relation != "O" and answer and third > 0.9 * second > 0.9**2 * first > 1e-6:
+            return f"numerically the error does not vanish: {shown}"
     return None
 
 
