@@ -32,6 +32,7 @@ all: both and same and one
 with_more: both and x**2 >= 0
 with_false: both and x**2 > 0 expect refuted
 with_open: both and outside
+some: at some point: f(x) ~= 5.0 given x ~= 2.0
 used: f(x) > 1 given x > 0 using both
 """
 

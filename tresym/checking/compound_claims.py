@@ -7,6 +7,7 @@
 - ``exactly one x in (a, b): f == g``: by the intermediate value theorem a solution exists if f − g
   has opposite signs near the ends, and it is the only one where f − g is monotone, or where its
   second derivative has one sign. Without parameters balls count the solutions.
+- ``at some point: A``: such a point, or a proof that A fails everywhere.
 - ``increasing(f, x)``: f is continuous on an interval and has a positive derivative inside;
   ``convex(f, x)``: its second derivative is not negative. Otherwise the definition itself is
   decided: ``f(x_1) < f(x_2) given x_1 < x_2``, and ``f((x_1 + x_2)/2) <= (f(x_1) + f(x_2))/2``.
@@ -29,7 +30,7 @@ from tresym.reals.decisions.answer import Answer, Obligation, refuted, worst
 from tresym.reals.decisions.claim_parsing import statement_of
 from tresym.reals.decisions.root_values import enclosed
 from tresym.reals.domain.conditions import Given
-from tresym.reals.domain.evaluation import evaluate
+from tresym.reals.domain.evaluation import evaluate, stands
 from tresym.reals.domain.operation_domains import bound, needs
 from tresym.reals.language.binders import derivative, elementary, worked_out
 from tresym.reals.language.calls import INFINITY
@@ -40,6 +41,7 @@ from tresym.reals.language.compound import (
     Equivalent,
     Formula,
     Shape,
+    Somewhere,
     Together,
     leaves,
     shown,
@@ -74,6 +76,8 @@ PARAMETERS = 6
 """Points of the conditions at which solutions are counted to refute a claim."""
 SEVERAL = 3
 """The most parameters for which all combinations of 0, 1 and −1 are tried."""
+POINTS = 60
+"""Points at which a claim that holds somewhere is tried."""
 GRID = 96
 """Points of an interval at which a change of sign is looked for."""
 INJECTIVE = ("log", "exp", "atanh", "tanh", "atan", "asinh", "sinh")
@@ -120,6 +124,8 @@ class _Deciding:
             return self.count(formula)
         if isinstance(formula, Shape):
             return self.shape(formula)
+        if isinstance(formula, Somewhere):
+            return self.somewhere(formula)
         return self.check(statement_of(formula))
 
     def asked(self, link: Compared, given: Iterable[Compared], path: Path | None = None) -> Answer:
@@ -400,6 +406,34 @@ class _Deciding:
                 return [found]
         return tried[:1]
 
+    # at some point: f == g
+
+    def somewhere(self, claim: Somewhere) -> Answer:
+        """Find a point at which all comparisons hold, or show that one of them fails everywhere."""
+        links, given, left = _with_values(claim)
+        if left or any(sign == "in" for _, sign, _ in given):
+            return Answer(UNDECIDED, "points are sought only where conditions are inequalities")
+        where = Given(given).unfolded()
+        names = sorted({n for link in links for side in link[::2] for n in symbols(side)})
+        names = sorted({*names, *where.names} - {INFINITY.args[0]})
+        for point in chain(_middles(where, names), islice(where.points(names, POINTS), POINTS)):
+            at = {name: fmpq(x) for name, x in point.items()}
+            with ball_precision():
+                inside = all(c.holds_exactly(at) for c in where.conditions)
+                values = [enclosed(x - y, at) for x, _, y in links] if inside else []
+            if inside and all(map(partial(_stands_at, at), links, values)):
+                shown = ", ".join(f"{name} = {x}" for name, x in at.items())
+                return Answer(Verdict.ENCLOSED, f"it holds at {shown}" if shown else "it holds")
+        for link in links:
+            against = self.asked(_negated(link), claim.given)
+            if against:
+                why = f"{chained((link,))} fails everywhere: {against.why}"
+                return replace(refuted(why, {}), obligations=(_obligation(against),))
+            if against.verdict is Verdict.REFUTED and len(links) == 1:
+                why = f"its opposite fails: {against.why}"
+                return Answer(Verdict.PROVED, why, obligations=(_obligation(against),))
+        return Answer(UNDECIDED, "no point was found at which it holds")
+
     # increasing(f, x)
 
     def shape(self, claim: Shape) -> Answer:
@@ -605,6 +639,46 @@ class _Solutions:
         near = value.str(6, radius=False)
         why = f"balls show that there is one solution and no other, near {near}"
         return Answer(Verdict.ENCLOSED, why)
+
+
+def _with_values(
+    claim: Somewhere,
+) -> tuple[tuple[Compared, ...], tuple[Compared, ...], list[Compared]]:
+    """The comparisons and conditions with the values of equations ``x == …`` put in, and others."""
+    links, given = claim.comparisons, claim.given
+    for _ in claim.given:
+        known = next(
+            ((x, y) for x, sign, y in given if sign == "==" and x.op == "symbol"
+             and x.args[0] not in symbols(y)), None
+        )  # fmt: skip
+        if known is None:
+            break
+        put = {known[0].args[0]: known[1]}
+        links, given = (
+            tuple((substitute(x, put), sign, substitute(y, put)) for x, sign, y in part)
+            for part in (links, given)
+        )
+        given = tuple(link for link in given if link[0] != link[2])
+    needed = tuple(bound(*part) for part in needs([e for link in links for e in link[::2]]))
+    given = (*given, *(link for link in needed if symbols(link[0]) | symbols(link[2])))
+    return links, given, [link for link in given if link[1] == "=="]
+
+
+def _middles(where: Given, names: Sequence[str]) -> Iterator[dict[str, fmpq]]:
+    """Yield the middle of the ranges of all variables, if they are bounded."""
+    box = [where.box.get(name) for name in names]
+    if all(side is not None and None not in (side.low, side.high) for side in box):
+        yield {n: side.middle for n, side in zip(names, box, strict=True) if side is not None}
+
+
+def _stands_at(at: Mapping[str, fmpq], link: Compared, value: arb) -> bool:
+    """Whether a comparison holds at a point; an equation exactly."""
+    if not value.is_finite():
+        return False
+    if link[1] in ("==", "<=", ">=") and value.contains(0):
+        put = {name: number(x) for name, x in at.items()}
+        return is_zero(substitute(link[0] - link[2], put), Given())
+    return stands(value, link[1])
 
 
 def _end_value(end: Expr, at: Mapping[str, fmpq]) -> fmpq | arb | None:

@@ -66,6 +66,7 @@ from tresym.reals.language.compound import (
     Compound,
     Count,
     Formula,
+    Leaf,
     Shape,
     Together,
     comparisons_of,
@@ -150,7 +151,7 @@ _UNLABELLED = re.compile(r"==|<=|>=|!=|:=|~=|->|[<>=~≤≥≠≈∼→]")
 _ASSUMED = re.compile(r"(?:let|assume|suppose)\s+(?:that\s+)?([^:]*(?:[<>=≤≥≠]).*)", re.IGNORECASE)
 _LETTER_E = re.compile(r"(?<![\w.])e(?!\w)")
 _QUOTED = re.compile(r"\$[^$]*\$|`[^`]*`")
-_CLAUSE = r"\s(?:given|as|at|on|using|expect|instead|quoted\s+from)\s+"
+_CLAUSE = r"\s(?:given|as|at(?!\s+some\s+point\b)|on|using|expect|instead|quoted\s+from)\s+"
 _PLACE = r"(?:\s*\((\w[\w.]*)\)|\s*\[([^\]]*)\])?"
 _ASSUME = re.compile(rf"assume\s+([A-Za-z][\w-]*){_PLACE}\s*:(?!=)\s*(.*)")
 _LET = re.compile(rf"let\s+([A-Za-z][\w-]*){_PLACE}\s*:(?!=)\s*(.*)")
@@ -1101,7 +1102,7 @@ class _Reader:
             self._uses(line, tree, bound)
         names = frozenset().union(*map(symbols, trees), (v.name for v in values))
         self._need_known(names - {INFINITY.args[0], DOTS.args[0], INTEGERS.args[0]}, bound)
-        for name in (part.name for part in parts if not isinstance(part, Written)):
+        for name in (part.name for part in parts if isinstance(part, Count | Shape)):
             if name in self.definitions:
                 at = self.definitions[name].line
                 raise InputError(f"{name} is defined on line {at}: use another letter here")
@@ -1215,7 +1216,7 @@ def _common(formula: Formula) -> tuple[Compared, ...]:
     return given.pop() if len(given) == 1 else ()
 
 
-def _is_differentiated(leaf: Written | Count | Shape) -> bool:
+def _is_differentiated(leaf: Leaf) -> bool:
     """Whether a derivative stands in a part, which is taken before its variable gets a value."""
     sides = (side for link in comparisons_of(leaf) for side in link[::2])
     return any(node.op in ("derivative", "nth") for node in outermost(*sides))

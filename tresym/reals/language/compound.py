@@ -3,9 +3,10 @@
 A claim is a comparison, or several of them joined by words. ``cos(x) <= 1 and sin(x) <= 1`` claims
 both, ``exp(x) == 1 <=> x == 0`` that each follows from the other, ``at most one x in (0, 1): x**3
 == a`` counts the solutions, and ``increasing(exp(x), x)`` speaks of all pairs of points. A vector
-equation ``(x, y) == (f, g)`` claims its components. ``and`` binds more strongly than ``<=>``; what
-is said after ``given``, ``as`` or ``on`` belongs to the whole claim, and to one part where brackets
-enclose both: ``(1/x > 0 given x > 0) and (1/x < 0 given x < 0)``.
+equation ``(x, y) == (f, g)`` claims its components, and ``at some point: x**2 == 2`` that such a
+point exists. ``and`` binds more strongly than ``<=>``; what is said after ``given``, ``as`` or
+``on`` belongs to the whole claim, and to one part where brackets enclose both: ``(1/x > 0 given x >
+0) and (1/x < 0 given x < 0)``.
 """
 
 from __future__ import annotations
@@ -39,7 +40,7 @@ _LATEX_WORDS = (
     (re.compile("∧"), " and "),
 )
 _HINT = re.compile(
-    r"<=>|[⟺⇔∧]|\\iff|eftrightarrow|\\land|\\wedge|\b(?:and|iff)\b|&&|\bone\b|"
+    r"<=>|[⟺⇔∧]|\\iff|eftrightarrow|\\land|\\wedge|\b(?:and|iff)\b|&&|\bone\b|\bsome\s+point\b|"
     rf"\b(?:{'|'.join(SHAPES)})\b|^\s*\(|\(\s*\("
 )
 """What a claim must contain to be made of others."""
@@ -48,11 +49,14 @@ _AND = r"\band\b|&&"
 _IMPLIES = r"(?<![<>=])==?>|\bimplies\b"
 _RELATION = r"==|!=|<=(?!>)|>=|(?<![<>=!~:])=(?![=<>])|<(?!=)|(?<![-=])>(?!=)|~=?|->"
 _TAIL = (
-    r"\b(?:given|as|on|uniformly|if|for|forall|when|whenever|where|with|provided|assuming|suppose)"
+    r"\b(?:given|as|on|uniformly|if|for(?!\s+some\s+point\b)|forall|when|whenever|where|with|provided|assuming|suppose)"
     r"\b(?!\s*\()"
 )
-_BEGINS = re.compile(r"\s*(?:if|for|forall|given|when|where|let|suppose|assuming)\b")
+_BEGINS = re.compile(
+    r"\s*(?:if|for(?!\s+some\s+point\b)|forall|given|when|where|let|suppose|assuming)\b"
+)
 _COUNT = re.compile(rf"({'|'.join(COUNTS)})\s+([A-Za-z]\w*)\s+in\s*([\[(])(.*)$", re.DOTALL)
+_SOME = re.compile(r"(?:at|for)\s+some\s+point\s*:\s*(.*)$", re.DOTALL)
 _SHAPE = re.compile(rf"({'|'.join(SHAPES)})\s*\((.*)\)\s*$", re.DOTALL)
 _IN_WORDS = re.compile(
     rf"(.+?)\s+(?:is\s+)?({'|'.join(SHAPES)})\s+in\s+([A-Za-z]\w*)\s*$", re.DOTALL
@@ -105,7 +109,15 @@ class Shape(NamedTuple):
     given: tuple[Compared, ...]
 
 
-Formula: TypeAlias = Written | Together | Equivalent | Count | Shape
+class Somewhere(NamedTuple):
+    """That all comparisons hold at one point of the conditions at least."""
+
+    comparisons: tuple[Compared, ...]
+    given: tuple[Compared, ...]
+
+
+Leaf: TypeAlias = Written | Count | Shape | Somewhere
+Formula: TypeAlias = Leaf | Together | Equivalent
 
 
 class Compound(NamedTuple):
@@ -193,13 +205,13 @@ def claimed(claim: str, given: str, path: str | None) -> list[tuple[Written, tup
     whole = read_compound(claim, given, path)
     found: list[tuple[Written, tuple[str, ...]]] = []
     for leaf in () if whole is None else leaves(whole.formula):
-        counted = () if isinstance(leaf, Written) else (leaf.name,)
+        counted = () if isinstance(leaf, Written | Somewhere) else (leaf.name,)
         own = leaf if isinstance(leaf, Written) else Written(comparisons_of(leaf), leaf.given, None)
         found.append((own, counted))
     return found
 
 
-def leaves(formula: Formula) -> Iterator[Written | Count | Shape]:
+def leaves(formula: Formula) -> Iterator[Leaf]:
     """Yield the parts of a formula that are not made of others."""
     if isinstance(formula, Together | Equivalent):
         for part in formula.parts:
@@ -208,9 +220,9 @@ def leaves(formula: Formula) -> Iterator[Written | Count | Shape]:
         yield formula
 
 
-def comparisons_of(leaf: Written | Count | Shape) -> tuple[Compared, ...]:
+def comparisons_of(leaf: Leaf) -> tuple[Compared, ...]:
     """Return the comparisons in a part; a function of which a shape is claimed stands as f == f."""
-    if isinstance(leaf, Written):
+    if isinstance(leaf, Written | Somewhere):
         return leaf.comparisons
     if isinstance(leaf, Count):
         return (leaf.equation, (leaf.low, "<", leaf.high))
@@ -234,6 +246,8 @@ def mapped(formula: Formula, change: Callable[[Expr], Expr]) -> Formula:
         return formula._replace(low=low, high=high, equation=equation, given=given)
     if isinstance(formula, Shape):
         return formula._replace(function=change(formula.function), given=links(formula.given))
+    if isinstance(formula, Somewhere):
+        return Somewhere(links(formula.comparisons), links(formula.given))
     return formula._replace(
         comparisons=links(formula.comparisons), given=links(formula.given), on=links(formula.on)
     )
@@ -289,6 +303,11 @@ def _part(text: str, around: _Around) -> Formula:
         if not function or not re.fullmatch(r"\s*[A-Za-z]\w*\s*", name):
             raise InputError(f"write {match[1]}(f, x) with the variable of the function")
         return _shape(match[1], ",".join(function), name.strip(), around)
+    if match := _SOME.match(text):
+        found = _written(match[1], around)
+        if found.path is not None or found.on or found.uniformly:
+            raise InputError("at some point: … is said of points, and has no path")
+        return Somewhere(found.comparisons, found.given)
     if match := _IN_WORDS.match(text):
         return _shape(match[2], match[1], match[3], around)
     if encloses(text) and split(inner := text[1:-1], _RELATION)[1:]:
@@ -401,7 +420,11 @@ def _is_made_of_others(head: str) -> bool:
     if len(split(head, f"{_EQUIVALENT}|{_AND}")) > 1:
         return True
     text = head.strip()
-    if _COUNT.match(text) or (_SHAPE.match(text) and not split(text, _RELATION)[1:]):
+    if (
+        _COUNT.match(text)
+        or _SOME.match(text)
+        or (_SHAPE.match(text) and not split(text, _RELATION)[1:])
+    ):
         return True
     if _IN_WORDS.match(text):
         return True
@@ -463,6 +486,9 @@ def shown(formula: Formula, whole: Compound) -> str:
         own = tuple(c for c in formula.given[len(whole.given) :] if c not in whole.on)
         return f"({text} given {chained(own)})" if own else text
     own = formula.given[len(whole.given) :]
+    if isinstance(formula, Somewhere):
+        text = f"at some point: {chained(formula.comparisons)}"
+        return f"({text} given {chained(own)})" if own else text
     path = None if formula.path == whole.path else formula.path
     on = () if formula.on == whole.on else formula.on
     text = str(formula._replace(given=own, path=path, on=on))
@@ -497,6 +523,8 @@ def formula_in_latex(formula: Formula, shared: int = 0, path: str | None = None)
         name = expression_in_latex(symbol(formula.name))
         function = expression_in_latex(formula.function)
         return rf"{function} \text{{ is {formula.how} in }} {name}{under_own}"
+    if isinstance(formula, Somewhere):
+        return rf"\text{{at some point }} {to_latex(formula.comparisons)}{under_own}"
     tends = formula.path if str(formula.path) != path else None
     ends = "" if tends is None else rf" \ ({path_in_latex(tends)})"
     return to_latex(formula.comparisons) + under_own + ends
