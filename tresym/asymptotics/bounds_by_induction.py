@@ -84,14 +84,19 @@ def decide_bound(claim: Comparison, statement: Statement, decided: Decide) -> An
     values = found.values(LAST[-1])
     if low not in values:
         return open_(f"the first values do not determine {_called(found, low)}: give more of them")
-    broken, ratio = _compared(values, low, right, relation, name)
+    # the recurrence is checked at a counterexample, so that it is rather none of the first values
+    begin = max(low, *(k + 1 for k in found.starts))
+    broken, ratio = _compared(values, begin, right, relation, name)
+    if broken is None or begin > low:
+        at_first, ratio = _compared(values, low, right, relation, name)
+        broken = at_first if broken is None else broken
     if broken is not None:
         why = f"at {n} = {broken}: {_called(found, broken)} = {number(values[broken])}"
         why += _offer(found, values, low, right, relation, ratio, statement, decided)
         return Answer(Verdict.REFUTED, why, witness=_witness(found, values, broken), lemma=LEMMA)
     if relation in ("<", ">"):
         plain = replace(statement, given=Given(), equations=(), integers=())
-        for k in range(low, low + LAST[0]):
+        for k in range(begin, begin + LAST[0]):
             bound = substitute(right, {name: number(k)})
             if decided(Comparison(number(values[k]), "==", bound), plain):
                 why = f"at {n} = {k}: {_called(found, k)} = {bound}"
