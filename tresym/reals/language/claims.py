@@ -115,7 +115,7 @@ def _strictly(claim: str, given: Any, path: str | None) -> Written:
     text = text if meant is None else f"{text[: meant.start()]})"
     under, end, on = (*_given(given), *_given(own)), _path(own_path or path), _given(region)
     if not _LATEX.search(text):
-        sequences = sequences_of(f"{given if isinstance(given, str) else ''}, {own}")
+        sequences = _sequences(f"{given if isinstance(given, str) else ''}, {own}")
         return Written(tuple(parse_claim(plain(text), sequences)), under, end, on, uniformly)
     from tresym.reals.language.latex import read_latex
 
@@ -124,7 +124,7 @@ def _strictly(claim: str, given: Any, path: str | None) -> Written:
             "braces are read as LaTeX; write an expansion as sin(x) == x + O(x**3) as x -> 0, a "
             "sum as sum(f, k, 1, n), and an integral as integral(f, x, a, b)"
         )
-    chains = read_latex(text.strip().strip("$"))
+    chains = read_latex(text.strip().strip("$"), None, _sequences(given, own, text))
     last = chains[-1] if chains[1:] and chains[-1].ops[0].startswith("->") else None
     said = last or chains[0].condition
     if len(chains) != (2 if last else 1):
@@ -135,7 +135,8 @@ def _strictly(claim: str, given: Any, path: str | None) -> Written:
     if said is not None and said.ops[0].startswith("->"):
         end = path_in_latex(said)
     elif said is not None:
-        under = (*under, *map(_condition, said.links))
+        parse_given(chained((*under, *said.links)))
+        under = (*under, *said.links)
     return Written(tuple(chains[0].links), under, end, on, uniformly)
 
 
@@ -214,8 +215,11 @@ def _given(given: Any) -> tuple[Compared, ...]:
     if isinstance(given, str) and _LATEX.search(given):
         from tresym.reals.language.latex import read_latex
 
-        chains = read_latex(given.strip().strip("$"))
-        return tuple(_condition(link) for chain in chains for link in chain.links)
+        source = given.strip().strip("$")
+        chains = read_latex(source, None, _sequences(source))
+        links = tuple(link for chain in chains for link in chain.links)
+        parse_given(chained(links))  # if they can be conditions
+        return links
     if isinstance(given, str):
         if word := _DANGLING.search(given):
             raise InputError(f"a condition is missing after the word {word[1]}")
@@ -231,6 +235,18 @@ def _given(given: Any) -> tuple[Compared, ...]:
     if type(given).__name__ == "Equality":
         return (_condition((unworked(given.lhs), "==", unworked(given.rhs))),)
     return conditions_from_sympy(given)
+
+
+def _sequences(*parts: Any) -> frozenset[str]:
+    """Return the letters of sequences for which a part states a recurrence, in text or LaTeX."""
+    from tresym.reals.language.latex import sequences_in
+
+    found: frozenset[str] = frozenset()
+    for part in parts:
+        if isinstance(part, str) and part.strip():
+            latex = _LATEX.search(part)
+            found |= sequences_in(part.strip().strip("$")) if latex else sequences_of(part)
+    return found
 
 
 def _condition(link: Compared) -> Compared:

@@ -21,10 +21,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 from tresym.reals.language.expression import Expr
 from tresym.reals.language.latex_author import Author
-from tresym.reals.language.latex_cursor import Cursor
+from tresym.reals.language.latex_cursor import Cursor, is_letter
 from tresym.reals.language.latex_grammar import read_arguments, read_point, read_sum
 from tresym.reals.language.latex_operands import Piece
 from tresym.reals.language.latex_tokens import (
@@ -33,6 +34,7 @@ from tresym.reals.language.latex_tokens import (
     MAX_DEPTH,
     RELATIONS,
     STOPS,
+    Called,
     tokenize,
     with_sign,
 )
@@ -86,12 +88,36 @@ def read_expression(source: str, author: Author | None = None) -> Expr:
     return tree
 
 
-def read_latex(source: str, author: Author | None = None) -> tuple[Relations, ...]:
+def sequences_in(source: str) -> frozenset[str]:
+    """The letters for which a formula states a recurrence, as T in ``T(n) = 2T(n/2) + n``."""
+    tokens = tokenize(source)
+    arguments: dict[str, list[list[str]]] = {}
+    begun: dict[str, str] = {}
+    for i, (name, after) in enumerate(pairwise(tokens)):
+        if not is_letter(name) or after != "(":
+            continue
+        end = Cursor(tokens).partner(i + 1)
+        inside = tokens[i + 2 : end]
+        arguments.setdefault(name, []).append(inside)
+        plain = len(inside) == 1 or (len(inside) == 3 and inside[1] == "+")
+        if plain and is_letter(inside[0]) and tokens[end + 1 : end + 2] == ["="]:
+            begun.setdefault(name, inside[0])
+    return frozenset(
+        name
+        for name, n in begun.items()
+        if len({tuple(inside) for inside in arguments[name] if n in inside}) > 1
+    )
+
+
+def read_latex(
+    source: str, author: Author | None = None, sequences: frozenset[str] = frozenset()
+) -> tuple[Relations, ...]:
     """The relations that a displayed formula states, in order.
 
     Args:
         source: what stands between the delimiters of the display.
         author: whose formula it is, if claims are compared with it.
+        sequences: letters that denote sequences where a bracket follows.
 
     Raises:
         InputError: LaTeX that is not read; one line says what and, where it helps, how to write it.
@@ -99,6 +125,9 @@ def read_latex(source: str, author: Author | None = None) -> tuple[Relations, ..
     tokens = tokenize(source, frozenset() if author is None else _AUTHORS_WORDS)
     while tokens[-1:] == ["\\\\"]:
         tokens.pop()
+    tokens = [
+        Called(t) if t in sequences and after == "(" else t for t, after in pairwise([*tokens, ""])
+    ]
     try:
         if {"\\pm", "\\mp"} & {*tokens}:
             both = ("; ".join(map(str, _statements(with_sign(tokens, s), author))) for s in "+-")

@@ -25,7 +25,10 @@ from tresym.reals.language.latex_tokens import (
 from tresym.reals.language.operators import COMMANDS
 from tresym.reals.numbers.exact import AmbiguityError, InputError
 
-BRACKETS = {"(": ")", "[": "]", "\\{": "\\}"}
+BRACKETS = {
+    **{"(": ")", "[": "]", "\\{": "\\}"},
+    **{"\\lfloor": "\\rfloor", "\\lceil": "\\rceil"},
+}
 FRACTIONS = ("\\frac", "\\dfrac", "\\tfrac", "\\cfrac", "\\nicefrac", "\\sfrac")
 OPERATORS = ("/", "\\cdot", "\\times", "*")
 DIFFERENTIALS = ("d", "\\partial")

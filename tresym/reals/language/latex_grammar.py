@@ -15,6 +15,7 @@ from math import factorial
 
 from tresym.reals.language.binders import (
     at,
+    coefficient,
     derivative,
     limit,
     nth_derivative,
@@ -82,6 +83,7 @@ from tresym.reals.language.latex_operands import (
     whole,
 )
 from tresym.reals.language.latex_tokens import (
+    CLOSING,
     ELLIPSIS,
     EXTREMES,
     FUNCTIONS,
@@ -90,6 +92,7 @@ from tresym.reals.language.latex_tokens import (
     RELATIONS,
     STOPS,
     WITH_ORDER,
+    Called,
 )
 from tresym.reals.language.operators import COMMANDS, Range
 from tresym.reals.language.operators import applied as operated
@@ -100,6 +103,7 @@ OPENING_ARGUMENTS = ("(", "[", "\\{")
 VARIABLES = frozenset(("x", "t", "s", "theta"))
 """Letters of what is differentiated by, where a prime behind a bracket does not say by what."""
 MAX_FACTORIAL = 100
+ROUNDING = {"\\lfloor": "floor", "\\lceil": "ceiling"}
 
 
 # Sums and products
@@ -396,12 +400,41 @@ def read_arguments(cursor: Cursor) -> list[Expr]:
 
 def read_bracket(cursor: Cursor) -> Piece:
     """A bracket; with limits behind it, the difference of values at its ends."""
+    if is_coefficient(cursor):
+        return read_coefficient(cursor)
     start, opening, piece = cursor.at, cursor.peek(), read_enclosed(cursor)
+    if opening in ROUNDING:
+        if cursor.author:
+            cursor.refuse(f"{opening} is not read,")
+        return Piece(call(ROUNDING[opening], [piece.tree]))
     if opening == "[" and cursor.peek() == "_":
         return read_values_at(cursor, piece.tree)
     if opening != "(" and not cursor.guesses:
         check_bracket(cursor, opening, piece, start)
     return Piece(piece.tree)
+
+
+def is_coefficient(cursor: Cursor) -> bool:
+    """Return whether ``[z^n]`` before a factor begins here, with a letter for n."""
+    if cursor.author or cursor.peek() != "[" or cursor.peek(2) != "^":
+        return False
+    inside = cursor.tokens[cursor.at + 3 : cursor.partner(cursor.at)]
+    after = cursor.tokens[cursor.partner(cursor.at) + 1 :][:1]
+    ends = (*CLOSING, *RELATIONS, *STOPS, *OPERATORS, "_")
+    return bool(after) and after[0] not in ends and bool({*inside} & {"n", "k", "m", "N"})
+
+
+def read_coefficient(cursor: Cursor) -> Piece:
+    """``[z^n] f``: a coefficient of the product that follows."""
+    cursor.take("[")
+    name = cursor.symbol()
+    cursor.take("^")
+    n = read_script(cursor).tree
+    cursor.take("]")
+    body = read_product(cursor).tree
+    if cursor.peek() in ("+", "-"):
+        cursor.refuse("of what is this the coefficient? Write the sum in brackets,")
+    return Piece(coefficient(body, name, n))
 
 
 def read_absolute(cursor: Cursor) -> Piece:
@@ -862,6 +895,9 @@ def read_primed(cursor: Cursor, name: str, primes: int) -> Piece:
 def read_name(cursor: Cursor) -> Piece:
     """A symbol, an inline derivative, ``e^{…}``, an order, or an author's function."""
     token, start = cursor.peek(), cursor.at
+    if isinstance(token, Called):
+        cursor.at += 1
+        return Piece(unknown(str(token), tuple(read_arguments(cursor))))
     if token in DIFFERENTIALS and is_letter(cursor.peek(1)):
         cursor.at += 1
         above = cursor.symbol()
@@ -871,6 +907,10 @@ def read_name(cursor: Cursor) -> Piece:
             cursor.at += 2
             return derived(token, above, cursor.symbol())
         cursor.at = start
+    theta = token == "\\Theta" and not cursor.author and cursor.tokens.count(token) == 1
+    if (token in ORDERS or theta) and cursor.peek(1) == "(":
+        cursor.take()
+        return Piece(order(token.removeprefix("\\"), read_enclosed(cursor).tree))
     if not cursor.guesses:
         check_name(cursor)
     if cursor.is_exponential(cursor.at):
@@ -879,9 +919,7 @@ def read_name(cursor: Cursor) -> Piece:
     if token == "\\pi" or (token == "e" and not (cursor.author and cursor.author.letter_e)):
         cursor.take()
         return Piece(E if token == "e" else PI)
-    if token in ORDERS and cursor.peek(1) == "(":
-        cursor.take()
-        return Piece(order(token, read_enclosed(cursor).tree))
+
     special = None if cursor.guesses else read_special_function(cursor)
     if special is not None:
         return special

@@ -78,7 +78,7 @@ _STAR = re.compile(
 _OVER = re.compile(r"\{([^{}]*)\\over(?![a-zA-Z])([^{}]*)\}")
 ARRAYS = _words("array aligned align align* gathered cases equation equation* split")
 STOPS = (",", ".", ";", "\\Rightarrow", "\\Longrightarrow", "\\implies")
-CLOSING = _words("+ - ) ] \\} } & : / | ^ !")
+CLOSING = _words("+ - ) ] \\} } \\rfloor \\rceil & : / | ^ !")
 CONDITION = "\\conditionfor"
 """The token for upright words that open a condition."""
 _CONDITIONS = frozenset(("for", "for all", "if", "when", "whenever", "as", "given", "provided"))
@@ -91,6 +91,12 @@ _SAME |= {"\\forall": CONDITION, "\\lbrace": "\\{", "\\rbrace": "\\}", "\\vert":
     "\\lvert": "\\left|",
     "\\rvert": "\\right|",
 }
+
+
+class Called(str):
+    """A token that names a sequence, whose index stands in the bracket behind it."""
+
+    __slots__ = ()
 
 
 class Spaced(str):
