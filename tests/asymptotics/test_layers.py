@@ -6,6 +6,7 @@ The truth comes from the exact solution of linear equations with constant coeffi
 import random
 import re
 from collections.abc import Callable, Iterator
+from pathlib import Path
 
 import mpmath
 import pytest
@@ -134,3 +135,16 @@ def test_planted_mistakes_are_refuted_and_constants_bound_the_exact_error(
             constant = mpmath.mpf(answer.constant.mid) * (1 + mpmath.mpf(10) ** -6)
             for e in (reach, reach / 3, reach / 20):
                 assert _error(problem, right, e) <= constant * e
+
+
+def test_the_textbook_problems_of_the_page_are_decided() -> None:
+    mistaken, verdicts = False, []
+    text = Path(__file__).parents[2].joinpath("docs/examples/layers.txt").read_text()
+    for line in text.splitlines()[2:]:
+        if line.startswith("#"):
+            mistaken = line != "# Slow times."
+            continue
+        verdicts.append((mistaken, decide_claim(line).verdict.value))
+    assert len(verdicts) == 20
+    assert all((value == "REFUTED") == wrong for wrong, value in verdicts)
+    assert "UNDECIDED" not in {value for _, value in verdicts}

@@ -18,7 +18,7 @@ from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.decisions.roots import as_variables, root_nodes
 from tresym.reals.decisions.statement import Statement
 from tresym.reals.language.binders import elementary
-from tresym.reals.language.expression import Expr, opened
+from tresym.reals.language.expression import Expr, opened, symbol
 from tresym.reals.language.readings import in_latex
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
@@ -121,7 +121,8 @@ def expand(exact: str, path: str, terms: int = 3, given: str = "", region: str =
         answer = check(f"{exact} == {joined(shown)}{under}")
         return Expansion(exact, str(statement.path), shown, "", answer)
     on = f" on {region}" if region else ""
-    answer = check(f"{exact} == {joined(shown)} + O({gauge}){under} as {path}{on}")
+    together = " uniformly" if statement.has_initial_values and found.uniform else ""
+    answer = check(f"{exact} == {joined(shown)} + O({gauge}){together}{under} as {path}{on}")
     if answer.verdict is Verdict.REFUTED:
         raise InputError(
             f"the expansions from the two sides of {path} differ: give one side, such as "
@@ -135,11 +136,32 @@ def _terms(statement: Statement, count: int) -> Terms | None:
     (claim,) = statement.comparisons
     path = statement.path
     assert path is not None
+    if statement.has_initial_values and claim.left.op == "unknown":
+        return _of_solution(statement, count)
     nodes = root_nodes(claim.left)
     if nodes:
         statement = _with_variable(statement, claim.left, nodes)
     name = statement.comparisons[0].left
     return terms_of(name if nodes else claim.left, statement, count, decide_within_limits)
+
+
+def _of_solution(statement: Statement, count: int) -> Terms | None:
+    """Return the terms of the solution of a differential equation with layers or slow times."""
+    from tresym.asymptotics.differential_problem import OpenError
+    from tresym.asymptotics.layers import layer_terms
+    from tresym.asymptotics.slow_times import slow_terms
+
+    path = statement.path
+    if path is None:
+        return None
+    try:
+        slow = slow_terms(statement)
+        if slow is not None:
+            return Terms((slow,), symbol(path.name), uniform=True)
+        found = layer_terms(statement, count)
+    except OpenError as error:
+        raise InputError(str(error)) from None
+    return None if found is None else Terms(tuple(found[0]), found[1], uniform=True)
 
 
 def _with_variable(statement: Statement, e: Expr, nodes: list[Expr]) -> Statement:

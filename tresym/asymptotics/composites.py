@@ -178,13 +178,15 @@ class _Inner:
     def total(self) -> Expr:
         """Return the sum of the terms, as an expression in x and t."""
         layer = self.layer
-        s = self.direction * (symbol(layer.x) - self.point) / symbol(layer.t) ** layer.width
+        t, away = symbol(layer.t), self.direction * (symbol(layer.x) - self.point)
+        s = away / t**layer.width
         total: Expr = ZERO
         for i, p in enumerate(self.found):
             for k, c in enumerate(p):
                 if c == ZERO:
                     continue
-                power = (s**k if k else ONE) * (symbol(layer.t) ** i if i else ONE)
+                shift = i - k * layer.width
+                power = (away**k if k else ONE) * (t**shift if shift else ONE)
                 total = total + c * power
         return total if total == ZERO else total * apply("exp", -self.rate * s)
 

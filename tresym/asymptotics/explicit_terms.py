@@ -33,10 +33,12 @@ class Terms(NamedTuple):
     Attributes:
         terms: the terms.
         gauge: the comparison function of the error; None if the expansion ends.
+        uniform: whether the error is meant for all values of the other variables together.
     """
 
     terms: tuple[Expr, ...]
     gauge: Expr | None
+    uniform: bool = False
 
 
 def explicit_terms(f: Expr, path: Path, given: Given, count: int) -> Terms | None:

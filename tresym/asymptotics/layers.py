@@ -198,6 +198,34 @@ def _decided(
     raise OpenError(f"it is not shown: {gap}")
 
 
+def layer_terms(statement: Statement, count: int) -> tuple[list[Expr], Expr] | None:
+    """Return the composite expansion of a solution and the order of its error.
+
+    Args:
+        statement: the problem with its path and conditions.
+        count: the number of orders.
+
+    Returns:
+        The terms and the comparison function; None if there is no boundary layer.
+
+    Raises:
+        OpenError: the expansion is not found.
+    """
+    path = statement.path
+    if path is None or path.point != ZERO or path.sides != (1,):
+        return None
+    positive = statement.given & Given(((symbol(path.name), ">", ZERO),))
+    problem = problem_of(replace(statement, given=positive))
+    if [n for _, n in sorted(problem.state)] not in ([0], [0, 1]):
+        return None
+    found = layer_of(problem, statement, path.name, [])
+    if found is None:
+        return None
+    e = composite(found, count)
+    power = symbol(path.name) ** number(fmpq(count, found.reader.q))
+    return list(e.args) if e.op == "+" else [e], power
+
+
 def _with_constant(
     layer: Layer, e: Expr, gauge: Expr, order: int, statement: Statement
 ) -> Answer | None:
@@ -231,8 +259,8 @@ def _with_constant(
         shown = rounded(constant, 1)
         ball = constant_ball(arb(rounded_up(constant, 6)))
     why = (
-        f"|left| <= C |right| with C = {shown} for all {layer.x} between {layer.end(0)} and "
-        f"{layer.end(1)}: a positive function on which the equation is negative bounds the error"
+        f"|left| <= C |right| with C = {shown} for all {layer.x} between {layer.low} and "
+        f"{layer.high}: a positive function on which the equation is negative bounds the error"
     )
     return Answer(
         Verdict.ENCLOSED,
@@ -352,6 +380,8 @@ def gauge_order(layer: Layer, gauge: Expr) -> int:
     found = layer.reader.read(gauge)
     if set(found) == {()}:
         v, g = found[()]
+        if v < 0:
+            raise OpenError("an error that may grow without bound says nothing of a layer")
         if layer.x not in symbols(g) and layer.t not in symbols(g) and known_sign(g, layer.fixed):
             return v
     raise OpenError("the comparison function must be a power of the small parameter")

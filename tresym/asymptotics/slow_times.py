@@ -26,8 +26,9 @@ from functools import partial
 
 from flint import fmpq
 
-from tresym.asymptotics.differential_problem import OpenError, Problem, problem_of
+from tresym.asymptotics.differential_problem import OpenError, Problem, Value, problem_of
 from tresym.asymptotics.explicit_claims import curve_of_claim, nonzero_at
+from tresym.asymptotics.explicit_solutions import solutions
 from tresym.asymptotics.layer_problems import small_is_bounded
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.readable_witnesses import tidied
@@ -49,6 +50,7 @@ from tresym.reals.language.expression import (
 )
 from tresym.reals.language.formula import Compared
 from tresym.reals.normal.to_expression import normal_form
+from tresym.reals.numbers.exact import InputError
 from tresym.reals.signs.definedness import continuous_on
 from tresym.reals.signs.interior import PROVING, is_zero
 from tresym.reals.signs.sign import proof, sign
@@ -86,9 +88,30 @@ def decide_slow_times(claim: Comparison, statement: Statement) -> Answer | None:
     try:
         work = _Averaging(problem, statement, small)
         work.need_order(claim)
-        return work.answer(y)
+        found = work.answer(y)
+        return found if found.verdict is not Verdict.REFUTED else work.with_truth(found)
     except ZeroDivisionError:
         raise OpenError(f"it is not shown to be smooth where {small} = 0") from None
+
+
+def slow_terms(statement: Statement) -> Expr | None:
+    """Return the solution on an interval of the length L/e up to O(e); None if there is none.
+
+    Raises:
+        OpenError: it is not found.
+    """
+    path = statement.path
+    if path is None or path.point != ZERO or path.sides != (1,):
+        return None
+    given = statement.given.comparisons
+    positive = statement.given & Given(((symbol(path.name), ">", ZERO),))
+    problem = problem_of(replace(statement, given=positive))
+    if not any({path.name, problem.time} <= symbols(x[0]) | symbols(x[2]) for x in given):
+        return None
+    try:
+        return _Averaging(problem, statement, path.name).solution()
+    except ZeroDivisionError:
+        return None
 
 
 class _Averaging:
@@ -352,6 +375,70 @@ class _Averaging:
         if is_zero(e, self.given):
             return True
         return decide_equality(e, ZERO, self.given).verdict is Verdict.PROVED
+
+    def with_truth(self, answer: Answer) -> Answer:
+        """Return a refutation that names the solution, if that is found and proved."""
+        try:
+            true = self.solution()
+            known = true is not None and self.answer(true)
+        except (OpenError, ZeroDivisionError, InputError):
+            return answer
+        if not known:
+            return answer
+        why = f"the solution is {true} + O({self.small}) on this interval: {answer.why}"
+        return replace(answer, why=why)
+
+    def solution(self) -> Expr | None:
+        """Return r(τ) cos(ωt + φ(τ)), if the averaged equations for r and φ are solved; or None.
+
+        They are solved where r is constant, or where φ is.
+        """
+        tau, half = symbol(self.tau), number(fmpq(1, 2))
+        start = {
+            n: tidied(substitute(e, {self.small: ZERO})) for n, e in self.problem.values.items()
+        }
+        first = tidied(substitute(differentiate(self.right, self.small), {self.small: ZERO}))
+        slow = symbol(self.small) * symbol(self.t)
+        if not self.v:
+            known: dict[str, Waves] = {self.y: {0: (symbol(self.y), ZERO)}}
+            mean = self.waves(first, known).get(0, (ZERO, ZERO))[0]
+            found = self._integrated(mean, self.y, start[self.y])
+            return None if found is None else substitute(found, {self.tau: slow})
+        if self.t in symbols(first):
+            return None
+        wave, r, phase = "cos", start[self.y], ZERO
+        if is_zero(r, self.fixed):
+            wave, r = "sin", tidied(start[self.v] / self.omega)
+        elif not is_zero(start[self.v], self.fixed):
+            return None
+        radius = symbol(self.y)
+        turn = (
+            {1: (ZERO, -self.omega * radius)} if wave == "cos" else {1: (self.omega * radius, ZERO)}
+        )
+        at = {1: (radius, ZERO) if wave == "cos" else (ZERO, radius)}
+        c, s = self.waves(first, {self.y: at, self.v: turn}).get(1, (ZERO, ZERO))
+        scale = half / self.omega
+        own, across = (-s, -c) if wave == "cos" else (c, -s)
+        rate = tidied(normal_form(own * scale, self.fixed))
+        bend = tidied(normal_form(across * scale / radius, self.fixed))
+        length = self._integrated(rate, self.y, r)
+        if length is None:
+            return None
+        if not is_zero(bend, self.fixed):
+            if not is_zero(rate, self.fixed):
+                return None
+            phase = tidied(normal_form(substitute(bend, {self.y: r}), self.fixed)) * tau
+        y = length * apply(wave, self.omega * symbol(self.t) + phase)
+        return tidied(substitute(y, {self.tau: slow}))
+
+    def _integrated(self, rate: Expr, name: str, start: Expr) -> Expr | None:
+        """Return the solution of an equation in the slow time."""
+        if is_zero(rate, self.fixed):
+            return start
+        values = (Value(ZERO, name, start),)
+        problem = Problem(self.tau, {name: rate}, values, {(name, 0): name})
+        curve = next(iter(solutions(problem, self.fixed)), None)
+        return None if curve is None else curve[name]
 
     def _false(self, part: Expr, what: str) -> Answer:
         at = nonzero_at(part, self.given)
