@@ -32,7 +32,8 @@ all: both and same and one
 with_more: both and x**2 >= 0
 with_false: both and x**2 > 0 expect refuted
 with_open: both and outside
-some: at some point: f(x) ~= 5.0 given x ~= 2.0
+some: at some point: f(x) ~= 5.5 given x ~= 2.0
+printed: u ~= 1.5 and x > 0 given x > 1 at a == 1/2
 used: f(x) > 1 given x > 0 using both
 """
 

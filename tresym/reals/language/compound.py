@@ -232,8 +232,15 @@ def comparisons_of(leaf: Leaf) -> tuple[Compared, ...]:
 def mapped(formula: Formula, change: Callable[[Expr], Expr]) -> Formula:
     """Return a formula with every side of its comparisons changed, conditions included."""
 
+    done: dict[Expr, Expr] = {}
+
+    def changed(e: Expr) -> Expr:
+        if e not in done:  # a side that two comparisons share remains one, as in a < b < c
+            done[e] = change(e)
+        return done[e]
+
     def links(parts: Sequence[Compared]) -> tuple[Compared, ...]:
-        return tuple((change(x), sign, y if sign == "in" else change(y)) for x, sign, y in parts)
+        return tuple((changed(x), sign, y if sign == "in" else changed(y)) for x, sign, y in parts)
 
     if isinstance(formula, Together):
         return Together(tuple(mapped(part, change) for part in formula.parts))
