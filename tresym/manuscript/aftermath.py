@@ -142,7 +142,13 @@ def _told_once(rows: list[Row], seconds: float, processes: int | None) -> None:
     """Withhold the second of two accusations of a chain that holds without the term between."""
     tasks = []
     for n, (first, second) in enumerate(pairwise(rows)):
-        if first.status in ACCUSED and second.status in ACCUSED and _chained(first, second):
+        if first.status not in ACCUSED or second.status not in ACCUSED:
+            continue
+        if second.link.shown.replace("\\Im", "\\Re") == first.link.shown != second.link.shown:
+            why = f"of the same link the real parts are not equal either; {second.why}"
+            status = Verdict.UNDECIDED.value
+            rows[n + 1] = replace(second, status=status, why=why, instead=(), witness=None)
+        elif _chained(first, second):
             text = _around(first, second)
             tasks += [Task(text, line=n)] if text else []
     for task, answer in check_all(tasks, seconds, processes) if tasks else ():

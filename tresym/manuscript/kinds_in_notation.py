@@ -279,7 +279,7 @@ def _conjugates(tokens: Sequence[str], found: Sequence[Mention]) -> Noted:
     imaginary = imaginary and not angle
     counts = {"\\sum", "\\ldots"} & {*tokens}
     heads = len(found) > 1 and found[0].start == 0 and tokens[found[0].end] == "="
-    if imaginary and heads and not counts:
+    if imaginary and heads and not counts and found[0].letter != "i":
         yield COMPLEX, found[0], _shown(tokens, 0, found[0].end + 8)
 
 

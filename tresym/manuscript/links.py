@@ -25,6 +25,7 @@ from tresym.manuscript.classification import (
     TwoReadings,
     claim,
 )
+from tresym.manuscript.complex_parts import is_imaginary, parts_of
 from tresym.manuscript.components import by_components
 from tresym.manuscript.conditions import Conditions
 from tresym.manuscript.context import Under
@@ -47,7 +48,7 @@ from tresym.manuscript.terms import (
     unknown_in,
     variables_of_integrals,
 )
-from tresym.reals.language.expression import DOTS, Expr, symbol, symbols
+from tresym.reals.language.expression import DOTS, ZERO, Expr, symbol, symbols
 from tresym.reals.language.formula import NEGATED, Compared, chained
 from tresym.reals.language.latex_operands import Piece
 from tresym.reals.language.latex_tokens import RELATIONS
@@ -276,6 +277,11 @@ class _Reading(LinkReader):
         self.memory.by = by.pop() if len(by) == 1 else ""
         pieces = self.pieces(said)
         strange = [self.strange(said, n, blank.display.line) for n in range(len(said.ops))]
+        if is_imaginary(said.tokens) and "i" not in self.memory.functions and not any(strange):
+            links = list(self.in_parts(blank, said, under))
+            if links:
+                yield from links
+                return
         doubts = [piece for piece in pieces if isinstance(piece, TwoReadings)]
         if doubts == pieces[:1] and self.defines_function(said, pieces):
             doubts = []
@@ -308,6 +314,30 @@ class _Reading(LinkReader):
                 link = replace(link, claims=(*link.claims, *told))
             self.note_equation(link, said, blank.display.line)
             yield link
+
+    def in_parts(self, blank: Link, said: Said, under: Under) -> Iterator[Link]:
+        """Yield the links of a chain of complex numbers, two of each: of the real parts, and of
+        the imaginary parts."""
+        defined = self.memory.head(said.terms[0]) is not None
+        terms = said.terms[defined:]
+        parts = [parts_of(term, self.memory.author) for term in terms]
+        if {*said.ops} != {"="} or said.conditions or None in parts or len(parts) < 2:
+            return
+        if defined:
+            shown = _shown_link(said, 0)
+            why = "a definition by a complex number, which is not used"
+            yield replace(blank, shown=shown, status=DEFINED, why=why)
+        for n, pair in enumerate(pairwise(part for part in parts if part is not None)):
+            for k, name in enumerate(("\\Re", "\\Im")):
+                one, other = pair[0][k], pair[1][k]
+                if one == other == ZERO:
+                    continue
+                sides = (" ".join(term) for term in terms[n : n + 2])
+                shown = " = ".join(f"{name} ( {side} )" for side in sides)
+                link, both = replace(blank, shown=shown), (Piece(one), Piece(other))
+                at, compared = n + defined, (one, "==", other)
+                link = claim(self.memory, link, at, said, compared, both, under, None, False)
+                yield replace(link, ground=replace(link.ground, alike=False))
 
     def pieces(self, said: Said) -> list[Piece | str]:
         """Return the terms of a chain as expressions, or the reasons why they cannot be read.

@@ -33,6 +33,7 @@ def check_name(cursor: Cursor) -> None:
     """Refuse letters that are no variable of the author's."""
     token = cursor.peek()
     counts = cursor.counting or token in cursor.indices or cursor.peek(1) == "_"
+    counts = counts or (token == "i" and cursor.author is not None and cursor.author.imaginary)
     if token in ("i", "j") and not counts:
         cursor.refuse(INSTEAD["\\imath"])
     if token == "d" and is_letter(cursor.peek(1)):

@@ -46,6 +46,7 @@ class Author:
         numbers: names that are said to be numbers.
         sequences: letters whose subscripts number terms: ``a_k`` is a(k).
         inverses: ``\\sin^{-1}`` is the inverse function, as words of his say.
+        imaginary: ``i`` is read as a symbol, which stands for the imaginary unit.
     """
 
     functions: Mapping[str, Function] = field(default_factory=dict)
@@ -61,6 +62,7 @@ class Author:
     numbers: frozenset[str] = frozenset()
     sequences: frozenset[str] = frozenset()
     inverses: bool = False
+    imaginary: bool = False
 
     def derivative(self, name: str, by: str, times: int) -> Expr | None:
         """The derivative of one of his functions, ``by`` its variable if that is not named."""
