@@ -213,7 +213,7 @@ class _Deciding:
     ) -> Answer | None:
         """Prove that two equations have the same solutions by a factor without zeros."""
         sides = (*first[::2], *second[::2])
-        links = (*given, *(bound(*part) for part in needs(sides)))
+        links = (*given, *_needed(sides))
         where = Given(tuple(link for link in links if link[1] not in ("==", "in"))).unfolded()
         for a, b in _transformed(first, second):
             gaps = [x - y for x, _, y in (a, b)]
@@ -412,7 +412,8 @@ class _Deciding:
         """Find a point at which all comparisons hold, or show that one of them fails everywhere."""
         links, given, left = _with_values(claim)
         if left or any(sign == "in" for _, sign, _ in given):
-            return Answer(UNDECIDED, "points are sought only where conditions are inequalities")
+            why = "points are sought where conditions are inequalities without integrals and roots"
+            return Answer(UNDECIDED, why)
         where = Given(given).unfolded()
         names = sorted({n for link in links for side in link[::2] for n in symbols(side)})
         names = sorted({*names, *where.names} - {INFINITY.args[0]})
@@ -659,9 +660,16 @@ def _with_values(
             for part in (links, given)
         )
         given = tuple(link for link in given if link[0] != link[2])
-    needed = tuple(bound(*part) for part in needs([e for link in links for e in link[::2]]))
-    given = (*given, *(link for link in needed if symbols(link[0]) | symbols(link[2])))
-    return links, given, [link for link in given if link[1] == "=="]
+    sides = [side for link in links for side in link[::2]]
+    given = (*given, *_needed(sides))
+    left = [link for link in given if link[1] == "==" or not elementary(link[0], link[2])]
+    return links, given, left
+
+
+def _needed(sides: Iterable[Expr]) -> tuple[Compared, ...]:
+    """What must hold for the sides to be defined, of their elementary parts."""
+    found = (part for part in needs(sides) if elementary(part[0]) and not part[0].loose)
+    return tuple(bound(*part) for part in found if symbols(part[0]))
 
 
 def _middles(where: Given, names: Sequence[str]) -> Iterator[dict[str, fmpq]]:
