@@ -130,7 +130,7 @@ def _decide(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
             "a claim about the solution of a differential equation is about its values and slopes, "
             "without integer conditions"
         )
-    if path is not None and path.point == ZERO:
+    if path is not None and path.point in (None, ZERO):
         found = decide_slow_times(claim, statement)
         if found is None:
             found = decide_layers(claim, statement, decided)

@@ -16,6 +16,7 @@ from flint import fmpq
 from tresym.asymptotics.boundary_values import between, ends
 from tresym.asymptotics.differential_problem import OpenError, Problem
 from tresym.asymptotics.layer_sums import Exponent, Layered, Part, Reader, known_sign
+from tresym.asymptotics.readable_terms import readable
 from tresym.reals.decisions.readable_witnesses import tidied
 from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.conditions import Given
@@ -24,6 +25,7 @@ from tresym.reals.language.expression import (
     ONE,
     ZERO,
     Expr,
+    add,
     number,
     substitute,
     symbol,
@@ -135,8 +137,17 @@ class Layer(NamedTuple):
         )
 
 
-def layer_of(problem: Problem, statement: Statement, small: str, more: list[Expr]) -> Layer | None:
+def layer_of(
+    problem: Problem, statement: Statement, small: str, more: list[Expr], anywhere: bool = False
+) -> Layer | None:
     """Return the normal form of a problem; None if its coefficients are smooth.
+
+    Args:
+        problem: of first or second order.
+        statement: its conditions.
+        small: the small parameter.
+        more: other expressions that will be read.
+        anywhere: whether the conditions need not say where x lies.
 
     Raises:
         OpenError: it has none of the kinds that are supported.
@@ -163,7 +174,7 @@ def layer_of(problem: Problem, statement: Statement, small: str, more: list[Expr
     n = -min((p.power for p in read if p.factor != ZERO), default=0)
     if n <= 0:
         return None
-    if missing:
+    if missing and not anywhere:
         raise OpenError(
             f"say where {x} lies: the solution has a boundary layer, and the claim is "
             f"meant for {low} <= {x}" + ("" if high is None else f" <= {high}")
@@ -217,7 +228,7 @@ def layer_of(problem: Problem, statement: Statement, small: str, more: list[Expr
             )
         if n % 2:  # the layers are as wide as its square root
             root = symbol(small) ** number(fmpq(1, 2 * reader.q))
-            return layer_of(problem, statement, small, [*more, root])
+            return layer_of(problem, statement, small, [*more, root], anywhere)
         return layer._replace(kind=TWO_LAYERS)
     raise OpenError(
         f"boundary layers are supported where the factor of the first derivative, "
@@ -312,16 +323,22 @@ def need_smooth_at_zero(reader: Reader, e: Expr, inside: Given) -> None:
 
 def power_of(small: str, order: int, q: int) -> str:
     """Return t to a power in words of the small parameter."""
-    power = fmpq(order, q)
-    return (
-        "1"
-        if not order
-        else small
-        if power == 1
-        else f"{small}**({power})"
-        if (power.q != 1)
-        else f"{small}**{power}"
-    )
+    return str(said(symbol(small) ** number(fmpq(order, q)))) if order else "1"
+
+
+def small_for(large: str) -> str:
+    """Return the name of the small parameter that stands for 1 over a large one."""
+    return f"[1/{large}]"
+
+
+def said(e: Expr) -> Expr:
+    """Return an expression in the parameter that was written, which may be a large one."""
+    large = {n: 1 / symbol(n[3:-1]) for n in symbols(e) if n.startswith("[1/")}
+    if not large:
+        return tidied(e)
+    (name,) = (n[3:-1] for n in large)
+    terms = (substitute(term, large) for term in (e.args if e.op == "+" else (e,)))
+    return tidied(add(*(readable(term, name, 1) for term in terms)))
 
 
 def layer_parameters(layer: Layer, e: Expr) -> frozenset[str]:

@@ -30,7 +30,7 @@ section 1.5; W. Eckhaus, *Asymptotic Analysis of Singular Perturbations*, 1979, 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
 from typing import NamedTuple
@@ -52,6 +52,8 @@ from tresym.asymptotics.layer_problems import (
     need_smooth_at_zero,
     power_of,
     read_curve,
+    said,
+    small_for,
 )
 from tresym.asymptotics.layer_sums import Layered, known_sign
 from tresym.asymptotics.lemma import rounded_up
@@ -59,7 +61,7 @@ from tresym.asymptotics.order_claims import region
 from tresym.asymptotics.readable_terms import readable
 from tresym.reals.decisions.answer import Answer, Decide, constant_ball, exact_text
 from tresym.reals.decisions.readable_witnesses import tidied
-from tresym.reals.decisions.statement import Statement
+from tresym.reals.decisions.statement import Statement, functions
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.comparisons import Comparison
@@ -70,10 +72,12 @@ from tresym.reals.language.expression import (
     Expr,
     add,
     number,
+    replaced,
     substitute,
     symbol,
     symbols,
 )
+from tresym.reals.language.paths import Path
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.signs.interior import PROVING, is_zero
 from tresym.reals.signs.sign import sign
@@ -114,28 +118,167 @@ def decide_layers(claim: Comparison, statement: Statement, decided: Decide) -> A
     Raises:
         OpenError: what is missing.
     """
-    path = statement.path
-    if path is None or path.point != ZERO or claim.relation not in ("O", "o", "->"):
+    if claim.relation not in ("O", "o", "->", "~"):
         return None
-    small = symbol(path.name)
-    positive = statement.given & Given(((small, ">", ZERO),))
+    read = _read(statement, [claim.left, claim.right])
+    if read is None:
+        return None
+    found, problem, put = read
+    statement, claim = replace(statement.mapped(put), path=statement.path), claim.mapped(put)
+    nodes = {f for e in (claim.left, claim.right) for f in functions(e)}
+    if nodes and all(problem.time not in symbols(node.args[1]) for node in nodes):
+        return _at_points(claim, nodes, found, problem, statement, decided)
+    name, _ = min(problem.state, key=lambda key: key[1])
+    plain = replace(claim, relation="==") if claim.relation == "~" else claim
+    e = curve_of_claim(plain, problem)[problem.state[name, 0]]
+    if claim.relation == "~":
+        return _equivalent(claim, e, found, problem, statement, decided)
+    gauge = claim.right if claim.relation != "->" else ONE
+    return _decided(claim, e, gauge, found, problem, statement, decided)
+
+
+def _read(
+    statement: Statement, more: list[Expr]
+) -> tuple[Layer, Problem, Callable[[Expr], Expr]] | None:
+    """Return the problem with a layer, and how its large parameter is replaced, if there is one."""
+    path = statement.path
+    if path is None or path.point not in (None, ZERO) or not statement.equations:
+        return None
+    small, put = path.name, partial(substitute, mapping={})
+    if path.point is None:
+        small = small_for(path.name)
+        put = partial(substitute, mapping={path.name: 1 / symbol(small)})
+    changed = replace(statement.mapped(put), path=None)
+    positive = changed.given & Given(((symbol(small), ">", ZERO),))
     try:
-        problem = problem_of(replace(statement, given=positive))
+        problem = problem_of(replace(changed, given=positive))
     except OpenError:
         return None
     if path.name == problem.time or [n for _, n in sorted(problem.state)] not in ([0], [0, 1]):
         return None
-    found = layer_of(problem, statement, path.name, [claim.left, claim.right])
+    nodes = [f for e in more for f in functions(e)]
+    fixed = bool(nodes) and all(problem.time not in symbols(f.args[1]) for f in nodes)
+    found = layer_of(problem, changed, small, [put(e) for e in more], fixed)
     if found is None:
         return None
-    name, _ = min(problem.state, key=lambda key: key[1])
-    e = curve_of_claim(claim, problem)[problem.state[name, 0]]
-    gauge = claim.right if claim.relation != "->" else ONE
     if path.sides != (1,):
+        end = "oo" if path.point is None else "0+"
         raise OpenError(
-            f"the side of a boundary layer depends on the sign of {small}: write {small} -> 0+"
+            f"the side of a boundary layer depends on the sign of {path.name}: write "
+            f"{path.name} -> {end}"
         )
-    return _decided(claim, e, gauge, found, problem, statement, decided)
+    return found, problem, put
+
+
+def _near(layer: Layer) -> Path:
+    return Path(layer.reader.small, ZERO, (1,))
+
+
+def _true(layer: Layer, order: int) -> Expr:
+    """Return the composite expansion with an error O(tᵏ), uniform between the ends.
+
+    Raises:
+        OpenError: it is not found, or not shown.
+    """
+    true = composite(layer, order)
+    try:
+        check(layer, true, Needs(order, (True, True), (True, True)))
+    except GapError as error:
+        raise OpenError(f"{said(true)} is not shown to be the solution: {error}") from None
+    return true
+
+
+def _at_points(
+    claim: Comparison,
+    nodes: set[Expr],
+    layer: Layer,
+    problem: Problem,
+    statement: Statement,
+    decided: Decide,
+) -> Answer:
+    """Decide a claim about values such as y(1/2) by the composite expansion."""
+    if claim.relation == "~":
+        raise OpenError("for values at points, orders and limits are supported")
+    gauge = claim.right if claim.relation != "->" else ONE
+    order = max(1, gauge_order(layer, gauge) + (claim.relation != "O"))
+    true = _true(layer, order)
+    small = symbol(layer.reader.small)
+    near = layer.fixed & Given(((small, ">", ZERO), (small, "<", number(fmpq(1, 10**6)))))
+    known: dict[Expr, Expr] = {}
+    marks = {node: symbol(f"[V{k}]") for k, node in enumerate(sorted(nodes, key=str))}
+    left = replaced(claim.left, marks)
+    for node, mark in marks.items():
+        point = node.args[1]
+        (derivatives,) = node.args[0].args[1]
+        gaps = [point - layer.low, *([] if layer.high is None else [layer.high - point])]
+        inside = all(sign(gap, near, ">=") in PROVING[">="] for gap in gaps)
+        if derivatives or not inside or (layer.high is None and symbols(point)):
+            raise OpenError(f"{node} is not shown to be a value between the ends")
+        factor = tidied(differentiate(left, str(mark.args[0])))
+        if factor.op != "number" or symbols(claim.right) & {problem.time}:
+            raise OpenError(f"the claim must be linear in {node}")
+        known[node] = tidied(substitute(true, {layer.x: point}))
+    explicit = claim.mapped(partial(replaced, known=known))
+    if functions_in(explicit):
+        raise OpenError("the claim must be linear in values of the function")
+    found = decided(explicit, Statement((), layer.fixed, _near(layer), ""))
+    power = power_of(layer.reader.small, order, layer.reader.q)
+    why = f"the solution is {said(true)} + O({power}): {found.why}"
+    return replace(found, why=why, lemma=LEMMA, constant=None, region=None)
+
+
+def functions_in(claim: Comparison) -> bool:
+    """Whether a claim contains functions that are not explicit."""
+    return any(True for e in (claim.left, claim.right) for _ in functions(e))
+
+
+def _equivalent(
+    claim: Comparison,
+    e: Expr,
+    layer: Layer,
+    problem: Problem,
+    statement: Statement,
+    decided: Decide,
+) -> Answer:
+    """Decide y ~ Y for each fixed x: the error O(t) must be smaller than Y."""
+    size = symbol(layer.reader.small) ** number(fmpq(1, layer.reader.q))
+    closed, _ = _ends_of_conditions(problem, statement, layer)
+    plain = Statement((), _free(statement, layer), _near(layer), "")
+    try:
+        check(layer, e, Needs(1, (False, False), closed))
+    except GapError as error:
+        for c in layer.conditions:
+            at_end = tidied(substitute(e, {layer.x: layer.end(c.end)}))
+            there = Statement((), layer.fixed, _near(layer), "")
+            if c.order or not closed[c.end]:
+                continue
+            found = decided(Comparison(c.value, "~", at_end), there)
+            if found.verdict is Verdict.REFUTED:
+                why = f"the boundary value at {layer.end(c.end)} is {said(c.value)}: {found.why}"
+                witness = {**dict(found.witness or {}), layer.x: exact_text(layer.end(c.end))}
+                return Answer(Verdict.REFUTED, why, witness=witness, lemma=LEMMA)
+        true = _true(layer, 1)
+        for point in plain.given.points(sorted({layer.x, *layer_parameters(layer, e)}), 3):
+            at = partial(substitute, mapping={n: number(x) for n, x in point.items()})
+            there = Statement((), Given(), _near(layer), "")
+            if not decided(Comparison(size, "o", at(true)), there):
+                continue
+            found = decided(Comparison(at(true), "~", at(e)), there)
+            if found.verdict is Verdict.REFUTED:
+                why = f"the solution is {said(true)} to leading order: {found.why}"
+                return Answer(Verdict.REFUTED, why, witness=_texts(point), lemma=LEMMA)
+        raise OpenError(f"it is not shown: {error}") from None
+    if not decided(Comparison(size, "o", e), plain):
+        raise OpenError(f"it is not shown that {said(e)} does not vanish")
+    why = f"{said(e)} is the solution up to O({said(size)}), for each fixed {layer.x}"
+    return Answer(Verdict.PROVED, why, lemma=LEMMA)
+
+
+def _free(statement: Statement, layer: Layer) -> Given:
+    """Return the conditions without those on the small parameter."""
+    small = layer.reader.small
+    links = statement.given.comparisons
+    return Given(tuple(x for x in links if small not in symbols(x[0]) | symbols(x[2])))
 
 
 # Orders
@@ -170,8 +313,8 @@ def _decided(
             gap = gap or error
             continue
         why = (
-            f"{e} satisfies the equation and the boundary values up to an error that the maximum "
-            f"principle bounds by a multiple of {shown}, "
+            f"{said(e)} satisfies the equation and the boundary values up to an error that the "
+            f"maximum principle bounds by a multiple of {shown}, "
         )
         if needs is uniform and not parameters and claim.relation == "O":
             known = _with_constant(layer, e, gauge, order, statement)
@@ -211,26 +354,20 @@ def layer_terms(statement: Statement, count: int) -> tuple[list[Expr], Expr] | N
     Raises:
         OpenError: the expansion is not found.
     """
-    path = statement.path
-    if path is None or path.point != ZERO or path.sides != (1,):
+    read = _read(statement, [])
+    if read is None:
         return None
-    positive = statement.given & Given(((symbol(path.name), ">", ZERO),))
-    problem = problem_of(replace(statement, given=positive))
-    if [n for _, n in sorted(problem.state)] not in ([0], [0, 1]):
-        return None
-    found = layer_of(problem, statement, path.name, [])
-    if found is None:
-        return None
+    found = read[0]
     e = composite(found, count)
-    power = symbol(path.name) ** number(fmpq(count, found.reader.q))
-    return list(e.args) if e.op == "+" else [e], power
+    power = said(symbol(found.reader.small) ** number(fmpq(count, found.reader.q)))
+    terms = e.args if e.op == "+" else (e,)
+    return [said(term) for term in terms], power
 
 
 def _with_constant(
     layer: Layer, e: Expr, gauge: Expr, order: int, statement: Statement
 ) -> Answer | None:
     """Return the answer with a constant for all small values of the parameter, or None."""
-
     path = statement.path
     needs = Needs(order, (True, True), (True, True))
     try:
@@ -302,13 +439,12 @@ def _refuted(
     decided: Decide,
 ) -> Answer | None:
     """Refute a claim at an end, or by the composite that is shown to be true."""
-    small = symbol(layer.reader.small)
     asked = claim.relation if claim.relation != "->" else "o"
 
     def fails(error: Expr, point: Expr, there: dict[str, fmpq]) -> bool:
         put = {name: number(value) for name, value in there.items()}
         at = partial(substitute, mapping={**put, layer.x: substitute(point, put)})
-        plain = Statement((), Given(), statement.path, "")
+        plain = Statement((), Given(), _near(layer), "")
         found = decided(Comparison(tidied(at(error)), asked, at(gauge)), plain)
         return found.verdict is Verdict.REFUTED
 
@@ -322,32 +458,21 @@ def _refuted(
             if fails(e - value, point, there):
                 why = (
                     f"the boundary value at {point} is {value}, not "
-                    f"{tidied(substitute(e, {layer.x: point}))}"
+                    f"{said(tidied(substitute(e, {layer.x: point})))}"
                 )
                 witness = {layer.x: exact_text(point), **_texts(there)}
                 return Answer(Verdict.REFUTED, why, witness=witness, lemma=LEMMA)
-    true = composite(layer, needs.order)
-    try:
-        check(layer, true, Needs(needs.order, (True, True), (True, True)))
-    except GapError as error:
-        raise OpenError(f"it is not shown, nor is {true}: {error}") from None
+    true = _true(layer, needs.order)
     shown = power_of(layer.reader.small, needs.order, layer.reader.q)
-    whole = statement.given & Given(((small, ">", ZERO),))
-    inside = Given(
-        tuple(
-            c
-            for c in whole.comparisons
-            if layer.reader.small not in (symbols(c[0]) | symbols(c[2]))
-        )
-    )
+    inside = _free(statement, layer)
     for there in places:
         for point in _points(layer, needs, inside, there):
             if fails(e - true, point, there):
                 fixed = layer.reader.small not in symbols(point)
                 witness = {layer.x: exact_text(point)} if fixed else {}
                 why = (
-                    f"{layer.x} = {point}: the solution is {true} + O({shown}), uniformly in "
-                    f"{layer.x}, and this differs from {e} by more"
+                    f"{layer.x} = {said(point)}: the solution is {said(true)} + O({shown}), "
+                    f"uniformly in {layer.x}, and this differs from {said(e)} by more"
                 )
                 return Answer(
                     Verdict.REFUTED, why, witness={**witness, **_texts(there)}, lemma=LEMMA

@@ -610,6 +610,8 @@ def _small_parameter(
     claim: Comparison, statement: Statement, system: _System, path: Path, answer: Answer
 ) -> str | None:
     """Whether the ratio of error and comparison function grows, at fixed times."""
+    if path.point is None and claim.relation in ("O", "o", "->"):
+        return _layer(claim, statement, system, path, answer)
     if path.point is None or symbols(path.point) or claim.relation not in ("O", "o", "->"):
         return None
     ctx.cap = 1
@@ -764,7 +766,8 @@ def _layer(
         sizes: list[tuple[float, float]] = []
         for small in SMALL:
             ctx.cap = 1
-            here = at | {path.name: arb(small)}
+            parameter = arb(small) if path.point is not None else 1 / arb(small)
+            here = at | {path.name: parameter}
             series = _constants(here)
             plain = {n: float(x) for n, x in here.items()}
             start = float(_value(system.start, series)[0])
@@ -813,7 +816,7 @@ def _layer(
             sizes.append((low, float((error[kept] + 2 * slack[kept]).max())))
             region = _region(answer)
             if answer and region is not None and answer.constant is not None:
-                inside = conditions([path.name], region, ())([arb(small)])
+                inside = conditions([path.name], region, ())([parameter])
                 most = parse_number(answer.constant.mid) + parse_number(answer.constant.rad)
                 if inside and low > float(arb(most).upper()):
                     return f"numerically the ratio of the sides is {low:.6g}"
