@@ -11,13 +11,14 @@ from typing import Any
 
 from tresym.asymptotics.expansion import MOST, terms_of
 from tresym.asymptotics.explicit_terms import Terms
+from tresym.asymptotics.recurrences import explicit_sequence, growth
 from tresym.checking import check
 from tresym.checking.dispatch import decide_within_limits
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.decisions.roots import as_variables, root_nodes
 from tresym.reals.decisions.statement import Statement
-from tresym.reals.language.binders import elementary
+from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.expression import Expr, opened, symbol
 from tresym.reals.language.readings import in_latex
 from tresym.reals.numbers.exact import InputError
@@ -34,6 +35,7 @@ class Expansion:
         terms: the terms as text, the largest first.
         gauge: the comparison function of the error as text; empty if the terms are all of it.
         answer: the verdict of the claim ``exact == terms + O(gauge)``, with constant and region.
+        relation: ``~`` or ``Theta`` where only the order of growth is claimed, the one term.
     """
 
     exact: str
@@ -41,6 +43,7 @@ class Expansion:
     terms: tuple[str, ...]
     gauge: str
     answer: Answer
+    relation: str = ""
 
     @property
     def claim(self) -> str:
@@ -48,6 +51,10 @@ class Expansion:
         return self.answer.read_as
 
     def __str__(self) -> str:
+        if self.relation:
+            whole = joined(self.terms)
+            said = f"~ {whole}" if self.relation == "~" else f"= {self.relation}({whole})"
+            return f"{self.exact} {said}   as {self.path}   ({self.answer.verdict.value})"
         said = f"{self.exact} = {joined(self.terms)}"
         if not self.gauge:
             return f"{said}   ({self.answer.verdict.value})"
@@ -109,6 +116,10 @@ def expand(exact: str, path: str, terms: int = 3, given: str = "", region: str =
     statement = read(f"{exact} == O(1){under} as {path}")
     if statement.path is None or statement.path.together or statement.path.expression is not None:
         raise InputError("give a path of one variable, such as x -> 0+")
+    if statement.recurrences:
+        sequence = _of_sequence(exact, statement, under)
+        if sequence is not None:
+            return sequence
     found = _terms(statement, terms)
     if found is None:
         raise InputError(
@@ -129,6 +140,27 @@ def expand(exact: str, path: str, terms: int = 3, given: str = "", region: str =
             f"{statement.path.name} -> {statement.path.point}+"
         )
     return Expansion(exact, str(statement.path), shown, gauge, answer)
+
+
+def _of_sequence(exact: str, statement: Statement, under: str) -> Expansion | None:
+    """Return the explicit form of a sequence, or the order of growth of a recursive algorithm."""
+    (claim,) = statement.comparisons
+    path = statement.path
+    assert path is not None
+    solution = explicit_sequence(statement)
+    if solution is not None and not any(x.op == "sum" for x in outermost(solution[0])):
+        form, first = solution
+        where = f"{under}, {path.name} integer, {path.name} >= {first}"
+        return Expansion(exact, str(path), (str(form),), "", check(f"{exact} == {form}{where}"))
+    known = growth(claim.left, statement)
+    if known is None:
+        return None
+    relation, scale = known
+    right = f"~ {scale}" if relation == "~" else f"== {relation}({scale})"
+    answer = check(f"{exact} {right}{under} as {path}")
+    if not answer:
+        raise InputError(f"the order of growth of {exact} is not proved: {answer.why}")
+    return Expansion(exact, str(path), (str(scale),), "", answer, relation)
 
 
 def _terms(statement: Statement, count: int) -> Terms | None:

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import islice
+from math import factorial
 from typing import NamedTuple
 
 from flint import fmpq
@@ -154,6 +155,9 @@ def _quotient(x: Expr, r: fmpq, s: fmpq) -> Expr:
 
 def _gamma(x: Expr) -> Expr:
     """Return Γ(x), as a factorial where x is an integer or an index plus an integer."""
+    k = integer(x)
+    if k is not None and 0 < k <= 200:
+        return number(factorial(k - 1))
     rest = x
     for name in symbols(x):
         rest = rest - symbol(name)

@@ -32,10 +32,15 @@ from flint import arb, fmpq
 
 from tresym.asymptotics.approximation import Approximation, approximated, size
 from tresym.asymptotics.divide_and_conquer import decide_divided
-from tresym.asymptotics.divided_arguments import decide_divided_arguments
+from tresym.asymptotics.divided_arguments import (
+    Divided,
+    decide_divided_arguments,
+    divided,
+    growth_of,
+)
 from tresym.asymptotics.first_order_recurrences import FirstOrder, first_order
 from tresym.asymptotics.lemma import Bound, End, Expansion, Obligations
-from tresym.asymptotics.lemma_claims import decide_with_expansions
+from tresym.asymptotics.lemma_claims import approximations, decide_with_expansions
 from tresym.asymptotics.linear_recurrences import (
     LINEAR,
     UNSUPPORTED_ROOTS,
@@ -142,14 +147,14 @@ def _decide(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
     assert path is not None
     if path.point is not None or path.sides != (1,) or claim.derivatives:
         raise _OpenError("claims about a sequence are supported as n -> oo, without derivatives")
-    divided = decide_divided(claim, statement, decided)
-    divided = decide_rooted(claim, statement, decided) if divided is None else divided
-    if divided is None or divided.verdict is Verdict.UNDECIDED:
+    answer = decide_divided(claim, statement, decided)
+    answer = decide_rooted(claim, statement, decided) if answer is None else answer
+    if answer is None or answer.verdict is Verdict.UNDECIDED:
         other = decide_divided_arguments(claim, statement, decided)
-        if divided is None or (other is not None and other.verdict is not Verdict.UNDECIDED):
-            divided = other
-    if divided is not None:
-        return divided
+        if answer is None or (other is not None and other.verdict is not Verdict.UNDECIDED):
+            answer = other
+    if answer is not None:
+        return answer
     higher = solved(statement, path.name)
     if higher is not None and len(higher.coefficients) > 1:
         return _of_higher_order(claim, statement, higher, decided)
@@ -602,6 +607,30 @@ def _rate(
     return None
 
 
+def explicit_sequence(statement: Statement) -> tuple[Expr, int] | None:
+    """Return the solution of a linear recurrence on n, and from which n on the recurrence holds."""
+    path = statement.path
+    if path is None or statement.given.comparisons:
+        return None
+    found = solved(statement, path.name) or first_order(statement, path.name)
+    form = None if found is None else found.closed()
+    return None if found is None or form is None else (form, found.first - min(found.lowest, 0))
+
+
+def growth(e: Expr, statement: Statement) -> tuple[str, Expr] | None:
+    """Return ``~`` or ``Theta`` and how a divide-and-conquer recurrence may grow; not proved."""
+    path = statement.path
+    if path is None:
+        return None
+    found = divided(statement, symbol(path.name))
+    if not isinstance(found, Divided) or not found.branches or e != found.node:
+        return None
+    known = growth_of(found)
+    if known is None or known.scale is None:
+        return None
+    return "~" if known.sharp else "Theta", known.scale
+
+
 def sequence_approximations(
     e: Expr, statement: Statement, decided: Decide
 ) -> Iterator[tuple[Expr, Expr]]:
@@ -612,6 +641,15 @@ def sequence_approximations(
     """
     path = statement.path
     assert path is not None
+    explicit = explicit_sequence(statement)
+    if explicit is not None:
+        form, _ = explicit
+        if not form.hidden:
+            yield form, ZERO
+            return
+        rest = replace(statement, equations=(), integers=(path.name,))
+        yield from approximations(form, rest, decided)
+        return
     try:
         sequence = _sequence(statement)
         if e != sequence.node:
