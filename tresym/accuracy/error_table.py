@@ -34,8 +34,10 @@ from tresym.accuracy.values import (
     rounded_number,
 )
 from tresym.asymptotics.constants import Constant
+from tresym.asymptotics.recurrences import explicit_sequence
 from tresym.checking import check
 from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.claim_parsing import read as read_claim
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import root
 from tresym.reals.language.calls import INFINITY
@@ -50,7 +52,7 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.parsing import parse_given
+from tresym.reals.language.parsing import parse_given, sequences_of
 from tresym.reals.language.paths import Path, read_path
 from tresym.reals.language.unicode_input import plain
 from tresym.reals.notebook import in_one_line
@@ -374,6 +376,9 @@ def asked(
         InputError: it cannot be read, or the path, the equations and the expressions do not fit.
     """
     way = read_path(path)
+    sequence = _sequence(exact, path, given)
+    if sequence is not None:
+        exact, given = sequence, ""
     one, (other, gauge) = read(exact), _with_order(read(approx))
     if order is not None:
         wanted = read(order)
@@ -407,6 +412,19 @@ def asked(
     if way.name not in symbols(one) | symbols(other):
         raise InputError(f"the path is one of {way.name}, which neither expression contains")
     return Question(one, other, gauge, way, shown)
+
+
+def _sequence(exact: str | Expr, path: str, given: str) -> Expr | None:
+    """Return the explicit form of a sequence a(n) that conditions determine, or None."""
+    if not isinstance(exact, str) or not sequences_of(given):
+        return None
+    statement = read_claim(f"{exact} == O(1) given {given} as {path}")
+    found = explicit_sequence(statement)
+    left = statement.comparisons[0].left
+    way = read_path(path)
+    if found is None or left.op != "unknown" or left.args[1:] != (symbol(way.name),):
+        raise InputError(f"{exact} has no explicit form that is found")
+    return found[0]
 
 
 def _with_order(e: Expr) -> tuple[Expr, Expr | None]:

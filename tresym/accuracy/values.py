@@ -20,10 +20,11 @@ from typing import Any, TypeAlias
 from flint import arb, fmpq, fmpz
 
 from tresym.reals.decisions.closed_values import certified_evaluation
+from tresym.reals.decisions.rounding import rounded_numbers
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import InBalls, UndefinedError
 from tresym.reals.language.binders import outermost, worked_out
-from tresym.reals.language.calls import FACTORIAL, INFINITY, unknown_function_error
+from tresym.reals.language.calls import FACTORIAL, INFINITY, ROUNDED, unknown_function_error
 from tresym.reals.language.expression import Expr, number, opened, substitute, symbol, symbols
 from tresym.reals.language.parsing import as_written
 from tresym.reals.language.typesetting import to_latex
@@ -148,7 +149,7 @@ def read(text: str | Expr) -> Expr:
         raise InputError("an expression is text such as integral(exp(-x**2), x, 0, oo)")
     e = worked_out(as_written(plain(text)))
     for node in outermost(e):
-        if node.op == "unknown" and node.args[0].args[0] != FACTORIAL:
+        if node.op == "unknown" and node.args[0].args[0] not in (FACTORIAL, *ROUNDED):
             raise unknown_function_error(node.args[0].args[0])
     return e
 
@@ -184,7 +185,12 @@ def placed(e: Expr, at: Mapping[str, Expr]) -> Expr:
     missing = sorted(names - at.keys())
     if missing:
         raise InputError(f"give the value of {missing[0]}, such as {missing[0]}=1/10")
-    return substitute(e, at)
+    found = rounded_numbers(substitute(e, at))
+    if any(node.op == "coefficient" for node in outermost(found)):
+        from tresym.asymptotics.exact_coefficients import with_values
+
+        return with_values(found)
+    return found
 
 
 def certified(e: Expr, digits: int, smallest: int | None = None) -> arb:

@@ -180,13 +180,12 @@ def _value(e: Expr) -> Expr | None:
 
 
 def rounded_numbers(e: Expr) -> Expr:
-    """Return ``e`` with the values of floors and ceilings of rational numbers."""
-    for node in [node for node in functions(e) if is_rounded(node)]:
-        inner = tidied(node.args[1])
-        if inner.op == "number":
-            x = inner.args[0]
-            value = x.floor() if node.args[0].args[0] == "floor" else x.ceil()
-            return rounded_numbers(replaced(e, {node: number(value)}))
+    """Return ``e`` with the values of floors and ceilings of numbers."""
+    for node in [node for node in functions(e) if is_rounded(node) and not node.loose]:
+        side = number(1 if node.args[0].args[0] == "floor" else -1)
+        value = _value(tidied(side * node.args[1]))
+        if value is not None:
+            return rounded_numbers(replaced(e, {node: tidied(side * value)}))
     return e
 
 
