@@ -59,6 +59,9 @@ def test_a_false_closed_form_or_expansion_is_refuted(text: str, tmp_path: Path) 
         (r"\[ \delta\int L\,dt = \int\delta L\,dt \]", "UNREAD"),
         (r"\[ \{u, w\} = uw - wu = 0 \]", "UNREAD"),
         (r"\[ uw - wu = 0 \]", "UNREAD"),
+        # n counts, and so tends to infinity
+        (r"\[ 4n^2 + 7n \in O(n) \]", "UNDECIDED"),
+        (r"\[ 4n^2 + 7n = O(n) \]", "UNDECIDED"),
         # units that are not known, or rounded numbers of them
         (r"\[ \SI{5}{\celsius} = \SI{278}{\kelvin} \]", "UNREAD"),
         (r"\[ \SI{5}{\kilo\meter} = 5\,\mathrm{km} \]", "UNREAD"),

@@ -42,6 +42,8 @@ from tresym.reals.numbers.exact import InputError, parse_number
 
 DEFINED, ASSUMED, EQUATION, UNREAD = "DEFINED", "ASSUMED", "EQUATION", "UNREAD"
 CONSTANTS = re.compile(r"[CcAB]_?\d*|[CcA]_\w")
+_COUNTS = frozenset(("n", "N", "k", "m"))
+"""Letters that tend to infinity unless the text says otherwise."""
 _NUMBERED = re.compile(r"[A-Za-z]+_?\d+")
 TOLD = "as the text before it says, with"
 WHERE = "under the conditions of the definition, with"
@@ -607,14 +609,16 @@ def _printed(link: Link, compared: Compared, piece: Piece) -> Link:
 
 
 def usual_path(right: Expr) -> str:
-    """Return the usual path of a remainder: ``x -> 0`` for O(x**3), ``n -> oo`` for O(1/n)."""
+    """Return the usual path of a remainder: ``x -> 0`` for O(x**3), ``n -> oo`` for O(1/n) and
+    O(n), since n counts."""
     (*_, gauge) = [None, *(node.args[0] for node in outermost(right) if node.op == "O")]
     if gauge is None:
         return ""
     base, exponent = gauge.args if gauge.op == "^" else (gauge, number(1))
     if base.op != "symbol" or exponent.op != "number":
         return ""
-    return f"{base} -> {'0' if exponent.args[0] > 0 else 'oo'}"
+    grows = exponent.args[0] < 0 or str(base) in ("n", "N")
+    return f"{base} -> {'oo' if grows else '0'}"
 
 
 def without_dots(series: Expr) -> Expr:
@@ -639,7 +643,7 @@ def _coefficients(left: Expr, right: Expr, path: str) -> set[str]:
 def _path_of_index(left: Expr, right: Expr) -> str:
     """Return the usual path of a statement about one index: ``n -> oo``."""
     names = (symbols(left) | symbols(right)) - NO_VARIABLES
-    return f"{min(names)} -> oo" if len(names) == 1 and names <= {"n", "N", "k", "m"} else ""
+    return f"{min(names)} -> oo" if len(names) == 1 and names <= _COUNTS else ""
 
 
 def read_so(link: Link, compared: Compared) -> Link:

@@ -84,6 +84,10 @@ _INNERS |= {
 }
 _INNER = re.compile(rf"\\(begin|end)\s*\{{({'|'.join(_INNERS)})\*?\}}")
 """Displays inside ``$$``, in Markdown, and what they are in LaTeX."""
+_IN_ORDER = re.compile(
+    r"\\in(?![a-zA-Z])(?=\s*(?:\\(?:mathcal|cal)\s*\{?\s*|\{\s*\\cal\s*)?[Oo]\}?\s*(?:\\left\s*)?\()"
+)
+"""The sign of ``f \\in O(g)``, which says ``f = O(g)``."""
 _BRACKETS = frozenset(("\\left", "\\right", "\\middle"))
 """Commands of which an author's new definition changes the space around brackets, not a meaning."""
 
@@ -319,6 +323,7 @@ class _Scanner:
             self.broken.append((start, problem))
         notes = tuple(self.source.notes[int(mark[1])] for mark in _MARKED.finditer(text))
         text = _MARKED.sub("", text)
+        text = _IN_ORDER.sub("=", text)
         if kind in ("dollars", "brackets"):
             text = _INNER.sub(lambda m: rf"\{m[1]}{{{_INNERS[m[2]]}}}", text)
         if kind.startswith(("alignat", "xalignat")) and not problem:

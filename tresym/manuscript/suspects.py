@@ -19,6 +19,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from itertools import groupby
 
+from tresym.checking.time_limited import Task, check_within
 from tresym.manuscript import prose
 from tresym.manuscript.accusations import DoubtKind
 from tresym.manuscript.aftermath import settled
@@ -31,14 +32,15 @@ from tresym.manuscript.classification import (
     Link,
     Obstacle,
 )
-from tresym.manuscript.deciding import COORDINATE, Row
+from tresym.manuscript.deciding import COORDINATE, Row, under_also
 from tresym.manuscript.mentions import names_in
 from tresym.manuscript.terms import unknown_in
 from tresym.reals.decisions.answer import Alternative
 from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import Expr, symbols
-from tresym.reals.verdict import Cause
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.verdict import Cause, Verdict
 from tresym.repair import suggestions
 from tresym.repair.agreement import Definitions
 from tresym.repair.search import GIVEN, SECONDS
@@ -113,10 +115,25 @@ def proofread(
             result[n] = replace(row, instead=instead)
             continue
         why = "" if _redefined(row, rows) else reason(row, instead, blocks[n])
-        if why:
+        if why and (instead or _fails_for_positive(row)):
             witness = row.fails_at
             result[n] = replace(row, status=SUSPECT, why=why, instead=instead, witness=witness)
     return settled(result, processes=processes)
+
+
+def _fails_for_positive(row: Row) -> bool:
+    """Whether a link that fails at a negative number fails for positive ones too, as lengths are
+    which the text did not introduce."""
+    if not any(value.startswith("-") for value in (row.fails_at or {}).values()):
+        return True
+    claim = row.failing or row.refuted
+    names = ", ".join(f"{name} > 0" for name in sorted(row.fails_at or {}) if "(" not in name)
+    if " as " in claim or not names:
+        return True
+    try:
+        return check_within(Task(under_also(claim, names)), SECONDS).verdict is Verdict.REFUTED
+    except InputError:
+        return False
 
 
 def _as_written(found: Alternative) -> Alternative:
