@@ -35,6 +35,7 @@ from tresym.reals.language.compound import read_compound
 from tresym.reals.language.differential_notation import without_prefix
 from tresym.reals.language.expression import DOTS, ZERO, Expr, opened, replaced, symbols
 from tresym.reals.language.parsing import parse
+from tresym.reals.normal.to_expression import with_closed_values
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.resource_limits import collecting_seldom, stage
@@ -711,6 +712,7 @@ def _decide_inequality(
     """Decide an inequality, and separately at the points where sign and atan2 jump."""
     from tresym.reals.decisions.inequalities import decide_inequality
 
+    left, right = with_closed_values(left), with_closed_values(right)
     nodes = jumps((left, right), given)
     apart = Given(tuple((u, "!=", ZERO) for node in nodes for u in zeros(node.args[0], given)))
     answer = decide_inequality(left, relation, right, given & apart, differentiated, by)

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from tresym.reals.domain.conditions import Given
-from tresym.reals.functions.table import SPECIAL
+from tresym.reals.domain.operation_domains import operations
+from tresym.reals.functions.table import SPECIAL, TABLE
 from tresym.reals.language.expression import (
     LEAVES,
     PI,
@@ -15,8 +16,10 @@ from tresym.reals.language.expression import (
     number,
     power,
     rebuild,
+    replaced,
     substitute,
     symbol,
+    symbols,
 )
 from tresym.reals.normal.field import Field
 from tresym.reals.normal.ring import Fraction, Generator, Poly, UndefinedError
@@ -173,3 +176,20 @@ def normal_form(e: Expr, given: Given) -> Expr:
         return _fraction(field, value) or e
     except (TooLargeError, UndefinedError, InputError):
         return e
+
+
+def with_closed_values(e: Expr) -> Expr:
+    """Return ``e`` with the functions of constants that have simple values, as cos(0) and atan(1).
+
+    Example:
+        >>> from tresym.reals.language.parsing import parse
+        >>> str(with_closed_values(parse("x*cos(0) + sin(pi/2)*y + sin(1)")))
+        'x + y + sin(1)'
+    """
+    known = {}
+    for node in operations((e,)):
+        if node.op in TABLE and not node.hidden and not node.loose and not symbols(node):
+            value = normal_form(node, Given())
+            if all(part.op in ("*", "+") for part in operations((value,))):
+                known[node] = value
+    return replaced(e, known) if known else e
