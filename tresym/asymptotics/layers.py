@@ -295,7 +295,8 @@ def _decided(
 ) -> Answer:
     order = gauge_order(layer, gauge) + (claim.relation != "O")
     if order > HIGHEST * layer.reader.q:
-        raise OpenError(f"orders up to {layer.reader.small}**{HIGHEST} are supported")
+        most = power_of(layer.reader.small, HIGHEST, 1)
+        raise OpenError(f"orders up to {most} are supported")
     closed, apart = _ends_of_conditions(problem, statement, layer)
     if statement.uniformly:
         closed = (not apart[0], not apart[1])  # by continuity
@@ -305,7 +306,9 @@ def _decided(
     shown = power_of(small, order, layer.reader.q)
     asked = (uniform,) if statement.uniformly else (uniform, fixed)
     gap: GapError | None = None
-    parameters = layer_parameters(layer, e)
+    conditions = (symbols(end) for link in statement.given.comparisons for end in link[::2])
+    own = {layer.x, layer.t, layer.reader.small}
+    parameters = layer_parameters(layer, e).union(*conditions) - own
     for needs in asked:
         try:
             check(layer, e, needs)
@@ -317,7 +320,7 @@ def _decided(
             f"maximum principle bounds by a multiple of {shown}, "
         )
         if needs is uniform and not parameters and claim.relation == "O":
-            known = _with_constant(layer, e, gauge, order, statement)
+            known = _with_constant(claim, layer, e, gauge, order, statement)
             if known is not None:
                 return known
         if needs is uniform and layer.high is None:
@@ -365,7 +368,7 @@ def layer_terms(statement: Statement, count: int) -> tuple[list[Expr], Expr] | N
 
 
 def _with_constant(
-    layer: Layer, e: Expr, gauge: Expr, order: int, statement: Statement
+    claim: Comparison, layer: Layer, e: Expr, gauge: Expr, order: int, statement: Statement
 ) -> Answer | None:
     """Return the answer with a constant for all small values of the parameter, or None."""
     path = statement.path
@@ -392,7 +395,10 @@ def _with_constant(
     if best is None:
         return None
     with ball_precision():
-        constant = arb((best[0] / abs(evaluate(factor, {}))).upper())
+        (node,) = set(functions(claim.left))
+        times = tidied(differentiate(replaced(claim.left, {node: symbol("[S]")}), "[S]"))
+        size = abs(evaluate(times, {})) / abs(evaluate(factor, {}))
+        constant = arb((best[0] * size).upper())
         shown = rounded(constant, 1)
         ball = constant_ball(arb(rounded_up(constant, 6)))
     why = (

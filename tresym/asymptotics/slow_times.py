@@ -285,6 +285,15 @@ class _Averaging:
         fast = tidied(substitute(differentiate(e, self.t), {self.small: ZERO}))
         if self.t in symbols(fast):
             raise OpenError(f"{e} is no multiple of {self.t}, but for multiples of {small * t}")
+        slope = tidied(differentiate(e, self.t))
+        if self.t not in symbols(slope):  # the argument is g(e)*t + h(e)
+            start = substitute(e, {self.t: ZERO})
+            at_zero = partial(substitute, mapping={self.small: ZERO})
+            if all(continuous_on(at_zero(p), self.given, proof) is None for p in (slope, start)):
+                change = at_zero(differentiate(slope, self.small))
+                return fast, tidied(
+                    normal_form(change * symbol(self.tau) + at_zero(start), self.given)
+                )
         positive = self.given & Given(((small, ">", ZERO),))
         rest = substitute(e - fast * t, {self.t: symbol(self.tau) / small})
         slow = tidied(normal_form(rest, positive))
