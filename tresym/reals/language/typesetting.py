@@ -21,7 +21,6 @@ from tresym.reals.language.expression import (
     number,
     opened,
     orders_last,
-    power,
     symbols,
 )
 from tresym.reals.language.formula import Compared
@@ -52,7 +51,7 @@ LATEX: Mapping[str, str] = {
     "fraction": r"\frac{{{}}}{{{}}}", "power": "{}^{{{}}}", "sqrt": r"\sqrt{{{}}}",
     "cbrt": r"\sqrt[3]{{{}}}", "abs": r"\left|{}\right|", "function": r"\operatorname{{{}}}",
     "brackets": "({})", "tall": r"\left({}\right)", "comma": ", ", "partial": r"\partial ",
-    "factorial": "{}!",
+    "factorial": "{}!", "binomial": r"\binom{{{}}}{{{}}}",
     **{name: _escaped(row.latex) for name, row in TABLE.items() if written_after(row)},
     "O": "O", "o": "o",
 }  # fmt: skip
@@ -83,6 +82,8 @@ MATHML: Mapping[str, str] = {
     "power": f"<msup>{_ROW}{_ROW}</msup>", "sqrt": f"<msqrt>{_ROW}</msqrt>",
     "cbrt": f"<mroot>{_ROW}<mn>3</mn></mroot>", "abs": "<mrow><mo>|</mo>{}<mo>|</mo></mrow>",
     "function": "<mi>{}</mi>", "factorial": "<mrow>{}<mo>!</mo></mrow>",
+    "binomial": "<mrow><mo>(</mo><mfrac linethickness=\"0\"><mrow>{}</mrow><mrow>{}</mrow></mfrac>"
+    "<mo>)</mo></mrow>",
     "brackets": "<mrow><mo>(</mo>{}<mo>)</mo></mrow>",
     "comma": "<mo>,</mo>", "partial": "<mi>∂</mi>",
     **{name: f"<mi>{upright(row)}</mi>" for name, row in TABLE.items() if written_after(row)},
@@ -161,6 +162,8 @@ class _Printer:
                 return (self.put("negative") + text if r < 0 else text), whole
             case "symbol":
                 name = e.args[0]
+                if name[0].isdigit():  # a number as it was typed
+                    return self.put("number", name), ATOM
                 return (self.put(name) if e in (INFINITY, DOTS) else self.name(name)), ATOM
             case "pi":
                 return self.put("pi"), ATOM
@@ -178,6 +181,8 @@ class _Printer:
                 return self.put(e.op, self.shown(e.args[0])), ATOM
         if e.op == "root":
             return self.binder(e), ATOM
+        if e.op == "binomial":
+            return self.put(e.op, *map(self.shown, e.args)), ATOM
         return (self.binder(e), SUM) if e.names else (self.applied(e), ATOM)
 
     def sum(self, e: Expr) -> str:
@@ -187,14 +192,14 @@ class _Printer:
             terms = tuple(sorted(terms, key=_is_negative))
         text = self.shown(terms[0])
         for term in terms[1:]:
-            sign, shown = ("minus", -term) if _is_negative(term) else ("plus", term)
+            sign, shown = ("minus", _opposite(term)) if _is_negative(term) else ("plus", term)
             text += self.put(sign) + self.shown(shown, PRODUCT if sign == "minus" else SUM)
         return text
 
     def product(self, e: Expr) -> str:
         """Factors above and below one bar, with a sign before it."""
         if _is_negative(e):
-            return self.put("negative") + self.shown(-e, PRODUCT)
+            return self.put("negative") + self.shown(_opposite(e), PRODUCT)
         above: list[Expr] = []
         below: list[Expr] = []
         for f in e.args:
@@ -203,7 +208,7 @@ class _Printer:
                 above += [p] if p != ONE else []
                 below += [q] if q != ONE else []
             elif f.op == "^" and f.args[1].op == "number" and f.args[1].args[0] < 0:
-                below.append(power(f.args[0], -f.args[1]))
+                below.append(_reciprocal(f))
             else:
                 above.append(f)
         if not below:
@@ -221,7 +226,7 @@ class _Printer:
 
     def raised(self, base: Expr, exponent: Expr) -> tuple[str, int]:
         if exponent.op == "number" and exponent.args[0] < 0:
-            below = self.shown(power(base, -exponent))
+            below = self.shown(_reciprocal(Expr("^", (base, exponent))))
             return self.put("fraction", self.put("number", "1"), below), PRODUCT
         if exponent == HALF:
             return self.put("sqrt", self.shown(base)), ATOM
@@ -303,6 +308,7 @@ class _Printer:
 
     def letter(self, name: str, template: str) -> str:
         """A Greek letter by its name, and any other name as it is."""
+        name = "epsilon" if name == "eps" else name
         if name not in GREEK:
             return self.put(template, name)
         return (
@@ -313,6 +319,23 @@ class _Printer:
 def _is_negative(e: Expr) -> bool:
     first = e.args[0] if e.op == "*" else e
     return bool(first.op == "number" and first.args[0] < 0)
+
+
+def _opposite(e: Expr) -> Expr:
+    """Return a negative number or product without its sign, its factors in the order they have."""
+    if e.op != "*":
+        return -e
+    first, *rest = e.args
+    size = -first
+    if size == ONE:
+        return rest[0] if len(rest) == 1 else Expr("*", tuple(rest))
+    return Expr("*", (size, *rest))
+
+
+def _reciprocal(e: Expr) -> Expr:
+    """Return one divided by a power with a negative exponent, its base in the form it has."""
+    base, exponent = e.args
+    return base if exponent == number(-1) else Expr("^", (base, -exponent))
 
 
 def expression_in_latex(e: Expr, upright: bool = False) -> str:

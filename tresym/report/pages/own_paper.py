@@ -24,16 +24,19 @@ from tresym.papers.reading import (
     Section,
 )
 from tresym.papers.verification import PaperReport, Row
+from tresym.reals.language.as_typed import as_typed
 from tresym.reals.language.calls import INFINITY, INTEGERS
 from tresym.reals.language.compound import formula_in_latex, mapped
 from tresym.reals.language.expression import (
     LEAVES,
     ORDERS,
+    ZERO,
     Expr,
     bind,
     instantiate,
     rebuild,
     symbol,
+    symbols,
     unknown,
 )
 from tresym.reals.language.formula import Compared
@@ -43,6 +46,7 @@ from tresym.reals.language.typesetting import expression_in_latex as any_express
 from tresym.reals.language.typesetting import to_latex as any_formula
 from tresym.reals.verdict import Verdict
 from tresym.report.pages import notebook
+from tresym.report.pages.formulas_in_words import parts, region_latex
 
 STYLES = ("article", "markdown", "jupyter")
 _TEX = {
@@ -289,7 +293,10 @@ def _verdict(row: Row, item: PaperClaim, look: _Style) -> str:
     name = look.code(item.label) + (f" ({look.words(item.place)})" if item.place else "")
     quoted = f" (quoted from {look.words(item.source)})" if item.source else ""
     head = f"{name}{quoted}: "
-    reason = _reason(row.why, look)
+    known = frozenset().union(*(symbols(e) for link in item.links for e in link[::2]))
+    found = item.asymptotic
+    has_terms = found is not None and found[1] != ZERO and found[2] is not None
+    reason = _reason(row.why, look, known, has_terms)
     if row.verdict is Verdict.UNDECIDED:
         return f"{head}{look.strong('not proved')}: {reason}."
     if row.verdict is Premise.ASSUMED:
@@ -313,7 +320,8 @@ def _verdict(row: Row, item: PaperClaim, look: _Style) -> str:
     if answer is not None and answer.constant is not None:
         text += f" The constant is {look.words(answer.constant_text())}."
     if answer is not None and answer.region:
-        text += f" Region: {look.code(answer.region)}."
+        where = region_latex(answer.region)
+        text += f" Region: {look.formula(where) if where else look.code(answer.region)}."
     if row.axioms:
         text += f" It rests on {', '.join(look.refer(label) for label in row.axioms)}."
     return text
@@ -323,14 +331,26 @@ def _with_given(claim: str, given: str) -> str:
     return f"{claim} given {given}" if given else claim
 
 
-def _reason(why: str, look: _Style) -> str:
-    """The reason of a verdict up to the points that were tried, in words."""
+def _reason(why: str, look: _Style, known: Collection[str] = (), is_error: bool = False) -> str:
+    """The reason of a verdict up to the points that were tried, its formulas typeset.
+
+    Of an order the factor C is left out, since the constant is given below; and what the reason
+    calls the left side is the error, where terms stand beside the O(...).
+    """
     first = _POINTS.split(why)[0]
-    return (
-        look.code(first)
-        if look is _MARKDOWN and re.search(r"[*_^<>|]", first)
-        else look.words(first)
-    )
+    if is_error:
+        first = first.replace("the left side behaves like", "the error behaves like")
+    if first.startswith("|left| <= C |right|"):
+        first = first.partition("; ")[2] or "the ratio of both sides is bounded"
+    found = ""
+    for part, is_formula in parts(first, known):
+        if is_formula:
+            found += look.formula(part)
+        elif look is _MARKDOWN and re.search(r"[*_^<>|]", part):
+            found += re.sub(r"\S*[*_^<>|]\S*", lambda word: look.code(word[0]), part)
+        else:
+            found += look.words(part)
+    return found
 
 
 def statement_latex(claim: PaperClaim, aligned: bool = False) -> str:
@@ -342,9 +362,9 @@ def statement_latex(claim: PaperClaim, aligned: bool = False) -> str:
         left = claim.shown[0][0]
         text = rf"{_latex(left)} \approx {claim.rounded}"
     elif aligned:
-        text = _aligned(claim.shown)
+        text = _aligned(_printed(claim))
     else:
-        text = to_latex(map(_plain_link, claim.shown))
+        text = to_latex(_printed(claim))
     labels = (rf"\text{{{label}}}" for label in claim.joined)
     text = r" \quad\text{and}\quad ".join(part for part in (*labels, text) if part)
     extra = []
@@ -367,7 +387,7 @@ def _aligned(links: Collection[Compared]) -> str:
     """A derivation with its relations below each other."""
     rows = []
     for number, link in enumerate(links):
-        left, relation, right = _plain_link(link)
+        left, relation, right = link
         whole = to_latex([(left, relation, right)])
         start = expression_in_latex(left)
         rest = whole[len(start) :].lstrip() if whole.startswith(start) else whole
@@ -395,6 +415,12 @@ def conditions_latex(given: Collection[Compared]) -> str:
 
 def _latex(e: Expr) -> str:
     return expression_in_latex(_plain(e))
+
+
+def _printed(claim: PaperClaim) -> list[Compared]:
+    """The comparisons of a claim in the form in which the author typed them."""
+    typed = as_typed(claim.text, claim.shown)
+    return list(typed) if typed is not claim.shown else [_plain_link(link) for link in typed]
 
 
 def _plain_link(link: Compared) -> Compared:
