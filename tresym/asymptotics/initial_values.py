@@ -38,6 +38,7 @@ from functools import partial
 
 from flint import arb, fmpq
 
+from tresym.asymptotics.attracting_curves import decide_attracted
 from tresym.asymptotics.boundary_values import decide_boundary_values
 from tresym.asymptotics.constants import rounded
 from tresym.asymptotics.differential_problem import (
@@ -364,6 +365,11 @@ def _long_time(
         reason = OpenError(found.why)
     try:
         return decide_autonomous(claim, problem, statement, fixed, decided)
+    except OpenError as error:
+        if problem.time not in set().union(*map(symbols, problem.right.values())):
+            raise reason or error from None
+    try:
+        return decide_attracted(claim, problem, statement, decided)
     except OpenError as error:
         raise reason or error from None
 
