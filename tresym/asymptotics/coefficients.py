@@ -108,7 +108,7 @@ class Coefficients(Expansion):
                 if left_out != ZERO:
                     errors.append(power(abs_of(point), -n) * left_out)
             if error is not None:
-                at = power(n, number(-error.alpha - 1))
+                at = _power(n, -error.alpha - 1)
                 if error.logarithms:
                     at = at * power(apply("log", n), number(error.logarithms))
                 errors.append(power(abs_of(point), -n) * at)
@@ -242,12 +242,16 @@ def _of_power(term: Term, n: Expr, order: int) -> tuple[Expr, Expr]:
                 many = factorial(k) // (factorial(a) * factorial(b) * factorial(c))
                 logs = ONE if a == 0 else log**a
                 scale = number(fmpq(many) * value) * reciprocal * logs
-                parts.append(scale * power(n, number(s - 1 - j)))
+                parts.append(scale * _power(n, s - 1 - j))
     ends = k == 0 and all(_derivative(e, 0)(s) == 0 for e in corrections[max(int(s.floor()), 0) :])
     if k == 0 and s.q == 1 and s >= 1 and ends:
         return add(ZERO, *parts), ZERO
-    error = power(n, number(s - 1 - last))
+    error = _power(n, s - 1 - last)
     return add(ZERO, *parts), error if k == 0 else error * power(log, number(k))
+
+
+def _power(n: Expr, exponent: fmpq) -> Expr:
+    return ONE if exponent == 0 else power(n, number(exponent))
 
 
 def _derivative(p: fmpq_poly, times: int) -> fmpq_poly:

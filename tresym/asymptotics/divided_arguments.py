@@ -415,17 +415,20 @@ def growth_of(found: Divided) -> Growth | None:
         return Growth(tidied(normal_form(lead / (1 - total), Given())) * first[1], True)
     if side != "0" and not is_zero(total - 1, Given()):
         return None
+    sizes: dict[fmpq, fmpq] = {}
+    for b in found.branches:
+        sizes[b.ratio] = sizes.get(b.ratio, fmpq(0)) + b.factor
     weights = [
-        number(b.factor) * power(number(b.ratio), number(s)) * apply("log", number(1 / b.ratio))
-        for b in found.branches
+        number(a) * power(number(ratio), number(s)) * apply("log", number(1 / ratio))
+        for ratio, a in sizes.items()
     ]
-    mean = add(*weights)
-    same, log = power(n, number(s)), apply("log", n)
+    mean = tidied(add(*weights))
+    same, log = ONE if s == 0 else power(n, number(s)), apply("log", n)
     if t > -1:
-        whole = lead / (number(t + 1) * mean) * same * power(log, number(t + 1))
-        return Growth(whole, True)
+        whole = lead * same * power(log, number(t + 1)) / (number(t + 1) * mean)
+        return Growth(tidied(whole), True)
     if t == -1:
-        return Growth(lead / mean * same * apply("log", log), True)
+        return Growth(tidied(lead * same * apply("log", log) / mean), True)
     return homogeneous(found)
 
 

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping
 from html import unescape
 
 from tresym.reals.functions.table import CONSTANTS, TABLE, names, upright, written_after
-from tresym.reals.language.calls import FACTORIAL, INFINITY
+from tresym.reals.language.calls import FACTORIAL, INFINITY, ROUNDED
 from tresym.reals.language.expression import (
     DOTS,
     HALF,
@@ -52,8 +52,10 @@ LATEX: Mapping[str, str] = {
     "cbrt": r"\sqrt[3]{{{}}}", "abs": r"\left|{}\right|", "function": r"\operatorname{{{}}}",
     "brackets": "({})", "tall": r"\left({}\right)", "comma": ", ", "partial": r"\partial ",
     "factorial": "{}!", "binomial": r"\binom{{{}}}{{{}}}",
+    "floor": r"\left\lfloor {} \right\rfloor",
+    "ceiling": r"\left\lceil {} \right\rceil",
     **{name: _escaped(row.latex) for name, row in TABLE.items() if written_after(row)},
-    "O": "O", "o": "o",
+    "O": "O", "o": "o", "Theta": r"\Theta", "omega": r"\omega",
 }  # fmt: skip
 
 _ROW = "<mrow>{}</mrow>"
@@ -84,10 +86,12 @@ MATHML: Mapping[str, str] = {
     "function": "<mi>{}</mi>", "factorial": "<mrow>{}<mo>!</mo></mrow>",
     "binomial": "<mrow><mo>(</mo><mfrac linethickness=\"0\"><mrow>{}</mrow><mrow>{}</mrow></mfrac>"
     "<mo>)</mo></mrow>",
+    "floor": "<mrow><mo>⌊</mo>{}<mo>⌋</mo></mrow>",
+    "ceiling": "<mrow><mo>⌈</mo>{}<mo>⌉</mo></mrow>",
     "brackets": "<mrow><mo>(</mo>{}<mo>)</mo></mrow>",
     "comma": "<mo>,</mo>", "partial": "<mi>∂</mi>",
     **{name: f"<mi>{upright(row)}</mi>" for name, row in TABLE.items() if written_after(row)},
-    "O": "<mi>O</mi>", "o": "<mi>o</mi>",
+    "O": "<mi>O</mi>", "o": "<mi>o</mi>", "Theta": "<mi>Θ</mi>", "omega": "<mi>ω</mi>",
 }  # fmt: skip
 
 _RAISED = names(lambda row: row.family in ("trigonometric", "hyperbolic"))
@@ -242,6 +246,8 @@ class _Printer:
             (name, orders), args = e.args[0].args, e.args[1:]
             if name == FACTORIAL and len(args) == 1:
                 return self.put("factorial", self.shown(args[0], ATOM))
+            if name in ROUNDED and len(args) == 1:
+                return self.put(name, self.shown(args[0]))
             head = self.name(name) + self.put("prime") * sum(orders)
         else:
             head = self.put(e.op) if e.op in self.templates else self.put("function", e.op)
