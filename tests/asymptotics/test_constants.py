@@ -121,3 +121,37 @@ def test_no_constant_beyond_a_singularity(claim: str) -> None:
 def test_a_region_reaches_the_end_of_the_path_of_an_order(claim: str) -> None:
     with pytest.raises(InputError):
         tresym.check(claim)
+
+
+SMALLEST = Path(__file__).parent.parent / "data" / "smallest_constants.txt"
+
+
+@pytest.mark.parametrize(
+    "line",
+    [line for line in SMALLEST.read_text().splitlines() if not line.startswith("#")],
+    ids=lambda line: line.partition(" |")[0],
+)
+def test_the_constant_is_the_smallest_to_two_per_cent(line: str) -> None:
+    (claim, rest), true = line.split(" | ", 1), float(line.rsplit("|", 1)[1])
+    region = rest.rsplit("|", 1)[0].strip()
+    found = tresym.check(claim, limit=20)
+    assert found
+    assert region in ("", found.region)
+    assert found.constant is not None
+    middle, radius = map(float, found.constant)
+    assert (middle - radius) * 0.999999 <= true <= (middle + radius) * 1.000001
+    assert middle + radius <= 1.02 * true
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        "x*log(x) == O(x**2) as x -> oo on x > 0",  # unbounded at 0
+        "exp(x) == 1 + O(x) as x -> 0+ on x > 0",  # unbounded at oo
+        "tan(x) == x + O(x**3) as x -> 0 on -1 <= x <= 2",  # a pole at pi/2
+        "sqrt(1 + x) == 1 + O(x) as x -> 0 on -2 <= x <= 2",  # not real below -1
+        "1/(1 - x) == 1 + O(x) as x -> 0 on abs(x) <= 1",  # a pole at the closed end
+    ],
+)
+def test_no_constant_serves_on_these_regions(claim: str) -> None:
+    assert not tresym.check(claim, limit=10)

@@ -24,14 +24,12 @@ from flint import arb, fmpq
 from tresym.accuracy.constants import jets_and_values
 from tresym.accuracy.values import read
 from tresym.asymptotics.constants import rounded
+from tresym.reals.decisions.path_regions import interval_of
 from tresym.reals.domain.conditions import Given
-from tresym.reals.domain.evaluation import evaluate
-from tresym.reals.expansions.maxima import EXPLICIT, Evaluations, Maximum, largest
+from tresym.reals.expansions.maxima import EXPLICIT, Maximum, exact_ends
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.calls import INFINITY
-from tresym.reals.language.expression import ONE, ZERO, Expr, substitute, symbol, symbols
-from tresym.reals.language.formula import MIRRORED
-from tresym.reals.normal.to_expression import normal_form
+from tresym.reals.language.expression import ONE, Expr, symbols
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError, quoted
 from tresym.reals.signs.interior import is_zero
@@ -40,9 +38,6 @@ FORMATS = {"exact": None, "double": (53, -1074), "single": (24, -149)}
 """How decimals of the approximation are read: the bits of a number, and the smallest power of 2."""
 CLOSE = fmpq(1, 1000)
 """How close the two bounds of an error shall be."""
-PRECISION = 256
-BESIDE = 100
-"""An end such as π is replaced by a rational number that is 2^−100 away."""
 _DECIMAL = re.compile(
     r"(?<![\w.])(?:(?P<hex>0[xX][0-9a-fA-F]+\.?[0-9a-fA-F]*[pP][+-]?\d+)"
     r"|(?P<decimal>(?:\d+\.\d*|\.\d+)(?:[eE][+-]?\d+)?|\d+[eE][+-]?\d+)[fF]?)(?!\w)"
@@ -160,66 +155,14 @@ def _bounds(
     if elementary(above) and is_zero(above, Given()):
         return Bounds("0", "0", "")
     how = EXPLICIT if elementary(above, below) else jets_and_values()
-    beside = _beside_exact_ends(above, below, name, low, high, how)
-    if beside is not None:
-        return _written(beside, name, symbol(name))
-    ends = [end for end in (low, high) if end is not None]
-    put = symbol(name)
-    if any(end.op != "number" for end in ends):
-        assert ends
-        if len(ends) == 2:
-            put = ends[0] + (ends[1] - ends[0]) * symbol(name)
-            first, last = fmpq(0), fmpq(1)
-        else:
-            put = ends[0] + symbol(name)
-            first, last = (None, fmpq(0)) if low is None else (fmpq(0), None)
-    else:
-        first, last = (None if end is None else end.args[0] for end in (low, high))
-    u, v = (substitute(e, {name: put}) for e in (above, below))
-    found = largest(u, v, name, first, last, CLOSE, how)
-    return _written(found, name, put)
+    return _written(exact_ends(above, below, name, low, high, CLOSE, how), name)
 
 
-def _beside_exact_ends(
-    above: Expr, below: Expr, name: str, low: Expr | None, high: Expr | None, how: Evaluations
-) -> Maximum | None:
-    """Return the largest ratio where an end is no rational number, as π/2, and nothing is singular.
-
-    The interval between rational numbers very close to the ends is searched, and the ratio on the
-    rest is bounded in balls. None if an end is rational and infinite, or the rest has no bound.
-    """
-    inner: list[fmpq | None] = []
-    rest: list[tuple[arb, arb]] = []
-    with ball_precision(PRECISION):
-        for side, end in ((1, low), (-1, high)):
-            if end is None or end.op == "number":
-                inner.append(None if end is None else end.args[0])
-                continue
-            exact = evaluate(end, {})
-            if not exact.is_finite():
-                return None
-            scaled = (exact * arb(2) ** BESIDE).mid().fmpq()
-            inner.append((scaled.floor() + 2 * side) / fmpq(2) ** BESIDE)
-            rest.append((exact, exact.union(arb(inner[-1]))))
-        if not rest:
-            return None
-        values = [tuple(abs(how.value(above / below, {name: x})) for x in part) for part in rest]
-    if not all(value.is_finite() for pair in values for value in pair):
-        return None
-    found = largest(above, below, name, inner[0], inner[1], CLOSE, how)
-    if not found.unbounded:
-        for at_end, over in values:
-            if at_end.lower() > found.low:
-                found = found._replace(low=at_end.lower(), at=None)
-            found = found._replace(high=found.high.max(over.upper()))
-    return found
-
-
-def _written(found: Maximum, name: str, put: Expr) -> Bounds:
+def _written(found: Maximum, name: str) -> Bounds:
     where = ""
     if found.at is not None:
         with ball_precision():
-            where = f"{name} = {_short(evaluate(put, {name: arb(found.at)}))}"
+            where = f"{name} = {_short(arb(found.at))}"
     low = readable(rounded(found.low, -1))
     if found.unbounded:
         return Bounds(low, "oo", where)
@@ -243,31 +186,10 @@ def interval(region: str) -> tuple[str, Expr | None, Expr | None]:
     Raises:
         InputError: it is no interval of one variable.
     """
-    wrong = InputError("write a region of one variable, such as 0 <= x <= 1, abs(x) <= 1, x >= 1")
-    given = Given.parse(region)
-    if len(given.names) != 1:
-        raise wrong
-    (name,) = given.names
-    ends: dict[int, Expr] = {}
-    for left, sign, right in given.unfolded().comparisons:
-        if sign not in ("<", "<=", ">", ">=") or name in symbols(left) & symbols(right):
-            raise wrong
-        for side, relation, bound in ((left, sign, right), (right, MIRRORED[sign], left)):
-            if name not in symbols(side) or name in symbols(bound):
-                continue
-            shift = normal_form(side - symbol(name), Given())
-            if symbols(shift):
-                raise wrong
-            end, way = bound - shift if shift != ZERO else bound, 1 if relation[0] == "<" else -1
-            with ball_precision():
-                kept = ends.get(way)
-                if kept is None or way * (evaluate(end, {}) - evaluate(kept, {})) < 0:
-                    ends[way] = end
-    low, high = ends.get(-1), ends.get(1)
-    with ball_precision():
-        if low is not None and high is not None and evaluate(low, {}) > evaluate(high, {}):
-            raise InputError(f"{region.strip()}: no number satisfies these conditions")
-    return name, low, high
+    found = interval_of(Given.parse(region).comparisons)
+    if found is None:
+        raise InputError("write a region of one variable, such as 0 <= x <= 1, abs(x) <= 1, x >= 1")
+    return found
 
 
 def as_stored(text: str, stored: str, name: str) -> str:

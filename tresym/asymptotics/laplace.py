@@ -328,7 +328,7 @@ def _everywhere(side: Side, series: _Series, order: int, ask: Obligations) -> fm
             top = abs(evaluate(found[order][1], {}))
             largest = largest.max(top)
         for slack in (SLACK, SLACK**5):
-            constant = rounded_up(largest * slack)
+            constant = rounded_up(largest * slack, 4)
             if ask.holds(apply("abs", rest), "<=", number(constant) * gauge, given):
                 break
         else:

@@ -45,7 +45,7 @@ _ORDER = (Verdict.PROVED, Verdict.ENCLOSED)
 NONE = Given()
 SECONDS = 3.0
 """The processor time that an obligation may take, where there is no other limit."""
-SLACK = fmpq(51, 50)
+SLACK = fmpq(101, 100)
 """A constant that is tried: so much above the largest value found."""
 
 

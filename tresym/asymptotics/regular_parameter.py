@@ -171,7 +171,7 @@ class RegularParameter(Expansion):
                     value = abs(evaluate(e, point))
                     if value.is_finite():
                         largest = largest.max(value.mid())
-            bound = rounded_up(largest * arb(SLACK))
+            bound = rounded_up(largest * arb(SLACK), 4)
             if not ask.holds(apply("abs", e), "<=", number(bound), closed):
                 return None
             return rounded_up(arb(bound) * (high - low) / factorial(order), 4)
@@ -187,7 +187,7 @@ class RegularParameter(Expansion):
             known = [size for size in sizes if size is not None]
             if len(known) < len(sizes):
                 continue
-            c = max(rounded_up(size * arb(SLACK)) for size in known)
+            c = max(rounded_up(size * arb(SLACK), 4) for size in known)
             if ask.holds(apply("abs", e), "<=", number(c) * w, inside):
                 return True
         return False

@@ -15,6 +15,7 @@ from tresym.reals.decisions.path_regions import reach_of
 from tresym.reals.decisions.statement import Statement, functions
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.calls import FACTORIAL
+from tresym.reals.language.claims import chained
 from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.language.formula import Compared
@@ -34,6 +35,9 @@ def as_asked(answer: Answer, comparison: Comparison, statement: Statement) -> An
     path = statement.path
     if not answer or path is None:
         return answer
+    if path.region and not (answer.constant and answer.region == chained(path.region)):
+        why = "the order holds near the end of the path, but no constant was found on the region"
+        return Answer(Verdict.UNDECIDED, f"{why} {chained(path.region)}")
     if path.reach is not None and not (answer.constant and _covers(answer.region, statement)):
         why = "the order holds near the end of the path, but no constant was found on the region"
         found = f"; one was found on {answer.region}" if answer.constant and answer.region else ""

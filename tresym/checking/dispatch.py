@@ -214,6 +214,16 @@ def _everywhere(comparison: Comparison, statement: Statement) -> Answer:
             return Answer(Verdict.UNDECIDED, why)
     if answer and any(holds_powers(e) for e in (comparison.left, comparison.right)):
         answer = _attacked(answer, comparison, statement, anywhere=True)
+    if comparison.relation == "O" and statement.path is not None:
+        from tresym.asymptotics.sharp_constants import sharpened
+
+        with stage("the smallest constant"):
+            answer = sharpened(answer, comparison, statement)
+        if answer.verdict is Verdict.UNDECIDED and statement.path.reach is not None:
+            # What holds on a longer range holds on the one that was asked for.
+            longer = replace(statement, path=replace(statement.path, reach=None))
+            found = as_asked(_bounded(comparison, longer), comparison, statement)
+            answer = found if found else answer
     return as_asked(answer, comparison, statement)
 
 

@@ -96,6 +96,7 @@ class Answer:
         uniform: for an order with parameters, whether one constant serves for all of their values
             (True), or the claim was decided for each fixed value and no one constant serves
             (False); None if that is not known or there are no parameters.
+        smallest: whether the constant is enclosed from both sides although a lemma decided.
 
     Example:
         >>> import tresym
@@ -122,6 +123,7 @@ class Answer:
     obligations: tuple[Obligation, ...] = ()
     cause: Cause | None = None
     uniform: bool | None = None
+    smallest: bool = False
 
     def __post_init__(self) -> None:
         if self.cause is None or self.cause.verdict is not self.verdict:
@@ -207,7 +209,7 @@ class Answer:
 
     @property
     def _encloses_smallest(self) -> bool:
-        return not self.lemma and self.uniform is not True
+        return self.smallest or (not self.lemma and self.uniform is not True)
 
     def constant_text(self) -> str:
         """Return what is known of the smallest constant; empty without one.

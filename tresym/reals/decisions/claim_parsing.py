@@ -12,7 +12,7 @@ from dataclasses import replace
 from typing import Any
 
 from tresym.reals.decisions.identity import decide
-from tresym.reals.decisions.path_regions import reach_of
+from tresym.reals.decisions.path_regions import reach_of, reaches_end
 from tresym.reals.decisions.statement import Statement, functions
 from tresym.reals.domain.conditions import Given
 from tresym.reals.expansions.limit_values import limit_of as value_of_limit
@@ -93,6 +93,16 @@ def statement_of(written: Written) -> Statement:
     return _checked(_stated(written, str(written)))
 
 
+def _on_region(path: Path, on: tuple[Compared, ...]) -> Path:
+    """Return the path with the region for which a constant is asked."""
+    try:
+        return replace(path, reach=reach_of(on, path))
+    except InputError:
+        if not reaches_end(on, path):
+            raise
+    return replace(path, region=tuple(on))
+
+
 def _stated(written: Written, text: str) -> Statement:
     """What is decided of what is written."""
     parts, said, path, on, uniformly = written
@@ -111,7 +121,7 @@ def _stated(written: Written, text: str) -> Statement:
     if on:
         if path is None or not is_order(parts):
             raise InputError("on REGION belongs to an order with a path: f == g + O(h) as x -> 0")
-        path = replace(path, reach=reach_of(on, path))
+        path = _on_region(path, on)
     given = Given(tuple(link for link in said if link[1] not in ("==", "in"))).unfolded()
     equations = tuple((left, spread(right)) for left, relation, right in said if relation == "==")
     closed = sum(relation in (">=", "<=") for _, relation, _ in said) > 1

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from flint import fmpq
 
 from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.expansions.scale import T
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
@@ -15,12 +16,15 @@ from tresym.reals.language.expression import (
     apply,
     substitute,
     symbol,
+    symbols,
 )
-from tresym.reals.language.formula import Compared
+from tresym.reals.language.formula import MIRRORED, Compared
 from tresym.reals.language.paths import Path
 from tresym.reals.normal.to_expression import normal_form
+from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 
+ORDERED = ("<", "<=", ">", ">=")
 EXAMPLES = {0: "0 < {} <= 1/2", 1: "{} >= 10", -1: "{} <= -10"}
 
 
@@ -28,6 +32,64 @@ def along(path: Path, side: int) -> Expr:
     """Return the variable of the path in the small parameter t."""
     t = symbol(T)
     return side / t if path.point is None else path.point + side * t
+
+
+def interval_of(region: Iterable[Compared]) -> tuple[str, Expr | None, Expr | None] | None:
+    """Return the variable of conditions that are an interval, and its ends; None if they are not.
+
+    Raises:
+        InputError: no number satisfies the conditions.
+
+    Example:
+        >>> from tresym.reals.language.parsing import parse_conditions
+        >>> [str(e) for e in interval_of(parse_conditions("abs(x - 1) <= pi"))]
+        ['x', '-pi + 1', 'pi + 1']
+    """
+    given = Given(tuple(region))
+    if len(given.names) != 1:
+        return None
+    (name,) = given.names
+    ends: dict[int, Expr] = {}
+    for left, sign, right in given.unfolded().comparisons:
+        if sign not in ORDERED or name in symbols(left) & symbols(right):
+            return None
+        for side, relation, bound in ((left, sign, right), (right, MIRRORED[sign], left)):
+            if name not in symbols(side):
+                continue
+            shift = normal_form(side - symbol(name), Given())
+            if symbols(shift):
+                return None
+            end, way = bound - shift if shift != ZERO else bound, 1 if relation[0] == "<" else -1
+            with ball_precision():
+                kept = ends.get(way)
+                if kept is None or way * (evaluate(end, {}) - evaluate(kept, {})) < 0:
+                    ends[way] = end
+    low, high = ends.get(-1), ends.get(1)
+    with ball_precision():
+        if low is not None and high is not None and evaluate(low, {}) > evaluate(high, {}):
+            raise InputError(f"{given}: no number satisfies these conditions")
+    return name, low, high
+
+
+def reaches_end(region: Iterable[Compared], path: Path) -> bool:
+    """Return whether an interval lies on every side of the end of a path, as x > 0 for x -> oo."""
+    found = interval_of(region)
+    if found is None or found[0] != path.name:
+        return False
+    _, low, high = found
+    if path.point is None:
+        return (high if path.sides == (1,) else low) is None
+    with ball_precision():
+        at = evaluate(path.point, {})
+        return all(
+            end is None or side * (evaluate(end, {}) - at) > 0
+            for side, end in ((1, high), (-1, low))
+            if side in path.sides
+        ) and all(
+            end is None or side * (evaluate(end, {}) - at) >= 0 or end == path.point
+            for side, end in ((1, high), (-1, low))
+            if side not in path.sides
+        )
 
 
 def reach_of(region: Iterable[Compared], path: Path) -> fmpq:

@@ -23,6 +23,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from functools import partial
 from itertools import count, pairwise
+from math import lcm
 from typing import Any, NamedTuple
 
 from flint import arb, arb_poly, arb_series, ctx, fmpq
@@ -33,10 +34,12 @@ from tresym.reals.domain.compiled import Compiled
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import UndefinedError, evaluate
 from tresym.reals.domain.operation_domains import operations
-from tresym.reals.expansions.leading_terms import is_unbounded, near_end
+from tresym.reals.expansions.leading_terms import is_unbounded, near_end, written_term
+from tresym.reals.expansions.scale import T
 from tresym.reals.expansions.suprema import Near
 from tresym.reals.language.derivatives import differentiate
-from tresym.reals.language.expression import Expr, number, substitute, symbols
+from tresym.reals.language.expression import ONE, ZERO, Expr, number, substitute, symbol, symbols
+from tresym.reals.normal.to_expression import normal_form
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError, near
 from tresym.reals.signs.interior import is_zero
@@ -53,9 +56,15 @@ STEPS = 20_000
 """How many pieces are bounded at most."""
 HALVINGS = 120
 """How often a piece is halved at most."""
+SLIVER = 100
+"""An end such as π is replaced by a rational number that is about 2^−100 away."""
+BESIDE = 6
+"""How often a piece beside an end is halved before leading terms are asked."""
 FAR = 8
 DOUBLINGS = 24
 """How often a finite part of an unbounded interval is doubled."""
+LEVELS = 7
+"""How many terms are taken beside an infinite end; pieces beside a finite one become short."""
 HIGHEST = 12
 """The highest order of a common zero."""
 SAMPLES = 64
@@ -105,6 +114,7 @@ def largest(
     high: fmpq | None,
     tolerance: fmpq = PART,
     how: Evaluations = EXPLICIT,
+    known: Expr | None = None,
 ) -> Maximum:
     """Return the largest value of |above/below| on an interval.
 
@@ -114,17 +124,88 @@ def largest(
         tolerance: by how much the bounds may differ, relative to the value; they differ by more
             where the search does not end.
         how: how the expressions are evaluated.
+        known: a point at which above = O(below) is known, though not that coefficients vanish.
     """
     found = None
     for precision in PRECISIONS:
         with ball_precision(precision):
             search = _Search(above, below, name, tolerance, how)
+            search.known = known
             one = search.over(low, high)
         if found is None or one.high < found.high or not found.high.is_finite():
             found = one
         if found.within(tolerance) or found.unbounded:
             break
     assert found is not None
+    return found
+
+
+def exact_ends(
+    above: Expr,
+    below: Expr,
+    name: str,
+    low: Expr | None,
+    high: Expr | None,
+    tolerance: fmpq = PART,
+    how: Evaluations = EXPLICIT,
+    known: Expr | None = None,
+) -> Maximum:
+    """Return the largest value of |above/below| on an interval with ends such as π/2."""
+    ends = [end for end in (low, high) if end is not None]
+    if all(end.op == "number" for end in ends):
+        first, last = (None if end is None else end.args[0] for end in (low, high))
+        return largest(above, below, name, first, last, tolerance, how, known)
+    found = _beside_exact_ends(above, below, name, low, high, tolerance, how)
+    if found is not None:
+        return found
+    first, last = (None if end is None else ZERO for end in (low, high))  # something is singular
+    if low is not None and high is not None:
+        put, last = low + (high - low) * symbol(name), ONE
+    else:
+        put = ends[0] + symbol(name)
+    u, v = (substitute(e, {name: put}) for e in (above, below))
+    found = exact_ends(u, v, name, first, last, tolerance, how)
+    if found.at is not None:
+        with ball_precision():
+            found = found._replace(at=evaluate(put, {name: arb(found.at)}).mid().fmpq())
+    return found
+
+
+def _beside_exact_ends(
+    above: Expr,
+    below: Expr,
+    name: str,
+    low: Expr | None,
+    high: Expr | None,
+    tolerance: fmpq,
+    how: Evaluations,
+) -> Maximum | None:
+    """Return the largest ratio between rational numbers very close to the ends, and on the rest.
+
+    The rest is bounded in balls. None if it has no bound there, as where something is singular.
+    """
+    inner: list[fmpq | None] = []
+    rest: list[tuple[arb, ...]] = []
+    with ball_precision(PRECISIONS[0]):
+        for side, end in ((1, low), (-1, high)):
+            if end is None or end.op == "number":
+                inner.append(None if end is None else end.args[0])
+                continue
+            exact = evaluate(end, {})
+            if not exact.is_finite():
+                return None
+            scaled = (exact * arb(2) ** SLIVER).mid().fmpq()
+            inner.append((scaled.floor() + 2 * side) / fmpq(2) ** SLIVER)
+            over = (exact, exact.union(arb(inner[-1])))
+            rest.append(tuple(abs(how.value(above / below, {name: x})) for x in over))
+    if not all(value.is_finite() for pair in rest for value in pair):
+        return None
+    found = largest(above, below, name, inner[0], inner[1], tolerance, how)
+    if not found.unbounded:
+        for at_end, over_rest in rest:
+            if at_end.lower() > found.low:
+                found = found._replace(low=at_end.lower(), at=None)
+            found = found._replace(high=found.high.max(over_rest.upper()))
     return found
 
 
@@ -190,8 +271,12 @@ class _Search:
         """A bound beside infinite ends."""
         self.heap: list[tuple[float, int, arb, _Piece]] = []
         self.order, self.steps, self.made = count(), 0, 0
-        self.ends: dict[tuple[fmpq, int], Near | None] = {}
+        self.ends: dict[tuple[fmpq | None, int], _AtEnd] = {}
         self.zeros: dict[fmpq, int] = {}
+        self.known: Expr | None = None
+        self.plain = False
+        """Whether leading terms are not asked."""
+        self.asked: dict[tuple[fmpq, int], fmpq] = {}
         self.kinks: set[fmpq] = set()
         """Where the denominator may vanish without a derivative, besides the ends."""
 
@@ -200,6 +285,10 @@ class _Search:
         if low is not None and low == high:
             value = abs(self._value(arb(low)))
             return Maximum(value.lower(), value.upper(), low)
+        for side, end in ((-1, low), (1, high)):
+            if end is None and not self._end(None, side).known:
+                unbounded = is_unbounded(self.above, self.below, self.name, None, side)
+                return Maximum(self.low, arb("inf"), None, unbounded)
         first = low if low is not None else min(-FAR, (high or 0) - FAR)
         last = high if high is not None else max(FAR, (low or 0) + FAR)
         self.finite = fmpq(first), fmpq(last)
@@ -212,8 +301,6 @@ class _Search:
         self._close()
         for side, end in ((-1, low), (1, high)):
             if end is None and not self._to_infinity(side):
-                if is_unbounded(self.above, self.below, self.name, None, side):
-                    return Maximum(self.low, arb("inf"), None, True)
                 self.beyond = arb("inf")
         self._close()
         if not self.heap[0][2].is_finite():
@@ -356,7 +443,8 @@ class _Search:
             if order is None:
                 self.kinks.add(x)
                 continue
-            other = self._order(self.above, x, order)
+            is_known = self.known is not None and self.known == number(x)
+            other = order if is_known else self._order(self.above, x, order)
             if other is not None and other < order and self._is_smooth(x):
                 return x
             if other == order:
@@ -415,9 +503,14 @@ class _Search:
 
     def _beside_an_end(self, piece: _Piece) -> arb:
         """Return a bound by leading terms on a piece that touches an end."""
+        if self.plain or piece.half * 2**BESIDE > self.finite[1] - self.finite[0]:
+            return arb("inf")
         for end in (*self.finite, *self.kinks):
             if abs(end - piece.middle) == piece.half:
                 side = 1 if piece.middle > end else -1
+                if 4 * piece.half > self.asked.get((end, side), 8 * piece.half):
+                    continue
+                self.asked[end, side] = piece.half
                 bounds = self._near(number(end), side, 2 * piece.half)
                 if bounds is not None:
                     if bounds[0] > self.low:
@@ -426,11 +519,13 @@ class _Search:
         return arb("inf")
 
     def _near(self, end: Expr | None, side: int, reach: fmpq) -> tuple[arb, arb] | None:
+        return self._end(end, side).bounds(reach, self.low * self.factor)
+
+    def _end(self, end: Expr | None, side: int) -> _AtEnd:
         key = (None if end is None else end.args[0], side)
         if key not in self.ends:
-            self.ends[key] = near_end(self.above, self.below, self.name, end, side)
-        near = self.ends[key]
-        return None if near is None else near(reach)
+            self.ends[key] = _AtEnd(self.above, self.below, self.name, end, side)
+        return self.ends[key]
 
     def _to_infinity(self, side: int) -> bool:
         """Bound |f| beside an infinite end, and on what lies before."""
@@ -448,6 +543,72 @@ class _Search:
             self._close()
             here = further
         return False
+
+
+class _AtEnd:
+    """Bounds of |f| beside an end: its first terms as they are, and the rest by leading terms."""
+
+    def __init__(self, above: Expr, below: Expr, name: str, end: Expr | None, side: int) -> None:
+        self.below, self.name, self.end, self.side = below, name, end, side
+        self.rest, self.terms = above, ZERO
+        self.levels: list[tuple[Expr, Near | None]] = []
+        self.more = True
+        self.known = False
+        """Whether |f| is shown to be bounded near the end."""
+        self._add()
+        self.known = self.more
+
+    def bounds(self, reach: fmpq, enough: arb) -> tuple[arb, arb] | None:
+        """Return bounds of the supremum up to a distance; more terms are taken if it pays."""
+        low, high = arb(0), arb("inf")
+        for level in range(LEVELS if self.end is None else 1):
+            if level == len(self.levels) and not (self.more and self._add()):
+                break
+            terms, near = self.levels[level]
+            found = None if near is None else near(reach)
+            if found is None:
+                continue
+            if level == 0:
+                low, high = found
+                enough = enough.max(low)
+            else:
+                high = high.min((_sum_of_powers(terms, reach) + found[1]).upper())
+            if high <= enough:
+                break
+        return (low, high) if high.is_finite() else None
+
+    def _add(self) -> bool:
+        near = near_end(self.rest, self.below, self.name, self.end, self.side)
+        self.levels.append((self.terms, near))
+        found = written_term(self.rest, self.name, self.end, self.side, Given())
+        self.more = near is not None and found is not None
+        if found is not None:
+            t = symbol(T)
+            put = {self.name: self.side / t if self.end is None else self.end + self.side * t}
+            positive = Given(((t, ">", ZERO),))
+            self.terms += normal_form(substitute(found[0] / self.below, put), positive)
+            self.rest -= found[0]
+        return True
+
+
+def _sum_of_powers(e: Expr, reach: fmpq) -> arb:
+    """Return an upper bound of a sum of powers of ``T`` on 0 < t ≤ reach; they may be roots."""
+    t = symbol(T)
+    if any(node.op not in ("+", "*", "^", "pi") for node in operations((e,))):
+        return arb("inf")
+    parts = [
+        int(node.args[1].args[0].q)
+        for node in operations((e,))
+        if node.op == "^" and node.args[0] == t and node.args[1].op == "number"
+    ]
+    q = lcm(*parts) if parts else 1
+    if q > 1:
+        e = normal_form(substitute(e, {T: t**q}), Given(((t, ">", ZERO),)))
+        root = arb(reach).root(q).upper() if reach < 1 else arb(reach)
+        reach = (root * 2**40).fmpq().ceil() / fmpq(2**40)
+    search = _Search(e, ONE, T, PART, EXPLICIT)
+    search.plain = True
+    return search.over(fmpq(0), fmpq(reach)).high
 
 
 def _compiled(e: Expr, name: str) -> Compiled | None:

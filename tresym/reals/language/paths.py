@@ -22,6 +22,7 @@ from tresym.reals.language.unicode_input import plain
 from tresym.reals.numbers.exact import InputError
 
 if TYPE_CHECKING:
+    from tresym.reals.language.formula import Compared
     from tresym.reals.language.latex import Relations
 
 MAX_PATH = 200
@@ -41,6 +42,8 @@ class Path:
         point: where it tends, None for infinity.
         sides: +1 for from above or to +∞, −1 for from below or to −∞.
         reach: the constant of an order is asked for where |x − point|, or 1/|x|, is at most this.
+        region: conditions under which it is asked for instead, where they are an interval of
+            another kind that reaches the end, as x > 0 for x -> oo, or abs(x) <= pi/2 for x -> 0.
         together, points: the variables that tend to a point together, and the point; the name is
             then empty.
         expression: what tends there in place of the variable, such as a*b; a variable of it was
@@ -51,6 +54,7 @@ class Path:
     point: Expr | None
     sides: tuple[int, ...]
     reach: fmpq | None = None
+    region: tuple[Compared, ...] = ()
     together: tuple[str, ...] = ()
     points: tuple[Expr, ...] = ()
     expression: Expr | None = None
