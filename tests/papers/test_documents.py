@@ -143,3 +143,47 @@ def test_a_file_in_python(folder: Path) -> None:
     assert len(paper.table("sine").rows) == 2
     with pytest.raises(tresym.InputError, match="no claim is labelled"):
         paper.verify("stepz")
+
+
+HEADER = r"""# On $x^2$
+
+@author A. First
+@author B. Second
+@abstract Squares & their signs,
+  100 % proved.
+@reference key_1 A book, 1974.
+
+As in [key_1], but [nothing] else.
+square: x**2 + 1 >= 1
+"""
+
+
+def test_authors_abstract_and_references_stand_in_every_style() -> None:
+    report = verify_paper(read_paper(HEADER), cached=False, suggest=False)
+    article = own_paper.document(report)
+    for part in (
+        r"\author{A. First \and B. Second}",
+        "\\begin{abstract}\nSquares \\& their signs, 100 \\% proved.\n\\end{abstract}",
+        r"As in \cite{key_1}, but [nothing] else.",
+        r"\bibitem{key_1} A book, 1974.",
+    ):
+        assert part in article
+    markdown = own_paper.document(report, "markdown")
+    assert "*A. First, B. Second*" in markdown
+    assert "**Abstract.** Squares & their signs, 100 % proved." in markdown
+    assert markdown.endswith("- [key_1] A book, 1974.\n")
+    assert "Abstract" in own_paper.document(report, "jupyter")
+
+
+@pytest.mark.parametrize(
+    ("line", "why"),
+    [
+        ("@autor A", "'@autor' is not known: write @author NAME"),
+        ("@abstract", "@abstract needs words after it"),
+        ("@reference key", "a reference needs a key and words"),
+    ],
+)
+def test_a_line_of_the_header_that_is_not_read_is_told(line: str, why: str) -> None:
+    (problem,) = read_paper(f"a real\n{line}\nsquare: a**2 >= 0").problems
+    assert problem.line == 2
+    assert problem.message.startswith(why)

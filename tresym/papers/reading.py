@@ -4,6 +4,8 @@ The kinds of lines are, in the order in which they are tried:
 
 ======================================== ===================================================
 ``# Title``, ``## Section``              the title of the paper, and the titles of its sections
+``@author NAME``, ``@abstract WORDS``    an author, the abstract
+``@reference KEY WORDS``                 a work, which prose cites as ``[KEY]``
 ``% words``                              a comment, which appears in no document
 ``> words``                              prose, whatever it looks like
 ``M, e real; given 0 <= e < 1``          variables (real, integer, natural, positive), conditions
@@ -40,7 +42,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
 from functools import cached_property
 from pathlib import Path
@@ -124,6 +126,7 @@ KINDS = {"real": (), "integer": (("in", INTEGERS),), "positive": ((">", ZERO),)}
 KINDS["natural"] = (("in", INTEGERS), (">=", number(1)))
 
 _NAME = r"[A-Za-z]\w*"
+_HEADER = re.compile(r"@(\w+)\s*(.*)", re.DOTALL)
 _HEADING = re.compile(r"(#{1,3})\s*(.*)")
 _WORD = re.compile(_NAME)
 _DECLARED = re.compile(
@@ -384,6 +387,46 @@ class Let(NamedTuple):
 Item = Prose | Section | Declaration | Definition | PaperClaim | Drawn | Let
 
 
+@dataclass
+class Header:
+    """What stands at the head and at the end of a paper beside its title.
+
+    Attributes:
+        authors: their names.
+        abstract: the abstract, its paragraphs separated by line breaks.
+        references: the works that are cited, by key.
+    """
+
+    authors: list[str] = field(default_factory=list)
+    abstract: str = ""
+    references: dict[str, str] = field(default_factory=dict)
+
+    def add(self, kind: str, words: str) -> None:
+        """Read one line of the header.
+
+        Raises:
+            InputError: there is no such line, or its words are missing.
+        """
+        if kind not in ("author", "abstract", "reference"):
+            raise InputError(
+                f"'@{kind}' is not known: write @author NAME, @abstract WORDS or "
+                f"@reference KEY WORDS; begin a line of prose with >"
+            )
+        if not words:
+            raise InputError(f"@{kind} needs words after it")
+        if kind == "author":
+            self.authors.append(words)
+        elif kind == "abstract":
+            self.abstract = f"{self.abstract}\n{words}".strip()
+        else:
+            key, _, work = words.partition(" ")
+            if not work.strip():
+                raise InputError("a reference needs a key and words: @reference Olver1974 F. W. …")
+            if key in self.references:
+                raise InputError(f"{key} is the key of another reference already")
+            self.references[key] = work.strip()
+
+
 @dataclass(frozen=True)
 class OwnPaper:
     """A file of claims as it was read.
@@ -393,12 +436,14 @@ class OwnPaper:
         title: its title; the name of the file if it states none.
         items: its statements and its prose in order.
         problems: what could not be read.
+        header: authors, abstract and references.
     """
 
     name: str
     title: str
     items: tuple[Item, ...]
     problems: tuple[Problem, ...]
+    header: Header = field(default_factory=Header)
 
     @cached_property
     def claims(self) -> Mapping[str, PaperClaim]:
@@ -492,6 +537,7 @@ class _Reader:
     def __init__(self, name: str, folder: Path | None = None, files: tuple[str, ...] = ()) -> None:
         self.name = name
         self.title = ""
+        self.header = Header()
         self.items: list[Item] = []
         self.problems: list[Problem] = []
         self.declared: dict[str, int] = {}
@@ -528,7 +574,8 @@ class _Reader:
         self._need_labels(text)
         self.problems.sort()
         title = self.title or Path(self.name).stem
-        return OwnPaper(self.name, title, tuple(self.items), tuple(self.problems))
+        problems = tuple(self.problems)
+        return OwnPaper(self.name, title, tuple(self.items), problems, self.header)
 
     def _problem(self, line: int, statement: str, message: str, text: str) -> None:
         match = _DEFINED.fullmatch(statement) or _CLAIM.match(statement)
@@ -562,7 +609,9 @@ class _Reader:
                     self._problem(item.line, item.label, f"{item.kind}: {why}", text)
 
     def _statement(self, line: int, text: str) -> None:
-        if match := _HEADING.fullmatch(text):
+        if match := _HEADER.fullmatch(text):
+            self.header.add(match[1], match[2])
+        elif match := _HEADING.fullmatch(text):
             if not match[2]:
                 raise InputError("a heading needs a title: # Title, or ## Section")
             if len(match[1]) == 1 and not self.title:

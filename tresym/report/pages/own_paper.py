@@ -17,6 +17,7 @@ from tresym.papers.definitions import PREFIX, Definition
 from tresym.papers.reading import (
     Declaration,
     Drawn,
+    Header,
     Let,
     OwnPaper,
     PaperClaim,
@@ -176,13 +177,37 @@ def document(report: PaperReport, style: str = "article", pictures: Pictures | N
     if style == "jupyter":
         return _notebook(report)
     look = _LATEX if style == "article" else _MARKDOWN
+    header = report.paper.header
     body = "\n".join(_blocks(report.paper, report, look, pictures or Pictures()))
     if style == "markdown":
-        return f"# {report.paper.title}\n\n{body}\n{_summary(report, look)}"
-    return (
-        f"{_PREAMBLE}\\title{{{tex_words(report.paper.title)}}}\n\\date{{}}\n\\begin{{document}}\n"
-        f"\\maketitle\n\n{body}\n{_summary(report, look)}\\end{{document}}\n"
+        head = _markdown_head(report.paper)
+        return f"{head}\n{body}\n{_summary(report, look)}{_markdown_references(header)}"
+    for key in header.references:
+        body = body.replace(f"[{_escaped(key)}]", rf"\cite{{{key}}}")
+    authors = r" \and ".join(map(tex_words, header.authors))
+    abstract = tex_words(header.abstract)
+    head = f"\\title{{{tex_words(report.paper.title)}}}\n"
+    head += f"\\author{{{authors}}}\n" if authors else ""
+    head += "\\date{}\n\\begin{document}\n\\maketitle\n\n"
+    head += f"\\begin{{abstract}}\n{abstract}\n\\end{{abstract}}\n\n" if abstract else ""
+    works = "".join(
+        f"\\bibitem{{{key}}} {tex_words(words)}\n" for key, words in header.references.items()
     )
+    end = f"\\begin{{thebibliography}}{{99}}\n{works}\\end{{thebibliography}}\n" if works else ""
+    return f"{_PREAMBLE}{head}{body}\n{_summary(report, look)}{end}\\end{{document}}\n"
+
+
+def _markdown_head(paper: OwnPaper) -> str:
+    """The title, the authors and the abstract."""
+    header = paper.header
+    authors = f"\n*{', '.join(header.authors)}*\n" if header.authors else ""
+    abstract = f"\n**Abstract.** {header.abstract}\n" if header.abstract else ""
+    return f"# {paper.title}\n{authors}{abstract}"
+
+
+def _markdown_references(header: Header) -> str:
+    works = "".join(f"- [{key}] {words}\n" for key, words in header.references.items())
+    return f"\n## References\n\n{works}" if works else ""
 
 
 def fragments(report: PaperReport, rows: Collection[Row], style: str = "article") -> str:
@@ -209,7 +234,7 @@ def refused(rows: Collection[Row]) -> list[str]:
 def _notebook(report: PaperReport) -> str:
     """A notebook with the prose, and a cell that verifies each claim."""
     cells = [
-        notebook.text(f"# {report.paper.title}"),
+        notebook.text(_markdown_head(report.paper).rstrip()),
         notebook.code(f'import tresym\n\npaper = tresym.open("{report.paper.name}")'),
     ]
     for item in report.paper.items:
@@ -219,6 +244,8 @@ def _notebook(report: PaperReport) -> str:
             cells.append(notebook.code(f'paper.verify("{item.label}")["{item.label}"]'))
         if isinstance(item, Drawn):
             cells.append(notebook.code(f'paper.{item.kind}("{item.label}")'))
+    if works := _markdown_references(report.paper.header).strip():
+        cells.append(notebook.text(works))
     return notebook.book(cells)
 
 
