@@ -32,7 +32,7 @@ NO_CLAIMS = {
     r"\[ \epsilon \ll 1 \]": "ASSUMED",
     r"Suppose that \[ a^2 + b^2 = c^2. \]": "ASSUMED",
     r"\[ \vec F = m\vec a \]": "UNREAD",
-    r"\[ e^{i\pi} = -1 \]": "UNREAD",
+    r"\[ e^{i\pi} = -1 \]": "PROVED PROVED",
     r"\[ \sin\theta \approx \theta \]": "UNREAD",
     r"\[ \sin\theta(1 + x) = y \]": "UNREAD",
     r"\[ r = a(1 - e\cos E), \quad e^{x} = b \]": "DEFINED UNREAD",

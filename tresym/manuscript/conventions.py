@@ -80,7 +80,7 @@ _TABLE = (
         r"\b(?:arithmetic|calculations?|equalit\w+|equations?|congruences?|everything|computations?"
         r"|calculat\w+|comput\w+|all|reduc\w+|addition|work\w*|operations?)\b[^.;]{0,40}?"
         r"\bmod(?:ulo)?\b"
-        r"|\b(?:finite[\s~]+field|characteristic[\s~]+(?:\$?[2p]\$?|two))\b|\bLegendre[\s~]+symbol",
+        r"|\b(?:finite[\s~]+field|characteristic[\s~]+(?:\$?[2p]\$?(?![a-zA-Z])|two\b))|\bLegendre[\s~]+symbol",
         _ANY,
         "the text calculates modulo a number or in a finite field",
     ),
@@ -166,8 +166,9 @@ class StatedConventions:
             name = found[1].strip()
             if re.fullmatch(r"\\?[a-zA-Z]+(?:_\w)?", name):
                 why = f"the text says that {name} varies; write it with its argument"
-                behind = "(?![a-zA-Z])" if name[-1].isalpha() and name[0] == "\\" else ""
-                used = rf"(?s)(?=.*(?:{_DERIVED.pattern})).*{re.escape(name)}{behind}(?!\s*\()"
+                apart = "" if name[0] == "\\" else r"(?<![a-zA-Z\\])"
+                alone = rf"{apart}{re.escape(name)}(?![a-zA-Z])(?!\s*\()"
+                used = rf"(?s)(?=.*(?:{_DERIVED.pattern})).*{alone}"
                 self._note(text, found.start(), re.compile(used), why)
 
     def _note(self, text: str, at: int, notation: re.Pattern[str], why: str) -> None:

@@ -19,6 +19,7 @@ from typing import NamedTuple
 
 from tresym.ledger.latex_source import read_any_text, read_text
 from tresym.manuscript.macros import DEFINITIONS, definition
+from tresym.manuscript.markdown import as_latex, is_markdown
 from tresym.reals.numbers.exact import InputError
 
 MAX_CHARACTERS = 20_000_000
@@ -126,7 +127,8 @@ class Files:
         if here in around:
             raise InputError(f"{self.path}: {shown or path} includes itself")
         unsaved = None if around or preamble else self._unsaved
-        text = self._visible(self._read(path) if unsaved is None else unsaved, shown)
+        text = self._read(path) if unsaved is None else unsaved
+        text = self._visible(as_latex(text) if is_markdown(path.suffix) else text, shown)
         self.size += len(text)
         if self.size > MAX_CHARACTERS or len(self.parts) > MAX_FILES:
             raise InputError(f"{self.path}: it is too large with the files that it includes")

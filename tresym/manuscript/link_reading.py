@@ -77,6 +77,7 @@ class LinkReader:
         places_ahead: the places of the chains of the display that define symbols.
         stated: the equalities of the section that may be equations.
         values: the initial and boundary values that the section states.
+        last_term: the last term of the display before, which the next one may continue.
         chapters: the texts of the chapters that follow.
     """
 
@@ -101,6 +102,7 @@ class LinkReader:
         self.position = 0
         self.places_ahead: dict[str, int] = {}
         self.values: list[Value] = []
+        self.last_term: tuple[str, ...] = ()
 
     def either_reading(self, blank: Link, said: Said, under: Under, why: str) -> Iterator[Link]:
         """Yield the links of a chain that has two readings, each link with both readings."""

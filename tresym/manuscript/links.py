@@ -12,7 +12,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
-from itertools import pairwise
+from itertools import islice, pairwise
 from typing import TypeAlias
 
 from tresym.manuscript import prose
@@ -93,8 +93,9 @@ class _Reading(LinkReader):
                 if event.chapter:
                     self.equations.clear()
                     self.memory.begin(self.chapters.pop(0))
-                before = ""
+                before, self.last_term = "", ()
             elif isinstance(event, Scope):
+                self.last_term = ()
                 self.memory.scopes.mark(event)
                 before = ""
             elif isinstance(event, Missing):
@@ -198,6 +199,16 @@ class _Reading(LinkReader):
             if not (said.conditions or under)
         )
         self.memory.ahead = dict(self.defined_in(plainly))
+        leads = self.continued(before) if groups and not groups[0][0].terms[0] else ()
+        if leads:
+            said, under = groups[0]
+            terms = (
+                leads,
+                leads,
+                *said.terms[1:],
+            )  # the first link, of a term to itself, is left out
+            groups[0] = replace(said, terms=terms, ops=("=", *said.ops)), under
+        self.last_term = groups[-1][0].terms[-1] if groups else ()
         last = max((said.row for said, under in groups if said.conditions or under), default=0)
         for self.position, (said, under) in enumerate(groups):
             alone = said.row < last and not (said.conditions or under)
@@ -208,13 +219,28 @@ class _Reading(LinkReader):
                 several = sign != " " and not two  # x_\pm are two symbols
                 known = self.kinds.known(one.tokens, self.place)
                 start = replace(blank, shown="", symbols=known)
-                for link in self.chain(start, one, under, around, several):
+                found_links = self.chain(start, one, under, around, several)
+                for link in islice(found_links, int(bool(leads) and self.position == 0), None):
                     count += 1
                     firm = link.firm and not alone  # the condition of a later row may be meant
                     yield replace(link, number=count, firm=firm)
             for link in self.swallowed(blank, under, around):
                 count += 1
                 yield replace(link, number=count)
+
+    def continued(self, before: str) -> tuple[str, ...]:
+        """Return the term that a display continues which begins with an equality sign: the last
+        one of the display before it, or of the formula that ends the text before it."""
+        if not re.search(r"\w", before):
+            return self.last_term
+        *_, formula = [None, *prose.INLINE.finditer(before)]
+        if formula is None or re.search(r"\w", before[formula.end() :]):
+            return ()
+        try:
+            *_, said = statements(formula[1] or formula[2] or "")
+        except (InputError, ValueError):
+            return ()
+        return said.terms[-1]
 
     def swallowed(self, blank: Link, under: Iterable[Said], around: Under) -> Iterator[Link]:
         """Yield conditions that may be claims: bounds on a symbol that was defined before."""

@@ -1,0 +1,61 @@
+r"""A Markdown page as LaTeX, line by line, so that the places of formulas stay the same.
+
+``## Second example`` becomes a section, which ends what was said of letters before it, as it would
+in LaTeX; ``**Example 2.**`` becomes a bold heading. Code is left out. A percent sign is no comment,
+except of ``% tresym: ...`` and ``<!-- tresym: ... -->``, which are directives. In a table ``\|``
+is a bar.
+"""
+
+from __future__ import annotations
+
+import re
+
+SUFFIXES = frozenset((".md", ".markdown", ".mdx", ".rmd", ".qmd"))
+_FENCE = re.compile(r"\s*(?:>\s*)*(```+|~~~+)")
+_HEADING = re.compile(r"(#{1,6})\s+(.*?)\s*#*\s*$")
+_DIRECTIVE = re.compile(r"\s*<!--\s*(tresym:.*?)\s*-->\s*$")
+_BOLD = re.compile(r"(\s*(?:[-*+]\s+|\d+\.\s+)?)\*\*([^*$]{1,80})\*\*")
+_QUOTED = re.compile(r"(?:\s{0,3}>\s?)+")
+_PERCENT = re.compile(r"(?<!\\)%(?!\s*tresym:)")
+
+
+def is_markdown(suffix: str) -> bool:
+    """Whether files with this suffix are Markdown."""
+    return suffix.lower() in SUFFIXES
+
+
+def as_latex(text: str) -> str:
+    """Return a page as LaTeX with the same lines."""
+    lines = text.split("\n")
+    result: list[str] = []
+    fence = ""
+    header = lines[:1] == ["---"]
+    for n, line in enumerate(lines):
+        if header:  # of the page, with its title and the like
+            header = n == 0 or line.strip() not in ("---", "...")
+            result.append("")
+            continue
+        mark = _FENCE.match(line)
+        if fence or (mark and mark[1]):
+            if not fence and mark:
+                fence = mark[1]
+            elif mark and mark[1].startswith(fence):
+                fence = ""
+            result.append("")
+            continue
+        result.append(_line(line))
+    return "\n".join(result)
+
+
+def _line(line: str) -> str:
+    if found := _DIRECTIVE.match(line):
+        return f"% {found[1]}"
+    line = _QUOTED.sub("", line, count=1) if _QUOTED.match(line) else line
+    if found := _HEADING.match(line):
+        title = found[2].replace("{", "").replace("}", "")
+        title = _PERCENT.sub(r"\\%", title)
+        return rf"\{'section' if len(found[1]) < 3 else 'subsection'}{{{title}}}"
+    if line.lstrip().startswith("|"):
+        line = line.replace("\\|", "|")
+    line = _BOLD.sub(r"\1\\textbf{\2}", line, count=1)
+    return _PERCENT.sub(r"\\%", line)
