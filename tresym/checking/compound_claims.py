@@ -31,7 +31,7 @@ from tresym.reals.decisions.claim_parsing import statement_of
 from tresym.reals.decisions.root_values import enclosed
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate, stands
-from tresym.reals.domain.operation_domains import bound, needs
+from tresym.reals.domain.operation_domains import bound, needs, operations
 from tresym.reals.language.binders import derivative, elementary, worked_out
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.claims import Written
@@ -55,6 +55,7 @@ from tresym.reals.language.expression import (
     bind,
     fresh,
     number,
+    replaced,
     substitute,
     symbol,
     symbols,
@@ -76,6 +77,8 @@ PARAMETERS = 6
 """Points of the conditions at which solutions are counted to refute a claim."""
 SEVERAL = 3
 """The most parameters for which all combinations of 0, 1 and −1 are tried."""
+SIZE = 3
+"""The least number of operations in an expression that is replaced by a variable."""
 POINTS = 60
 """Points at which a claim that holds somewhere is tried."""
 GRID = 96
@@ -177,6 +180,8 @@ class _Deciding:
         if len(first) == len(second) == 1 and first[0][1] == second[0][1] == "==":
             proved = self.by_a_factor(first[0], second[0], given)
         if proved is None:
+            proved = self.for_every_value(first, second, given)
+        if proved is None:
             ways = ((first, second), (second, first))
             both = [self.implied(*way, given) for way in ways]
             weakest = worst(both)
@@ -190,6 +195,36 @@ class _Deciding:
             why = f"no point was found at which both sides are defined ({proved.why})"
             return Answer(UNDECIDED, why)
         return proved
+
+    def for_every_value(
+        self, first: tuple[Compared, ...], second: tuple[Compared, ...], given: tuple[Compared, ...]
+    ) -> Answer | None:
+        """Prove an equivalence for every value of the expressions that both parts contain."""
+        shared = _in_both(first, second)
+        if not shared:
+            return None
+        taken = {*_taken((*first, *second, *given))}
+        put: dict[Expr, Expr] = {}
+        signs: list[Compared] = []
+        for e in shared:
+            name = fresh("u", taken)
+            taken.add(name)
+            put[e] = symbol(name)
+            if self.asked((e, ">", ZERO), given):
+                signs.append((symbol(name), ">", ZERO))
+        one, other, where = (
+            tuple((replaced(x, put), sign, replaced(y, put)) for x, sign, y in part)
+            for part in (first, second, given)
+        )
+        answers = []
+        for a, b in ((one, other), (other, one)):
+            answers.append(self.implied(a, b, (*where, *signs)))
+            if not answers[-1]:
+                return None
+        values = ", ".join(f"{name} = {e}" for e, name in put.items())
+        why = f"each follows from the other for every value of {values}"
+        obligations = tuple(map(_obligation, answers))
+        return Answer(worst(answers).verdict, why, obligations=obligations)
 
     def implied(
         self, first: tuple[Compared, ...], second: tuple[Compared, ...], given: Iterable[Compared]
@@ -782,6 +817,17 @@ def _has_a_point(sides: Sequence[Expr], given: Sequence[Compared]) -> bool:
         with ball_precision():
             return all(evaluate(side, {}).is_finite() for side in sides)
     return somewhere(sides, links, integers)
+
+
+def _in_both(first: Iterable[Compared], second: Iterable[Compared]) -> list[Expr]:
+    """The largest expressions that stand in both of two formulas, not only as a power."""
+
+    def inner(links: Iterable[Compared]) -> set[Expr]:
+        found = operations([side for link in links for side in link[::2]])
+        return {e for e in found if symbols(e) and not e.loose and elementary(e)}
+
+    both = {e for e in inner(first) & inner(second) if len(list(operations((e,)))) >= SIZE}
+    return [e for e in both if not any(e != f and e in set(operations((f,))) for f in both)]
 
 
 def _transformed(first: Compared, second: Compared) -> Iterator[tuple[Compared, Compared]]:

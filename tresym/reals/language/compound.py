@@ -18,9 +18,17 @@ from typing import Any, NamedTuple, TypeAlias
 from tresym.reals.language.brackets import closing, encloses, places, split
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.claims import Written, read_claim
-from tresym.reals.language.expression import Expr, multiply, number, substitute, symbol, symbols
+from tresym.reals.language.expression import (
+    ZERO,
+    Expr,
+    multiply,
+    number,
+    substitute,
+    symbol,
+    symbols,
+)
 from tresym.reals.language.formula import Compared, chained
-from tresym.reals.language.parsing import as_written, parse_claim
+from tresym.reals.language.parsing import as_written
 from tresym.reals.language.paths import Path
 from tresym.reals.language.typesetting import expression_in_latex, to_latex
 from tresym.reals.language.unicode_input import plain
@@ -311,10 +319,10 @@ def _part(text: str, around: _Around) -> Formula:
             raise InputError(f"write {match[1]}(f, x) with the variable of the function")
         return _shape(match[1], ",".join(function), name.strip(), around)
     if match := _SOME.match(text):
-        found = _written(match[1], around)
-        if found.path is not None or found.on or found.uniformly:
+        some = _written(match[1], around)
+        if some.path is not None or some.on or some.uniformly:
             raise InputError("at some point: … is said of points, and has no path")
-        return Somewhere(found.comparisons, found.given)
+        return Somewhere(some.comparisons, some.given)
     if match := _IN_WORDS.match(text):
         return _shape(match[2], match[1], match[3], around)
     if encloses(text) and split(inner := text[1:-1], _RELATION)[1:]:
@@ -322,7 +330,10 @@ def _part(text: str, around: _Around) -> Formula:
     components = _components(text)
     if components is not None:
         return Together(tuple(_written(part, around) for part in components))
-    return _written(text, around)
+    found = _written(text, around)
+    if split(chained(found.comparisons), ",")[1:]:  # a < b > c is two chains in print
+        return Together(tuple(found._replace(comparisons=(link,)) for link in found.comparisons))
+    return found
 
 
 def _bracketed(inner: str, around: _Around) -> Formula:
@@ -358,7 +369,7 @@ def _count(match: re.Match[str], around: _Around) -> Count:
             f"'{rest[: end - 1]}' is no interval: write {how} {name} in (a, b): f == g"
         )
     low, high = (_end(part) for part in ends)
-    equation = parse_claim(plain(rest[end:].lstrip()[1:].strip()))
+    equation = read_claim(rest[end:].lstrip()[1:].strip()).comparisons
     if len(equation) != 1 or equation[0][1] != "==":
         raise InputError(
             f"{how} solution is counted of one equation: {how} {name} in (a, b): f == g"
@@ -385,8 +396,10 @@ def _shape(how: str, function: str, name: str, around: _Around) -> Shape:
     shared = around.shared
     if shared.path is not None or around.uniformly:
         raise InputError(f"{how}(f, x) is claimed where conditions hold, and has no path")
-    (link,) = parse_claim(plain(f"{function} == 0"))
-    return Shape(how, link[0], name, (*shared.given, *shared.on))
+    found = read_claim(f"{function} == 0").comparisons
+    if len(found) != 1 or found[0][1] != "==" or found[0][2] != ZERO:
+        raise InputError(f"'{function.strip()}' is not a function: write {how}(f, x)")
+    return Shape(how, found[0][0], name, (*shared.given, *shared.on))
 
 
 def _components(text: str) -> list[str] | None:
