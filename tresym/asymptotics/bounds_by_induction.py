@@ -7,7 +7,9 @@ Up to some N, T(n) is computed from the recurrence and compared. For n > N every
 from the least argument on, h(⌊b n⌋) ≤ h(b n) and h(⌈p n/q⌉) ≤ h((p n + q − 1)/q), and the induction
 needs one inequality between explicit functions of a real number n > N. Lower bounds likewise.
 
-If the claim fails or stays open, a factor C is looked for with which C h(n) is a bound.
+An equation T(n) = h(n) holds if h satisfies the recurrence, which is shown for every residue of n.
+
+If a bound fails or stays open, a factor C is looked for with which C h(n) is a bound.
 """
 
 from __future__ import annotations
@@ -20,8 +22,8 @@ from flint import arb, fmpq
 
 from tresym.asymptotics.divided_arguments import Branch, Divided, divided
 from tresym.asymptotics.lemma import rounded_up
-from tresym.reals.decisions.answer import Answer, Decide
-from tresym.reals.decisions.rounding import is_rounded
+from tresym.reals.decisions.answer import Answer, Decide, worst
+from tresym.reals.decisions.rounding import is_rounded, residues, without_rounding
 from tresym.reals.decisions.statement import Statement, functions
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
@@ -47,7 +49,7 @@ from tresym.reals.verdict import Verdict
 LEMMA = "induction on the recurrence"
 LAST = (24, 96, 300)
 """Where the induction begins: T is computed up to there."""
-MIRRORED = {"<=": ">=", "<": ">", ">=": "<=", ">": "<"}
+MIRRORED = {"<=": ">=", "<": ">", ">=": "<=", ">": "<", "==": "=="}
 
 
 def decide_bound(claim: Comparison, statement: Statement, decided: Decide) -> Answer | None:
@@ -84,6 +86,8 @@ def decide_bound(claim: Comparison, statement: Statement, decided: Decide) -> An
     values = found.values(LAST[-1])
     if low not in values:
         return open_(f"the first values do not determine {_called(found, low)}: give more of them")
+    if relation == "==":
+        return _equal(found, values, low, right, statement, decided)
     # the recurrence is checked at a counterexample, so that it is rather none of the first values
     begin = max(low, *(k + 1 for k in found.starts))
     broken, ratio = _compared(values, begin, right, relation, name)
@@ -115,6 +119,48 @@ def decide_bound(claim: Comparison, statement: Statement, decided: Decide) -> An
             return replace(answer, why=f"{found.node} {relation} {better} {answer.why}")
     offer = _offer(found, values, low, right, relation, ratio, statement, decided)
     return open_(f"the induction does not close for {relation} {right}{offer}")
+
+
+def _equal(
+    found: Divided,
+    values: dict[int, fmpq],
+    low: int,
+    right: Expr,
+    statement: Statement,
+    decided: Decide,
+) -> Answer:
+    """Decide T(n) == h(n): h must satisfy the recurrence, for every residue of n."""
+    name, n = found.name, symbol(found.name)
+    plain = replace(statement, given=Given(), equations=(), integers=())
+    for k in sorted(range(low, low + LAST[0]), key=lambda k: k in found.starts):
+        bound = substitute(right, {name: number(k)})
+        if decided(Comparison(number(values[k]), "!=", bound), plain):
+            why = f"at {n} = {k}: {_called(found, k)} = {number(values[k])}"
+            return Answer(Verdict.REFUTED, why, witness=_witness(found, values, k), lemma=LEMMA)
+        if not decided(Comparison(number(values[k]), "==", bound), plain):
+            return Answer(Verdict.UNDECIDED, f"{_called(found, k)} is not compared with {bound}")
+    last = low + LAST[0] - 1
+    least = [_value(_end_of(branch, n, False), name, last + 1) for branch in found.branches]
+    most = [_value(_end_of(branch, n, True), name, last + 1) for branch in found.branches]
+    if any(x is None or x < low for x in least) or any(x is None or x > last for x in most):
+        return Answer(Verdict.UNDECIDED, f"an argument is not below {n} from {n} = {last + 1} on")
+    terms = [
+        number(branch.factor) * substitute(right, {name: branch.argument})
+        for branch in found.branches
+    ]
+    step = Comparison(add(found.rest, *terms), "==", right)
+    region = Given(((n, ">", number(last)),))
+    whole = replace(plain, comparisons=(step,), given=region, integers=(name,))
+    cases = residues(whole)
+    wheres = [whole] if cases is None else cases[2]
+    answers = []
+    for case in map(without_rounding, wheres):
+        answers.append(decided(case.comparisons[0], case))
+        if not answers[-1]:
+            why = f"{right} is not shown to satisfy the recurrence: {answers[-1].why}"
+            return Answer(Verdict.UNDECIDED, why)
+    why = f"by induction: computed up to {n} = {last}, and {right} satisfies the recurrence beyond"
+    return replace(worst(answers), why=why, lemma=LEMMA, region=None)
 
 
 def _witness(found: Divided, values: dict[int, fmpq], n: int) -> dict[str, str]:

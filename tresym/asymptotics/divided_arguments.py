@@ -276,6 +276,10 @@ def decide_divided_arguments(
         return open_(found)
     if statement.given.comparisons or statement.integers not in ((), (path.name,)):
         return open_("conditions beside a divide-and-conquer recurrence are not supported")
+    if claim.relation in ("O", "o") and elementary(claim.right):
+        answer = _difference(claim, statement, found, decided)
+        if answer is not None:
+            return answer
     if claim.relation not in KINDS or claim.left != found.node or list(functions(claim.right)):
         return open_(f"orders of {found.node} are supported: == Theta(h), O(h), o(h) and ~ h")
     explicit = replace(statement, equations=(), integers=())
@@ -300,6 +304,59 @@ def decide_divided_arguments(
     relation = "~ " if claim.relation == "~" else f"is {claim.relation}"
     compared = f"{growth.scale} {relation}({claim.right})" if answer else answer.why
     why = f"{found.node} {known}: {compared}"
+    return replace(answer, why=why, lemma=LEMMA, region=None, constant=None)
+
+
+def _difference(
+    claim: Comparison, statement: Statement, found: Divided, decided: Decide
+) -> Answer | None:
+    """Decide T(n) − E(n) = O(h) or o(h) with an explicit E, or return None.
+
+    The difference D satisfies the recurrence with g(n) + Σ aᵢ E(bᵢ n) − E(n) in place of g, up to
+    O(|E′(n)|) from what is rounded.
+    """
+    n = symbol(found.name)
+    if claim.left == found.node or set(functions(claim.left)) != {found.node}:
+        return None
+    solution = Comparison(claim.left, "==", ZERO).solved(found.node)
+    if solution is None or solution[1].op != "number" or not elementary(solution[0]):
+        return None
+    e = solution[0]
+    if symbols(e) != {found.name}:
+        return None
+    shares = [
+        number(b.factor) * substitute(e, {found.name: number(b.ratio) * n}) for b in found.branches
+    ]
+    rest = add(found.rest, *shares, -e)
+    plain = replace(statement, equations=(), integers=())
+    first = None
+    if not is_zero(rest, _beyond_one(found.name)):
+        first = written_term(rest, found.name, None, 1, Given())
+        if first is None:
+            return None
+    moved = written_term(differentiate(e, found.name), found.name, None, 1, Given())
+    if moved is None or powers_of(moved[1], n) is None:
+        return None
+    if first is not None:
+        apart = limit_of(moved[1] / first[1], found.name, None, 1, Given())
+        lead = limit_of(rest / first[1], found.name, None, 1, Given())
+        side = None if lead is None else sign(lead, Given())
+        if apart == ZERO and side in ("+", "-"):
+            signed = rest if side == "+" else -rest
+            growth = growth_of(found._replace(rest=signed))
+            if growth is not None and growth.sharp and growth.scale is not None:
+                answer = decided(replace(claim, left=growth.scale), plain)
+                why = f"{found.node} - ({e}) ~ {'-' * (side == '-')}({growth.scale}): {answer.why}"
+                return replace(answer, why=why, lemma=LEMMA, region=None, constant=None)
+    size = moved[1] if first is None else moved[1] + first[1]
+    growth = growth_of(found._replace(rest=size))
+    if growth is None:
+        return None
+    scale = power(n, number(growth.high)) if growth.scale is None else growth.scale
+    answer = decided(replace(claim, left=scale), plain)
+    why = f"{found.node} - ({e}) = O({scale}): {answer.why}"
+    if not answer:
+        answer = Answer(Verdict.UNDECIDED, why)
     return replace(answer, why=why, lemma=LEMMA, region=None, constant=None)
 
 
