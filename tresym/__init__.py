@@ -35,6 +35,7 @@ if TYPE_CHECKING:  # for editors and type checkers, which would accept any name 
     from tresym.reals.numbers.exact import InputError
     from tresym.reals.verdict import Verdict
     from tresym.repair import check
+    from tresym.report.pages.explanation import explain
     from tresym.report.pages.opened import (
         open as open,  # not in __all__: a star would hide the builtin
     )
@@ -54,6 +55,7 @@ _HOMES = {
     "derive": "tresym.report.pages.python_api",
     "error_table": "tresym.accuracy.error_table",
     "expand": "tresym.accuracy.expansion",
+    "explain": "tresym.report.pages.explanation",
     "figure": "tresym.proofs.python_api",
     "flip_angle": "tresym.racket.flip",
     "flip_defect": "tresym.racket.flip",
@@ -81,6 +83,7 @@ __all__ = [
     "derive",
     "error_table",
     "expand",
+    "explain",
     "figure",
     "flip_angle",
     "flip_defect",

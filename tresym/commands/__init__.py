@@ -26,6 +26,7 @@ COMMANDS = (
     "docs",
     "flip",
     "check",
+    "explain",
     "expand",
     "error",
     "atlas",

@@ -73,6 +73,6 @@ def transcript(command: str) -> str:
     if status == 2:
         raise ValueError(f"{command}: is not a tresym command, or its input was refused")
     lines = _TIME.sub("…", printed.getvalue()).rstrip().splitlines()
-    if words[:1] == ["check"]:
+    if words[:1] in (["check"], ["explain"]):
         lines = [part for line in lines for part in in_lines(line, "", " " * 13, COLUMNS)]
     return "\n".join([f"$ {command}", *lines, ""])

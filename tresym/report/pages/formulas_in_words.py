@@ -56,7 +56,7 @@ def parts(text: str, known: Collection[str] = ()) -> Iterator[tuple[str, bool]]:
 
 def _formula(text: str, known: Collection[str]) -> str:
     """Return a text in LaTeX if it is a formula, else nothing."""
-    if not _SIGN.search(text) or not re.search(r"\w", text):
+    if not _SIGN.search(text) or not re.search(r"\w", text) or " is " in text:
         return ""
     try:
         if re.search(r"[<>=~]", text):
