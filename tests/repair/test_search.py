@@ -85,3 +85,29 @@ def test_check_suggests_unless_told_not_to() -> None:
 def test_a_wrong_coefficient_is_named(claim: str, why: str) -> None:
     found = alternatives(claim, LONG)
     assert any(one.edit.startswith(why) for one in found)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("claim", "true"),
+    [
+        (
+            "Ei(x) == exp(x)/x*(1 - 1/x + O(1/x**2)) as x -> oo",
+            "Ei(x) == exp(x)/x*(1 + 1/x + O(x**(-2)))",
+        ),
+        (
+            "factorial(n) == sqrt(2*pi*n)*(n/E)**n*(1 + 1/(6*n) + O(1/n**2)) as n -> oo",
+            "factorial(n) == sqrt(2*pi*n)*(n/E)**n*(1 + 1/(12*n) + O(n**(-2)))",
+        ),
+        (
+            "erfc(x) == exp(-x**2)/(2*x*sqrt(pi))*(1 + O(1/x**2)) as x -> oo",
+            "erfc(x) == exp(-x**2)/(sqrt(pi)*x)*(1 + O(x**(-2)))",
+        ),
+        (
+            "cosh(x) == exp(x)*(1 + O(exp(-2*x))) as x -> oo",
+            "cosh(x) == exp(x)*(1 + O(exp(-2*x)))/2",
+        ),
+    ],
+)
+def test_a_misprint_in_a_product_with_an_order_is_named(claim: str, true: str) -> None:
+    assert true in [one.claim for one in alternatives(claim, LONG)]

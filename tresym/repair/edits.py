@@ -248,8 +248,8 @@ def _here(e: Expr, names: Sequence[str], indices: Sequence[str]) -> Iterator[Cha
                 yield Change(WRAPPED, e.op, other, apply(other, *e.args))
     if e.op == "log":
         for base in (b for b in (10, 2) if e.args[0] != number(b)):
-            other = e / apply("log", number(base))
-            yield Change(FUNCTION, "log", f"the logarithm to base {base}", other)
+            based = e / apply("log", number(base))
+            yield Change(FUNCTION, "log", f"the logarithm to base {base}", based)
     if e.op == "+":
         yield from _terms(e)
     if e.op == "*":

@@ -28,9 +28,11 @@ from tresym.reals.language.expression import (
     rebuild,
     symbols,
 )
+from tresym.reals.normal.to_expression import normal_form
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.signs.interior import is_zero
 from tresym.repair.agreement import Claim
+from tresym.repair.like_terms import collected, over_one_bar
 
 MORE = 3
 """How many terms more than those of the claim are looked for."""
@@ -54,6 +56,10 @@ def true_expansions(claim: Claim) -> Iterator[tuple[Claim, str]]:
             yield claim._replace(terms=(f, value)), f"the limit is {value}"
         return
     right = claim.terms[1]
+    factored = _factored(right)
+    if relation == "==" and factored is not None:
+        yield from _in_product(claim, *factored)
+        return
     parts = right.args if right.op == "+" else (right,)
     orders = [part for part in parts if part.op in ORDERS]
     count = len(parts) - len(orders)
@@ -61,7 +67,7 @@ def true_expansions(claim: Claim) -> Iterator[tuple[Claim, str]]:
         found = _terms(f, statement, count)
         if found is not None and found.terms:
             why = _wrong_coefficient(right, found, statement) or "the leading terms are these"
-            yield claim._replace(terms=(f, add(*found.terms))), why
+            yield claim._replace(terms=(f, add(*map(over_one_bar, found.terms)))), why
         return
     if relation != "==" or len(orders) != 1 or orders[0].op not in ("O", "o"):
         return
@@ -78,11 +84,47 @@ def true_expansions(claim: Claim) -> Iterator[tuple[Claim, str]]:
             continue
         gauge = found.gauge
         if gauge is None or _is_small(gauge, order, statement):
-            terms = add(*found.terms, order) if found.terms else order
+            shown = [over_one_bar(term) for term in found.terms]
+            terms = add(*shown, order) if shown else order
             wrong = _wrong_coefficient(stated, found, statement)
-            why = wrong or f"the expansion is {add(*found.terms)}"
+            why = wrong or f"the expansion is {add(*shown)}"
             yield claim._replace(terms=(f, terms)), why
             return
+
+
+def _factored(right: Expr) -> tuple[Expr, Expr] | None:
+    """Return g and h of ``g*h`` where h is a sum with O; None if there is no such sum."""
+    factors = right.args if right.op == "*" else ()
+    sums = [e for e in factors if e.op == "+" and any(term.op in ORDERS for term in e.args)]
+    if len(sums) != 1:
+        return None
+    return multiply(ONE, *(e for e in factors if e is not sums[0])), sums[0]
+
+
+def _in_product(claim: Claim, factor: Expr, inner: Expr) -> Iterator[tuple[Claim, str]]:
+    """Yield the same for ``f == g*(1 + … + O(h))``: the expansion of f/g, or of f with another g.
+
+    If the first term of the expansion is not the one that is written, the factor is wrong, and
+    takes up the quotient of both.
+    """
+    f = claim.terms[0]
+    first = next((term for term in inner.args if term == ONE), None)
+    for found, why in true_expansions(claim._replace(terms=(f / factor, inner))):
+        terms = found.terms[1].args if found.terms[1].op == "+" else (found.terms[1],)
+        main = [term for term in terms if term.op not in ORDERS]
+        if not main:
+            continue
+        orders = [term for term in terms if term.op in ORDERS]
+        leading = ONE if first in main or first is None else main[0]
+        edited = add(
+            *(over_one_bar(collected(normal_form(term / leading, Given()))) for term in main),
+            *orders,
+        )
+        better = factor
+        if leading != ONE and not is_zero(leading - ONE, Given()):
+            better = over_one_bar(collected(multiply(factor, leading)))
+            why = f"the factor is {better}"
+        yield claim._replace(terms=(f, multiply(better, edited))), why
 
 
 def _wrong_coefficient(stated: Expr, found: Terms, statement: Statement) -> str:
@@ -92,8 +134,9 @@ def _wrong_coefficient(stated: Expr, found: Terms, statement: Statement) -> str:
     """
     assert statement.path is not None
     name = statement.path.name
-    written = [_split(t, name) for t in (stated.args if stated.op == "+" else (stated,))]
-    for coefficient, power in (_split(t, name) for t in found.terms):
+    terms = stated.args if stated.op == "+" else (stated,)
+    written = [_split(collected(t), name) for t in terms]
+    for coefficient, power in (_split(collected(t), name) for t in found.terms):
         said = add(ZERO, *(c for c, p in written if p == power))
         if said != coefficient and not is_zero(said - coefficient, Given()):
             if power == ONE or (said == ZERO and len(found.terms) != len(written)):

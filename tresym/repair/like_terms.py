@@ -87,6 +87,22 @@ def collected(e: Expr) -> Expr:
     return rebuild(e, args)
 
 
+def over_one_bar(e: Expr) -> Expr:
+    """Return a product as it is printed: ``3/(4*x**2)`` for 3/4 x⁻²; anything else as it is."""
+    above: list[Expr] = []
+    below: list[Expr] = []
+    for part in e.args if e.op == "*" else (e,):
+        if part.op == "number":
+            p, q = part.args[0].p, part.args[0].q
+            above += [number(int(p))] if p != 1 else []
+            below += [number(int(q))] if q != 1 else []
+        elif part.op == "^" and part.args[1].op == "number" and part.args[1].args[0] < 0:
+            below.append(power(part.args[0], number(-part.args[1].args[0])))
+        else:
+            above.append(part)
+    return multiply(ONE, *above) / multiply(ONE, *below) if below else e
+
+
 def _sum(terms: tuple[Expr, ...]) -> Expr:
     found: dict[Expr, fmpq] = {}
     for term in terms:

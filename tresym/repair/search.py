@@ -50,6 +50,8 @@ MOST, DECIDED = 3, 20
 the time, end nearly every search, so that equal runs make equal suggestions."""
 GRID, FEW = 70, 9
 """The numbers of points at which conditions and edits are tested."""
+MORE = 2
+"""How many times as much more the true expansion gets, which is nearly always what was meant."""
 SHARE = 0.3
 """The share of the time for the decision of one candidate."""
 MOST_REGIONS = 4
@@ -107,7 +109,7 @@ def alternatives(
     tried = 0
     until = time.process_time() + seconds / 2
     for rank, candidate, more, edit in _candidates(claim, until):
-        left = end - time.process_time()
+        left = end - time.process_time() + (MORE * seconds if rank < 0 else 0)
         if left <= 0 or len(found) >= most or tried >= DECIDED:
             break
         if rank >= OTHER and not unusual:
@@ -126,7 +128,7 @@ def alternatives(
             continue  # a weaker comparison function than one already found
         tried += 1
         asked = _as_asked(candidate.text(more), text)
-        verdict = _decided(asked, left if hard else min(left, SHARE * seconds))
+        verdict = _decided(asked, left if hard or rank < 0 else min(left, SHARE * seconds))
         if verdict:
             under = ", ".join(filter(None, (chained(claim.given), more)))
             if more:
