@@ -20,7 +20,15 @@ from flint import fmpq
 
 from tresym.asymptotics.differential_problem import OpenError, Problem, Value
 from tresym.asymptotics.explicit_solutions import solutions
-from tresym.asymptotics.layer_problems import FIRST, ONE_LAYER, SECOND, TWO_LAYERS, Condition, Layer
+from tresym.asymptotics.layer_problems import (
+    DAMPED,
+    FIRST,
+    ONE_LAYER,
+    SECOND,
+    TWO_LAYERS,
+    Condition,
+    Layer,
+)
 from tresym.asymptotics.layer_sums import Part, Reader
 from tresym.reals.decisions.readable_witnesses import tidied
 from tresym.reals.language.derivatives import differentiate
@@ -44,6 +52,8 @@ class Composite:
 
     def __init__(self, layer: Layer, order: int) -> None:
         """Begin with no terms, for at most ``order`` of them."""
+        if layer.kind == DAMPED:
+            raise OpenError("layers inside the interval are not computed")
         self.layer, self.order = layer, order
         r = layer.reader
         self.a, self.b, self.f = (_series(r, part, order) for part in (layer.a, layer.b, layer.f))

@@ -137,6 +137,41 @@ def _decide(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
             found = decide_layers(claim, statement, decided)
         if found is not None:
             return found
+    try:
+        return _regularly(claim, statement, path, decided)
+    except OpenError:
+        found = _by_layered_solution(claim, statement, path, decided)
+        if found is None:
+            raise
+        return found
+
+
+def _by_layered_solution(
+    claim: Comparison, statement: Statement, path: Path | None, decided: Decide
+) -> Answer | None:
+    """Decide by an explicit solution for e > 0 of a problem that has a layer as e -> 0+."""
+    if path is None or path.point != ZERO or path.sides != (1,):
+        return None
+    small = symbol(path.name)
+    positive = Given(((small, ">", ZERO),))
+    problem = problem_of(replace(statement, given=statement.given & positive))
+    if not problem.is_initial or path.name == problem.time:
+        return None
+    try:
+        need_no_layer(problem.right.values(), problem.time, path)
+    except OpenError:
+        domain = domain_of(problem, statement) & positive
+        for curve in solutions(problem, without_time(domain, problem)):
+            try:
+                return by_solution(claim, problem, curve, statement, domain, decided)
+            except OpenError:
+                continue
+    return None
+
+
+def _regularly(
+    claim: Comparison, statement: Statement, path: Path | None, decided: Decide
+) -> Answer:
     problem = problem_of(statement)
     if any(jumps(e) for e in (*problem.right.values(), claim.left, claim.right)):
         raise OpenError("functions with jumps are not supported in differential equations")

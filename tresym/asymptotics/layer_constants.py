@@ -25,7 +25,7 @@ from typing import NamedTuple
 from flint import arb, arb_poly, arb_series, ctx, fmpq
 
 from tresym.asymptotics.differential_problem import OpenError
-from tresym.asymptotics.layer_problems import ONE_LAYER, TWO_LAYERS, Layer, at_point, kind_of
+from tresym.asymptotics.layer_problems import FIRST, ONE_LAYER, Layer, at_point, kind_of
 from tresym.asymptotics.layer_sums import Exponent, Layered, Part
 from tresym.reals.balls.taylor import InSeries
 from tresym.reals.domain.evaluation import evaluate
@@ -252,7 +252,7 @@ class _Work:
 
     def both(self, bounds: Bounds) -> arb | None:
         """Return the constant where a constant is a barrier."""
-        side = 1 if self.layer.kind == TWO_LAYERS else -1
+        side = -1 if self.layer.kind == FIRST else 1
         least = -largest(lambda at: side * self.value(self.layer.b, at), self.low, self.high)
         if not least > 0:
             return None

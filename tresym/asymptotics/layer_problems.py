@@ -47,6 +47,9 @@ class Condition(NamedTuple):
 
 ONE_LAYER, TWO_LAYERS, SECOND, FIRST = "one layer", "two layers", "second order", "first order"
 """Boundary value problems with a layer at one end or at both; initial value problems."""
+DAMPED = "layers anywhere"
+"""A boundary value problem in which the factor of the function is negative, so that the largest
+error is bounded, but errors in layers may spread."""
 
 
 class Layer(NamedTuple):
@@ -101,7 +104,7 @@ class Layer(NamedTuple):
     @property
     def loose(self) -> tuple[bool, bool]:
         """Whether errors in the layer at an end are negligible for each fixed x beside it."""
-        return self.kind != SECOND, self.kind == TWO_LAYERS
+        return self.kind not in (SECOND, DAMPED), self.kind == TWO_LAYERS
 
     def turned(self, e: Expr) -> Expr:
         """Return an expression for exchanged ends, if they are exchanged."""
@@ -222,10 +225,9 @@ def layer_of(
         return layer
     if second < 0:
         if 2 * a.power < n and a.factor != ZERO and not is_zero(a.factor, inside):
-            raise OpenError(
-                "the factor of the first derivative is too large beside that of the "
-                "function for two boundary layers"
-            )
+            if any(c.order for c in conditions):
+                raise OpenError("values of the function must be given at both ends")
+            return layer._replace(kind=DAMPED)
         if n % 2:  # the layers are as wide as its square root
             root = symbol(small) ** number(fmpq(1, 2 * reader.q))
             return layer_of(problem, statement, small, [*more, root], anywhere)

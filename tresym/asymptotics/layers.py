@@ -37,9 +37,10 @@ from typing import NamedTuple
 
 from flint import arb, fmpq
 
+from tresym.asymptotics.boundary_values import between, ends, is_linear, unique_by_sign
 from tresym.asymptotics.composites import Composite
 from tresym.asymptotics.constants import rounded
-from tresym.asymptotics.differential_problem import OpenError, Problem, problem_of
+from tresym.asymptotics.differential_problem import OpenError, Problem, problem_of, residuals
 from tresym.asymptotics.explicit_claims import curve_of_claim
 from tresym.asymptotics.layer_constants import error_constant
 from tresym.asymptotics.layer_problems import (
@@ -79,8 +80,9 @@ from tresym.reals.language.expression import (
 )
 from tresym.reals.language.paths import Path
 from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.signs.definedness import continuous_on
 from tresym.reals.signs.interior import PROVING, is_zero
-from tresym.reals.signs.sign import sign
+from tresym.reals.signs.sign import proof, sign
 from tresym.reals.verdict import Verdict
 
 LEMMA = (
@@ -120,6 +122,87 @@ def decide_layers(claim: Comparison, statement: Statement, decided: Decide) -> A
     """
     if claim.relation not in ("O", "o", "->", "~"):
         return None
+    try:
+        return _decide(claim, statement, decided)
+    except OpenError:
+        found = _by_exact_equation(claim, statement, decided)
+        if found is None:
+            raise
+        return found
+
+
+def _by_exact_equation(claim: Comparison, statement: Statement, decided: Decide) -> Answer | None:
+    """Decide an order for a function that satisfies the equation, by its errors at the ends.
+
+    For y'' = f(x, y, y') with f increasing in y the difference of two solutions is largest at an
+    end (maximum principle), whatever the layers are.
+    """
+    path = statement.path
+    if path is None or path.point != ZERO or path.sides != (1,) or claim.relation == "~":
+        return None
+    small = symbol(path.name)
+    near = Given(((small, ">", ZERO), (small, "<", number(fmpq(1, 1000)))))
+    changed = replace(statement, path=None, given=_without(statement, path.name) & near)
+    problem = problem_of(changed)
+    if problem.is_initial or [n for _, n in sorted(problem.state)] != [0, 1]:
+        return None
+    fixed, closed = between(problem, changed.given)
+    name, _ = min(problem.state)
+    y = problem.state[name, 0]
+    if closed is fixed or any(v.variable != y for v in problem.given) or not is_linear(problem):
+        return None
+    low, high = ends(problem, fixed)
+    x = symbol(problem.time)
+    inside = fixed & Given(((x, ">=", low), (x, "<=", high)))
+    curve = curve_of_claim(claim, problem)
+    smooth = all(continuous_on(e, inside, proof) is None for e in curve.values())
+    left = residuals(problem, curve)
+    if not smooth or not all(is_zero(e, inside) for e in left):
+        return None
+    if not unique_by_sign(problem, inside, decided):
+        return None
+    asked = claim.relation if claim.relation != "->" else "o"
+    gauge = claim.right if claim.relation != "->" else ONE
+    plain = Statement((), _without(changed, path.name), path, "")
+    plain = replace(
+        plain,
+        given=Given(
+            tuple(
+                c
+                for c in plain.given.comparisons
+                if problem.time not in symbols(c[0]) | symbols(c[2])
+            )
+        ),
+    )
+    for value in problem.given:
+        error = substitute(curve[y], {problem.time: value.point}) - value.value
+        error = tidied(error)
+        if error == ZERO:
+            continue
+        found = decided(Comparison(error, asked, gauge), plain)
+        if not found:
+            return None
+    names = layer_names(problem, statement) - {problem.time, path.name, *problem.right}
+    why = (
+        f"{curve[y]} satisfies the equation, and its largest error is that at an end of the "
+        "interval (maximum principle)"
+    )
+    return Answer(Verdict.PROVED, why, lemma=LEMMA, uniform=None if names else True)
+
+
+def layer_names(problem: Problem, statement: Statement) -> frozenset[str]:
+    """Return the variables of a problem and of its conditions."""
+    trees = [*problem.right.values(), *(v.value for v in problem.given), *statement.said]
+    trees += [e for c in statement.comparisons for e in (c.left, c.right)]
+    return frozenset().union(*map(symbols, trees))
+
+
+def _without(statement: Statement, name: str) -> Given:
+    links = statement.given.comparisons
+    return Given(tuple(c for c in links if name not in symbols(c[0]) | symbols(c[2])))
+
+
+def _decide(claim: Comparison, statement: Statement, decided: Decide) -> Answer | None:
     read = _read(statement, [claim.left, claim.right])
     if read is None:
         return None

@@ -56,6 +56,8 @@ SMALL = (fmpq(1, 16), fmpq(1, 128), fmpq(1, 1024))
 """Values of a small parameter."""
 LONG = (fmpq(1, 10), fmpq(1, 20), fmpq(1, 40))
 """Values of a small parameter e for claims on intervals of the length of 1/e."""
+STIFF = (fmpq(1, 4), fmpq(1, 16), fmpq(1, 64))
+"""Values of a small parameter at the highest derivative of an equation that is not linear."""
 SECULAR = (fmpq(1, 6), fmpq(1, 12), fmpq(1, 24))
 """Values of a small parameter e at which times of the order of 1/e are looked at."""
 PARAMETERS = (fmpq(3, 2), fmpq(2, 3), fmpq(-5, 4), fmpq(1, 5), fmpq(7, 2))
@@ -610,7 +612,15 @@ def _small_parameter(
     claim: Comparison, statement: Statement, system: _System, path: Path, answer: Answer
 ) -> str | None:
     """Whether the ratio of error and comparison function grows, at fixed times."""
-    if path.point is None and claim.relation in ("O", "o", "->"):
+    linear = (
+        len(system.gaps) == 1
+        and len(system.state) <= 2
+        and all(
+            _is_linear(gap, [str(_mark(*key).args[0]) for key in system.state], path.name)
+            for gap in system.gaps.values()
+        )
+    )
+    if path.point is None and linear and claim.relation in ("O", "o", "->"):
         return _layer(claim, statement, system, path, answer)
     if path.point is None or symbols(path.point) or claim.relation not in ("O", "o", "->"):
         return None
@@ -621,15 +631,16 @@ def _small_parameter(
         for link in statement.given.comparisons
     ):
         return _slowly(claim, statement, system, path, answer)
-    if _is_layer(system, path, end):
+    stiff = _is_singular(system, path, end)
+    if stiff and linear:
         return _layer(claim, statement, system, path, answer)
     region = _region(answer)
-    times = (fmpq(0), *TIMES[:4], *(LATE if region else LATE[:1]))
+    times = (fmpq(0), *TIMES[:4], *(() if stiff else LATE if region else LATE[:1]))
     bounded = tried = 0
     for at in _choices(claim, statement, system, (path.name,)):
         for side in path.sides:
             table: dict[int, list[arb]] = {}
-            smalls = list(SMALL)
+            smalls = list(STIFF if stiff else SMALL)
             for e in smalls:
                 here = at | {path.name: end + side * arb(e)}
                 look = _Look(claim, statement, system, here)
@@ -658,6 +669,8 @@ def _small_parameter(
                     bounded += bool(4 * third < second + AGREED) and bool(
                         4 * second < first + AGREED
                     )
+            if against and stiff:
+                return next(iter(against.values()))
             if against:
                 least = fmpq(1, 2 ** (20 + 4 * int(max(map(abs, against)).ceil())))
                 nearer = [at | {path.name: end + side * arb(least / 8**n)} for n in range(3)]
@@ -728,7 +741,7 @@ def _slowly(
     return None
 
 
-def _is_layer(system: _System, path: Path, end: arb) -> bool:
+def _is_singular(system: _System, path: Path, end: arb) -> bool:
     """Whether the equation has no solved form at the path's end."""
     if len(system.gaps) != 1 or len(system.state) > 2:
         return False
@@ -741,6 +754,20 @@ def _is_layer(system: _System, path: Path, end: arb) -> bool:
     except ZeroDivisionError:
         return True
     return not (high - low).is_finite() or bool((high - low).contains(0))
+
+
+def _is_linear(gap: Expr, marks: Sequence[str], small: str) -> bool:
+    """Whether an equation is linear in the function and its derivative, seen at a few points."""
+    base = {n: arb(fmpq(3, 7)) for n in symbols(gap) - {*marks}} | {small: arb(fmpq(1, 3))}
+
+    def value(*points: int) -> Any:
+        return _value(gap, _constants(base | dict(zip(marks, map(arb, points), strict=True))))[0]
+
+    zero, one, two = (value(*[k] * len(marks)) for k in (0, 1, 2))
+    gaps = [two - 2 * one + zero]
+    if len(marks) == 2:
+        gaps += [value(2, 0) - 2 * value(1, 0) + zero, value(0, 2) - 2 * value(0, 1) + zero]
+    return all(x.contains(0) for x in gaps)
 
 
 def _layer(
@@ -797,6 +824,8 @@ def _layer(
                 place = {**plain, system.time: xs, "[N]": ys}
                 left, right = (value(e, place) + 0 * xs for e in trees)
             except UnsupportedError:
+                return None
+            if claim.relation != "->" and not right.all():
                 return None
             error = abs(left - right) if claim.relation == "->" else abs(left / right)
             slack = errors if claim.relation == "->" else errors / abs(right)
